@@ -1,0 +1,50 @@
+# How every target of tandem is compiled, made and installed.
+include(CMakePackageConfigHelpers)
+include(GNUInstallDirs)
+
+# Compile options of our own targets only: linked PRIVATE and inside BUILD_INTERFACE, so never handed on to users.
+# Sign conversions are let through, as GCC's -Wconversion does and clang's does not. -Wrestrict raises a false alarm on
+# "text" + std::string before GCC 13 (GCC bug 105651).
+# No contraction to fused multiply-add, or results differ between processors. (-O3 is CMake's own for Release.)
+add_library(tandem_build_flags INTERFACE)
+target_compile_options(tandem_build_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion -Wshadow
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>
+  $<$<BOOL:${TANDEM_WERROR}>:-Werror> -ffp-contract=off)
+if(TANDEM_SANITIZE)
+  target_compile_options(tandem_build_flags INTERFACE
+    -fsanitize=${TANDEM_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(tandem_build_flags INTERFACE -fsanitize=${TANDEM_SANITIZE})
+endif()
+
+# tandem_library(NAME HEADERS ... SOURCES ... [PUBLIC ...] [PRIVATE ...]): the exported target tandem::NAME with the
+# public headers below include/; header-only while it has no sources.
+function(tandem_library name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS;SOURCES;PUBLIC;PRIVATE")
+  set(target tandem_${name})
+  set(scope INTERFACE)
+  if(arg_SOURCES)
+    set(scope PUBLIC)
+    add_library(${target} STATIC ${arg_SOURCES})
+    target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:tandem_build_flags> ${arg_PRIVATE})
+  else()
+    add_library(${target} INTERFACE)
+  endif()
+  add_library(tandem::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  target_sources(${target} ${scope} FILE_SET HEADERS BASE_DIRS include FILES ${arg_HEADERS})
+  target_link_libraries(${target} ${scope} ${arg_PUBLIC})
+  target_compile_features(${target} ${scope} cxx_std_20)
+  install(TARGETS ${target} EXPORT tandemTargets FILE_SET HEADERS)
+endfunction()
+
+# What find_package(tandem) reads.
+function(tandem_install_package)
+  set(destination ${CMAKE_INSTALL_LIBDIR}/cmake/tandem)
+  configure_package_config_file(${PROJECT_SOURCE_DIR}/interface/cmake/tandemConfig.cmake.in
+    ${PROJECT_BINARY_DIR}/tandemConfig.cmake INSTALL_DESTINATION ${destination})
+  write_basic_package_version_file(${PROJECT_BINARY_DIR}/tandemConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+  install(FILES ${PROJECT_BINARY_DIR}/tandemConfig.cmake ${PROJECT_BINARY_DIR}/tandemConfigVersion.cmake
+    DESTINATION ${destination})
+  install(EXPORT tandemTargets NAMESPACE tandem:: DESTINATION ${destination})
+endfunction()

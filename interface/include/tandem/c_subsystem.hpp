@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string>
+
+#include "tandem/subsystem.h"
+#include "tandem/subsystem.hpp"
+
+namespace tandem {
+
+/// A subsystem behind the C table of subsystem.h. A status other than TANDEM_OK is thrown as Error with the same code and
+/// the subsystem's own sentence.
+class CSubsystem final : public Subsystem {
+ public:
+  /// A new instance of what `api` makes from `parameters` ("key=value&key=value"). `api` must outlive it. Throws Error
+  /// for another ABI version, a table too small, a missing function, or ports that make no sense.
+  CSubsystem(const tandem_subsystem_api* api, const std::string& parameters);
+  ~CSubsystem() override;
+  CSubsystem(const CSubsystem&) = delete;
+  CSubsystem& operator=(const CSubsystem&) = delete;
+
+  const SubsystemInfo& info() const override { return info_; }
+  Clock initialize(double t_start, double t_stop, std::span<const double> u0, Samples& y) override;
+  Clock advance(double t_limit, bool land, std::span<const Signal> u, Samples& y) override;
+  StateId save_state() override;
+  Clock restore_state(StateId id) override;
+  void release_state(StateId id) override;
+
+ private:
+  void check(tandem_status status, const char* call) const;
+  void require_saving() const;
+  void take_rows(const tandem_samples& rows, Samples& y) const;
+  Clock clock_from(const tandem_clock& clock) const;
+
+  const tandem_subsystem_api* api_;
+  void* self_ = nullptr;
+  SubsystemInfo info_;
+};
+
+}  // namespace tandem

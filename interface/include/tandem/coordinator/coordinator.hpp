@@ -1,0 +1,108 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tandem/coordinator/exchange.hpp"
+#include "tandem/coordinator/schedule.hpp"
+#include "tandem/coordinator/topology.hpp"
+
+namespace tandem {
+
+/// How histories are filled before the first step, so that degree d gives global order d + 1 from the beginning.
+enum class StartKind {
+  automatic,    ///< derivatives if the outputs give enough of them, else repeat if all can restart, else cold (noted)
+  derivatives,  ///< past samples by Taylor expansion of the output derivatives at the start
+  repeat,       ///< the first steps are run again and again, on inputs interpolated in the pass before
+  cold,         ///< as many samples as there are; caps the order at 2 (extrapolated) and 3 (interpolated)
+};
+
+/// The coordination of a run, as a scenario states it.
+struct Coordination {
+  Schedule::Kind schedule = Schedule::Kind::slowest_first;
+  std::vector<std::string> order;            ///< instances, slowest first; empty: by the length of their own steps
+  std::optional<double> communication_step;  ///< [s], for parallel and for delays; default: the largest own step
+  StartKind start = StartKind::automatic;
+  bool profile = false;  ///< read the clock before and after each call of a subsystem
+};
+
+/// Is told of new samples as they become visible.
+class Observer {
+ public:
+  virtual ~Observer() = default;
+  /// Rows first..last of the subsystem's history are new. Called after each turn (parallel: for each subsystem after the
+  /// round). Returns false to end the run.
+  virtual bool samples(int subsystem, const History& history, std::int64_t first, std::int64_t last) = 0;
+};
+
+/// Figures of one subsystem's part in a run.
+struct Effort {
+  std::int64_t exchanges = 0;  ///< calls of advance
+  std::int64_t steps = 0;      ///< own steps
+  double seconds = 0.0;        ///< inside advance; with `profile` only
+};
+
+/// Runs subsystems that integrate themselves from t_start to t_stop. The stepping loop allocates nothing once the memory
+/// of the histories has settled.
+class Coordinator {
+ public:
+  /// subsystems: in the order of the topology, which has been checked; both must outlive the coordinator. Throws Error
+  /// for an end that is not after the start, and a coordination that names what is not there.
+  Coordinator(const Topology& topology, std::vector<Subsystem*> subsystems, Coordination coordination, double t_start,
+              double t_stop);
+
+  /// First samples, order, scheme checks and start, up to the point from which round() goes on. Throws Error for a
+  /// scheme that the schedule can't honour, or a start that is asked for and can't be made.
+  void initialize();
+
+  /// Tells `observer` (may be null) of all samples from now on. Call before initialize().
+  void observe(Observer* observer) { observer_ = observer; }
+
+  /// One round of the schedule. False: there was none left, or the observer ended the run. Throws Error if a subsystem
+  /// fails or breaks the contract, with its name and the time.
+  bool round();
+
+  /// initialize(), then rounds to the end.
+  void run();
+
+  const Topology& topology() const { return topology_; }
+  const Exchange& exchange() const { return *exchange_; }
+  const Schedule& schedule() const { return *schedule_; }
+  const Clock& clock(int subsystem) const { return clocks_[static_cast<std::size_t>(subsystem)]; }
+  const Effort& effort(int subsystem) const { return efforts_[static_cast<std::size_t>(subsystem)]; }
+  double own_step(int subsystem) const { return own_steps_[static_cast<std::size_t>(subsystem)]; }
+  /// What a user should know of this run: the start chosen, an end not reached.
+  const std::vector<std::string>& notes() const { return notes_; }
+
+ private:
+  friend class RunStart;
+  void advance(int who, double limit, bool land);
+  void commit(int who, double limit);
+  void call(int who, double limit, bool land, std::span<const Signal> u);
+  void check_clock(int who, double before, std::int64_t rows, double limit);
+  void tell(int who, std::int64_t first);
+  void take_all(const Turn& turn);
+  void update_member(int who);
+  void note_ends();
+
+  const Topology& topology_;
+  std::vector<Subsystem*> subsystems_;
+  Coordination coordination_;
+  double t_start_, t_stop_;
+  TimeTolerance tolerance_;
+  Observer* observer_ = nullptr;
+  bool stopped_ = false;
+
+  std::optional<Exchange> exchange_;
+  std::optional<Schedule> schedule_;
+  std::vector<Clock> clocks_;
+  std::vector<Member> members_;
+  std::vector<double> own_steps_;
+  std::vector<std::int64_t> batches_;  ///< own steps that a call may take
+  std::vector<Effort> efforts_;
+  std::vector<int> idle_calls_;  ///< since a subsystem last moved
+  std::vector<std::string> notes_;
+};
+
+}  // namespace tandem

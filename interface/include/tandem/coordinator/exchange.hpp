@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <span>
+#include <vector>
+
+#include "tandem/coordinator/link.hpp"
+#include "tandem/coordinator/topology.hpp"
+
+namespace tandem {
+
+/// Lags of a run [s]: those of `memory` by reader, that of `delay`.
+struct Lags {
+  std::vector<double> memory;
+  double delay = 0.0;
+};
+
+/// What passes between the subsystems of a run: the recent samples of each, and the signals made from them. Subsystem i
+/// appends to history(i), commit(i) makes that visible, inputs(j) gives what j reads.
+class Exchange {
+ public:
+  /// capacities: rows of memory by subsystem, to begin with. `topology` must outlive the exchange.
+  Exchange(const Topology& topology, TimeTolerance tolerance, const Lags& lags, std::span<const std::int64_t> capacities);
+  Exchange(Exchange&&) = default;
+  Exchange& operator=(Exchange&&) = default;
+
+  History& history(int subsystem) { return histories_[static_cast<std::size_t>(subsystem)]; }
+  const History& history(int subsystem) const { return histories_[static_cast<std::size_t>(subsystem)]; }
+
+  /// Checks the rows that `source` appended (History::commit) and makes their segments.
+  void commit(int source, double t_limit) {
+    History& h = history(source);
+    h.commit(t_limit, tolerance_.width(t_limit, t_limit));
+    for (Link* link : links_from_[static_cast<std::size_t>(source)]) link->extend(h);
+  }
+
+  /// The inputs of `reader` for a call that begins at `time`, with an own step to `next_time`. Valid until the next commit
+  /// of one of its sources or the next call of inputs() for it.
+  std::span<const Signal> inputs(int reader, double time, double next_time) {
+    Reader& r = readers_[static_cast<std::size_t>(reader)];
+    for (Link* link : r.links) link->read(history(link->source()), time, next_time, r.slots.data());
+    for (Sum& sum : r.sums) add_up(sum, r.slots);
+    return {r.slots.data(), r.constants.size()};
+  }
+
+  /// Makes room for `wanted` rows of `source`: drops what no reader, standing where `clocks` says, needs any more.
+  void make_room(int source, std::int64_t wanted, std::span<const Clock> clocks);
+
+  /// From now on the signals begin with the first segment of full degree (see Link::reach_back).
+  void reach_back();
+
+  std::span<const Link> links() const { return links_; }
+
+ private:
+  /// An input that is the sum of several lanes.
+  struct Sum {
+    std::size_t input, first, count;  ///< slots
+    std::vector<Segment> segments;
+  };
+  struct Reader {
+    std::vector<Signal> slots;  ///< the inputs, then the terms of sums
+    std::vector<Segment> constants;
+    std::vector<Sum> sums;
+    std::vector<Link*> links;
+  };
+  Link& link_for(const Line& line, const Lags& lags);
+  void add_line(const Topology& topology, const Line& line, const Lags& lags);
+  void hold_start_values(const Topology& topology, int reader);
+  static void add_up(Sum& sum, std::span<Signal> slots);
+
+  TimeTolerance tolerance_;
+  std::vector<History> histories_;
+  std::vector<Link> links_;
+  std::vector<std::vector<Link*>> links_from_;  ///< by source
+  std::vector<Reader> readers_;
+};
+
+}  // namespace tandem

@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "tandem/subsystem.hpp"
+
+namespace tandem {
+
+/// The recent samples of one subsystem. The subsystem appends into room(); readers see the rows after commit(). Rows are
+/// numbered from 0 (the oldest seed, or else the first sample) and keep their number when older ones are dropped.
+class History {
+ public:
+  static constexpr std::int64_t min_capacity = 32;
+  /// capacity: rows that there is memory for at first (at least min_capacity).
+  History(const SubsystemInfo& info, std::int64_t capacity);
+  History(History&&) = default;
+  History& operator=(History&&) = default;
+
+  /// Where the subsystem appends. make_room() first.
+  Samples& room() { return samples_; }
+  /// Makes the appended rows visible, after checking that their values are finite, that times rise (a jump may repeat a
+  /// time) and that none is past t_limit by more than `tolerance`. Throws Error naming subsystem, port and time.
+  void commit(double t_limit, double tolerance) {
+    const std::int64_t size = base_ + samples_.size();
+    const double latest = t_limit + tolerance;
+    for (const double* y = row(committed_); committed_ < size; ++committed_, y += stride_)
+      if (!plain(y, latest)) check(committed_, t_limit, tolerance);
+  }
+
+  std::int64_t oldest() const { return base_; }
+  std::int64_t newest() const { return committed_ - 1; }  ///< last committed row
+  bool empty() const { return committed_ == base_; }
+
+  double time(std::int64_t row) const { return samples_.time(row - base_); }
+  bool jump(std::int64_t row) const { return samples_.jump(row - base_); }
+  std::span<const double> values(std::int64_t row) const { return samples_.values(row - base_); }
+  /// The row as the subsystem wrote it: time, jump flag, values. The one before it stands stride() doubles earlier.
+  const double* row(std::int64_t row) const { return data_.data() + (row - base_) * stride_; }
+  std::int64_t stride() const { return stride_; }
+  int outputs() const { return outputs_; }
+  int derivatives() const { return derivatives_; }
+
+  /// Number of the first row that the subsystem gave itself; rows before it are seeds.
+  std::int64_t first_own() const { return seeds_; }
+  /// Puts `count` past samples at t0 - k h before the only row, by Taylor expansion of the derivatives it carries.
+  /// Precondition: exactly one committed row, h > 0, count at most min_capacity - 3.
+  void seed(int count, double h);
+  /// Forgets everything.
+  void clear();
+
+  bool has_room(std::int64_t rows) const { return samples_.size() + rows <= capacity_; }
+  /// Drops the committed rows before `keep`, and takes more memory where the others and `wanted` more would fill over
+  /// half of it.
+  void make_room(std::int64_t keep, std::int64_t wanted);
+  std::int64_t capacity() const { return capacity_; }
+
+ private:
+  /// Nothing is wrong with the row, which comes later than the one before it. (False for the first row and for a jump.)
+  bool plain(const double* y, double latest) const {
+    bool good = y[0] <= latest && committed_ > base_ && y[0] > y[-stride_];
+    for (std::int64_t k = Samples::header; k < stride_; ++k) good &= std::abs(y[k]) <= std::numeric_limits<double>::max();
+    return good;
+  }
+  void check(std::int64_t row, double t_limit, double tolerance) const;
+  double taylor(const std::vector<double>& sample, int column, double s) const;
+  void resize(std::int64_t capacity, std::int64_t keep);
+
+  const SubsystemInfo* info_;
+  int outputs_, derivatives_;
+  std::int64_t stride_, capacity_;
+  std::int64_t base_ = 0, committed_ = 0, seeds_ = 0;
+  std::vector<double> data_;
+  Samples samples_;
+};
+
+}  // namespace tandem

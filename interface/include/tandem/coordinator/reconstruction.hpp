@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string>
+#include <string_view>
+
+namespace tandem {
+
+/// How the samples of an output become a function of time for its reader.
+struct Reconstruction {
+  enum class Kind {
+    lagrange,       ///< polynomial through the newest degree + 1 samples; interpolates where samples cover the span
+    hermite,        ///< cubic through the values and derivatives of two samples
+    mean,           ///< mean of the source's samples within the reader's own step, constant over that step
+    least_squares,  ///< polynomial fitted to the newest degree + 1 + extra samples
+    matched_hold,   ///< the newest sample, constant over the whole call
+  };
+  Kind kind = Kind::lagrange;
+  int degree = 0;  ///< lagrange: 0 to 4; least_squares: 0 to 4; else 0
+  int extra = 0;   ///< least_squares: samples beyond degree + 1, 1 to 16; else 0
+
+  /// From "lagrange0" .. "lagrange4", "hermite", "mean", "least_squaresD_EXTRA", "matched_hold".
+  /// Throws Error(invalid_argument) that lists these for any other text.
+  static Reconstruction parse(std::string_view text);
+  /// The text that parse() takes.
+  std::string name() const;
+
+  /// Makes segments from the samples alone, whoever reads them (all but mean and matched_hold).
+  bool follows_samples() const { return kind != Kind::mean && kind != Kind::matched_hold; }
+  /// Samples that one segment is made of.
+  int samples() const;
+  /// Degree of the polynomial in a segment.
+  int polynomial_degree() const;
+  /// Output derivatives that each sample must carry.
+  int derivatives_read() const { return kind == Kind::hermite ? 1 : 0; }
+  /// Output derivatives at the start from which past samples can be made by a Taylor expansion so that the order of the
+  /// scheme is kept: degree - 1 (hermite: 2). 0 where a cold start costs no order.
+  int derivatives_at_start() const;
+
+  bool operator==(const Reconstruction&) const = default;
+};
+
+}  // namespace tandem

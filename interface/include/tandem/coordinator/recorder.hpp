@@ -1,0 +1,106 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tandem/coordinator/coordinator.hpp"
+
+namespace tandem {
+
+class CsvFile;
+
+/// What a run writes, and where.
+struct Recording {
+  std::filesystem::path directory = ".";  ///< made if it is not there; earlier results in it are replaced
+  std::string clock;                      ///< the instance at whose own steps there are rows; empty: the smallest first step
+  bool own = false;                       ///< a file for each subsystem instead, at its own steps
+  std::vector<std::string> ports;         ///< outputs, "instance.port" or "instance.port[i]"; empty: all
+};
+
+/// Writes the outputs of a run as CSV: `results.csv`, or with `own` one `results.INSTANCE.csv` each. One header row,
+/// `time` first, then `instance.port` (`instance.port[i]` for arrays) in the order of the topology; numbers in the fewest
+/// digits that read back the same. Times may repeat where the clock's instance jumps.
+///
+/// At the clock's times the outputs of the other subsystems are interpolated: cubic Hermite where the port gives
+/// derivatives, else linear; at a jump, the value before it, and nothing is interpolated across one: the value before is
+/// held. A cell is empty where its subsystem has no sample at or after that time.
+///
+/// samples() only copies into memory that is reserved at the first call; the files are written when that memory is full,
+/// and by close(). After an error of a write nothing more is written to that file.
+class Recorder final : public Observer {
+ public:
+  enum class Fill { own, hermite, linear };
+  static std::string_view name(Fill fill);
+  struct Column {
+    int subsystem;
+    std::string name, unit;
+    Fill fill;  ///< how its cells were made: its own samples, or interpolated
+  };
+
+  /// `run` must outlive the recorder. Throws Error for a clock or port that is not there.
+  Recorder(const Coordinator& run, Recording what);
+  ~Recorder() override;  ///< closes what is open; errors pass unseen
+  Recorder(const Recorder&) = delete;
+  Recorder& operator=(const Recorder&) = delete;
+
+  /// At the first call (the end of Coordinator::initialize) folder and files are opened, so that a run that can't begin leaves
+  /// earlier results as they are. Throws Error(input_output) with the path.
+  bool samples(int subsystem, const History& history, std::int64_t first, std::int64_t last) override;
+
+  /// Writes what is left and closes the files. Also after a failed run: all that it was told of gets written. Throws
+  /// Error(input_output) with the path.
+  void close();
+
+  /// By column of the files, `time` left out. `fill` is known after the first samples.
+  const std::vector<Column>& columns() const { return columns_; }
+  std::vector<std::filesystem::path> files() const;
+  /// Cells left empty. Complete after close().
+  const std::vector<std::string>& notes() const { return notes_; }
+
+ private:
+  /// The recorded samples of one subsystem that still wait: rows of time, jump flag, values, first derivatives.
+  struct Track {
+    std::vector<int> outputs;     ///< flattened indices of what is recorded
+    std::vector<char> has_slope;  ///< by recorded output
+    std::vector<double> rows;
+    std::size_t cursor = 0;  ///< first row at or after the time that is being written
+    bool end_noted = false;
+
+    std::size_t width() const { return 2 + 2 * outputs.size(); }
+    std::size_t size() const { return rows.size() / width(); }
+    double time(std::size_t row) const { return rows[row * width()]; }
+    bool jump(std::size_t row) const { return rows[row * width() + 1] != 0.0; }
+    double value(std::size_t row, std::size_t k) const { return rows[row * width() + 2 + k]; }
+    double slope(std::size_t row, std::size_t k) const { return rows[row * width() + 2 + outputs.size() + k]; }
+    double interpolate(std::size_t k, double t) const;
+    void drop(std::size_t count);
+  };
+
+  void check_ports() const;
+  bool wanted(const std::string& scalar) const;
+  void choose_columns();
+  void start(double t_start);
+  int smallest_step() const;
+  void open_files();
+  void write_waiting(bool all);
+  void write_own(std::size_t subsystem);
+  void write_at_clock(bool all);
+  bool place_cursors(double t);
+  void write_row(double t);
+  void note_end(std::size_t subsystem);
+
+  const Coordinator& run_;
+  Recording what_;
+  int clock_ = -1;
+  TimeTolerance tolerance_;
+  std::vector<Track> tracks_;  ///< by subsystem
+  std::vector<Column> columns_;
+  std::vector<std::unique_ptr<CsvFile>> files_;  ///< one, or by subsystem
+  std::vector<std::string> notes_;
+  bool closed_ = false;
+};
+
+}  // namespace tandem

@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "tandem/time_grid.hpp"
+
+namespace tandem {
+
+/// What a schedule sees of a subsystem.
+struct Member {
+  double time;              ///< where it stands [s]
+  double next;              ///< where its next own step ends [s]; of one that can land, at most t_stop
+  bool lands = false;       ///< can cut a step
+  bool reads_mean = false;  ///< reads an input that is a mean over its own step, so it takes one step at a time
+};
+
+/// One subsystem's share of a round: advance to `limit`; with `land`, cut the last step to end there.
+struct Turn {
+  int who;
+  double limit;
+  bool land;
+};
+
+/// Who advances next and up to where: pure functions of the clocks. Positions 0, 1, ... are the order in which the
+/// subsystems lead: position 0 is ahead of all others (slowest-first: own steps descending; fastest-first: ascending).
+class Schedule {
+ public:
+  enum class Kind { slowest_first, fastest_first, staggered, parallel };
+  /// From "slowest-first", "fastest-first", "staggered", "parallel"; throws Error(invalid_argument) otherwise.
+  static Kind parse(std::string_view text);
+  static std::string_view name(Kind kind);
+
+  /// order: indices of the subsystems, leader first. communication_step [s]: of parallel only.
+  Schedule(Kind kind, std::vector<int> order, double t_start, double t_stop, double communication_step);
+
+  Kind kind() const { return kind_; }
+  std::span<const int> order() const { return order_; }
+
+  /// The turns of the next round, at most one for each subsystem; none when all have finished. The turns of a round read
+  /// the samples as they were when the round began. In parallel a member goes on until its next step would end past
+  /// `limit`, in as many calls as it takes.
+  /// The span is valid until the next call.
+  std::span<const Turn> next_round(std::span<const Member> members);
+
+  /// A member takes no further part: it stands at t_stop, or its next step would end past it.
+  bool finished(const Member& m) const { return !(m.time < t_stop_ - stop_width_) || m.next > t_stop_ + stop_width_; }
+
+ private:
+  void take_turns(std::span<const Member> members);
+  void stagger(std::span<const Member> members);
+  void all_at_once(std::span<const Member> members);
+  double limit_of(std::span<const Member> members, std::size_t position) const;
+  void add(int who, const Member& m, double limit);
+
+  Kind kind_;
+  std::vector<int> order_;
+  double t_start_, t_stop_, communication_step_;
+  TimeTolerance tolerance_;
+  double stop_width_;  ///< of the tolerance at t_stop
+  std::vector<Turn> round_;
+  std::size_t count_ = 0;  ///< turns of the present round
+};
+
+}  // namespace tandem

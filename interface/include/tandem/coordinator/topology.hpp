@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tandem/coordinator/reconstruction.hpp"
+#include "tandem/subsystem.hpp"
+
+namespace tandem {
+
+/// What a reader gets is later than what the source gave by: nothing; one own step of the reader (memory); one
+/// communication step (delay). Both of the latter break an algebraic loop.
+enum class Lag { none, memory, delay };
+
+/// One line between ports, as a scenario states it. Ports are "instance.port", or "instance.port[i]" for one element.
+struct Connection {
+  std::string from, to;
+  Reconstruction how;
+  double gain = 1.0, offset = 0.0;  ///< input = gain * output + offset, after conversion of units
+  bool add = false;                 ///< may share its input with others that say the same; they are summed
+  bool convert = false;             ///< convert between units of one quantity
+  Lag lag = Lag::none;
+};
+
+/// One scalar line of a checked connection (flattened indices).
+struct Line {
+  int source, output;
+  int reader, input;
+  Reconstruction how;
+  double gain, offset;
+  Lag lag;
+};
+
+/// The subsystems of a run and what connects them, checked before anything runs.
+class Topology {
+ public:
+  /// A new instance; its index. `info` must outlive the topology. Throws Error for a name that is empty, taken, or
+  /// holds a '.', '[' or blank, and for ports that contradict themselves (size below 1, derivatives beyond 3,
+  /// feedthrough of a port that is not there).
+  int add(const std::string& name, const SubsystemInfo& info);
+
+  /// Checks and adds a connection. Throws Error for an unknown instance or port, an index out of range, sizes or units
+  /// that differ, an input connected twice without `add`, a reconstruction that the output's samples can't feed, a lag
+  /// on mean or matched hold.
+  void connect(const Connection& connection);
+
+  /// The value that an input ("instance.port", or one element) takes at the start, or for ever if it is not connected.
+  void set_start(std::string_view port, double value);
+
+  /// Throws Error for an input that is neither connected nor has a start value, and for an algebraic loop, with its
+  /// cycle.
+  void check() const;
+
+  int size() const { return static_cast<int>(instances_.size()); }
+  const std::string& name(int instance) const { return at(instance).name; }
+  const SubsystemInfo& info(int instance) const { return *at(instance).info; }
+  const std::vector<Line>& lines() const { return lines_; }
+  /// By scalar input: its start value, NaN for none.
+  const std::vector<double>& start(int instance) const { return at(instance).start; }
+  /// Number of lines that end at a scalar input.
+  int lines_to(int instance, int input) const;
+
+  std::string input_name(int instance, int input) const;    ///< "instance.port" or "instance.port[i]"
+  std::string output_name(int instance, int output) const;  ///< likewise
+
+ private:
+  struct Instance {
+    std::string name;
+    const SubsystemInfo* info;
+    std::vector<double> start;
+    std::vector<char> shared;  ///< by scalar input: connected with `add`
+  };
+  /// A port, or one element of it, found by its text.
+  struct Place {
+    int instance;
+    const Port* port;
+    int first, count;  ///< flattened
+  };
+  const Instance& at(int i) const { return instances_[static_cast<std::size_t>(i)]; }
+  Place find(std::string_view text, bool output) const;
+  void connect_scalars(const Connection& c, const Place& from, const Place& to, double gain, double offset);
+  void check_loops() const;
+
+  std::vector<Instance> instances_;
+  std::vector<Line> lines_;
+};
+
+}  // namespace tandem

@@ -1,0 +1,29 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <stdexcept>
+#include <string>
+
+namespace tandem {
+
+/// What kind of mistake an Error reports. The same numbers cross the C interface and the wire (tandem_status).
+enum class ErrorCode {
+  invalid_argument = 1,  ///< a value that the caller gave: port, unit, step, parameter
+  not_supported = 2,     ///< asked for something that the subsystem or scheme has not
+  wrong_state = 3,       ///< a call out of order
+  numerical = 4,         ///< the integration failed: not finite, no convergence, no progress
+  input_output = 5,      ///< a file or a stream
+  internal = 6,          ///< anything else
+};
+
+/// Thrown for a caller's mistake or a failed run. what() is one sentence that names subsystem, port and time where they
+/// matter, the value found and the values allowed.
+class Error : public std::runtime_error {
+ public:
+  Error(ErrorCode code, const std::string& sentence) : std::runtime_error(sentence), code_(code) {}
+  ErrorCode code() const noexcept { return code_; }
+
+ private:
+  ErrorCode code_;
+};
+
+}  // namespace tandem

@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "tandem/subsystem.hpp"
+#include "tandem/time_grid.hpp"
+
+namespace tandem {
+
+/// One own step from `begin` to `end` [s]; length is h, or less where a step is cut.
+struct OwnStep {
+  double begin, end, length;
+};
+
+/// Makes a model with a fixed own step a Subsystem: keeps the grid, takes the steps that fit, lands, appends samples.
+/// Model has:
+///   SubsystemInfo info() const;                           ports, units, feedthrough; `lands` and `restarts` are added
+///   double own_step() const;                              h [s], finite and above 0
+///   void start(double t, std::span<const double> u0);     puts the state at t; u0 may hold NaN (Subsystem::initialize)
+///   void step(const OwnStep& s, std::span<const Signal> u);   integrates over s; inputs are read at any time in it
+///   void outputs(double* y) const;                        outputs, then derivatives, of the state as it is
+/// and is copyable: a copy is its saved state.
+template <class Model>
+class FixedStep final : public Subsystem {
+ public:
+  explicit FixedStep(Model model) : model_(std::move(model)), info_(model_.info()) {
+    info_.abilities.lands = info_.abilities.restarts = info_.abilities.saves_state = true;
+  }
+
+  const SubsystemInfo& info() const override { return info_; }
+  const Model& model() const { return model_; }
+
+  Clock initialize(double t_start, double /*t_stop*/, std::span<const double> u0, Samples& y) override {
+    grid_ = TimeGrid(t_start, model_.own_step());
+    model_.start(t_start, u0);
+    model_.outputs(y.append(t_start));
+    return clock(Stop::limit);
+  }
+
+  Clock advance(double t_limit, bool land, std::span<const Signal> u, Samples& y) override {
+    for (; !y.full(); model_.outputs(y.append(grid_.time()))) {
+      if (grid_.fits(t_limit)) {
+        model_.step({grid_.time(), grid_.next(), grid_.length()}, u);
+        grid_.step();
+      } else if (land && grid_.cuts(t_limit)) {
+        model_.step({grid_.time(), t_limit, t_limit - grid_.time()}, u);
+        grid_.cut(t_limit);
+      } else {
+        return clock(Stop::limit);
+      }
+    }
+    return clock(Stop::samples_full);
+  }
+
+  StateId save_state() override {
+    saved_.emplace_back(++last_id_, std::pair{model_, grid_});
+    return last_id_;
+  }
+  Clock restore_state(StateId id) override {
+    for (const auto& [key, state] : saved_)
+      if (key == id) std::tie(model_, grid_) = state;
+    return clock(Stop::limit);
+  }
+  void release_state(StateId id) override {
+    std::erase_if(saved_, [id](const auto& entry) { return entry.first == id; });
+  }
+
+ private:
+  Clock clock(Stop stop) const { return {grid_.time(), grid_.next(), stop}; }
+
+  Model model_;
+  SubsystemInfo info_;
+  TimeGrid grid_;
+  StateId last_id_ = 0;
+  std::vector<std::pair<StateId, std::pair<Model, TimeGrid>>> saved_;
+};
+
+}  // namespace tandem

@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "run_start.hpp"
+#include "tandem/error.hpp"
+
+namespace tandem {
+namespace {
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Subsystems need each other's first outputs as inputs. Each is initialized with what is known, NaN elsewhere, and again
+/// whenever more of its inputs have become known; without an algebraic loop this ends with all of them known. Where only
+/// lines with a memory or delay are left open, the reader's start value closes them.
+class FirstSamples {
+ public:
+  FirstSamples(const Topology& topology, std::vector<std::vector<double>>& u0, std::vector<std::vector<double>>& rows)
+      : topology_(topology), u0_(u0), rows_(rows), due_(u0.size(), 1) {}
+
+  template <class Initialize>
+  void make(const Initialize& initialize) {
+    do {
+      for (std::size_t i = 0; i < due_.size(); ++i) {
+        if (!due_[i]) continue;
+        due_[i] = 0;
+        initialize(static_cast<int>(i));
+        check_declared(static_cast<int>(i));
+      }
+      if (!pass_on()) close_lags();
+    } while (std::find(due_.begin(), due_.end(), 1) != due_.end());
+  }
+
+ private:
+  /// Known: finite, and independent of inputs that are not known yet.
+  bool known(int i, int output) const {
+    const auto& feed = topology_.info(i).feedthrough;
+    return std::none_of(feed.begin(), feed.end(), [&](const Feedthrough& f) {
+      return f.output == output && std::isnan(u0_[static_cast<std::size_t>(i)][static_cast<std::size_t>(f.input)]);
+    });
+  }
+
+  void check_declared(int i) const {
+    for (int k = 0; k < topology_.info(i).output_size(); ++k)
+      if (known(i, k) && !std::isfinite(rows_[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)]))
+        throw Error(ErrorCode::numerical, "output " + topology_.output_name(i, k) +
+                                              " is not finite at the start, though no unknown input feeds through to it");
+  }
+
+  /// Sets each input whose sources are all known; true if there was one.
+  bool pass_on() {
+    bool any = false;
+    for (std::size_t i = 0; i < u0_.size(); ++i)
+      for (std::size_t k = 0; k < u0_[i].size(); ++k) {
+        if (!std::isnan(u0_[i][k])) continue;
+        const double value = sum_of_lines(static_cast<int>(i), static_cast<int>(k));
+        if (std::isnan(value)) continue;
+        u0_[i][k] = value;
+        due_[i] = 1;
+        any = true;
+      }
+    return any;
+  }
+
+  double sum_of_lines(int reader, int input) const {
+    double sum = 0.0;
+    for (const Line& line : topology_.lines()) {
+      if (line.reader != reader || line.input != input) continue;
+      if (!known(line.source, line.output)) return unknown;
+      sum += line.gain * rows_[static_cast<std::size_t>(line.source)][static_cast<std::size_t>(line.output)] + line.offset;
+    }
+    return sum;
+  }
+
+  void close_lags() {
+    for (const Line& line : topology_.lines()) {
+      double& value = u0_[static_cast<std::size_t>(line.reader)][static_cast<std::size_t>(line.input)];
+      if (line.lag == Lag::none || !std::isnan(value)) continue;
+      value = topology_.start(line.reader)[static_cast<std::size_t>(line.input)];
+      if (std::isnan(value))
+        throw Error(ErrorCode::invalid_argument,
+                    "input " + topology_.input_name(line.reader, line.input) +
+                        " closes a loop with a memory or delay and has no start value");
+      due_[static_cast<std::size_t>(line.reader)] = 1;
+    }
+  }
+
+  const Topology& topology_;
+  std::vector<std::vector<double>>& u0_;
+  std::vector<std::vector<double>>& rows_;
+  std::vector<char> due_;
+};
+
+void RunStart::first_samples() {
+  for (int i = 0; i < topology_.size(); ++i) {
+    const auto& start = topology_.start(i);
+    auto& u0 = u0_.emplace_back(start.size(), unknown);
+    for (std::size_t k = 0; k < start.size(); ++k)
+      if (topology_.lines_to(i, static_cast<int>(k)) == 0) u0[k] = start[k];
+    rows_.emplace_back(static_cast<std::size_t>(topology_.info(i).row_size() - Samples::header));
+  }
+  run_.clocks_.resize(u0_.size());
+  FirstSamples(topology_, u0_, rows_).make([this](int i) {
+    const auto k = static_cast<std::size_t>(i);
+    std::vector<double> memory(static_cast<std::size_t>(topology_.info(i).row_size()));
+    Samples y(memory.data(), topology_.info(i).row_size(), 1);
+    run_.clocks_[k] = run_.subsystems_[k]->initialize(run_.t_start_, run_.t_stop_, u0_[k], y);
+    if (y.size() != 1 || y.time(0) != run_.t_start_ || run_.clocks_[k].time != run_.t_start_)
+      throw Error(ErrorCode::numerical, "subsystem '" + topology_.name(i) + "' gave " + std::to_string(y.size()) +
+                                            " samples when initialized; one at t_start is allowed");
+    rows_[k].assign(memory.begin() + Samples::header, memory.end());
+  });
+}
+
+}  // namespace tandem

@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/coordinator/history.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <string>
+
+#include "../number_text.hpp"
+#include "tandem/error.hpp"
+
+namespace tandem {
+namespace {
+
+/// "x" or, for an element of an array port, "x[2]".
+std::string output_name(const SubsystemInfo& info, int index) {
+  for (const Port& port : info.outputs) {
+    if (index < port.size) return port.size == 1 ? port.name : port.name + "[" + std::to_string(index) + "]";
+    index -= port.size;
+  }
+  return "output " + std::to_string(index);
+}
+
+[[noreturn]] void fail(const SubsystemInfo& info, const std::string& what) {
+  throw Error(ErrorCode::numerical, "subsystem '" + info.name + "' " + what);
+}
+
+}  // namespace
+
+History::History(const SubsystemInfo& info, std::int64_t capacity)
+    : info_(&info),
+      outputs_(info.output_size()),
+      derivatives_(info.derivatives()),
+      stride_(info.row_size()),
+      capacity_(std::max(capacity, min_capacity)),
+      data_(static_cast<std::size_t>(capacity_ * stride_)),
+      samples_(data_.data(), stride_, capacity_) {}
+
+/// Throws if there is something wrong with the row. (The first row and one after a jump have no earlier time.)
+void History::check(std::int64_t row, double t_limit, double tolerance) const {
+  const double t = time(row);
+  const auto y = values(row);
+  bool finite = std::isfinite(t);
+  for (const double v : y) finite &= std::isfinite(v);
+  if (!finite) {
+    const auto bad = std::find_if(y.begin(), y.end(), [](double v) { return !std::isfinite(v); });
+    const auto column = static_cast<int>(bad - y.begin());
+    const std::string value = bad == y.end() ? "a time that is" : output_name(*info_, column % outputs_);
+    fail(*info_, "gave " + value + (column >= outputs_ ? " (a derivative)" : "") + " not finite at t = " +
+                     number_text(t) + " s");
+  }
+  if (t > t_limit + tolerance)
+    fail(*info_, "gave a sample at t = " + number_text(t) + " s, past its limit " + number_text(t_limit) + " s");
+  if (row == base_ || t > time(row - 1) || (jump(row) && t == time(row - 1))) return;
+  fail(*info_, "gave a sample at t = " + number_text(t) + " s that does not come after the one before it, at " +
+                   number_text(time(row - 1)) + " s");
+}
+
+/// Column c = m outputs + i, the m-th derivative of output i, at the time s after the sample:
+/// sum over n >= m of y^(n) s^(n-m) / (n-m)!.
+double History::taylor(const std::vector<double>& sample, int c, double s) const {
+  const int m = c / outputs_, i = c % outputs_;
+  double value = 0.0;
+  for (int n = derivatives_; n >= m; --n)
+    value = sample[static_cast<std::size_t>(n * outputs_ + i)] + value * (s / (n - m + 1));
+  return value;
+}
+
+void History::seed(int count, double h) {
+  assert(committed_ - base_ == 1 && h > 0.0 && count + 2 < capacity_);
+  const std::vector<double> first(values(base_).begin(), values(base_).end());
+  const double t0 = time(base_);
+  clear();
+  for (int k = count; k >= 0; --k) {
+    double* y = samples_.append(t0 - k * h);
+    for (std::size_t c = 0; c < first.size(); ++c) y[c] = taylor(first, static_cast<int>(c), -k * h);
+  }
+  committed_ = count + 1;
+  seeds_ = count;
+}
+
+void History::clear() {
+  base_ = committed_ = seeds_ = 0;
+  samples_ = Samples(data_.data(), stride_, capacity_);
+}
+
+void History::make_room(std::int64_t keep, std::int64_t wanted) {
+  keep = std::clamp(keep, base_, committed_);
+  const std::int64_t kept = base_ + samples_.size() - keep;
+  std::int64_t capacity = capacity_;
+  while (kept + wanted > capacity / 2) capacity *= 2;
+  resize(capacity, keep);
+}
+
+void History::resize(std::int64_t capacity, std::int64_t keep) {
+  const std::int64_t kept = base_ + samples_.size() - keep;
+  const auto first = data_.begin() + (keep - base_) * stride_;
+  std::copy(first, first + kept * stride_, data_.begin());
+  data_.resize(static_cast<std::size_t>(capacity * stride_));
+  capacity_ = capacity;
+  base_ = keep;
+  samples_ = Samples(data_.data(), stride_, capacity_, kept);
+}
+
+}  // namespace tandem

@@ -1,0 +1,79 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "tandem/coordinator/topology.hpp"
+#include "tandem/error.hpp"
+
+namespace tandem {
+namespace {
+
+/// Depth-first search over scalar inputs: an input leads to every input that its subsystem's outputs reach at once.
+class LoopSearch {
+ public:
+  explicit LoopSearch(const Topology& topology) : topology_(topology) {
+    for (int i = 0; i < topology.size(); ++i)
+      state_.emplace_back(static_cast<std::size_t>(topology.info(i).input_size()), State::unseen);
+  }
+  /// Texts of the ports along a loop, the first one again at the end; empty if there is none.
+  std::vector<std::string> find() {
+    for (int i = 0; i < topology_.size(); ++i)
+      for (int k = 0; k < topology_.info(i).input_size(); ++k)
+        if (visit(i, k)) return cycle();
+    return {};
+  }
+
+ private:
+  enum class State { unseen, open, done };
+  struct Step {
+    int instance, input, output;
+  };
+
+  bool visit(int instance, int input) {
+    State& state = state_[static_cast<std::size_t>(instance)][static_cast<std::size_t>(input)];
+    if (state == State::done) return false;
+    path_.push_back({instance, input, -1});
+    if (state == State::open) return true;
+    state = State::open;
+    for (const Feedthrough& f : topology_.info(instance).feedthrough) {
+      if (f.input != input) continue;
+      path_.back().output = f.output;
+      for (const Line& line : topology_.lines())
+        if (line.source == instance && line.output == f.output && line.lag == Lag::none && visit(line.reader, line.input))
+          return true;
+    }
+    path_.pop_back();
+    state = State::done;
+    return false;
+  }
+
+  std::vector<std::string> cycle() const {
+    const Step last = path_.back();
+    const auto first = std::find_if(path_.begin(), path_.end(), [&](const Step& s) {
+      return s.instance == last.instance && s.input == last.input;
+    });
+    std::vector<std::string> names;
+    for (auto s = first; s != path_.end() - 1; ++s) {
+      names.push_back(topology_.input_name(s->instance, s->input));
+      names.push_back(topology_.output_name(s->instance, s->output));
+    }
+    names.push_back(names.front());
+    return names;
+  }
+
+  const Topology& topology_;
+  std::vector<std::vector<State>> state_;
+  std::vector<Step> path_;
+};
+
+}  // namespace
+
+void Topology::check_loops() const {
+  const auto cycle = LoopSearch(*this).find();
+  if (cycle.empty()) return;
+  std::string text;
+  for (const std::string& name : cycle) text += (text.empty() ? "" : " -> ") + name;
+  throw Error(ErrorCode::invalid_argument, "algebraic loop over direct feedthrough: " + text +
+                                               "; break it with memory = true or delay = true on one of its connections");
+}
+
+}  // namespace tandem

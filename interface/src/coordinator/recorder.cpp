@@ -1,0 +1,125 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/coordinator/recorder.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "recorder_file.hpp"
+#include "tandem/error.hpp"
+#include "tandem/nearest.hpp"
+
+namespace tandem {
+namespace {
+
+constexpr std::size_t doubles_reserved = std::size_t{1} << 16;  // by subsystem
+
+/// "x" of "x[2]": what names all elements of an array port.
+std::string whole_port(const std::string& scalar) { return scalar.substr(0, scalar.find('[')); }
+
+[[noreturn]] void refuse(const std::string& what, const std::string& found, const std::vector<std::string>& known) {
+  const std::string near = nearest(found, known);
+  std::string list;
+  for (const std::string& k : known) list += (list.empty() ? "" : ", ") + k;
+  throw Error(ErrorCode::invalid_argument, what + " '" + found + "' is not there" +
+                                               (near.empty() ? "" : "; did you mean '" + near + "'?") +
+                                               "; there are: " + (list.empty() ? "none" : list));
+}
+
+}  // namespace
+
+Recorder::Recorder(const Coordinator& run, Recording what) : run_(run), what_(std::move(what)) {
+  std::vector<std::string> instances;
+  for (int i = 0; i < run.topology().size(); ++i) instances.push_back(run.topology().name(i));
+  const auto it = std::find(instances.begin(), instances.end(), what_.clock);
+  if (!what_.clock.empty() && it == instances.end()) refuse("clock", what_.clock, instances);
+  if (!what_.clock.empty()) clock_ = static_cast<int>(it - instances.begin());
+  check_ports();
+  choose_columns();
+}
+
+Recorder::~Recorder() {
+  try {
+    close();
+  } catch (...) {  // whoever wants to know calls close()
+  }
+}
+
+std::string_view Recorder::name(Fill fill) {
+  return fill == Fill::own ? "own steps" : fill == Fill::hermite ? "cubic hermite" : "linear";
+}
+
+void Recorder::check_ports() const {
+  const Topology& topology = run_.topology();
+  std::vector<std::string> known;
+  for (int i = 0; i < topology.size(); ++i)
+    for (int k = 0; k < topology.info(i).output_size(); ++k) known.push_back(topology.output_name(i, k));
+  for (const std::string& port : what_.ports)
+    if (std::none_of(known.begin(), known.end(), [&](const std::string& k) { return port == k || port == whole_port(k); }))
+      refuse("recorded output", port, known);
+}
+
+bool Recorder::wanted(const std::string& scalar) const {
+  return what_.ports.empty() || std::any_of(what_.ports.begin(), what_.ports.end(), [&](const std::string& port) {
+           return port == scalar || port == whole_port(scalar);
+         });
+}
+
+void Recorder::choose_columns() {
+  const Topology& topology = run_.topology();
+  for (int i = 0; i < topology.size(); ++i) {
+    Track& track = tracks_.emplace_back();
+    int output = 0;
+    for (const Port& port : topology.info(i).outputs)
+      for (int e = 0; e < port.size; ++e, ++output) {
+        const std::string scalar = topology.output_name(i, output);
+        if (!wanted(scalar)) continue;
+        track.outputs.push_back(output);
+        track.has_slope.push_back(port.derivatives > 0);
+        columns_.push_back({i, scalar, port.unit, port.derivatives > 0 ? Fill::hermite : Fill::linear});
+      }
+  }
+}
+
+std::vector<std::filesystem::path> Recorder::files() const {
+  std::vector<std::filesystem::path> paths;
+  for (const auto& file : files_)
+    if (file) paths.push_back(file->path());
+  return paths;
+}
+
+bool Recorder::samples(int subsystem, const History& history, std::int64_t first, std::int64_t last) {
+  if (files_.empty()) start(history.time(first));
+  Track& track = tracks_[static_cast<std::size_t>(subsystem)];
+  if (track.outputs.empty() && subsystem != clock_) return true;
+  const auto wanted = static_cast<std::size_t>(last - first + 1) * track.width();
+  if (track.rows.size() + wanted > track.rows.capacity()) {
+    write_waiting(false);
+    if (track.rows.size() + wanted > track.rows.capacity() / 2) track.rows.reserve(2 * (track.rows.size() + wanted));
+  }
+  for (std::int64_t row = first; row <= last; ++row) {
+    const double* y = history.values(row).data();
+    track.rows.insert(track.rows.end(), {history.time(row), history.jump(row) ? 1.0 : 0.0});
+    for (const int k : track.outputs) track.rows.push_back(y[k]);
+    for (std::size_t k = 0; k < track.outputs.size(); ++k)
+      track.rows.push_back(track.has_slope[k] ? y[history.outputs() + track.outputs[k]] : 0.0);
+  }
+  return true;
+}
+
+void Recorder::start(double t_start) {
+  tolerance_ = TimeTolerance(t_start);
+  if (clock_ < 0) clock_ = smallest_step();
+  for (Track& track : tracks_) track.rows.reserve(doubles_reserved);
+  for (Column& column : columns_)
+    if (what_.own || column.subsystem == clock_) column.fill = Fill::own;
+  open_files();
+}
+
+int Recorder::smallest_step() const {
+  int best = 0;
+  for (int i = 1; i < run_.topology().size(); ++i)
+    if (run_.own_step(i) < run_.own_step(best)) best = i;
+  return best;
+}
+
+}  // namespace tandem

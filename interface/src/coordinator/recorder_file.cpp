@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "recorder_file.hpp"
+
+#include <cerrno>
+#include <charconv>
+#include <system_error>
+#include <utility>
+
+#include "tandem/error.hpp"
+
+namespace tandem {
+namespace {
+constexpr std::size_t buffer_size = std::size_t{1} << 18;
+constexpr std::size_t longest_number = 32;  // of the shortest form of a double; 24 are needed
+}  // namespace
+
+CsvFile::CsvFile(std::filesystem::path path) : path_(std::move(path)), file_(std::fopen(path_.c_str(), "wb")) {
+  if (!file_) fail();
+  std::setvbuf(file_.get(), nullptr, _IONBF, 0);
+  buffer_.reserve(buffer_size + buffer_size / 4);
+}
+
+void CsvFile::fail() {
+  const std::string why = std::generic_category().message(errno);
+  file_.reset();
+  buffer_.clear();
+  throw Error(ErrorCode::input_output, "file '" + path_.string() + "' can't be written: " + why);
+}
+
+void CsvFile::separate() {
+  if (std::exchange(row_begun_, true)) buffer_ += ',';
+}
+
+void CsvFile::text(std::string_view cell) {
+  separate();
+  if (cell.find_first_of(",\"\r\n") == std::string_view::npos) {
+    buffer_ += cell;
+    return;
+  }
+  buffer_ += '"';
+  for (const char c : cell) buffer_.append(c == '"' ? 2 : 1, c);
+  buffer_ += '"';
+}
+
+void CsvFile::number(double value) {
+  separate();
+  char digits[longest_number];
+  buffer_.append(digits, std::to_chars(digits, digits + longest_number, value).ptr);
+}
+
+void CsvFile::empty() { separate(); }
+
+void CsvFile::end_row() {
+  buffer_ += '\n';
+  row_begun_ = false;
+  if (buffer_.size() >= buffer_size) flush();
+}
+
+void CsvFile::flush() {
+  if (file_ && std::fwrite(buffer_.data(), 1, buffer_.size(), file_.get()) != buffer_.size()) fail();
+  buffer_.clear();
+}
+
+void CsvFile::close() {
+  flush();
+  if (file_ && std::fclose(file_.release()) != 0) fail();
+}
+
+}  // namespace tandem

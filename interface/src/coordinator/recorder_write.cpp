@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <charconv>
+#include <system_error>
+#include <utility>
+
+#include "recorder_file.hpp"
+#include "tandem/coordinator/recorder.hpp"
+#include "tandem/error.hpp"
+
+namespace tandem {
+
+void Recorder::open_files() {
+  std::error_code failed;
+  std::filesystem::create_directories(what_.directory, failed);
+  if (failed)
+    throw Error(ErrorCode::input_output, "folder '" + what_.directory.string() + "' can't be made: " + failed.message());
+  if (what_.own) {
+    for (std::size_t i = 0; i < tracks_.size(); ++i) {
+      const std::string file = "results." + run_.topology().name(static_cast<int>(i)) + ".csv";
+      files_.push_back(tracks_[i].outputs.empty() ? nullptr : std::make_unique<CsvFile>(what_.directory / file));
+    }
+  } else {
+    files_.push_back(std::make_unique<CsvFile>(what_.directory / "results.csv"));
+  }
+  for (auto& file : files_)
+    if (file) file->text("time");
+  for (const Column& column : columns_) files_[what_.own ? static_cast<std::size_t>(column.subsystem) : 0]->text(column.name);
+  for (auto& file : files_)
+    if (file) file->end_row();
+}
+
+void Recorder::close() {
+  if (files_.empty()) return;
+  if (!closed_) write_waiting(true);
+  closed_ = true;
+  for (auto& file : files_)
+    if (file) file->close();
+}
+
+/// Writes the rows that no further sample can change; with `all`, the others too.
+void Recorder::write_waiting(bool all) {
+  if (what_.own)
+    for (std::size_t i = 0; i < tracks_.size(); ++i) write_own(i);
+  else
+    write_at_clock(all);
+}
+
+void Recorder::write_own(std::size_t i) {
+  Track& track = tracks_[i];
+  for (std::size_t row = 0; files_[i] && row < track.size(); ++row) {
+    files_[i]->number(track.time(row));
+    for (std::size_t k = 0; k < track.outputs.size(); ++k) files_[i]->number(track.value(row, k));
+    files_[i]->end_row();
+  }
+  track.drop(track.size());
+}
+
+void Recorder::write_at_clock(bool all) {
+  Track& clock = tracks_[static_cast<std::size_t>(clock_)];
+  std::size_t row = 0;
+  for (; row < clock.size() && (place_cursors(clock.time(row)) || all); ++row) {
+    clock.cursor = row;  // itself, where a jump repeats a time
+    write_row(clock.time(row));
+  }
+  clock.cursor = row;
+  for (Track& track : tracks_) track.drop(&track == &clock ? row : std::max<std::size_t>(track.cursor, 1) - 1);
+}
+
+/// False if a subsystem with recorded outputs has no sample at or after t.
+bool Recorder::place_cursors(double t) {
+  bool reached = true;
+  for (std::size_t i = 0; i < tracks_.size(); ++i) {
+    Track& track = tracks_[i];
+    if (static_cast<int>(i) == clock_ || track.outputs.empty()) continue;
+    while (track.cursor < track.size() && tolerance_.before(track.time(track.cursor), t)) ++track.cursor;
+    reached = reached && track.cursor < track.size();
+  }
+  return reached;
+}
+
+void Recorder::write_row(double t) {
+  CsvFile& file = *files_.front();
+  file.number(t);
+  for (std::size_t i = 0; i < tracks_.size(); ++i) {
+    const Track& track = tracks_[i];
+    if (track.outputs.empty()) continue;
+    const bool known = track.cursor < track.size();
+    const bool between = known && static_cast<int>(i) != clock_ && track.cursor > 0 && tolerance_.before(t, track.time(track.cursor));
+    if (!known) note_end(i);
+    for (std::size_t k = 0; k < track.outputs.size(); ++k)
+      if (known)
+        file.number(between ? track.interpolate(k, t) : track.value(track.cursor, k));
+      else
+        file.empty();
+  }
+  file.end_row();
+}
+
+/// Between the row before the cursor and the cursor's.
+double Recorder::Track::interpolate(std::size_t k, double t) const {
+  const std::size_t a = cursor - 1, b = cursor;
+  if (jump(b)) return value(a, k);
+  const double h = time(b) - time(a), s = (t - time(a)) / h, rise = value(b, k) - value(a, k);
+  if (!has_slope[k]) return value(a, k) + s * rise;
+  const double d = h * slope(a, k), e = h * slope(b, k);
+  return value(a, k) + s * (d + s * (3.0 * rise - 2.0 * d - e + s * (d + e - 2.0 * rise)));
+}
+
+void Recorder::Track::drop(std::size_t count) {
+  rows.erase(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(count * width()));
+  cursor -= std::min(cursor, count);
+}
+
+void Recorder::note_end(std::size_t subsystem) {
+  Track& track = tracks_[subsystem];
+  if (std::exchange(track.end_noted, true)) return;
+  std::string where = "all cells of subsystem '" + run_.topology().name(static_cast<int>(subsystem)) + "' are empty";
+  if (track.size() > 0) {
+    char digits[32];
+    char* end = std::to_chars(digits, digits + sizeof digits, track.time(track.size() - 1)).ptr;
+    where += " after t = " + std::string(digits, end) + " s, its last sample";
+  }
+  notes_.push_back(where);
+}
+
+}  // namespace tandem

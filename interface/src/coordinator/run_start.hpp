@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string>
+#include <vector>
+
+#include "tandem/coordinator/coordinator.hpp"
+
+namespace tandem {
+
+/// Everything before the first round: first samples, order, checks of the scheme, memory, seeds.
+class RunStart {
+ public:
+  explicit RunStart(Coordinator& run);
+  void make();
+
+ private:
+  void first_samples();
+  void note_steps();
+  std::vector<int> leaders_first() const;
+  void check_named_order() const;
+  void check_schemes(const std::vector<int>& order) const;
+  void check_line(const Line& line, const std::vector<int>& order) const;
+  void measure_batches();
+  std::vector<std::int64_t> capacities() const;
+  void open_exchange(const std::vector<int>& seeds);
+
+  StartKind choose();
+  bool seeds_needed(const Line& line) const { return line.how.follows_samples() && line.how.derivatives_at_start() > 0; }
+  bool derivatives_suffice() const;
+  bool can_repeat() const;
+  void seed();
+  void repeat();
+  void pass(int who, Exchange& before, double until);
+
+  Coordinator& run_;
+  const Topology& topology_;
+  std::vector<std::vector<double>> rows_;  ///< by subsystem: its first sample, header left out
+  std::vector<std::vector<double>> u0_;    ///< by subsystem: the inputs that it was initialized with
+  Lags lags_;
+};
+
+}  // namespace tandem

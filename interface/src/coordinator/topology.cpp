@@ -1,0 +1,169 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/coordinator/topology.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "tandem/coordinator/units.hpp"
+#include "tandem/error.hpp"
+#include "tandem/nearest.hpp"
+
+namespace tandem {
+namespace {
+
+[[noreturn]] void refuse(const std::string& sentence) { throw Error(ErrorCode::invalid_argument, sentence); }
+
+std::string scalar_name(const std::string& instance, const std::vector<Port>& ports, int index) {
+  for (const Port& port : ports) {
+    if (index < port.size)
+      return instance + "." + port.name + (port.size > 1 ? "[" + std::to_string(index) + "]" : "");
+    index -= port.size;
+  }
+  return instance + ".?";
+}
+
+std::string list(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text.empty() ? "none" : text;
+}
+
+std::string unknown(const std::string& kind, const std::string& found, const std::vector<std::string>& known) {
+  const std::string near = nearest(found, known);
+  return kind + " '" + found + "' is not known" + (near.empty() ? "" : "; did you mean '" + near + "'?") +
+         "; there are: " + list(known);
+}
+
+void check_unique(const std::string& name, const std::vector<Port>& ports) {
+  for (auto port = ports.begin(); port != ports.end(); ++port)
+    if (std::any_of(ports.begin(), port, [&](const Port& other) { return other.name == port->name; }))
+      refuse("subsystem '" + name + "': port '" + port->name + "' is there twice among its inputs or outputs");
+}
+
+void check_info(const std::string& name, const SubsystemInfo& info) {
+  check_unique(name, info.inputs);
+  check_unique(name, info.outputs);
+  for (const auto* ports : {&info.inputs, &info.outputs})
+    for (const Port& port : *ports)
+      if (port.name.empty() || port.size < 1 || port.derivatives < 0 || port.derivatives > 3)
+        refuse("subsystem '" + name + "': port '" + port.name + "' has size " + std::to_string(port.size) + " and " +
+               std::to_string(port.derivatives) + " derivatives; allowed are a name, a size from 1, 0 to 3 derivatives");
+  for (const Feedthrough& f : info.feedthrough)
+    if (f.input < 0 || f.input >= info.input_size() || f.output < 0 || f.output >= info.output_size())
+      refuse("subsystem '" + name + "': feedthrough from input " + std::to_string(f.input) + " to output " +
+             std::to_string(f.output) + " names a port that is not there");
+}
+
+}  // namespace
+
+int Topology::add(const std::string& name, const SubsystemInfo& info) {
+  if (name.empty() || name.find_first_of(".[] \t\n\",") != std::string::npos)
+    refuse("instance name '" + name + "' is empty or holds a '.', '[', ']', ',', '\"' or blank");
+  for (const Instance& i : instances_)
+    if (i.name == name) refuse("instance name '" + name + "' is used twice");
+  check_info(name, info);
+  Instance instance{name, &info, {}, std::vector<char>(static_cast<std::size_t>(info.input_size()))};
+  for (const Port& port : info.inputs) instance.start.insert(instance.start.end(), static_cast<std::size_t>(port.size), port.start);
+  instances_.push_back(std::move(instance));
+  return size() - 1;
+}
+
+Topology::Place Topology::find(std::string_view text, bool output) const {
+  const auto dot = text.find('.');
+  if (dot == std::string_view::npos) refuse("port '" + std::string(text) + "' is not of the form instance.port");
+  const std::string instance_name(text.substr(0, dot));
+  std::string port_name(text.substr(dot + 1));
+  int element = -1;
+  if (const auto bracket = port_name.find('['); bracket != std::string::npos) {
+    const char* first = port_name.data() + bracket + 1;
+    const char* last = std::max(first, static_cast<const char*>(port_name.data() + port_name.size() - 1));  // "x[" ends at its bracket
+    const auto [end, code] = std::from_chars(first, last, element);
+    if (code != std::errc{} || end != last || *last != ']' || element < 0)
+      refuse("port '" + std::string(text) + "' has an index that is not a whole number from 0 in brackets");
+    port_name.resize(bracket);
+  }
+  std::vector<std::string> names;
+  for (int i = 0; i < size(); ++i) {
+    names.push_back(name(i));
+    if (name(i) != instance_name) continue;
+    std::vector<std::string> port_names;
+    int first = 0;
+    for (const Port& port : output ? info(i).outputs : info(i).inputs) {
+      port_names.push_back(port.name);
+      if (port.name == port_name) {
+        if (element >= port.size)
+          refuse("port '" + std::string(text) + "' has no element " + std::to_string(element) + "; allowed are 0 to " +
+                 std::to_string(port.size - 1));
+        return {i, &port, first + std::max(element, 0), element < 0 ? port.size : 1};
+      }
+      first += port.size;
+    }
+    refuse(unknown(std::string(output ? "output" : "input"), port_name, port_names) + " in subsystem '" + instance_name + "'");
+  }
+  refuse(unknown("subsystem", instance_name, names));
+}
+
+void Topology::connect(const Connection& c) {
+  const Place from = find(c.from, true), to = find(c.to, false);
+  const std::string what = "connection from " + c.from + " to " + c.to;
+  if (!std::isfinite(c.gain) || !std::isfinite(c.offset)) refuse(what + " has a gain or offset that is not finite");
+  if (from.count != to.count)
+    refuse(what + " joins " + std::to_string(from.count) + " scalars to " + std::to_string(to.count));
+  if (c.lag != Lag::none && !c.how.follows_samples())
+    refuse(what + " has a memory or delay together with " + c.how.name() + ", which has none");
+  if (from.port->derivatives < c.how.derivatives_read())
+    refuse(what + " is to be reconstructed by " + c.how.name() + ", but " + c.from + " gives no derivative");
+  UnitConversion unit{1.0, 0.0};
+  if (from.port->unit != to.port->unit) {
+    const auto conversion = convert_unit(from.port->unit, to.port->unit);
+    const std::string units = "'" + from.port->unit + "' to '" + to.port->unit + "'";
+    if (!conversion) refuse(what + " goes from unit " + units + ", which can't be converted");
+    if (!c.convert) refuse(what + " goes from unit " + units + "; say convert = true, or make them agree");
+    unit = *conversion;
+  }
+  connect_scalars(c, from, to, c.gain * unit.factor, c.gain * unit.shift + c.offset);
+}
+
+void Topology::connect_scalars(const Connection& c, const Place& from, const Place& to, double gain, double offset) {
+  Instance& reader = instances_[static_cast<std::size_t>(to.instance)];
+  for (int k = 0; k < to.count; ++k) {
+    char& shared = reader.shared[static_cast<std::size_t>(to.first + k)];
+    if (lines_to(to.instance, to.first + k) > 0 && !(shared && c.add))
+      refuse("input " + input_name(to.instance, to.first + k) +
+             " is connected twice; to sum connections, each of them says add = true");
+    shared = c.add;
+  }
+  for (int k = 0; k < to.count; ++k)
+    lines_.push_back({from.instance, from.first + k, to.instance, to.first + k, c.how, gain, offset, c.lag});
+}
+
+void Topology::set_start(std::string_view port, double value) {
+  if (!std::isfinite(value)) refuse("start value of " + std::string(port) + " is not finite");
+  const Place place = find(port, false);
+  auto& start = instances_[static_cast<std::size_t>(place.instance)].start;
+  for (int k = 0; k < place.count; ++k) start[static_cast<std::size_t>(place.first + k)] = value;
+}
+
+int Topology::lines_to(int instance, int input) const {
+  int count = 0;
+  for (const Line& line : lines_) count += line.reader == instance && line.input == input;
+  return count;
+}
+
+void Topology::check() const {
+  for (int i = 0; i < size(); ++i)
+    for (int k = 0; k < info(i).input_size(); ++k)
+      if (lines_to(i, k) == 0 && std::isnan(start(i)[static_cast<std::size_t>(k)]))
+        refuse("input " + input_name(i, k) + " is not connected and has no start value");
+  check_loops();
+}
+
+std::string Topology::input_name(int instance, int input) const {
+  return scalar_name(name(instance), info(instance).inputs, input);
+}
+std::string Topology::output_name(int instance, int output) const {
+  return scalar_name(name(instance), info(instance).outputs, output);
+}
+
+}  // namespace tandem

@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "bench/bench.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "tandem/error.hpp"
+
+namespace tandem::bench {
+namespace {
+
+/// Keeps the medians, prints nothing.
+class Medians final : public benchmark::BenchmarkReporter {
+ public:
+  bool ReportContext(const Context&) override { return true; }
+  void ReportRuns(const std::vector<Run>& runs) override {
+    for (const Run& run : runs)
+      if (run.run_type == Run::RT_Aggregate && run.aggregate_name == "median")
+        seconds[run.run_name.function_name] = run.GetAdjustedRealTime() / benchmark::GetTimeUnitMultiplier(run.time_unit);
+  }
+  std::map<std::string, double> seconds;
+};
+
+}  // namespace
+
+std::map<std::string, double> measure(const std::vector<Timing>& timings, int repetitions, double seconds_each) {
+  std::vector<std::string> words = {"tandem", "--benchmark_enable_random_interleaving=true",
+                                    fmt::format("--benchmark_min_time={}", seconds_each)};
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  int count = static_cast<int>(arguments.size());
+  benchmark::Initialize(&count, arguments.data());
+  for (const Timing& t : timings) {
+    auto* registered = benchmark::RegisterBenchmark(t.name.c_str(), t.run);
+    registered->Repetitions(repetitions)->ReportAggregatesOnly(true)->UseRealTime();
+  }
+  Medians medians;
+  benchmark::RunSpecifiedBenchmarks(&medians);
+  benchmark::ClearRegisteredBenchmarks();
+  return medians.seconds;
+}
+
+void Table::print() const {
+  std::vector<std::size_t> widths;
+  for (const std::string& column : columns_) widths.push_back(column.size());
+  for (const auto& row : rows_)
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  const auto line = [&](const std::vector<std::string>& cells) {
+    std::string text;
+    for (std::size_t i = 0; i < cells.size(); ++i) text += fmt::format("{:<{}}  ", cells[i], widths[i]);
+    fmt::print("{}\n", text.substr(0, text.find_last_not_of(' ') + 1));
+  };
+  line(columns_);
+  for (const auto& row : rows_) line(row);
+}
+
+void Table::write(const std::filesystem::path& file) const {
+  std::error_code failed;
+  std::filesystem::create_directories(file.parent_path(), failed);
+  std::ofstream out(file);
+  out << fmt::format("{}\n", fmt::join(columns_, ","));
+  for (const auto& row : rows_) out << fmt::format("{}\n", fmt::join(row, ","));
+  out.close();
+  if (!out) throw Error(ErrorCode::input_output, "file '" + file.string() + "' can't be written");
+}
+
+const std::vector<Benchmark>& all() {
+  static const std::vector<Benchmark> list = {
+      {"exchange", "one round of in-process null subsystems, beside a hand-written loop", exchange},
+      {"two_mass", "a run of the two-mass test split into its sides and the coordinator", two_mass}};
+  return list;
+}
+
+}  // namespace tandem::bench

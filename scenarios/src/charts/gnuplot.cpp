@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "charts/gnuplot.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "charts/program.hpp"
+#include "tandem/error.hpp"
+
+namespace tandem::charts {
+
+std::string quote(std::string_view text) {
+  std::string quoted = "'";
+  for (const char c : text) {
+    if (c == '\'') quoted += '\'';
+    quoted += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+  }
+  return quoted + "'";
+}
+
+Picture::Picture(std::string name, int width, int height) : name_(std::move(name)), height_(height) {
+  head_ = fmt::format(
+      "# Drawn by gnuplot 5.4: gnuplot {0}.gp, or for {0}.png: gnuplot -e \"format='png'\" {0}.gp\n"
+      "if (!exists('format')) format = 'svg'\n"
+      "if (format eq 'png') {{\n"
+      "  set terminal pngcairo size {1},{2} font 'sans-serif,11' pointscale 1.7 background rgb 'white'\n"
+      "}} else {{\n"
+      "  set terminal svg size {1},{2} font 'sans-serif,14' background rgb 'white'\n"
+      "}}\n"
+      "set encoding utf8\n"
+      "set output '{0}.' . format\n",
+      name_, width, height);
+  command("set multiplot");
+}
+
+std::string Picture::data(const std::vector<Point>& points) {
+  const std::string name = fmt::format("$d{}", ++blocks_);
+  data_ += name + " << END\n";
+  for (const Point& p : points) data_ += fmt::format("{:.9g} {:.9g}\n", p.x, p.y);
+  // A block without points is an error to gnuplot; one undefined point is not.
+  data_ += points.empty() ? "nan nan\nEND\n" : "END\n";
+  return name;
+}
+
+void Picture::command(const std::string& text) { commands_ += text + '\n'; }
+
+void Picture::panel(const Box& box) {
+  command(
+      fmt::format("set lmargin at screen {}; set rmargin at screen {}; set bmargin at screen {}; set tmargin "
+                  "at screen {}",
+                  box.left, box.right, box.bottom, box.top));
+}
+
+void Picture::plot(const std::vector<Curve>& curves) {
+  std::string text = "plot ";
+  for (const Curve& c : curves) {
+    if (&c != &curves.front()) text += ", \\\n     ";
+    text +=
+        c.data + " " + c.style + (c.title.empty() ? " notitle" : " title " + quote(c.title) + " noenhanced");
+  }
+  command(text);
+  for (; labels_ > 0; --labels_) command(fmt::format("unset label {}", labels_));
+}
+
+void Picture::legend(const Box& box, const std::vector<Curve>& curves, int columns) {
+  panel(box);
+  command(
+      "unset border; unset tics; unset xlabel; unset ylabel; unset title; unset logscale; unset grid; unset "
+      "object");
+  command(
+      fmt::format("set xrange [0:1]; set yrange [0:1]; set key inside center center horizontal maxcols {} "
+                  "Left reverse samplen 3",
+                  columns));
+  std::vector<Curve> samples = curves;
+  for (Curve& c : samples) c.data = "NaN";
+  plot(samples);
+  command("set border; set tics; unset key; set xrange [*:*]; set yrange [*:*]");
+}
+
+void Picture::caption(const std::vector<std::string>& lines) {
+  double y = 14.0 * static_cast<double>(lines.size()) - 4.0;  // pixels
+  for (const std::string& line : lines) {
+    command(fmt::format("set label {} {} at screen 0.5,{:.5f} center noenhanced font ',{}' tc rgb '#404040'",
+                        ++labels_, quote(line), y / height_, "'.(format eq 'png' ? 9 : 11).'"));
+    y -= 14.0;
+  }
+}
+
+void Picture::title(const std::string& text) {
+  command(fmt::format("set label {} {} at screen 0.5,{:.5f} center noenhanced font ',{}'", ++labels_,
+                      quote(text), 1.0 - 16.0 / height_, "'.(format eq 'png' ? 13 : 16).'"));
+}
+
+std::string Picture::script() const { return head_ + data_ + commands_ + "unset multiplot\nunset output\n"; }
+
+std::filesystem::path Picture::draw(const std::filesystem::path& folder, Format format) const {
+  const std::string script_file = name_ + ".gp", ending = format == Format::svg ? "svg" : "png";
+  std::ofstream out(folder / script_file);
+  out << script();
+  out.close();
+  if (!out)
+    throw Error(ErrorCode::input_output, "file '" + (folder / script_file).string() + "' can't be written");
+  run_program({"gnuplot", "-e", "format='" + ending + "'", script_file}, folder,
+              "Debian package gnuplot-nox");
+  return folder / (name_ + "." + ending);
+}
+
+}  // namespace tandem::charts

@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "charts/style.hpp"
+#include "charts/two_mass_best.hpp"
+#include "charts/two_mass_charts.hpp"
+#include "cli/commands.hpp"
+#include "tandem/error.hpp"
+
+namespace tandem::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  std::string scene;
+  fs::path results;
+  bool png = false;
+};
+
+std::vector<charts::Picture> two_mass_pictures(const fs::path& folder,
+                                               const std::vector<charts::Result>& sweep) {
+  const auto caption = charts::conditions_caption(folder / "conditions.json", 190);
+  const auto traces = charts::read_traces(folder / "traces.csv");
+  const auto work = charts::read_work(folder / "work.csv");
+  return {charts::errors_chart(sweep, caption),        charts::motion_fr90_chart(traces, caption),
+          charts::energy_fr30_chart(traces, caption),  charts::motion_fr30_chart(traces, caption),
+          charts::work_precision_chart(work, caption), charts::best_scheme_chart(sweep, caption)};
+}
+
+/// The folder with what the sweep of the scene writes.
+void check_results(const Options& options) {
+  for (const char* name : {"sweep.csv", "traces.csv", "work.csv", "conditions.json"})
+    if (!fs::exists(options.results / name))
+      throw Error(ErrorCode::input_output,
+                  fmt::format("file '{}' is missing; 'tandem sweep {} --output {}' writes it",
+                              (options.results / name).string(), options.scene, options.results.string()));
+}
+
+void chart(const Options& options) {
+  check_results(options);
+  const auto sweep = charts::read_sweep(options.results / "sweep.csv");
+  const auto pictures = two_mass_pictures(options.results, sweep);
+  std::string files;
+  for (const charts::Picture& picture : pictures) {
+    files += "  " + picture.draw(options.results, charts::Format::svg).string() + '\n';
+    if (options.png) files += "  " + picture.draw(options.results, charts::Format::png).string() + '\n';
+  }
+  fmt::print("{}\nCharts\n{}", charts::short_table(sweep), files);
+}
+
+}  // namespace
+
+void add_chart(CLI::App& app, Context&) {
+  auto* command = app.add_subcommand(
+      "chart", "Draw the charts of a sweep, and print which scheme is best at which ratio");
+  auto options = std::make_shared<Options>();
+  command->add_option("scene", options->scene, "The scene: two_mass")
+      ->required()
+      ->check(CLI::IsMember({"two_mass"}));
+  command
+      ->add_option("--results", options->results,
+                   "Folder of the sweep; the charts go there too (default: results/SCENE)")
+      ->type_name("DIR");
+  command->add_flag("--png", options->png, "Draw PNG files too, besides SVG");
+  command->footer(
+      "The charts are drawn by the program gnuplot (Debian package gnuplot-nox); each leaves its script, "
+      "NAME.gp.");
+  command->callback([options] {
+    if (options->results.empty()) options->results = fs::path("results") / options->scene;
+    chart(*options);
+  });
+}
+
+}  // namespace tandem::cli

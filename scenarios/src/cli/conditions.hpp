@@ -1,0 +1,16 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace tandem::cli {
+
+/// Under which conditions figures were taken: processor, cores, commit, version, compiler, reference, error norm,
+/// repetitions.
+nlohmann::ordered_json conditions(int repetitions);
+
+std::string processor_model();
+/// The commit that the source was configured from, "unknown" without git.
+std::string source_commit();
+
+}  // namespace tandem::cli

@@ -1,0 +1,135 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <cctype>
+#include <cmath>
+
+#include "cli/commands.hpp"
+#include "scenario/assembly.hpp"
+
+namespace tandem::cli {
+namespace {
+
+std::string shape(const Port& port) { return port.size > 1 ? fmt::format("[{}]", port.size) : ""; }
+
+std::string element(const std::vector<Port>& ports, int index) {
+  for (const Port& port : ports) {
+    if (index < port.size) return port.name + (port.size > 1 ? fmt::format("[{}]", index) : "");
+    index -= port.size;
+  }
+  return "?";
+}
+
+void print_inputs(const SubsystemInfo& info, const std::vector<double>& start) {
+  fmt::print("  inputs:{}\n", info.inputs.empty() ? " none" : "");
+  std::size_t k = 0;
+  for (const Port& port : info.inputs) {
+    std::string values;
+    for (int e = 0; e < port.size; ++e, ++k)
+      values += (e > 0 ? ", " : "") + (std::isnan(start[k]) ? std::string("none") : fmt::format("{}", start[k]));
+    fmt::print("    {}{}  unit {}, start value {}\n", port.name, shape(port), port.unit, values);
+  }
+}
+
+void print_outputs(const SubsystemInfo& info) {
+  fmt::print("  outputs:{}\n", info.outputs.empty() ? " none" : "");
+  for (const Port& port : info.outputs)
+    fmt::print("    {}{}  unit {}, {} time derivatives\n", port.name, shape(port), port.unit, port.derivatives);
+  fmt::print("  feedthrough:{}\n", info.feedthrough.empty() ? " none" : "");
+  for (const Feedthrough& f : info.feedthrough)
+    fmt::print("    {} at once from {}\n", element(info.outputs, f.output), element(info.inputs, f.input));
+}
+
+void print_abilities(const Abilities& a) {
+  std::string text;
+  const auto add = [&](bool has, const char* what) { text += has ? (text.empty() ? "" : ", ") + std::string(what) : ""; };
+  add(a.chooses_step, "chooses its step");
+  add(a.lands, "lands (can cut a step)");
+  add(a.saves_state, "saves its state");
+  add(a.restarts, "restarts");
+  add(a.reactive_inputs, "reactive inputs");
+  fmt::print("  abilities: {}\n", text.empty() ? "none" : text);
+}
+
+struct Span {
+  double start = 0.0, stop = 1.0;
+};
+
+/// The first own step, as the subsystem gives it when nothing is known of its inputs but their start values.
+double own_step(Subsystem& subsystem, const Span& span, const std::vector<double>& start) {
+  std::vector<double> row(static_cast<std::size_t>(subsystem.info().row_size()));
+  Samples y(row.data(), subsystem.info().row_size(), 1);
+  const Clock clock = subsystem.initialize(span.start, span.stop, start, y);
+  return clock.next_time - clock.time;
+}
+
+void print(const std::string& name, Subsystem& subsystem, const Span& span, const std::vector<double>& start) {
+  const SubsystemInfo& info = subsystem.info();
+  fmt::print("{}: {}\n", name, info.name);
+  print_inputs(info, start);
+  print_outputs(info);
+  print_abilities(info.abilities);
+  fmt::print("  first own step: {:.6g} s\n", own_step(subsystem, span, start));
+}
+
+void print_source(const std::string& uri, const Context& context) {
+  const auto subsystem = open(uri, context.builtins);
+  Topology topology;
+  topology.add("source", subsystem->info());
+  print(uri, *subsystem, {}, topology.start(0));
+}
+
+std::string extras(const Connection& c) {
+  std::string text;
+  if (c.gain != 1.0) text += fmt::format(", gain {}", c.gain);
+  if (c.offset != 0.0) text += fmt::format(", offset {}", c.offset);
+  if (c.add) text += ", add";
+  if (c.convert) text += ", convert";
+  return text + (c.lag == Lag::memory ? ", memory" : c.lag == Lag::delay ? ", delay" : "");
+}
+
+void print_scenario(const std::string& file, const std::vector<std::string>& overrides, const Context& context) {
+  const auto scenario = scenario::read(file, overrides);
+  const scenario::Assembly assembly(scenario, context.builtins);
+  const Topology& topology = assembly.topology();
+  fmt::print("{}{}{}\n", scenario.name, scenario.description.empty() ? "" : ": ", scenario.description);
+  fmt::print("from {} to {} s, schedule {}\n", scenario.start, scenario.stop, Schedule::name(scenario.coordination.schedule));
+  for (int i = 0; i < topology.size(); ++i) print(topology.name(i), assembly.subsystem(i), {scenario.start, scenario.stop}, topology.start(i));
+  fmt::print("connections:{}\n", scenario.connections.empty() ? " none" : "");
+  for (const scenario::ConnectionEntry& entry : scenario.connections) {
+    const Connection& c = entry.connection;
+    fmt::print("  {} -> {}  {}{}\n", c.from, c.to, c.how.name(), extras(c));
+  }
+}
+
+/// "builtin:NAME" and the like: letters, then a colon. "C:\..." is no source, nor is a file that is there.
+bool is_source(const std::string& text) {
+  std::size_t letters = 0;
+  while (letters < text.size() && std::isalpha(static_cast<unsigned char>(text[letters]))) ++letters;
+  return letters > 1 && letters < text.size() && text[letters] == ':';
+}
+
+struct Options {
+  std::string what;
+  std::vector<std::string> overrides;
+};
+
+}  // namespace
+
+void add_info(CLI::App& app, Context& context) {
+  auto* command = app.add_subcommand("info", "Show ports, units, abilities and start values of a source or a scenario");
+  auto options = std::make_shared<Options>();
+  command->add_option("what", options->what, "A source such as builtin:NAME or builtin:NAME?KEY=VALUE&KEY=VALUE, or a scenario")
+      ->required()->type_name("SOURCE|FILE");
+  command->add_option("--set", options->overrides, "Set a value of the scenario, as in run (repeatable)")->type_name("KEY=VALUE")
+      ->expected(1)->take_all();
+  command->footer("Exit status: 0, or 2 for a source or scenario that is not right.");
+  command->callback([options, &context] {
+    const bool source = is_source(options->what);
+    if (source && !options->overrides.empty())
+      throw Error(ErrorCode::invalid_argument, "--set belongs to a scenario; a source takes its values as " + options->what + "?KEY=VALUE");
+    source ? print_source(options->what, context) : print_scenario(options->what, options->overrides, context);
+  });
+}
+
+}  // namespace tandem::cli

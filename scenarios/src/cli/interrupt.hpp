@@ -1,0 +1,16 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace tandem::cli {
+
+/// While it lives, Ctrl-C (SIGINT) and SIGTERM set a flag instead of ending the process; a second one ends it at once.
+class InterruptGuard {
+ public:
+  InterruptGuard();
+  ~InterruptGuard();
+  InterruptGuard(const InterruptGuard&) = delete;
+  InterruptGuard& operator=(const InterruptGuard&) = delete;
+  static bool interrupted();
+};
+
+}  // namespace tandem::cli

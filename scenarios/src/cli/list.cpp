@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "cli/commands.hpp"
+#include "scenario/document.hpp"
+#include "tandem/coordinator/reconstruction.hpp"
+#include "tandem/coordinator/schedule.hpp"
+
+namespace tandem::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> toml_files(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied))
+    if (entry.is_regular_file() && entry.path().extension() == ".toml") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// A scenario is a TOML file with subsystems; its name and description, as far as they can be read.
+void print_scenario(const fs::path& file) {
+  try {
+    const scenario::Document document(file, {});
+    if (!document.table().contains("subsystems")) return;
+    fmt::print("  {}  {}\n", file.string(), document.table()["description"].value_or(std::string()));
+  } catch (const Error& error) {
+    fmt::print("  {}  ({})\n", file.string(), error.what());
+  }
+}
+
+void print_scenarios(const fs::path& folder, bool asked) {
+  if (fs::is_directory(folder)) {
+    fmt::print("scenarios in {}:\n", folder.string());
+    for (const fs::path& file : toml_files(folder)) print_scenario(file);
+    return;
+  }
+  if (asked) throw Error(ErrorCode::input_output, "folder '" + folder.string() + "' is not there");
+  fmt::print("scenarios: there is no folder '{}' here; name another one\n", folder.string());
+}
+
+void print_words(const Context& context) {
+  fmt::print("sources:\n");
+  for (const auto& [name, builder] : context.builtins) fmt::print("  builtin:{}\n", name);
+  fmt::print("schedules:");
+  for (const auto kind : {Schedule::Kind::slowest_first, Schedule::Kind::fastest_first, Schedule::Kind::staggered, Schedule::Kind::parallel})
+    fmt::print(" {}", Schedule::name(kind));
+  fmt::print("\nreconstructions: lagrange0 lagrange1 lagrange2 lagrange3 lagrange4 hermite mean least_squaresD_EXTRA (degree D 0 to 4, "
+             "EXTRA 1 to 16 samples) matched_hold\n");
+}
+
+}  // namespace
+
+void add_list(CLI::App& app, Context& context) {
+  auto* command = app.add_subcommand("list", "List the sources that are built in, scenarios, schedules and reconstructions");
+  auto folder = std::make_shared<std::string>("scenarios");
+  auto* option = command->add_option("folder", *folder, "Where to look for scenarios, with its subfolders")->type_name("DIR")
+      ->capture_default_str();
+  command->callback([folder, option, &context] {
+    print_words(context);
+    print_scenarios(*folder, option->count() > 0);
+  });
+}
+
+}  // namespace tandem::cli

@@ -1,0 +1,197 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include "cli/commands.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/run_progress.hpp"
+#include "scenario/comparison.hpp"
+#include "scenario/results.hpp"
+
+namespace tandem::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using scenario::Assembly;
+using scenario::RunEnd;
+using scenario::Scenario;
+
+struct Options {
+  fs::path file, output;
+  std::vector<std::string> overrides;
+  bool dry = false, profile = false, no_reference = false;
+};
+
+double slowest_time(const Coordinator& run) {
+  double time = run.clock(0).time;
+  for (int i = 1; i < run.topology().size(); ++i) time = std::min(time, run.clock(i).time);
+  return time;
+}
+
+/// One run of a scenario, from its file to its results.
+class Run {
+ public:
+  Run(const Options& options, const Context& context)
+      : options_(options),
+        context_(context),
+        scenario_(scenario::read(options.file, options.overrides)),
+        assembly_(scenario_, context.builtins, options.profile),
+        folder_(options.output.empty() ? fs::path("results") / options.file.stem() : options.output),
+        recorder_(assembly_.recorder(folder_)) {
+    if (scenario_.reference && !options.no_reference) read_reference();
+  }
+
+  void dry() {
+    assembly_.initialize();
+    tell_notes();
+    if (!context_.quiet) fmt::print("{}: ok; it would write to {}\n", scenario_.file.string(), folder_.string());
+  }
+
+  void make() {
+    assembly_.coordinator().observe(recorder_.get());
+    assembly_.initialize();
+    simulate();
+    close();
+    compare();
+    write();
+    tell_notes();
+    tell();
+  }
+
+ private:
+  void read_reference() {
+    reference_ = scenario::located(scenario_.reference->place, [&] { return scenario::Table::read(scenario_.reference->file); });
+    const auto& columns = recorder_->columns();
+    if (scenario_.judge && std::none_of(columns.begin(), columns.end(), [&](const auto& c) { return c.name == scenario_.judge->quantity; }))
+      scenario::refuse(scenario_.judge->place, "judge.quantity " + scenario_.judge->quantity +
+                                                   " is not recorded; name it in record.ports, or say --no-reference");
+  }
+
+  void simulate() {
+    const InterruptGuard guard;
+    Coordinator& run = assembly_.coordinator();
+    RunProgress progress(scenario_.start, scenario_.stop, !context_.quiet);
+    try {
+      while (run.round() && !InterruptGuard::interrupted())
+        if (progress.due()) progress.show(slowest_time(run));
+      if (InterruptGuard::interrupted()) fail("interrupted", fmt::format("interrupted at t = {} s", slowest_time(run)));
+    } catch (const std::exception& error) {
+      fail("failed", error.what());
+    }
+    end_.seconds = progress.seconds();
+  }
+
+  void fail(const std::string& status, const std::string& message) {
+    if (end_.status == "ok") end_.status = status;
+    end_.message += (end_.message.empty() ? "" : "; ") + message;
+  }
+
+  void close() {
+    try {
+      recorder_->close();
+    } catch (const Error& error) {
+      fail("failed", error.what());
+    }
+  }
+
+  /// The judged quantity has a tolerance of its own, the other columns that of the reference.
+  void compare() {
+    if (!reference_ || end_.status != "ok") return;
+    try {
+      const auto comparison = scenario::compare(scenario::Table::read(folder_), *reference_);
+      report_ = scenario::text(comparison);
+      for (const auto& d : comparison.columns) judge(d);
+    } catch (const Error& error) {
+      outside_.push_back(error.what());
+    }
+  }
+
+  void judge(const scenario::Difference& d) {
+    const bool judged = scenario_.judge && scenario_.judge->quantity == d.column;
+    const double tolerance = judged ? scenario_.judge->tolerance : scenario_.reference->tolerance;
+    if (!(d.relative <= tolerance)) outside_.push_back(scenario::text(d, tolerance));
+    differences_[d.column] = {{"relative", d.relative}, {"absolute", d.absolute}, {"time", d.time}, {"tolerance", tolerance}};
+  }
+
+  void write() {
+    auto results = scenario::results_of(scenario_, assembly_, *recorder_, end_);
+    if (reference_ && end_.status == "ok")
+      results["reference"] = {{"file", scenario_.reference->file.string()}, {"within", outside_.empty()}, {"differences", differences_}};
+    const double simulated = slowest_time(assembly_.coordinator()) - scenario_.start;
+    try {
+      scenario::write_json(folder_ / "results.json", results);
+      scenario::write_json(folder_ / "machine.json", scenario::machine_figures(assembly_, end_, options_.profile, simulated));
+    } catch (const Error& error) {
+      fail("failed", error.what());
+    }
+  }
+
+  void tell_notes() const {
+    for (const std::string& note : assembly_.coordinator().notes()) spdlog::info("note: {}", note);
+    for (const std::string& note : recorder_->notes()) spdlog::info("note: {}", note);
+  }
+
+  void tell() const {
+    if (end_.status != "ok")
+      throw RunFailed(fmt::format("{}: {}; what was recorded until then is kept in {}", scenario_.file.string(), end_.message,
+                                  folder_.string()));
+    if (!context_.quiet) {
+      for (const fs::path& file : recorder_->files()) fmt::print("wrote {}\n", file.string());
+      fmt::print("wrote {}\nwrote {}\n", (folder_ / "results.json").string(), (folder_ / "machine.json").string());
+      if (!report_.empty()) fmt::print("compared with {}\n{}", scenario_.reference->file.string(), report_);
+    }
+    if (!outside_.empty())
+      throw RunFailed(fmt::format("{}: the run came to its end, but not within its reference: {}",
+                                  scenario_.reference->place.text(), fmt::join(outside_, "; ")));
+  }
+
+  const Options& options_;
+  const Context& context_;
+  Scenario scenario_;
+  Assembly assembly_;
+  fs::path folder_;
+  std::unique_ptr<Recorder> recorder_;
+  std::optional<scenario::Table> reference_;
+  RunEnd end_;
+  std::string report_;
+  nlohmann::ordered_json differences_ = nlohmann::ordered_json::object();
+  std::vector<std::string> outside_;
+};
+
+constexpr const char* footer = R"(
+Any value of the scenario can be set by its path:
+  --set coordination.schedule=fastest-first         --set parameters.frequency_ratio=25
+  --set connections[0].reconstruction=lagrange1     --set connections[fast.x2].gain=2 (by `to`)
+  --set connections.reconstruction=hermite (all)    --set span.stop=5
+
+Results: results.csv (or results.INSTANCE.csv with record.clock = "own"), results.json (status, units, how cells were
+interpolated, the scenario with what was set, versions), machine.json (steps, exchanges, seconds, real-time factor:
+simulated seconds in a second; with --profile the seconds of each subsystem, and of the coordinator with the recording).
+
+Exit status: 0; 1 for a run that failed, was interrupted (Ctrl-C) or is not within its reference's tolerance, with the
+results until then kept; 2 for an error before the run.)";
+
+}  // namespace
+
+void add_run(CLI::App& app, Context& context) {
+  auto* command = app.add_subcommand("run", "Run a scenario and write its results");
+  auto options = std::make_shared<Options>();
+  command->add_option("scenario", options->file, "The scenario, a TOML file")->required()->type_name("FILE");
+  command->add_option("--set", options->overrides, "Set a value of the scenario (repeatable)")->type_name("KEY=VALUE")
+      ->expected(1)->take_all();
+  command->add_option("--output", options->output, "Folder of the results (default: results/NAME of the file)")->type_name("DIR");
+  command->add_flag("--dry-run", options->dry, "Check everything up to the first step, and write nothing");
+  command->add_flag("--profile", options->profile, "Take the seconds of each subsystem too (two clock readings a call)");
+  command->add_flag("--no-reference", options->no_reference, "Don't compare with the reference that the scenario names");
+  command->footer(footer);
+  command->callback([options, &context] {
+    Run run(*options, context);
+    options->dry ? run.dry() : run.make();
+  });
+}
+
+}  // namespace tandem::cli

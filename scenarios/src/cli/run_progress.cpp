@@ -1,0 +1,41 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "cli/run_progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace tandem::cli {
+namespace {
+using Clock = std::chrono::steady_clock;
+double seconds_between(Clock::time_point a, Clock::time_point b) { return std::chrono::duration<double>(b - a).count(); }
+constexpr double quiet_at_first = 1.0, every = 0.01;  // [s]
+}  // namespace
+
+RunProgress::RunProgress(double t_start, double t_stop, bool shown)
+    : t_start_(t_start), t_stop_(t_stop), shown_(shown), terminal_(isatty(STDERR_FILENO) != 0), began_(Clock::now()),
+      read_(began_), drawn_(began_) {}
+
+RunProgress::~RunProgress() {
+  if (open_line_) std::fputc('\n', stderr);
+}
+
+double RunProgress::seconds() const { return seconds_between(began_, Clock::now()); }
+
+void RunProgress::show(double time) {
+  const Time now = Clock::now();
+  wait_ = seconds_between(read_, now) < every ? 2 * wait_ : std::max<std::int64_t>(1, wait_ / 2);
+  rounds_ = 0;
+  read_ = now;
+  if (!shown_ || seconds_between(drawn_, now) < (terminal_ ? quiet_at_first : 10.0 * quiet_at_first)) return;
+  drawn_ = now;
+  const double factor = (time - t_start_) / seconds_between(began_, now);
+  fmt::print(stderr, "{}t = {:.6g} of {:.6g} s, {:.3g} x real time{}", terminal_ ? "\r" : "", time, t_stop_, factor,
+             terminal_ ? "   " : "\n");
+  std::fflush(stderr);
+  open_line_ = terminal_;
+}
+
+}  // namespace tandem::cli

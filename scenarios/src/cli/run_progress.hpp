@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <chrono>
+#include <cstdint>
+
+namespace tandem::cli {
+
+/// A line on standard error for a run that takes longer than a second: simulated time and real-time factor. To be asked
+/// after every round; it reads the clock only about a hundred times a second, however long a round takes.
+class RunProgress {
+ public:
+  RunProgress(double t_start, double t_stop, bool shown);
+  ~RunProgress();
+  RunProgress(const RunProgress&) = delete;
+  RunProgress& operator=(const RunProgress&) = delete;
+
+  bool due() { return ++rounds_ >= wait_; }
+  /// time [s]: how far the run has come. When due() says so.
+  void show(double time);
+  double seconds() const;  ///< since construction
+
+ private:
+  using Time = std::chrono::steady_clock::time_point;
+  double t_start_, t_stop_;
+  bool shown_, terminal_, open_line_ = false;
+  std::int64_t rounds_ = 0, wait_ = 1;  ///< since the clock was read; to let pass until it is read again
+  Time began_, read_, drawn_;
+};
+
+}  // namespace tandem::cli

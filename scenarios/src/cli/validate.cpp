@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "scenario/assembly.hpp"
+#include "scenario/comparison.hpp"
+
+namespace tandem::cli {
+namespace {
+
+struct Options {
+  std::string file;
+  std::vector<std::string> overrides;
+};
+
+void validate(const Options& options, const Context& context) {
+  const auto scenario = scenario::read(options.file, options.overrides);
+  scenario::Assembly assembly(scenario, context.builtins);
+  const auto recorder = assembly.recorder(".");
+  if (scenario.reference)
+    scenario::located(scenario.reference->place, [&] { scenario::Table::read(scenario.reference->file); });
+  assembly.initialize();
+  fmt::print("{}: ok\n", options.file);
+  for (const std::string& note : assembly.coordinator().notes()) fmt::print("note: {}\n", note);
+  for (const std::string& line : scenario::advice(assembly.coordinator())) fmt::print("advice: {}\n", line);
+}
+
+}  // namespace
+
+void add_validate(CLI::App& app, Context& context) {
+  auto* command = app.add_subcommand("validate", "Check a scenario up to its first step, and advise");
+  auto options = std::make_shared<Options>();
+  command->add_option("scenario", options->file, "The scenario, a TOML file")->required()->type_name("FILE");
+  command->add_option("--set", options->overrides, "Set a value of the scenario, as in run (repeatable)")->type_name("KEY=VALUE")
+      ->expected(1)->take_all();
+  command->footer("Exit status: 0, or 2 with the file, the line, the value found and what is allowed.");
+  command->callback([options, &context] { validate(*options, context); });
+}
+
+}  // namespace tandem::cli

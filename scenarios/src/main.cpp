@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <spdlog/sinks/basic_file_sink.h>
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <iostream>
+
+#include "cli/commands.hpp"
+#include "tandem/error.hpp"
+#include "two_mass/masses.hpp"
+
+namespace {
+
+/// Messages go to standard error, and to the log file if one is named; results go to standard output.
+void set_up_log(const tandem::cli::Context& context, const std::string& file) {
+  std::vector<spdlog::sink_ptr> sinks{std::make_shared<spdlog::sinks::stderr_color_sink_mt>()};
+  sinks[0]->set_pattern("%v");
+  sinks[0]->set_level(context.quiet ? spdlog::level::err : context.verbose ? spdlog::level::debug : spdlog::level::info);
+  try {
+    if (!file.empty()) sinks.push_back(std::make_shared<spdlog::sinks::basic_file_sink_mt>(file, true));
+  } catch (const spdlog::spdlog_ex&) {
+    throw tandem::Error(tandem::ErrorCode::input_output, "log file '" + file + "' can't be written");
+  }
+  auto log = std::make_shared<spdlog::logger>("tandem", sinks.begin(), sinks.end());
+  log->set_level(spdlog::level::debug);
+  spdlog::set_default_logger(log);
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"tandem: multirate co-simulation", "tandem"};
+  app.set_version_flag("--version", TANDEM_VERSION);
+  app.require_subcommand(1);
+  app.fallthrough();
+  tandem::cli::Context context;
+  tandem::two_mass::add_builtins(context.builtins);
+  std::string log_file;
+  auto* quiet = app.add_flag("--quiet", context.quiet, "Print results and errors only");
+  app.add_flag("--verbose", context.verbose, "Print more of what is done")->excludes(quiet);
+  app.add_option("--log", log_file, "Write all messages to this file too")->type_name("FILE");
+  app.parse_complete_callback([&] { set_up_log(context, log_file); });
+  tandem::cli::add_run(app, context);
+  tandem::cli::add_sweep(app, context);
+  tandem::cli::add_chart(app, context);
+  tandem::cli::add_compare(app, context);
+  tandem::cli::add_info(app, context);
+  tandem::cli::add_validate(app, context);
+  tandem::cli::add_list(app, context);
+  tandem::cli::add_bench(app, context);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& done) {
+    return app.exit(done);
+  } catch (const CLI::ParseError& error) {
+    app.exit(error);
+    return 2;
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const tandem::cli::RunFailed& failure) {
+    std::cerr << "tandem: " << failure.what() << '\n';
+    return 1;
+  } catch (const std::exception& error) {
+    std::cerr << "tandem: " << error.what() << '\n';
+    return 2;
+  }
+}

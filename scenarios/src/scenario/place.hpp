@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string>
+
+#include "tandem/error.hpp"
+
+namespace tandem::scenario {
+
+/// Where a value of a scenario stands: in a line of its file, or in an override from the command line.
+struct Place {
+  std::string file;
+  int line = 0;             ///< 0: the file as a whole
+  std::string set_by = {};  ///< the override, "--set KEY=VALUE"; empty: the file
+
+  std::string text() const {
+    if (!set_by.empty()) return file + ": " + set_by;
+    return line > 0 ? file + ":" + std::to_string(line) : file;
+  }
+};
+
+[[noreturn]] inline void refuse(const Place& place, const std::string& sentence,
+                                ErrorCode code = ErrorCode::invalid_argument) {
+  throw Error(code, place.text() + ": " + sentence);
+}
+
+/// The one place where an error of what a scenario names becomes one that tells where the scenario says so.
+/// place_of(sentence) gives the place.
+template <class Work, class PlaceOf>
+auto located(const PlaceOf& place_of, const Work& work) -> decltype(work())
+  requires requires { place_of(std::string()); }
+{
+  try {
+    return work();
+  } catch (const Error& error) {
+    refuse(place_of(error.what()), error.what(), error.code());
+  }
+}
+
+template <class Work>
+auto located(const Place& place, const Work& work) -> decltype(work()) {
+  return located([&](const std::string&) { return place; }, work);
+}
+
+}  // namespace tandem::scenario

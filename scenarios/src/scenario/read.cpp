@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "scenario/scenario.hpp"
+#include "scenario/section.hpp"
+#include "scenario/settings.hpp"
+
+namespace tandem::scenario {
+namespace {
+
+/// Fills a Scenario, table by table.
+class Reader {
+ public:
+  Reader(const Document& document, Scenario& scenario) : document_(document), to_(scenario) {}
+
+  void read() {
+    Section root(document_, document_.table(), "");
+    to_.name = root.text("name").value_or(to_.file.stem().string());
+    to_.description = root.text("description").value_or("");
+    if (const auto* table = root.table("parameters")) shared_ = parameters(*table, "parameters");
+    read_subsystems(root);
+    read_connections(root);
+    for (const auto& [name, read_into] : settings())
+      if (const auto* table = root.table(name)) read_into({document_, *table, name}, to_);
+    root.refuse_unknown();
+    if (!document_.table().contains("span")) refuse({document_.file()}, "[span] is missing; it gives start and stop in s");
+  }
+
+ private:
+  std::vector<Parameter> parameters(const toml::table& table, const std::string& path) const {
+    std::vector<Parameter> all;
+    for (const auto& [key, node] : in_file_order(table)) {
+      const Place place = document_.place(*node);
+      if (const auto* text = node->as_string())
+        all.push_back({key, text->get(), place});
+      else if (const auto* flag = node->as_boolean())
+        all.push_back({key, flag->get(), place});
+      else if (node->is_number())
+        all.push_back({key, number_of(document_, *node, path + "." + key), place});
+      else
+        refuse(place, path + "." + key + " is " + described(*node) + "; allowed is a number, true, false or a text");
+    }
+    return all;
+  }
+
+  void read_subsystems(Section& root) {
+    const toml::table* table = root.table("subsystems");
+    if (!table || table->empty()) refuse({document_.file()}, "[subsystems.NAME] is missing; there must be at least one");
+    for (const auto& [name, node] : in_file_order(*table)) {
+      const std::string path = "subsystems." + name;
+      if (!node->is_table()) refuse(document_.place(*node), path + " is " + described(*node) + "; allowed is a table");
+      read_subsystem(name, {document_, *node->as_table(), path});
+    }
+  }
+
+  void read_subsystem(const std::string& name, Section section) {
+    SubsystemEntry entry{name, section.required_text("source", "a source like \"builtin:NAME\""), shared_, {},
+                         section.place(), section.place("source")};
+    if (const auto* table = section.table("parameters"))
+      for (Parameter& own : parameters(*table, section.name("parameters"))) {
+        std::erase_if(entry.parameters, [&](const Parameter& p) { return p.name == own.name; });
+        entry.parameters.push_back(std::move(own));
+      }
+    if (const auto* table = section.table("inputs"))
+      for (const auto& [port, node] : in_file_order(*table)) read_start(entry, port, *node, section.name("inputs." + port));
+    section.refuse_unknown();
+    to_.subsystems.push_back(std::move(entry));
+  }
+
+  void read_start(SubsystemEntry& entry, const std::string& port, const toml::node& node, const std::string& path) const {
+    if (!node.is_array()) {
+      entry.inputs.push_back({port, number_of(document_, node, path), document_.place(node)});
+      return;
+    }
+    int element = 0;
+    for (const toml::node& value : *node.as_array()) {
+      const std::string index = "[" + std::to_string(element++) + "]";
+      entry.inputs.push_back({port + index, number_of(document_, value, path + index), document_.place(value)});
+    }
+  }
+
+  void read_connections(Section& root) {
+    const toml::node* node = root.node("connections");
+    if (!node) return;
+    const toml::array* array = node->as_array();
+    if (!array || !(array->empty() || array->is_array_of_tables()))
+      root.wrong("connections", described(*node), "an array of tables, each begun by [[connections]]");
+    for (std::size_t i = 0; i < array->size(); ++i)
+      read_connection({document_, *array->get(i)->as_table(), "connections[" + std::to_string(i) + "]"});
+  }
+
+  void read_connection(Section section) {
+    const std::string from = section.required_text("from", "an output, \"instance.port\"");
+    const std::string to = section.required_text("to", "an input, \"instance.port\"");
+    const std::string how = section.required_text("reconstruction", "lagrange0 to lagrange4, hermite, mean, least_squaresD_EXTRA or matched_hold");
+    Connection c{from, to, located(section.place("reconstruction"), [&] { return Reconstruction::parse(how); })};
+    c.gain = section.number("gain").value_or(c.gain);
+    c.offset = section.number("offset").value_or(c.offset);
+    c.add = section.flag("add").value_or(c.add);
+    c.convert = section.flag("convert").value_or(c.convert);
+    const bool memory = section.flag("memory").value_or(false), delay = section.flag("delay").value_or(false);
+    if (memory && delay) section.wrong("delay", "true beside memory = true", "one of them");
+    c.lag = memory ? Lag::memory : delay ? Lag::delay : Lag::none;
+    section.refuse_unknown();
+    to_.connections.push_back({std::move(c), section.place(), section.place("from"), section.place("to"),
+                               section.place("reconstruction")});
+  }
+
+  const Document& document_;
+  Scenario& to_;
+  std::vector<Parameter> shared_;
+};
+
+}  // namespace
+
+Scenario read(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  const Document document(file, overrides);
+  Scenario scenario;
+  scenario.file = file;
+  Reader(document, scenario).read();
+  scenario.overrides = overrides;
+  scenario.document = to_json(document.table());
+  return scenario;
+}
+
+}  // namespace tandem::scenario

@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "scenario/assembly.hpp"
+
+namespace tandem::scenario {
+
+/// How a run ended.
+struct RunEnd {
+  std::string status = "ok";  ///< "ok", "failed" or "interrupted"
+  std::string message;        ///< of a run that did not come to its end
+  double seconds = 0.0;       ///< of the stepping loop, with the recording
+};
+
+/// What stands beside the CSV: units, how cells were interpolated, the scenario with its overrides, versions, status,
+/// notes. It does not depend on the machine's speed.
+nlohmann::ordered_json results_of(const Scenario& scenario, const Assembly& assembly, const Recorder& recorder, const RunEnd& end);
+
+/// Steps, exchanges, seconds and the real-time factor (simulated seconds in a second). Seconds of each subsystem and of
+/// the coordinator (with the recording) are there if the run was profiled.
+nlohmann::ordered_json machine_figures(const Assembly& assembly, const RunEnd& end, bool profiled, double simulated);
+
+/// Throws Error(input_output) with the path.
+void write_json(const std::filesystem::path& file, const nlohmann::ordered_json& json);
+
+}  // namespace tandem::scenario

@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "scenario/scenario.hpp"
+
+#include <array>
+#include <cctype>
+
+namespace tandem::scenario {
+namespace {
+
+bool in_a_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+/// Where `name` stands in the sentence as a word of its own; npos if it does not.
+std::size_t mention(const std::string& sentence, const std::string& name) {
+  for (auto at = sentence.find(name); at != std::string::npos; at = sentence.find(name, at + 1)) {
+    const auto end = at + name.size();
+    if ((at == 0 || !in_a_name(sentence[at - 1])) && (end == sentence.size() || !in_a_name(sentence[end]))) return at;
+  }
+  return std::string::npos;
+}
+bool mentions(const std::string& sentence, const std::string& name) { return mention(sentence, name) != std::string::npos; }
+
+}  // namespace
+
+Place Scenario::place(const std::string& key) const {
+  const auto it = places.find(key);
+  return it != places.end() ? it->second : Place{file.string()};
+}
+
+Place Scenario::place_named_in(const std::string& sentence) const {
+  const ConnectionEntry* best = nullptr;
+  int best_ends = 0;
+  for (const ConnectionEntry& c : connections) {
+    const int ends = mentions(sentence, c.connection.from) + mentions(sentence, c.connection.to);
+    if (ends > best_ends) best_ends = ends, best = &c;
+  }
+  if (best) return best->place_named_in(sentence);
+  constexpr std::array keys{std::pair{"coordination.order", "coordination.order"},
+                            std::pair{"communication_step", "coordination.communication_step"},
+                            std::pair{"start from derivatives", "coordination.start"},
+                            std::pair{"repeated start", "coordination.start"},
+                            std::pair{"schedule", "coordination.schedule"},
+                            std::pair{"span", "span.stop"}};
+  for (const auto& [words, key] : keys)
+    if (mentions(sentence, words)) return place(key);
+  for (const SubsystemEntry& s : subsystems)
+    if (mentions(sentence, s.name)) return s.place;
+  return {file.string()};
+}
+
+Place ConnectionEntry::place_named_in(const std::string& sentence) const {
+  if (mentions(sentence, connection.how.name())) return how_place;
+  const bool unknown = mentions(sentence, "known") || mentions(sentence, "element");
+  if (unknown && !mentions(sentence, "input")) return from_place;
+  if (unknown) return to_place;
+  for (const Place& end : {from_place, to_place, how_place})
+    if (!end.set_by.empty()) return end;
+  return place;
+}
+
+Place SubsystemEntry::place_named_in(const std::string& sentence) const {
+  std::size_t first = std::string::npos;
+  Place found = source_place;
+  for (const Parameter& parameter : parameters)
+    if (const auto at = mention(sentence, parameter.name); at < first) first = at, found = parameter.place;
+  return found;
+}
+
+}  // namespace tandem::scenario

@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenario/place.hpp"
+#include "tandem/coordinator/recorder.hpp"
+#include "tandem/transports/parameters.hpp"
+
+namespace tandem::scenario {
+
+struct Parameter {
+  std::string name;
+  Parameters::Value value;
+  Place place;
+};
+
+/// The start value of an input, "port" or "port[i]".
+struct StartValue {
+  std::string port;
+  double value;
+  Place place;
+};
+
+struct SubsystemEntry {
+  std::string name, source;
+  std::vector<Parameter> parameters;  ///< those that all subsystems share are among them
+  std::vector<StartValue> inputs;
+  Place place, source_place;
+
+  /// The place that an error of opening it is about: of the parameter that the sentence names first, else the source.
+  Place place_named_in(const std::string& sentence) const;
+};
+
+struct ConnectionEntry {
+  Connection connection;
+  Place place, from_place, to_place, how_place;
+
+  /// The place that an error about this connection is about: of an end that is not known, or of the reconstruction, or
+  /// of what the command line has set; else of the connection.
+  Place place_named_in(const std::string& sentence) const;
+};
+
+/// Results to compare with.
+struct ReferenceEntry {
+  std::filesystem::path file;  ///< of the scenario's folder if it was not absolute
+  double tolerance;            ///< as a fraction of each column's largest magnitude
+  Place place;
+};
+
+/// What the scene is judged by.
+struct JudgeEntry {
+  std::string quantity;  ///< an output
+  double tolerance;      ///< as a fraction of its largest magnitude
+  Place place;
+};
+
+/// A scenario file as it was read: texts and numbers with their places, units and ports not yet looked at.
+struct Scenario {
+  std::filesystem::path file;
+  std::string name, description;
+  std::vector<SubsystemEntry> subsystems;
+  std::vector<ConnectionEntry> connections;
+  Coordination coordination;
+  double start = 0.0, stop = 0.0;  ///< [s]
+  Recording recording;             ///< without its directory
+  std::optional<ReferenceEntry> reference;
+  std::optional<JudgeEntry> judge;
+
+  std::vector<std::string> overrides;  ///< "KEY=VALUE"
+  nlohmann::ordered_json document;     ///< the file with the overrides in it
+  std::map<std::string, Place> places;  ///< of single keys by their path, "coordination.order"; absent: the file
+
+  Place place(const std::string& key) const;
+  /// The place that an error's sentence is about: of the connection, key or subsystem that it names, else the file.
+  Place place_named_in(const std::string& sentence) const;
+};
+
+/// Reads a scenario with the overrides of the command line. Throws Error with file, line, the value found and what is
+/// allowed.
+Scenario read(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
+}  // namespace tandem::scenario

@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenario/document.hpp"
+
+namespace tandem::scenario {
+
+/// A table of a scenario while it is read: each key is asked for by name and type, and what nobody asked for is refused.
+/// Every error names the place, the key, the value found and what is allowed.
+class Section {
+ public:
+  /// path: "coordination" or "connections[0]"; empty for the whole document.
+  Section(const Document& document, const toml::table& table, std::string path);
+
+  const toml::node* node(const std::string& key);  ///< null if it is not there
+  std::optional<std::string> text(const std::string& key);
+  std::optional<double> number(const std::string& key);  ///< finite
+  std::optional<double> positive(const std::string& key);
+  std::optional<bool> flag(const std::string& key);
+  std::vector<std::string> texts(const std::string& key);  ///< an array of texts; empty if it is not there
+  const toml::table* table(const std::string& key);
+
+  std::string required_text(const std::string& key, const std::string& allowed);
+
+  /// Refuses the keys that nobody asked for.
+  void refuse_unknown() const;
+
+  Place place() const { return document_.place(table_); }
+  Place place(const std::string& key) const;  ///< of its value, or of the table if it is not there
+  std::string name(const std::string& key) const { return path_.empty() ? key : path_ + "." + key; }
+  [[noreturn]] void wrong(const std::string& key, const std::string& found, const std::string& allowed) const;
+
+  const Document& document() const { return document_; }
+
+ private:
+  const Document& document_;
+  const toml::table& table_;
+  std::string path_;
+  std::vector<std::string> asked_;
+};
+
+/// The number that a value is. Throws for another type, one that is not finite, and a whole number that a double can't
+/// hold; `name` is what the sentence calls it.
+double number_of(const Document& document, const toml::node& node, const std::string& name);
+
+}  // namespace tandem::scenario

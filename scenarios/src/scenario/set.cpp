@@ -1,0 +1,151 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "scenario/set.hpp"
+
+#include <charconv>
+#include <vector>
+
+#include "scenario/document.hpp"
+#include "scenario/known.hpp"
+
+namespace tandem::scenario {
+namespace {
+
+[[noreturn]] void fail(const std::string& sentence) { throw Error(ErrorCode::invalid_argument, sentence); }
+
+/// A key, or what stands in brackets.
+struct Step {
+  std::string text;
+  bool bracket;
+};
+using Steps = std::vector<Step>;
+
+Steps split(const std::string& path) {
+  Steps steps;
+  std::size_t i = 0;
+  while (i < path.size()) {
+    if (path[i] == '[') {
+      const auto end = path.find(']', i);
+      if (end == std::string::npos) fail("'" + path + "' has a '[' without ']'");
+      steps.push_back({path.substr(i + 1, end - i - 1), true});
+      i = end + 1;
+    } else {
+      const auto end = std::min(path.find_first_of(".[", i), path.size());
+      steps.push_back({path.substr(i, end - i), false});
+      i = end;
+    }
+    if (steps.back().text.empty()) fail("'" + path + "' has an empty part; allowed is a path like coordination.schedule");
+    if (i < path.size() && path[i] == '.' && ++i == path.size()) fail("'" + path + "' ends with a '.'");
+  }
+  if (steps.empty() || steps[0].bracket) fail("'" + path + "' names no key; allowed is a path like coordination.schedule");
+  return steps;
+}
+
+std::string in_quotes(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out + "\"";
+}
+
+/// One override: the path is walked from the root; what it ends at is replaced or added.
+class Override {
+ public:
+  explicit Override(const std::string& text) : source_(set_prefix + text) {
+    const auto equals = text.find('=');
+    if (equals == std::string::npos || equals == 0) fail("'" + text + "' is not of the form KEY=VALUE");
+    steps_ = split(text.substr(0, equals));
+    value_ = text.substr(equals + 1);
+    try {
+      if (toml::parse(std::string_view("v = " + value_)).size() == 1) return;
+    } catch (const toml::parse_error&) {  // not TOML: a text
+    }
+    value_ = in_quotes(value_);
+  }
+
+  void apply(toml::table& root) { at_table(root, 0); }
+
+ private:
+  /// `steps_[first..] = value_` as a table of its own, which knows where it came from.
+  toml::table parsed(std::size_t first) const {
+    std::string key;
+    for (std::size_t i = first; i < steps_.size(); ++i) {
+      if (steps_[i].bracket) fail("'" + written(i) + "' is not there, so it has no [" + steps_[i].text + "]");
+      key += (i > first ? "." : "") + in_quotes(steps_[i].text);
+    }
+    try {
+      return toml::parse(std::string_view(key + " = " + value_), std::string_view(source_));
+    } catch (const toml::parse_error& error) {
+      fail("not TOML: " + std::string(error.description()));
+    }
+  }
+
+  /// The path up to a step, as it was given.
+  std::string written(std::size_t end) const {
+    std::string text;
+    for (std::size_t i = 0; i < end; ++i)
+      text += steps_[i].bracket ? "[" + steps_[i].text + "]" : (i > 0 ? "." : "") + steps_[i].text;
+    return text;
+  }
+
+  void at_table(toml::table& table, std::size_t i) {
+    const Step& step = steps_[i];
+    if (step.bracket) fail("'" + written(i) + "' is a table; it has no [" + step.text + "]");
+    toml::node* node = table.get(step.text);
+    if (!node && i == 1 && steps_[0].text == "subsystems") fail(unknown("subsystem", step.text, keys(table)));
+    if (node && i + 1 < steps_.size()) return go_on(*node, i + 1);
+    toml::table made = parsed(i);
+    made.get(step.text)->visit([&](auto& value) { table.insert_or_assign(step.text, std::move(value)); });
+  }
+
+  void go_on(toml::node& node, std::size_t i) {
+    if (auto* table = node.as_table()) return at_table(*table, i);
+    if (auto* array = node.as_array()) return array->is_array_of_tables() ? at_tables(*array, i) : at_values(*array, i);
+    fail("'" + written(i) + "' is " + described(node) + "; it has no '" + steps_[i].text + "'");
+  }
+
+  void at_tables(toml::array& array, std::size_t i) {
+    const bool all = !steps_[i].bracket;
+    const std::size_t next = all ? i : i + 1;
+    if (next == steps_.size()) fail("'" + written(i + 1) + "' is a table; name one of its keys, as in " + written(i + 1) + ".KEY");
+    std::vector<std::string> names;
+    bool found = false;
+    for (std::size_t k = 0; k < array.size(); ++k) {
+      const std::string name = (*array[k].as_table())["to"].value_or(std::string());
+      names.push_back(name);
+      if (!all && steps_[i].text != name && steps_[i].text != std::to_string(k)) continue;
+      at_table(*array[k].as_table(), next);
+      found = true;
+    }
+    if (!found) fail_no_element(i, names);
+  }
+
+  [[noreturn]] void fail_no_element(std::size_t i, const std::vector<std::string>& names) const {
+    std::vector<std::string> numbered;
+    for (std::size_t k = 0; k < names.size(); ++k) numbered.push_back(std::to_string(k) + " (" + names[k] + ")");
+    const std::string near = nearest(steps_[i].text, names);
+    fail("'" + written(i) + "' has no [" + steps_[i].text + "]" + (near.empty() ? "." : "; did you mean [" + near + "]?") +
+         " There are: " + listed(numbered));
+  }
+
+  void at_values(toml::array& array, std::size_t i) {
+    std::size_t index = array.size();
+    const std::string& text = steps_[i].text;
+    std::from_chars(text.data(), text.data() + text.size(), index);
+    if (!steps_[i].bracket || std::to_string(index) != text || index >= array.size() || i + 1 < steps_.size())
+      fail("'" + written(i) + "' is an array of " + std::to_string(array.size()) + "; '" + text +
+           "' is not one of its elements, which are named like " + written(i) + "[0]");
+    toml::table made = toml::parse(std::string_view("v = " + value_), std::string_view(source_));
+    made.get("v")->visit([&](auto& value) { array.replace(array.cbegin() + static_cast<std::ptrdiff_t>(index), std::move(value)); });
+  }
+
+  std::string source_, value_;
+  Steps steps_;
+};
+
+}  // namespace
+
+void set(toml::table& scenario, const std::string& override_text) { Override(override_text).apply(scenario); }
+
+}  // namespace tandem::scenario

@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "scenario/settings.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "scenario/known.hpp"
+
+namespace tandem::scenario {
+namespace {
+
+std::vector<std::string> instances(const Scenario& scenario) {
+  std::vector<std::string> names;
+  for (const SubsystemEntry& s : scenario.subsystems) names.push_back(s.name);
+  return names;
+}
+
+void check_instance(const Place& place, const std::string& kind, const std::string& name, const std::vector<std::string>& known) {
+  if (std::find(known.begin(), known.end(), name) == known.end()) refuse(place, unknown(kind, name, known));
+}
+
+void note_places(const Section& section, std::initializer_list<const char*> keys, Scenario& to) {
+  for (const char* key : keys) to.places[section.name(key)] = section.place(key);
+}
+
+StartKind start_kind(Section& section) {
+  constexpr std::array words{
+      std::pair{"automatic", StartKind::automatic}, std::pair{"derivatives", StartKind::derivatives},
+      std::pair{"repeat", StartKind::repeat}, std::pair{"cold", StartKind::cold}};
+  const auto word = section.text("start");
+  if (!word) return StartKind::automatic;
+  for (const auto& [name, kind] : words)
+    if (*word == name) return kind;
+  section.wrong("start", "'" + *word + "'", "automatic, derivatives, repeat or cold");
+}
+
+void refuse_what_is_to_come(Section& section) {
+  const std::string coupling = section.text("coupling").value_or("signals");
+  if (coupling == "impulse" || coupling == "impulse_stiffness")
+    section.wrong("coupling", "'" + coupling + "', which is not there yet", "signals");
+  if (coupling != "signals") section.wrong("coupling", "'" + coupling + "'", "signals");
+  const auto scheme = section.text("scheme");
+  if (scheme && *scheme == "auto") section.wrong("scheme", "'auto', which is not there yet", "to leave it out");
+  if (scheme) section.wrong("scheme", "'" + *scheme + "'", "to leave it out");
+}
+
+void check_order(const Section& section, const Scenario& scenario) {
+  const auto& order = scenario.coordination.order;
+  const auto known = instances(scenario);
+  for (const std::string& name : order) check_instance(section.place("order"), "coordination.order: subsystem", name, known);
+  const bool twice = std::any_of(order.begin(), order.end(), [&](const std::string& name) {
+    return std::count(order.begin(), order.end(), name) > 1;
+  });
+  if (twice || order.size() != known.size())
+    section.wrong("order", "[" + listed(order) + "]", "each subsystem once, slowest first: " + listed(known));
+}
+
+void read_coordination(Section section, Scenario& to) {
+  note_places(section, {"schedule", "order", "communication_step", "start"}, to);
+  Coordination& c = to.coordination;
+  if (const auto word = section.text("schedule"))
+    c.schedule = located(section.place("schedule"), [&] { return Schedule::parse(*word); });
+  c.order = section.texts("order");
+  c.communication_step = section.positive("communication_step");
+  c.start = start_kind(section);
+  refuse_what_is_to_come(section);
+  section.refuse_unknown();
+  if (section.node("order")) check_order(section, to);
+}
+
+void read_span(Section section, Scenario& to) {
+  note_places(section, {"start", "stop"}, to);
+  to.start = section.number("start").value_or(0.0);
+  const auto stop = section.number("stop");
+  section.refuse_unknown();
+  if (!stop) refuse(section.place(), "span.stop is missing; allowed is a time in s after span.start");
+  to.stop = *stop;
+  const toml::node* start = section.node("start");
+  if (to.stop <= to.start)
+    section.wrong("stop", described(*section.node("stop")),
+                  "a time in s after span.start, which is " + (start ? described(*start) : "0"));
+}
+
+void read_record(Section section, Scenario& to) {
+  note_places(section, {"clock", "ports"}, to);
+  const std::string clock = section.text("clock").value_or("");
+  to.recording.own = clock == "own";
+  if (!to.recording.own) to.recording.clock = clock;
+  to.recording.ports = section.texts("ports");
+  section.refuse_unknown();
+  auto known = instances(to);
+  known.emplace_back("own");
+  if (!clock.empty()) check_instance(section.place("clock"), "record.clock: subsystem", clock, known);
+}
+
+double required_tolerance(Section& section) {
+  const auto tolerance = section.positive("tolerance");
+  if (!tolerance)
+    refuse(section.place(), section.name("tolerance") +
+                                " is missing; allowed is a number above 0, a fraction of a column's largest magnitude");
+  return *tolerance;
+}
+
+void read_reference(Section section, Scenario& to) {
+  const std::filesystem::path file = section.required_text("file", "a CSV file, relative to the scenario's folder");
+  to.reference = {to.file.parent_path() / file, required_tolerance(section), section.place("file")};
+  section.refuse_unknown();
+}
+
+void read_judge(Section section, Scenario& to) {
+  const std::string quantity = section.required_text("quantity", "an output, \"instance.port\"");
+  to.judge = {quantity, required_tolerance(section), section.place("quantity")};
+  section.refuse_unknown();
+}
+
+}  // namespace
+
+const std::vector<std::pair<std::string, std::function<void(Section, Scenario&)>>>& settings() {
+  static const std::vector<std::pair<std::string, std::function<void(Section, Scenario&)>>> all{
+      {"coordination", read_coordination},
+      {"span", read_span},
+      {"record", read_record},
+      {"reference", read_reference},
+      {"judge", read_judge}};
+  return all;
+}
+
+}  // namespace tandem::scenario

@@ -1,0 +1,17 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scenario/scenario.hpp"
+#include "scenario/section.hpp"
+
+namespace tandem::scenario {
+
+/// The tables coordination, span, record, reference and judge, each with what reads it into a scenario whose subsystems
+/// are known. Throw Error.
+const std::vector<std::pair<std::string, std::function<void(Section, Scenario&)>>>& settings();
+
+}  // namespace tandem::scenario

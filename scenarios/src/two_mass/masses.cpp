@@ -1,0 +1,155 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "two_mass/masses.hpp"
+
+#include "tandem/error.hpp"
+
+namespace tandem::two_mass {
+
+FastMass::FastMass(const Model& model, Options options) : model_(model), options_(options) {
+  if (options.carried_mass < 0.0 || options.carried_mass >= model.m2)
+    throw Error(ErrorCode::invalid_argument, "two_mass: carried_mass is " + std::to_string(options.carried_mass) +
+                                                 " kg; allowed is 0 to below m2 = " + std::to_string(model.m2) + " kg");
+}
+
+SubsystemInfo FastMass::info() const {
+  SubsystemInfo info{"two_mass.fast", {{"x2", "m"}}, {{"x1", "m", 1, 2}, {"v1", "m/s", 1, 1}}, {}, {}};
+  if (!options_.force) return info;
+  info.outputs.push_back({"F", "N"});
+  info.feedthrough.push_back({2, 0});
+  if (options_.carried_mass > 0.0) {
+    info.inputs.push_back({"a2", "m/s^2"});
+    info.feedthrough.push_back({2, 1});
+  }
+  return info;
+}
+
+double FastMass::acceleration(double x1, double x2) const {
+  return (model_.k2 * x2 - (model_.k1 + model_.k2) * x1) / model_.m1;
+}
+
+void FastMass::take_inputs(double x2, double a2) {
+  a1_ = acceleration(x1_, x2);
+  force_ = model_.k2 * (x1_ - x2) - options_.carried_mass * a2;
+}
+
+void FastMass::start(double t, std::span<const double> u0) {
+  const Motion m = model_.exact(t);
+  x1_ = m.x1;
+  v1_ = m.v1;
+  take_inputs(u0[0], u0.size() > 1 ? u0[1] : 0.0);
+}
+
+void FastMass::step(const OwnStep& s, std::span<const Signal> u) {
+  const double h = s.length, half = 0.5 * h;
+  const double begin = u[0].value(s.begin), middle = u[0].value(s.begin + half), end = u[0].value(s.end);
+  const double k1 = acceleration(x1_, begin);
+  const double k2 = acceleration(x1_ + half * v1_, middle);
+  const double k3 = acceleration(x1_ + half * (v1_ + half * k1), middle);
+  const double k4 = acceleration(x1_ + h * (v1_ + half * k2), end);
+  x1_ += h * (v1_ + h / 6.0 * (k1 + k2 + k3));
+  v1_ += h / 6.0 * (k1 + 2.0 * (k2 + k3) + k4);
+  take_inputs(end, u.size() > 1 ? u[1].value(s.end) : 0.0);
+}
+
+void FastMass::outputs(double* y) const {
+  if (!options_.force) {
+    const double row[] = {x1_, v1_, v1_, a1_, a1_, 0.0};
+    std::copy(std::begin(row), std::end(row), y);
+  } else {
+    const double row[] = {x1_, v1_, force_, v1_, a1_, 0.0, a1_, 0.0, 0.0};
+    std::copy(std::begin(row), std::end(row), y);
+  }
+}
+
+SlowMass::SlowMass(const Model& model, Options options)
+    : model_(model),
+      options_(options),
+      gain_(options.force ? 1.0 : model.k2),
+      stiffness_(options.force ? model.k3 : model.k2 + model.k3),
+      mass_(model.m2 - options.carried_mass) {
+  if (options.carried_mass < 0.0 || mass_ <= 0.0)
+    throw Error(ErrorCode::invalid_argument, "two_mass: carried_mass is " + std::to_string(options.carried_mass) +
+                                                 " kg; allowed is 0 to below m2 = " + std::to_string(model.m2) + " kg");
+}
+
+SubsystemInfo SlowMass::info() const {
+  SubsystemInfo info{"two_mass.slow", {{"x1", "m"}}, {{"x2", "m", 1, 2}, {"v2", "m/s", 1, 1}}, {}, {}};
+  if (!options_.force) return info;
+  info.inputs[0] = {"F", "N"};
+  info.outputs.push_back({"a2", "m/s^2"});
+  info.feedthrough.push_back({2, 0});
+  return info;
+}
+
+void SlowMass::start(double t, std::span<const double> u0) {
+  const Motion m = model_.exact(t);
+  x2_ = m.x2;
+  v2_ = m.v2;
+  a2_ = (gain_ * u0[0] - stiffness_ * x2_) / mass_;
+}
+
+void SlowMass::step(const OwnStep& s, std::span<const Signal> u) {
+  const double h = s.length;
+  const double before = options_.reuse_acceleration ? a2_ : (gain_ * u[0].value(s.begin) - stiffness_ * x2_) / mass_;
+  const double push = gain_ * u[0].value(s.end);
+  x2_ = (x2_ + h * v2_ + 0.25 * h * h * (before + push / mass_)) / (1.0 + 0.25 * h * h * stiffness_ / mass_);
+  a2_ = (push - stiffness_ * x2_) / mass_;
+  v2_ += 0.5 * h * (before + a2_);
+}
+
+void SlowMass::outputs(double* y) const {
+  if (!options_.force) {
+    const double row[] = {x2_, v2_, v2_, a2_, a2_, 0.0};
+    std::copy(std::begin(row), std::end(row), y);
+  } else {
+    const double row[] = {x2_, v2_, a2_, v2_, a2_, 0.0, a2_, 0.0, 0.0};
+    std::copy(std::begin(row), std::end(row), y);
+  }
+}
+
+SubsystemInfo BothMasses::info() const {
+  return {"two_mass.both", {}, {{"x1", "m"}, {"v1", "m/s"}, {"x2", "m"}, {"v2", "m/s"}}, {}, {}};
+}
+
+void BothMasses::start(double t, std::span<const double>) { state_ = model_.exact(t); }
+
+void BothMasses::step(const OwnStep& s, std::span<const Signal>) {
+  const auto rate = [this](const Motion& m) {
+    return Motion{m.v1, (model_.k2 * m.x2 - (model_.k1 + model_.k2) * m.x1) / model_.m1, m.v2,
+                  (model_.k2 * m.x1 - (model_.k2 + model_.k3) * m.x2) / model_.m2};
+  };
+  const auto plus = [](const Motion& m, double h, const Motion& k) {
+    return Motion{m.x1 + h * k.x1, m.v1 + h * k.v1, m.x2 + h * k.x2, m.v2 + h * k.v2};
+  };
+  const double h = s.length;
+  const Motion k1 = rate(state_), k2 = rate(plus(state_, 0.5 * h, k1)), k3 = rate(plus(state_, 0.5 * h, k2)),
+               k4 = rate(plus(state_, h, k3));
+  state_ = plus(plus(plus(plus(state_, h / 6.0, k1), h / 3.0, k2), h / 3.0, k3), h / 6.0, k4);
+}
+
+void BothMasses::outputs(double* y) const {
+  y[0] = state_.x1, y[1] = state_.v1, y[2] = state_.x2, y[3] = state_.v2;
+}
+
+void add_builtins(Builtins& builtins) {
+  builtins["two_mass.fast"] = [](Parameters& p) {
+    return std::make_unique<FixedStep<FastMass>>(FastMass(Model(Settings::from(p)), {}));
+  };
+  builtins["two_mass.slow"] = [](Parameters& p) {
+    const Model model(Settings::from(p));
+    return std::make_unique<FixedStep<SlowMass>>(SlowMass(model, {.reuse_acceleration = p.flag("reuse_acceleration", false)}));
+  };
+  builtins["two_mass.fast_force"] = [](Parameters& p) {
+    const Model model(Settings::from(p));
+    return std::make_unique<FixedStep<FastMass>>(FastMass(model, {true, p.number("carried_mass", 0.0)}));
+  };
+  builtins["two_mass.slow_force"] = [](Parameters& p) {
+    const Model model(Settings::from(p));
+    return std::make_unique<FixedStep<SlowMass>>(SlowMass(model, {true, p.number("carried_mass", 0.0)}));
+  };
+  builtins["two_mass.both"] = [](Parameters& p) {
+    return std::make_unique<FixedStep<BothMasses>>(BothMasses(Model(Settings::from(p))));
+  };
+}
+
+}  // namespace tandem::two_mass

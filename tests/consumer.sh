@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# consumer.sh BUILD_DIR: installs that build to a scratch prefix, and builds and runs tests/consumer against it, with
+# nothing of the source tree in sight.
+set -euo pipefail
+
+build_dir=$1
+consumer=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/consumer" && pwd)
+scratch=$(mktemp -d)
+trap 'rm -rf -- "$scratch"' EXIT
+
+cmake --install "$build_dir" --prefix "$scratch/prefix"
+cp -r -- "$consumer" "$scratch/consumer"
+cmake -G Ninja -S "$scratch/consumer" -B "$scratch/build" \
+  -DCMAKE_PREFIX_PATH="$scratch/prefix" -DCMAKE_BUILD_TYPE=Release
+cmake --build "$scratch/build"
+"$scratch/build/consumer"

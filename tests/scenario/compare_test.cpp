@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "command.hpp"
+
+namespace tandem {
+namespace {
+
+using test::Said;
+using test::Scratch;
+using test::tandem;
+
+class CompareCommand : public testing::Test {
+ protected:
+  CompareCommand() {
+    folder.write("a.csv", "time,x,y\n0,1,0\n1,2,0\n2,4,1\n");
+    folder.write("b.csv", "time,x,y\n0,1,0\n1,2.2,0\n2,4,1\n");
+  }
+  const Scratch folder;
+};
+
+TEST_F(CompareCommand, WithinTheToleranceIsStatusZero) {
+  const Said said = tandem(folder, {"compare", "a.csv", "b.csv", "--tolerance", "0.051"});
+  EXPECT_EQ(said.status, 0) << said.err;
+  EXPECT_NE(said.out.find("within the tolerance"), std::string::npos) << said.out;
+  EXPECT_EQ(tandem(folder, {"compare", "a.csv", "a.csv"}).status, 0);
+}
+
+TEST_F(CompareCommand, BeyondItIsStatusOneWithPlaceAndFigures) {
+  const Said said = tandem(folder, {"compare", "a.csv", "b.csv", "--tolerance", "0.04"});
+  EXPECT_EQ(said.status, 1);
+  EXPECT_NE(said.err.find("x differs by 0.2 (5 % of its largest magnitude) at t = 1 s: 2 and 2.2"), std::string::npos) << said.err;
+}
+
+TEST_F(CompareCommand, TakesOnlyTheColumnsThatAreNamed) {
+  EXPECT_EQ(tandem(folder, {"compare", "a.csv", "b.csv", "--columns", "y"}).status, 0);
+  EXPECT_EQ(tandem(folder, {"compare", "a.csv", "b.csv", "--columns", "y,x"}).status, 1);
+}
+
+TEST_F(CompareCommand, BadInputIsStatusTwo) {
+  folder.write("late.csv", "time,x\n5,1\n");
+  folder.write("broken.csv", "time,x\n0,1\n1,two\n");
+  const auto refused = [&](const std::vector<std::string>& arguments, const std::string& words) {
+    const Said said = tandem(folder, arguments);
+    EXPECT_EQ(said.status, 2) << said.err;
+    EXPECT_NE(said.err.find(words), std::string::npos) << said.err;
+  };
+  refused({"compare", "a.csv", "b.csv", "--columns", "z"}, "'z' is not there");
+  refused({"compare", "a.csv", "late.csv"}, "no time is in both");
+  refused({"compare", "a.csv", "broken.csv"}, "broken.csv:3: column x holds 'two'");
+  refused({"compare", "a.csv", "nowhere.csv"}, "'nowhere.csv' are not there");
+  refused({"compare", "a.csv", "b.csv", "--tolerance", "-1"}, "--tolerance");
+}
+
+}  // namespace
+}  // namespace tandem

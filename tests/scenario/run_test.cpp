@@ -1,0 +1,173 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+
+#include "command.hpp"
+#include "scenario/table.hpp"
+
+namespace tandem {
+namespace {
+
+using scenario::Table;
+using test::read_text;
+using test::Said;
+using test::Scratch;
+using test::tandem;
+using test::two_mass_file;
+
+nlohmann::json json_of(const std::filesystem::path& file) { return nlohmann::json::parse(read_text(file)); }
+
+TEST(RunCommand, WritesResultsWithUnitsAndMachineFigures) {
+  const Scratch folder;
+  const Said said = tandem(folder, {"run", two_mass_file("two_mass.toml")});
+  ASSERT_EQ(said.status, 0) << said.err;
+  const auto results = folder.path() / "results/two_mass";
+  for (const char* name : {"results.csv", "results.json", "machine.json"})
+    EXPECT_NE(said.out.find(std::string("wrote results/two_mass/") + name), std::string::npos) << said.out;
+  EXPECT_EQ(Table::read(results).times.size(), 10001U);
+  const auto json = json_of(results / "results.json");
+  EXPECT_EQ(json["status"], "ok");
+  EXPECT_EQ(json["units"]["slow.v2"], "m/s");
+  EXPECT_EQ(json["interpolation"]["fast.x1"], "own steps");
+  EXPECT_EQ(json["interpolation"]["slow.x2"], "cubic hermite");
+  EXPECT_EQ(json["scenario"]["values"]["span"]["stop"], 100.0);
+  EXPECT_EQ(json["coordination"]["leader_first"][0], "slow");
+  EXPECT_EQ(json["reference"]["within"], true);
+  EXPECT_TRUE(json["versions"].contains("tandem"));
+  const auto machine = json_of(results / "machine.json");
+  EXPECT_EQ(machine["subsystems"]["fast"]["steps"], 10000);
+  EXPECT_EQ(machine["subsystems"]["slow"]["exchanges"], 400);
+  EXPECT_GT(machine["real_time_factor"], 0.0);
+  EXPECT_FALSE(machine["subsystems"]["fast"].contains("seconds"));
+}
+
+TEST(RunCommand, ProfileGivesTheSecondsOfEachPart) {
+  const Scratch folder;
+  ASSERT_EQ(tandem(folder, {"run", two_mass_file("monolithic.toml"), "--profile", "--output", "o"}).status, 0);
+  const auto machine = json_of(folder.path() / "o/machine.json");
+  EXPECT_GT(machine["subsystems"]["both"]["seconds"], 0.0);
+  EXPECT_TRUE(machine["coordinator"].contains("seconds"));
+}
+
+TEST(RunCommand, TwoRunsAreEqualToTheLastByte) {
+  const Scratch folder;
+  for (const char* name : {"a", "b"})
+    ASSERT_EQ(tandem(folder, {"run", two_mass_file("force_plain.toml"), "--output", name, "--no-reference"}).status, 0);
+  for (const char* name : {"results.csv", "results.json"})
+    EXPECT_EQ(read_text(folder.path() / "a" / name), read_text(folder.path() / "b" / name));
+}
+
+TEST(RunCommand, OverridesAreDoneAndRecorded) {
+  const Scratch folder;
+  const Said said = tandem(folder, {"run", two_mass_file("two_mass.toml"), "--no-reference", "--output", "o", "--set", "span.stop=2",
+                                    "--set", "parameters.frequency_ratio=10", "--set", "connections.reconstruction=hermite",
+                                    "--set", "record.ports=[\"slow.x2\"]", "--set", "record.clock=slow"});
+  ASSERT_EQ(said.status, 0) << said.err;
+  const Table table = Table::read(folder.path() / "o");
+  EXPECT_EQ(table.names, std::vector<std::string>{"slow.x2"});
+  EXPECT_EQ(table.times.size(), 21U);
+  const auto scenario = json_of(folder.path() / "o/results.json")["scenario"];
+  EXPECT_EQ(scenario["overrides"].size(), 5U);
+  EXPECT_EQ(scenario["values"]["connections"][1]["reconstruction"], "hermite");
+}
+
+TEST(RunCommand, OwnClocksWriteAFileForEachSubsystem) {
+  const Scratch folder;
+  ASSERT_EQ(tandem(folder, {"run", two_mass_file("two_mass.toml"), "--no-reference", "--output", "o", "--set", "record.clock=own"}).status, 0);
+  EXPECT_EQ(Table::read(folder.path() / "o/results.fast.csv").times.size(), 10001U);
+  EXPECT_EQ(Table::read(folder.path() / "o/results.slow.csv").times.size(), 401U);
+}
+
+TEST(RunCommand, ADryRunWritesNothing) {
+  const Scratch folder;
+  const Said said = tandem(folder, {"run", two_mass_file("two_mass.toml"), "--dry-run"});
+  EXPECT_EQ(said.status, 0) << said.err;
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "results"));
+}
+
+TEST(RunCommand, QuietPrintsNothing) {
+  const Scratch folder;
+  const Said said = tandem(folder, {"--quiet", "run", two_mass_file("two_mass.toml")});
+  EXPECT_EQ(said.out + said.err, "");
+}
+
+TEST(RunCommand, TellsARunThatIsNotWithinItsReference) {
+  const Scratch folder;
+  const Said said = tandem(folder, {"run", two_mass_file("two_mass.toml"), "--set", "judge.tolerance=0.01"});
+  EXPECT_EQ(said.status, 1);
+  EXPECT_NE(said.err.find("fast.x1 differs by"), std::string::npos) << said.err;
+  EXPECT_NE(said.err.find("tolerance 1 %"), std::string::npos) << said.err;
+  const auto json = json_of(folder.path() / "results/two_mass/results.json");
+  EXPECT_EQ(json["status"], "ok");
+  EXPECT_EQ(json["reference"]["within"], false);
+}
+
+/// The broken loop of real_loop_memory diverges with half a kilogram until numbers are no longer finite.
+TEST(RunCommand, ARunThatFailsKeepsItsResultsAndHasStatusOne) {
+  const Scratch folder;
+  const Said said = tandem(folder, {"run", two_mass_file("real_loop_memory.toml"), "--output", "o", "--set",
+                                    "parameters.carried_mass=1.2", "--set", "span.stop=1000"});
+  EXPECT_EQ(said.status, 1);
+  EXPECT_NE(said.err.find("real_loop_memory.toml: subsystem"), std::string::npos) << said.err;
+  EXPECT_NE(said.err.find("not finite at t = "), std::string::npos) << said.err;
+  EXPECT_NE(said.err.find("kept in o"), std::string::npos) << said.err;
+  EXPECT_GT(Table::read(folder.path() / "o").times.size(), 1000U);
+  const auto json = json_of(folder.path() / "o/results.json");
+  EXPECT_EQ(json["status"], "failed");
+  EXPECT_NE(json["message"].get<std::string>().find("not finite"), std::string::npos);
+}
+
+TEST(RunCommand, AFullDiskIsToldWithStatusOne) {
+  const Scratch folder;
+  std::filesystem::create_directory(folder.path() / "o");
+  std::filesystem::create_symlink("/dev/full", folder.path() / "o/results.csv");
+  Said said = tandem(folder, {"run", two_mass_file("two_mass.toml"), "--output", "o"});
+  EXPECT_EQ(said.status, 1);
+  EXPECT_NE(said.err.find("'o/results.csv' can't be written: No space left on device"), std::string::npos) << said.err;
+  EXPECT_EQ(json_of(folder.path() / "o/results.json")["status"], "failed");
+
+  std::filesystem::remove(folder.path() / "o/results.csv");
+  std::filesystem::remove(folder.path() / "o/results.json");
+  std::filesystem::create_symlink("/dev/full", folder.path() / "o/results.json");
+  said = tandem(folder, {"run", two_mass_file("two_mass.toml"), "--output", "o"});
+  EXPECT_EQ(said.status, 1);
+  EXPECT_NE(said.err.find("'o/results.json' can't be written: No space left on device"), std::string::npos) << said.err;
+}
+
+TEST(RunCommand, AFolderThatCannotBeMadeIsStatusTwo) {
+  const Scratch folder;
+  const Said said = tandem(folder, {"run", two_mass_file("two_mass.toml"), "--output", "/dev/null/o"});
+  EXPECT_EQ(said.status, 2);
+  EXPECT_NE(said.err.find("'/dev/null/o'"), std::string::npos) << said.err;
+}
+
+/// A run that would take hours, interrupted as soon as its results file is there.
+TEST(RunCommand, CtrlCEndsCleanlyAndKeepsResults) {
+  const Scratch folder;
+  const auto output = folder.path() / "o";
+  const pid_t child = fork();
+  if (child == 0) {
+    const std::string file = two_mass_file("two_mass.toml");
+    if (!freopen((folder.path() / "err.txt").c_str(), "w", stderr)) _exit(9);
+    execl(TANDEM_COMMAND, TANDEM_COMMAND, "run", file.c_str(), "--no-reference", "--output", output.c_str(), "--set",
+          "span.stop=1e9", static_cast<char*>(nullptr));
+    _exit(9);
+  }
+  int status = 0;
+  while (!std::filesystem::exists(output / "results.csv") || std::filesystem::file_size(output / "results.csv") == 0)
+    ASSERT_EQ(waitpid(child, &status, WNOHANG), 0) << read_text(folder.path() / "err.txt");
+  kill(child, SIGINT);
+  waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 1);
+  EXPECT_NE(read_text(folder.path() / "err.txt").find("interrupted at t = "), std::string::npos);
+  EXPECT_EQ(json_of(output / "results.json")["status"], "interrupted");
+  EXPECT_GT(Table::read(output).times.size(), 1000U);
+}
+
+}  // namespace
+}  // namespace tandem

@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/transports/parameters.hpp"
+
+#include <gtest/gtest.h>
+
+#include "refusal.hpp"
+
+namespace tandem {
+namespace {
+
+using test::refuses;
+
+TEST(Parameters, GiveWhatWasSetAndElseTheDefault) {
+  Parameters p;
+  p.set("mass", 2.5);
+  p.set("on", true);
+  p.set("file", std::string("a.toml"));
+  EXPECT_EQ(p.number("mass", 1.0), 2.5);
+  EXPECT_EQ(p.number("length", 1.0), 1.0);
+  EXPECT_TRUE(p.flag("on", false));
+  EXPECT_TRUE(p.flag("off", true));
+  EXPECT_EQ(p.text("file", ""), "a.toml");
+  EXPECT_EQ(p.text("other", "b"), "b");
+  EXPECT_TRUE(p.has("mass"));
+  EXPECT_FALSE(p.has("length"));
+}
+
+TEST(Parameters, ReadNumbersAndFlagsFromTextsOfAUri) {
+  Parameters p;
+  p.set("h", std::string("-2.5e-3"));
+  p.set("on", std::string("true"));
+  p.set("off", std::string("false"));
+  EXPECT_EQ(p.number("h", 0.0), -2.5e-3);
+  EXPECT_TRUE(p.flag("on", false));
+  EXPECT_FALSE(p.flag("off", true));
+}
+
+TEST(Parameters, RefuseAnotherType) {
+  Parameters p;
+  p.set("h", std::string("1.5x"));
+  p.set("empty", std::string());
+  p.set("on", 1.0);
+  p.set("file", true);
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'h'", "'1.5x'", "a number is allowed"}, [&] { p.number("h", 0.0); }));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'empty'"}, [&] { p.number("empty", 0.0); }));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'on'", "true or false is allowed"}, [&] { p.flag("on", false); }));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'file'", "a text is allowed"}, [&] { p.text("file", ""); }));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'file'"}, [&] { p.number("file", 0.0); }));
+}
+
+TEST(Parameters, NameWhatNobodyAskedForAndTheNearestThatWas) {
+  Parameters p;
+  p.set("frequncy_ratio", 30.0);
+  p.number("frequency_ratio", 1.0);
+  p.number("k2", 1.0);
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument,
+                      {"source 'x'", "'frequncy_ratio'", "did you mean 'frequency_ratio'", "frequency_ratio k2"},
+                      [&] { p.refuse_unused("source 'x'"); }));
+}
+
+TEST(Parameters, AreContentWhenAllWereAskedFor) {
+  Parameters p;
+  p.set("k2", 1.0);
+  p.number("k2", 2.0);
+  p.number("m1", 2.0);
+  EXPECT_NO_THROW(p.refuse_unused("source 'x'"));
+}
+
+}  // namespace
+}  // namespace tandem

@@ -1,0 +1,189 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// What a schedule can't honour is refused with a sentence, before any step; what the order and the steps come out as.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "refusal.hpp"
+#include "run_bench.hpp"
+#include "scripted.hpp"
+
+namespace tandem {
+namespace {
+
+using test::refuses;
+using test::RunBench;
+using test::Scripted;
+
+/// "slow" (1 s) and "fast" (0.25 s), which read one another as asked for.
+class SchemeTest : public testing::Test {
+ protected:
+  testing::AssertionResult refuses_scheme(const std::string& schedule, const std::string& to_fast, const std::string& to_slow,
+                                          const std::vector<std::string>& texts) {
+    RunBench bench;
+    couple(bench, schedule, to_fast, to_slow);
+    const auto result = refuses(ErrorCode::not_supported, texts, [&] { bench.run(4.0); });
+    EXPECT_TRUE(slow.calls.empty() && fast.calls.empty()) << "before any step";
+    return result;
+  }
+  void couple(RunBench& bench, const std::string& schedule, const std::string& to_fast, const std::string& to_slow) {
+    bench.add("slow", slow).add("fast", fast).schedule(schedule);
+    bench.connect("slow.y", "fast.u", to_fast).connect("fast.y", "slow.u", to_slow);
+  }
+  Scripted slow = test::listener(1.0), fast = test::listener(0.25);
+};
+
+TEST_F(SchemeTest, MeanNeedsASourceAheadOfItsReader) {
+  EXPECT_TRUE(refuses_scheme("parallel", "lagrange1", "mean", {"slow.u", "mean", "ahead", "'fast'", "'slow'", "parallel"}));
+  EXPECT_TRUE(refuses_scheme("slowest-first", "lagrange1", "mean", {"slow.u", "mean", "'fast' is not ahead of 'slow'"}));
+  EXPECT_TRUE(refuses_scheme("fastest-first", "mean", "lagrange1", {"fast.u", "mean", "'slow' is not ahead of 'fast'"}));
+  RunBench honoured;
+  couple(honoured, "fastest-first", "lagrange1", "mean");
+  EXPECT_NO_THROW(honoured.run(4.0));
+  RunBench other_way;
+  couple(other_way, "slowest-first", "mean", "lagrange1");
+  EXPECT_NO_THROW(other_way.run(4.0));
+}
+
+TEST_F(SchemeTest, MatchedHoldNeedsTurns) {
+  EXPECT_TRUE(refuses_scheme("parallel", "matched_hold", "matched_hold", {"fast.u", "matched_hold", "parallel"}));
+  for (const char* schedule : {"slowest-first", "fastest-first", "staggered"}) {
+    RunBench bench;
+    couple(bench, schedule, "matched_hold", "matched_hold");
+    EXPECT_NO_THROW(bench.run(4.0)) << schedule;
+  }
+}
+
+TEST_F(SchemeTest, StaggeredTakesMatchedHoldOnly) {
+  EXPECT_TRUE(refuses_scheme("staggered", "matched_hold", "lagrange2", {"slow.u", "lagrange2", "staggered", "matched_hold only"}));
+  EXPECT_TRUE(refuses_scheme("staggered", "mean", "matched_hold", {"fast.u", "mean", "staggered"}));
+}
+
+TEST_F(SchemeTest, StaggeredCouplesTwo) {
+  Scripted third = test::listener(0.5);
+  RunBench bench;
+  couple(bench, "staggered", "matched_hold", "matched_hold");
+  bench.add("third", third).connect("slow.y", "third.u", "matched_hold");
+  EXPECT_TRUE(refuses(ErrorCode::not_supported, {"staggered", "two", "3"}, [&] { bench.run(4.0); }));
+}
+
+TEST_F(SchemeTest, StaggeredWithoutLandingSaysThatAFirstOrderPartRemains) {
+  RunBench bench;
+  couple(bench, "staggered", "matched_hold", "matched_hold");
+  bench.run(4.0);
+  ASSERT_FALSE(bench.coordinator->notes().empty());
+  EXPECT_NE(bench.coordinator->notes()[0].find("first order"), std::string::npos) << bench.coordinator->notes()[0];
+}
+
+TEST(Scheme, AMemoryNeedsAFixedStep) {
+  SubsystemInfo info = test::listener(1.0).info();
+  info.abilities.chooses_step = true;
+  Scripted source = test::listener(0.5), reader(info, 1.0, [](double, const auto&, double* y) { y[0] = 0.0; });
+  RunBench bench;
+  bench.add("source", source).add("reader", reader);
+  bench.connect("source.y", "reader.u", "lagrange1", Lag::memory).connect("reader.y", "source.u");
+  EXPECT_TRUE(refuses(ErrorCode::not_supported, {"reader.u", "memory", "chooses its steps", "delay"}, [&] { bench.run(4.0); }));
+}
+
+/// The leaders-first order of a run of subsystems a, b, c with steps 2, 1 and 3.
+testing::AssertionResult has_order(const std::string& schedule, const std::vector<std::string>& named, const std::vector<int>& order) {
+  Scripted a = test::source(2.0, [](double) { return 0.0; }), b = test::source(1.0, [](double) { return 0.0; }),
+           c = test::source(3.0, [](double) { return 0.0; });
+  RunBench bench;
+  bench.add("a", a).add("b", b).add("c", c).schedule(schedule);
+  bench.coordination.order = named;
+  bench.run(6.0);
+  const auto found = bench.coordinator->schedule().order();
+  if (std::vector<int>(found.begin(), found.end()) == order) return testing::AssertionSuccess();
+  return testing::AssertionFailure() << testing::PrintToString(found);
+}
+
+TEST(Order, GoesByTheOwnStepsOrAsNamed) {
+  EXPECT_TRUE(has_order("slowest-first", {}, {2, 0, 1}));
+  EXPECT_TRUE(has_order("fastest-first", {}, {1, 0, 2}));
+  EXPECT_TRUE(has_order("slowest-first", {"b", "c", "a"}, {1, 2, 0}));
+  EXPECT_TRUE(has_order("fastest-first", {"b", "c", "a"}, {0, 2, 1})) << "named slowest first all the same";
+}
+
+TEST(Order, TiesGoByScenarioOrder) {
+  Scripted a = test::source(1.0, [](double) { return 0.0; }), b = test::source(1.0, [](double) { return 0.0; });
+  for (const char* schedule : {"slowest-first", "fastest-first"}) {
+    RunBench bench;
+    bench.add("a", a).add("b", b).schedule(schedule).run(2.0);
+    EXPECT_EQ(bench.coordinator->schedule().order()[0], 0) << schedule;
+  }
+}
+
+TEST(Order, NamesEachSubsystemOnce) {
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"coordination.order", "'c'"}, [] { has_order("slowest-first", {"a", "b"}, {}); }));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"coordination.order", "'b'", "twice"}, [] { has_order("slowest-first", {"a", "b", "b"}, {}); }));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"coordination.order", "'d'"}, [] { has_order("slowest-first", {"a", "b", "c", "d"}, {}); }));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"coordination.order", "'d'"}, [] { has_order("slowest-first", {"a", "b", "d"}, {}); }));
+}
+
+TEST(CommunicationStep, IsFiniteAndAboveZero) {
+  for (const double h : {0.0, -1.0, double{NAN}, double{INFINITY}}) {
+    Scripted a = test::source(1.0, [](double) { return 0.0; });
+    RunBench bench;
+    bench.add("a", a).coordination.communication_step = h;
+    EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"communication_step"}, [&] { bench.run(2.0); })) << h;
+  }
+}
+
+TEST(Span, EndsAfterItsStart) {
+  for (const auto& [from, to] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {0.0, double{INFINITY}}, {double{NAN}, 1.0}, {1e17, 1e17 + 16.0}}) {
+    Scripted a = test::source(1.0, [](double) { return 0.0; });
+    RunBench bench;
+    bench.add("a", a);
+    EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"does not end after its start"}, [&] { bench.run(to, from); })) << from << " " << to;
+  }
+}
+
+/// The note or refusal of a start that has to be made for lagrange3 of subsystems like these.
+SubsystemInfo with_start_abilities(int derivatives, bool restarts) {
+  SubsystemInfo info{"s", {{"u", "1"}}, {{"y", "1", 1, derivatives}}, {}, {}};
+  info.abilities.restarts = restarts;
+  return info;
+}
+Scripted zero(int derivatives, bool restarts) {
+  return {with_start_abilities(derivatives, restarts), 0.5, [derivatives](double, const auto&, double* y) { std::fill_n(y, 1 + derivatives, 0.0); }};
+}
+RunBench couple(Scripted& a, Scripted& b, StartKind start, const std::string& how = "lagrange3") {
+  RunBench bench;
+  bench.add("a", a).add("b", b).connect("a.y", "b.u", how).connect("b.y", "a.u", how).coordination.start = start;
+  return bench;
+}
+
+TEST(Start, IsFromDerivativesWhereThereAreEnoughElseRepeatedElseColdWithANote) {
+  Scripted a = zero(2, true), b = zero(2, true);
+  couple(a, b, StartKind::automatic).run(4.0);
+  EXPECT_EQ(a.starts.size(), 2U) << "NaN first, then with b's output";
+  Scripted c = zero(1, true), d = zero(2, true);
+  RunBench repeated = couple(c, d, StartKind::automatic);
+  repeated.run(4.0);
+  EXPECT_GT(c.starts.size(), 2U);
+  EXPECT_TRUE(repeated.coordinator->notes().empty());
+  Scripted e = zero(1, false), f = zero(2, true);
+  RunBench cold = couple(e, f, StartKind::automatic);
+  cold.run(4.0);
+  EXPECT_EQ(e.starts.size(), 2U);
+  ASSERT_EQ(cold.coordinator->notes().size(), 1U);
+  EXPECT_NE(cold.coordinator->notes()[0].find("cold start"), std::string::npos);
+}
+
+TEST(Start, ThatIsAskedForAndCanNotBeMadeIsRefused) {
+  Scripted a = zero(1, false), b = zero(2, true);
+  EXPECT_TRUE(refuses(ErrorCode::not_supported, {"derivatives", "too few"}, [&] { couple(a, b, StartKind::derivatives).run(4.0); }));
+  EXPECT_TRUE(refuses(ErrorCode::not_supported, {"repeated start", "restart"}, [&] { couple(a, b, StartKind::repeat).run(4.0); }));
+  EXPECT_NO_THROW(couple(a, b, StartKind::cold).run(4.0));
+}
+
+TEST(Start, NeedsNothingUpToDegreeOne) {
+  Scripted a = zero(0, false), b = zero(0, false);
+  RunBench bench = couple(a, b, StartKind::automatic, "lagrange1");
+  bench.run(4.0);
+  EXPECT_TRUE(bench.coordinator->notes().empty());
+}
+
+}  // namespace
+}  // namespace tandem

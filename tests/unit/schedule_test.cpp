@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/coordinator/schedule.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "refusal.hpp"
+#include "schedule_bench.hpp"
+
+namespace tandem {
+namespace {
+
+using test::ScheduleBench;
+using test::Walker;
+using Kind = Schedule::Kind;
+
+/// Runs a schedule; `order` has the leader first, and H is the largest own step.
+std::string turns(Kind kind, const std::vector<Walker>& walkers, std::vector<int> order, double t_stop, double t_start = 0.0) {
+  double h = 0.0;
+  for (const Walker& w : walkers) h = std::max(h, w.own_step);
+  return ScheduleBench(walkers, t_start, t_stop).run(Schedule(kind, std::move(order), t_start, t_stop, h));
+}
+
+// The lists below are worked out by hand from the rules in docs: who is due, who has to go before, and up to where.
+
+TEST(Schedule, SlowestFirstAtRatio3TakesOneTurnEach) {
+  EXPECT_EQ(turns(Kind::slowest_first, {{'F', 1.0}, {'S', 3.0}}, {1, 0}, 9.0), "S3 F3 S6 F6 S9 F9");
+}
+
+TEST(Schedule, FastestFirstAtRatio3TakesOneTurnEach) {
+  EXPECT_EQ(turns(Kind::fastest_first, {{'F', 1.0}, {'S', 3.0}}, {0, 1}, 9.0), "F3 S3 F6 S6 F9 S9");
+}
+
+TEST(Schedule, SlowestFirstAtRatioTwoAndAHalf) {
+  EXPECT_EQ(turns(Kind::slowest_first, {{'F', 1.0}, {'S', 2.5}}, {1, 0}, 10.0), "S2.5 F2 S5 F5 S7.5 F7 S10 F10");
+}
+
+TEST(Schedule, FastestFirstAtRatioTwoAndAHalfGoesPastTheSlowSidesNode) {
+  EXPECT_EQ(turns(Kind::fastest_first, {{'F', 1.0}, {'S', 2.5}}, {0, 1}, 10.0), "F2 F3 S2.5 F5 S5 F7 F8 S7.5 F10 S10");
+}
+
+TEST(Schedule, RolesMayBeSwappedByOrder) {
+  EXPECT_EQ(turns(Kind::slowest_first, {{'F', 1.0}, {'S', 2.5}}, {0, 1}, 5.0), "F2 F3 S2.5 F5 S5");
+}
+
+TEST(Schedule, EqualStepsAlternate) {
+  EXPECT_EQ(turns(Kind::slowest_first, {{'A', 1.0}, {'B', 1.0}}, {0, 1}, 3.0), "A1 B1 A2 B2 A3 B3");
+}
+
+TEST(Schedule, ThreeSubsystemsFollowOneAnother) {
+  // Steps 4, 2, 1: C can go when B has passed its node, B when A has.
+  EXPECT_EQ(turns(Kind::slowest_first, {{'A', 4.0}, {'B', 2.0}, {'C', 1.0}}, {0, 1, 2}, 8.0), "A4 B2 C2 B4 C4 A8 B6 C6 B8 C8");
+  // Steps 1, 2, 4, leader first: C goes as far as the next nodes of B and A allow.
+  EXPECT_EQ(turns(Kind::fastest_first, {{'A', 4.0}, {'B', 2.0}, {'C', 1.0}}, {2, 1, 0}, 8.0), "C2 B2 C4 B4 A4 C6 B6 C8 B8 A8");
+}
+
+TEST(Schedule, ALeaderOfALeaderGoesFirst) {
+  // C (0.8) is due at 0.8, but B (1) has not passed it, and A (1.5) not B's node 1.
+  EXPECT_EQ(turns(Kind::slowest_first, {{'A', 1.5}, {'B', 1.0}, {'C', 0.8}}, {0, 1, 2}, 3.0),
+            "A1.5 B1 C0.8 A3 B2 C1.6 B3 C2.4");
+}
+
+TEST(Schedule, AReaderOfAMeanTakesOneStepAtATime) {
+  EXPECT_EQ(turns(Kind::slowest_first, {{'F', 1.0, false, true}, {'S', 3.0}}, {1, 0}, 3.0), "S3 F1 F2 F3");
+  EXPECT_EQ(turns(Kind::fastest_first, {{'F', 1.0}, {'S', 0.5, false, true}}, {0, 1}, 2.0), "F1 S0.5 S1 F2 S1.5 S2");
+}
+
+TEST(Schedule, ParallelAdvancesAllToTheNextCommunicationPoint) {
+  EXPECT_EQ(turns(Kind::parallel, {{'F', 1.0}, {'S', 3.0}}, {0, 1}, 6.0), "(F3 S3) (F6 S6)");
+  // T = 2.5, 5, ...: the fast side stands at 2 and goes on to 5.
+  EXPECT_EQ(turns(Kind::parallel, {{'F', 1.0}, {'S', 2.5}}, {0, 1}, 10.0), "(F2 S2.5) (F5 S5) (F7 S7.5) (F10 S10)");
+}
+
+TEST(Schedule, ParallelWithACommunicationStepBelowTheOwnSteps) {
+  // H = 1: the points without a node in the next interval are left out, and those who can't reach one wait.
+  ScheduleBench bench({{'F', 1.5}, {'S', 2.5}}, 0.0, 6.0);
+  EXPECT_EQ(bench.run(Schedule(Kind::parallel, {0, 1}, 0.0, 6.0, 1.0)), "F1.5 (F3 S2.5) (F4.5 S5) F6");
+}
+
+TEST(Schedule, ParallelWithALongCommunicationStepTakesManyStepsEach) {
+  ScheduleBench bench({{'F', 1.0, true}, {'S', 2.0, true}}, 0.0, 9.0);
+  EXPECT_EQ(bench.run(Schedule(Kind::parallel, {0, 1}, 0.0, 9.0, 4.0)), "(F4 S4) (F8 S8) (F9 S9)");
+}
+
+TEST(Schedule, StaggeredStepsTheSlowSideFromTheMiddleOfItsStep) {
+  EXPECT_EQ(turns(Kind::staggered, {{'F', 1.0, true}, {'S', 4.0, true}}, {1, 0}, 8.0), "F2 S4 F6 S8 F8");
+  EXPECT_EQ(turns(Kind::staggered, {{'F', 1.0, true}, {'S', 3.0, true}}, {1, 0}, 6.0), "F1.5 S3 F4.5 S6 F6");
+  EXPECT_EQ(turns(Kind::staggered, {{'F', 1.0, true}, {'S', 2.5, true}}, {1, 0}, 6.0), "F1.25 S2.5 F3.75 S5 F5.5 S6 F6")
+      << "its last step is cut, and the middle is that of what is left";
+}
+
+TEST(Schedule, StaggeredWithoutLandingGoesToTheFirstNodeAtOrPastTheMiddle) {
+  EXPECT_EQ(turns(Kind::staggered, {{'F', 1.0}, {'S', 3.0}}, {1, 0}, 6.0), "F1 F2 S3 F4 F5 S6 F6");
+  EXPECT_EQ(turns(Kind::staggered, {{'F', 1.0}, {'S', 4.0}}, {1, 0}, 8.0), "F2 S4 F6 S8 F8");
+}
+
+TEST(Schedule, LandsOnlyAtTheEndButInTheMiddleWhenStaggered) {
+  const std::vector<Member> members = {{0.0, 1.0, true}, {0.0, 3.0, true}};
+  Schedule turns(Kind::slowest_first, {1, 0}, 0.0, 6.0, 3.0);
+  EXPECT_FALSE(turns.next_round(members)[0].land);
+  const std::vector<Member> near_end = {{3.0, 4.0, true}, {3.0, 6.0, true}};
+  EXPECT_TRUE(turns.next_round(near_end)[0].land);
+  Schedule staggered(Kind::staggered, {1, 0}, 0.0, 6.0, 3.0);
+  EXPECT_TRUE(staggered.next_round(members)[0].land);
+  EXPECT_EQ(staggered.next_round(members)[0].limit, 1.5);
+  const std::vector<Member> rigid = {{0.0, 1.0, false}, {0.0, 6.0, false}};
+  EXPECT_FALSE(turns.next_round(rigid)[0].land) << "it ends at t_stop, but it can't land";
+}
+
+TEST(Schedule, WhoCanLandEndsAtTheEndAndTheOthersAtTheirLastNodeBeforeIt) {
+  EXPECT_EQ(turns(Kind::slowest_first, {{'F', 1.0}, {'S', 2.5}}, {1, 0}, 6.0), "S2.5 F2 S5 F6")
+      << "the slow side has finished, so it limits nobody";
+  EXPECT_EQ(turns(Kind::slowest_first, {{'F', 1.0, true}, {'S', 2.5, true}}, {1, 0}, 5.6), "S2.5 F2 S5 F5 S5.6 F5.6");
+  EXPECT_EQ(turns(Kind::fastest_first, {{'F', 1.0}, {'S', 2.5, true}}, {0, 1}, 5.6), "F2 F3 S2.5 F5 S5.6");
+  EXPECT_EQ(turns(Kind::parallel, {{'F', 1.0}, {'S', 2.5, true}}, {0, 1}, 5.6), "(F2 S2.5) (F5 S5) S5.6");
+}
+
+TEST(Schedule, AnEarlyFinisherBlocksNobody) {
+  for (const Kind kind : {Kind::slowest_first, Kind::fastest_first}) {
+    EXPECT_EQ(turns(kind, {{'A', 1.0, false, false, 1.5}, {'B', 1.0}}, {0, 1}, 4.0), "A1 B4");
+    EXPECT_EQ(turns(kind, {{'A', 1.0}, {'B', 1.0, false, false, 1.5}}, {0, 1}, 4.0), "A1 B1 A4");
+  }
+  EXPECT_EQ(turns(Kind::parallel, {{'A', 1.0, false, false, 1.5}, {'B', 1.0}}, {0, 1}, 3.0), "(A1 B1) B2 B3");
+  EXPECT_EQ(turns(Kind::staggered, {{'F', 1.0, true, false, 1.0}, {'S', 4.0, true}}, {1, 0}, 8.0), "F1 S4 S8");
+  EXPECT_EQ(turns(Kind::staggered, {{'F', 1.0, true}, {'S', 2.0, true, false, 2.0}}, {1, 0}, 5.0), "F1 S2 F5");
+}
+
+TEST(Schedule, NobodyMovesWhenNoStepFits) {
+  EXPECT_EQ(turns(Kind::slowest_first, {{'A', 3.0}, {'B', 5.0}}, {1, 0}, 2.0), "");
+  EXPECT_EQ(turns(Kind::parallel, {{'A', 3.0}, {'B', 5.0, true}}, {1, 0}, 2.0), "B2");
+}
+
+TEST(Schedule, NamesAreReadAndWrittenAlike) {
+  for (const char* name : {"slowest-first", "fastest-first", "staggered", "parallel"})
+    EXPECT_EQ(Schedule::name(Schedule::parse(name)), name);
+  EXPECT_TRUE(test::refuses(ErrorCode::invalid_argument, {"'slowest_first'", "slowest-first, fastest-first, staggered, parallel"},
+                            [] { Schedule::parse("slowest_first"); }));
+}
+
+}  // namespace
+}  // namespace tandem

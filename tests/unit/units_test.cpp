@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/coordinator/units.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <string>
+
+namespace tandem {
+namespace {
+
+/// value in the unit `to`; within 2 ulp of what is written, for the factor and the product are each rounded.
+void expect_conversion(double value, const std::string& from, double expected, const std::string& to) {
+  const auto c = convert_unit(from, to);
+  ASSERT_TRUE(c) << from << " to " << to;
+  EXPECT_NEAR(c->factor * value + c->shift, expected, 4e-16 * std::abs(expected)) << from << " to " << to;
+}
+
+TEST(Units, ConvertWithinAQuantity) {
+  expect_conversion(3000.0, "rpm", 100.0 * std::numbers::pi, "rad/s");
+  expect_conversion(1.0, "rpm", 6.0, "deg/s");
+  expect_conversion(180.0, "deg", std::numbers::pi, "rad");
+  expect_conversion(2.0, "rev", 720.0, "deg");
+  expect_conversion(1.5, "bar", 1.5e5, "Pa");
+  expect_conversion(2.5, "MPa", 25.0, "bar");
+  expect_conversion(1013.25, "mbar", 101.325, "kPa");
+  expect_conversion(36.0, "km/h", 10.0, "m/s");
+  expect_conversion(1.0, "kWh", 3.6e6, "J");
+  expect_conversion(2.0, "kN m", 2000.0, "N m");
+  expect_conversion(12.0, "mm", 0.012, "m");
+  expect_conversion(50.0, "%", 0.5, "1");
+  expect_conversion(90.0, "min", 1.5, "h");
+}
+
+TEST(Units, ShiftTemperatures) {
+  expect_conversion(20.0, "degC", 293.15, "K");
+  expect_conversion(293.15, "K", 20.0, "degC");
+}
+
+TEST(Units, ThereAndBackIsTheSame) {
+  for (const auto& [a, b] : {std::pair{"rpm", "rad/s"}, {"bar", "Pa"}, {"degC", "K"}, {"km/h", "m/s"}}) {
+    const auto there = convert_unit(a, b), back = convert_unit(b, a);
+    ASSERT_TRUE(there && back);
+    EXPECT_NEAR(back->factor * (there->factor * 7.0 + there->shift) + back->shift, 7.0, 1e-13);  // 300 K eps = 7e-14
+  }
+}
+
+TEST(Units, EqualTextsConvertEvenIfNobodyKnowsThem) {
+  const auto c = convert_unit("furlong", "furlong");
+  ASSERT_TRUE(c);
+  EXPECT_EQ(c->factor, 1.0);
+  EXPECT_EQ(c->shift, 0.0);
+}
+
+TEST(Units, RefuseOtherQuantitiesAndUnknownUnits) {
+  EXPECT_FALSE(convert_unit("N", "N m"));
+  EXPECT_FALSE(convert_unit("rpm", "Hz")) << "revolutions and hertz are kept apart";
+  EXPECT_FALSE(convert_unit("m", "furlong"));
+  EXPECT_FALSE(convert_unit("furlong", "m"));
+  EXPECT_FALSE(convert_unit("J", "N m"));
+  EXPECT_FALSE(convert_unit("", "1"));
+  EXPECT_FALSE(convert_unit("RPM", "rad/s")) << "case matters";
+}
+
+}  // namespace
+}  // namespace tandem

@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/transports/parameters.hpp"
+
+#include <charconv>
+
+#include "tandem/error.hpp"
+#include "tandem/nearest.hpp"
+
+namespace tandem {
+namespace {
+
+[[noreturn]] void wrong_type(const std::string& name, const Parameters::Value& value, const std::string& wanted) {
+  const std::string found = std::holds_alternative<double>(value)  ? "a number"
+                            : std::holds_alternative<bool>(value) ? "true or false"
+                                                                  : "the text '" + std::get<std::string>(value) + "'";
+  throw Error(ErrorCode::invalid_argument, "parameter '" + name + "' is " + found + "; " + wanted + " is allowed");
+}
+
+}  // namespace
+
+const Parameters::Value* Parameters::find(const std::string& name) {
+  asked_.insert(name);
+  const auto it = values_.find(name);
+  return it == values_.end() ? nullptr : &it->second;
+}
+
+double Parameters::number(const std::string& name, double otherwise) {
+  const Value* value = find(name);
+  if (!value) return otherwise;
+  if (const double* number = std::get_if<double>(value)) return *number;
+  if (const auto* text = std::get_if<std::string>(value)) {
+    double number = 0.0;
+    const auto [end, code] = std::from_chars(text->data(), text->data() + text->size(), number);
+    if (code == std::errc{} && end == text->data() + text->size()) return number;
+  }
+  wrong_type(name, *value, "a number");
+}
+
+bool Parameters::flag(const std::string& name, bool otherwise) {
+  const Value* value = find(name);
+  if (!value) return otherwise;
+  if (const bool* flag = std::get_if<bool>(value)) return *flag;
+  if (const auto* text = std::get_if<std::string>(value); text && (*text == "true" || *text == "false")) return *text == "true";
+  wrong_type(name, *value, "true or false");
+}
+
+std::string Parameters::text(const std::string& name, const std::string& otherwise) {
+  const Value* value = find(name);
+  if (!value) return otherwise;
+  if (const auto* text = std::get_if<std::string>(value)) return *text;
+  wrong_type(name, *value, "a text");
+}
+
+void Parameters::refuse_unused(const std::string& owner) const {
+  const std::vector<std::string> known(asked_.begin(), asked_.end());
+  for (const auto& [name, value] : values_) {
+    if (asked_.count(name)) continue;
+    std::string sentence = owner + " has no parameter '" + name + "'";
+    if (const std::string near = nearest(name, known); !near.empty()) sentence += "; did you mean '" + near + "'?";
+    sentence += " It takes:";
+    for (const std::string& k : known) sentence += " " + k;
+    throw Error(ErrorCode::invalid_argument, sentence);
+  }
+}
+
+}  // namespace tandem
