@@ -36,8 +36,8 @@ stop = 1.0
 clock = "fast"
 )";
 
-/// What is put in the place of a piece of the good scenario, and what the message must hold besides the file and the line
-/// of that piece.
+/// What is put in the place of a piece of the good scenario, and what the message must hold besides the file
+/// and the line of that piece.
 struct Bad {
   const char* name;
   std::string piece, instead;
@@ -53,7 +53,8 @@ TEST_P(BadScenario, IsRefusedWithFileLineValueAndWhatIsAllowed) {
   std::string text = good;
   const auto at = text.find(bad.piece);
   ASSERT_NE(at, std::string::npos);
-  const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n') + bad.lines_after;
+  const auto line =
+      1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n') + bad.lines_after;
   text.replace(at, bad.piece.size(), bad.instead);
   const Scratch folder;
   folder.write("scene.toml", text);
@@ -61,48 +62,120 @@ TEST_P(BadScenario, IsRefusedWithFileLineValueAndWhatIsAllowed) {
     const Said said = tandem(folder, {command, "scene.toml"});
     EXPECT_EQ(said.status, 2) << said.err;
     EXPECT_EQ(said.err.find("tandem: scene.toml:" + std::to_string(line) + ": "), 0U) << said.err;
-    for (const std::string& word : bad.words) EXPECT_NE(said.err.find(word), std::string::npos) << word << " not in: " << said.err;
+    for (const std::string& word : bad.words)
+      EXPECT_NE(said.err.find(word), std::string::npos) << word << " not in: " << said.err;
   }
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "results"));
 }
 
-const std::string connection_to_fast = "[[connections]]\nfrom = \"slow.x2\"\nto = \"fast.x2\"\nreconstruction = \"lagrange3\"\n";
+const std::string connection_to_fast =
+    "[[connections]]\nfrom = \"slow.x2\"\nto = \"fast.x2\"\nreconstruction = \"lagrange3\"\n";
 
 INSTANTIATE_TEST_SUITE_P(
     Of, BadScenario,
     testing::Values(
         Bad{"syntax", "frequency_ratio = 25.0", "frequency_ratio = = 25.0", {"not TOML"}},
         Bad{"key_twice", "stop = 1.0", "stop = 1.0\nstop = 2.0", {"stop"}, 1},
-        Bad{"unknown_key", "schedule =", "shedule =", {"[coordination]", "'shedule'", "did you mean 'schedule'?", "communication_step"}},
+        Bad{"unknown_key",
+            "schedule =",
+            "shedule =",
+            {"[coordination]", "'shedule'", "did you mean 'schedule'?", "communication_step"}},
         Bad{"unknown_table", "[record]", "[recrod]", {"'recrod'", "did you mean 'record'?"}},
         Bad{"wrong_type", "stop = 1.0", "stop = \"late\"", {"span.stop", "'late'", "a number"}},
         Bad{"wrong_type_of_table", "[record]\n", "[[record]]\n", {"record is an array", "a table"}},
         Bad{"unit", "from = \"slow.x2\"", "from = \"slow.v2\"", {"'m/s'", "'m'"}, -1},
         Bad{"output", "from = \"slow.x2\"", "from = \"slow.x9\"", {"'x9'", "did you mean 'x2'?", "v2"}},
         Bad{"input", "to = \"fast.x2\"", "to = \"fast.x7\"", {"'x7'", "did you mean 'x2'?"}},
-        Bad{"subsystem", "from = \"slow.x2\"", "from = \"slwo.x2\"", {"'slwo'", "did you mean 'slow'?", "fast"}},
-        Bad{"source", "builtin:two_mass.fast", "builtin:two_mas.fast", {"'builtin:two_mas.fast'", "did you mean", "two_mass.both"}},
-        Bad{"parameter", "frequency_ratio =", "frequency_rato =", {"'frequency_rato'", "did you mean 'frequency_ratio'?", "k2"}},
-        Bad{"parameter_value", "frequency_ratio = 25.0", "frequency_ratio = 0.5", {"frequency_ratio", "0.5", "above 1"}},
-        Bad{"negative_step", "frequency_ratio = 25.0", "steps_per_cycle = -100", {"steps_per_cycle", "-100", "above 0"}},
-        Bad{"negative_communication_step", "schedule = \"slowest-first\"", "communication_step = -0.5", {"communication_step", "-0.5", "above 0"}},
-        Bad{"degree_5", "reconstruction = \"lagrange3\"", "reconstruction = \"lagrange5\"", {"'lagrange5'", "lagrange0 to lagrange4"}},
-        Bad{"schedule", "schedule = \"slowest-first\"", "schedule = \"fastest\"", {"'fastest'", "fastest-first", "parallel"}},
-        Bad{"mean_that_schedule_cannot_honour", "reconstruction = \"lagrange2\"", "reconstruction = \"mean\"", {"slow.x1", "mean", "slowest-first"}},
-        Bad{"order", "schedule = \"slowest-first\"", "order = [\"slow\"]", {"coordination.order", "[slow]", "fast, slow"}},
-        Bad{"order_of_unknown", "schedule = \"slowest-first\"", "order = [\"slow\", \"fats\"]", {"'fats'", "did you mean 'fast'?"}},
-        Bad{"start", "schedule = \"slowest-first\"", "start = \"warm\"", {"'warm'", "automatic, derivatives, repeat or cold"}},
-        Bad{"coupling_to_come", "schedule = \"slowest-first\"", "coupling = \"impulse\"", {"'impulse'", "not there yet", "signals"}},
-        Bad{"scheme_to_come", "schedule = \"slowest-first\"", "scheme = \"auto\"", {"'auto'", "not there yet"}},
+        Bad{"subsystem",
+            "from = \"slow.x2\"",
+            "from = \"slwo.x2\"",
+            {"'slwo'", "did you mean 'slow'?", "fast"}},
+        Bad{"source",
+            "builtin:two_mass.fast",
+            "builtin:two_mas.fast",
+            {"'builtin:two_mas.fast'", "did you mean", "two_mass.both"}},
+        Bad{"parameter",
+            "frequency_ratio =",
+            "frequency_rato =",
+            {"'frequency_rato'", "did you mean 'frequency_ratio'?", "k2"}},
+        Bad{"parameter_value",
+            "frequency_ratio = 25.0",
+            "frequency_ratio = 0.5",
+            {"frequency_ratio", "0.5", "above 1"}},
+        Bad{"negative_step",
+            "frequency_ratio = 25.0",
+            "steps_per_cycle = -100",
+            {"steps_per_cycle", "-100", "above 0"}},
+        Bad{"negative_communication_step",
+            "schedule = \"slowest-first\"",
+            "communication_step = -0.5",
+            {"communication_step", "-0.5", "above 0"}},
+        Bad{"degree_5",
+            "reconstruction = \"lagrange3\"",
+            "reconstruction = \"lagrange5\"",
+            {"'lagrange5'", "lagrange0 to lagrange4"}},
+        Bad{"schedule",
+            "schedule = \"slowest-first\"",
+            "schedule = \"fastest\"",
+            {"'fastest'", "fastest-first", "parallel"}},
+        Bad{"mean_that_schedule_cannot_honour",
+            "reconstruction = \"lagrange2\"",
+            "reconstruction = \"mean\"",
+            {"slow.x1", "mean", "slowest-first"}},
+        Bad{"order",
+            "schedule = \"slowest-first\"",
+            "order = [\"slow\"]",
+            {"coordination.order", "[slow]", "fast, slow"}},
+        Bad{"order_of_unknown",
+            "schedule = \"slowest-first\"",
+            "order = [\"slow\", \"fats\"]",
+            {"'fats'", "did you mean 'fast'?"}},
+        Bad{"start",
+            "schedule = \"slowest-first\"",
+            "start = \"warm\"",
+            {"'warm'", "automatic, derivatives, repeat or cold"}},
+        Bad{"coupling_to_come",
+            "schedule = \"slowest-first\"",
+            "coupling = \"impulse\"",
+            {"'impulse'", "not there yet", "signals"}},
+        Bad{"scheme_to_come",
+            "schedule = \"slowest-first\"",
+            "scheme = \"auto\"",
+            {"'auto'", "not there yet"}},
         Bad{"end_before_start", "stop = 1.0", "stop = -2.0", {"span.stop", "-2", "after span.start"}},
-        Bad{"connected_twice", "[coordination]", connection_to_fast + "[coordination]", {"fast.x2", "twice", "add = true"}},
-        Bad{"not_connected", "[subsystems.fast]", "[subsystems.other]\nsource = \"builtin:two_mass.slow\"\n[subsystems.fast]", {"other.x1", "no start value"}},
-        Bad{"memory_and_delay", "reconstruction = \"lagrange2\"", "reconstruction = \"lagrange2\"\nmemory = true\ndelay = true", {"delay", "memory = true"}, 2},
+        Bad{"connected_twice",
+            "[coordination]",
+            connection_to_fast + "[coordination]",
+            {"fast.x2", "twice", "add = true"}},
+        Bad{"not_connected",
+            "[subsystems.fast]",
+            "[subsystems.other]\nsource = \"builtin:two_mass.slow\"\n[subsystems.fast]",
+            {"other.x1", "no start value"}},
+        Bad{"memory_and_delay",
+            "reconstruction = \"lagrange2\"",
+            "reconstruction = \"lagrange2\"\nmemory = true\ndelay = true",
+            {"delay", "memory = true"},
+            2},
         Bad{"clock", "clock = \"fast\"", "clock = \"fsat\"", {"'fsat'", "did you mean 'fast'?", "own"}},
-        Bad{"recorded_port", "clock = \"fast\"", "ports = [\"fast.x9\"]", {"'fast.x9'", "did you mean 'fast.x1'?", "slow.v2"}},
-        Bad{"judge", "[record]", "[judge]\nquantity = \"fast.x9\"\ntolerance = 1\n[record]", {"'fast.x9'"}, 1},
-        Bad{"reference", "[record]", "[reference]\nfile = \"r.csv\"\ntolerance = 1\n[record]", {"'r.csv' are not there"}, 1},
-        Bad{"tolerance", "[record]", "[reference]\nfile = \"r.csv\"\ntolerance = -1\n[record]", {"reference.tolerance", "-1", "above 0"}, 2}),
+        Bad{"recorded_port",
+            "clock = \"fast\"",
+            "ports = [\"fast.x9\"]",
+            {"'fast.x9'", "did you mean 'fast.x1'?", "slow.v2"}},
+        Bad{"judge",
+            "[record]",
+            "[judge]\nquantity = \"fast.x9\"\ntolerance = 1\n[record]",
+            {"'fast.x9'"},
+            1},
+        Bad{"reference",
+            "[record]",
+            "[reference]\nfile = \"r.csv\"\ntolerance = 1\n[record]",
+            {"'r.csv' are not there"},
+            1},
+        Bad{"tolerance",
+            "[record]",
+            "[reference]\nfile = \"r.csv\"\ntolerance = -1\n[record]",
+            {"reference.tolerance", "-1", "above 0"},
+            2}),
     [](const auto& test) { return std::string(test.param.name); });
 
 TEST(BadInput, AFileThatIsNotThere) {
@@ -126,7 +199,8 @@ TEST(BadInput, AnOverrideIsNamedInsteadOfALine) {
   folder.write("scene.toml", good);
   const Said said = tandem(folder, {"run", "scene.toml", "--set", "coordination.shedule=parallel"});
   EXPECT_EQ(said.status, 2);
-  EXPECT_NE(said.err.find("scene.toml: --set coordination.shedule=parallel: "), std::string::npos) << said.err;
+  EXPECT_NE(said.err.find("scene.toml: --set coordination.shedule=parallel: "), std::string::npos)
+      << said.err;
   EXPECT_NE(said.err.find("did you mean 'schedule'?"), std::string::npos) << said.err;
 }
 

@@ -29,7 +29,9 @@ TEST_F(CompareCommand, WithinTheToleranceIsStatusZero) {
 TEST_F(CompareCommand, BeyondItIsStatusOneWithPlaceAndFigures) {
   const Said said = tandem(folder, {"compare", "a.csv", "b.csv", "--tolerance", "0.04"});
   EXPECT_EQ(said.status, 1);
-  EXPECT_NE(said.err.find("x differs by 0.2 (5 % of its largest magnitude) at t = 1 s: 2 and 2.2"), std::string::npos) << said.err;
+  EXPECT_NE(said.err.find("x differs by 0.2 (5 % of its largest magnitude) at t = 1 s: 2 and 2.2"),
+            std::string::npos)
+      << said.err;
 }
 
 TEST_F(CompareCommand, TakesOnlyTheColumnsThatAreNamed) {

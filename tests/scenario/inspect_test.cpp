@@ -13,20 +13,22 @@ using test::two_mass_file;
 
 void expect_words(const Said& said, const std::vector<std::string>& words) {
   EXPECT_EQ(said.status, 0) << said.err;
-  for (const std::string& word : words) EXPECT_NE(said.out.find(word), std::string::npos) << word << " not in: " << said.out;
+  for (const std::string& word : words)
+    EXPECT_NE(said.out.find(word), std::string::npos) << word << " not in: " << said.out;
 }
 
 TEST(InfoCommand, ShowsPortsUnitsAbilitiesAndFeedthroughOfASource) {
   const Scratch folder;
   expect_words(tandem(folder, {"info", "builtin:two_mass.fast_force?frequency_ratio=10"}),
-               {"x2  unit m, start value none", "F  unit N, 0 time derivatives", "F at once from x2", "lands (can cut a step)",
-                "first own step: 0.01 s"});
+               {"x2  unit m, start value none", "F  unit N, 0 time derivatives", "F at once from x2",
+                "lands (can cut a step)", "first own step: 0.01 s"});
 }
 
 TEST(InfoCommand, ShowsAllSubsystemsAndConnectionsOfAScenario) {
   const Scratch folder;
   expect_words(tandem(folder, {"info", two_mass_file("force_delay.toml")}),
-               {"slow: two_mass.slow", "fast: two_mass.fast", "fast.F -> slow.F  lagrange3, delay", "first own step: 0.25 s"});
+               {"slow: two_mass.slow", "fast: two_mass.fast", "fast.F -> slow.F  lagrange3, delay",
+                "first own step: 0.25 s"});
 }
 
 TEST(InfoCommand, RefusesASourceThatIsNotThere) {
@@ -39,7 +41,8 @@ TEST(InfoCommand, RefusesASourceThatIsNotThere) {
 TEST(ListCommand, NamesSourcesWordsAndScenarios) {
   const Scratch folder;
   expect_words(tandem(folder, {"list", std::string(TANDEM_SOURCE_DIR) + "/scenarios"}),
-               {"builtin:two_mass.both", "fastest-first", "least_squaresD_EXTRA", "two_mass/force_plain.toml  The fast side"});
+               {"builtin:two_mass.both", "fastest-first", "least_squaresD_EXTRA",
+                "two_mass/force_plain.toml  The fast side"});
   expect_words(tandem(folder, {"list"}), {"no folder 'scenarios' here"});
   EXPECT_EQ(tandem(folder, {"list", "nowhere"}).status, 2);
 }
@@ -47,13 +50,15 @@ TEST(ListCommand, NamesSourcesWordsAndScenarios) {
 TEST(ValidateCommand, SaysOkNotesAndAdvice) {
   const Scratch folder;
   expect_words(tandem(folder, {"validate", two_mass_file("force_plain.toml")}), {"force_plain.toml: ok"});
-  expect_words(tandem(folder, {"validate", two_mass_file("force_plain.toml"), "--set", "coordination.schedule=fastest-first"}),
+  expect_words(tandem(folder, {"validate", two_mass_file("force_plain.toml"), "--set",
+                               "coordination.schedule=fastest-first"}),
                {"ok", "advice: output fast.F depends at once", "the error is smaller"});
 }
 
 TEST(Help, EveryCommandExplainsItsOptions) {
   const Scratch folder;
-  expect_words(tandem(folder, {"run", "--help"}), {"--set", "--output", "--dry-run", "--profile", "--no-reference", "Exit status"});
+  expect_words(tandem(folder, {"run", "--help"}),
+               {"--set", "--output", "--dry-run", "--profile", "--no-reference", "Exit status"});
   expect_words(tandem(folder, {"compare", "--help"}), {"--tolerance", "--columns", "Exit status"});
   expect_words(tandem(folder, {"validate", "--help"}), {"--set"});
   expect_words(tandem(folder, {"info", "--help"}), {"SOURCE|FILE"});

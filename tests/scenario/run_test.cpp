@@ -47,7 +47,8 @@ TEST(RunCommand, WritesResultsWithUnitsAndMachineFigures) {
 
 TEST(RunCommand, ProfileGivesTheSecondsOfEachPart) {
   const Scratch folder;
-  ASSERT_EQ(tandem(folder, {"run", two_mass_file("monolithic.toml"), "--profile", "--output", "o"}).status, 0);
+  ASSERT_EQ(tandem(folder, {"run", two_mass_file("monolithic.toml"), "--profile", "--output", "o"}).status,
+            0);
   const auto machine = json_of(folder.path() / "o/machine.json");
   EXPECT_GT(machine["subsystems"]["both"]["seconds"], 0.0);
   EXPECT_TRUE(machine["coordinator"].contains("seconds"));
@@ -56,16 +57,19 @@ TEST(RunCommand, ProfileGivesTheSecondsOfEachPart) {
 TEST(RunCommand, TwoRunsAreEqualToTheLastByte) {
   const Scratch folder;
   for (const char* name : {"a", "b"})
-    ASSERT_EQ(tandem(folder, {"run", two_mass_file("force_plain.toml"), "--output", name, "--no-reference"}).status, 0);
+    ASSERT_EQ(
+        tandem(folder, {"run", two_mass_file("force_plain.toml"), "--output", name, "--no-reference"}).status,
+        0);
   for (const char* name : {"results.csv", "results.json"})
     EXPECT_EQ(read_text(folder.path() / "a" / name), read_text(folder.path() / "b" / name));
 }
 
 TEST(RunCommand, OverridesAreDoneAndRecorded) {
   const Scratch folder;
-  const Said said = tandem(folder, {"run", two_mass_file("two_mass.toml"), "--no-reference", "--output", "o", "--set", "span.stop=2",
-                                    "--set", "parameters.frequency_ratio=10", "--set", "connections.reconstruction=hermite",
-                                    "--set", "record.ports=[\"slow.x2\"]", "--set", "record.clock=slow"});
+  const Said said = tandem(folder, {"run", two_mass_file("two_mass.toml"), "--no-reference", "--output", "o",
+                                    "--set", "span.stop=2", "--set", "parameters.frequency_ratio=10", "--set",
+                                    "connections.reconstruction=hermite", "--set",
+                                    "record.ports=[\"slow.x2\"]", "--set", "record.clock=slow"});
   ASSERT_EQ(said.status, 0) << said.err;
   const Table table = Table::read(folder.path() / "o");
   EXPECT_EQ(table.names, std::vector<std::string>{"slow.x2"});
@@ -77,7 +81,10 @@ TEST(RunCommand, OverridesAreDoneAndRecorded) {
 
 TEST(RunCommand, OwnClocksWriteAFileForEachSubsystem) {
   const Scratch folder;
-  ASSERT_EQ(tandem(folder, {"run", two_mass_file("two_mass.toml"), "--no-reference", "--output", "o", "--set", "record.clock=own"}).status, 0);
+  ASSERT_EQ(tandem(folder, {"run", two_mass_file("two_mass.toml"), "--no-reference", "--output", "o", "--set",
+                            "record.clock=own"})
+                .status,
+            0);
   EXPECT_EQ(Table::read(folder.path() / "o/results.fast.csv").times.size(), 10001U);
   EXPECT_EQ(Table::read(folder.path() / "o/results.slow.csv").times.size(), 401U);
 }
@@ -106,6 +113,17 @@ TEST(RunCommand, TellsARunThatIsNotWithinItsReference) {
   EXPECT_EQ(json["reference"]["within"], false);
 }
 
+TEST(RunCommand, RefusesAReferenceThatNothingRecordedCanBeComparedWith) {
+  const Scratch folder;
+  const std::string file = two_mass_file("two_mass.toml");
+  Said said = tandem(folder, {"run", file, "--set", "record.clock=own"});
+  EXPECT_EQ(said.status, 2);
+  EXPECT_NE(said.err.find("record.clock is 'own'"), std::string::npos) << said.err;
+  said = tandem(folder, {"run", file, "--set", "record.ports=[\"slow.x2\"]"});
+  EXPECT_EQ(said.status, 2);
+  EXPECT_NE(said.err.find("fast.x1 is not recorded"), std::string::npos) << said.err;
+}
+
 /// The broken loop of real_loop_memory diverges with half a kilogram until numbers are no longer finite.
 TEST(RunCommand, ARunThatFailsKeepsItsResultsAndHasStatusOne) {
   const Scratch folder;
@@ -127,7 +145,8 @@ TEST(RunCommand, AFullDiskIsToldWithStatusOne) {
   std::filesystem::create_symlink("/dev/full", folder.path() / "o/results.csv");
   Said said = tandem(folder, {"run", two_mass_file("two_mass.toml"), "--output", "o"});
   EXPECT_EQ(said.status, 1);
-  EXPECT_NE(said.err.find("'o/results.csv' can't be written: No space left on device"), std::string::npos) << said.err;
+  EXPECT_NE(said.err.find("'o/results.csv' can't be written: No space left on device"), std::string::npos)
+      << said.err;
   EXPECT_EQ(json_of(folder.path() / "o/results.json")["status"], "failed");
 
   std::filesystem::remove(folder.path() / "o/results.csv");
@@ -135,7 +154,8 @@ TEST(RunCommand, AFullDiskIsToldWithStatusOne) {
   std::filesystem::create_symlink("/dev/full", folder.path() / "o/results.json");
   said = tandem(folder, {"run", two_mass_file("two_mass.toml"), "--output", "o"});
   EXPECT_EQ(said.status, 1);
-  EXPECT_NE(said.err.find("'o/results.json' can't be written: No space left on device"), std::string::npos) << said.err;
+  EXPECT_NE(said.err.find("'o/results.json' can't be written: No space left on device"), std::string::npos)
+      << said.err;
 }
 
 TEST(RunCommand, AFolderThatCannotBeMadeIsStatusTwo) {
@@ -153,12 +173,13 @@ TEST(RunCommand, CtrlCEndsCleanlyAndKeepsResults) {
   if (child == 0) {
     const std::string file = two_mass_file("two_mass.toml");
     if (!freopen((folder.path() / "err.txt").c_str(), "w", stderr)) _exit(9);
-    execl(TANDEM_COMMAND, TANDEM_COMMAND, "run", file.c_str(), "--no-reference", "--output", output.c_str(), "--set",
-          "span.stop=1e9", static_cast<char*>(nullptr));
+    execl(TANDEM_COMMAND, TANDEM_COMMAND, "run", file.c_str(), "--no-reference", "--output", output.c_str(),
+          "--set", "span.stop=1e9", static_cast<char*>(nullptr));
     _exit(9);
   }
   int status = 0;
-  while (!std::filesystem::exists(output / "results.csv") || std::filesystem::file_size(output / "results.csv") == 0)
+  while (!std::filesystem::exists(output / "results.csv") ||
+         std::filesystem::file_size(output / "results.csv") == 0)
     ASSERT_EQ(waitpid(child, &status, WNOHANG), 0) << read_text(folder.path() / "err.txt");
   kill(child, SIGINT);
   waitpid(child, &status, 0);

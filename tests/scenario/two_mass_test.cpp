@@ -51,8 +51,9 @@ TEST_P(TwoMassScenario, RunsWithinItsReferenceAndPassesValidation) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, TwoMassScenario,
-                         testing::Values("two_mass.toml", "force_plain.toml", "force_memory.toml", "force_delay.toml",
-                                         "real_loop_memory.toml", "monolithic.toml", "staggered.toml"),
+                         testing::Values("two_mass.toml", "force_plain.toml", "force_memory.toml",
+                                         "force_delay.toml", "real_loop_memory.toml", "monolithic.toml",
+                                         "staggered.toml"),
                          [](const auto& test) { return std::filesystem::path(test.param).stem().string(); });
 
 /// The file was rounded to 12 places; the formula rounds by some 1e-13 at t = 100 s.
@@ -67,11 +68,13 @@ TEST(TwoMassReference, IsTheExactMotion) {
   }
 }
 
-/// The thesis' finding on a lag of the force where no loop needs one: by one step of the fast side, practically as good as
-/// none; by one of the slow side, much worse. The card has the figures: 1.94, 2.01 and 9.7 %.
+/// The thesis' finding on a lag of the force where no loop needs one: by one step of the fast side,
+/// practically as good as none; by one of the slow side, much worse. The card has the figures: 1.94, 2.01
+/// and 9.7 %.
 TEST(TwoMassForce, AShortLagCostsLittleAndALongOneMuch) {
   const double plain = position_error("force_plain.toml");
-  const double short_lag = position_error("force_delay.toml", {"--set", "coordination.communication_step=0.01"});
+  const double short_lag =
+      position_error("force_delay.toml", {"--set", "coordination.communication_step=0.01"});
   const double long_lag = position_error("force_delay.toml");
   EXPECT_LT(plain, 0.02);
   EXPECT_NEAR(short_lag, plain, 0.05 * plain);

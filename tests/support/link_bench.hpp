@@ -12,7 +12,7 @@ namespace tandem::test {
 class LinkBench {
  public:
   explicit LinkBench(const std::string& how, double delay = 0.0, Lane a = {0, 0}, Lane b = {1, 1})
-      : history_(info_, 32), link_(0, 1, Reconstruction::parse(how), delay), slots_(2) {
+      : history_("source", info_, 32), link_(0, 1, Reconstruction::parse(how), delay), slots_(2) {
     link_.add(a);
     link_.add(b);
     link_.restart(history_, TimeTolerance(0.0));

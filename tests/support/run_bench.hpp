@@ -30,12 +30,15 @@ class RunBench {
 
   /// Checks the topology and runs to the end.
   const Recording& run(double t_stop, double t_start = 0.0) {
-    topology.check();
     recording = {};
-    coordinator = std::make_unique<Coordinator>(topology, subsystems_, coordination, t_start, t_stop);
-    coordinator->observe(&recording);
+    make(t_stop, t_start).observe(&recording);
     coordinator->run();
     return recording;
+  }
+  /// A coordinator that is not initialized yet and that nobody observes.
+  Coordinator& make(double t_stop, double t_start = 0.0) {
+    topology.check();
+    return *(coordinator = std::make_unique<Coordinator>(topology, subsystems_, coordination, t_start, t_stop));
   }
 
   Topology topology;

@@ -28,7 +28,7 @@ void append(History& h, double t, double first, double second = 0.0, double thir
 
 TEST(History, ShowsRowsOnceTheyAreCommitted) {
   const SubsystemInfo pump = info(0);
-  History h(pump, 32);
+  History h("pump", pump, 32);
   EXPECT_TRUE(h.empty());
   append(h, 0.0, 1.0);
   append(h, 0.5, 2.0);
@@ -43,7 +43,7 @@ TEST(History, ShowsRowsOnceTheyAreCommitted) {
 /// What commit says of one row after a good one at t = 1 with the limit 2.
 testing::AssertionResult refuses_row(const std::vector<std::string>& texts, double t, std::vector<double> values, bool jump = false) {
   const SubsystemInfo pump = info(1);
-  History h(pump, 32);
+  History h("pump", pump, 32);
   std::fill_n(h.room().append(1.0), 6, 0.0);
   h.commit(1.0, tolerance);
   values.resize(6);
@@ -72,7 +72,7 @@ TEST(History, NamesTimesOfAnySize) {
 
 TEST(History, LetsAJumpRepeatATimeAndATimePassTheLimitByTheTolerance) {
   const SubsystemInfo pump = info(0);
-  History h(pump, 32);
+  History h("pump", pump, 32);
   append(h, 1.0, 1.0);
   append(h, 1.0, 2.0, 0.0, 0.0, true);
   append(h, 2.0 + tolerance / 2.0, 3.0);
@@ -83,14 +83,14 @@ TEST(History, LetsAJumpRepeatATimeAndATimePassTheLimitByTheTolerance) {
 
 TEST(History, LargeFiniteValuesPass) {
   const SubsystemInfo pump = info(0);
-  History h(pump, 32);
+  History h("pump", pump, 32);
   append(h, 1.0, 1.7e308, -1.7e308, 5e-324);
   EXPECT_NO_THROW(h.commit(1.0, 0.0));
 }
 
 TEST(History, DroppingAndGrowingKeepRowsAndTheirNumbers) {
   const SubsystemInfo pump = info(0);
-  History h(pump, 0);
+  History h("pump", pump, 0);
   EXPECT_EQ(h.capacity(), History::min_capacity);
   std::int64_t row = 0;
   for (int batch = 1; batch <= 60; ++batch) {  // larger and larger batches, of which the last 5 rows are kept
@@ -109,7 +109,7 @@ TEST(History, DroppingAndGrowingKeepRowsAndTheirNumbers) {
 
 TEST(History, MakingRoomKeepsRowsThatAreNotCommittedYet) {
   const SubsystemInfo pump = info(0);
-  History h(pump, 0);
+  History h("pump", pump, 0);
   for (int k = 0; k < 30; ++k) append(h, k, k);
   h.commit(29.0, 0.0);
   append(h, 30.0, 30.0);
@@ -125,7 +125,7 @@ TEST(History, SeedsAreExactForPolynomialsOfTheDegreeOfTheDerivatives) {
     const SubsystemInfo pump = info(d);
     const Polynomial p = Polynomial::of_degree(d);
     const double t0 = 2.0, h = 0.25;
-    History history(pump, 32);
+    History history("pump", pump, 32);
     double* y = history.room().append(t0);
     Polynomial derivative = p;
     for (int m = 0; m <= d; ++m, derivative = derivative.derivative())
@@ -147,7 +147,7 @@ TEST(History, SeedsAreExactForPolynomialsOfTheDegreeOfTheDerivatives) {
 
 TEST(History, ClearForgetsEverything) {
   const SubsystemInfo pump = info(0);
-  History h(pump, 32);
+  History h("pump", pump, 32);
   append(h, 1.0, 1.0);
   h.commit(1.0, 0.0);
   h.seed(3, 0.1);

@@ -69,11 +69,14 @@ TEST(Recorder, RowsStandAtTheOwnStepsOfTheSmallestStep) {
   Bench({0.25, 0.1}).record({folder.path(), "", false, {}});
   const Table table = Table::read(folder.path());
   ASSERT_EQ(table.times.size(), 21U);
-  for (std::size_t k = 0; k < table.times.size(); ++k) EXPECT_EQ(table.times[k], static_cast<double>(k) * 0.1);
-  EXPECT_EQ(table.names, (std::vector<std::string>{"a.c", "a.l", "a.a[0]", "a.a[1]", "b.c", "b.l", "b.a[0]", "b.a[1]"}));
+  for (std::size_t k = 0; k < table.times.size(); ++k)
+    EXPECT_EQ(table.times[k], static_cast<double>(k) * 0.1);
+  EXPECT_EQ(table.names,
+            (std::vector<std::string>{"a.c", "a.l", "a.a[0]", "a.a[1]", "b.c", "b.l", "b.a[0]", "b.a[1]"}));
 }
 
-/// Hermite is exact for the cubic, linear interpolation for the line: errors are rounding, below 1e-14 at values below 12.
+/// Hermite is exact for the cubic, linear interpolation for the line: errors are rounding, below 1e-14 at
+/// values below 12.
 TEST(Recorder, OtherOutputsAreInterpolatedByHermiteOrLinearly) {
   const Scratch folder;
   const auto recorder = Bench({0.25, 0.1}).record({folder.path(), "", false, {}});
@@ -113,7 +116,8 @@ TEST(Recorder, OwnModeWritesAFileForEachSubsystem) {
   const Scratch folder;
   const auto recorder = Bench({0.25, 0.1}).record({folder.path(), "", true, {}});
   EXPECT_EQ(recorder->files().size(), 2U);
-  const Table a = Table::read(folder.path() / "results.a.csv"), b = Table::read(folder.path() / "results.b.csv");
+  const Table a = Table::read(folder.path() / "results.a.csv"),
+              b = Table::read(folder.path() / "results.b.csv");
   EXPECT_EQ(a.times.size(), 9U);
   EXPECT_EQ(b.times.size(), 21U);
   EXPECT_EQ(a.names, (std::vector<std::string>{"a.c", "a.l", "a.a[0]", "a.a[1]"}));
@@ -124,13 +128,18 @@ TEST(Recorder, OwnModeWritesAFileForEachSubsystem) {
 TEST(Recorder, WritesOnlyThePortsThatAreNamed) {
   const Scratch folder;
   Bench({0.25, 0.1}).record({folder.path(), "", false, {"b.a", "a.a[1]", "b.l"}});
-  EXPECT_EQ(Table::read(folder.path()).names, (std::vector<std::string>{"a.a[1]", "b.l", "b.a[0]", "b.a[1]"}));
+  EXPECT_EQ(Table::read(folder.path()).names,
+            (std::vector<std::string>{"a.a[1]", "b.l", "b.a[0]", "b.a[1]"}));
 }
 
 TEST(Recorder, RefusesPortsAndClocksThatAreNotThere) {
   const Bench bench({0.25, 0.1});
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'a.x'", "a.a[1]"}, [&] { Recorder(*bench.run, {".", "", false, {"a.x"}}); }));
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'c'", "a, b"}, [&] { Recorder(*bench.run, {".", "c", false, {}}); }));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'a.x'", "a.a[1]"}, [&] {
+    Recorder(*bench.run, {".", "", false, {"a.x"}});
+  }));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'c'", "a, b"}, [&] {
+    Recorder(*bench.run, {".", "c", false, {}});
+  }));
 }
 
 /// The slow side can't land: its last node is 1.8, so from 1.9 on it has no sample.
@@ -143,7 +152,8 @@ TEST(Recorder, LeavesCellsEmptyAfterASubsystemsLastSample) {
   EXPECT_TRUE(std::isnan(column(table, "a.c")[19]));
   EXPECT_EQ(column(table, "b.c")[20], cubic(2.0));
   ASSERT_EQ(recorder->notes().size(), 1U);
-  EXPECT_NE(recorder->notes()[0].find("'a' are empty after t = 1.7999999999999998 s"), std::string::npos) << recorder->notes()[0];
+  EXPECT_NE(recorder->notes()[0].find("'a' are empty after t = 1.7999999999999998 s"), std::string::npos)
+      << recorder->notes()[0];
 }
 
 /// A million numbers, far more than the memory that is reserved, and a clock that leads by up to 300 rows.
@@ -180,7 +190,8 @@ TEST(Recorder, NamesAFolderThatCannotBeWrittenTo) {
   Bench bench({0.25});
   Recorder recorder(*bench.run, {"/dev/null/folder", "", false, {}});
   bench.run->observe(&recorder);
-  EXPECT_TRUE(refuses(ErrorCode::input_output, {"'/dev/null/folder'", "Not a directory"}, [&] { bench.run->initialize(); }));
+  EXPECT_TRUE(refuses(ErrorCode::input_output, {"'/dev/null/folder'", "Not a directory"},
+                      [&] { bench.run->initialize(); }));
 }
 
 TEST(Recorder, ARunThatCannotBeginLeavesEarlierResults) {
@@ -211,7 +222,8 @@ TEST(Recorder, AFullDiskIsAnErrorOnceAndNotInTheDestructor) {
 /// Rows of a subsystem with output "y": time, jump flag, value, derivative.
 class Told {
  public:
-  explicit Told(int derivatives) : info_{"told", {}, {{"y", "1", 1, derivatives}}, {}, {}}, history_(info_, 64) {}
+  explicit Told(int derivatives)
+      : info_{"told", {}, {{"y", "1", 1, derivatives}}, {}, {}}, history_("told", info_, 64) {}
   const SubsystemInfo& info() const { return info_; }
   void add(double t, double y, bool jump, double derivative = 0.0) {
     double* row = history_.room().append(t, jump);
@@ -219,7 +231,9 @@ class Told {
     if (info_.derivatives() > 0) row[1] = derivative;
     history_.commit(t, 0.0);
   }
-  void tell(Recorder& recorder, int who) { recorder.samples(who, history_, history_.oldest(), history_.newest()); }
+  void tell(Recorder& recorder, int who) {
+    recorder.samples(who, history_, history_.oldest(), history_.newest());
+  }
 
  private:
   SubsystemInfo info_;

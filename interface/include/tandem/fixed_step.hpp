@@ -1,9 +1,12 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <algorithm>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
 
+#include "tandem/error.hpp"
 #include "tandem/subsystem.hpp"
 #include "tandem/time_grid.hpp"
 
@@ -59,22 +62,26 @@ class FixedStep final : public Subsystem {
     return last_id_;
   }
   Clock restore_state(StateId id) override {
-    for (const auto& [key, state] : saved_)
-      if (key == id) std::tie(model_, grid_) = state;
+    std::tie(model_, grid_) = saved(id)->second;
     return clock(Stop::limit);
   }
-  void release_state(StateId id) override {
-    std::erase_if(saved_, [id](const auto& entry) { return entry.first == id; });
-  }
+  void release_state(StateId id) override { saved_.erase(saved(id)); }
 
  private:
+  using Saved = std::vector<std::pair<StateId, std::pair<Model, TimeGrid>>>;
+
   Clock clock(Stop stop) const { return {grid_.time(), grid_.next(), stop}; }
+  typename Saved::iterator saved(StateId id) {
+    const auto it = std::find_if(saved_.begin(), saved_.end(), [id](const auto& entry) { return entry.first == id; });
+    if (it != saved_.end()) return it;
+    throw Error(ErrorCode::invalid_argument, "subsystem '" + info_.name + "' has no saved state " + std::to_string(id));
+  }
 
   Model model_;
   SubsystemInfo info_;
   TimeGrid grid_;
   StateId last_id_ = 0;
-  std::vector<std::pair<StateId, std::pair<Model, TimeGrid>>> saved_;
+  Saved saved_;
 };
 
 }  // namespace tandem

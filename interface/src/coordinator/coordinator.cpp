@@ -58,6 +58,7 @@ bool Coordinator::round() {
   const auto turns = schedule_->next_round(members_);
   if (turns.empty()) {
     note_ends();
+    stopped_ = true;
     return false;
   }
   if (schedule_->kind() == Schedule::Kind::parallel)

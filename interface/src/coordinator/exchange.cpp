@@ -36,7 +36,7 @@ Exchange::Exchange(const Topology& topology, TimeTolerance tolerance, const Lags
       links_from_(static_cast<std::size_t>(topology.size())),
       readers_(static_cast<std::size_t>(topology.size())) {
   for (int i = 0; i < topology.size(); ++i) {
-    histories_.emplace_back(topology.info(i), capacities[static_cast<std::size_t>(i)]);
+    histories_.emplace_back(topology.name(i), topology.info(i), capacities[static_cast<std::size_t>(i)]);
     readers_[static_cast<std::size_t>(i)].slots.resize(static_cast<std::size_t>(topology.info(i).input_size()));
   }
   for (const Line& line : topology.lines()) add_line(topology, line, lags);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "run_start.hpp"
 #include "tandem/error.hpp"
@@ -73,17 +74,59 @@ class FirstSamples {
     return sum;
   }
 
+  /// What the line carries comes round to its own source by feedthrough, over whatever lags. (A line with a lag behind a
+  /// loop does not: its value becomes known once the loop is closed.)
+  bool closes_loop(const Line& line) const {
+    std::vector<std::pair<int, int>> inputs = {{line.reader, line.input}};
+    for (std::size_t next = 0; next < inputs.size(); ++next) {
+      const auto [instance, input] = inputs[next];
+      for (const Feedthrough& f : topology_.info(instance).feedthrough) {
+        if (f.input != input) continue;
+        if (instance == line.source && f.output == line.output) return true;
+        for (const Line& onward : topology_.lines())
+          if (const std::pair to{onward.reader, onward.input}; onward.source == instance && onward.output == f.output &&
+                                                               std::find(inputs.begin(), inputs.end(), to) == inputs.end())
+            inputs.push_back(to);
+      }
+    }
+    return false;
+  }
+
+  /// Gives one input that closes a loop through a memory or delay its start value.
   void close_lags() {
     for (const Line& line : topology_.lines()) {
       double& value = u0_[static_cast<std::size_t>(line.reader)][static_cast<std::size_t>(line.input)];
-      if (line.lag == Lag::none || !std::isnan(value)) continue;
+      if (line.lag == Lag::none || !std::isnan(value) || !in_loop(line)) continue;
       value = topology_.start(line.reader)[static_cast<std::size_t>(line.input)];
       if (std::isnan(value))
         throw Error(ErrorCode::invalid_argument,
                     "input " + topology_.input_name(line.reader, line.input) +
                         " closes a loop with a memory or delay and has no start value");
       due_[static_cast<std::size_t>(line.reader)] = 1;
+      return;
     }
+  }
+
+  /// The line's input reaches its output, over feedthrough and any lines.
+  bool in_loop(const Line& line) const {
+    std::vector<const Line*> path{&line}, seen;
+    while (!path.empty()) {
+      const Line* at = path.back();
+      path.pop_back();
+      seen.push_back(at);
+      for (const Line& next : topology_.lines()) {
+        if (next.source != at->reader || !feeds(at->reader, at->input, next.output)) continue;
+        if (&next == &line) return true;
+        if (std::find(seen.begin(), seen.end(), &next) == seen.end()) path.push_back(&next);
+      }
+    }
+    return false;
+  }
+
+  bool feeds(int i, int input, int output) const {
+    const auto& feed = topology_.info(i).feedthrough;
+    return std::any_of(feed.begin(), feed.end(),
+                       [&](const Feedthrough& f) { return f.input == input && f.output == output; });
   }
 
   const Topology& topology_;

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "../number_text.hpp"
 #include "tandem/error.hpp"
@@ -21,14 +22,15 @@ std::string output_name(const SubsystemInfo& info, int index) {
   return "output " + std::to_string(index);
 }
 
-[[noreturn]] void fail(const SubsystemInfo& info, const std::string& what) {
-  throw Error(ErrorCode::numerical, "subsystem '" + info.name + "' " + what);
+[[noreturn]] void fail(const std::string& name, const std::string& what) {
+  throw Error(ErrorCode::numerical, "subsystem '" + name + "' " + what);
 }
 
 }  // namespace
 
-History::History(const SubsystemInfo& info, std::int64_t capacity)
-    : info_(&info),
+History::History(std::string name, const SubsystemInfo& info, std::int64_t capacity)
+    : name_(std::move(name)),
+      info_(&info),
       outputs_(info.output_size()),
       derivatives_(info.derivatives()),
       stride_(info.row_size()),
@@ -46,13 +48,13 @@ void History::check(std::int64_t row, double t_limit, double tolerance) const {
     const auto bad = std::find_if(y.begin(), y.end(), [](double v) { return !std::isfinite(v); });
     const auto column = static_cast<int>(bad - y.begin());
     const std::string value = bad == y.end() ? "a time that is" : output_name(*info_, column % outputs_);
-    fail(*info_, "gave " + value + (column >= outputs_ ? " (a derivative)" : "") + " not finite at t = " +
+    fail(name_, "gave " + value + (column >= outputs_ ? " (a derivative)" : "") + " not finite at t = " +
                      number_text(t) + " s");
   }
   if (t > t_limit + tolerance)
-    fail(*info_, "gave a sample at t = " + number_text(t) + " s, past its limit " + number_text(t_limit) + " s");
+    fail(name_, "gave a sample at t = " + number_text(t) + " s, past its limit " + number_text(t_limit) + " s");
   if (row == base_ || t > time(row - 1) || (jump(row) && t == time(row - 1))) return;
-  fail(*info_, "gave a sample at t = " + number_text(t) + " s that does not come after the one before it, at " +
+  fail(name_, "gave a sample at t = " + number_text(t) + " s that does not come after the one before it, at " +
                    number_text(time(row - 1)) + " s");
 }
 

@@ -16,7 +16,8 @@ constexpr std::size_t doubles_reserved = std::size_t{1} << 16;  // by subsystem
 /// "x" of "x[2]": what names all elements of an array port.
 std::string whole_port(const std::string& scalar) { return scalar.substr(0, scalar.find('[')); }
 
-[[noreturn]] void refuse(const std::string& what, const std::string& found, const std::vector<std::string>& known) {
+[[noreturn]] void refuse(const std::string& what, const std::string& found,
+                         const std::vector<std::string>& known) {
   const std::string near = nearest(found, known);
   std::string list;
   for (const std::string& k : known) list += (list.empty() ? "" : ", ") + k;
@@ -54,14 +55,15 @@ void Recorder::check_ports() const {
   for (int i = 0; i < topology.size(); ++i)
     for (int k = 0; k < topology.info(i).output_size(); ++k) known.push_back(topology.output_name(i, k));
   for (const std::string& port : what_.ports)
-    if (std::none_of(known.begin(), known.end(), [&](const std::string& k) { return port == k || port == whole_port(k); }))
+    if (std::none_of(known.begin(), known.end(),
+                     [&](const std::string& k) { return port == k || port == whole_port(k); }))
       refuse("recorded output", port, known);
 }
 
 bool Recorder::wanted(const std::string& scalar) const {
-  return what_.ports.empty() || std::any_of(what_.ports.begin(), what_.ports.end(), [&](const std::string& port) {
-           return port == scalar || port == whole_port(scalar);
-         });
+  return what_.ports.empty() ||
+         std::any_of(what_.ports.begin(), what_.ports.end(),
+                     [&](const std::string& port) { return port == scalar || port == whole_port(scalar); });
 }
 
 void Recorder::choose_columns() {
@@ -94,7 +96,8 @@ bool Recorder::samples(int subsystem, const History& history, std::int64_t first
   const auto wanted = static_cast<std::size_t>(last - first + 1) * track.width();
   if (track.rows.size() + wanted > track.rows.capacity()) {
     write_waiting(false);
-    if (track.rows.size() + wanted > track.rows.capacity() / 2) track.rows.reserve(2 * (track.rows.size() + wanted));
+    if (track.rows.size() + wanted > track.rows.capacity() / 2)
+      track.rows.reserve(2 * (track.rows.size() + wanted));
   }
   for (std::int64_t row = first; row <= last; ++row) {
     const double* y = history.values(row).data();

@@ -14,7 +14,8 @@ constexpr std::size_t buffer_size = std::size_t{1} << 18;
 constexpr std::size_t longest_number = 32;  // of the shortest form of a double; 24 are needed
 }  // namespace
 
-CsvFile::CsvFile(std::filesystem::path path) : path_(std::move(path)), file_(std::fopen(path_.c_str(), "wb")) {
+CsvFile::CsvFile(std::filesystem::path path)
+    : path_(std::move(path)), file_(std::fopen(path_.c_str(), "wb")) {
   if (!file_) fail();
   std::setvbuf(file_.get(), nullptr, _IONBF, 0);
   buffer_.reserve(buffer_size + buffer_size / 4);

@@ -8,8 +8,8 @@
 
 namespace tandem {
 
-/// A CSV file that is written a row at a time through a text buffer of its own. Every error is an Error(input_output)
-/// with the path; after the first one the file takes nothing more.
+/// A CSV file that is written a row at a time through a text buffer of its own. Every error is an
+/// Error(input_output) with the path; after the first one the file takes nothing more.
 class CsvFile {
  public:
   explicit CsvFile(std::filesystem::path path);

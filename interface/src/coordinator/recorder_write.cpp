@@ -14,18 +14,21 @@ void Recorder::open_files() {
   std::error_code failed;
   std::filesystem::create_directories(what_.directory, failed);
   if (failed)
-    throw Error(ErrorCode::input_output, "folder '" + what_.directory.string() + "' can't be made: " + failed.message());
+    throw Error(ErrorCode::input_output,
+                "folder '" + what_.directory.string() + "' can't be made: " + failed.message());
   if (what_.own) {
     for (std::size_t i = 0; i < tracks_.size(); ++i) {
       const std::string file = "results." + run_.topology().name(static_cast<int>(i)) + ".csv";
-      files_.push_back(tracks_[i].outputs.empty() ? nullptr : std::make_unique<CsvFile>(what_.directory / file));
+      files_.push_back(tracks_[i].outputs.empty() ? nullptr
+                                                  : std::make_unique<CsvFile>(what_.directory / file));
     }
   } else {
     files_.push_back(std::make_unique<CsvFile>(what_.directory / "results.csv"));
   }
   for (auto& file : files_)
     if (file) file->text("time");
-  for (const Column& column : columns_) files_[what_.own ? static_cast<std::size_t>(column.subsystem) : 0]->text(column.name);
+  for (const Column& column : columns_)
+    files_[what_.own ? static_cast<std::size_t>(column.subsystem) : 0]->text(column.name);
   for (auto& file : files_)
     if (file) file->end_row();
 }
@@ -64,7 +67,8 @@ void Recorder::write_at_clock(bool all) {
     write_row(clock.time(row));
   }
   clock.cursor = row;
-  for (Track& track : tracks_) track.drop(&track == &clock ? row : std::max<std::size_t>(track.cursor, 1) - 1);
+  for (Track& track : tracks_)
+    track.drop(&track == &clock ? row : std::max<std::size_t>(track.cursor, 1) - 1);
 }
 
 /// False if a subsystem with recorded outputs has no sample at or after t.
@@ -86,7 +90,8 @@ void Recorder::write_row(double t) {
     const Track& track = tracks_[i];
     if (track.outputs.empty()) continue;
     const bool known = track.cursor < track.size();
-    const bool between = known && static_cast<int>(i) != clock_ && track.cursor > 0 && tolerance_.before(t, track.time(track.cursor));
+    const bool between = known && static_cast<int>(i) != clock_ && track.cursor > 0 &&
+                         tolerance_.before(t, track.time(track.cursor));
     if (!known) note_end(i);
     for (std::size_t k = 0; k < track.outputs.size(); ++k)
       if (known)
@@ -115,7 +120,8 @@ void Recorder::Track::drop(std::size_t count) {
 void Recorder::note_end(std::size_t subsystem) {
   Track& track = tracks_[subsystem];
   if (std::exchange(track.end_noted, true)) return;
-  std::string where = "all cells of subsystem '" + run_.topology().name(static_cast<int>(subsystem)) + "' are empty";
+  std::string where =
+      "all cells of subsystem '" + run_.topology().name(static_cast<int>(subsystem)) + "' are empty";
   if (track.size() > 0) {
     char digits[32];
     char* end = std::to_chars(digits, digits + sizeof digits, track.time(track.size() - 1)).ptr;

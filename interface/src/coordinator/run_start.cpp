@@ -56,6 +56,16 @@ void RunStart::note_steps() {
                                             " s as the end of its first own step, which is not later than the start");
     run_.update_member(who);
   }
+  lend_steps();
+}
+
+/// Who has finished at the start has no own step: the largest of the others stands in for it.
+void RunStart::lend_steps() {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < run_.own_steps_.size(); ++i)
+    if (run_.clocks_[i].stop != Stop::finished) largest = std::max(largest, run_.own_steps_[i]);
+  for (std::size_t i = 0; i < run_.own_steps_.size(); ++i)
+    if (run_.clocks_[i].stop == Stop::finished) run_.own_steps_[i] = largest > 0.0 ? largest : run_.t_stop_ - run_.t_start_;
 }
 
 void RunStart::check_named_order() const {

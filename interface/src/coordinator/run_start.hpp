@@ -16,6 +16,7 @@ class RunStart {
  private:
   void first_samples();
   void note_steps();
+  void lend_steps();
   std::vector<int> leaders_first() const;
   void check_named_order() const;
   void check_schemes(const std::vector<int>& order) const;

@@ -31,7 +31,8 @@ Schedule::Schedule(Kind kind, std::vector<int> order, double t_start, double t_s
       t_stop_(t_stop),
       communication_step_(communication_step),
       tolerance_(t_start),
-      stop_width_(tolerance_.width(t_start, t_stop)) {
+      earliest_stop_(t_stop - tolerance_.width(t_start, t_stop)),
+      latest_stop_(t_stop + tolerance_.width(t_start, t_stop)) {
   round_.resize(order_.size());
 }
 
@@ -48,7 +49,7 @@ std::span<const Turn> Schedule::next_round(std::span<const Member> members) {
 
 void Schedule::add(int who, const Member& m, double limit) {
   const double to = std::min(std::max(limit, m.next), t_stop_);
-  round_[count_++] = {who, to, m.lands && to >= t_stop_ - stop_width_};
+  round_[count_++] = {who, to, m.lands && to >= earliest_stop_};
 }
 
 /// The one with the smallest next node is due; a leader that does not yet stand at or past that node goes before it.

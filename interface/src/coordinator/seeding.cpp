@@ -114,7 +114,7 @@ void RunStart::pass(int who, Exchange& before, double until) {
   run_.update_member(who);
   const Member& member = run_.members_[i];
   while (!run_.schedule_->finished(member) && !run_.tolerance_.before(until, member.next)) {
-    run_.exchange_->make_room(who, 2, at_start);
+    if (!run_.exchange_->history(who).has_room(2)) run_.exchange_->make_room(who, 2, at_start);
     const double limit = member.next;
     run_.call(who, limit, member.lands && !run_.tolerance_.before(limit, run_.t_stop_),
               before.inputs(who, member.time, member.next));

@@ -24,7 +24,7 @@ std::string tic(double percent, bool numbered) {
 }  // namespace
 
 ErrorAxis::ErrorAxis(double smallest, int rows)
-    : bottom_(round_down(100.0 * smallest)),
+    : bottom_(round_down(std::min(100.0 * smallest, 0.1 * limit))),
       top_(limit * std::pow(limit / bottom_, row_height * rows + 0.05)),
       rows_(rows) {}
 
@@ -34,16 +34,16 @@ void ErrorAxis::apply(Picture& picture, const std::string& label, const std::str
   picture.command(fmt::format("set logscale y; set yrange [{}:{}]; set ylabel {} noenhanced", bottom_, top_,
                               quote(label)));
   std::string tics;
-  for (double decade = std::pow(10.0, std::ceil(std::log10(bottom_) - 1e-9)); decade < 20.0; decade *= 10.0)
-    tics += tic(decade, !label.empty()) + ", ";
+  for (int power = static_cast<int>(std::ceil(std::log10(bottom_) - 1e-9)); power <= 1; ++power)
+    tics += tic(std::pow(10.0, power), !label.empty()) + ", ";
   picture.command("set xtics nomirror; set ytics (" + tics + tic(limit, !label.empty()) + ")");
   picture.command(fmt::format(
       "set object 1 rectangle from graph 0, first {} to graph 1, graph 1 behind fc rgb '#E4E4E4' fs "
       "solid noborder",
       limit));
   picture.command(
-      fmt::format("set label 99 {} at graph 0.015, first {} left noenhanced font ',{}' tc rgb '#404040'",
-                  quote(strip_text), strip(rows_ - 1), "'.(format eq 'png' ? 9 : 11).'"));
+      fmt::format("set label 99 {} at graph 0.015, first {} left noenhanced font small tc rgb '#404040'",
+                  quote(strip_text), strip(rows_ - 1)));
 }
 
 void ErrorAxis::end(Picture& picture) {

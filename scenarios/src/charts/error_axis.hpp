@@ -12,8 +12,8 @@ namespace tandem::charts {
 /// or has a larger error: there nothing is drawn as if it were a result.
 class ErrorAxis {
  public:
-  /// `smallest`: the smallest error to show, a fraction above 0; the axis begins just below. `rows`: the
-  /// lines of the strip.
+  /// `smallest`: the smallest error to show, a fraction above 0; the axis begins just below, and never above
+  /// a tenth of the limit. `rows`: the lines of the strip.
   ErrorAxis(double smallest, int rows);
 
   /// Whether an error is drawn as a result.

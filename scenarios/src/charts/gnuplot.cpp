@@ -25,8 +25,10 @@ Picture::Picture(std::string name, int width, int height) : name_(std::move(name
       "if (!exists('format')) format = 'svg'\n"
       "if (format eq 'png') {{\n"
       "  set terminal pngcairo size {1},{2} font 'sans-serif,11' pointscale 1.7 background rgb 'white'\n"
+      "  small = ',9'; large = ',13'\n"
       "}} else {{\n"
       "  set terminal svg size {1},{2} font 'sans-serif,14' background rgb 'white'\n"
+      "  small = ',11'; large = ',16'\n"
       "}}\n"
       "set encoding utf8\n"
       "set output '{0}.' . format\n",
@@ -35,7 +37,7 @@ Picture::Picture(std::string name, int width, int height) : name_(std::move(name
 }
 
 std::string Picture::data(const std::vector<Point>& points) {
-  const std::string name = fmt::format("$d{}", ++blocks_);
+  std::string name = fmt::format("$d{}", ++blocks_);
   data_ += name + " << END\n";
   for (const Point& p : points) data_ += fmt::format("{:.9g} {:.9g}\n", p.x, p.y);
   // A block without points is an error to gnuplot; one undefined point is not.
@@ -81,15 +83,15 @@ void Picture::legend(const Box& box, const std::vector<Curve>& curves, int colum
 void Picture::caption(const std::vector<std::string>& lines) {
   double y = 14.0 * static_cast<double>(lines.size()) - 4.0;  // pixels
   for (const std::string& line : lines) {
-    command(fmt::format("set label {} {} at screen 0.5,{:.5f} center noenhanced font ',{}' tc rgb '#404040'",
-                        ++labels_, quote(line), y / height_, "'.(format eq 'png' ? 9 : 11).'"));
+    command(fmt::format("set label {} {} at screen 0.5,{:.5f} center noenhanced font small tc rgb '#404040'",
+                        ++labels_, quote(line), y / height_));
     y -= 14.0;
   }
 }
 
 void Picture::title(const std::string& text) {
-  command(fmt::format("set label {} {} at screen 0.5,{:.5f} center noenhanced font ',{}'", ++labels_,
-                      quote(text), 1.0 - 16.0 / height_, "'.(format eq 'png' ? 13 : 16).'"));
+  command(fmt::format("set label {} {} at screen 0.5,{:.5f} center noenhanced font large", ++labels_,
+                      quote(text), 1.0 - 16.0 / height_));
 }
 
 std::string Picture::script() const { return head_ + data_ + commands_ + "unset multiplot\nunset output\n"; }

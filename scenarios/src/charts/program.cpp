@@ -38,7 +38,7 @@ class Setting {
 std::string read_all(int descriptor) {
   std::string text;
   char part[4096];
-  for (ssize_t count; (count = read(descriptor, part, sizeof part)) != 0;) {
+  for (ssize_t count = 0; (count = read(descriptor, part, sizeof part)) != 0;) {
     if (count > 0) text.append(part, static_cast<std::size_t>(count));
     if (count < 0 && errno != EINTR) break;
   }
@@ -59,9 +59,8 @@ std::string last_line(std::string text) {
 }
 
 std::vector<char*> arguments(const std::vector<std::string>& words) {
-  std::vector<char*> pointers;
-  for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
-  pointers.push_back(nullptr);
+  std::vector<char*> pointers(words.size() + 1, nullptr);  // ends with a null pointer
+  for (std::size_t k = 0; k < words.size(); ++k) pointers[k] = const_cast<char*>(words[k].c_str());
   return pointers;
 }
 

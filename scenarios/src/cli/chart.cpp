@@ -22,7 +22,7 @@ struct Options {
 
 std::vector<charts::Picture> two_mass_pictures(const fs::path& folder,
                                                const std::vector<charts::Result>& sweep) {
-  const auto caption = charts::conditions_caption(folder / "conditions.json", 190);
+  const auto caption = charts::conditions_caption(folder / "conditions.json", 165);
   const auto traces = charts::read_traces(folder / "traces.csv");
   const auto work = charts::read_work(folder / "work.csv");
   return {charts::errors_chart(sweep, caption),        charts::motion_fr90_chart(traces, caption),

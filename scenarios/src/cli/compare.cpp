@@ -29,14 +29,19 @@ void add_compare(CLI::App& app, Context& context) {
   auto options = std::make_shared<Options>();
   command->add_option("A", options->a, "Results: a CSV file, or a folder that holds results.csv")->required();
   command->add_option("B", options->b, "What to compare with, likewise")->required();
-  command->add_option("--tolerance", options->tolerance,
-                      "Allowed difference, a fraction of the largest magnitude of the column in B; 0: equal")
-      ->check(CLI::NonNegativeNumber)->capture_default_str();
-  command->add_option("--columns", options->columns, "Columns to compare (default: all that both have)")->delimiter(',')
+  command
+      ->add_option("--tolerance", options->tolerance,
+                   "Allowed difference, a fraction of the largest magnitude of the column in B; 0: equal")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command->add_option("--columns", options->columns, "Columns to compare (default: all that both have)")
+      ->delimiter(',')
       ->type_name("NAME,...");
   command->footer(
-      "Compared at the times of the one with fewer rows where both cover the time; where the other has no row there, it is\n"
-      "interpolated linearly. Empty cells are left out. Exit status: 0 within the tolerance, 1 beyond, 2 bad input.");
+      "Compared at the times of the one with fewer rows where both cover the time; where the other has no "
+      "row there, it is\n"
+      "interpolated linearly. Empty cells are left out. Exit status: 0 within the tolerance, 1 beyond, 2 bad "
+      "input.");
   command->callback([options, &context] { compare(*options, context); });
 }
 

@@ -26,7 +26,8 @@ void print_inputs(const SubsystemInfo& info, const std::vector<double>& start) {
   for (const Port& port : info.inputs) {
     std::string values;
     for (int e = 0; e < port.size; ++e, ++k)
-      values += (e > 0 ? ", " : "") + (std::isnan(start[k]) ? std::string("none") : fmt::format("{}", start[k]));
+      values +=
+          (e > 0 ? ", " : "") + (std::isnan(start[k]) ? std::string("none") : fmt::format("{}", start[k]));
     fmt::print("    {}{}  unit {}, start value {}\n", port.name, shape(port), port.unit, values);
   }
 }
@@ -34,7 +35,8 @@ void print_inputs(const SubsystemInfo& info, const std::vector<double>& start) {
 void print_outputs(const SubsystemInfo& info) {
   fmt::print("  outputs:{}\n", info.outputs.empty() ? " none" : "");
   for (const Port& port : info.outputs)
-    fmt::print("    {}{}  unit {}, {} time derivatives\n", port.name, shape(port), port.unit, port.derivatives);
+    fmt::print("    {}{}  unit {}, {} time derivatives\n", port.name, shape(port), port.unit,
+               port.derivatives);
   fmt::print("  feedthrough:{}\n", info.feedthrough.empty() ? " none" : "");
   for (const Feedthrough& f : info.feedthrough)
     fmt::print("    {} at once from {}\n", element(info.outputs, f.output), element(info.inputs, f.input));
@@ -42,7 +44,9 @@ void print_outputs(const SubsystemInfo& info) {
 
 void print_abilities(const Abilities& a) {
   std::string text;
-  const auto add = [&](bool has, const char* what) { text += has ? (text.empty() ? "" : ", ") + std::string(what) : ""; };
+  const auto add = [&](bool has, const char* what) {
+    text += has ? (text.empty() ? "" : ", ") + std::string(what) : "";
+  };
   add(a.chooses_step, "chooses its step");
   add(a.lands, "lands (can cut a step)");
   add(a.saves_state, "saves its state");
@@ -63,7 +67,8 @@ double own_step(Subsystem& subsystem, const Span& span, const std::vector<double
   return clock.next_time - clock.time;
 }
 
-void print(const std::string& name, Subsystem& subsystem, const Span& span, const std::vector<double>& start) {
+void print(const std::string& name, Subsystem& subsystem, const Span& span,
+           const std::vector<double>& start) {
   const SubsystemInfo& info = subsystem.info();
   fmt::print("{}: {}\n", name, info.name);
   print_inputs(info, start);
@@ -88,13 +93,16 @@ std::string extras(const Connection& c) {
   return text + (c.lag == Lag::memory ? ", memory" : c.lag == Lag::delay ? ", delay" : "");
 }
 
-void print_scenario(const std::string& file, const std::vector<std::string>& overrides, const Context& context) {
+void print_scenario(const std::string& file, const std::vector<std::string>& overrides,
+                    const Context& context) {
   const auto scenario = scenario::read(file, overrides);
   const scenario::Assembly assembly(scenario, context.builtins);
   const Topology& topology = assembly.topology();
   fmt::print("{}{}{}\n", scenario.name, scenario.description.empty() ? "" : ": ", scenario.description);
-  fmt::print("from {} to {} s, schedule {}\n", scenario.start, scenario.stop, Schedule::name(scenario.coordination.schedule));
-  for (int i = 0; i < topology.size(); ++i) print(topology.name(i), assembly.subsystem(i), {scenario.start, scenario.stop}, topology.start(i));
+  fmt::print("from {} to {} s, schedule {}\n", scenario.start, scenario.stop,
+             Schedule::name(scenario.coordination.schedule));
+  for (int i = 0; i < topology.size(); ++i)
+    print(topology.name(i), assembly.subsystem(i), {scenario.start, scenario.stop}, topology.start(i));
   fmt::print("connections:{}\n", scenario.connections.empty() ? " none" : "");
   for (const scenario::ConnectionEntry& entry : scenario.connections) {
     const Connection& c = entry.connection;
@@ -117,18 +125,26 @@ struct Options {
 }  // namespace
 
 void add_info(CLI::App& app, Context& context) {
-  auto* command = app.add_subcommand("info", "Show ports, units, abilities and start values of a source or a scenario");
+  auto* command =
+      app.add_subcommand("info", "Show ports, units, abilities and start values of a source or a scenario");
   auto options = std::make_shared<Options>();
-  command->add_option("what", options->what, "A source such as builtin:NAME or builtin:NAME?KEY=VALUE&KEY=VALUE, or a scenario")
-      ->required()->type_name("SOURCE|FILE");
-  command->add_option("--set", options->overrides, "Set a value of the scenario, as in run (repeatable)")->type_name("KEY=VALUE")
-      ->expected(1)->take_all();
+  command
+      ->add_option("what", options->what,
+                   "A source such as builtin:NAME or builtin:NAME?KEY=VALUE&KEY=VALUE, or a scenario")
+      ->required()
+      ->type_name("SOURCE|FILE");
+  command->add_option("--set", options->overrides, "Set a value of the scenario, as in run (repeatable)")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->take_all();
   command->footer("Exit status: 0, or 2 for a source or scenario that is not right.");
   command->callback([options, &context] {
     const bool source = is_source(options->what);
     if (source && !options->overrides.empty())
-      throw Error(ErrorCode::invalid_argument, "--set belongs to a scenario; a source takes its values as " + options->what + "?KEY=VALUE");
-    source ? print_source(options->what, context) : print_scenario(options->what, options->overrides, context);
+      throw Error(ErrorCode::invalid_argument, "--set belongs to a scenario; a source takes its values as " +
+                                                   options->what + "?KEY=VALUE");
+    source ? print_source(options->what, context)
+           : print_scenario(options->what, options->overrides, context);
   });
 }
 

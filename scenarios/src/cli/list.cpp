@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 
 std::vector<fs::path> toml_files(const fs::path& folder) {
   std::vector<fs::path> files;
-  for (const auto& entry : fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied))
+  for (const auto& entry :
+       fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied))
     if (entry.is_regular_file() && entry.path().extension() == ".toml") files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   return files;
@@ -47,19 +48,24 @@ void print_words(const Context& context) {
   fmt::print("sources:\n");
   for (const auto& [name, builder] : context.builtins) fmt::print("  builtin:{}\n", name);
   fmt::print("schedules:");
-  for (const auto kind : {Schedule::Kind::slowest_first, Schedule::Kind::fastest_first, Schedule::Kind::staggered, Schedule::Kind::parallel})
+  for (const auto kind : {Schedule::Kind::slowest_first, Schedule::Kind::fastest_first,
+                          Schedule::Kind::staggered, Schedule::Kind::parallel})
     fmt::print(" {}", Schedule::name(kind));
-  fmt::print("\nreconstructions: lagrange0 lagrange1 lagrange2 lagrange3 lagrange4 hermite mean least_squaresD_EXTRA (degree D 0 to 4, "
-             "EXTRA 1 to 16 samples) matched_hold\n");
+  fmt::print(
+      "\nreconstructions: lagrange0 lagrange1 lagrange2 lagrange3 lagrange4 hermite mean "
+      "least_squaresD_EXTRA (degree D 0 to 4, "
+      "EXTRA 1 to 16 samples) matched_hold\n");
 }
 
 }  // namespace
 
 void add_list(CLI::App& app, Context& context) {
-  auto* command = app.add_subcommand("list", "List the sources that are built in, scenarios, schedules and reconstructions");
+  auto* command = app.add_subcommand(
+      "list", "List the sources that are built in, scenarios, schedules and reconstructions");
   auto folder = std::make_shared<std::string>("scenarios");
-  auto* option = command->add_option("folder", *folder, "Where to look for scenarios, with its subfolders")->type_name("DIR")
-      ->capture_default_str();
+  auto* option = command->add_option("folder", *folder, "Where to look for scenarios, with its subfolders")
+                     ->type_name("DIR")
+                     ->capture_default_str();
   command->callback([folder, option, &context] {
     print_words(context);
     print_scenarios(*folder, option->count() > 0);

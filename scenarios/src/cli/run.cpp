@@ -48,7 +48,8 @@ class Run {
   void dry() {
     assembly_.initialize();
     tell_notes();
-    if (!context_.quiet) fmt::print("{}: ok; it would write to {}\n", scenario_.file.string(), folder_.string());
+    if (!context_.quiet)
+      fmt::print("{}: ok; it would write to {}\n", scenario_.file.string(), folder_.string());
   }
 
   void make() {
@@ -64,11 +65,19 @@ class Run {
 
  private:
   void read_reference() {
-    reference_ = scenario::located(scenario_.reference->place, [&] { return scenario::Table::read(scenario_.reference->file); });
+    if (scenario_.recording.own)
+      scenario::refuse(
+          scenario_.place("record.clock"),
+          "record.clock is 'own', which writes no results.csv to compare with the reference; name a "
+          "subsystem, or say --no-reference");
+    reference_ = scenario::located(scenario_.reference->place,
+                                   [&] { return scenario::Table::read(scenario_.reference->file); });
     const auto& columns = recorder_->columns();
-    if (scenario_.judge && std::none_of(columns.begin(), columns.end(), [&](const auto& c) { return c.name == scenario_.judge->quantity; }))
-      scenario::refuse(scenario_.judge->place, "judge.quantity " + scenario_.judge->quantity +
-                                                   " is not recorded; name it in record.ports, or say --no-reference");
+    if (scenario_.judge && std::none_of(columns.begin(), columns.end(),
+                                        [&](const auto& c) { return c.name == scenario_.judge->quantity; }))
+      scenario::refuse(scenario_.judge->place,
+                       "judge.quantity " + scenario_.judge->quantity +
+                           " is not recorded; name it in record.ports, or say --no-reference");
   }
 
   void simulate() {
@@ -78,7 +87,8 @@ class Run {
     try {
       while (run.round() && !InterruptGuard::interrupted())
         if (progress.due()) progress.show(slowest_time(run));
-      if (InterruptGuard::interrupted()) fail("interrupted", fmt::format("interrupted at t = {} s", slowest_time(run)));
+      if (InterruptGuard::interrupted())
+        fail("interrupted", fmt::format("interrupted at t = {} s", slowest_time(run)));
     } catch (const std::exception& error) {
       fail("failed", error.what());
     }
@@ -114,17 +124,21 @@ class Run {
     const bool judged = scenario_.judge && scenario_.judge->quantity == d.column;
     const double tolerance = judged ? scenario_.judge->tolerance : scenario_.reference->tolerance;
     if (!(d.relative <= tolerance)) outside_.push_back(scenario::text(d, tolerance));
-    differences_[d.column] = {{"relative", d.relative}, {"absolute", d.absolute}, {"time", d.time}, {"tolerance", tolerance}};
+    differences_[d.column] = {
+        {"relative", d.relative}, {"absolute", d.absolute}, {"time", d.time}, {"tolerance", tolerance}};
   }
 
   void write() {
     auto results = scenario::results_of(scenario_, assembly_, *recorder_, end_);
     if (reference_ && end_.status == "ok")
-      results["reference"] = {{"file", scenario_.reference->file.string()}, {"within", outside_.empty()}, {"differences", differences_}};
+      results["reference"] = {{"file", scenario_.reference->file.string()},
+                              {"within", outside_.empty()},
+                              {"differences", differences_}};
     const double simulated = slowest_time(assembly_.coordinator()) - scenario_.start;
     try {
       scenario::write_json(folder_ / "results.json", results);
-      scenario::write_json(folder_ / "machine.json", scenario::machine_figures(assembly_, end_, options_.profile, simulated));
+      scenario::write_json(folder_ / "machine.json",
+                           scenario::machine_figures(assembly_, end_, options_.profile, simulated));
     } catch (const Error& error) {
       fail("failed", error.what());
     }
@@ -137,11 +151,12 @@ class Run {
 
   void tell() const {
     if (end_.status != "ok")
-      throw RunFailed(fmt::format("{}: {}; what was recorded until then is kept in {}", scenario_.file.string(), end_.message,
-                                  folder_.string()));
+      throw RunFailed(fmt::format("{}: {}; what was recorded until then is kept in {}",
+                                  scenario_.file.string(), end_.message, folder_.string()));
     if (!context_.quiet) {
       for (const fs::path& file : recorder_->files()) fmt::print("wrote {}\n", file.string());
-      fmt::print("wrote {}\nwrote {}\n", (folder_ / "results.json").string(), (folder_ / "machine.json").string());
+      fmt::print("wrote {}\nwrote {}\n", (folder_ / "results.json").string(),
+                 (folder_ / "machine.json").string());
       if (!report_.empty()) fmt::print("compared with {}\n{}", scenario_.reference->file.string(), report_);
     }
     if (!outside_.empty())
@@ -181,12 +196,18 @@ void add_run(CLI::App& app, Context& context) {
   auto* command = app.add_subcommand("run", "Run a scenario and write its results");
   auto options = std::make_shared<Options>();
   command->add_option("scenario", options->file, "The scenario, a TOML file")->required()->type_name("FILE");
-  command->add_option("--set", options->overrides, "Set a value of the scenario (repeatable)")->type_name("KEY=VALUE")
-      ->expected(1)->take_all();
-  command->add_option("--output", options->output, "Folder of the results (default: results/NAME of the file)")->type_name("DIR");
+  command->add_option("--set", options->overrides, "Set a value of the scenario (repeatable)")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->take_all();
+  command
+      ->add_option("--output", options->output, "Folder of the results (default: results/NAME of the file)")
+      ->type_name("DIR");
   command->add_flag("--dry-run", options->dry, "Check everything up to the first step, and write nothing");
-  command->add_flag("--profile", options->profile, "Take the seconds of each subsystem too (two clock readings a call)");
-  command->add_flag("--no-reference", options->no_reference, "Don't compare with the reference that the scenario names");
+  command->add_flag("--profile", options->profile,
+                    "Take the seconds of each subsystem too (two clock readings a call)");
+  command->add_flag("--no-reference", options->no_reference,
+                    "Don't compare with the reference that the scenario names");
   command->footer(footer);
   command->callback([options, &context] {
     Run run(*options, context);

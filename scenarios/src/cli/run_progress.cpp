@@ -10,13 +10,20 @@
 namespace tandem::cli {
 namespace {
 using Clock = std::chrono::steady_clock;
-double seconds_between(Clock::time_point a, Clock::time_point b) { return std::chrono::duration<double>(b - a).count(); }
+double seconds_between(Clock::time_point a, Clock::time_point b) {
+  return std::chrono::duration<double>(b - a).count();
+}
 constexpr double quiet_at_first = 1.0, every = 0.01;  // [s]
 }  // namespace
 
 RunProgress::RunProgress(double t_start, double t_stop, bool shown)
-    : t_start_(t_start), t_stop_(t_stop), shown_(shown), terminal_(isatty(STDERR_FILENO) != 0), began_(Clock::now()),
-      read_(began_), drawn_(began_) {}
+    : t_start_(t_start),
+      t_stop_(t_stop),
+      shown_(shown),
+      terminal_(isatty(STDERR_FILENO) != 0),
+      began_(Clock::now()),
+      read_(began_),
+      drawn_(began_) {}
 
 RunProgress::~RunProgress() {
   if (open_line_) std::fputc('\n', stderr);
@@ -32,8 +39,8 @@ void RunProgress::show(double time) {
   if (!shown_ || seconds_between(drawn_, now) < (terminal_ ? quiet_at_first : 10.0 * quiet_at_first)) return;
   drawn_ = now;
   const double factor = (time - t_start_) / seconds_between(began_, now);
-  fmt::print(stderr, "{}t = {:.6g} of {:.6g} s, {:.3g} x real time{}", terminal_ ? "\r" : "", time, t_stop_, factor,
-             terminal_ ? "   " : "\n");
+  fmt::print(stderr, "{}t = {:.6g} of {:.6g} s, {:.3g} x real time{}", terminal_ ? "\r" : "", time, t_stop_,
+             factor, terminal_ ? "   " : "\n");
   std::fflush(stderr);
   open_line_ = terminal_;
 }

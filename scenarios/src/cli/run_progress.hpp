@@ -5,8 +5,9 @@
 
 namespace tandem::cli {
 
-/// A line on standard error for a run that takes longer than a second: simulated time and real-time factor. To be asked
-/// after every round; it reads the clock only about a hundred times a second, however long a round takes.
+/// A line on standard error for a run that takes longer than a second: simulated time and real-time factor.
+/// To be asked after every round; it reads the clock only about a hundred times a second, however long a
+/// round takes.
 class RunProgress {
  public:
   RunProgress(double t_start, double t_stop, bool shown);

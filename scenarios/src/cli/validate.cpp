@@ -31,8 +31,10 @@ void add_validate(CLI::App& app, Context& context) {
   auto* command = app.add_subcommand("validate", "Check a scenario up to its first step, and advise");
   auto options = std::make_shared<Options>();
   command->add_option("scenario", options->file, "The scenario, a TOML file")->required()->type_name("FILE");
-  command->add_option("--set", options->overrides, "Set a value of the scenario, as in run (repeatable)")->type_name("KEY=VALUE")
-      ->expected(1)->take_all();
+  command->add_option("--set", options->overrides, "Set a value of the scenario, as in run (repeatable)")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->take_all();
   command->footer("Exit status: 0, or 2 with the file, the line, the value found and what is allowed.");
   command->callback([options, &context] { validate(*options, context); });
 }

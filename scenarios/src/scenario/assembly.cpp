@@ -49,7 +49,8 @@ void Assembly::check_judge() const {
 std::unique_ptr<Recorder> Assembly::recorder(const std::filesystem::path& directory) const {
   Recording recording = scenario_.recording;
   recording.directory = directory;
-  return located(scenario_.place("record.ports"), [&] { return std::make_unique<Recorder>(*coordinator_, recording); });
+  return located(scenario_.place("record.ports"),
+                 [&] { return std::make_unique<Recorder>(*coordinator_, recording); });
 }
 
 void Assembly::initialize() {

@@ -8,7 +8,8 @@
 
 namespace tandem::scenario {
 
-/// A scenario made ready to run: subsystems opened, connections checked. Errors name the file and line that is to blame.
+/// A scenario made ready to run: subsystems opened, connections checked. Errors name the file and line that
+/// is to blame.
 class Assembly {
  public:
   /// `scenario` must outlive the assembly. profile: see Coordination.
@@ -36,8 +37,8 @@ class Assembly {
   std::unique_ptr<Coordinator> coordinator_;
 };
 
-/// What `validate` tells of a run that is initialized, beyond its notes: a force that depends on the partner's state at once
-/// belongs to the follower.
+/// What `validate` tells of a run that is initialized, beyond its notes: a force that depends on the
+/// partner's state at once belongs to the follower.
 std::vector<std::string> advice(const Coordinator& run);
 
 }  // namespace tandem::scenario

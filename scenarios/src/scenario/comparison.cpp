@@ -27,7 +27,8 @@ std::vector<std::string> common(const Table& a, const Table& b) {
   for (const std::string& name : a.names)
     if (std::find(b.names.begin(), b.names.end(), name) != b.names.end()) names.push_back(name);
   if (names.empty())
-    fail("no column is in both: " + a.file.string() + " has " + listed(a.names) + ", " + b.file.string() + " has " + listed(b.names));
+    fail("no column is in both: " + a.file.string() + " has " + listed(a.names) + ", " + b.file.string() +
+         " has " + listed(b.names));
   return names;
 }
 
@@ -82,7 +83,8 @@ void note(Difference& d, double time, double a, double b) {
 class SideBySide {
  public:
   SideBySide(const Table& a, const Table& b) : a_(a), b_(b), rows_a_(a), rows_b_(b) {
-    const double begin = std::max(a.times.front(), b.times.front()), end = std::min(a.times.back(), b.times.back());
+    const double begin = std::max(a.times.front(), b.times.front()),
+                 end = std::min(a.times.back(), b.times.back());
     coarse_ = rows_a_.count_between(begin, end) < rows_b_.count_between(begin, end) ? &a : &b;
   }
 
@@ -95,10 +97,12 @@ class SideBySide {
     result_.at = coarse_->file.string();
     const std::vector<double>& times = coarse_->times;
     for (std::size_t row = 0; row < times.size(); ++row)
-      if (rows_a_.covers(times[row]) && rows_b_.covers(times[row])) at(times[row], row > 0 && times[row] == times[row - 1]);
+      if (rows_a_.covers(times[row]) && rows_b_.covers(times[row]))
+        at(times[row], row > 0 && times[row] == times[row - 1]);
     if (result_.times == 0)
-      fail(fmt::format("no time is in both: {} covers {} to {} s, {} covers {} to {} s", a_.file.string(), a_.times.front(),
-                       a_.times.back(), b_.file.string(), b_.times.front(), b_.times.back()));
+      fail(fmt::format("no time is in both: {} covers {} to {} s, {} covers {} to {} s", a_.file.string(),
+                       a_.times.front(), a_.times.back(), b_.file.string(), b_.times.front(),
+                       b_.times.back()));
     for (std::size_t k = 0; k < index_.size(); ++k) scale(k);
     return std::move(result_);
   }
@@ -139,22 +143,27 @@ Comparison compare(const Table& a, const Table& b, const std::vector<std::string
 }
 
 std::string text(const Comparison& comparison) {
-  std::string lines = fmt::format("{:<24} {:>14} {:>12} {:>12}\n", "column", "largest diff.", "relative", "at time [s]");
+  std::string lines =
+      fmt::format("{:<24} {:>14} {:>12} {:>12}\n", "column", "largest diff.", "relative", "at time [s]");
   for (const Difference& d : comparison.columns)
-    lines += fmt::format("{:<24} {:>14.6g} {:>12} {:>12.6g}\n", d.column, d.absolute, percent(d.relative), d.time);
-  lines += fmt::format("compared at {} times of {}; at {} of them the other has no row and is interpolated linearly\n",
-                       comparison.times, comparison.at, comparison.interpolated);
+    lines +=
+        fmt::format("{:<24} {:>14.6g} {:>12} {:>12.6g}\n", d.column, d.absolute, percent(d.relative), d.time);
+  lines += fmt::format(
+      "compared at {} times of {}; at {} of them the other has no row and is interpolated linearly\n",
+      comparison.times, comparison.at, comparison.interpolated);
   return lines;
 }
 
 std::string text(const Difference& d, double tolerance) {
-  return fmt::format("{} differs by {:.6g} ({} of its largest magnitude) at t = {:.6g} s: {:.9g} and {:.9g}; tolerance {}",
-                     d.column, d.absolute, percent(d.relative), d.time, d.a, d.b, percent(tolerance));
+  return fmt::format(
+      "{} differs by {:.6g} ({} of its largest magnitude) at t = {:.6g} s: {:.9g} and {:.9g}; tolerance {}",
+      d.column, d.absolute, percent(d.relative), d.time, d.a, d.b, percent(tolerance));
 }
 
 std::string beyond(const Comparison& comparison, double tolerance) {
-  const auto worst = std::max_element(comparison.columns.begin(), comparison.columns.end(),
-                                      [](const Difference& x, const Difference& y) { return x.relative < y.relative; });
+  const auto worst =
+      std::max_element(comparison.columns.begin(), comparison.columns.end(),
+                       [](const Difference& x, const Difference& y) { return x.relative < y.relative; });
   return worst->relative <= tolerance ? std::string() : text(*worst, tolerance);
 }
 

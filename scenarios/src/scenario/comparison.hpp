@@ -10,10 +10,10 @@ namespace tandem::scenario {
 /// Where one column of two results differs most.
 struct Difference {
   std::string column;
-  double time = 0.0;      ///< [s]
+  double time = 0.0;  ///< [s]
   double a = 0.0, b = 0.0;
-  double absolute = 0.0;  ///< |a - b|
-  double relative = 0.0;  ///< divided by the largest magnitude of the column in B (in A where that is 0)
+  double absolute = 0.0;     ///< |a - b|
+  double relative = 0.0;     ///< divided by the largest magnitude of the column in B (in A where that is 0)
   std::size_t compared = 0;  ///< values
 };
 
@@ -24,17 +24,18 @@ struct Comparison {
   std::string at;                ///< the file whose times these are
 };
 
-/// Compares the columns that both have, or those named. They are compared at the times of the one that has fewer rows
-/// where both cover the time; where the other has no row at such a time, it is interpolated linearly. Empty cells are
-/// left out. Of a time that stands twice (a jump), the first row is compared with the first and the last with the last.
-/// Throws Error for a column that is not there, no column or no time in common.
+/// Compares the columns that both have, or those named. They are compared at the times of the one that has
+/// fewer rows where both cover the time; where the other has no row at such a time, it is interpolated
+/// linearly. Empty cells are left out. Of a time that stands twice (a jump), the first row is compared with
+/// the first and the last with the last. Throws Error for a column that is not there, no column or no time in
+/// common.
 Comparison compare(const Table& a, const Table& b, const std::vector<std::string>& columns = {});
 
 /// A line for each column and one on how they were compared.
 std::string text(const Comparison& comparison);
 
-/// "fast.x1 differs by 0.3 (2.7 % of its largest magnitude) at t = 12.5 s, tolerance 1 %" for the worst column beyond its
-/// tolerance; empty if all are within.
+/// "fast.x1 differs by 0.3 (2.7 % of its largest magnitude) at t = 12.5 s, tolerance 1 %" for the worst
+/// column beyond its tolerance; empty if all are within.
 std::string beyond(const Comparison& comparison, double tolerance);
 std::string text(const Difference& difference, double tolerance);
 

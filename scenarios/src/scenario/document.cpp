@@ -13,7 +13,8 @@ namespace tandem::scenario {
 namespace {
 
 std::string read_text(const std::filesystem::path& file) {
-  if (!std::filesystem::exists(file)) throw Error(ErrorCode::input_output, "scenario file '" + file.string() + "' is not there");
+  if (!std::filesystem::exists(file))
+    throw Error(ErrorCode::input_output, "scenario file '" + file.string() + "' is not there");
   std::ifstream in(file, std::ios::binary);
   std::ostringstream text;
   text << in.rdbuf();
@@ -24,11 +25,13 @@ std::string read_text(const std::filesystem::path& file) {
 
 }  // namespace
 
-Document::Document(const std::filesystem::path& file, const std::vector<std::string>& overrides) : file_(file.string()) {
+Document::Document(const std::filesystem::path& file, const std::vector<std::string>& overrides)
+    : file_(file.string()) {
   try {
     table_ = toml::parse(std::string_view(read_text(file)), std::string_view(file_));
   } catch (const toml::parse_error& error) {
-    refuse({file_, static_cast<int>(error.source().begin.line)}, "not TOML: " + std::string(error.description()));
+    refuse({file_, static_cast<int>(error.source().begin.line)},
+           "not TOML: " + std::string(error.description()));
   }
   for (const std::string& text : overrides)
     located(Place{file_, 0, set_prefix + text}, [&] { set(table_, text); });

@@ -1,9 +1,10 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <toml++/toml.h>
+
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <toml++/toml.h>
 #include <utility>
 #include <vector>
 
@@ -14,8 +15,8 @@ namespace tandem::scenario {
 /// A TOML file with the overrides of the command line put into it. Every value knows where it came from.
 class Document {
  public:
-  /// Throws Error for a file that can't be read, with file and line for one that is not TOML, and for an override that
-  /// names what is not there (see set.hpp).
+  /// Throws Error for a file that can't be read, with file and line for one that is not TOML, and for an
+  /// override that names what is not there (see set.hpp).
   Document(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 
   const std::string& file() const { return file_; }

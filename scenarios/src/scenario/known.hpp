@@ -15,7 +15,8 @@ inline std::string listed(const std::vector<std::string>& names) {
 }
 
 /// "subsystem 'fsat' is not there; did you mean 'fast'? There are: fast, slow"
-inline std::string unknown(const std::string& kind, const std::string& found, const std::vector<std::string>& known) {
+inline std::string unknown(const std::string& kind, const std::string& found,
+                           const std::vector<std::string>& known) {
   const std::string near = nearest(found, known);
   return kind + " '" + found + "' is not there" + (near.empty() ? "." : "; did you mean '" + near + "'?") +
          " There are: " + listed(known);

@@ -23,7 +23,8 @@ class Reader {
     for (const auto& [name, read_into] : settings())
       if (const auto* table = root.table(name)) read_into({document_, *table, name}, to_);
     root.refuse_unknown();
-    if (!document_.table().contains("span")) refuse({document_.file()}, "[span] is missing; it gives start and stop in s");
+    if (!document_.table().contains("span"))
+      refuse({document_.file()}, "[span] is missing; it gives start and stop in s");
   }
 
  private:
@@ -38,36 +39,45 @@ class Reader {
       else if (node->is_number())
         all.push_back({key, number_of(document_, *node, path + "." + key), place});
       else
-        refuse(place, path + "." + key + " is " + described(*node) + "; allowed is a number, true, false or a text");
+        refuse(place,
+               path + "." + key + " is " + described(*node) + "; allowed is a number, true, false or a text");
     }
     return all;
   }
 
   void read_subsystems(Section& root) {
     const toml::table* table = root.table("subsystems");
-    if (!table || table->empty()) refuse({document_.file()}, "[subsystems.NAME] is missing; there must be at least one");
+    if (!table || table->empty())
+      refuse({document_.file()}, "[subsystems.NAME] is missing; there must be at least one");
     for (const auto& [name, node] : in_file_order(*table)) {
       const std::string path = "subsystems." + name;
-      if (!node->is_table()) refuse(document_.place(*node), path + " is " + described(*node) + "; allowed is a table");
+      if (!node->is_table())
+        refuse(document_.place(*node), path + " is " + described(*node) + "; allowed is a table");
       read_subsystem(name, {document_, *node->as_table(), path});
     }
   }
 
   void read_subsystem(const std::string& name, Section section) {
-    SubsystemEntry entry{name, section.required_text("source", "a source like \"builtin:NAME\""), shared_, {},
-                         section.place(), section.place("source")};
+    SubsystemEntry entry{name,
+                         section.required_text("source", "a source like \"builtin:NAME\""),
+                         shared_,
+                         {},
+                         section.place(),
+                         section.place("source")};
     if (const auto* table = section.table("parameters"))
       for (Parameter& own : parameters(*table, section.name("parameters"))) {
         std::erase_if(entry.parameters, [&](const Parameter& p) { return p.name == own.name; });
         entry.parameters.push_back(std::move(own));
       }
     if (const auto* table = section.table("inputs"))
-      for (const auto& [port, node] : in_file_order(*table)) read_start(entry, port, *node, section.name("inputs." + port));
+      for (const auto& [port, node] : in_file_order(*table))
+        read_start(entry, port, *node, section.name("inputs." + port));
     section.refuse_unknown();
     to_.subsystems.push_back(std::move(entry));
   }
 
-  void read_start(SubsystemEntry& entry, const std::string& port, const toml::node& node, const std::string& path) const {
+  void read_start(SubsystemEntry& entry, const std::string& port, const toml::node& node,
+                  const std::string& path) const {
     if (!node.is_array()) {
       entry.inputs.push_back({port, number_of(document_, node, path), document_.place(node)});
       return;
@@ -75,7 +85,8 @@ class Reader {
     int element = 0;
     for (const toml::node& value : *node.as_array()) {
       const std::string index = "[" + std::to_string(element++) + "]";
-      entry.inputs.push_back({port + index, number_of(document_, value, path + index), document_.place(value)});
+      entry.inputs.push_back(
+          {port + index, number_of(document_, value, path + index), document_.place(value)});
     }
   }
 
@@ -92,8 +103,10 @@ class Reader {
   void read_connection(Section section) {
     const std::string from = section.required_text("from", "an output, \"instance.port\"");
     const std::string to = section.required_text("to", "an input, \"instance.port\"");
-    const std::string how = section.required_text("reconstruction", "lagrange0 to lagrange4, hermite, mean, least_squaresD_EXTRA or matched_hold");
-    Connection c{from, to, located(section.place("reconstruction"), [&] { return Reconstruction::parse(how); })};
+    const std::string how = section.required_text(
+        "reconstruction", "lagrange0 to lagrange4, hermite, mean, least_squaresD_EXTRA or matched_hold");
+    Connection c{from, to,
+                 located(section.place("reconstruction"), [&] { return Reconstruction::parse(how); })};
     c.gain = section.number("gain").value_or(c.gain);
     c.offset = section.number("offset").value_or(c.offset);
     c.add = section.flag("add").value_or(c.add);

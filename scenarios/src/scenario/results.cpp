@@ -24,18 +24,22 @@ Json coordination_of(const Assembly& assembly) {
   Json order = Json::array(), steps = Json::object();
   for (const int i : run.schedule().order()) order.push_back(run.topology().name(i));
   for (int i = 0; i < run.topology().size(); ++i) steps[run.topology().name(i)] = run.own_step(i);
-  return {{"schedule", Schedule::name(run.schedule().kind())}, {"leader_first", order}, {"first_own_steps", steps}};
+  return {{"schedule", Schedule::name(run.schedule().kind())},
+          {"leader_first", order},
+          {"first_own_steps", steps}};
 }
 
 Json reached(const Assembly& assembly) {
   Json times = Json::object();
-  for (int i = 0; i < assembly.topology().size(); ++i) times[assembly.topology().name(i)] = assembly.coordinator().clock(i).time;
+  for (int i = 0; i < assembly.topology().size(); ++i)
+    times[assembly.topology().name(i)] = assembly.coordinator().clock(i).time;
   return times;
 }
 
 }  // namespace
 
-Json results_of(const Scenario& scenario, const Assembly& assembly, const Recorder& recorder, const RunEnd& end) {
+Json results_of(const Scenario& scenario, const Assembly& assembly, const Recorder& recorder,
+                const RunEnd& end) {
   Json units{{"time", "s"}}, interpolation = Json::object(), files = Json::array(), notes = Json::array();
   for (const auto& column : recorder.columns()) {
     units[column.name] = column.unit;
@@ -52,7 +56,8 @@ Json results_of(const Scenario& scenario, const Assembly& assembly, const Record
           {"interpolation", interpolation},
           {"coordination", coordination_of(assembly)},
           {"stands_at", reached(assembly)},
-          {"versions", {{"tandem", TANDEM_VERSION}, {"commit", cli::source_commit()}, {"compiler", TANDEM_COMPILER}}},
+          {"versions",
+           {{"tandem", TANDEM_VERSION}, {"commit", cli::source_commit()}, {"compiler", TANDEM_COMPILER}}},
           {"scenario", scenario_of(scenario)}};
 }
 
@@ -66,8 +71,11 @@ Json machine_figures(const Assembly& assembly, const RunEnd& end, bool profiled,
     if (profiled) figures["seconds"] = effort.seconds;
     inside += effort.seconds;
   }
-  Json json{{"processor", cli::processor_model()}, {"simulated_seconds", simulated}, {"seconds", end.seconds},
-            {"real_time_factor", end.seconds > 0.0 ? Json(simulated / end.seconds) : Json()}, {"subsystems", subsystems}};
+  Json json{{"processor", cli::processor_model()},
+            {"simulated_seconds", simulated},
+            {"seconds", end.seconds},
+            {"real_time_factor", end.seconds > 0.0 ? Json(simulated / end.seconds) : Json()},
+            {"subsystems", subsystems}};
   if (profiled) json["coordinator"] = {{"seconds", end.seconds - inside}};
   return json;
 }
@@ -75,7 +83,7 @@ Json machine_figures(const Assembly& assembly, const RunEnd& end, bool profiled,
 void write_json(const std::filesystem::path& file, const Json& json) {
   errno = 0;
   std::ofstream out(file, std::ios::binary);
-  out << json.dump(2) << '\n';
+  out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
   out.close();
   if (!out)
     throw Error(ErrorCode::input_output,

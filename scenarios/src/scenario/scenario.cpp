@@ -13,11 +13,14 @@ bool in_a_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0
 std::size_t mention(const std::string& sentence, const std::string& name) {
   for (auto at = sentence.find(name); at != std::string::npos; at = sentence.find(name, at + 1)) {
     const auto end = at + name.size();
-    if ((at == 0 || !in_a_name(sentence[at - 1])) && (end == sentence.size() || !in_a_name(sentence[end]))) return at;
+    if ((at == 0 || !in_a_name(sentence[at - 1])) && (end == sentence.size() || !in_a_name(sentence[end])))
+      return at;
   }
   return std::string::npos;
 }
-bool mentions(const std::string& sentence, const std::string& name) { return mention(sentence, name) != std::string::npos; }
+bool mentions(const std::string& sentence, const std::string& name) {
+  return mention(sentence, name) != std::string::npos;
+}
 
 }  // namespace
 

@@ -32,7 +32,8 @@ struct SubsystemEntry {
   std::vector<StartValue> inputs;
   Place place, source_place;
 
-  /// The place that an error of opening it is about: of the parameter that the sentence names first, else the source.
+  /// The place that an error of opening it is about: of the parameter that the sentence names first, else the
+  /// source.
   Place place_named_in(const std::string& sentence) const;
 };
 
@@ -40,8 +41,8 @@ struct ConnectionEntry {
   Connection connection;
   Place place, from_place, to_place, how_place;
 
-  /// The place that an error about this connection is about: of an end that is not known, or of the reconstruction, or
-  /// of what the command line has set; else of the connection.
+  /// The place that an error about this connection is about: of an end that is not known, or of the
+  /// reconstruction, or of what the command line has set; else of the connection.
   Place place_named_in(const std::string& sentence) const;
 };
 
@@ -73,15 +74,17 @@ struct Scenario {
 
   std::vector<std::string> overrides;  ///< "KEY=VALUE"
   nlohmann::ordered_json document;     ///< the file with the overrides in it
-  std::map<std::string, Place> places;  ///< of single keys by their path, "coordination.order"; absent: the file
+  std::map<std::string, Place>
+      places;  ///< of single keys by their path, "coordination.order"; absent: the file
 
   Place place(const std::string& key) const;
-  /// The place that an error's sentence is about: of the connection, key or subsystem that it names, else the file.
+  /// The place that an error's sentence is about: of the connection, key or subsystem that it names, else the
+  /// file.
   Place place_named_in(const std::string& sentence) const;
 };
 
-/// Reads a scenario with the overrides of the command line. Throws Error with file, line, the value found and what is
-/// allowed.
+/// Reads a scenario with the overrides of the command line. Throws Error with file, line, the value found and
+/// what is allowed.
 Scenario read(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
 }  // namespace tandem::scenario

@@ -65,7 +65,8 @@ std::vector<std::string> Section::texts(const std::string& key) {
   if (!found->is_array()) wrong(key, described(*found), "an array of texts");
   for (const toml::node& element : *found->as_array()) {
     if (!element.is_string())
-      refuse(document_.place(element), name(key) + " holds " + described(element) + "; allowed are texts in quotes");
+      refuse(document_.place(element),
+             name(key) + " holds " + described(element) + "; allowed are texts in quotes");
     all.push_back(element.as_string()->get());
   }
   return all;

@@ -8,8 +8,8 @@
 
 namespace tandem::scenario {
 
-/// A table of a scenario while it is read: each key is asked for by name and type, and what nobody asked for is refused.
-/// Every error names the place, the key, the value found and what is allowed.
+/// A table of a scenario while it is read: each key is asked for by name and type, and what nobody asked for
+/// is refused. Every error names the place, the key, the value found and what is allowed.
 class Section {
  public:
   /// path: "coordination" or "connections[0]"; empty for the whole document.
@@ -42,8 +42,8 @@ class Section {
   std::vector<std::string> asked_;
 };
 
-/// The number that a value is. Throws for another type, one that is not finite, and a whole number that a double can't
-/// hold; `name` is what the sentence calls it.
+/// The number that a value is. Throws for another type, one that is not finite, and a whole number that a
+/// double can't hold; `name` is what the sentence calls it.
 double number_of(const Document& document, const toml::node& node, const std::string& name);
 
 }  // namespace tandem::scenario

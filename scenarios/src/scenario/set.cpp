@@ -33,10 +33,12 @@ Steps split(const std::string& path) {
       steps.push_back({path.substr(i, end - i), false});
       i = end;
     }
-    if (steps.back().text.empty()) fail("'" + path + "' has an empty part; allowed is a path like coordination.schedule");
+    if (steps.back().text.empty())
+      fail("'" + path + "' has an empty part; allowed is a path like coordination.schedule");
     if (i < path.size() && path[i] == '.' && ++i == path.size()) fail("'" + path + "' ends with a '.'");
   }
-  if (steps.empty() || steps[0].bracket) fail("'" + path + "' names no key; allowed is a path like coordination.schedule");
+  if (steps.empty() || steps[0].bracket)
+    fail("'" + path + "' names no key; allowed is a path like coordination.schedule");
   return steps;
 }
 
@@ -101,14 +103,16 @@ class Override {
 
   void go_on(toml::node& node, std::size_t i) {
     if (auto* table = node.as_table()) return at_table(*table, i);
-    if (auto* array = node.as_array()) return array->is_array_of_tables() ? at_tables(*array, i) : at_values(*array, i);
+    if (auto* array = node.as_array())
+      return array->is_array_of_tables() ? at_tables(*array, i) : at_values(*array, i);
     fail("'" + written(i) + "' is " + described(node) + "; it has no '" + steps_[i].text + "'");
   }
 
   void at_tables(toml::array& array, std::size_t i) {
     const bool all = !steps_[i].bracket;
     const std::size_t next = all ? i : i + 1;
-    if (next == steps_.size()) fail("'" + written(i + 1) + "' is a table; name one of its keys, as in " + written(i + 1) + ".KEY");
+    if (next == steps_.size())
+      fail("'" + written(i + 1) + "' is a table; name one of its keys, as in " + written(i + 1) + ".KEY");
     std::vector<std::string> names;
     bool found = false;
     for (std::size_t k = 0; k < array.size(); ++k) {
@@ -123,10 +127,11 @@ class Override {
 
   [[noreturn]] void fail_no_element(std::size_t i, const std::vector<std::string>& names) const {
     std::vector<std::string> numbered;
-    for (std::size_t k = 0; k < names.size(); ++k) numbered.push_back(std::to_string(k) + " (" + names[k] + ")");
+    for (std::size_t k = 0; k < names.size(); ++k)
+      numbered.push_back(std::to_string(k) + " (" + names[k] + ")");
     const std::string near = nearest(steps_[i].text, names);
-    fail("'" + written(i) + "' has no [" + steps_[i].text + "]" + (near.empty() ? "." : "; did you mean [" + near + "]?") +
-         " There are: " + listed(numbered));
+    fail("'" + written(i) + "' has no [" + steps_[i].text + "]" +
+         (near.empty() ? "." : "; did you mean [" + near + "]?") + " There are: " + listed(numbered));
   }
 
   void at_values(toml::array& array, std::size_t i) {
@@ -137,7 +142,9 @@ class Override {
       fail("'" + written(i) + "' is an array of " + std::to_string(array.size()) + "; '" + text +
            "' is not one of its elements, which are named like " + written(i) + "[0]");
     toml::table made = toml::parse(std::string_view("v = " + value_), std::string_view(source_));
-    made.get("v")->visit([&](auto& value) { array.replace(array.cbegin() + static_cast<std::ptrdiff_t>(index), std::move(value)); });
+    made.get("v")->visit([&](auto& value) {
+      array.replace(array.cbegin() + static_cast<std::ptrdiff_t>(index), std::move(value));
+    });
   }
 
   std::string source_, value_;

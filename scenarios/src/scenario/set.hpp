@@ -1,17 +1,18 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <string>
 #include <toml++/toml.h>
+
+#include <string>
 
 namespace tandem::scenario {
 
 inline const std::string set_prefix = "--set ";
 
-/// Puts "KEY=VALUE" into a scenario. KEY is a dotted path: `coordination.schedule`, `subsystems.fast.parameters.k2`,
-/// `record.ports[0]`; a connection is named by its index or by its `to`, `connections[0].gain`,
-/// `connections[fast.x2].gain`, and `connections.gain` means all of them. VALUE is TOML, or else a text without quotes.
-/// A key that the table has not is added (whether it may be there, the reader of the table says); subsystems and
-/// connections are not. Throws Error that names what is there.
+/// Puts "KEY=VALUE" into a scenario. KEY is a dotted path: `coordination.schedule`,
+/// `subsystems.fast.parameters.k2`, `record.ports[0]`; a connection is named by its index or by its `to`,
+/// `connections[0].gain`, `connections[fast.x2].gain`, and `connections.gain` means all of them. VALUE is
+/// TOML, or else a text without quotes. A key that the table has not is added (whether it may be there, the
+/// reader of the table says); subsystems and connections are not. Throws Error that names what is there.
 void set(toml::table& scenario, const std::string& override_text);
 
 }  // namespace tandem::scenario

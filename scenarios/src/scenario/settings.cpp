@@ -15,7 +15,8 @@ std::vector<std::string> instances(const Scenario& scenario) {
   return names;
 }
 
-void check_instance(const Place& place, const std::string& kind, const std::string& name, const std::vector<std::string>& known) {
+void check_instance(const Place& place, const std::string& kind, const std::string& name,
+                    const std::vector<std::string>& known) {
   if (std::find(known.begin(), known.end(), name) == known.end()) refuse(place, unknown(kind, name, known));
 }
 
@@ -24,9 +25,9 @@ void note_places(const Section& section, std::initializer_list<const char*> keys
 }
 
 StartKind start_kind(Section& section) {
-  constexpr std::array words{
-      std::pair{"automatic", StartKind::automatic}, std::pair{"derivatives", StartKind::derivatives},
-      std::pair{"repeat", StartKind::repeat}, std::pair{"cold", StartKind::cold}};
+  constexpr std::array words{std::pair{"automatic", StartKind::automatic},
+                             std::pair{"derivatives", StartKind::derivatives},
+                             std::pair{"repeat", StartKind::repeat}, std::pair{"cold", StartKind::cold}};
   const auto word = section.text("start");
   if (!word) return StartKind::automatic;
   for (const auto& [name, kind] : words)
@@ -40,14 +41,16 @@ void refuse_what_is_to_come(Section& section) {
     section.wrong("coupling", "'" + coupling + "', which is not there yet", "signals");
   if (coupling != "signals") section.wrong("coupling", "'" + coupling + "'", "signals");
   const auto scheme = section.text("scheme");
-  if (scheme && *scheme == "auto") section.wrong("scheme", "'auto', which is not there yet", "to leave it out");
+  if (scheme && *scheme == "auto")
+    section.wrong("scheme", "'auto', which is not there yet", "to leave it out");
   if (scheme) section.wrong("scheme", "'" + *scheme + "'", "to leave it out");
 }
 
 void check_order(const Section& section, const Scenario& scenario) {
   const auto& order = scenario.coordination.order;
   const auto known = instances(scenario);
-  for (const std::string& name : order) check_instance(section.place("order"), "coordination.order: subsystem", name, known);
+  for (const std::string& name : order)
+    check_instance(section.place("order"), "coordination.order: subsystem", name, known);
   const bool twice = std::any_of(order.begin(), order.end(), [&](const std::string& name) {
     return std::count(order.begin(), order.end(), name) > 1;
   });
@@ -96,13 +99,15 @@ void read_record(Section section, Scenario& to) {
 double required_tolerance(Section& section) {
   const auto tolerance = section.positive("tolerance");
   if (!tolerance)
-    refuse(section.place(), section.name("tolerance") +
-                                " is missing; allowed is a number above 0, a fraction of a column's largest magnitude");
+    refuse(section.place(),
+           section.name("tolerance") +
+               " is missing; allowed is a number above 0, a fraction of a column's largest magnitude");
   return *tolerance;
 }
 
 void read_reference(Section section, Scenario& to) {
-  const std::filesystem::path file = section.required_text("file", "a CSV file, relative to the scenario's folder");
+  const std::filesystem::path file =
+      section.required_text("file", "a CSV file, relative to the scenario's folder");
   to.reference = {to.file.parent_path() / file, required_tolerance(section), section.place("file")};
   section.refuse_unknown();
 }

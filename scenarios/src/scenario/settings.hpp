@@ -10,8 +10,8 @@
 
 namespace tandem::scenario {
 
-/// The tables coordination, span, record, reference and judge, each with what reads it into a scenario whose subsystems
-/// are known. Throw Error.
+/// The tables coordination, span, record, reference and judge, each with what reads it into a scenario whose
+/// subsystems are known. Throw Error.
 const std::vector<std::pair<std::string, std::function<void(Section, Scenario&)>>>& settings();
 
 }  // namespace tandem::scenario

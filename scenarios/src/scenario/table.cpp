@@ -61,14 +61,17 @@ void read_header(Table& table, const std::vector<std::string>& cells, const Plac
   table.names.assign(cells.begin() + 1, cells.end());
   table.columns.resize(table.names.size());
   for (const std::string& name : table.names)
-    if (std::count(table.names.begin(), table.names.end(), name) > 1) refuse(place, "column " + name + " is there twice");
+    if (std::count(table.names.begin(), table.names.end(), name) > 1)
+      refuse(place, "column " + name + " is there twice");
 }
 
 void read_row(Table& table, const std::vector<std::string>& cells, const Place& place) {
   if (cells.size() != table.names.size() + 1)
-    refuse(place, "the row has " + std::to_string(cells.size()) + " cells; the header has " + std::to_string(table.names.size() + 1));
+    refuse(place, "the row has " + std::to_string(cells.size()) + " cells; the header has " +
+                      std::to_string(table.names.size() + 1));
   const double time = number(cells[0], "time", place);
-  if (!table.times.empty() && time < table.times.back()) refuse(place, "time falls to " + cells[0] + " s; it must rise or stay");
+  if (!table.times.empty() && time < table.times.back())
+    refuse(place, "time falls to " + cells[0] + " s; it must rise or stay");
   table.times.push_back(time);
   for (std::size_t k = 0; k < table.names.size(); ++k)
     table.columns[k].push_back(cells[k + 1].empty() ? std::numeric_limits<double>::quiet_NaN()
@@ -80,7 +83,8 @@ void read_row(Table& table, const std::vector<std::string>& cells, const Place& 
 Table Table::read(const fs::path& place) {
   Table table;
   table.file = fs::is_directory(place) ? place / "results.csv" : place;
-  if (!fs::exists(table.file)) throw Error(ErrorCode::input_output, "results '" + table.file.string() + "' are not there");
+  if (!fs::exists(table.file))
+    throw Error(ErrorCode::input_output, "results '" + table.file.string() + "' are not there");
   Lines lines(table.file);
   std::vector<std::string> cells;
   if (!lines.next(cells)) refuse(lines.place(), "the file is empty; a header row is missing");

@@ -13,8 +13,8 @@ struct Table {
   std::vector<std::string> names;            ///< without time
   std::vector<std::vector<double>> columns;  ///< by name, then by row; NaN for an empty cell
 
-  /// place: a CSV file, or a folder that holds results.csv. Throws Error that names the file, and the line, column and
-  /// text of what is no number.
+  /// place: a CSV file, or a folder that holds results.csv. Throws Error that names the file, and the line,
+  /// column and text of what is no number.
   static Table read(const std::filesystem::path& place);
 };
 

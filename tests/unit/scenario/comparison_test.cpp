@@ -44,15 +44,17 @@ TEST(Comparison, InterpolatesTheFinerOneWhereItHasNoRow) {
 
 TEST(Comparison, TakesTheTimesThatBothCover) {
   EXPECT_EQ(compare(table({0, 1, 2}, {0, 1, 2}), table({1, 2, 3}, {1, 2, 3})).times, 2U);
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"no time is in both", "0 to 1 s", "2 to 3 s"},
-                      [] { compare(table({0, 1}, {0, 1}), table({2, 3}, {0, 1})); }));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"no time is in both", "0 to 1 s", "2 to 3 s"}, [] {
+    compare(table({0, 1}, {0, 1}), table({2, 3}, {0, 1}));
+  }));
 }
 
 TEST(Comparison, LeavesEmptyCellsOut) {
   const auto c = compare(table({0, 1, 2}, {1, none, 3}), table({0, 1, 2}, {1, 2, none}));
   EXPECT_EQ(c.columns[0].compared, 1U);
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"x", "no time at which both"},
-                      [] { compare(table({0, 1}, {none, 1}), table({0, 1}, {1, none})); }));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"x", "no time at which both"}, [] {
+    compare(table({0, 1}, {none, 1}), table({0, 1}, {1, none}));
+  }));
 }
 
 TEST(Comparison, AJumpIsComparedBeforeAndAfter) {
@@ -63,8 +65,10 @@ TEST(Comparison, AJumpIsComparedBeforeAndAfter) {
 
 TEST(Comparison, NamesAColumnThatIsMissing) {
   const Table a = table({0, 1}, {0, 1}, "fast.x1"), b = table({0, 1}, {0, 1}, "slow.x2");
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"no column is in both", "fast.x1", "slow.x2"}, [&] { compare(a, b); }));
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'fast.x2'", "did you mean 'fast.x1'?"}, [&] { compare(a, a, {"fast.x2"}); }));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"no column is in both", "fast.x1", "slow.x2"},
+                      [&] { compare(a, b); }));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'fast.x2'", "did you mean 'fast.x1'?"},
+                      [&] { compare(a, a, {"fast.x2"}); }));
 }
 
 }  // namespace

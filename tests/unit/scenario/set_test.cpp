@@ -32,18 +32,24 @@ toml::table with(const std::string& override_text) {
   return table;
 }
 
-TEST(Set, ReplacesAValueByItsPath) { EXPECT_EQ(with("span.stop=2.5").at_path("span.stop").value<double>(), 2.5); }
+TEST(Set, ReplacesAValueByItsPath) {
+  EXPECT_EQ(with("span.stop=2.5").at_path("span.stop").value<double>(), 2.5);
+}
 
 TEST(Set, AddsAKeyAndTheTablesOnTheWay) {
-  EXPECT_EQ(with("coordination.schedule=parallel").at_path("coordination.schedule").value<std::string>(), "parallel");
-  EXPECT_EQ(with("subsystems.fast.parameters.k=true").at_path("subsystems.fast.parameters.k").value<bool>(), true);
+  EXPECT_EQ(with("coordination.schedule=parallel").at_path("coordination.schedule").value<std::string>(),
+            "parallel");
+  EXPECT_EQ(with("subsystems.fast.parameters.k=true").at_path("subsystems.fast.parameters.k").value<bool>(),
+            true);
 }
 
 TEST(Set, ReadsTomlAndElseAText) {
   EXPECT_TRUE(with("record.ports=[\"c\"]").at_path("record.ports").as_array()->size() == 1);
   EXPECT_EQ(with("name=a \"b\" \\ c").at_path("name").value<std::string>(), "a \"b\" \\ c");
   EXPECT_EQ(with("name=").at_path("name").value<std::string>(), "");
-  EXPECT_EQ(with("subsystems.fast.source=builtin:a?b=c").at_path("subsystems.fast.source").value<std::string>(), "builtin:a?b=c");
+  EXPECT_EQ(
+      with("subsystems.fast.source=builtin:a?b=c").at_path("subsystems.fast.source").value<std::string>(),
+      "builtin:a?b=c");
 }
 
 TEST(Set, NamesAConnectionByIndexOrByItsInputOrAll) {
@@ -54,7 +60,9 @@ TEST(Set, NamesAConnectionByIndexOrByItsInputOrAll) {
   EXPECT_EQ(all.at_path("connections[1].gain").value<int>(), 3);
 }
 
-TEST(Set, ReplacesAnElementOfAnArray) { EXPECT_EQ(with("record.ports[1]=c").at_path("record.ports[1]").value<std::string>(), "c"); }
+TEST(Set, ReplacesAnElementOfAnArray) {
+  EXPECT_EQ(with("record.ports[1]=c").at_path("record.ports[1]").value<std::string>(), "c");
+}
 
 TEST(Set, RefusesWhatIsNotThere) {
   const auto refused = [](const std::string& text, const std::vector<std::string>& words) {

@@ -43,7 +43,8 @@ TEST(Table, NamesFileLineAndTextOfWhatIsWrong) {
   EXPECT_TRUE(refused("time,x,x\n1,1,1\n", {"r.csv:1", "x is there twice"}));
   EXPECT_TRUE(refused("", {"r.csv", "empty"}));
   EXPECT_TRUE(refused("time,x\n", {"r.csv", "no rows"}));
-  EXPECT_TRUE(refuses(ErrorCode::input_output, {"nowhere.csv", "not there"}, [] { Table::read("nowhere.csv"); }));
+  EXPECT_TRUE(
+      refuses(ErrorCode::input_output, {"nowhere.csv", "not there"}, [] { Table::read("nowhere.csv"); }));
 }
 
 }  // namespace

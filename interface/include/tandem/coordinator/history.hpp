@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "tandem/subsystem.hpp"
@@ -15,8 +16,9 @@ namespace tandem {
 class History {
  public:
   static constexpr std::int64_t min_capacity = 32;
-  /// capacity: rows that there is memory for at first (at least min_capacity).
-  History(const SubsystemInfo& info, std::int64_t capacity);
+  /// name: of the instance, for errors. capacity: rows that there is memory for at first (at least min_capacity). `info`
+  /// must outlive the history.
+  History(std::string name, const SubsystemInfo& info, std::int64_t capacity);
   History(History&&) = default;
   History& operator=(History&&) = default;
 
@@ -69,6 +71,7 @@ class History {
   double taylor(const std::vector<double>& sample, int column, double s) const;
   void resize(std::int64_t capacity, std::int64_t keep);
 
+  std::string name_;
   const SubsystemInfo* info_;
   int outputs_, derivatives_;
   std::int64_t stride_, capacity_;

@@ -15,21 +15,22 @@ class CsvFile;
 /// What a run writes, and where.
 struct Recording {
   std::filesystem::path directory = ".";  ///< made if it is not there; earlier results in it are replaced
-  std::string clock;                      ///< the instance at whose own steps there are rows; empty: the smallest first step
-  bool own = false;                       ///< a file for each subsystem instead, at its own steps
-  std::vector<std::string> ports;         ///< outputs, "instance.port" or "instance.port[i]"; empty: all
+  std::string clock;  ///< the instance at whose own steps there are rows; empty: the smallest first step
+  bool own = false;   ///< a file for each subsystem instead, at its own steps
+  std::vector<std::string> ports;  ///< outputs, "instance.port" or "instance.port[i]"; empty: all
 };
 
-/// Writes the outputs of a run as CSV: `results.csv`, or with `own` one `results.INSTANCE.csv` each. One header row,
-/// `time` first, then `instance.port` (`instance.port[i]` for arrays) in the order of the topology; numbers in the fewest
-/// digits that read back the same. Times may repeat where the clock's instance jumps.
+/// Writes the outputs of a run as CSV: `results.csv`, or with `own` one `results.INSTANCE.csv` each. One
+/// header row, `time` first, then `instance.port` (`instance.port[i]` for arrays) in the order of the
+/// topology; numbers in the fewest digits that read back the same. Times may repeat where the clock's
+/// instance jumps.
 ///
-/// At the clock's times the outputs of the other subsystems are interpolated: cubic Hermite where the port gives
-/// derivatives, else linear; at a jump, the value before it, and nothing is interpolated across one: the value before is
-/// held. A cell is empty where its subsystem has no sample at or after that time.
+/// At the clock's times the outputs of the other subsystems are interpolated: cubic Hermite where the port
+/// gives derivatives, else linear; at a jump, the value before it, and nothing is interpolated across one:
+/// the value before is held. A cell is empty where its subsystem has no sample at or after that time.
 ///
-/// samples() only copies into memory that is reserved at the first call; the files are written when that memory is full,
-/// and by close(). After an error of a write nothing more is written to that file.
+/// samples() only copies into memory that is reserved at the first call; the files are written when that
+/// memory is full, and by close(). After an error of a write nothing more is written to that file.
 class Recorder final : public Observer {
  public:
   enum class Fill { own, hermite, linear };
@@ -46,12 +47,12 @@ class Recorder final : public Observer {
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  /// At the first call (the end of Coordinator::initialize) folder and files are opened, so that a run that can't begin leaves
-  /// earlier results as they are. Throws Error(input_output) with the path.
+  /// At the first call (the end of Coordinator::initialize) folder and files are opened, so that a run that
+  /// can't begin leaves earlier results as they are. Throws Error(input_output) with the path.
   bool samples(int subsystem, const History& history, std::int64_t first, std::int64_t last) override;
 
-  /// Writes what is left and closes the files. Also after a failed run: all that it was told of gets written. Throws
-  /// Error(input_output) with the path.
+  /// Writes what is left and closes the files. Also after a failed run: all that it was told of gets written.
+  /// Throws Error(input_output) with the path.
   void close();
 
   /// By column of the files, `time` left out. `fill` is known after the first samples.
@@ -61,7 +62,8 @@ class Recorder final : public Observer {
   const std::vector<std::string>& notes() const { return notes_; }
 
  private:
-  /// The recorded samples of one subsystem that still wait: rows of time, jump flag, values, first derivatives.
+  /// The recorded samples of one subsystem that still wait: rows of time, jump flag, values, first
+  /// derivatives.
   struct Track {
     std::vector<int> outputs;     ///< flattened indices of what is recorded
     std::vector<char> has_slope;  ///< by recorded output
@@ -74,7 +76,9 @@ class Recorder final : public Observer {
     double time(std::size_t row) const { return rows[row * width()]; }
     bool jump(std::size_t row) const { return rows[row * width() + 1] != 0.0; }
     double value(std::size_t row, std::size_t k) const { return rows[row * width() + 2 + k]; }
-    double slope(std::size_t row, std::size_t k) const { return rows[row * width() + 2 + outputs.size() + k]; }
+    double slope(std::size_t row, std::size_t k) const {
+      return rows[row * width() + 2 + outputs.size() + k];
+    }
     double interpolate(std::size_t k, double t) const;
     void drop(std::size_t count);
   };

@@ -45,7 +45,7 @@ class Schedule {
   std::span<const Turn> next_round(std::span<const Member> members);
 
   /// A member takes no further part: it stands at t_stop, or its next step would end past it.
-  bool finished(const Member& m) const { return !(m.time < t_stop_ - stop_width_) || m.next > t_stop_ + stop_width_; }
+  bool finished(const Member& m) const { return m.time >= earliest_stop_ || m.next > latest_stop_; }
 
  private:
   void take_turns(std::span<const Member> members);
@@ -58,7 +58,7 @@ class Schedule {
   std::vector<int> order_;
   double t_start_, t_stop_, communication_step_;
   TimeTolerance tolerance_;
-  double stop_width_;  ///< of the tolerance at t_stop
+  double earliest_stop_, latest_stop_;  ///< t_stop, give and take the tolerance
   std::vector<Turn> round_;
   std::size_t count_ = 0;  ///< turns of the present round
 };

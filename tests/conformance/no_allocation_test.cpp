@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// The stepping loop allocates nothing once it runs: every malloc is counted. Not with sanitizers, which have a malloc of
+// their own, and only with the GNU C library, whose malloc can be replaced and still be called.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+#include "run_bench.hpp"
+#include "scheme.hpp"
+#include "wave.hpp"
+
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define TANDEM_OWN_MALLOC 0
+#endif
+#endif
+#if !defined(TANDEM_OWN_MALLOC) && defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define TANDEM_OWN_MALLOC 1
+#endif
+
+#if TANDEM_OWN_MALLOC
+namespace {
+std::atomic<bool> counting = false;
+std::atomic<std::int64_t> allocations = 0;
+
+void count() {
+  if (counting.load(std::memory_order_relaxed)) allocations.fetch_add(1, std::memory_order_relaxed);
+}
+}  // namespace
+
+// operator new of libstdc++ ends in malloc or aligned_alloc.
+extern "C" {
+void* __libc_malloc(size_t);
+void* __libc_calloc(size_t, size_t);
+void* __libc_realloc(void*, size_t);
+void* __libc_memalign(size_t, size_t);
+void* malloc(size_t size) { return count(), __libc_malloc(size); }
+void* calloc(size_t n, size_t size) { return count(), __libc_calloc(n, size); }
+void* realloc(void* p, size_t size) { return count(), __libc_realloc(p, size); }
+void* aligned_alloc(size_t alignment, size_t size) { return count(), __libc_memalign(alignment, size); }
+void* memalign(size_t alignment, size_t size) { return count(), __libc_memalign(alignment, size); }
+int posix_memalign(void** p, size_t alignment, size_t size) {
+  count();
+  *p = __libc_memalign(alignment, size);
+  return *p ? 0 : 12;  // ENOMEM
+}
+}
+
+namespace tandem::test {
+namespace {
+
+/// Allocations in ten thousand rounds, after enough of them to have settled.
+std::int64_t allocations_in(RunBench& bench) {
+  Coordinator& run = bench.make(1e9);
+  run.initialize();
+  for (int k = 0; k < 300; ++k) run.round();
+  allocations = 0;
+  counting = true;
+  for (int k = 0; k < 10'000; ++k) run.round();
+  counting = false;
+  return allocations;
+}
+
+TEST(NoAllocation, TheCountSeesAnAllocation) {
+  allocations = 0;
+  counting = true;
+  auto* one = new double(1.0);
+  auto* two = new std::vector<double>(100);
+  counting = false;
+  EXPECT_GE(allocations, 3);
+  delete one;
+  delete two;
+}
+
+TEST(NoAllocation, InEverySchedule) {
+  for (const double ratio : {1.0, 3.0, 30.7, std::numbers::sqrt2})
+    for (const Scheme& scheme : all_schemes()) {
+      FixedStep<Wave> fast(Wave(0.1)), slow(Wave(0.1 * ratio));
+      RunBench bench;
+      bench.add("fast", fast).add("slow", slow).schedule(scheme.schedule);
+      bench.connect("slow.y", "fast.u", scheme.to_fast).connect("fast.y", "slow.u", scheme.to_slow);
+      bench.coordination.order = {"slow", "fast"};
+      EXPECT_EQ(allocations_in(bench), 0) << scheme.name() << " at ratio " << ratio;
+      EXPECT_TRUE(std::isfinite(fast.model().heard() + slow.model().heard()));
+    }
+}
+
+TEST(NoAllocation, InSumsAndLags) {
+  for (const char* schedule : {"slowest-first", "fastest-first", "parallel"})
+    for (const Lag lag : {Lag::none, Lag::memory, Lag::delay}) {
+      FixedStep<Wave> a(Wave(0.1)), b(Wave(0.25)), c(Wave(0.77));
+      RunBench bench;
+      bench.add("a", a).add("b", b).add("c", c).schedule(schedule);
+      bench.topology.connect(added(connection("a.y", "c.u", "lagrange3", lag)));
+      bench.topology.connect(added(connection("b.y", "c.u", "hermite")));
+      bench.connect("c.y", "a.u", "lagrange2").connect("c.y", "b.u", "least_squares2_4", lag);
+      EXPECT_EQ(allocations_in(bench), 0) << schedule;
+    }
+}
+
+/// Takes steps from 0.01 to 0.19 s, over and over.
+class Restless final : public Subsystem {
+ public:
+  const SubsystemInfo& info() const override { return info_; }
+  Clock initialize(double t, double, std::span<const double>, Samples& y) override {
+    y.append(time_ = t)[0] = 0.0;
+    return clock();
+  }
+  Clock advance(double t_limit, bool, std::span<const Signal>, Samples& y) override {
+    for (; !y.full() && next() <= t_limit; ++k_) {
+      time_ = next();
+      y.append(time_)[0] = std::sin(time_);
+    }
+    return clock();
+  }
+
+ private:
+  double next() const { return time_ + 0.1 + 0.09 * std::sin(static_cast<double>(k_ % 60)); }
+  Clock clock() const { return {time_, next(), Stop::limit}; }
+  SubsystemInfo info_{"restless", {{"u", "1"}}, {{"y", "1"}}, {}, {.chooses_step = true}};
+  double time_ = 0.0;
+  std::int64_t k_ = 0;
+};
+
+TEST(NoAllocation, WithStepsThatVary) {
+  for (const char* schedule : {"slowest-first", "fastest-first", "parallel"})
+    for (const double step : {0.05, 1.0, 10.0}) {
+      Restless restless;
+      FixedStep<Wave> wave{Wave(step)};
+      RunBench bench;
+      bench.add("restless", restless).add("wave", wave).schedule(schedule);
+      bench.connect("restless.y", "wave.u", "lagrange1").connect("wave.y", "restless.u", "lagrange3");
+      EXPECT_EQ(allocations_in(bench), 0) << schedule << " with steps of " << step;
+    }
+}
+
+}  // namespace
+}  // namespace tandem::test
+#endif

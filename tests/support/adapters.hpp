@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <utility>
+
+#include "tandem/subsystem.hpp"
+#include "tandem/time_grid.hpp"
+
+namespace tandem::test {
+
+using Wrap = std::function<std::unique_ptr<Subsystem>(std::unique_ptr<Subsystem>)>;
+
+/// Passes everything on but the saving of states.
+class Adapter : public Subsystem {
+ public:
+  explicit Adapter(std::unique_ptr<Subsystem> inner) : inner_(std::move(inner)), info_(inner_->info()) {
+    info_.abilities.saves_state = false;
+  }
+  const SubsystemInfo& info() const override { return info_; }
+  Clock initialize(double t_start, double t_stop, std::span<const double> u0, Samples& y) override {
+    return inner_->initialize(t_start, t_stop, u0, y);
+  }
+
+ protected:
+  std::unique_ptr<Subsystem> inner_;
+
+ private:
+  SubsystemInfo info_;
+};
+
+/// Takes one own step a call and returns early, as at an event.
+class OneStepACall final : public Adapter {
+ public:
+  using Adapter::Adapter;
+  Clock initialize(double t_start, double t_stop, std::span<const double> u0, Samples& y) override {
+    tolerance_ = TimeTolerance(t_start);
+    return clock_ = inner_->initialize(t_start, t_stop, u0, y);
+  }
+  Clock advance(double t_limit, bool land, std::span<const Signal> u, Samples& y) override {
+    const bool fits = !tolerance_.before(t_limit, clock_.next_time);
+    clock_ = fits ? inner_->advance(clock_.next_time, false, u, y) : inner_->advance(t_limit, land, u, y);
+    const bool more = !tolerance_.before(t_limit, clock_.next_time) || (land && tolerance_.before(clock_.time, t_limit));
+    if (more && clock_.stop == Stop::limit) clock_.stop = Stop::event;
+    return clock_;
+  }
+
+ private:
+  TimeTolerance tolerance_;
+  Clock clock_{};
+};
+
+/// Has room for three samples a call, whatever the caller has.
+class ThreeSamplesACall final : public Adapter {
+ public:
+  using Adapter::Adapter;
+  Clock advance(double t_limit, bool land, std::span<const Signal> u, Samples& y) override {
+    const tandem_samples all = y.c_view();
+    Samples few(all.rows, all.stride, std::min(all.capacity, all.size + 3), all.size);
+    const Clock clock = inner_->advance(t_limit, land, u, few);
+    y.set_size(few.size());
+    return clock;
+  }
+};
+
+inline std::unique_ptr<Subsystem> as_it_is(std::unique_ptr<Subsystem> s) { return s; }
+inline std::unique_ptr<Subsystem> one_step_a_call(std::unique_ptr<Subsystem> s) { return std::make_unique<OneStepACall>(std::move(s)); }
+inline std::unique_ptr<Subsystem> three_samples_a_call(std::unique_ptr<Subsystem> s) {
+  return std::make_unique<ThreeSamplesACall>(std::move(s));
+}
+
+}  // namespace tandem::test

@@ -1,0 +1,191 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/c_subsystem.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "c_oscillator.h"
+#include "refusal.hpp"
+
+namespace tandem {
+namespace {
+
+using test::refuses;
+
+/// The oscillator's table, to be spoilt.
+tandem_subsystem_api table() { return *c_oscillator(); }
+
+/// What the constructor says of a table.
+testing::AssertionResult refuses_table(ErrorCode code, const std::vector<std::string>& texts, const tandem_subsystem_api& api) {
+  return refuses(code, texts, [&] { CSubsystem(&api, ""); });
+}
+
+TEST(CSubsystem, GivesThePortsAndAbilitiesOfTheTable) {
+  const CSubsystem s(c_oscillator(), "");
+  const SubsystemInfo& info = s.info();
+  EXPECT_EQ(info.name, "c_oscillator");
+  ASSERT_EQ(info.inputs.size(), 1U);
+  EXPECT_EQ(info.inputs[0].unit, "N");
+  EXPECT_EQ(info.inputs[0].start, 0.0);
+  ASSERT_EQ(info.outputs.size(), 3U);
+  EXPECT_EQ(info.outputs[0].name, "x");
+  EXPECT_EQ(info.outputs[0].derivatives, 2);
+  EXPECT_EQ(info.row_size(), 2 + 3 * 3);
+  ASSERT_EQ(info.feedthrough.size(), 1U);
+  EXPECT_EQ(info.feedthrough[0].output, 2);
+  EXPECT_TRUE(info.abilities.lands && info.abilities.saves_state && info.abilities.restarts);
+  EXPECT_FALSE(info.abilities.chooses_step || info.abilities.reactive_inputs);
+}
+
+TEST(CSubsystem, RefusesATableThatItCanNotUse) {
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"no table"}, [] { CSubsystem(nullptr, ""); }));
+  tandem_subsystem_api api = table();
+  api.abi_version = 7;
+  EXPECT_TRUE(refuses_table(ErrorCode::not_supported, {"ABI version 7", "1"}, api));
+  api = table();
+  api.table_size = 16;
+  EXPECT_TRUE(refuses_table(ErrorCode::not_supported, {"16 bytes"}, api));
+  api = table();
+  api.advance = nullptr;
+  EXPECT_TRUE(refuses_table(ErrorCode::invalid_argument, {"advance"}, api));
+  api = table();
+  api.restore_state = nullptr;
+  EXPECT_TRUE(refuses_table(ErrorCode::invalid_argument, {"c_oscillator", "saves its state"}, api));
+}
+
+TEST(CSubsystem, TakesATableThatHasGrown) {
+  struct Grown {
+    tandem_subsystem_api known;
+    void (*one_more)();
+  } grown{table(), nullptr};
+  grown.known.table_size = sizeof grown;
+  EXPECT_NO_THROW(CSubsystem(&grown.known, ""));
+}
+
+TEST(CSubsystem, PassesOnTheCodeAndSentenceOfAnError) {
+  const auto make = [](const char* parameters) { return [parameters] { CSubsystem(c_oscillator(), parameters); }; };
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"create", "no parameter 'mass=1'"}, make("mass=1")));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"no number in 'k=stiff'"}, make("m=1&k=stiff")));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"above 0"}, make("h=0")));
+}
+
+/// An oscillator of which one function is replaced; started, with room for ten rows.
+struct Spoilt {
+  explicit Spoilt(const std::function<void(tandem_subsystem_api&)>& spoil) : api(table()), subsystem((spoil(api), &api), "") {}
+  void initialize() { subsystem.initialize(0.0, 1.0, u0, y); }
+  void advance() { subsystem.advance(0.5, false, {&u, 1}, y); }
+
+  tandem_subsystem_api api;
+  CSubsystem subsystem;
+  double memory[11 * 10] = {};
+  double u0[1] = {0.0};
+  Samples y{memory, 11, 10};
+  Segment piece{1.0, 0.0, {}};
+  Signal u{&piece, 1, 0};
+};
+
+TEST(CSubsystem, GivesUnknownCodesAndMissingSentencesAMeaning) {
+  Spoilt s([](tandem_subsystem_api& api) {
+    api.initialize = [](void*, double, double, const double*, tandem_samples*, tandem_clock*) { return static_cast<tandem_status>(7); };
+    api.last_error = [](void*) -> const char* { return nullptr; };
+  });
+  EXPECT_TRUE(refuses(ErrorCode::internal, {"c_oscillator", "initialize", "status 7"}, [&] { s.initialize(); }));
+}
+
+TEST(CSubsystem, ChecksTheNumberOfRows) {
+  for (const std::int64_t size : {-1, 0, 11}) {
+    static std::int64_t answer;
+    answer = size;
+    Spoilt s([](tandem_subsystem_api& api) {
+      api.advance = [](void*, double, std::int32_t, const tandem_signal*, tandem_samples* y, tandem_clock* clock) {
+        y->size = answer;
+        *clock = {0.5, 1.0, TANDEM_STOP_LIMIT, 0};
+        return TANDEM_OK;
+      };
+    });
+    s.initialize();
+    EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"c_oscillator", std::to_string(size), "1 to 10"}, [&] { s.advance(); }));
+    EXPECT_EQ(s.y.size(), 1) << "the caller's rows are as they were";
+  }
+}
+
+TEST(CSubsystem, ChecksTheReasonToStop) {
+  Spoilt s([](tandem_subsystem_api& api) {
+    api.advance = [](void*, double, std::int32_t, const tandem_signal*, tandem_samples*, tandem_clock* clock) {
+      *clock = {0.0, 1.0, 4, 0};
+      return TANDEM_OK;
+    };
+  });
+  s.initialize();
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"c_oscillator", "4", "0 to 3"}, [&] { s.advance(); }));
+}
+
+TEST(CSubsystem, HandsSignalsAndRowsOverAsTheyAre) {
+  static const tandem_signal* seen_signal;
+  static tandem_samples seen_rows;
+  static std::int32_t seen_land;
+  Spoilt s([](tandem_subsystem_api& api) {
+    api.advance = [](void*, double, std::int32_t land, const tandem_signal* u, tandem_samples* y, tandem_clock* clock) {
+      seen_signal = u;
+      seen_rows = *y;
+      seen_land = land;
+      *clock = {0.0, 1.0, TANDEM_STOP_LIMIT, 0};
+      return TANDEM_OK;
+    };
+  });
+  s.initialize();
+  s.subsystem.advance(0.5, true, {&s.u, 1}, s.y);
+  EXPECT_EQ(static_cast<const void*>(seen_signal), &s.u);
+  EXPECT_EQ(seen_signal->segments, &s.piece);
+  EXPECT_EQ(seen_rows.rows, s.memory);
+  EXPECT_EQ(seen_rows.size, 1);
+  EXPECT_EQ(seen_rows.capacity, 10);
+  EXPECT_EQ(seen_land, 1);
+}
+
+TEST(CSubsystem, DestroysWhatItCreatedOnceAlsoWhenItFails) {
+  static int alive;
+  alive = 0;
+  tandem_subsystem_api api = table();
+  api.create = [](const char* parameters, void** self) { return ++alive, c_oscillator()->create(parameters, self); };
+  api.destroy = [](void* self) { --alive, c_oscillator()->destroy(self); };
+  { const CSubsystem s(&api, ""); }
+  EXPECT_EQ(alive, 0);
+  EXPECT_THROW(CSubsystem(&api, "nonsense"), Error);
+  EXPECT_EQ(alive, 0);
+}
+
+TEST(CSubsystem, RefusesToSaveWithoutTheAbility) {
+  static tandem_info poorer;
+  Spoilt s([](tandem_subsystem_api& api) {
+    api.info = [](void* self) -> const tandem_info* {
+      poorer = *c_oscillator()->info(self);
+      poorer.abilities = TANDEM_LANDS;
+      return &poorer;
+    };
+    api.save_state = nullptr;
+  });
+  EXPECT_TRUE(refuses(ErrorCode::not_supported, {"c_oscillator"}, [&] { s.subsystem.save_state(); }));
+  EXPECT_TRUE(refuses(ErrorCode::not_supported, {"c_oscillator"}, [&] { s.subsystem.restore_state(0); }));
+  EXPECT_TRUE(refuses(ErrorCode::not_supported, {"c_oscillator"}, [&] { s.subsystem.release_state(0); }));
+}
+
+TEST(CSubsystem, RefusesPortListsThatAreNotThere) {
+  static tandem_info broken;
+  const auto make = [](const std::function<void(tandem_info&)>& spoil) {
+    return [spoil] {
+      broken = *c_oscillator()->info(nullptr);
+      spoil(broken);
+      tandem_subsystem_api api = table();
+      api.info = [](void*) -> const tandem_info* { return &broken; };
+      CSubsystem(&api, "");
+    };
+  };
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"-1 ports"}, make([](tandem_info& i) { i.input_count = -1; })));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"3 ports"}, make([](tandem_info& i) { i.outputs = nullptr; })));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"feedthrough"}, make([](tandem_info& i) { i.feedthrough = nullptr; })));
+}
+
+}  // namespace
+}  // namespace tandem
