@@ -13,18 +13,22 @@ static_assert(std::is_standard_layout_v<Signal>, "spans of signals are handed to
 void check_table(const tandem_subsystem_api* api) {
   if (!api) throw Error(ErrorCode::invalid_argument, "the subsystem library gave no table of functions");
   if (api->abi_version != TANDEM_ABI_VERSION)
-    throw Error(ErrorCode::not_supported, "the subsystem has ABI version " + std::to_string(api->abi_version) + "; allowed is " +
+    throw Error(ErrorCode::not_supported, "the subsystem has ABI version " +
+                                              std::to_string(api->abi_version) + "; allowed is " +
                                               std::to_string(TANDEM_ABI_VERSION));
   if (api->table_size < sizeof(tandem_subsystem_api))
-    throw Error(ErrorCode::not_supported, "the subsystem's table of functions has " + std::to_string(api->table_size) +
-                                              " bytes; allowed is " + std::to_string(sizeof(tandem_subsystem_api)) + " or more");
+    throw Error(ErrorCode::not_supported, "the subsystem's table of functions has " +
+                                              std::to_string(api->table_size) + " bytes; allowed is " +
+                                              std::to_string(sizeof(tandem_subsystem_api)) + " or more");
   if (!api->create || !api->destroy || !api->info || !api->last_error || !api->initialize || !api->advance)
-    throw Error(ErrorCode::invalid_argument, "the subsystem's table lacks create, destroy, info, last_error, initialize or advance");
+    throw Error(ErrorCode::invalid_argument,
+                "the subsystem's table lacks create, destroy, info, last_error, initialize or advance");
 }
 
 std::vector<Port> ports_from(const tandem_port* ports, int32_t count) {
   if (count < 0 || (count > 0 && !ports))
-    throw Error(ErrorCode::invalid_argument, "the subsystem gives " + std::to_string(count) + " ports without a list of them");
+    throw Error(ErrorCode::invalid_argument,
+                "the subsystem gives " + std::to_string(count) + " ports without a list of them");
   std::vector<Port> list;
   for (const tandem_port* p = ports; p != ports + count; ++p)
     list.push_back({p->name ? p->name : "", p->unit ? p->unit : "1", p->size, p->derivatives, p->start});
@@ -38,11 +42,13 @@ SubsystemInfo info_from(const tandem_info* c) {
   info.inputs = ports_from(c->inputs, c->input_count);
   info.outputs = ports_from(c->outputs, c->output_count);
   if (c->feedthrough_count < 0 || (c->feedthrough_count > 0 && !c->feedthrough))
-    throw Error(ErrorCode::invalid_argument, "the subsystem '" + info.name + "' gives no list of its feedthrough");
-  for (int32_t i = 0; i < c->feedthrough_count; ++i) info.feedthrough.push_back({c->feedthrough[i].output, c->feedthrough[i].input});
+    throw Error(ErrorCode::invalid_argument,
+                "the subsystem '" + info.name + "' gives no list of its feedthrough");
+  for (int32_t i = 0; i < c->feedthrough_count; ++i)
+    info.feedthrough.push_back({c->feedthrough[i].output, c->feedthrough[i].input});
   const auto has = [c](unsigned bit) { return (c->abilities & bit) != 0; };
-  info.abilities = {has(TANDEM_CHOOSES_STEP), has(TANDEM_LANDS), has(TANDEM_SAVES_STATE), has(TANDEM_RESTARTS),
-                    has(TANDEM_REACTIVE_INPUTS)};
+  info.abilities = {has(TANDEM_CHOOSES_STEP), has(TANDEM_LANDS), has(TANDEM_SAVES_STATE),
+                    has(TANDEM_RESTARTS), has(TANDEM_REACTIVE_INPUTS)};
   return info;
 }
 
@@ -54,7 +60,8 @@ CSubsystem::CSubsystem(const tandem_subsystem_api* api, const std::string& param
     check(api->create(parameters.c_str(), &self_), "create");
     info_ = info_from(api->info(self_));
     if (info_.abilities.saves_state && !(api->save_state && api->restore_state && api->release_state))
-      throw Error(ErrorCode::invalid_argument, "subsystem '" + info_.name + "' says that it saves its state, but has not the functions");
+      throw Error(ErrorCode::invalid_argument,
+                  "subsystem '" + info_.name + "' says that it saves its state, but has not the functions");
   } catch (...) {
     if (self_) api->destroy(self_);
     throw;
@@ -74,16 +81,18 @@ void CSubsystem::check(tandem_status status, const char* call) const {
 
 Clock CSubsystem::clock_from(const tandem_clock& clock) const {
   if (clock.stop < TANDEM_STOP_LIMIT || clock.stop > TANDEM_STOP_FINISHED)
-    throw Error(ErrorCode::invalid_argument, "subsystem '" + info_.name + "' gives " + std::to_string(clock.stop) +
+    throw Error(ErrorCode::invalid_argument, "subsystem '" + info_.name + "' gives " +
+                                                 std::to_string(clock.stop) +
                                                  " as its reason to stop; allowed are 0 to 3");
   return {clock.time, clock.next_time, static_cast<Stop>(clock.stop)};
 }
 
 void CSubsystem::take_rows(const tandem_samples& rows, Samples& y) const {
   if (rows.size < y.size() || rows.size > rows.capacity || rows.capacity != y.c_view().capacity)
-    throw Error(ErrorCode::invalid_argument, "subsystem '" + info_.name + "' says that " + std::to_string(rows.size) +
-                                                 " sample rows are filled; allowed are " + std::to_string(y.size()) + " to " +
-                                                 std::to_string(y.c_view().capacity));
+    throw Error(ErrorCode::invalid_argument,
+                "subsystem '" + info_.name + "' says that " + std::to_string(rows.size) +
+                    " sample rows are filled; allowed are " + std::to_string(y.size()) + " to " +
+                    std::to_string(y.c_view().capacity));
   y.set_size(rows.size);
 }
 

@@ -11,10 +11,12 @@ namespace tandem {
 TimeGrid::TimeGrid(double t_start, double h)
     : t_start_(t_start), h_(h), time_(t_start), next_(t_start + h), tolerance_(t_start) {
   if (!std::isfinite(t_start) || !std::isfinite(h) || h <= 0.0)
-    throw Error(ErrorCode::invalid_argument, "own step " + number_text(h) + " s from t_start " + number_text(t_start) +
+    throw Error(ErrorCode::invalid_argument, "own step " + number_text(h) + " s from t_start " +
+                                                 number_text(t_start) +
                                                  " s: both must be finite, the step above 0");
   if (!tolerance_.before(t_start, next_))
-    throw Error(ErrorCode::invalid_argument, "own step " + number_text(h) + " s is too small to be told from 0 at t_start " +
+    throw Error(ErrorCode::invalid_argument, "own step " + number_text(h) +
+                                                 " s is too small to be told from 0 at t_start " +
                                                  number_text(t_start) + " s");
 }
 

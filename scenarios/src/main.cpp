@@ -15,7 +15,9 @@ namespace {
 void set_up_log(const tandem::cli::Context& context, const std::string& file) {
   std::vector<spdlog::sink_ptr> sinks{std::make_shared<spdlog::sinks::stderr_color_sink_mt>()};
   sinks[0]->set_pattern("%v");
-  sinks[0]->set_level(context.quiet ? spdlog::level::err : context.verbose ? spdlog::level::debug : spdlog::level::info);
+  sinks[0]->set_level(context.quiet     ? spdlog::level::err
+                      : context.verbose ? spdlog::level::debug
+                                        : spdlog::level::info);
   try {
     if (!file.empty()) sinks.push_back(std::make_shared<spdlog::sinks::basic_file_sink_mt>(file, true));
   } catch (const spdlog::spdlog_ex&) {

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-// Own steps that are taken in one call, one a call, or three a call give the same results to the last bit; so do runs
-// that are repeated, or made at the same time.
+// Own steps that are taken in one call, one a call, or three a call give the same results to the last bit; so
+// do runs that are repeated, or made at the same time.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,46 +24,54 @@ void expect_batch_equals_stepwise(MassPair what) {
     MassPairRun parts(what);
     EXPECT_TRUE(same_bits(parts.run(), expected)) << what.scheme.name() << " at " << what.frequency_ratio;
     for (const int who : {0, 1})
-      EXPECT_LE(parts.bench().coordinator->effort(who).steps, steps * parts.bench().coordinator->effort(who).exchanges);
+      EXPECT_LE(parts.bench().coordinator->effort(who).steps,
+                steps * parts.bench().coordinator->effort(who).exchanges);
   }
 }
 
 class BatchEqualsStepwise : public testing::TestWithParam<double> {};
-INSTANTIATE_TEST_SUITE_P(Ratios, BatchEqualsStepwise, testing::ValuesIn(ratios),
-                         [](const auto& p) { return "FR" + std::to_string(static_cast<int>(10.0 * p.param)) + "tenths"; });
+INSTANTIATE_TEST_SUITE_P(Ratios, BatchEqualsStepwise, testing::ValuesIn(ratios), [](const auto& p) {
+  return "FR" + std::to_string(static_cast<int>(10.0 * p.param)) + "tenths";
+});
 
 TEST_P(BatchEqualsStepwise, ForEveryScheduleAndReconstruction) {
-  for (const Scheme& scheme : all_schemes()) expect_batch_equals_stepwise({.scheme = scheme, .frequency_ratio = GetParam()});
+  for (const Scheme& scheme : all_schemes())
+    expect_batch_equals_stepwise({.scheme = scheme, .frequency_ratio = GetParam()});
 }
 
 TEST_P(BatchEqualsStepwise, WithTheRolesOfFastAndSlowSwapped) {
   for (const Scheme& scheme : all_schemes()) {
     const bool has_mean = scheme.to_fast == "mean" || scheme.to_slow == "mean";
-    const Scheme turned{scheme.schedule, has_mean ? scheme.to_slow : scheme.to_fast, has_mean ? scheme.to_fast : scheme.to_slow};
+    const Scheme turned{scheme.schedule, has_mean ? scheme.to_slow : scheme.to_fast,
+                        has_mean ? scheme.to_fast : scheme.to_slow};
     expect_batch_equals_stepwise({.scheme = turned, .frequency_ratio = GetParam(), .swapped = true});
   }
 }
 
 TEST_P(BatchEqualsStepwise, FromAnyStartTime) {
   for (const Scheme& scheme : all_schemes())
-    expect_batch_equals_stepwise({.scheme = scheme, .frequency_ratio = GetParam(), .t_start = -7.3, .t_stop = 5.0});
+    expect_batch_equals_stepwise(
+        {.scheme = scheme, .frequency_ratio = GetParam(), .t_start = -7.3, .t_stop = 5.0});
 }
 
 TEST_P(BatchEqualsStepwise, AfterEachKindOfStart) {
   for (const StartKind start : {StartKind::derivatives, StartKind::repeat, StartKind::cold})
     for (const char* schedule : {"slowest-first", "fastest-first", "parallel"})
       for (const char* how : {"lagrange3", "hermite", "least_squares2_4"})
-        expect_batch_equals_stepwise({.scheme = {schedule, how, how}, .frequency_ratio = GetParam(), .start = start});
+        expect_batch_equals_stepwise(
+            {.scheme = {schedule, how, how}, .frequency_ratio = GetParam(), .start = start});
 }
 
 TEST_P(BatchEqualsStepwise, WithAMemoryOrADelay) {
   for (const Lag lag : {Lag::memory, Lag::delay})
     for (const char* schedule : {"slowest-first", "fastest-first", "parallel"})
       for (const char* how : {"lagrange0", "lagrange3", "hermite", "least_squares2_4"})
-        expect_batch_equals_stepwise({.scheme = {schedule, how, how}, .frequency_ratio = GetParam(), .lag_to_slow = lag});
+        expect_batch_equals_stepwise(
+            {.scheme = {schedule, how, how}, .frequency_ratio = GetParam(), .lag_to_slow = lag});
 }
 
-/// Mass 2 between two copies of mass 1 with other steps, each of which pulls by half; the sums have breaks of both.
+/// Mass 2 between two copies of mass 1 with other steps, each of which pulls by half; the sums have breaks of
+/// both.
 std::vector<Recording::Rows> three_masses(const Scheme& scheme, const Wrap& wrap) {
   two_mass::Settings settings;
   settings.frequency_ratio = 7.0;

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-// The stepping loop allocates nothing once it runs: every malloc is counted. Not with sanitizers, which have a malloc of
-// their own, and only with the GNU C library, whose malloc can be replaced and still be called.
+// The stepping loop allocates nothing once it runs: every malloc is counted. Not with sanitizers, which have
+// a malloc of their own, and only with the GNU C library, whose malloc can be replaced and still be called.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -17,7 +17,8 @@
 #define TANDEM_OWN_MALLOC 0
 #endif
 #endif
-#if !defined(TANDEM_OWN_MALLOC) && defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if !defined(TANDEM_OWN_MALLOC) && defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
 #define TANDEM_OWN_MALLOC 1
 #endif
 

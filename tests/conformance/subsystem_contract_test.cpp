@@ -1,24 +1,26 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-#include "tandem/c_subsystem.hpp"
-
 #include "c_oscillator.h"
 #include "contract_suite.hpp"
+#include "tandem/c_subsystem.hpp"
 #include "two_mass/masses.hpp"
 
 namespace tandem::test {
 namespace {
 
 ContractCase builtin(const std::string& name, const std::string& parameters = "", double t_start = 0.0) {
-  return {name + parameters, [name, parameters] {
+  return {name + parameters,
+          [name, parameters] {
             Builtins builtins;
             two_mass::add_builtins(builtins);
             return open("builtin:" + name + parameters, builtins);
-          }, t_start};
+          },
+          t_start};
 }
 
 INSTANTIATE_TEST_SUITE_P(TwoMass, SubsystemContract,
-                         testing::Values(builtin("two_mass.fast"), builtin("two_mass.slow"), builtin("two_mass.both"),
-                                         builtin("two_mass.fast_force"), builtin("two_mass.slow_force"),
+                         testing::Values(builtin("two_mass.fast"), builtin("two_mass.slow"),
+                                         builtin("two_mass.both"), builtin("two_mass.fast_force"),
+                                         builtin("two_mass.slow_force"),
                                          builtin("two_mass.fast_force", "?carried_mass=0.5"),
                                          builtin("two_mass.slow_force", "?carried_mass=0.5"),
                                          builtin("two_mass.slow", "?reuse_acceleration=true"),
@@ -27,15 +29,19 @@ INSTANTIATE_TEST_SUITE_P(TwoMass, SubsystemContract,
                          contract_name);
 
 ContractCase in_c(const std::string& parameters, double t_start = 0.0) {
-  return {"oscillator " + parameters, [parameters] { return std::make_unique<CSubsystem>(c_oscillator(), parameters); }, t_start};
+  return {"oscillator " + parameters,
+          [parameters] { return std::make_unique<CSubsystem>(c_oscillator(), parameters); }, t_start};
 }
 
 INSTANTIATE_TEST_SUITE_P(InC, SubsystemContract,
-                         testing::Values(in_c(""), in_c("m=2&k=30&c=0.1&h=0.013"), in_c("h=0.03&x0=1&v0=-2", -7.3)), contract_name);
+                         testing::Values(in_c(""), in_c("m=2&k=30&c=0.1&h=0.013"),
+                                         in_c("h=0.03&x0=1&v0=-2", -7.3)),
+                         contract_name);
 
 /// x'' = -x from x = 1: x = cos t. The method's error is below t h^4 / 100.
 TEST(COscillator, FollowsItsExactMotion) {
-  ContractRun run(ContractCase{"", [] { return std::make_unique<CSubsystem>(c_oscillator(), "x0=1&h=0.01&k=1"); }});
+  ContractRun run(
+      ContractCase{"", [] { return std::make_unique<CSubsystem>(c_oscillator(), "x0=1&h=0.01&k=1"); }});
   const std::vector<double> zero = {0.0};
   run.initialize(zero);
   std::vector<double> memory(11 * 2000);

@@ -41,7 +41,8 @@ class OneStepACall final : public Adapter {
   Clock advance(double t_limit, bool land, std::span<const Signal> u, Samples& y) override {
     const bool fits = !tolerance_.before(t_limit, clock_.next_time);
     clock_ = fits ? inner_->advance(clock_.next_time, false, u, y) : inner_->advance(t_limit, land, u, y);
-    const bool more = !tolerance_.before(t_limit, clock_.next_time) || (land && tolerance_.before(clock_.time, t_limit));
+    const bool more =
+        !tolerance_.before(t_limit, clock_.next_time) || (land && tolerance_.before(clock_.time, t_limit));
     if (more && clock_.stop == Stop::limit) clock_.stop = Stop::event;
     return clock_;
   }
@@ -65,7 +66,9 @@ class ThreeSamplesACall final : public Adapter {
 };
 
 inline std::unique_ptr<Subsystem> as_it_is(std::unique_ptr<Subsystem> s) { return s; }
-inline std::unique_ptr<Subsystem> one_step_a_call(std::unique_ptr<Subsystem> s) { return std::make_unique<OneStepACall>(std::move(s)); }
+inline std::unique_ptr<Subsystem> one_step_a_call(std::unique_ptr<Subsystem> s) {
+  return std::make_unique<OneStepACall>(std::move(s));
+}
 inline std::unique_ptr<Subsystem> three_samples_a_call(std::unique_ptr<Subsystem> s) {
   return std::make_unique<ThreeSamplesACall>(std::move(s));
 }

@@ -24,10 +24,12 @@ typedef struct oscillator {
 } oscillator;
 
 static const tandem_port inputs[] = {{"F", "N", 1, 0, 0.0}};
-static const tandem_port outputs[] = {{"x", "m", 1, 2, 0.0}, {"v", "m/s", 1, 1, 0.0}, {"a", "m/s^2", 1, 0, 0.0}};
+static const tandem_port outputs[] = {
+    {"x", "m", 1, 2, 0.0}, {"v", "m/s", 1, 1, 0.0}, {"a", "m/s^2", 1, 0, 0.0}};
 static const tandem_feedthrough feedthrough[] = {{2, 0}};
 static const tandem_info the_info = {
-    "c_oscillator", TANDEM_LANDS | TANDEM_SAVES_STATE | TANDEM_RESTARTS, 1, 3, 1, inputs, outputs, feedthrough};
+    "c_oscillator", TANDEM_LANDS | TANDEM_SAVES_STATE | TANDEM_RESTARTS, 1, 3, 1, inputs, outputs,
+    feedthrough};
 
 static tandem_status fail(oscillator* o, tandem_status status, const char* sentence, const char* what) {
   snprintf(o->error, sizeof o->error, sentence, what);
@@ -84,7 +86,8 @@ static void tell(const oscillator* o, tandem_stop stop, tandem_clock* clock) {
 }
 
 static double* parameter(oscillator* o, char name, char second) {
-  if (second == '=') return name == 'm' ? &o->m : name == 'c' ? &o->c : name == 'k' ? &o->k : name == 'h' ? &o->h : NULL;
+  if (second == '=')
+    return name == 'm' ? &o->m : name == 'c' ? &o->c : name == 'k' ? &o->k : name == 'h' ? &o->h : NULL;
   return second != '0' ? NULL : name == 'x' ? &o->x0 : name == 'v' ? &o->v0 : NULL;
 }
 
@@ -100,10 +103,12 @@ static tandem_status create(const char* parameters, void** self) {
     char* end = NULL;
     if (!to || !equals || equals - p > 2) return fail(o, TANDEM_INVALID_ARGUMENT, "no parameter '%s'", p);
     *to = strtod(equals + 1, &end);
-    if (end == equals + 1 || (*end && *end != '&')) return fail(o, TANDEM_INVALID_ARGUMENT, "no number in '%s'", p);
+    if (end == equals + 1 || (*end && *end != '&'))
+      return fail(o, TANDEM_INVALID_ARGUMENT, "no number in '%s'", p);
     p = *end ? end + 1 : end;
   }
-  if (!(o->m > 0.0) || !(o->h > 0.0)) return fail(o, TANDEM_INVALID_ARGUMENT, "m and h have to be above 0%s", "");
+  if (!(o->m > 0.0) || !(o->h > 0.0))
+    return fail(o, TANDEM_INVALID_ARGUMENT, "m and h have to be above 0%s", "");
   return TANDEM_OK;
 }
 
@@ -111,8 +116,8 @@ static void destroy(void* self) { free(self); }
 static const tandem_info* info(void* self) { return (void)self, &the_info; }
 static const char* last_error(void* self) { return ((oscillator*)self)->error; }
 
-static tandem_status initialize(void* self, double t_start, double t_stop, const double* u0, tandem_samples* y,
-                                tandem_clock* clock) {
+static tandem_status initialize(void* self, double t_start, double t_stop, const double* u0,
+                                tandem_samples* y, tandem_clock* clock) {
   oscillator* o = self;
   (void)t_stop;
   o->now.x = o->x0;
@@ -126,8 +131,8 @@ static tandem_status initialize(void* self, double t_start, double t_stop, const
   return TANDEM_OK;
 }
 
-static tandem_status advance(void* self, double t_limit, int32_t land, const tandem_signal* u, tandem_samples* y,
-                             tandem_clock* clock) {
+static tandem_status advance(void* self, double t_limit, int32_t land, const tandem_signal* u,
+                             tandem_samples* y, tandem_clock* clock) {
   oscillator* o = self;
   state* s = &o->now;
   for (; y->size < y->capacity; append(o, y)) {
@@ -177,8 +182,16 @@ static tandem_status release_state(void* self, int64_t id) {
 }
 
 const tandem_subsystem_api* c_oscillator(void) {
-  static const tandem_subsystem_api api = {TANDEM_ABI_VERSION, sizeof(tandem_subsystem_api), create,     destroy,       info,
-                                           last_error,         initialize,                   advance,    save_state,    restore_state,
+  static const tandem_subsystem_api api = {TANDEM_ABI_VERSION,
+                                           sizeof(tandem_subsystem_api),
+                                           create,
+                                           destroy,
+                                           info,
+                                           last_error,
+                                           initialize,
+                                           advance,
+                                           save_state,
+                                           restore_state,
                                            release_state};
   return &api;
 }

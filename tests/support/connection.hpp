@@ -6,8 +6,8 @@
 
 namespace tandem::test {
 
-inline Connection connection(const std::string& from, const std::string& to, const std::string& how = "lagrange0",
-                             Lag lag = Lag::none) {
+inline Connection connection(const std::string& from, const std::string& to,
+                             const std::string& how = "lagrange0", Lag lag = Lag::none) {
   return {.from = from, .to = to, .how = Reconstruction::parse(how), .lag = lag};
 }
 inline Connection added(Connection c) {

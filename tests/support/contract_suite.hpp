@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // What every Subsystem has to do. To put one to the test, in one source file of a test program:
-//   INSTANTIATE_TEST_SUITE_P(Mine, SubsystemContract, testing::Values(ContractCase{"mine", [] { return make(); }}), contract_name);
+//   INSTANTIATE_TEST_SUITE_P(Mine, SubsystemContract, testing::Values(ContractCase{"mine", [] { return
+//   make(); }}), contract_name);
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,23 +28,28 @@ struct ContractCase {
 inline std::string contract_name(const testing::TestParamInfo<ContractCase>& p) { return word(p.param.name); }
 inline void PrintTo(const ContractCase& c, std::ostream* out) { *out << c.name; }
 
-/// One instance, driven call by call, with all the rows that it gave. Input k is a parabola over a span, a cubic after it.
+/// One instance, driven call by call, with all the rows that it gave. Input k is a parabola over a span, a
+/// cubic after it.
 class ContractRun {
  public:
   explicit ContractRun(const ContractCase& what) : subsystem(what.make()), t_start_(what.t_start) {
     const auto inputs = static_cast<std::size_t>(subsystem->info().input_size());
     for (std::size_t k = 0; k < inputs; ++k) {
       const double a = 1.0 + 0.25 * static_cast<double>(k), t = t_start_;
-      pieces_.push_back({{t + 0.13, t, {a, 0.5, -1.0, 0.0}}, {t + 0.31, t, {a, 0.4, -0.5, 0.3}}, {t + 0.5, t, {a, 0.3, 0.2, -0.1}}});
+      pieces_.push_back({{t + 0.13, t, {a, 0.5, -1.0, 0.0}},
+                         {t + 0.31, t, {a, 0.4, -0.5, 0.3}},
+                         {t + 0.5, t, {a, 0.3, 0.2, -0.1}}});
     }
-    for (std::size_t k = 0; k < inputs; ++k) signals_.emplace_back(pieces_[k].data(), 3, 3), u0_.push_back(pieces_[k][0].c[0]);
+    for (std::size_t k = 0; k < inputs; ++k)
+      signals_.emplace_back(pieces_[k].data(), 3, 3), u0_.push_back(pieces_[k][0].c[0]);
     initialize(u0_);
   }
 
   /// Starts, with a new list of rows.
   Clock initialize(const std::vector<double>& u0) {
     rows.clear();
-    return clock = call(1, [&](Samples& y) { return subsystem->initialize(t_start_, t_start_ + 1e6, u0, y); });
+    return clock =
+               call(1, [&](Samples& y) { return subsystem->initialize(t_start_, t_start_ + 1e6, u0, y); });
   }
   Clock initialize() { return initialize(u0_); }
 
@@ -54,7 +60,9 @@ class ContractRun {
   /// As many calls as it takes to get there, each with that much room.
   void go_to(double t_limit, bool land = false, std::int64_t room = 10'000) {
     const TimeTolerance tolerance(t_start_);
-    for (int calls = 0; !tolerance.before(t_limit, clock.next_time) || (land && tolerance.before(clock.time, t_limit)); ++calls) {
+    for (int calls = 0;
+         !tolerance.before(t_limit, clock.next_time) || (land && tolerance.before(clock.time, t_limit));
+         ++calls) {
       ASSERT_LT(calls, 100'000) << "no end at t = " << clock.time;
       advance(t_limit, land, room);
     }
@@ -82,7 +90,8 @@ class ContractRun {
         ADD_FAILURE() << "wrote outside the rows that it appended";
     for (std::int64_t row = first; row < y.size(); ++row)
       rows.emplace_back(memory.begin() + row * stride, memory.begin() + (row + 1) * stride);
-    EXPECT_EQ(result.time, rows.empty() ? result.time : rows.back()[0]) << "the clock stands at the newest sample";
+    EXPECT_EQ(result.time, rows.empty() ? result.time : rows.back()[0])
+        << "the clock stands at the newest sample";
     EXPECT_TRUE(result.stop == Stop::finished || result.next_time > result.time);
     return result;
   }
@@ -104,7 +113,9 @@ class SubsystemContract : public testing::TestWithParam<ContractCase> {
     other.advance(t, land);
     return other.rows;
   }
-  static testing::AssertionResult same(const Recording::Rows& a, const Recording::Rows& b) { return same_bits({a}, {b}); }
+  static testing::AssertionResult same(const Recording::Rows& a, const Recording::Rows& b) {
+    return same_bits({a}, {b});
+  }
 
   ContractRun run{GetParam()};
 };
@@ -134,11 +145,13 @@ TEST_P(SubsystemContract, TheStartIsOneSampleAtTStart) {
 
 TEST_P(SubsystemContract, WhatNoUnknownInputFeedsThroughToIsFiniteAtTheStart) {
   const SubsystemInfo& info = run.subsystem->info();
-  run.initialize(std::vector<double>(static_cast<std::size_t>(info.input_size()), std::numeric_limits<double>::quiet_NaN()));
+  run.initialize(std::vector<double>(static_cast<std::size_t>(info.input_size()),
+                                     std::numeric_limits<double>::quiet_NaN()));
   for (int k = 0; k < info.output_size(); ++k) {
     bool fed = false;
     for (const Feedthrough& f : info.feedthrough) fed |= f.output == k;
-    EXPECT_TRUE(fed || std::isfinite(run.rows[0][static_cast<std::size_t>(Samples::header + k)])) << "output " << k;
+    EXPECT_TRUE(fed || std::isfinite(run.rows[0][static_cast<std::size_t>(Samples::header + k)]))
+        << "output " << k;
   }
 }
 
@@ -190,7 +203,8 @@ TEST_P(SubsystemContract, EachStepGivesOneSampleAndOneByOneTheyAreTheSame) {
 TEST_P(SubsystemContract, TimesRise) {
   run.advance(ahead(100.5));
   for (std::size_t k = 1; k < run.rows.size(); ++k)
-    EXPECT_TRUE(run.rows[k][0] > run.rows[k - 1][0] || (run.rows[k][1] == 1.0 && run.rows[k][0] == run.rows[k - 1][0]));
+    EXPECT_TRUE(run.rows[k][0] > run.rows[k - 1][0] ||
+                (run.rows[k][1] == 1.0 && run.rows[k][0] == run.rows[k - 1][0]));
 }
 
 TEST_P(SubsystemContract, ItReturnsEarlyWithoutRoomAndGoesOnWithTheSameBits) {

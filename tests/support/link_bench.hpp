@@ -8,7 +8,8 @@
 
 namespace tandem::test {
 
-/// One source with the outputs "a" and "b", each with a first derivative, and one link from it with a lane for each.
+/// One source with the outputs "a" and "b", each with a first derivative, and one link from it with a lane
+/// for each.
 class LinkBench {
  public:
   explicit LinkBench(const std::string& how, double delay = 0.0, Lane a = {0, 0}, Lane b = {1, 1})

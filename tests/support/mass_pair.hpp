@@ -11,7 +11,8 @@
 
 namespace tandem::test {
 
-/// A run of the two-mass test with its own integrators, of which each sample is kept. Subsystem 0 is the fast side.
+/// A run of the two-mass test with its own integrators, of which each sample is kept. Subsystem 0 is the fast
+/// side.
 struct MassPair {
   Scheme scheme;
   double frequency_ratio = 30.0;
@@ -24,9 +25,11 @@ struct MassPair {
 
 class MassPairRun {
  public:
-  explicit MassPairRun(const MassPair& what) : fast_(what.wrap(fast(what))), slow_(what.wrap(slow(what))), what_(what) {
+  explicit MassPairRun(const MassPair& what)
+      : fast_(what.wrap(fast(what))), slow_(what.wrap(slow(what))), what_(what) {
     bench_.add("fast", *fast_).add("slow", *slow_).schedule(what.scheme.schedule);
-    bench_.connect("slow.x2", "fast.x2", what.scheme.to_fast).connect("fast.x1", "slow.x1", what.scheme.to_slow, what.lag_to_slow);
+    bench_.connect("slow.x2", "fast.x2", what.scheme.to_fast)
+        .connect("fast.x1", "slow.x1", what.scheme.to_slow, what.lag_to_slow);
     if (what.swapped) bench_.coordination.order = {"fast", "slow"};
     bench_.coordination.start = what.start;
   }

@@ -9,8 +9,8 @@ namespace tandem::test {
 /// A mass at a wall spring k, and at a coupling spring that hardens:
 ///   m x'' = -k x - f(x - u),  f(e) = k1 e + k3 e^3,  u the displacement of the mass at its other end.
 /// Energy: m v^2 / 2 + k x^2 / 2 for each mass, and k1 e^2 / 2 + k3 e^4 / 4 for the coupling.
-/// An own step is many small ones of the classical Runge-Kutta method, so that the coupling is practically the only error:
-/// its amplitude factor is 1 - (w h)^6 / 144 a small step. For FixedStep<Model>.
+/// An own step is many small ones of the classical Runge-Kutta method, so that the coupling is practically
+/// the only error: its amplitude factor is 1 - (w h)^6 / 144 a small step. For FixedStep<Model>.
 class NonlinearMass {
  public:
   struct Parameters {
@@ -21,7 +21,9 @@ class NonlinearMass {
 
   explicit NonlinearMass(const Parameters& p) : p_(p) {}
 
-  SubsystemInfo info() const { return {"nonlinear_mass", {{"u", "m"}}, {{"x", "m", 1, 1}, {"v", "m/s"}}, {}, {}}; }
+  SubsystemInfo info() const {
+    return {"nonlinear_mass", {{"u", "m"}}, {{"x", "m", 1, 1}, {"v", "m/s"}}, {}, {}};
+  }
   double own_step() const { return p_.own_step; }
   void start(double, std::span<const double>) { x_ = p_.x0, v_ = p_.v0; }
   void step(const OwnStep& s, std::span<const Signal> u) {
@@ -33,11 +35,14 @@ class NonlinearMass {
 
   static double energy(const Parameters& a, double xa, double va, const Parameters& b, double xb, double vb) {
     const double e = xa - xb;
-    return 0.5 * (a.m * va * va + a.k * xa * xa + b.m * vb * vb + b.k * xb * xb + k1 * e * e + 0.5 * k3 * e * e * e * e);
+    return 0.5 * (a.m * va * va + a.k * xa * xa + b.m * vb * vb + b.k * xb * xb + k1 * e * e +
+                  0.5 * k3 * e * e * e * e);
   }
 
  private:
-  double acceleration(double x, double u) const { return -(p_.k * x + k1 * (x - u) + k3 * std::pow(x - u, 3)) / p_.m; }
+  double acceleration(double x, double u) const {
+    return -(p_.k * x + k1 * (x - u) + k3 * std::pow(x - u, 3)) / p_.m;
+  }
   void small(double t, double h, const Signal& u) {
     const double begin = u.value(t), middle = u.value(t + 0.5 * h), end = u.value(t + h);
     const double a1 = acceleration(x_, begin), v2 = v_ + 0.5 * h * a1;

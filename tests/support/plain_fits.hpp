@@ -7,8 +7,8 @@
 
 namespace tandem::test {
 
-/// Value and Lebesgue function at t of the polynomial through the points, term by term as Lagrange wrote it. A rounding
-/// error eps in each value moves the polynomial at t by up to eps times the Lebesgue function.
+/// Value and Lebesgue function at t of the polynomial through the points, term by term as Lagrange wrote it.
+/// A rounding error eps in each value moves the polynomial at t by up to eps times the Lebesgue function.
 struct PlainLagrange {
   double value = 0.0, lebesgue = 0.0;
 
@@ -23,9 +23,10 @@ struct PlainLagrange {
   }
 };
 
-/// Least-squares polynomial of that degree through the points, at t: the normal equations of the powers of x - x.back(),
-/// solved by Gaussian elimination with pivoting, in extended precision.
-inline double plain_least_squares(const std::vector<double>& x, const std::vector<double>& y, int degree, double t) {
+/// Least-squares polynomial of that degree through the points, at t: the normal equations of the powers of x
+/// - x.back(), solved by Gaussian elimination with pivoting, in extended precision.
+inline double plain_least_squares(const std::vector<double>& x, const std::vector<double>& y, int degree,
+                                  double t) {
   const auto n = static_cast<std::size_t>(degree + 1);
   std::vector<std::vector<long double>> a(n, std::vector<long double>(n + 1));
   for (std::size_t p = 0; p < x.size(); ++p)
@@ -46,7 +47,8 @@ inline double plain_least_squares(const std::vector<double>& x, const std::vecto
     }
   }
   long double value = 0.0L;
-  for (std::size_t k = n; k-- > 0;) value = value * (static_cast<long double>(t) - x.back()) + a[k][n] / a[k][k];
+  for (std::size_t k = n; k-- > 0;)
+    value = value * (static_cast<long double>(t) - x.back()) + a[k][n] / a[k][k];
   return static_cast<double>(value);
 }
 

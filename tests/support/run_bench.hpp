@@ -19,7 +19,8 @@ class RunBench {
     subsystems_.push_back(&subsystem);
     return *this;
   }
-  RunBench& connect(const std::string& from, const std::string& to, const std::string& how = "lagrange0", Lag lag = Lag::none) {
+  RunBench& connect(const std::string& from, const std::string& to, const std::string& how = "lagrange0",
+                    Lag lag = Lag::none) {
     topology.connect(connection(from, to, how, lag));
     return *this;
   }
@@ -38,7 +39,8 @@ class RunBench {
   /// A coordinator that is not initialized yet and that nobody observes.
   Coordinator& make(double t_stop, double t_start = 0.0) {
     topology.check();
-    return *(coordinator = std::make_unique<Coordinator>(topology, subsystems_, coordination, t_start, t_stop));
+    return *(coordinator =
+                 std::make_unique<Coordinator>(topology, subsystems_, coordination, t_start, t_stop));
   }
 
   Topology topology;

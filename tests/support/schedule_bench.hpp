@@ -36,7 +36,8 @@ class ScheduleBench {
     look(i);
   }
 
-  /// Runs to the end: "S2.5 F2 ...", each walker's name and where its turn took it; rounds of several are in brackets.
+  /// Runs to the end: "S2.5 F2 ...", each walker's name and where its turn took it; rounds of several are in
+  /// brackets.
   std::string run(Schedule schedule) {
     std::string log;
     while (true) {

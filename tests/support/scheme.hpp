@@ -17,9 +17,11 @@ inline std::vector<Scheme> all_schemes() {
                                  {"slowest-first", "mean", "lagrange3"},
                                  {"fastest-first", "lagrange3", "mean"}};
   for (const char* schedule : {"slowest-first", "fastest-first", "parallel"})
-    for (const char* how : {"lagrange0", "lagrange1", "lagrange2", "lagrange3", "lagrange4", "hermite", "least_squares0_1",
-                            "least_squares1_2", "least_squares2_4", "least_squares4_16", "matched_hold"})
-      if (std::string(schedule) != "parallel" || std::string(how) != "matched_hold") schemes.push_back({schedule, how, how});
+    for (const char* how :
+         {"lagrange0", "lagrange1", "lagrange2", "lagrange3", "lagrange4", "hermite", "least_squares0_1",
+          "least_squares1_2", "least_squares2_4", "least_squares4_16", "matched_hold"})
+      if (std::string(schedule) != "parallel" || std::string(how) != "matched_hold")
+        schemes.push_back({schedule, how, how});
   return schemes;
 }
 

@@ -9,8 +9,8 @@
 
 namespace tandem::test {
 
-/// A subsystem with a fixed own step whose outputs are a given function of time and of the inputs at that time. It writes
-/// down each call, and parts of it can be replaced, to break the contract.
+/// A subsystem with a fixed own step whose outputs are a given function of time and of the inputs at that
+/// time. It writes down each call, and parts of it can be replaced, to break the contract.
 class Scripted : public Subsystem {
  public:
   using Outputs = std::function<void(double t, const std::vector<double>& u, double* y)>;
@@ -26,8 +26,8 @@ class Scripted : public Subsystem {
   std::function<Clock(double t_start, std::span<const double> u0, Samples& y)> instead_of_initialize;
   std::function<Clock(double t_limit, bool land, std::span<const Signal> u, Samples& y)> instead_of_advance;
 
-  std::vector<Call> calls;                   ///< of advance
-  std::vector<std::vector<double>> starts;   ///< u0 of each initialize
+  std::vector<Call> calls;                  ///< of advance
+  std::vector<std::vector<double>> starts;  ///< u0 of each initialize
 
   const SubsystemInfo& info() const override { return info_; }
 
@@ -70,19 +70,22 @@ class Scripted : public Subsystem {
 /// One output "y" = f(t), no input.
 template <class F>
 Scripted source(double own_step, F f) {
-  return {{"source", {}, {{"y", "1"}}, {}, {}}, own_step,
+  return {{"source", {}, {{"y", "1"}}, {}, {}},
+          own_step,
           [f](double t, const std::vector<double>&, double* y) { y[0] = f(t); }};
 }
 
 /// One input "u", one output "y" that is the input (feedthrough).
 inline Scripted mirror(double own_step) {
-  return {{"mirror", {{"u", "1"}}, {{"y", "1"}}, {{0, 0}}, {}}, own_step,
+  return {{"mirror", {{"u", "1"}}, {{"y", "1"}}, {{0, 0}}, {}},
+          own_step,
           [](double, const std::vector<double>& u, double* y) { y[0] = u[0]; }};
 }
 
 /// One input "u", one output "y" that is always 0 (no feedthrough): it takes part and disturbs nobody.
 inline Scripted listener(double own_step) {
-  return {{"listener", {{"u", "1"}}, {{"y", "1"}}, {}, {}}, own_step,
+  return {{"listener", {{"u", "1"}}, {{"y", "1"}}, {}, {}},
+          own_step,
           [](double, const std::vector<double>&, double* y) { y[0] = 0.0; }};
 }
 

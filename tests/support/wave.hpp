@@ -6,8 +6,8 @@
 
 namespace tandem::test {
 
-/// Gives sin t with two derivatives and hears its input at three times a step, but does not heed it: a partner that keeps
-/// a run bounded whatever the scheme. For FixedStep<Model>.
+/// Gives sin t with two derivatives and hears its input at three times a step, but does not heed it: a
+/// partner that keeps a run bounded whatever the scheme. For FixedStep<Model>.
 class Wave {
  public:
   explicit Wave(double own_step) : own_step_(own_step) {}

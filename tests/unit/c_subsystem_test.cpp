@@ -17,7 +17,8 @@ using test::refuses;
 tandem_subsystem_api table() { return *c_oscillator(); }
 
 /// What the constructor says of a table.
-testing::AssertionResult refuses_table(ErrorCode code, const std::vector<std::string>& texts, const tandem_subsystem_api& api) {
+testing::AssertionResult refuses_table(ErrorCode code, const std::vector<std::string>& texts,
+                                       const tandem_subsystem_api& api) {
   return refuses(code, texts, [&] { CSubsystem(&api, ""); });
 }
 
@@ -64,7 +65,9 @@ TEST(CSubsystem, TakesATableThatHasGrown) {
 }
 
 TEST(CSubsystem, PassesOnTheCodeAndSentenceOfAnError) {
-  const auto make = [](const char* parameters) { return [parameters] { CSubsystem(c_oscillator(), parameters); }; };
+  const auto make = [](const char* parameters) {
+    return [parameters] { CSubsystem(c_oscillator(), parameters); };
+  };
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"create", "no parameter 'mass=1'"}, make("mass=1")));
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"no number in 'k=stiff'"}, make("m=1&k=stiff")));
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"above 0"}, make("h=0")));
@@ -72,7 +75,8 @@ TEST(CSubsystem, PassesOnTheCodeAndSentenceOfAnError) {
 
 /// An oscillator of which one function is replaced; started, with room for ten rows.
 struct Spoilt {
-  explicit Spoilt(const std::function<void(tandem_subsystem_api&)>& spoil) : api(table()), subsystem((spoil(api), &api), "") {}
+  explicit Spoilt(const std::function<void(tandem_subsystem_api&)>& spoil)
+      : api(table()), subsystem((spoil(api), &api), "") {}
   void initialize() { subsystem.initialize(0.0, 1.0, u0, y); }
   void advance() { subsystem.advance(0.5, false, {&u, 1}, y); }
 
@@ -87,10 +91,13 @@ struct Spoilt {
 
 TEST(CSubsystem, GivesUnknownCodesAndMissingSentencesAMeaning) {
   Spoilt s([](tandem_subsystem_api& api) {
-    api.initialize = [](void*, double, double, const double*, tandem_samples*, tandem_clock*) { return static_cast<tandem_status>(7); };
+    api.initialize = [](void*, double, double, const double*, tandem_samples*, tandem_clock*) {
+      return static_cast<tandem_status>(7);
+    };
     api.last_error = [](void*) -> const char* { return nullptr; };
   });
-  EXPECT_TRUE(refuses(ErrorCode::internal, {"c_oscillator", "initialize", "status 7"}, [&] { s.initialize(); }));
+  EXPECT_TRUE(
+      refuses(ErrorCode::internal, {"c_oscillator", "initialize", "status 7"}, [&] { s.initialize(); }));
 }
 
 TEST(CSubsystem, ChecksTheNumberOfRows) {
@@ -98,21 +105,24 @@ TEST(CSubsystem, ChecksTheNumberOfRows) {
     static std::int64_t answer;
     answer = size;
     Spoilt s([](tandem_subsystem_api& api) {
-      api.advance = [](void*, double, std::int32_t, const tandem_signal*, tandem_samples* y, tandem_clock* clock) {
+      api.advance = [](void*, double, std::int32_t, const tandem_signal*, tandem_samples* y,
+                       tandem_clock* clock) {
         y->size = answer;
         *clock = {0.5, 1.0, TANDEM_STOP_LIMIT, 0};
         return TANDEM_OK;
       };
     });
     s.initialize();
-    EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"c_oscillator", std::to_string(size), "1 to 10"}, [&] { s.advance(); }));
+    EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"c_oscillator", std::to_string(size), "1 to 10"},
+                        [&] { s.advance(); }));
     EXPECT_EQ(s.y.size(), 1) << "the caller's rows are as they were";
   }
 }
 
 TEST(CSubsystem, ChecksTheReasonToStop) {
   Spoilt s([](tandem_subsystem_api& api) {
-    api.advance = [](void*, double, std::int32_t, const tandem_signal*, tandem_samples*, tandem_clock* clock) {
+    api.advance = [](void*, double, std::int32_t, const tandem_signal*, tandem_samples*,
+                     tandem_clock* clock) {
       *clock = {0.0, 1.0, 4, 0};
       return TANDEM_OK;
     };
@@ -126,7 +136,8 @@ TEST(CSubsystem, HandsSignalsAndRowsOverAsTheyAre) {
   static tandem_samples seen_rows;
   static std::int32_t seen_land;
   Spoilt s([](tandem_subsystem_api& api) {
-    api.advance = [](void*, double, std::int32_t land, const tandem_signal* u, tandem_samples* y, tandem_clock* clock) {
+    api.advance = [](void*, double, std::int32_t land, const tandem_signal* u, tandem_samples* y,
+                     tandem_clock* clock) {
       seen_signal = u;
       seen_rows = *y;
       seen_land = land;
@@ -148,7 +159,9 @@ TEST(CSubsystem, DestroysWhatItCreatedOnceAlsoWhenItFails) {
   static int alive;
   alive = 0;
   tandem_subsystem_api api = table();
-  api.create = [](const char* parameters, void** self) { return ++alive, c_oscillator()->create(parameters, self); };
+  api.create = [](const char* parameters, void** self) {
+    return ++alive, c_oscillator()->create(parameters, self);
+  };
   api.destroy = [](void* self) { --alive, c_oscillator()->destroy(self); };
   { const CSubsystem s(&api, ""); }
   EXPECT_EQ(alive, 0);
@@ -182,9 +195,12 @@ TEST(CSubsystem, RefusesPortListsThatAreNotThere) {
       CSubsystem(&api, "");
     };
   };
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"-1 ports"}, make([](tandem_info& i) { i.input_count = -1; })));
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"3 ports"}, make([](tandem_info& i) { i.outputs = nullptr; })));
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"feedthrough"}, make([](tandem_info& i) { i.feedthrough = nullptr; })));
+  EXPECT_TRUE(
+      refuses(ErrorCode::invalid_argument, {"-1 ports"}, make([](tandem_info& i) { i.input_count = -1; })));
+  EXPECT_TRUE(
+      refuses(ErrorCode::invalid_argument, {"3 ports"}, make([](tandem_info& i) { i.outputs = nullptr; })));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"feedthrough"},
+                      make([](tandem_info& i) { i.feedthrough = nullptr; })));
 }
 
 }  // namespace

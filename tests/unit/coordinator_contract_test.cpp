@@ -93,7 +93,8 @@ TEST_P(BrokenContract, ByANextStepThatDoesNotEndLater) {
 
 TEST_P(BrokenContract, ByNotMoving) {
   for (const Stop stop : {Stop::limit, Stop::event, Stop::samples_full})
-    EXPECT_TRUE(refuses_deed({"'bad'", "0.5", "not moved"}, [&](double, auto, Samples&) { return bad.clock(stop); }));
+    EXPECT_TRUE(
+        refuses_deed({"'bad'", "0.5", "not moved"}, [&](double, auto, Samples&) { return bad.clock(stop); }));
 }
 
 TEST_P(BrokenContract, ByTimesThatDoNotRise) {
@@ -112,19 +113,22 @@ TEST_P(BrokenContract, ByAnErrorOfItsOwnPassesThrough) {
 }
 
 TEST_P(BrokenContract, WhatWasTrueUntilThenIsKept) {
-  EXPECT_TRUE(refuses_deed({}, [](double, auto, Samples&) -> Clock { throw Error(ErrorCode::numerical, ""); }));
+  EXPECT_TRUE(
+      refuses_deed({}, [](double, auto, Samples&) -> Clock { throw Error(ErrorCode::numerical, ""); }));
   for (const int who : {0, 1}) {
     ASSERT_GE(bench.recording.rows(who).size(), 5U);
     EXPECT_EQ(bench.recording.time(who, 4), 0.4);
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Schedules, BrokenContract, testing::Values("slowest-first", "fastest-first", "parallel"),
+INSTANTIATE_TEST_SUITE_P(Schedules, BrokenContract,
+                         testing::Values("slowest-first", "fastest-first", "parallel"),
                          [](const auto& p) { return test::word(p.param); });
 
 /// What happens at the start if "bad" initializes itself like that.
-testing::AssertionResult refuses_start(const std::vector<std::string>& texts,
-                                       const std::function<Clock(double, std::span<const double>, Samples&)>& deed) {
+testing::AssertionResult refuses_start(
+    const std::vector<std::string>& texts,
+    const std::function<Clock(double, std::span<const double>, Samples&)>& deed) {
   Scripted good = test::listener(0.1), bad = test::listener(0.1);
   bad.instead_of_initialize = deed;
   RunBench bench;
@@ -133,7 +137,9 @@ testing::AssertionResult refuses_start(const std::vector<std::string>& texts,
 }
 
 TEST(BrokenStart, ByAnotherNumberOfSamplesThanOne) {
-  EXPECT_TRUE(refuses_start({"'bad'", "0 samples"}, [](double t, auto, Samples&) { return Clock{t, t + 0.1, Stop::limit}; }));
+  EXPECT_TRUE(refuses_start({"'bad'", "0 samples"}, [](double t, auto, Samples&) {
+    return Clock{t, t + 0.1, Stop::limit};
+  }));
 }
 
 TEST(BrokenStart, ByAnotherTimeThanTheStart) {
@@ -156,10 +162,11 @@ TEST(BrokenStart, ByAFirstStepThatIsNone) {
 }
 
 TEST(BrokenStart, ByAnOutputThatIsNotFiniteThoughNothingUnknownFeedsThrough) {
-  EXPECT_TRUE(refuses_start({"bad.y", "not finite at the start"}, [](double t, std::span<const double> u0, Samples& y) {
-    y.append(t)[0] = u0[0];  // feedthrough that it did not declare
-    return Clock{t, t + 0.1, Stop::limit};
-  }));
+  EXPECT_TRUE(refuses_start({"bad.y", "not finite at the start"},
+                            [](double t, std::span<const double> u0, Samples& y) {
+                              y.append(t)[0] = u0[0];  // feedthrough that it did not declare
+                              return Clock{t, t + 0.1, Stop::limit};
+                            }));
 }
 
 }  // namespace

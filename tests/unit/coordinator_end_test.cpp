@@ -36,7 +36,8 @@ class End : public testing::TestWithParam<const char*> {
   Scripted fast = listener(0.1, false), slow = listener(0.25, false);
   RunBench bench;
 };
-INSTANTIATE_TEST_SUITE_P(Schedules, End, testing::Values("slowest-first", "fastest-first", "parallel", "staggered"),
+INSTANTIATE_TEST_SUITE_P(Schedules, End,
+                         testing::Values("slowest-first", "fastest-first", "parallel", "staggered"),
                          [](const auto& p) { return test::word(p.param); });
 
 TEST_P(End, IsExactForWhoCanLand) {

@@ -21,7 +21,9 @@ const Polynomial cubic = Polynomial::of_degree(3);
 
 /// Gives the cubic with all its derivatives, so that seeds are exact, and listens to one input.
 Scripted cubic_source(double own_step, Abilities abilities = {}) {
-  return {{"cubic", {{"u", "1"}}, {{"y", "1", 1, 3}}, {}, abilities}, own_step, [](double t, const auto&, double* y) {
+  return {{"cubic", {{"u", "1"}}, {{"y", "1", 1, 3}}, {}, abilities},
+          own_step,
+          [](double t, const auto&, double* y) {
             Polynomial p = cubic;
             for (int k = 0; k <= 3; ++k, p = p.derivative()) y[k] = p(t);
           }};
@@ -34,15 +36,17 @@ Scripted reader(double own_step, Abilities abilities = {}) {
   return {info, own_step, [](double, const auto& u, double* y) { y[0] = u[0]; }};
 }
 
-/// The reader's samples are the cubic. Its values are below 4e3 up to t = 12; where the reader leads with 31 of the source's
-/// steps, the Lebesgue function of the extrapolation is below 4e4, so rounding is below 40 eps 4e3 4e4.
+/// The reader's samples are the cubic. Its values are below 4e3 up to t = 12; where the reader leads with 31
+/// of the source's steps, the Lebesgue function of the extrapolation is below 4e4, so rounding is below 40
+/// eps 4e3 4e4.
 void expect_cubic(const test::Recording& r, int who) {
   for (std::size_t row = 0; row < r.rows(who).size(); ++row)
     ASSERT_NEAR(r.value(who, row), cubic(r.time(who, row)), 1.5e-6) << "at " << r.time(who, row);
 }
 
 class EachSchedule : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Schedules, EachSchedule, testing::Values("slowest-first", "fastest-first", "parallel"),
+INSTANTIATE_TEST_SUITE_P(Schedules, EachSchedule,
+                         testing::Values("slowest-first", "fastest-first", "parallel"),
                          [](const auto& p) { return test::word(p.param); });
 
 TEST_P(EachSchedule, CarriesACubicExactlyAtAnyRatio) {
@@ -60,7 +64,9 @@ TEST_P(EachSchedule, CarriesItOverThreeSubsystems) {
   Scripted source = cubic_source(0.3), middle = cubic_source(0.25), listener = reader(0.07);
   RunBench bench;
   bench.add("reader", listener).add("source", source).add("middle", middle).schedule(GetParam());
-  bench.connect("source.y", "reader.u", "lagrange4").connect("source.y", "middle.u", "hermite").connect("reader.y", "source.u", "lagrange1");
+  bench.connect("source.y", "reader.u", "lagrange4")
+      .connect("source.y", "middle.u", "hermite")
+      .connect("reader.y", "source.u", "lagrange1");
   bench.run(10.0);
   expect_cubic(bench.recording, 0);
   EXPECT_EQ(bench.recording.rows(2).size(), 41U);
@@ -114,7 +120,8 @@ TEST_P(EachSchedule, CallsAgainWhoStoppedEarlyAtAnEvent) {
 
 TEST_P(EachSchedule, FitsNothingAcrossAJump) {
   // 1 before t = 1 and the cubic from there on; it repeats the time 1 with a jump.
-  Scripted source({"jumping", {}, {{"y", "1"}}, {}, {}}, 0.1, [](double, const auto&, double* y) { y[0] = 1.0; });
+  Scripted source({"jumping", {}, {{"y", "1"}}, {}, {}}, 0.1,
+                  [](double, const auto&, double* y) { y[0] = 1.0; });
   source.instead_of_advance = [&](double t_limit, bool, std::span<const Signal>, Samples& y) {
     while (!y.full() && source.grid().fits(t_limit)) {
       source.grid().step();
@@ -127,12 +134,17 @@ TEST_P(EachSchedule, FitsNothingAcrossAJump) {
   };
   Scripted listener = reader(0.25);
   RunBench bench;
-  bench.add("source", source).add("reader", listener).schedule(GetParam()).connect("source.y", "reader.u", "lagrange3").run(3.0);
+  bench.add("source", source)
+      .add("reader", listener)
+      .schedule(GetParam())
+      .connect("source.y", "reader.u", "lagrange3")
+      .run(3.0);
   for (std::size_t row = 0; row < bench.recording.rows(1).size(); ++row) {
     const double t = bench.recording.time(1, row), value = bench.recording.value(1, row);
     if (t <= 1.0) {
       EXPECT_EQ(value, 1.0) << t;
-    } else if (t > 1.65) {  // four samples take 0.3 s, and parallel reads those of its last communication point
+    } else if (t >
+               1.65) {  // four samples take 0.3 s, and parallel reads those of its last communication point
       EXPECT_NEAR(value, cubic(t), 1e-9) << t;
     }
   }

@@ -18,17 +18,20 @@ double f(double t) { return std::sin(2.0 * t) + 0.2 * t; }
 double g(double t) { return std::cos(3.0 * t) - 0.1 * t; }
 
 const SubsystemInfo source_info{"source", {}, {{"y", "1", 1, 1}}, {}, {}};
-const SubsystemInfo reader_info{"reader", {{"sum", "1"}, {"a", "1"}, {"b", "1"}, {"c", "1", 2, 0, 7.5}}, {}, {}, {}};
+const SubsystemInfo reader_info{
+    "reader", {{"sum", "1"}, {"a", "1"}, {"b", "1"}, {"c", "1", 2, 0, 7.5}}, {}, {}, {}};
 
 /// Sources a = f(t) and b = g(t), each on a grid of its own; the reader gets both of them and their sum.
 class Bench {
  public:
-  Bench(const std::string& how_a, const std::string& how_b, double delay_a = 0.0, std::int64_t capacity = 32) {
+  Bench(const std::string& how_a, const std::string& how_b, double delay_a = 0.0,
+        std::int64_t capacity = 32) {
     topology_.add("a", source_info);
     topology_.add("b", source_info);
     topology_.add("reader", reader_info);
     const Lag lag = delay_a > 0.0 ? Lag::delay : Lag::none;
-    for (Connection c : {added(connection("a.y", "reader.sum", how_a, lag)), connection("a.y", "reader.a", how_a, lag)}) {
+    for (Connection c :
+         {added(connection("a.y", "reader.sum", how_a, lag)), connection("a.y", "reader.a", how_a, lag)}) {
       c.gain = 2.0;
       c.offset = 0.25;
       topology_.connect(c);
@@ -62,16 +65,19 @@ class Bench {
 };
 
 TEST(Exchange, ASumIsTheSumOfItsTermsWhateverTheirGrids) {
-  const char* kinds[] = {"lagrange0", "lagrange1", "lagrange3", "lagrange4", "hermite", "least_squares2_2", "mean", "matched_hold"};
+  const char* kinds[] = {"lagrange0", "lagrange1",        "lagrange3", "lagrange4",
+                         "hermite",   "least_squares2_2", "mean",      "matched_hold"};
   for (const char* how_a : kinds)
     for (const char* how_b : kinds) {
       Bench bench(how_a, how_b);
       bench.give(0, 9);
       bench.give(1, 8);
       const auto u = bench.read(0.0, 2.0);
-      // Extrapolation of degree 4 by 0.7 is below 1e3 in size, and a Taylor shift of it takes some 30 operations.
+      // Extrapolation of degree 4 by 0.7 is below 1e3 in size, and a Taylor shift of it takes some 30
+      // operations.
       for (double t = 0.0; t < 3.4; t += 1.0 / 64.0)
-        ASSERT_NEAR(u[0].value(t), u[1].value(t) + u[2].value(t), 1e-11) << how_a << " + " << how_b << " at " << t;
+        ASSERT_NEAR(u[0].value(t), u[1].value(t) + u[2].value(t), 1e-11)
+            << how_a << " + " << how_b << " at " << t;
     }
 }
 
@@ -80,7 +86,8 @@ TEST(Exchange, ASumOfALateTermBreaksWhereThatTermBreaks) {
   bench.give(0, 9);
   bench.give(1, 8);
   const auto u = bench.read(0.0, 2.0);
-  for (double t = 0.0; t < 3.4; t += 1.0 / 128.0) ASSERT_NEAR(u[0].value(t), u[1].value(t) + u[2].value(t), 1e-13) << t;
+  for (double t = 0.0; t < 3.4; t += 1.0 / 128.0)
+    ASSERT_NEAR(u[0].value(t), u[1].value(t) + u[2].value(t), 1e-13) << t;
 }
 
 TEST(Exchange, ASumReadsTheSameBitsFromWhereverTheCallBegins) {
@@ -91,7 +98,8 @@ TEST(Exchange, ASumReadsTheSameBitsFromWhereverTheCallBegins) {
     std::vector<double> all;
     for (double t = 0.0; t < 3.0; t += 0.05) all.push_back(bench.read(0.0, 3.0)[0].value(t + 0.02));
     std::size_t k = 0;
-    for (double t = 0.0; t < 3.0; t += 0.05) ASSERT_EQ(bench.read(t, t + 0.05)[0].value(t + 0.02), all[k++]) << how << " at " << t;
+    for (double t = 0.0; t < 3.0; t += 0.05)
+      ASSERT_EQ(bench.read(t, t + 0.05)[0].value(t + 0.02), all[k++]) << how << " at " << t;
   }
 }
 

@@ -32,9 +32,13 @@ TEST(FirstSamples, PassThroughAChainWhateverItsOrder) {
 TEST(FirstSamples, AreFoundWhereEachNeedsTheOthersFirstOutput) {
   // "state" feeds nothing through, "mirror" its input: u of each is the state, 3.
   const SubsystemInfo info{"state", {{"u", "1"}}, {{"y", "1"}}, {}, {}};
-  Scripted state(info, 0.1, [](double, const auto&, double* y) { y[0] = 3.0; }), mirror = test::mirror(0.1);
+  Scripted state(info, 0.1, [](double, const auto&, double*y) { y[0] = 3.0; }), mirror = test::mirror(0.1);
   RunBench bench;
-  bench.add("mirror", mirror).add("state", state).connect("state.y", "mirror.u").connect("mirror.y", "state.u").run(0.2);
+  bench.add("mirror", mirror)
+      .add("state", state)
+      .connect("state.y", "mirror.u")
+      .connect("mirror.y", "state.u")
+      .run(0.2);
   EXPECT_TRUE(std::isnan(mirror.starts.front()[0]));
   EXPECT_EQ(start(mirror)[0], 3.0);
   EXPECT_EQ(start(state)[0], 3.0);
@@ -42,8 +46,8 @@ TEST(FirstSamples, AreFoundWhereEachNeedsTheOthersFirstOutput) {
 }
 
 TEST(FirstSamples, OfASumAreTheSumWithGainsAndOffsets) {
-  Scripted a = test::source(0.1, [](double) { return 5.0; }), b = test::source(0.1, [](double) { return 7.0; }),
-           reader = test::mirror(0.1);
+  Scripted a = test::source(0.1, [](double) { return 5.0; }),
+           b = test::source(0.1, [](double) { return 7.0; }), reader = test::mirror(0.1);
   RunBench bench;
   bench.add("reader", reader).add("a", a).add("b", b);
   Connection from_a = added(connection("a.y", "reader.u"));
@@ -67,7 +71,10 @@ TEST(FirstSamples, OfAConnectedInputComeFromItsSourceNotFromItsStartValue) {
   for (const Lag lag : {Lag::none, Lag::memory, Lag::delay}) {
     Scripted reader = test::mirror(0.1), a = test::source(0.1, [](double) { return 5.0; });
     RunBench bench;
-    bench.add("reader", reader).add("a", a).connect("a.y", "reader.u", "lagrange1", lag).topology.set_start("reader.u", 4.0);
+    bench.add("reader", reader)
+        .add("a", a)
+        .connect("a.y", "reader.u", "lagrange1", lag)
+        .topology.set_start("reader.u", 4.0);
     bench.run(0.2);
     EXPECT_EQ(start(reader)[0], 5.0);
   }
@@ -95,9 +102,11 @@ TEST(FirstSamples, OfALoopThatIsBrokenTakeTheStartValueOfItsBreak) {
 TEST(FirstSamples, OfALoopThatIsBrokenNeedAStartValue) {
   Scripted a = test::mirror(0.1), b = test::mirror(0.1);
   RunBench bench = loop(a, b, Lag::memory);
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"a.u", "loop", "no start value"}, [&] { bench.run(0.5); }));
+  EXPECT_TRUE(
+      refuses(ErrorCode::invalid_argument, {"a.u", "loop", "no start value"}, [&] { bench.run(0.5); }));
   bench.topology.set_start("b.u", 1.0);
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"a.u"}, [&] { bench.run(0.5); })) << "b's is not where the loop is broken";
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"a.u"}, [&] { bench.run(0.5); }))
+      << "b's is not where the loop is broken";
 }
 
 TEST(FirstSamples, BehindABrokenLoopNeedNoStartValueOfTheirOwn) {
@@ -106,7 +115,9 @@ TEST(FirstSamples, BehindABrokenLoopNeedNoStartValueOfTheirOwn) {
     RunBench bench;
     bench.add("behind", behind).add("a", a).add("b", b);
     bench.connect("b.y", "behind.u", "lagrange0", Lag::memory);
-    bench.connect("a.y", "b.u").connect("b.y", "a.u", "lagrange0", Lag::memory).topology.set_start("a.u", 2.5);
+    bench.connect("a.y", "b.u")
+        .connect("b.y", "a.u", "lagrange0", Lag::memory)
+        .topology.set_start("a.u", 2.5);
     if (unused == -1.0) bench.topology.set_start("behind.u", unused);
     EXPECT_NO_THROW(bench.run(0.5)) << "the line to 'behind' has a memory too, but closes no loop";
     EXPECT_EQ(start(behind)[0], 2.5);

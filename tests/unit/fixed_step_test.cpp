@@ -13,7 +13,8 @@ namespace {
 
 using test::Polynomial;
 
-/// x' = u, x(t_start) = 0, by Simpson's rule, which is exact for a cubic u; outputs x and the number of steps.
+/// x' = u, x(t_start) = 0, by Simpson's rule, which is exact for a cubic u; outputs x and the number of
+/// steps.
 struct Integral {
   double x = 0.0, steps = 0.0, last_length = 0.0;
   SubsystemInfo info() const { return {"integral", {{"u", "1"}}, {{"x", "s"}, {"steps", "1"}}, {}, {}}; }

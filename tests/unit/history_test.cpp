@@ -41,7 +41,8 @@ TEST(History, ShowsRowsOnceTheyAreCommitted) {
 }
 
 /// What commit says of one row after a good one at t = 1 with the limit 2.
-testing::AssertionResult refuses_row(const std::vector<std::string>& texts, double t, std::vector<double> values, bool jump = false) {
+testing::AssertionResult refuses_row(const std::vector<std::string>& texts, double t,
+                                     std::vector<double> values, bool jump = false) {
   const SubsystemInfo pump = info(1);
   History h("pump", pump, 32);
   std::fill_n(h.room().append(1.0), 6, 0.0);
@@ -96,7 +97,8 @@ TEST(History, DroppingAndGrowingKeepRowsAndTheirNumbers) {
   for (int batch = 1; batch <= 60; ++batch) {  // larger and larger batches, of which the last 5 rows are kept
     h.make_room(h.newest() - 4, batch);
     ASSERT_TRUE(h.has_room(batch));
-    for (int k = 0; k < batch; ++k, ++row) append(h, 0.1 * static_cast<double>(row), static_cast<double>(row));
+    for (int k = 0; k < batch; ++k, ++row)
+      append(h, 0.1 * static_cast<double>(row), static_cast<double>(row));
     h.commit(1e9, 0.0);
     ASSERT_EQ(h.newest(), row - 1);
     ASSERT_LE(h.oldest(), std::max<std::int64_t>(0, row - batch - 5));
@@ -140,7 +142,8 @@ TEST(History, SeedsAreExactForPolynomialsOfTheDegreeOfTheDerivatives) {
       derivative = p;
       for (int m = 0; m <= d; ++m, derivative = derivative.derivative())
         for (int i = 0; i < 3; ++i)  // terms up to 3 * 2.5 * 8 with a few roundings each
-          EXPECT_NEAR(history.values(row)[static_cast<std::size_t>(3 * m + i)], (i + 1) * derivative(t), 1e-13);
+          EXPECT_NEAR(history.values(row)[static_cast<std::size_t>(3 * m + i)], (i + 1) * derivative(t),
+                      1e-13);
     }
   }
 }

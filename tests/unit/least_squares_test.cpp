@@ -27,19 +27,24 @@ std::string least_squares(int degree, int extra) {
 
 double noisy(double t) { return std::sin(3.0 * t) + 0.1 * std::cos(50.0 * t); }
 
-/// The fit that the rule asks for at t: the samples counted back from the first node at or after t, or the newest.
-double by_node_rule(const std::vector<double>& nodes, int degree, int extra, double t, std::size_t oldest = 0) {
+/// The fit that the rule asks for at t: the samples counted back from the first node at or after t, or the
+/// newest.
+double by_node_rule(const std::vector<double>& nodes, int degree, int extra, double t,
+                    std::size_t oldest = 0) {
   std::size_t j = oldest;
   while (j + 1 < nodes.size() && nodes[j] < t) ++j;
   const auto count = static_cast<std::size_t>(degree + 1 + extra);
   const std::size_t first = std::max(oldest, j + 1 - std::min(j + 1, count));
-  std::vector<double> x(nodes.begin() + static_cast<std::ptrdiff_t>(first), nodes.begin() + static_cast<std::ptrdiff_t>(j + 1)), y;
+  std::vector<double> x(nodes.begin() + static_cast<std::ptrdiff_t>(first),
+                        nodes.begin() + static_cast<std::ptrdiff_t>(j + 1)),
+      y;
   for (const double node : x) y.push_back(noisy(node));
   return plain_least_squares(x, y, std::min(degree, static_cast<int>(x.size()) - 1), t);
 }
 
-// Beyond the newest node by up to a step, a fit of degree 4 through 6 points magnifies rounding by its Lebesgue function,
-// below 100; the values are about 1 and the weights take some 20 operations: 20 eps 100 = 4e-13, taken 10 times.
+// Beyond the newest node by up to a step, a fit of degree 4 through 6 points magnifies rounding by its
+// Lebesgue function, below 100; the values are about 1 and the weights take some 20 operations: 20 eps 100 =
+// 4e-13, taken 10 times.
 constexpr double rounding = 4e-12;
 
 TEST(LeastSquaresLink, IsThePlainFitOfTheNewestSamplesOfEachSegment) {
@@ -50,7 +55,8 @@ TEST(LeastSquaresLink, IsThePlainFitOfTheNewestSamplesOfEachSegment) {
       bench.give_all(nodes, noisy);
       const Signal signal = bench.read(0.0, 4.0);
       for (double t = 0.01; t < nodes.back() + 0.1; t += 0.0537)
-        ASSERT_NEAR(signal.value(t), by_node_rule(nodes, degree, extra, t), rounding) << degree << "_" << extra << " at " << t;
+        ASSERT_NEAR(signal.value(t), by_node_rule(nodes, degree, extra, t), rounding)
+            << degree << "_" << extra << " at " << t;
     }
 }
 
@@ -63,7 +69,8 @@ TEST(LeastSquaresLink, IsExactForPolynomialsOfItsDegree) {
       bench.give_all(nodes, p);
       const Signal signal = bench.read(0.0, 4.0);
       for (double t = nodes[static_cast<std::size_t>(degree)]; t < nodes.back() + 0.1; t += 0.0537)
-        ASSERT_NEAR(signal.value(t), p(t), 300.0 * rounding) << degree << "_" << extra << " at " << t;  // |p| < 300 up to 3.2
+        ASSERT_NEAR(signal.value(t), p(t), 300.0 * rounding)
+            << degree << "_" << extra << " at " << t;  // |p| < 300 up to 3.2
     }
 }
 
@@ -71,7 +78,8 @@ TEST(LeastSquaresLink, DiffersFromThePolynomialThroughTheNewestSamples) {
   LinkBench fitted("least_squares1_2"), through("lagrange1");
   for (const double t : {0.0, 1.0, 2.0, 3.0})
     for (LinkBench* bench : {&fitted, &through}) bench->give(t, t == 1.0 ? 1.0 : 0.0);
-  // Fit of (0, 1, 0, 0) at x = 0..3: slope sum (x - 1.5) y / 5 = -0.1 about the mean 0.25 at 1.5; at 4 it is 0.
+  // Fit of (0, 1, 0, 0) at x = 0..3: slope sum (x - 1.5) y / 5 = -0.1 about the mean 0.25 at 1.5; at 4 it is
+  // 0.
   EXPECT_NEAR(fitted.read(3.0, 4.0).value(4.0), 0.0, 1e-15);
   EXPECT_NEAR(fitted.read(3.0, 4.0).value(3.5), 0.05, 1e-15);
   EXPECT_EQ(through.read(3.0, 4.0).value(3.5), 0.0);
@@ -88,7 +96,8 @@ TEST(LeastSquaresLink, FitsNothingAcrossAJump) {
     }
     const Signal signal = bench.read(0.0, 4.0);
     for (double t = nodes[jump] + 0.01; t < nodes.back() + 0.1; t += 0.0537)
-      ASSERT_NEAR(signal.value(t), by_node_rule(nodes, degree, 4, t, jump), rounding) << degree << " at " << t;
+      ASSERT_NEAR(signal.value(t), by_node_rule(nodes, degree, 4, t, jump), rounding)
+          << degree << " at " << t;
   }
 }
 

@@ -18,8 +18,8 @@ void give(LinkBench& bench, const Polynomial& p, double t, bool jump = false) {
   bench.give(t, p(t), 2.0 * p(t), p.derivative()(t), 2.0 * p.derivative()(t), jump);
 }
 
-// |p| < 100 and |p'| < 100 up to t = 3; beyond the last step of 0.2 the cubic is evaluated at up to 6.5 steps, which
-// magnifies a rounding error by up to 6.5^3 * 10: below 1e-10.
+// |p| < 100 and |p'| < 100 up to t = 3; beyond the last step of 0.2 the cubic is evaluated at up to 6.5
+// steps, which magnifies a rounding error by up to 6.5^3 * 10: below 1e-10.
 constexpr double rounding = 1e-10;
 
 TEST(HermiteLink, IsExactForCubicsBetweenAndBeyondTheSamples) {
@@ -42,7 +42,8 @@ TEST(HermiteLink, MatchesValuesAndSlopesOfAnyDataAtBothEndsOfEachStep) {
     EXPECT_NEAR(signal.value(nodes[k]), std::sin(7.0 * nodes[k]), 1e-14);
     EXPECT_NEAR(signal.derivative(nodes[k]), std::exp(nodes[k]), 1e-13);
     if (k + 1 == nodes.size()) break;
-    const double just_after = nodes[k] + 1e-12;  // in the next segment; its slope changes by up to 1e3 * 1e-12 there
+    const double just_after =
+        nodes[k] + 1e-12;  // in the next segment; its slope changes by up to 1e3 * 1e-12 there
     EXPECT_NEAR(signal.value(just_after), std::sin(7.0 * nodes[k]), 1e-10);
     EXPECT_NEAR(signal.derivative(just_after), std::exp(nodes[k]), 1e-8);
   }
@@ -64,7 +65,8 @@ TEST(HermiteLink, StartsAgainWithTheTangentAfterAJump) {
   for (const double t : {0.8, 1.5}) give(bench, after, t);
   const Signal signal = bench.read(0.0, 1.5);
   for (double t = 0.01; t < 0.4; t += 0.1) EXPECT_NEAR(signal.value(t), before(t), rounding) << t;
-  EXPECT_NEAR(signal.value(0.4), before(0.4), rounding) << "the jump's own time belongs to what was before it";
+  EXPECT_NEAR(signal.value(0.4), before(0.4), rounding)
+      << "the jump's own time belongs to what was before it";
   for (double t = 0.41; t < 2.0; t += 0.1) EXPECT_NEAR(signal.value(t), after(t), rounding) << t;
 }
 

@@ -15,7 +15,8 @@ double square(double t) { return t * t; }
 TEST(MeanLink, IsTheArithmeticMeanOfTheSamplesWithinTheReadersStepEndsIncluded) {
   LinkBench bench("mean");
   for (int k = 0; k <= 20; ++k) bench.give(0.1 * k, square(0.1 * k));
-  for (const auto& [from, to] : {std::pair{0.0, 1.0}, {0.3, 1.3}, {0.55, 0.95}, {0.3, 0.3000001}, {0.0, 2.0}}) {
+  for (const auto& [from, to] :
+       {std::pair{0.0, 1.0}, {0.3, 1.3}, {0.55, 0.95}, {0.3, 0.3000001}, {0.0, 2.0}}) {
     double sum = 0.0;
     int count = 0;
     for (int k = 0; k <= 20; ++k) {
@@ -24,7 +25,8 @@ TEST(MeanLink, IsTheArithmeticMeanOfTheSamplesWithinTheReadersStepEndsIncluded) 
     }
     const Signal signal = bench.read(from, to);
     for (const double t : {from, (from + to) / 2.0, to})
-      EXPECT_NEAR(signal.value(t), sum / count, 1e-14) << from << " to " << to;  // 21 roundings of up to eps/2 * 4
+      EXPECT_NEAR(signal.value(t), sum / count, 1e-14)
+          << from << " to " << to;  // 21 roundings of up to eps/2 * 4
     EXPECT_EQ(signal.segments().size(), 1U);
   }
 }
@@ -56,7 +58,8 @@ TEST(MatchedHoldLink, HoldsTheNewestSampleOverTheWholeCall) {
   LinkBench bench("matched_hold");
   for (const double t : {0.0, 1.0, 2.0}) {
     bench.give(t, 10.0 + t, -t);
-    for (const double at : {0.0, 0.5, 1.0, 1.5, 2.0, 7.0}) {  // whether the reader is behind the newest sample or ahead
+    for (const double at :
+         {0.0, 0.5, 1.0, 1.5, 2.0, 7.0}) {  // whether the reader is behind the newest sample or ahead
       EXPECT_EQ(bench.read(0.0, 3.0, 0).value(at), 10.0 + t);
       EXPECT_EQ(bench.read(0.0, 3.0, 1).value(at), -t);
       EXPECT_EQ(bench.read(0.0, 3.0, 0).derivative(at), 0.0);

@@ -21,8 +21,8 @@ const std::vector<double> nodes = {0.0, 0.3, 0.4, 0.8, 0.95, 1.0, 1.6, 2.0, 2.1,
 
 std::string lagrange(int degree) { return "lagrange" + std::to_string(degree); }
 
-/// The polynomial that the node rule asks for at t, of rows from `oldest` on: through nodes j-d..j, j the first node at or
-/// after t, or the newest. Before `oldest + d` it is of lower degree.
+/// The polynomial that the node rule asks for at t, of rows from `oldest` on: through nodes j-d..j, j the
+/// first node at or after t, or the newest. Before `oldest + d` it is of lower degree.
 PlainLagrange by_node_rule(double (*f)(double), int degree, double t, std::size_t oldest = 0) {
   std::size_t j = oldest;
   while (j + 1 < nodes.size() && nodes[j] < t) ++j;
@@ -56,7 +56,8 @@ TEST(LagrangeLink, IsExactForPolynomialsOfItsDegree) {
     for (double t = nodes[static_cast<std::size_t>(d)]; t < 3.0; t += 1.0 / 64.0) {
       const double size = 200.0 * by_node_rule(bounded, d, t).lebesgue;  // |p| < 200 up to t = 3
       ASSERT_NEAR(signal.value(t), p(t), 40.0 * eps * size) << "degree " << d << " at " << t;
-      ASSERT_NEAR(signal.derivative(t), p.derivative()(t), 40.0 * eps * size * d * d / 0.05) << "Markov's inequality, steps of 0.05";
+      ASSERT_NEAR(signal.derivative(t), p.derivative()(t), 40.0 * eps * size * d * d / 0.05)
+          << "Markov's inequality, steps of 0.05";
     }
   }
 }
@@ -91,7 +92,8 @@ TEST(LagrangeLink, ReadsTheSameBitsFromWhereverTheCallBegins) {
     stepwise.give_all(nodes, bounded);
     const Signal all = whole.read(0.0, 3.0);
     for (double t = 0.0; t < 2.9; t += 0.07)
-      for (const double at : {t, t + 0.035, t + 0.07}) ASSERT_EQ(stepwise.read(t, t + 0.07).value(at), all.value(at));
+      for (const double at : {t, t + 0.035, t + 0.07})
+        ASSERT_EQ(stepwise.read(t, t + 0.07).value(at), all.value(at));
   }
 }
 
@@ -116,24 +118,28 @@ TEST(Link, ADelayShiftsTheSignal) {
   for (const char* how : {"lagrange0", "lagrange3", "hermite", "least_squares2_2"}) {
     const double delay = 0.25;
     LinkBench plain(how), delayed(how, delay);
-    for (const double t : nodes) plain.give(t, bounded(t), 0.0, std::cos(t)), delayed.give(t, bounded(t), 0.0, std::cos(t));
+    for (const double t : nodes)
+      plain.give(t, bounded(t), 0.0, std::cos(t)), delayed.give(t, bounded(t), 0.0, std::cos(t));
     const Signal now = plain.read(0.0, 3.0), later = delayed.read(0.0, 3.0);
     for (double t = 0.0; t < 3.0; t += 1.0 / 128.0) {
       const PlainLagrange scale = by_node_rule(bounded, 3, t);
-      if (std::find(nodes.begin(), nodes.end(), t) != nodes.end()) continue;  // t + delay may round to the break's other side
+      if (std::find(nodes.begin(), nodes.end(), t) != nodes.end())
+        continue;  // t + delay may round to the break's other side
       ASSERT_NEAR(later.value(t + delay), now.value(t), 1000.0 * eps * scale.lebesgue) << how << " at " << t;
     }
   }
 }
 
 TEST(Link, EachLaneHasItsOwnGainAndOffset) {
-  for (const char* how : {"lagrange0", "lagrange1", "lagrange4", "hermite", "least_squares1_1", "mean", "matched_hold"}) {
+  for (const char* how :
+       {"lagrange0", "lagrange1", "lagrange4", "hermite", "least_squares1_1", "mean", "matched_hold"}) {
     LinkBench bench(how, 0.0, {0, 0, 2.0, 3.0}, {1, 1, -1.0, 0.5});
     for (const double t : nodes) bench.give(t, 5.0 * t, 7.0 - t, 5.0, -1.0);
     const bool follows = Reconstruction::parse(how).follows_samples() && std::string(how) != "lagrange0";
     const Signal a = bench.read(2.4, 2.5, 0), b = bench.read(2.4, 2.5, 1);
     const double t = follows ? 2.45 : 2.5;  // a hold gives the newest sample
-    EXPECT_NEAR(a.value(2.45), 2.0 * (5.0 * t) + 3.0, 1e-12) << how;  // 100 eps of 28, times a Lebesgue function below 30
+    EXPECT_NEAR(a.value(2.45), 2.0 * (5.0 * t) + 3.0, 1e-12)
+        << how;  // 100 eps of 28, times a Lebesgue function below 30
     EXPECT_NEAR(b.value(2.45), -(7.0 - t) + 0.5, 1e-12) << how;
   }
 }
@@ -142,7 +148,8 @@ TEST(Link, FollowsItsSourceIntoNewMemory) {
   for (const char* how : {"lagrange4", "hermite", "least_squares2_4"}) {
     LinkBench kept(how), moved(how);
     for (int k = 0; k < 31; ++k)
-      for (LinkBench* bench : {&kept, &moved}) bench->give(0.1 * k, bounded(0.1 * k), k, std::cos(0.1 * k), 1.0);
+      for (LinkBench* bench : {&kept, &moved})
+        bench->give(0.1 * k, bounded(0.1 * k), k, std::cos(0.1 * k), 1.0);
     for (const std::int64_t wanted : {5, 40}) {  // the same memory, then more
       moved.history().make_room(moved.link().oldest_needed(moved.history(), 2.5), wanted);
       moved.link().follow_room(moved.history());
@@ -150,7 +157,8 @@ TEST(Link, FollowsItsSourceIntoNewMemory) {
     EXPECT_GT(moved.history().oldest(), 10);
     for (LinkBench* bench : {&kept, &moved}) bench->give(3.1, bounded(3.1), 31.0, std::cos(3.1), 1.0);
     for (const std::size_t slot : {0U, 1U})
-      for (double t = 2.5; t < 3.3; t += 0.03) ASSERT_EQ(moved.read(2.5, 3.3, slot).value(t), kept.read(2.5, 3.3, slot).value(t)) << how;
+      for (double t = 2.5; t < 3.3; t += 0.03)
+        ASSERT_EQ(moved.read(2.5, 3.3, slot).value(t), kept.read(2.5, 3.3, slot).value(t)) << how;
   }
 }
 
@@ -161,7 +169,8 @@ TEST(Link, ReachesBackToTheStartWithItsFirstFullPolynomial) {
   EXPECT_GT(std::abs(bench.read(0.0, 1.0).value(0.2) - p(0.2)), 1e-3) << "or there is nothing to gain";
   bench.link().reach_back();
   const Signal signal = bench.read(0.0, 1.0);
-  for (double t = 0.0; t < 3.0; t += 0.1) EXPECT_NEAR(signal.value(t), p(t), 1e-11) << t;  // as above: 40 eps 200 lebesgue
+  for (double t = 0.0; t < 3.0; t += 0.1)
+    EXPECT_NEAR(signal.value(t), p(t), 1e-11) << t;  // as above: 40 eps 200 lebesgue
 }
 
 }  // namespace

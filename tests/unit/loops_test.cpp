@@ -28,7 +28,8 @@ class Loops : public testing::Test {
     topology.connect(connection(from, to, "lagrange0", lag));
   }
   testing::AssertionResult refuses_loop(const std::string& cycle) {
-    return test::refuses(ErrorCode::invalid_argument, {"algebraic loop", cycle, "memory = true or delay = true"},
+    return test::refuses(ErrorCode::invalid_argument,
+                         {"algebraic loop", cycle, "memory = true or delay = true"},
                          [this] { topology.check(); });
   }
   Topology topology;
@@ -57,12 +58,14 @@ TEST_F(Loops, MayBeOfOneSubsystemWithItself) {
 
 TEST(LoopsOfSums, AreFoundAndTheWayIntoThemIsLeftOut) {
   Topology other;
-  for (const char* name : {"a", "b", "c"}) other.add(name, block), other.set_start(std::string(name) + ".u2", 0.0);
+  for (const char* name : {"a", "b", "c"})
+    other.add(name, block), other.set_start(std::string(name) + ".u2", 0.0);
   other.set_start("a.u1", 0.0);
   other.connect(added(connection("a.y1", "b.u1")));
   other.connect(connection("b.y1", "c.u1"));
   other.connect(added(connection("c.y1", "b.u1")));
-  EXPECT_TRUE(test::refuses(ErrorCode::invalid_argument, {": b.u1 -> b.y1 -> c.u1 -> c.y1 -> b.u1;"}, [&] { other.check(); }));
+  EXPECT_TRUE(test::refuses(ErrorCode::invalid_argument, {": b.u1 -> b.y1 -> c.u1 -> c.y1 -> b.u1;"},
+                            [&] { other.check(); }));
 }
 
 TEST_F(Loops, WithoutFeedthroughAreNone) {
@@ -75,7 +78,8 @@ TEST_F(Loops, AreBrokenByAMemoryOrADelayAnywhereInThem) {
   for (const Lag lag : {Lag::memory, Lag::delay})
     for (int broken = 0; broken < 3; ++broken) {
       Topology t;
-      for (const char* name : {"a", "b", "c"}) t.add(name, block), t.set_start(std::string(name) + ".u2", 0.0);
+      for (const char* name : {"a", "b", "c"})
+        t.add(name, block), t.set_start(std::string(name) + ".u2", 0.0);
       const char* lines[][2] = {{"a.y1", "b.u1"}, {"b.y1", "c.u1"}, {"c.y1", "a.u1"}};
       for (int k = 0; k < 3; ++k)
         t.connect(connection(lines[k][0], lines[k][1], "lagrange0", k == broken ? lag : Lag::none));

@@ -39,17 +39,21 @@ TEST(Open, TakesParametersFromTheUriAndBesideIt) {
 TEST(Open, RefusesAParameterGivenTwice) {
   Parameters p;
   p.set("h", 0.125);
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'h' twice"}, [&] { open("builtin:ramp.slow?h=1", ramps(), p); }));
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'h' twice"}, [&] { open("builtin:ramp.slow?h=1&h=2", ramps()); }));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'h' twice"},
+                      [&] { open("builtin:ramp.slow?h=1", ramps(), p); }));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'h' twice"},
+                      [&] { open("builtin:ramp.slow?h=1&h=2", ramps()); }));
 }
 
 TEST(Open, RefusesWhatItDoesNotKnow) {
   const auto opening = [](const std::string& uri) { return [uri] { open(uri, ramps()); }; };
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'ftp://host'", "builtin:NAME"}, opening("ftp://host")));
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'ramp.slow'", "scheme"}, opening("ramp.slow")));
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"ramp.slwo", "did you mean 'builtin:ramp.slow'"}, opening("builtin:ramp.slwo")));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"ramp.slwo", "did you mean 'builtin:ramp.slow'"},
+                      opening("builtin:ramp.slwo")));
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"There are: ramp.slow"}, opening("builtin:")));
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'step'", "It takes: h"}, opening("builtin:ramp.slow?step=1")));
+  EXPECT_TRUE(
+      refuses(ErrorCode::invalid_argument, {"'step'", "It takes: h"}, opening("builtin:ramp.slow?step=1")));
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'h'", "key=value"}, opening("builtin:ramp.slow?h")));
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'=1'", "key=value"}, opening("builtin:ramp.slow?=1")));
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'h'", "'fast'"}, opening("builtin:ramp.slow?h=fast")));

@@ -41,10 +41,13 @@ TEST(Parameters, RefuseAnotherType) {
   p.set("empty", std::string());
   p.set("on", 1.0);
   p.set("file", true);
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'h'", "'1.5x'", "a number is allowed"}, [&] { p.number("h", 0.0); }));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'h'", "'1.5x'", "a number is allowed"},
+                      [&] { p.number("h", 0.0); }));
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'empty'"}, [&] { p.number("empty", 0.0); }));
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'on'", "true or false is allowed"}, [&] { p.flag("on", false); }));
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'file'", "a text is allowed"}, [&] { p.text("file", ""); }));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'on'", "true or false is allowed"},
+                      [&] { p.flag("on", false); }));
+  EXPECT_TRUE(
+      refuses(ErrorCode::invalid_argument, {"'file'", "a text is allowed"}, [&] { p.text("file", ""); }));
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'file'"}, [&] { p.number("file", 0.0); }));
 }
 
@@ -53,9 +56,10 @@ TEST(Parameters, NameWhatNobodyAskedForAndTheNearestThatWas) {
   p.set("frequncy_ratio", 30.0);
   p.number("frequency_ratio", 1.0);
   p.number("k2", 1.0);
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument,
-                      {"source 'x'", "'frequncy_ratio'", "did you mean 'frequency_ratio'", "frequency_ratio k2"},
-                      [&] { p.refuse_unused("source 'x'"); }));
+  EXPECT_TRUE(
+      refuses(ErrorCode::invalid_argument,
+              {"source 'x'", "'frequncy_ratio'", "did you mean 'frequency_ratio'", "frequency_ratio k2"},
+              [&] { p.refuse_unused("source 'x'"); }));
 }
 
 TEST(Parameters, AreContentWhenAllWereAskedFor) {

@@ -28,13 +28,33 @@ TEST(Reconstruction, ANameSaysKindDegreeAndExtraSamples) {
 }
 
 TEST(Reconstruction, AnyOtherNameIsRefusedWithTheListOfThem) {
-  for (const std::string name :
-       {"lagrange5", "lagrange-1", "lagrange03", "lagrange", "lagrange1.5", "lagrange3 ", " lagrange3", "Lagrange3",
-        "lagrange99999999999", "least_squares5_2", "least_squares2_0", "least_squares2_17", "least_squares2", "least_squares2_",
-        "least_squares_2", "least_squares02_3", "least_squares2_03", "least_squares2_3_4", "means", "mean3", "hermite3",
-        "matched hold", "impulse", ""})
+  for (const std::string name : {"lagrange5",
+                                 "lagrange-1",
+                                 "lagrange03",
+                                 "lagrange",
+                                 "lagrange1.5",
+                                 "lagrange3 ",
+                                 " lagrange3",
+                                 "Lagrange3",
+                                 "lagrange99999999999",
+                                 "least_squares5_2",
+                                 "least_squares2_0",
+                                 "least_squares2_17",
+                                 "least_squares2",
+                                 "least_squares2_",
+                                 "least_squares_2",
+                                 "least_squares02_3",
+                                 "least_squares2_03",
+                                 "least_squares2_3_4",
+                                 "means",
+                                 "mean3",
+                                 "hermite3",
+                                 "matched hold",
+                                 "impulse",
+                                 ""})
     EXPECT_TRUE(test::refuses(ErrorCode::invalid_argument,
-                              {"'" + name + "'", "lagrange0 to lagrange4", "hermite", "mean", "least_squaresD_EXTRA", "matched_hold"},
+                              {"'" + name + "'", "lagrange0 to lagrange4", "hermite", "mean",
+                               "least_squaresD_EXTRA", "matched_hold"},
                               [&] { Reconstruction::parse(name); }));
 }
 
@@ -50,8 +70,10 @@ TEST(Reconstruction, TakesAsManySamplesAsItsPolynomialNeeds) {
 
 TEST(Reconstruction, OrderDPlus1TakesDMinus1DerivativesAtTheStart) {
   for (int d = 0; d <= 4; ++d) {
-    EXPECT_EQ(Reconstruction::parse("lagrange" + std::to_string(d)).derivatives_at_start(), std::max(0, d - 1));
-    EXPECT_EQ(Reconstruction::parse("least_squares" + std::to_string(d) + "_2").derivatives_at_start(), std::max(0, d - 1));
+    EXPECT_EQ(Reconstruction::parse("lagrange" + std::to_string(d)).derivatives_at_start(),
+              std::max(0, d - 1));
+    EXPECT_EQ(Reconstruction::parse("least_squares" + std::to_string(d) + "_2").derivatives_at_start(),
+              std::max(0, d - 1));
   }
   EXPECT_EQ(Reconstruction::parse("hermite").derivatives_at_start(), 2);
   EXPECT_EQ(Reconstruction::parse("hermite").derivatives_read(), 1);
@@ -61,7 +83,8 @@ TEST(Reconstruction, OrderDPlus1TakesDMinus1DerivativesAtTheStart) {
 TEST(Reconstruction, MeanAndMatchedHoldDependOnTheReader) {
   EXPECT_FALSE(Reconstruction::parse("mean").follows_samples());
   EXPECT_FALSE(Reconstruction::parse("matched_hold").follows_samples());
-  for (const char* name : {"lagrange0", "hermite", "least_squares0_1"}) EXPECT_TRUE(Reconstruction::parse(name).follows_samples());
+  for (const char* name : {"lagrange0", "hermite", "least_squares0_1"})
+    EXPECT_TRUE(Reconstruction::parse(name).follows_samples());
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-// What a schedule can't honour is refused with a sentence, before any step; what the order and the steps come out as.
+// What a schedule can't honour is refused with a sentence, before any step; what the order and the steps come
+// out as.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,15 +19,16 @@ using test::Scripted;
 /// "slow" (1 s) and "fast" (0.25 s), which read one another as asked for.
 class SchemeTest : public testing::Test {
  protected:
-  testing::AssertionResult refuses_scheme(const std::string& schedule, const std::string& to_fast, const std::string& to_slow,
-                                          const std::vector<std::string>& texts) {
+  testing::AssertionResult refuses_scheme(const std::string& schedule, const std::string& to_fast,
+                                          const std::string& to_slow, const std::vector<std::string>& texts) {
     RunBench bench;
     couple(bench, schedule, to_fast, to_slow);
     const auto result = refuses(ErrorCode::not_supported, texts, [&] { bench.run(4.0); });
     EXPECT_TRUE(slow.calls.empty() && fast.calls.empty()) << "before any step";
     return result;
   }
-  void couple(RunBench& bench, const std::string& schedule, const std::string& to_fast, const std::string& to_slow) {
+  void couple(RunBench& bench, const std::string& schedule, const std::string& to_fast,
+              const std::string& to_slow) {
     bench.add("slow", slow).add("fast", fast).schedule(schedule);
     bench.connect("slow.y", "fast.u", to_fast).connect("fast.y", "slow.u", to_slow);
   }
@@ -34,9 +36,12 @@ class SchemeTest : public testing::Test {
 };
 
 TEST_F(SchemeTest, MeanNeedsASourceAheadOfItsReader) {
-  EXPECT_TRUE(refuses_scheme("parallel", "lagrange1", "mean", {"slow.u", "mean", "ahead", "'fast'", "'slow'", "parallel"}));
-  EXPECT_TRUE(refuses_scheme("slowest-first", "lagrange1", "mean", {"slow.u", "mean", "'fast' is not ahead of 'slow'"}));
-  EXPECT_TRUE(refuses_scheme("fastest-first", "mean", "lagrange1", {"fast.u", "mean", "'slow' is not ahead of 'fast'"}));
+  EXPECT_TRUE(refuses_scheme("parallel", "lagrange1", "mean",
+                             {"slow.u", "mean", "ahead", "'fast'", "'slow'", "parallel"}));
+  EXPECT_TRUE(refuses_scheme("slowest-first", "lagrange1", "mean",
+                             {"slow.u", "mean", "'fast' is not ahead of 'slow'"}));
+  EXPECT_TRUE(refuses_scheme("fastest-first", "mean", "lagrange1",
+                             {"fast.u", "mean", "'slow' is not ahead of 'fast'"}));
   RunBench honoured;
   couple(honoured, "fastest-first", "lagrange1", "mean");
   EXPECT_NO_THROW(honoured.run(4.0));
@@ -46,7 +51,8 @@ TEST_F(SchemeTest, MeanNeedsASourceAheadOfItsReader) {
 }
 
 TEST_F(SchemeTest, MatchedHoldNeedsTurns) {
-  EXPECT_TRUE(refuses_scheme("parallel", "matched_hold", "matched_hold", {"fast.u", "matched_hold", "parallel"}));
+  EXPECT_TRUE(
+      refuses_scheme("parallel", "matched_hold", "matched_hold", {"fast.u", "matched_hold", "parallel"}));
   for (const char* schedule : {"slowest-first", "fastest-first", "staggered"}) {
     RunBench bench;
     couple(bench, schedule, "matched_hold", "matched_hold");
@@ -55,7 +61,8 @@ TEST_F(SchemeTest, MatchedHoldNeedsTurns) {
 }
 
 TEST_F(SchemeTest, StaggeredTakesMatchedHoldOnly) {
-  EXPECT_TRUE(refuses_scheme("staggered", "matched_hold", "lagrange2", {"slow.u", "lagrange2", "staggered", "matched_hold only"}));
+  EXPECT_TRUE(refuses_scheme("staggered", "matched_hold", "lagrange2",
+                             {"slow.u", "lagrange2", "staggered", "matched_hold only"}));
   EXPECT_TRUE(refuses_scheme("staggered", "mean", "matched_hold", {"fast.u", "mean", "staggered"}));
 }
 
@@ -72,22 +79,26 @@ TEST_F(SchemeTest, StaggeredWithoutLandingSaysThatAFirstOrderPartRemains) {
   couple(bench, "staggered", "matched_hold", "matched_hold");
   bench.run(4.0);
   ASSERT_FALSE(bench.coordinator->notes().empty());
-  EXPECT_NE(bench.coordinator->notes()[0].find("first order"), std::string::npos) << bench.coordinator->notes()[0];
+  EXPECT_NE(bench.coordinator->notes()[0].find("first order"), std::string::npos)
+      << bench.coordinator->notes()[0];
 }
 
 TEST(Scheme, AMemoryNeedsAFixedStep) {
   SubsystemInfo info = test::listener(1.0).info();
   info.abilities.chooses_step = true;
-  Scripted source = test::listener(0.5), reader(info, 1.0, [](double, const auto&, double* y) { y[0] = 0.0; });
+  Scripted source = test::listener(0.5), reader(info, 1.0, [](double, const auto&, double*y) { y[0] = 0.0; });
   RunBench bench;
   bench.add("source", source).add("reader", reader);
   bench.connect("source.y", "reader.u", "lagrange1", Lag::memory).connect("reader.y", "source.u");
-  EXPECT_TRUE(refuses(ErrorCode::not_supported, {"reader.u", "memory", "chooses its steps", "delay"}, [&] { bench.run(4.0); }));
+  EXPECT_TRUE(refuses(ErrorCode::not_supported, {"reader.u", "memory", "chooses its steps", "delay"},
+                      [&] { bench.run(4.0); }));
 }
 
 /// The leaders-first order of a run of subsystems a, b, c with steps 2, 1 and 3.
-testing::AssertionResult has_order(const std::string& schedule, const std::vector<std::string>& named, const std::vector<int>& order) {
-  Scripted a = test::source(2.0, [](double) { return 0.0; }), b = test::source(1.0, [](double) { return 0.0; }),
+testing::AssertionResult has_order(const std::string& schedule, const std::vector<std::string>& named,
+                                   const std::vector<int>& order) {
+  Scripted a = test::source(2.0, [](double) { return 0.0; }),
+           b = test::source(1.0, [](double) { return 0.0; }),
            c = test::source(3.0, [](double) { return 0.0; });
   RunBench bench;
   bench.add("a", a).add("b", b).add("c", c).schedule(schedule);
@@ -106,7 +117,8 @@ TEST(Order, GoesByTheOwnStepsOrAsNamed) {
 }
 
 TEST(Order, TiesGoByScenarioOrder) {
-  Scripted a = test::source(1.0, [](double) { return 0.0; }), b = test::source(1.0, [](double) { return 0.0; });
+  Scripted a = test::source(1.0, [](double) { return 0.0; }),
+           b = test::source(1.0, [](double) { return 0.0; });
   for (const char* schedule : {"slowest-first", "fastest-first"}) {
     RunBench bench;
     bench.add("a", a).add("b", b).schedule(schedule).run(2.0);
@@ -115,10 +127,18 @@ TEST(Order, TiesGoByScenarioOrder) {
 }
 
 TEST(Order, NamesEachSubsystemOnce) {
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"coordination.order", "'c'"}, [] { has_order("slowest-first", {"a", "b"}, {}); }));
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"coordination.order", "'b'", "twice"}, [] { has_order("slowest-first", {"a", "b", "b"}, {}); }));
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"coordination.order", "'d'"}, [] { has_order("slowest-first", {"a", "b", "c", "d"}, {}); }));
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"coordination.order", "'d'"}, [] { has_order("slowest-first", {"a", "b", "d"}, {}); }));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"coordination.order", "'c'"}, [] {
+    has_order("slowest-first", {"a", "b"}, {});
+  }));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"coordination.order", "'b'", "twice"}, [] {
+    has_order("slowest-first", {"a", "b", "b"}, {});
+  }));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"coordination.order", "'d'"}, [] {
+    has_order("slowest-first", {"a", "b", "c", "d"}, {});
+  }));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"coordination.order", "'d'"}, [] {
+    has_order("slowest-first", {"a", "b", "d"}, {});
+  }));
 }
 
 TEST(CommunicationStep, IsFiniteAndAboveZero) {
@@ -131,58 +151,15 @@ TEST(CommunicationStep, IsFiniteAndAboveZero) {
 }
 
 TEST(Span, EndsAfterItsStart) {
-  for (const auto& [from, to] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {0.0, double{INFINITY}}, {double{NAN}, 1.0}, {1e17, 1e17 + 16.0}}) {
+  for (const auto& [from, to] :
+       {std::pair{0.0, 0.0}, {1.0, 0.0}, {0.0, double{INFINITY}}, {double{NAN}, 1.0}, {1e17, 1e17 + 16.0}}) {
     Scripted a = test::source(1.0, [](double) { return 0.0; });
     RunBench bench;
     bench.add("a", a);
-    EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"does not end after its start"}, [&] { bench.run(to, from); })) << from << " " << to;
+    EXPECT_TRUE(
+        refuses(ErrorCode::invalid_argument, {"does not end after its start"}, [&] { bench.run(to, from); }))
+        << from << " " << to;
   }
-}
-
-/// The note or refusal of a start that has to be made for lagrange3 of subsystems like these.
-SubsystemInfo with_start_abilities(int derivatives, bool restarts) {
-  SubsystemInfo info{"s", {{"u", "1"}}, {{"y", "1", 1, derivatives}}, {}, {}};
-  info.abilities.restarts = restarts;
-  return info;
-}
-Scripted zero(int derivatives, bool restarts) {
-  return {with_start_abilities(derivatives, restarts), 0.5, [derivatives](double, const auto&, double* y) { std::fill_n(y, 1 + derivatives, 0.0); }};
-}
-RunBench couple(Scripted& a, Scripted& b, StartKind start, const std::string& how = "lagrange3") {
-  RunBench bench;
-  bench.add("a", a).add("b", b).connect("a.y", "b.u", how).connect("b.y", "a.u", how).coordination.start = start;
-  return bench;
-}
-
-TEST(Start, IsFromDerivativesWhereThereAreEnoughElseRepeatedElseColdWithANote) {
-  Scripted a = zero(2, true), b = zero(2, true);
-  couple(a, b, StartKind::automatic).run(4.0);
-  EXPECT_EQ(a.starts.size(), 2U) << "NaN first, then with b's output";
-  Scripted c = zero(1, true), d = zero(2, true);
-  RunBench repeated = couple(c, d, StartKind::automatic);
-  repeated.run(4.0);
-  EXPECT_GT(c.starts.size(), 2U);
-  EXPECT_TRUE(repeated.coordinator->notes().empty());
-  Scripted e = zero(1, false), f = zero(2, true);
-  RunBench cold = couple(e, f, StartKind::automatic);
-  cold.run(4.0);
-  EXPECT_EQ(e.starts.size(), 2U);
-  ASSERT_EQ(cold.coordinator->notes().size(), 1U);
-  EXPECT_NE(cold.coordinator->notes()[0].find("cold start"), std::string::npos);
-}
-
-TEST(Start, ThatIsAskedForAndCanNotBeMadeIsRefused) {
-  Scripted a = zero(1, false), b = zero(2, true);
-  EXPECT_TRUE(refuses(ErrorCode::not_supported, {"derivatives", "too few"}, [&] { couple(a, b, StartKind::derivatives).run(4.0); }));
-  EXPECT_TRUE(refuses(ErrorCode::not_supported, {"repeated start", "restart"}, [&] { couple(a, b, StartKind::repeat).run(4.0); }));
-  EXPECT_NO_THROW(couple(a, b, StartKind::cold).run(4.0));
-}
-
-TEST(Start, NeedsNothingUpToDegreeOne) {
-  Scripted a = zero(0, false), b = zero(0, false);
-  RunBench bench = couple(a, b, StartKind::automatic, "lagrange1");
-  bench.run(4.0);
-  EXPECT_TRUE(bench.coordinator->notes().empty());
 }
 
 }  // namespace

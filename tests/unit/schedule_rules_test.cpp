@@ -21,11 +21,12 @@ struct Rules {
   double t_start, t_stop, H;
 
   double tol(double a, double b) const {
-    return 4.0 * std::numeric_limits<double>::epsilon() * std::max({std::abs(a), std::abs(b), std::abs(t_start)});
+    return 4.0 * std::numeric_limits<double>::epsilon() *
+           std::max({std::abs(a), std::abs(b), std::abs(t_start)});
   }
   bool before(double a, double b) const { return a < b - tol(a, b); }
   bool finished(const Member& m) const { return !before(m.time, t_stop) || before(t_stop, m.next); }
-  double shortest(double limit, std::size_t from, std::size_t to, double Member::* what) const {
+  double shortest(double limit, std::size_t from, std::size_t to, double Member::*what) const {
     for (std::size_t q = from; q < to; ++q)
       if (!finished(clocks[q])) limit = std::min(limit, clocks[q].*what);
     return limit;
@@ -53,7 +54,8 @@ struct Rules {
   std::optional<std::pair<std::size_t, double>> staggered() const {  // clocks: slow, fast
     const Member &slow = clocks[0], &fast = clocks[1];
     const double mid = slow.time + (slow.next - slow.time) / 2.0;
-    if (!finished(slow) && !finished(fast) && before(fast.time, mid)) return std::pair{1U, fast.lands ? mid : std::max(mid, fast.next)};
+    if (!finished(slow) && !finished(fast) && before(fast.time, mid))
+      return std::pair{1U, fast.lands ? mid : std::max(mid, fast.next)};
     if (!finished(slow)) return std::pair{0U, slow.next};
     if (!finished(fast)) return std::pair{1U, t_stop};
     return {};
@@ -71,10 +73,11 @@ struct Rules {
   }
 };
 
-constexpr double ulps = 1e-15;  // limits are picked, not computed: equal but for a cut at t_stop within the tolerance
+constexpr double ulps =
+    1e-15;  // limits are picked, not computed: equal but for a cut at t_stop within the tolerance
 
-void expect_turn(std::span<const Turn> round, const std::vector<int>& order, const std::optional<std::pair<std::size_t, double>>& rule,
-                 double t_stop) {
+void expect_turn(std::span<const Turn> round, const std::vector<int>& order,
+                 const std::optional<std::pair<std::size_t, double>>& rule, double t_stop) {
   ASSERT_EQ(round.empty(), !rule);
   if (!rule) return;
   ASSERT_EQ(round.size(), 1U);
@@ -92,7 +95,8 @@ void expect_round(std::span<const Turn> round, const std::vector<int>& order, co
   }
   for (std::size_t p = 0; p < order.size(); ++p) {
     const Member& m = rules.clocks[p];
-    ASSERT_EQ(moves[static_cast<std::size_t>(order[p])] == 1, T && !rules.finished(m) && !rules.before(*T, m.next));
+    ASSERT_EQ(moves[static_cast<std::size_t>(order[p])] == 1,
+              T && !rules.finished(m) && !rules.before(*T, m.next));
   }
 }
 
@@ -123,7 +127,8 @@ void follow(const Case& c) {
       ASSERT_FALSE(tolerance.before(c.t_stop, turn.limit)) << "nobody is asked for anything beyond the end";
       ASSERT_FALSE(turn.land && !before.lands);
       bench.take(turn);
-      ASSERT_GT(bench.members()[static_cast<std::size_t>(turn.who)].time, before.time) << "each turn is progress";
+      ASSERT_GT(bench.members()[static_cast<std::size_t>(turn.who)].time, before.time)
+          << "each turn is progress";
     }
   }
   for (std::size_t i = 0; i < c.walkers.size(); ++i) {
@@ -134,7 +139,9 @@ void follow(const Case& c) {
 
 TEST(ScheduleRules, HoldForAThousandSetsOfSubsystems) {
   std::mt19937_64 random(7);
-  const auto pick = [&random](int count) { return static_cast<std::size_t>(std::uniform_int_distribution(0, count - 1)(random)); };
+  const auto pick = [&random](int count) {
+    return static_cast<std::size_t>(std::uniform_int_distribution(0, count - 1)(random));
+  };
   const double ratios[] = {0.7, 1.5, 2.5, 3.0, 7.0, 30.0, 30.7, 10.0 * std::numbers::pi, std::sqrt(2.0), 1.0};
   const double starts[] = {0.0, 0.0, -1.0, 17.3, -250.0, 1e5};
   for (int i = 0; i < 1500; ++i) {
@@ -142,8 +149,10 @@ TEST(ScheduleRules, HoldForAThousandSetsOfSubsystems) {
     const std::size_t n = c.kind == Kind::staggered ? 2 : 1 + pick(4);
     const double h = 0.01 * static_cast<double>(1 + pick(9));
     for (std::size_t k = 0; k < n; ++k) {
-      c.walkers.push_back({static_cast<char>('A' + k), k == 0 ? h : h * ratios[pick(10)], pick(2) == 0, pick(5) == 0});
-      c.order.insert(c.order.begin() + static_cast<std::ptrdiff_t>(pick(static_cast<int>(k) + 1)), static_cast<int>(k));
+      c.walkers.push_back(
+          {static_cast<char>('A' + k), k == 0 ? h : h * ratios[pick(10)], pick(2) == 0, pick(5) == 0});
+      c.order.insert(c.order.begin() + static_cast<std::ptrdiff_t>(pick(static_cast<int>(k) + 1)),
+                     static_cast<int>(k));
       c.H = std::max(c.H, c.walkers.back().own_step);
     }
     if (pick(4) == 0) c.H *= 0.3;
@@ -162,7 +171,8 @@ TEST(ScheduleRules, HoldForClocksThatNoRunWouldReach) {
     std::vector<Member> members(static_cast<std::size_t>(2 + i % 4));
     for (Member& m : members) {
       m.time = t_start + std::floor(8.0 * uniform(random)) / 8.0;
-      m.next = m.time + std::floor(1.0 + 8.0 * uniform(random)) / 16.0 * (1.0 + 2e-16 * std::floor(3.0 * uniform(random)));
+      m.next = m.time + std::floor(1.0 + 8.0 * uniform(random)) / 16.0 *
+                            (1.0 + 2e-16 * std::floor(3.0 * uniform(random)));
       m.lands = uniform(random) < 0.5;
       m.reads_mean = uniform(random) < 0.2;
     }
@@ -171,7 +181,8 @@ TEST(ScheduleRules, HoldForClocksThatNoRunWouldReach) {
     std::shuffle(order.begin(), order.end(), random);
     Rules rules{{}, t_start, t_stop, 0.3};
     for (const int k : order) rules.clocks.push_back(members[static_cast<std::size_t>(k)]);
-    expect_turn(Schedule(Kind::slowest_first, order, t_start, t_stop, 0.3).next_round(members), order, rules.in_turn(), t_stop);
+    expect_turn(Schedule(Kind::slowest_first, order, t_start, t_stop, 0.3).next_round(members), order,
+                rules.in_turn(), t_stop);
     expect_round(Schedule(Kind::parallel, order, t_start, t_stop, 0.3).next_round(members), order, rules);
     if (HasFatalFailure()) FAIL() << "case " << i;
   }

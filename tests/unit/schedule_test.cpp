@@ -16,13 +16,15 @@ using test::Walker;
 using Kind = Schedule::Kind;
 
 /// Runs a schedule; `order` has the leader first, and H is the largest own step.
-std::string turns(Kind kind, const std::vector<Walker>& walkers, std::vector<int> order, double t_stop, double t_start = 0.0) {
+std::string turns(Kind kind, const std::vector<Walker>& walkers, std::vector<int> order, double t_stop,
+                  double t_start = 0.0) {
   double h = 0.0;
   for (const Walker& w : walkers) h = std::max(h, w.own_step);
   return ScheduleBench(walkers, t_start, t_stop).run(Schedule(kind, std::move(order), t_start, t_stop, h));
 }
 
-// The lists below are worked out by hand from the rules in docs: who is due, who has to go before, and up to where.
+// The lists below are worked out by hand from the rules in docs: who is due, who has to go before, and up to
+// where.
 
 TEST(Schedule, SlowestFirstAtRatio3TakesOneTurnEach) {
   EXPECT_EQ(turns(Kind::slowest_first, {{'F', 1.0}, {'S', 3.0}}, {1, 0}, 9.0), "S3 F3 S6 F6 S9 F9");
@@ -33,11 +35,13 @@ TEST(Schedule, FastestFirstAtRatio3TakesOneTurnEach) {
 }
 
 TEST(Schedule, SlowestFirstAtRatioTwoAndAHalf) {
-  EXPECT_EQ(turns(Kind::slowest_first, {{'F', 1.0}, {'S', 2.5}}, {1, 0}, 10.0), "S2.5 F2 S5 F5 S7.5 F7 S10 F10");
+  EXPECT_EQ(turns(Kind::slowest_first, {{'F', 1.0}, {'S', 2.5}}, {1, 0}, 10.0),
+            "S2.5 F2 S5 F5 S7.5 F7 S10 F10");
 }
 
 TEST(Schedule, FastestFirstAtRatioTwoAndAHalfGoesPastTheSlowSidesNode) {
-  EXPECT_EQ(turns(Kind::fastest_first, {{'F', 1.0}, {'S', 2.5}}, {0, 1}, 10.0), "F2 F3 S2.5 F5 S5 F7 F8 S7.5 F10 S10");
+  EXPECT_EQ(turns(Kind::fastest_first, {{'F', 1.0}, {'S', 2.5}}, {0, 1}, 10.0),
+            "F2 F3 S2.5 F5 S5 F7 F8 S7.5 F10 S10");
 }
 
 TEST(Schedule, RolesMayBeSwappedByOrder) {
@@ -50,9 +54,11 @@ TEST(Schedule, EqualStepsAlternate) {
 
 TEST(Schedule, ThreeSubsystemsFollowOneAnother) {
   // Steps 4, 2, 1: C can go when B has passed its node, B when A has.
-  EXPECT_EQ(turns(Kind::slowest_first, {{'A', 4.0}, {'B', 2.0}, {'C', 1.0}}, {0, 1, 2}, 8.0), "A4 B2 C2 B4 C4 A8 B6 C6 B8 C8");
+  EXPECT_EQ(turns(Kind::slowest_first, {{'A', 4.0}, {'B', 2.0}, {'C', 1.0}}, {0, 1, 2}, 8.0),
+            "A4 B2 C2 B4 C4 A8 B6 C6 B8 C8");
   // Steps 1, 2, 4, leader first: C goes as far as the next nodes of B and A allow.
-  EXPECT_EQ(turns(Kind::fastest_first, {{'A', 4.0}, {'B', 2.0}, {'C', 1.0}}, {2, 1, 0}, 8.0), "C2 B2 C4 B4 A4 C6 B6 C8 B8 A8");
+  EXPECT_EQ(turns(Kind::fastest_first, {{'A', 4.0}, {'B', 2.0}, {'C', 1.0}}, {2, 1, 0}, 8.0),
+            "C2 B2 C4 B4 A4 C6 B6 C8 B8 A8");
 }
 
 TEST(Schedule, ALeaderOfALeaderGoesFirst) {
@@ -63,13 +69,15 @@ TEST(Schedule, ALeaderOfALeaderGoesFirst) {
 
 TEST(Schedule, AReaderOfAMeanTakesOneStepAtATime) {
   EXPECT_EQ(turns(Kind::slowest_first, {{'F', 1.0, false, true}, {'S', 3.0}}, {1, 0}, 3.0), "S3 F1 F2 F3");
-  EXPECT_EQ(turns(Kind::fastest_first, {{'F', 1.0}, {'S', 0.5, false, true}}, {0, 1}, 2.0), "F1 S0.5 S1 F2 S1.5 S2");
+  EXPECT_EQ(turns(Kind::fastest_first, {{'F', 1.0}, {'S', 0.5, false, true}}, {0, 1}, 2.0),
+            "F1 S0.5 S1 F2 S1.5 S2");
 }
 
 TEST(Schedule, ParallelAdvancesAllToTheNextCommunicationPoint) {
   EXPECT_EQ(turns(Kind::parallel, {{'F', 1.0}, {'S', 3.0}}, {0, 1}, 6.0), "(F3 S3) (F6 S6)");
   // T = 2.5, 5, ...: the fast side stands at 2 and goes on to 5.
-  EXPECT_EQ(turns(Kind::parallel, {{'F', 1.0}, {'S', 2.5}}, {0, 1}, 10.0), "(F2 S2.5) (F5 S5) (F7 S7.5) (F10 S10)");
+  EXPECT_EQ(turns(Kind::parallel, {{'F', 1.0}, {'S', 2.5}}, {0, 1}, 10.0),
+            "(F2 S2.5) (F5 S5) (F7 S7.5) (F10 S10)");
 }
 
 TEST(Schedule, ParallelWithACommunicationStepBelowTheOwnSteps) {
@@ -86,7 +94,8 @@ TEST(Schedule, ParallelWithALongCommunicationStepTakesManyStepsEach) {
 TEST(Schedule, StaggeredStepsTheSlowSideFromTheMiddleOfItsStep) {
   EXPECT_EQ(turns(Kind::staggered, {{'F', 1.0, true}, {'S', 4.0, true}}, {1, 0}, 8.0), "F2 S4 F6 S8 F8");
   EXPECT_EQ(turns(Kind::staggered, {{'F', 1.0, true}, {'S', 3.0, true}}, {1, 0}, 6.0), "F1.5 S3 F4.5 S6 F6");
-  EXPECT_EQ(turns(Kind::staggered, {{'F', 1.0, true}, {'S', 2.5, true}}, {1, 0}, 6.0), "F1.25 S2.5 F3.75 S5 F5.5 S6 F6")
+  EXPECT_EQ(turns(Kind::staggered, {{'F', 1.0, true}, {'S', 2.5, true}}, {1, 0}, 6.0),
+            "F1.25 S2.5 F3.75 S5 F5.5 S6 F6")
       << "its last step is cut, and the middle is that of what is left";
 }
 
@@ -111,7 +120,8 @@ TEST(Schedule, LandsOnlyAtTheEndButInTheMiddleWhenStaggered) {
 TEST(Schedule, WhoCanLandEndsAtTheEndAndTheOthersAtTheirLastNodeBeforeIt) {
   EXPECT_EQ(turns(Kind::slowest_first, {{'F', 1.0}, {'S', 2.5}}, {1, 0}, 6.0), "S2.5 F2 S5 F6")
       << "the slow side has finished, so it limits nobody";
-  EXPECT_EQ(turns(Kind::slowest_first, {{'F', 1.0, true}, {'S', 2.5, true}}, {1, 0}, 5.6), "S2.5 F2 S5 F5 S5.6 F5.6");
+  EXPECT_EQ(turns(Kind::slowest_first, {{'F', 1.0, true}, {'S', 2.5, true}}, {1, 0}, 5.6),
+            "S2.5 F2 S5 F5 S5.6 F5.6");
   EXPECT_EQ(turns(Kind::fastest_first, {{'F', 1.0}, {'S', 2.5, true}}, {0, 1}, 5.6), "F2 F3 S2.5 F5 S5.6");
   EXPECT_EQ(turns(Kind::parallel, {{'F', 1.0}, {'S', 2.5, true}}, {0, 1}, 5.6), "(F2 S2.5) (F5 S5) S5.6");
 }
@@ -122,8 +132,10 @@ TEST(Schedule, AnEarlyFinisherBlocksNobody) {
     EXPECT_EQ(turns(kind, {{'A', 1.0}, {'B', 1.0, false, false, 1.5}}, {0, 1}, 4.0), "A1 B1 A4");
   }
   EXPECT_EQ(turns(Kind::parallel, {{'A', 1.0, false, false, 1.5}, {'B', 1.0}}, {0, 1}, 3.0), "(A1 B1) B2 B3");
-  EXPECT_EQ(turns(Kind::staggered, {{'F', 1.0, true, false, 1.0}, {'S', 4.0, true}}, {1, 0}, 8.0), "F1 S4 S8");
-  EXPECT_EQ(turns(Kind::staggered, {{'F', 1.0, true}, {'S', 2.0, true, false, 2.0}}, {1, 0}, 5.0), "F1 S2 F5");
+  EXPECT_EQ(turns(Kind::staggered, {{'F', 1.0, true, false, 1.0}, {'S', 4.0, true}}, {1, 0}, 8.0),
+            "F1 S4 S8");
+  EXPECT_EQ(turns(Kind::staggered, {{'F', 1.0, true}, {'S', 2.0, true, false, 2.0}}, {1, 0}, 5.0),
+            "F1 S2 F5");
 }
 
 TEST(Schedule, NobodyMovesWhenNoStepFits) {
@@ -134,7 +146,8 @@ TEST(Schedule, NobodyMovesWhenNoStepFits) {
 TEST(Schedule, NamesAreReadAndWrittenAlike) {
   for (const char* name : {"slowest-first", "fastest-first", "staggered", "parallel"})
     EXPECT_EQ(Schedule::name(Schedule::parse(name)), name);
-  EXPECT_TRUE(test::refuses(ErrorCode::invalid_argument, {"'slowest_first'", "slowest-first, fastest-first, staggered, parallel"},
+  EXPECT_TRUE(test::refuses(ErrorCode::invalid_argument,
+                            {"'slowest_first'", "slowest-first, fastest-first, staggered, parallel"},
                             [] { Schedule::parse("slowest_first"); }));
 }
 

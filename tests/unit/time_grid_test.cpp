@@ -22,7 +22,8 @@ TEST(TimeGrid, TenMillionStepsOfATenthEndAtAMillion) {
     accumulated += 0.1;
   }
   EXPECT_EQ(grid.time(), 1e6);
-  EXPECT_GT(std::abs(accumulated - 1e6), 1e-5) << "or this test would not tell multiplied from accumulated time";
+  EXPECT_GT(std::abs(accumulated - 1e6), 1e-5)
+      << "or this test would not tell multiplied from accumulated time";
 }
 
 TEST(TimeGrid, NodesAreMultipliedForStepsOfAnySizeAndStart) {
@@ -39,13 +40,16 @@ TEST(TimeGrid, NodesAreMultipliedForStepsOfAnySizeAndStart) {
     }
 }
 
-/// n h2 = k h1 with h1 a decimal and h2 = h1 m / q: at t = t_start + n h2 each grid has rounded its step, the product (each
-/// eps/2 of n h) and the sum (eps/2 of t). With t_start = 0 that is 2 eps |t| for both together. Otherwise n h may be up to
-/// |t| + |t_start|, and the bound is 4 eps of it + eps |t|; 3.7 eps max(|t|, |t_start|) were found.
+/// n h2 = k h1 with h1 a decimal and h2 = h1 m / q: at t = t_start + n h2 each grid has rounded its step, the
+/// product (each eps/2 of n h) and the sum (eps/2 of t). With t_start = 0 that is 2 eps |t| for both
+/// together. Otherwise n h may be up to |t| + |t_start|, and the bound is 4 eps of it + eps |t|; 3.7 eps
+/// max(|t|, |t_start|) were found.
 void meet_at_common_nodes(double t_start, double largest) {
   std::mt19937_64 random(1);
   const TimeTolerance tolerance(t_start);
-  const auto pick = [&random](std::int64_t from, std::int64_t to) { return std::uniform_int_distribution(from, to)(random); };
+  const auto pick = [&random](std::int64_t from, std::int64_t to) {
+    return std::uniform_int_distribution(from, to)(random);
+  };
   for (int i = 0; i < 200'000; ++i) {
     const auto a = static_cast<double>(pick(1, 999)), scale = std::pow(10.0, static_cast<double>(pick(0, 5)));
     const std::int64_t m = pick(1, 400), q = pick(1, 20), round = pick(1, ten_million / std::max(m, q));
@@ -53,7 +57,8 @@ void meet_at_common_nodes(double t_start, double largest) {
     std::int64_t rounds = round;
     if (t_start < 0.0 && i % 2)  // near t = 0, where max |t| alone would be too narrow
       rounds = std::clamp<std::int64_t>(std::llround(-t_start / (h2 * static_cast<double>(q))), 1, round);
-    const double t1 = t_start + static_cast<double>(rounds * m) * h1, t2 = t_start + static_cast<double>(rounds * q) * h2;
+    const double t1 = t_start + static_cast<double>(rounds * m) * h1,
+                 t2 = t_start + static_cast<double>(rounds * q) * h2;
     ASSERT_LE(std::abs(t1 - t2), largest * eps * std::max({std::abs(t1), std::abs(t2), std::abs(t_start)}));
     ASSERT_FALSE(tolerance.before(t1, t2) || tolerance.before(t2, t1)) << h1 << " " << h2 << " " << rounds;
   }

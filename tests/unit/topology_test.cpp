@@ -16,7 +16,11 @@ using test::connection;
 using test::refuses;
 
 const SubsystemInfo motor{"motor", {{"torque", "N m"}}, {{"speed", "rpm"}, {"angle", "rad", 1, 1}}, {}, {}};
-const SubsystemInfo shaft{"shaft", {{"speed", "rad/s"}, {"angle", "rad"}, {"loads", "N", 3}}, {{"torque", "N m"}, {"forces", "N", 3}}, {}, {}};
+const SubsystemInfo shaft{"shaft",
+                          {{"speed", "rad/s"}, {"angle", "rad"}, {"loads", "N", 3}},
+                          {{"torque", "N m"}, {"forces", "N", 3}},
+                          {},
+                          {}};
 
 class TopologyTest : public testing::Test {
  protected:
@@ -31,29 +35,40 @@ class TopologyTest : public testing::Test {
 };
 
 TEST_F(TopologyTest, UnknownInstancesAndPortsAreNamedWithTheNearestKnownOne) {
-  EXPECT_TRUE(refuses_connection(connection("motr.angle", "shaft.angle"), {"'motr'", "did you mean 'motor'", "motor, shaft"}));
-  EXPECT_TRUE(refuses_connection(connection("motor.angel", "shaft.angle"), {"output 'angel'", "did you mean 'angle'", "'motor'"}));
-  EXPECT_TRUE(refuses_connection(connection("motor.angle", "shaft.speeed"), {"input 'speeed'", "did you mean 'speed'", "'shaft'"}));
-  EXPECT_TRUE(refuses_connection(connection("motor.torque", "shaft.angle"), {"output 'torque'", "speed, angle"})) << "an input, not an output";
+  EXPECT_TRUE(refuses_connection(connection("motr.angle", "shaft.angle"),
+                                 {"'motr'", "did you mean 'motor'", "motor, shaft"}));
+  EXPECT_TRUE(refuses_connection(connection("motor.angel", "shaft.angle"),
+                                 {"output 'angel'", "did you mean 'angle'", "'motor'"}));
+  EXPECT_TRUE(refuses_connection(connection("motor.angle", "shaft.speeed"),
+                                 {"input 'speeed'", "did you mean 'speed'", "'shaft'"}));
+  EXPECT_TRUE(
+      refuses_connection(connection("motor.torque", "shaft.angle"), {"output 'torque'", "speed, angle"}))
+      << "an input, not an output";
   EXPECT_TRUE(refuses_connection(connection("angle", "shaft.angle"), {"'angle'", "instance.port"}));
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'torqe'", "'torque'"}, [&] { topology.set_start("motor.torqe", 1.0); }));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'torqe'", "'torque'"},
+                      [&] { topology.set_start("motor.torqe", 1.0); }));
 }
 
 TEST_F(TopologyTest, ElementsOfArraysAreCheckedAgainstTheirSize) {
   for (const char* index : {"[", "[]", "[x]", "[-1]", "[1", "[1]x", "[1.5]", "[ 1]", "[99999999999]"})
-    EXPECT_TRUE(refuses_connection(connection("shaft.forces" + std::string(index), "shaft.loads[0]"), {"shaft.forces" + std::string(index)}));
-  EXPECT_TRUE(refuses_connection(connection("shaft.forces[3]", "shaft.loads[0]"), {"shaft.forces[3]", "no element 3", "0 to 2"}));
+    EXPECT_TRUE(refuses_connection(connection("shaft.forces" + std::string(index), "shaft.loads[0]"),
+                                   {"shaft.forces" + std::string(index)}));
+  EXPECT_TRUE(refuses_connection(connection("shaft.forces[3]", "shaft.loads[0]"),
+                                 {"shaft.forces[3]", "no element 3", "0 to 2"}));
   EXPECT_TRUE(refuses_connection(connection("motor.angle[1]", "shaft.angle"), {"no element 1", "0 to 0"}));
 }
 
 TEST_F(TopologyTest, SizesHaveToAgree) {
-  EXPECT_TRUE(refuses_connection(connection("shaft.forces", "shaft.loads[0]"), {"shaft.forces", "shaft.loads[0]", "3 scalars to 1"}));
+  EXPECT_TRUE(refuses_connection(connection("shaft.forces", "shaft.loads[0]"),
+                                 {"shaft.forces", "shaft.loads[0]", "3 scalars to 1"}));
   EXPECT_TRUE(refuses_connection(connection("motor.angle", "shaft.loads"), {"1 scalars to 3"}));
 }
 
 TEST_F(TopologyTest, UnitsHaveToAgreeOrBeConverted) {
-  EXPECT_TRUE(refuses_connection(connection("motor.speed", "shaft.speed"), {"'rpm' to 'rad/s'", "convert = true"}));
-  EXPECT_TRUE(refuses_connection(connection("motor.angle", "shaft.loads[0]"), {"'rad' to 'N'", "can't be converted"}));
+  EXPECT_TRUE(
+      refuses_connection(connection("motor.speed", "shaft.speed"), {"'rpm' to 'rad/s'", "convert = true"}));
+  EXPECT_TRUE(refuses_connection(connection("motor.angle", "shaft.loads[0]"),
+                                 {"'rad' to 'N'", "can't be converted"}));
   Connection c = connection("motor.angle", "shaft.loads[0]");
   c.convert = true;
   EXPECT_TRUE(refuses_connection(c, {"'rad' to 'N'", "can't be converted"}));
@@ -90,14 +105,17 @@ TEST_F(TopologyTest, GainsAndOffsetsAreFinite) {
   c.gain = 1.0;
   c.offset = INFINITY;
   EXPECT_TRUE(refuses_connection(c, {"not finite"}));
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"shaft.angle", "not finite"}, [&] { topology.set_start("shaft.angle", NAN); }));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"shaft.angle", "not finite"},
+                      [&] { topology.set_start("shaft.angle", NAN); }));
 }
 
 TEST_F(TopologyTest, AnInputTakesSeveralConnectionsOnlyIfAllSayAdd) {
-  const Connection angle = connection("motor.angle", "shaft.angle"), torque = connection("shaft.torque", "motor.torque");
+  const Connection angle = connection("motor.angle", "shaft.angle"),
+                   torque = connection("shaft.torque", "motor.torque");
   topology.connect(angle);
   EXPECT_TRUE(refuses_connection(angle, {"shaft.angle", "connected twice", "add = true"}));
-  EXPECT_TRUE(refuses_connection(added(angle), {"shaft.angle", "connected twice"})) << "the first did not say so";
+  EXPECT_TRUE(refuses_connection(added(angle), {"shaft.angle", "connected twice"}))
+      << "the first did not say so";
   topology.connect(added(torque));
   EXPECT_TRUE(refuses_connection(torque, {"motor.torque", "connected twice"})) << "the second did not say so";
   topology.connect(added(torque));
@@ -110,7 +128,8 @@ TEST_F(TopologyTest, ARefusedConnectionLeavesNothingBehind) {
   EXPECT_TRUE(refuses_connection(all, {"shaft.loads[1]"}));
   EXPECT_EQ(topology.lines().size(), 1U);
   topology.connect(connection("shaft.forces[0]", "shaft.loads[0]"));
-  EXPECT_TRUE(refuses_connection(connection("shaft.forces[0]", "shaft.loads[0]"), {"shaft.loads[0]", "twice"}));
+  EXPECT_TRUE(
+      refuses_connection(connection("shaft.forces[0]", "shaft.loads[0]"), {"shaft.loads[0]", "twice"}));
   EXPECT_TRUE(refuses_connection(added(connection("shaft.forces[0]", "shaft.loads[0]")), {"shaft.loads[0]"}))
       << "its one connection did not say add, whatever a refused one said";
 }
@@ -131,7 +150,8 @@ TEST_F(TopologyTest, EveryInputIsConnectedOrHasAStartValue) {
   topology.set_start("motor.torque", 1.0);
   topology.set_start("shaft.speed", 2.0);
   const auto check = [&] { topology.check(); };
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"shaft.loads[1]", "not connected", "no start value"}, check));
+  EXPECT_TRUE(
+      refuses(ErrorCode::invalid_argument, {"shaft.loads[1]", "not connected", "no start value"}, check));
   topology.set_start("shaft.loads", 3.0);
   EXPECT_NO_THROW(topology.check());
   EXPECT_EQ(topology.start(1)[0], 2.0);
@@ -168,9 +188,7 @@ TEST_F(TopologyTest, NamesOfInstancesAreUniqueAndPlain) {
 }
 
 TEST(Topology, PortsThatContradictThemselvesAreRefused) {
-  const auto adding = [](const SubsystemInfo& info) {
-    return [info] { Topology().add("s", info); };
-  };
+  const auto adding = [](const SubsystemInfo& info) { return [info] { Topology().add("s", info); }; };
   const auto refused = [&](const SubsystemInfo& info, const std::vector<std::string>& texts) {
     return refuses(ErrorCode::invalid_argument, texts, adding(info));
   };
@@ -180,7 +198,8 @@ TEST(Topology, PortsThatContradictThemselvesAreRefused) {
   EXPECT_TRUE(refused({"s", {}, {{"", "1"}}, {}, {}}, {"port ''"}));
   EXPECT_TRUE(refused({"s", {{"u", "1"}}, {{"y", "1"}}, {{0, 1}}, {}}, {"feedthrough", "input 1"}));
   EXPECT_TRUE(refused({"s", {{"u", "1"}}, {{"y", "1"}}, {{-1, 0}}, {}}, {"feedthrough", "output -1"}));
-  EXPECT_TRUE(refused({"s", {{"u", "1"}, {"u", "1"}}, {}, {}, {}}, {"'u'", "twice"})) << "else the second can't be reached";
+  EXPECT_TRUE(refused({"s", {{"u", "1"}, {"u", "1"}}, {}, {}, {}}, {"'u'", "twice"}))
+      << "else the second can't be reached";
 }
 
 }  // namespace

@@ -41,7 +41,8 @@ TEST(Units, ThereAndBackIsTheSame) {
   for (const auto& [a, b] : {std::pair{"rpm", "rad/s"}, {"bar", "Pa"}, {"degC", "K"}, {"km/h", "m/s"}}) {
     const auto there = convert_unit(a, b), back = convert_unit(b, a);
     ASSERT_TRUE(there && back);
-    EXPECT_NEAR(back->factor * (there->factor * 7.0 + there->shift) + back->shift, 7.0, 1e-13);  // 300 K eps = 7e-14
+    EXPECT_NEAR(back->factor * (there->factor * 7.0 + there->shift) + back->shift, 7.0,
+                1e-13);  // 300 K eps = 7e-14
   }
 }
 

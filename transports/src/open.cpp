@@ -22,7 +22,8 @@ void take_query(const std::string& uri, std::string& text, Parameters& parameter
   for (std::size_t begin = 0, end; (end = query.find('&', begin)) != std::string::npos; begin = end + 1) {
     const std::string pair = query.substr(begin, end - begin);
     const auto equals = pair.find('=');
-    if (equals == std::string::npos || equals == 0) refuse(uri, "has '" + pair + "' where key=value is allowed");
+    if (equals == std::string::npos || equals == 0)
+      refuse(uri, "has '" + pair + "' where key=value is allowed");
     if (parameters.has(pair.substr(0, equals))) refuse(uri, "gives '" + pair.substr(0, equals) + "' twice");
     parameters.set(pair.substr(0, equals), pair.substr(equals + 1));
   }
@@ -42,7 +43,8 @@ std::unique_ptr<Subsystem> open(const std::string& uri, const Builtins& builtins
     std::string list;
     for (const auto& [key, builder] : builtins) known.push_back(key), list += " " + key;
     const std::string near = nearest(name, known);
-    refuse(uri, "is not known" + (near.empty() ? std::string() : "; did you mean 'builtin:" + near + "'?") + " There are:" + list);
+    refuse(uri, "is not known" + (near.empty() ? std::string() : "; did you mean 'builtin:" + near + "'?") +
+                    " There are:" + list);
   }
   auto subsystem = it->second(parameters);
   parameters.refuse_unused("source '" + uri + "'");

@@ -9,11 +9,14 @@
 namespace tandem {
 namespace {
 
-[[noreturn]] void wrong_type(const std::string& name, const Parameters::Value& value, const std::string& wanted) {
-  const std::string found = std::holds_alternative<double>(value)  ? "a number"
-                            : std::holds_alternative<bool>(value) ? "true or false"
-                                                                  : "the text '" + std::get<std::string>(value) + "'";
-  throw Error(ErrorCode::invalid_argument, "parameter '" + name + "' is " + found + "; " + wanted + " is allowed");
+[[noreturn]] void wrong_type(const std::string& name, const Parameters::Value& value,
+                             const std::string& wanted) {
+  const std::string found = std::holds_alternative<double>(value) ? "a number"
+                            : std::holds_alternative<bool>(value)
+                                ? "true or false"
+                                : "the text '" + std::get<std::string>(value) + "'";
+  throw Error(ErrorCode::invalid_argument,
+              "parameter '" + name + "' is " + found + "; " + wanted + " is allowed");
 }
 
 }  // namespace
@@ -40,7 +43,8 @@ bool Parameters::flag(const std::string& name, bool otherwise) {
   const Value* value = find(name);
   if (!value) return otherwise;
   if (const bool* flag = std::get_if<bool>(value)) return *flag;
-  if (const auto* text = std::get_if<std::string>(value); text && (*text == "true" || *text == "false")) return *text == "true";
+  if (const auto* text = std::get_if<std::string>(value); text && (*text == "true" || *text == "false"))
+    return *text == "true";
   wrong_type(name, *value, "true or false");
 }
 
@@ -56,7 +60,8 @@ void Parameters::refuse_unused(const std::string& owner) const {
   for (const auto& [name, value] : values_) {
     if (asked_.count(name)) continue;
     std::string sentence = owner + " has no parameter '" + name + "'";
-    if (const std::string near = nearest(name, known); !near.empty()) sentence += "; did you mean '" + near + "'?";
+    if (const std::string near = nearest(name, known); !near.empty())
+      sentence += "; did you mean '" + near + "'?";
     sentence += " It takes:";
     for (const std::string& k : known) sentence += " " + k;
     throw Error(ErrorCode::invalid_argument, sentence);

@@ -7,12 +7,13 @@
 
 namespace tandem {
 
-/// A subsystem behind the C table of subsystem.h. A status other than TANDEM_OK is thrown as Error with the same code and
-/// the subsystem's own sentence.
+/// A subsystem behind the C table of subsystem.h. A status other than TANDEM_OK is thrown as Error with the
+/// same code and the subsystem's own sentence.
 class CSubsystem final : public Subsystem {
  public:
-  /// A new instance of what `api` makes from `parameters` ("key=value&key=value"). `api` must outlive it. Throws Error
-  /// for another ABI version, a table too small, a missing function, or ports that make no sense.
+  /// A new instance of what `api` makes from `parameters` ("key=value&key=value"). `api` must outlive it.
+  /// Throws Error for another ABI version, a table too small, a missing function, or ports that make no
+  /// sense.
   CSubsystem(const tandem_subsystem_api* api, const std::string& parameters);
   ~CSubsystem() override;
   CSubsystem(const CSubsystem&) = delete;

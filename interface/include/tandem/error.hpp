@@ -5,7 +5,8 @@
 
 namespace tandem {
 
-/// What kind of mistake an Error reports. The same numbers cross the C interface and the wire (tandem_status).
+/// What kind of mistake an Error reports. The same numbers cross the C interface and the wire
+/// (tandem_status).
 enum class ErrorCode {
   invalid_argument = 1,  ///< a value that the caller gave: port, unit, step, parameter
   not_supported = 2,     ///< asked for something that the subsystem or scheme has not
@@ -15,8 +16,8 @@ enum class ErrorCode {
   internal = 6,          ///< anything else
 };
 
-/// Thrown for a caller's mistake or a failed run. what() is one sentence that names subsystem, port and time where they
-/// matter, the value found and the values allowed.
+/// Thrown for a caller's mistake or a failed run. what() is one sentence that names subsystem, port and time
+/// where they matter, the value found and the values allowed.
 class Error : public std::runtime_error {
  public:
   Error(ErrorCode code, const std::string& sentence) : std::runtime_error(sentence), code_(code) {}

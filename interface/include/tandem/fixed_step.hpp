@@ -17,13 +17,14 @@ struct OwnStep {
   double begin, end, length;
 };
 
-/// Makes a model with a fixed own step a Subsystem: keeps the grid, takes the steps that fit, lands, appends samples.
-/// Model has:
-///   SubsystemInfo info() const;                           ports, units, feedthrough; `lands` and `restarts` are added
-///   double own_step() const;                              h [s], finite and above 0
-///   void start(double t, std::span<const double> u0);     puts the state at t; u0 may hold NaN (Subsystem::initialize)
-///   void step(const OwnStep& s, std::span<const Signal> u);   integrates over s; inputs are read at any time in it
-///   void outputs(double* y) const;                        outputs, then derivatives, of the state as it is
+/// Makes a model with a fixed own step a Subsystem: keeps the grid, takes the steps that fit, lands, appends
+/// samples. Model has:
+///   SubsystemInfo info() const;                           ports, units, feedthrough; `lands` and `restarts`
+///   are added double own_step() const;                              h [s], finite and above 0 void
+///   start(double t, std::span<const double> u0);     puts the state at t; u0 may hold NaN
+///   (Subsystem::initialize) void step(const OwnStep& s, std::span<const Signal> u);   integrates over s;
+///   inputs are read at any time in it void outputs(double* y) const;                        outputs, then
+///   derivatives, of the state as it is
 /// and is copyable: a copy is its saved state.
 template <class Model>
 class FixedStep final : public Subsystem {
@@ -72,9 +73,11 @@ class FixedStep final : public Subsystem {
 
   Clock clock(Stop stop) const { return {grid_.time(), grid_.next(), stop}; }
   typename Saved::iterator saved(StateId id) {
-    const auto it = std::find_if(saved_.begin(), saved_.end(), [id](const auto& entry) { return entry.first == id; });
+    const auto it =
+        std::find_if(saved_.begin(), saved_.end(), [id](const auto& entry) { return entry.first == id; });
     if (it != saved_.end()) return it;
-    throw Error(ErrorCode::invalid_argument, "subsystem '" + info_.name + "' has no saved state " + std::to_string(id));
+    throw Error(ErrorCode::invalid_argument,
+                "subsystem '" + info_.name + "' has no saved state " + std::to_string(id));
   }
 
   Model model_;

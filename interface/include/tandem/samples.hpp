@@ -9,9 +9,9 @@
 
 namespace tandem {
 
-/// Rows of output samples in the caller's memory. A row is: time [s], jump flag, the outputs, their first time
-/// derivatives, their second ones, and so on (SubsystemInfo::derivatives() blocks; 0 where a port gives fewer).
-/// A subsystem appends one row after each own step and never rewrites one.
+/// Rows of output samples in the caller's memory. A row is: time [s], jump flag, the outputs, their first
+/// time derivatives, their second ones, and so on (SubsystemInfo::derivatives() blocks; 0 where a port gives
+/// fewer). A subsystem appends one row after each own step and never rewrites one.
 class Samples {
  public:
   static constexpr std::int64_t header = 2;  ///< columns before the first output: time and jump flag
@@ -24,8 +24,9 @@ class Samples {
   std::int64_t size() const { return data_.size; }
   bool full() const { return data_.size == data_.capacity; }
 
-  /// A new row at time t; returns what follows the header, to be filled by the caller: outputs, then derivatives.
-  /// jump: no reconstruction fits a polynomial across the gap before this row. Precondition: not full().
+  /// A new row at time t; returns what follows the header, to be filled by the caller: outputs, then
+  /// derivatives. jump: no reconstruction fits a polynomial across the gap before this row. Precondition: not
+  /// full().
   double* append(double t, bool jump = false) {
     assert(!full());
     double* row = data_.rows + data_.stride * data_.size++;
@@ -41,8 +42,8 @@ class Samples {
     return {at(row) + header, static_cast<std::size_t>(data_.stride - header)};
   }
 
-  /// The same rows for the C interface, and their number after a call across it. Precondition of the second: at least
-  /// the present size, at most the capacity.
+  /// The same rows for the C interface, and their number after a call across it. Precondition of the second:
+  /// at least the present size, at most the capacity.
   tandem_samples c_view() const { return data_; }
   void set_size(std::int64_t size) {
     assert(size >= data_.size && size <= data_.capacity);

@@ -8,20 +8,24 @@
 
 namespace tandem {
 
-/// One polynomial piece, sum over k of c[k] (t - origin)^k for t <= end. See subsystem.h; the layout is the same.
+/// One polynomial piece, sum over k of c[k] (t - origin)^k for t <= end. See subsystem.h; the layout is the
+/// same.
 using Segment = tandem_segment;
 
-/// One scalar input as a function of time over the span of one call: a piecewise polynomial of up to six coefficients a
-/// piece. A view: the segments belong to the caller of Subsystem::advance and live until that call returns.
+/// One scalar input as a function of time over the span of one call: a piecewise polynomial of up to six
+/// coefficients a piece. A view: the segments belong to the caller of Subsystem::advance and live until that
+/// call returns.
 class Signal {
  public:
   Signal() = default;
   /// Segments with ascending ends, at least one; coefficients above degree are zero (0 <= degree <= 5).
-  Signal(const Segment* segments, std::int32_t count, std::int32_t degree) : data_{segments, count, degree, nullptr} {
+  Signal(const Segment* segments, std::int32_t count, std::int32_t degree)
+      : data_{segments, count, degree, nullptr} {
     assert(count >= 1 && degree >= 0 && degree < TANDEM_MAX_COEFFICIENTS);
   }
 
-  /// Value at t, in the unit of the port. A break belongs to the segment before it; the last segment goes on for ever.
+  /// Value at t, in the unit of the port. A break belongs to the segment before it; the last segment goes on
+  /// for ever.
   double value(double t) const {
     const Segment& s = at(t);
     const double x = t - s.origin;
@@ -39,7 +43,9 @@ class Signal {
     return v;
   }
 
-  std::span<const Segment> segments() const { return {data_.segments, static_cast<std::size_t>(data_.count)}; }
+  std::span<const Segment> segments() const {
+    return {data_.segments, static_cast<std::size_t>(data_.count)};
+  }
   std::int32_t degree() const { return data_.degree; }
 
  private:

@@ -1,7 +1,7 @@
 /* Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause */
-/* The subsystem contract in C99. A subsystem integrates itself with its own step; the coordinator tells it up to where,
- * and gives every input as a function of time. Data in, data out: nothing calls back, so the same contract holds in one
- * process, in a shared library and over a socket.
+/* The subsystem contract in C99. A subsystem integrates itself with its own step; the coordinator tells it up
+ * to where, and gives every input as a function of time. Data in, data out: nothing calls back, so the same
+ * contract holds in one process, in a shared library and over a socket.
  *
  * Units are SI (time in s) unless a port says otherwise. Numbers are IEEE doubles.
  *
@@ -9,9 +9,10 @@
  * `initialize` may be called again before the first `advance`; afterwards only with TANDEM_RESTARTS.
  * Calls on one instance never overlap; different instances may be called from different threads.
  *
- * Ownership: what `info` points to belongs to the subsystem and lives until `destroy`. Signals and samples belong to the
- * caller and are valid during the call only. Errors: a function returns a tandem_status; `last_error` then gives a
- * sentence, valid until the next call on that instance. No function may throw or longjmp through its caller. */
+ * Ownership: what `info` points to belongs to the subsystem and lives until `destroy`. Signals and samples
+ * belong to the caller and are valid during the call only. Errors: a function returns a tandem_status;
+ * `last_error` then gives a sentence, valid until the next call on that instance. No function may throw or
+ * longjmp through its caller. */
 #ifndef TANDEM_SUBSYSTEM_H
 #define TANDEM_SUBSYSTEM_H
 #include <stdint.h>
@@ -33,17 +34,17 @@ typedef enum tandem_status {
   TANDEM_INTERNAL = 6          /* anything else */
 } tandem_status;
 
-/* One polynomial piece of an input: it holds for t <= end (the tolerance for rounding is already added to end), and its
- * value is sum over k of c[k] * (t - origin)^k. */
+/* One polynomial piece of an input: it holds for t <= end (the tolerance for rounding is already added to
+ * end), and its value is sum over k of c[k] * (t - origin)^k. */
 typedef struct tandem_segment {
   double end;
   double origin;
   double c[TANDEM_MAX_COEFFICIENTS];
 } tandem_segment;
 
-/* One input over the span of one `advance`: `count` >= 1 segments, ends ascending. The last one goes on beyond its end.
- * Coefficients above `degree` are zero. A break belongs to the segment before it. `reactive` is NULL; it is kept for
- * inputs that react to the subsystem's own output. */
+/* One input over the span of one `advance`: `count` >= 1 segments, ends ascending. The last one goes on
+ * beyond its end. Coefficients above `degree` are zero. A break belongs to the segment before it. `reactive`
+ * is NULL; it is kept for inputs that react to the subsystem's own output. */
 typedef struct tandem_signal {
   const tandem_segment* segments;
   int32_t count;
@@ -51,10 +52,10 @@ typedef struct tandem_signal {
   const void* reactive;
 } tandem_signal;
 
-/* Rows in the caller's memory. A row is `stride` doubles: time, jump (1: nothing before this row may be fitted together
- * with it; else 0), the outputs, then their first time derivatives, their second ones, as many blocks as tandem_info
- * says (0 where a port has fewer). Append at rows + size * stride and count up `size`; never rewrite a row; return early
- * with TANDEM_STOP_SAMPLES_FULL when size == capacity. */
+/* Rows in the caller's memory. A row is `stride` doubles: time, jump (1: nothing before this row may be
+ * fitted together with it; else 0), the outputs, then their first time derivatives, their second ones, as
+ * many blocks as tandem_info says (0 where a port has fewer). Append at rows + size * stride and count up
+ * `size`; never rewrite a row; return early with TANDEM_STOP_SAMPLES_FULL when size == capacity. */
 typedef struct tandem_samples {
   double* rows;
   int64_t stride;
@@ -77,8 +78,9 @@ typedef struct tandem_clock {
   int32_t reserved;
 } tandem_clock;
 
-/* A port of `size` >= 1 scalars (an array port is flattened in place). `start` is the value an input takes when nothing
- * else is known, NaN for none. `derivatives`: how many time derivatives an output gives with each sample, 0 to 3. */
+/* A port of `size` >= 1 scalars (an array port is flattened in place). `start` is the value an input takes
+ * when nothing else is known, NaN for none. `derivatives`: how many time derivatives an output gives with
+ * each sample, 0 to 3. */
 typedef struct tandem_port {
   const char* name;
   const char* unit;
@@ -115,23 +117,24 @@ typedef struct tandem_subsystem_api {
   uint32_t abi_version; /* TANDEM_ABI_VERSION */
   uint32_t table_size;  /* sizeof(tandem_subsystem_api) of the one who built it */
 
-  /* A new instance. `parameters` is "key=value" pairs joined by '&', or "". On failure *self may still be an instance
-   * that last_error can be asked about; it is destroyed in any case if not NULL. */
+  /* A new instance. `parameters` is "key=value" pairs joined by '&', or "". On failure *self may still be an
+   * instance that last_error can be asked about; it is destroyed in any case if not NULL. */
   tandem_status (*create)(const char* parameters, void** self);
   void (*destroy)(void* self);
   const tandem_info* (*info)(void* self);
   const char* (*last_error)(void* self);
 
-  /* Puts the state at t_start and appends the first sample. u0: one value per scalar input, NaN where it is not known
-   * yet; outputs without feedthrough from an unknown input must come back finite all the same. */
+  /* Puts the state at t_start and appends the first sample. u0: one value per scalar input, NaN where it is
+   * not known yet; outputs without feedthrough from an unknown input must come back finite all the same. */
   tandem_status (*initialize)(void* self, double t_start, double t_stop, const double* u0, tandem_samples* y,
                               tandem_clock* clock);
 
-  /* Takes own steps for as long as they end at or before t_limit (compare with a tolerance of 4 ulp), and appends one
-   * row for each. u: one signal per scalar input, covering [time, t_limit]. land != 0: the last step is cut so that it
-   * ends at t_limit; the grid of own steps stays as it was. Time after the call is that of the last row. */
-  tandem_status (*advance)(void* self, double t_limit, int32_t land, const tandem_signal* u, tandem_samples* y,
-                           tandem_clock* clock);
+  /* Takes own steps for as long as they end at or before t_limit (compare with a tolerance of 4 ulp), and
+   * appends one row for each. u: one signal per scalar input, covering [time, t_limit]. land != 0: the last
+   * step is cut so that it ends at t_limit; the grid of own steps stays as it was. Time after the call is
+   * that of the last row. */
+  tandem_status (*advance)(void* self, double t_limit, int32_t land, const tandem_signal* u,
+                           tandem_samples* y, tandem_clock* clock);
 
   /* With TANDEM_SAVES_STATE only, else NULL. A saved state stays valid until released or destroyed. */
   tandem_status (*save_state)(void* self, int64_t* id);

@@ -14,10 +14,11 @@ namespace tandem {
 /// An input or output. An array port has size > 1; its scalars follow one another in the flattened numbering.
 struct Port {
   std::string name;
-  std::string unit;                                          ///< "1" for none; SI unless it says otherwise ("rpm")
-  int size = 1;                                              ///< number of scalars
-  int derivatives = 0;                                       ///< of an output: time derivatives given with each sample, 0 to 3
-  double start = std::numeric_limits<double>::quiet_NaN();  ///< of an input: its value when nothing else is known
+  std::string unit;     ///< "1" for none; SI unless it says otherwise ("rpm")
+  int size = 1;         ///< number of scalars
+  int derivatives = 0;  ///< of an output: time derivatives given with each sample, 0 to 3
+  double start =
+      std::numeric_limits<double>::quiet_NaN();  ///< of an input: its value when nothing else is known
 };
 
 /// The scalar output at time t depends on that scalar input at the same t (flattened indices).
@@ -48,7 +49,9 @@ struct SubsystemInfo {
     return most;
   }
   /// Doubles in a sample row.
-  std::int64_t row_size() const { return Samples::header + std::int64_t{output_size()} * (1 + derivatives()); }
+  std::int64_t row_size() const {
+    return Samples::header + std::int64_t{output_size()} * (1 + derivatives());
+  }
 
  private:
   static int scalars(const std::vector<Port>& ports) {
@@ -74,8 +77,9 @@ struct Clock {
 
 using StateId = std::int64_t;
 
-/// A system that integrates itself with its own step. One instance is called by one thread at a time, in the order
-/// initialize (again, as often as needed), advance, advance, ... Any call may throw Error; the run ends then.
+/// A system that integrates itself with its own step. One instance is called by one thread at a time, in the
+/// order initialize (again, as often as needed), advance, advance, ... Any call may throw Error; the run ends
+/// then.
 class Subsystem {
  public:
   virtual ~Subsystem() = default;
@@ -83,15 +87,15 @@ class Subsystem {
   /// Constant after construction.
   virtual const SubsystemInfo& info() const = 0;
 
-  /// Puts the state at t_start [s] and appends the first sample. u0: one value per scalar input, NaN where it is not
-  /// known yet; an output without feedthrough from an unknown input must come back finite all the same. May be called
-  /// again before the first advance, and afterwards with the ability `restarts`.
+  /// Puts the state at t_start [s] and appends the first sample. u0: one value per scalar input, NaN where it
+  /// is not known yet; an output without feedthrough from an unknown input must come back finite all the
+  /// same. May be called again before the first advance, and afterwards with the ability `restarts`.
   virtual Clock initialize(double t_start, double t_stop, std::span<const double> u0, Samples& y) = 0;
 
-  /// Takes own steps for as long as they end at or before t_limit (tolerant: TimeGrid::fits) and appends one sample for
-  /// each, with the outputs after the step. u: one signal per scalar input, covering [time, t_limit]. May stop early,
-  /// never passes t_limit. land: the last step is cut so that it ends at t_limit (only with the ability `lands`); the
-  /// grid of own steps stays as it was.
+  /// Takes own steps for as long as they end at or before t_limit (tolerant: TimeGrid::fits) and appends one
+  /// sample for each, with the outputs after the step. u: one signal per scalar input, covering [time,
+  /// t_limit]. May stop early, never passes t_limit. land: the last step is cut so that it ends at t_limit
+  /// (only with the ability `lands`); the grid of own steps stays as it was.
   virtual Clock advance(double t_limit, bool land, std::span<const Signal> u, Samples& y) = 0;
 
   /// With the ability `saves_state`: a copy of the whole state, valid until released. The base class refuses.

@@ -7,15 +7,17 @@
 
 namespace tandem {
 
-/// The one tolerant comparison of times. Two grids that meet by their definition, n h2 = k h1, differ by at most
-/// 2 eps max(|t|, |t_start|) after rounding (to 10^7 steps), so 4 eps of that size tells "equal" from "before".
+/// The one tolerant comparison of times. Two grids that meet by their definition, n h2 = k h1, differ by at
+/// most 2 eps max(|t|, |t_start|) after rounding (to 10^7 steps), so 4 eps of that size tells "equal" from
+/// "before".
 class TimeTolerance {
  public:
   explicit TimeTolerance(double t_start = 0.0) : t_start_(std::abs(t_start)) {}
 
   /// Width within which a and b are the same time [s].
   double width(double a, double b) const {
-    return 4.0 * std::numeric_limits<double>::epsilon() * std::max(std::max(std::abs(a), std::abs(b)), t_start_);
+    return 4.0 * std::numeric_limits<double>::epsilon() *
+           std::max(std::max(std::abs(a), std::abs(b)), t_start_);
   }
   /// a lies before b by more than the tolerance.
   bool before(double a, double b) const { return a < b && a < b - width(a, b); }
@@ -24,12 +26,13 @@ class TimeTolerance {
   double t_start_;
 };
 
-/// Own steps of fixed length h: node k is t_start + k h, multiplied and never accumulated. It keeps the place of a
-/// subsystem on that grid, also after a step that was cut short (the grid stays as it was).
+/// Own steps of fixed length h: node k is t_start + k h, multiplied and never accumulated. It keeps the place
+/// of a subsystem on that grid, also after a step that was cut short (the grid stays as it was).
 class TimeGrid {
  public:
   TimeGrid() = default;
-  /// Stands at node 0. Throws Error if h is not finite and positive, or too small for t_start + h to differ from t_start.
+  /// Stands at node 0. Throws Error if h is not finite and positive, or too small for t_start + h to differ
+  /// from t_start.
   TimeGrid(double t_start, double h);
 
   double node(std::int64_t k) const { return t_start_ + static_cast<double>(k) * h_; }

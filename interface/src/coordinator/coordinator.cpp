@@ -25,8 +25,8 @@ double seconds_now() {
 
 }  // namespace
 
-Coordinator::Coordinator(const Topology& topology, std::vector<Subsystem*> subsystems, Coordination coordination,
-                         double t_start, double t_stop)
+Coordinator::Coordinator(const Topology& topology, std::vector<Subsystem*> subsystems,
+                         Coordination coordination, double t_start, double t_stop)
     : topology_(topology),
       subsystems_(std::move(subsystems)),
       coordination_(std::move(coordination)),
@@ -96,8 +96,8 @@ void Coordinator::call(int who, double limit, bool land, std::span<const Signal>
   clocks_[i].time = clock.time;  // field by field: a copy of the whole waits for all of it to be stored
   clocks_[i].next_time = clock.next_time;
   clocks_[i].stop = clock.stop;
-  const bool plain = y.size() > rows && clock.time == y.time(y.size() - 1) && clock.time > before && clock.time <= limit &&
-                     clock.next_time > clock.time;
+  const bool plain = y.size() > rows && clock.time == y.time(y.size() - 1) && clock.time > before &&
+                     clock.time <= limit && clock.next_time > clock.time;
   idle_calls_[i] = plain ? 0 : idle_calls_[i];
   if (!plain) check_clock(who, before, y.size() - rows, limit);
   update_member(who);
@@ -115,7 +115,8 @@ void Coordinator::tell(int who, std::int64_t first) {
     stopped_ = true;
 }
 
-/// What is not plain may still be right: no step taken, an end within the tolerance, no further step. Throws otherwise.
+/// What is not plain may still be right: no step taken, an end within the tolerance, no further step. Throws
+/// otherwise.
 void Coordinator::check_clock(int who, double before, std::int64_t rows, double limit) {
   const auto i = static_cast<std::size_t>(who);
   const Clock& after = clocks_[i];
@@ -125,9 +126,11 @@ void Coordinator::check_clock(int who, double before, std::int64_t rows, double 
     fail(topology_.name(who), "says that it stands at t = " + std::to_string(after.time) +
                                   " s, but its newest sample is of " + std::to_string(stands) + " s");
   if (tolerance_.before(limit, after.time))
-    fail(topology_.name(who), "stands at t = " + std::to_string(after.time) + " s, past its limit " + std::to_string(limit) + " s");
+    fail(topology_.name(who), "stands at t = " + std::to_string(after.time) + " s, past its limit " +
+                                  std::to_string(limit) + " s");
   if (after.stop != Stop::finished && !(after.next_time > after.time))
-    fail(topology_.name(who), "at t = " + std::to_string(after.time) + " s gives " + std::to_string(after.next_time) +
+    fail(topology_.name(who), "at t = " + std::to_string(after.time) + " s gives " +
+                                  std::to_string(after.next_time) +
                                   " s as the end of its next own step, which is not later");
   idle_calls_[i] = after.time > before ? 0 : idle_calls_[i] + 1;
   if (idle_calls_[i] >= most_idle_calls)
@@ -148,7 +151,8 @@ void Coordinator::note_ends() {
   for (int i = 0; i < topology_.size(); ++i)
     if (tolerance_.before(clock(i).time, t_stop_))
       notes_.push_back("subsystem '" + topology_.name(i) + "' ended at t = " + std::to_string(clock(i).time) +
-                       " s, its last own node, " + std::to_string(t_stop_ - clock(i).time) + " s before the end");
+                       " s, its last own node, " + std::to_string(t_stop_ - clock(i).time) +
+                       " s before the end");
 }
 
 }  // namespace tandem

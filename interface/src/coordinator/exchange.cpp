@@ -24,7 +24,8 @@ void add_shifted(const Segment& p, double to, double* c) {
 
 const Segment& piece(const Signal& signal, double end) {
   const auto segments = signal.segments();
-  const auto it = std::find_if(segments.begin(), segments.end() - 1, [&](const Segment& s) { return end <= s.end; });
+  const auto it =
+      std::find_if(segments.begin(), segments.end() - 1, [&](const Segment& s) { return end <= s.end; });
   return *it;
 }
 
@@ -37,7 +38,8 @@ Exchange::Exchange(const Topology& topology, TimeTolerance tolerance, const Lags
       readers_(static_cast<std::size_t>(topology.size())) {
   for (int i = 0; i < topology.size(); ++i) {
     histories_.emplace_back(topology.name(i), topology.info(i), capacities[static_cast<std::size_t>(i)]);
-    readers_[static_cast<std::size_t>(i)].slots.resize(static_cast<std::size_t>(topology.info(i).input_size()));
+    readers_[static_cast<std::size_t>(i)].slots.resize(
+        static_cast<std::size_t>(topology.info(i).input_size()));
   }
   for (const Line& line : topology.lines()) add_line(topology, line, lags);
   for (int i = 0; i < topology.size(); ++i) hold_start_values(topology, i);
@@ -52,7 +54,8 @@ Exchange::Exchange(const Topology& topology, TimeTolerance tolerance, const Lags
 Link& Exchange::link_for(const Line& line, const Lags& lags) {
   const double delay = lag_of(line.lag, line.reader, lags);
   for (Link& link : links_)
-    if (link.source() == line.source && link.reader() == line.reader && link.how() == line.how && link.delay() == delay)
+    if (link.source() == line.source && link.reader() == line.reader && link.how() == line.how &&
+        link.delay() == delay)
       return link;
   return links_.emplace_back(line.source, line.reader, line.how, delay);
 }
@@ -61,8 +64,10 @@ void Exchange::add_line(const Topology& topology, const Line& line, const Lags& 
   Reader& reader = readers_[static_cast<std::size_t>(line.reader)];
   auto slot = static_cast<std::size_t>(line.input);
   if (const int terms = topology.lines_to(line.reader, line.input); terms > 1) {
-    const auto known = std::find_if(reader.sums.begin(), reader.sums.end(), [&](const Sum& s) { return s.input == slot; });
-    Sum& sum = known != reader.sums.end() ? *known : reader.sums.emplace_back(Sum{slot, reader.slots.size(), 0, {}});
+    const auto known =
+        std::find_if(reader.sums.begin(), reader.sums.end(), [&](const Sum& s) { return s.input == slot; });
+    Sum& sum =
+        known != reader.sums.end() ? *known : reader.sums.emplace_back(Sum{slot, reader.slots.size(), 0, {}});
     if (sum.count == 0) reader.slots.resize(reader.slots.size() + static_cast<std::size_t>(terms));
     slot = sum.first + sum.count++;
   }
@@ -80,8 +85,8 @@ void Exchange::hold_start_values(const Topology& topology, int i) {
   }
 }
 
-/// The sum's breaks are those of all its terms; each piece has its origin at its end, where a term's node is, so it too
-/// depends on the samples alone.
+/// The sum's breaks are those of all its terms; each piece has its origin at its end, where a term's node is,
+/// so it too depends on the samples alone.
 void Exchange::add_up(Sum& sum, std::span<Signal> slots) {
   const auto terms = slots.subspan(sum.first, sum.count);
   sum.segments.clear();

@@ -12,12 +12,14 @@ namespace {
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Subsystems need each other's first outputs as inputs. Each is initialized with what is known, NaN elsewhere, and again
-/// whenever more of its inputs have become known; without an algebraic loop this ends with all of them known. Where only
-/// lines with a memory or delay are left open, the reader's start value closes them.
+/// Subsystems need each other's first outputs as inputs. Each is initialized with what is known, NaN
+/// elsewhere, and again whenever more of its inputs have become known; without an algebraic loop this ends
+/// with all of them known. Where only lines with a memory or delay are left open, the reader's start value
+/// closes them.
 class FirstSamples {
  public:
-  FirstSamples(const Topology& topology, std::vector<std::vector<double>>& u0, std::vector<std::vector<double>>& rows)
+  FirstSamples(const Topology& topology, std::vector<std::vector<double>>& u0,
+               std::vector<std::vector<double>>& rows)
       : topology_(topology), u0_(u0), rows_(rows), due_(u0.size(), 1) {}
 
   template <class Initialize>
@@ -38,15 +40,17 @@ class FirstSamples {
   bool known(int i, int output) const {
     const auto& feed = topology_.info(i).feedthrough;
     return std::none_of(feed.begin(), feed.end(), [&](const Feedthrough& f) {
-      return f.output == output && std::isnan(u0_[static_cast<std::size_t>(i)][static_cast<std::size_t>(f.input)]);
+      return f.output == output &&
+             std::isnan(u0_[static_cast<std::size_t>(i)][static_cast<std::size_t>(f.input)]);
     });
   }
 
   void check_declared(int i) const {
     for (int k = 0; k < topology_.info(i).output_size(); ++k)
       if (known(i, k) && !std::isfinite(rows_[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)]))
-        throw Error(ErrorCode::numerical, "output " + topology_.output_name(i, k) +
-                                              " is not finite at the start, though no unknown input feeds through to it");
+        throw Error(ErrorCode::numerical,
+                    "output " + topology_.output_name(i, k) +
+                        " is not finite at the start, though no unknown input feeds through to it");
   }
 
   /// Sets each input whose sources are all known; true if there was one.
@@ -69,13 +73,14 @@ class FirstSamples {
     for (const Line& line : topology_.lines()) {
       if (line.reader != reader || line.input != input) continue;
       if (!known(line.source, line.output)) return unknown;
-      sum += line.gain * rows_[static_cast<std::size_t>(line.source)][static_cast<std::size_t>(line.output)] + line.offset;
+      sum += line.gain * rows_[static_cast<std::size_t>(line.source)][static_cast<std::size_t>(line.output)] +
+             line.offset;
     }
     return sum;
   }
 
-  /// What the line carries comes round to its own source by feedthrough, over whatever lags. (A line with a lag behind a
-  /// loop does not: its value becomes known once the loop is closed.)
+  /// What the line carries comes round to its own source by feedthrough, over whatever lags. (A line with a
+  /// lag behind a loop does not: its value becomes known once the loop is closed.)
   bool closes_loop(const Line& line) const {
     std::vector<std::pair<int, int>> inputs = {{line.reader, line.input}};
     for (std::size_t next = 0; next < inputs.size(); ++next) {
@@ -84,8 +89,9 @@ class FirstSamples {
         if (f.input != input) continue;
         if (instance == line.source && f.output == line.output) return true;
         for (const Line& onward : topology_.lines())
-          if (const std::pair to{onward.reader, onward.input}; onward.source == instance && onward.output == f.output &&
-                                                               std::find(inputs.begin(), inputs.end(), to) == inputs.end())
+          if (const std::pair to{onward.reader, onward.input};
+              onward.source == instance && onward.output == f.output &&
+              std::find(inputs.begin(), inputs.end(), to) == inputs.end())
             inputs.push_back(to);
       }
     }
@@ -150,7 +156,8 @@ void RunStart::first_samples() {
     Samples y(memory.data(), topology_.info(i).row_size(), 1);
     run_.clocks_[k] = run_.subsystems_[k]->initialize(run_.t_start_, run_.t_stop_, u0_[k], y);
     if (y.size() != 1 || y.time(0) != run_.t_start_ || run_.clocks_[k].time != run_.t_start_)
-      throw Error(ErrorCode::numerical, "subsystem '" + topology_.name(i) + "' gave " + std::to_string(y.size()) +
+      throw Error(ErrorCode::numerical, "subsystem '" + topology_.name(i) + "' gave " +
+                                            std::to_string(y.size()) +
                                             " samples when initialized; one at t_start is allowed");
     rows_[k].assign(memory.begin() + Samples::header, memory.end());
   });

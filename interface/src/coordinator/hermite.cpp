@@ -4,13 +4,15 @@
 namespace tandem {
 namespace {
 
-/// The cubic p(s) = y + y' s + c2 s^2 + c3 s^3 with p and p' given at s = 0 and s = -h, the ends of the source's step; of a
-/// first sample (h = 0), its tangent.
+/// The cubic p(s) = y + y' s + c2 s^2 + c3 s^3 with p and p' given at s = 0 and s = -h, the ends of the
+/// source's step; of a first sample (h = 0), its tangent.
 struct Cubic {
   std::int64_t stride;
   int outputs;
 
-  double prepare(const double* row, std::int64_t fitted) const { return fitted > 0 ? row[0] - row[-stride] : 0.0; }
+  double prepare(const double* row, std::int64_t fitted) const {
+    return fitted > 0 ? row[0] - row[-stride] : 0.0;
+  }
 
   void fill(double h, const double* row, const Lane& lane, double* before, double* c) const {
     const double y = lane.gain * row[Samples::header + lane.output] + lane.offset;
@@ -30,6 +32,8 @@ struct Cubic {
 
 }  // namespace
 
-void Link::extend_hermite(const History& source) { extend_rows(source, Cubic{source.stride(), source.outputs()}); }
+void Link::extend_hermite(const History& source) {
+  extend_rows(source, Cubic{source.stride(), source.outputs()});
+}
 
 }  // namespace tandem

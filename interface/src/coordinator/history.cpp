@@ -38,7 +38,8 @@ History::History(std::string name, const SubsystemInfo& info, std::int64_t capac
       data_(static_cast<std::size_t>(capacity_ * stride_)),
       samples_(data_.data(), stride_, capacity_) {}
 
-/// Throws if there is something wrong with the row. (The first row and one after a jump have no earlier time.)
+/// Throws if there is something wrong with the row. (The first row and one after a jump have no earlier
+/// time.)
 void History::check(std::int64_t row, double t_limit, double tolerance) const {
   const double t = time(row);
   const auto y = values(row);
@@ -48,14 +49,15 @@ void History::check(std::int64_t row, double t_limit, double tolerance) const {
     const auto bad = std::find_if(y.begin(), y.end(), [](double v) { return !std::isfinite(v); });
     const auto column = static_cast<int>(bad - y.begin());
     const std::string value = bad == y.end() ? "a time that is" : output_name(*info_, column % outputs_);
-    fail(name_, "gave " + value + (column >= outputs_ ? " (a derivative)" : "") + " not finite at t = " +
-                     number_text(t) + " s");
+    fail(name_, "gave " + value + (column >= outputs_ ? " (a derivative)" : "") +
+                    " not finite at t = " + number_text(t) + " s");
   }
   if (t > t_limit + tolerance)
-    fail(name_, "gave a sample at t = " + number_text(t) + " s, past its limit " + number_text(t_limit) + " s");
+    fail(name_,
+         "gave a sample at t = " + number_text(t) + " s, past its limit " + number_text(t_limit) + " s");
   if (row == base_ || t > time(row - 1) || (jump(row) && t == time(row - 1))) return;
-  fail(name_, "gave a sample at t = " + number_text(t) + " s that does not come after the one before it, at " +
-                   number_text(time(row - 1)) + " s");
+  fail(name_, "gave a sample at t = " + number_text(t) +
+                  " s that does not come after the one before it, at " + number_text(time(row - 1)) + " s");
 }
 
 /// Column c = m outputs + i, the m-th derivative of output i, at the time s after the sample:

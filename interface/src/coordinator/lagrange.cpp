@@ -6,10 +6,10 @@
 namespace tandem {
 namespace {
 
-/// Newton's form on the nodes t, t - e1, t - e2, ...: the backward divided differences at the new node, n_0 = y and
-/// n_i = (n_{i-1} - table_{i-1}) / e_i, follow from those at the node before, and nested multiplication turns them into
-/// powers of t' - t. With too few samples to fit (at the start, after a jump) 1/e counts as 0 for the missing ones, which
-/// leaves a polynomial of lower degree.
+/// Newton's form on the nodes t, t - e1, t - e2, ...: the backward divided differences at the new node, n_0 =
+/// y and n_i = (n_{i-1} - table_{i-1}) / e_i, follow from those at the node before, and nested multiplication
+/// turns them into powers of t' - t. With too few samples to fit (at the start, after a jump) 1/e counts as 0
+/// for the missing ones, which leaves a polynomial of lower degree.
 template <int Degree>
 struct Newton {
   std::int64_t stride;
@@ -18,14 +18,18 @@ struct Newton {
     double e[Degree + 1], reciprocal[Degree + 1];
   };
   Distances prepare(const double* row, std::int64_t fitted) const {
+    if (fitted >= Degree) return distances(row, Degree);
+    Distances d = distances(row, static_cast<int>(fitted));
+    std::fill(d.reciprocal + fitted + 1, d.reciprocal + Degree + 1, 0.0);
+    std::fill(d.e + fitted + 1, d.e + Degree + 1, 0.0);
+    return d;
+  }
+  Distances distances(const double* row, int order) const {
     Distances d;
-    const int order = fitted < Degree ? static_cast<int>(fitted) : Degree;
-    for (int i = 1; i <= Degree; ++i) {  // the rows before the first are not read
-      d.e[i] = row[0] - row[-std::min(i, order) * stride];
+    for (int i = 1; i <= order; ++i) {
+      d.e[i] = row[0] - row[-i * stride];
       d.reciprocal[i] = 1.0 / d.e[i];
     }
-    if (order < Degree) [[unlikely]]
-      std::fill(d.reciprocal + order + 1, d.reciprocal + Degree + 1, 0.0);
     return d;
   }
   void fill(const Distances& d, const double* row, const Lane& lane, double* table, double* c) const {

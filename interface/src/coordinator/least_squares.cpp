@@ -11,19 +11,21 @@ constexpr int max_points = 4 + 1 + 16;
 constexpr int max_terms = 5;
 
 /// Weights w[k][i]: the coefficient of x^k of the fitted polynomial is the sum over i of w[k][i] y_i.
-/// The coefficient of (t' - t)^k of the fitted polynomial is the sum over i of w[k][i] y_i, i counted back from the newest.
+/// The coefficient of (t' - t)^k of the fitted polynomial is the sum over i of w[k][i] y_i, i counted back
+/// from the newest.
 struct Weights {
   int points = 0, terms = 0;
   std::array<std::array<double, max_points>, max_terms> w{};
 };
 
-/// Weights of the least-squares polynomial of degree terms - 1 in x through points x_0..x_{n-1}, by orthogonal polynomials on the points
-/// (G. E. Forsythe, J. SIAM 5 (1957) 74): p_{k+1} = (x - a_k) p_k - b_k p_{k-1}.
+/// Weights of the least-squares polynomial of degree terms - 1 in x through points x_0..x_{n-1}, by
+/// orthogonal polynomials on the points (G. E. Forsythe, J. SIAM 5 (1957) 74): p_{k+1} = (x - a_k) p_k - b_k
+/// p_{k-1}.
 Weights fit(const std::array<double, max_points>& x, int n, int terms) {
   Weights fitted{n, terms};
   auto& w = fitted.w;
-  std::array<double, max_points> p{}, before{};                 // values of p_k and p_{k-1} at the points
-  std::array<double, max_terms + 1> c{}, c_before{};            // their coefficients
+  std::array<double, max_points> p{}, before{};       // values of p_k and p_{k-1} at the points
+  std::array<double, max_terms + 1> c{}, c_before{};  // their coefficients
   std::fill_n(p.begin(), n, 1.0);
   c[0] = 1.0;
   double norm_before = 1.0;
@@ -51,7 +53,8 @@ struct Fit {
     const int terms = std::min(degree + 1, n);
     const double span = n > 1 ? row[0] - row[-(n - 1) * stride] : 1.0;
     std::array<double, max_points> x{};
-    for (int i = 0; i < n; ++i) x[i] = (row[-i * stride] - row[0]) / span;  // in [-1, 0], for the sake of rounding
+    for (int i = 0; i < n; ++i)
+      x[i] = (row[-i * stride] - row[0]) / span;  // in [-1, 0], for the sake of rounding
     Weights fitted_weights = fit(x, n, terms);
     double scale = 1.0;
     for (int k = 1; k < terms; ++k) {

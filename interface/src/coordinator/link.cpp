@@ -7,7 +7,12 @@
 namespace tandem {
 
 Link::Link(int source, int reader, Reconstruction how, double delay)
-    : source_(source), reader_(reader), how_(how), degree_(how.polynomial_degree()), follows_(how.follows_samples()), delay_(delay) {}
+    : source_(source),
+      reader_(reader),
+      how_(how),
+      degree_(how.polynomial_degree()),
+      follows_(how.follows_samples()),
+      delay_(delay) {}
 
 void Link::restart(const History& source, TimeTolerance tolerance) {
   tolerance_ = tolerance;
@@ -19,17 +24,26 @@ void Link::restart(const History& source, TimeTolerance tolerance) {
 
 void Link::extend(const History& source) {
   switch (how_.kind) {
-    case Reconstruction::Kind::lagrange: break;
-    case Reconstruction::Kind::hermite: return extend_hermite(source);
-    case Reconstruction::Kind::least_squares: return extend_least_squares(source);
-    default: return;
+    case Reconstruction::Kind::lagrange:
+      break;
+    case Reconstruction::Kind::hermite:
+      return extend_hermite(source);
+    case Reconstruction::Kind::least_squares:
+      return extend_least_squares(source);
+    default:
+      return;
   }
   switch (how_.degree) {
-    case 0: return extend_lagrange<0>(source);
-    case 1: return extend_lagrange<1>(source);
-    case 2: return extend_lagrange<2>(source);
-    case 3: return extend_lagrange<3>(source);
-    default: return extend_lagrange<4>(source);
+    case 0:
+      return extend_lagrange<0>(source);
+    case 1:
+      return extend_lagrange<1>(source);
+    case 2:
+      return extend_lagrange<2>(source);
+    case 3:
+      return extend_lagrange<3>(source);
+    default:
+      return extend_lagrange<4>(source);
   }
 }
 
@@ -50,7 +64,8 @@ void Link::hold(const History& source, std::int64_t first, std::int64_t last, Si
   for (std::size_t l = 0; l < lanes_.size(); ++l) {
     const Lane& lane = lanes_[l];
     double sum = 0.0;
-    for (std::int64_t row = first; row <= last; ++row) sum += source.values(row)[static_cast<std::size_t>(lane.output)];
+    for (std::int64_t row = first; row <= last; ++row)
+      sum += source.values(row)[static_cast<std::size_t>(lane.output)];
     segments_[l].origin = source.time(last);
     segments_[l].c[0] = lane.gain * (sum / static_cast<double>(last - first + 1)) + lane.offset;
     slots[lane.slot] = Signal(&segments_[l], 1, 0);
@@ -78,7 +93,8 @@ void Link::follow_room(const History& source) {
   target.resize(lanes_.size() * static_cast<std::size_t>(source.capacity()));
   for (std::size_t l = 0; l < lanes_.size(); ++l) {
     const Segment* first = segments(l) + (keep - base_);
-    std::copy(first, first + (end_ - keep), target.data() + static_cast<std::ptrdiff_t>(l) * source.capacity());
+    std::copy(first, first + (end_ - keep),
+              target.data() + static_cast<std::ptrdiff_t>(l) * source.capacity());
   }
   if (&target == &larger) segments_ = std::move(larger);
   capacity_ = source.capacity();

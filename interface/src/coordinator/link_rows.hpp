@@ -4,8 +4,9 @@
 
 namespace tandem {
 
-/// For each new row of the source: weights = make.prepare(row, fitted), where `fitted` rows before it may be fitted together
-/// with it, and for each lane make.fill(weights, row, lane, table, coefficients), where `table` is the lane's memory.
+/// For each new row of the source: weights = make.prepare(row, fitted), where `fitted` rows before it may be
+/// fitted together with it, and for each lane make.fill(weights, row, lane, table, coefficients), where
+/// `table` is the lane's memory.
 template <class Make>
 void Link::extend_rows(const History& source, const Make& make) {
   for (; end_ <= source.newest(); ++end_) {

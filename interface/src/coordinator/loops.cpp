@@ -7,7 +7,8 @@
 namespace tandem {
 namespace {
 
-/// Depth-first search over scalar inputs: an input leads to every input that its subsystem's outputs reach at once.
+/// Depth-first search over scalar inputs: an input leads to every input that its subsystem's outputs reach at
+/// once.
 class LoopSearch {
  public:
   explicit LoopSearch(const Topology& topology) : topology_(topology) {
@@ -38,7 +39,8 @@ class LoopSearch {
       if (f.input != input) continue;
       path_.back().output = f.output;
       for (const Line& line : topology_.lines())
-        if (line.source == instance && line.output == f.output && line.lag == Lag::none && visit(line.reader, line.input))
+        if (line.source == instance && line.output == f.output && line.lag == Lag::none &&
+            visit(line.reader, line.input))
           return true;
     }
     path_.pop_back();
@@ -72,8 +74,9 @@ void Topology::check_loops() const {
   if (cycle.empty()) return;
   std::string text;
   for (const std::string& name : cycle) text += (text.empty() ? "" : " -> ") + name;
-  throw Error(ErrorCode::invalid_argument, "algebraic loop over direct feedthrough: " + text +
-                                               "; break it with memory = true or delay = true on one of its connections");
+  throw Error(ErrorCode::invalid_argument,
+              "algebraic loop over direct feedthrough: " + text +
+                  "; break it with memory = true or delay = true on one of its connections");
 }
 
 }  // namespace tandem

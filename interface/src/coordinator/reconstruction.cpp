@@ -42,19 +42,24 @@ Reconstruction Reconstruction::parse(std::string_view text) {
   rest = text;
   r = {Kind::least_squares};
   if (take_prefix(rest, "least_squares") && parse_least_squares(rest, r)) return r;
-  throw Error(ErrorCode::invalid_argument,
-              "reconstruction '" + std::string(text) +
-                  "' is not one of lagrange0 to lagrange4, hermite, mean, least_squaresD_EXTRA (degree D 0 to 4, EXTRA 1 "
-                  "to 16 samples), matched_hold");
+  throw Error(ErrorCode::invalid_argument, "reconstruction '" + std::string(text) +
+                                               "' is not one of lagrange0 to lagrange4, hermite, mean, "
+                                               "least_squaresD_EXTRA (degree D 0 to 4, EXTRA 1 "
+                                               "to 16 samples), matched_hold");
 }
 
 std::string Reconstruction::name() const {
   switch (kind) {
-    case Kind::hermite: return "hermite";
-    case Kind::mean: return "mean";
-    case Kind::matched_hold: return "matched_hold";
-    case Kind::least_squares: return "least_squares" + std::to_string(degree) + "_" + std::to_string(extra);
-    case Kind::lagrange: break;
+    case Kind::hermite:
+      return "hermite";
+    case Kind::mean:
+      return "mean";
+    case Kind::matched_hold:
+      return "matched_hold";
+    case Kind::least_squares:
+      return "least_squares" + std::to_string(degree) + "_" + std::to_string(extra);
+    case Kind::lagrange:
+      break;
   }
   return "lagrange" + std::to_string(degree);
 }

@@ -28,7 +28,8 @@ void RunStart::make() {
   const double largest = *std::max_element(run_.own_steps_.begin(), run_.own_steps_.end());
   const double h = run_.coordination_.communication_step.value_or(largest);
   if (!std::isfinite(h) || h <= 0.0)
-    throw Error(ErrorCode::invalid_argument, "communication_step is " + std::to_string(h) + " s; it must be finite and above 0");
+    throw Error(ErrorCode::invalid_argument,
+                "communication_step is " + std::to_string(h) + " s; it must be finite and above 0");
   run_.schedule_.emplace(run_.coordination_.schedule, std::move(order), run_.t_start_, run_.t_stop_, h);
   lags_ = {run_.own_steps_, h};
   measure_batches();
@@ -46,14 +47,16 @@ void RunStart::note_steps() {
   for (std::size_t i = 0; i < n; ++i) {
     const int who = static_cast<int>(i);
     run_.members_[i].lands = topology_.info(who).abilities.lands;
-    run_.members_[i].reads_mean = std::any_of(topology_.lines().begin(), topology_.lines().end(), [&](const Line& line) {
-      return line.reader == who && line.how.kind == Reconstruction::Kind::mean;
-    });
+    run_.members_[i].reads_mean = std::any_of(
+        topology_.lines().begin(), topology_.lines().end(),
+        [&](const Line& line) { return line.reader == who && line.how.kind == Reconstruction::Kind::mean; });
     run_.own_steps_[i] = run_.clocks_[i].next_time - run_.clocks_[i].time;
-    if (run_.clocks_[i].stop != Stop::finished && !(run_.own_steps_[i] > 0.0 && std::isfinite(run_.own_steps_[i])))
-      throw Error(ErrorCode::numerical, "subsystem '" + topology_.name(who) + "' gives " +
-                                            std::to_string(run_.clocks_[i].next_time) +
-                                            " s as the end of its first own step, which is not later than the start");
+    if (run_.clocks_[i].stop != Stop::finished &&
+        !(run_.own_steps_[i] > 0.0 && std::isfinite(run_.own_steps_[i])))
+      throw Error(ErrorCode::numerical,
+                  "subsystem '" + topology_.name(who) + "' gives " +
+                      std::to_string(run_.clocks_[i].next_time) +
+                      " s as the end of its first own step, which is not later than the start");
     run_.update_member(who);
   }
   lend_steps();
@@ -65,7 +68,8 @@ void RunStart::lend_steps() {
   for (std::size_t i = 0; i < run_.own_steps_.size(); ++i)
     if (run_.clocks_[i].stop != Stop::finished) largest = std::max(largest, run_.own_steps_[i]);
   for (std::size_t i = 0; i < run_.own_steps_.size(); ++i)
-    if (run_.clocks_[i].stop == Stop::finished) run_.own_steps_[i] = largest > 0.0 ? largest : run_.t_stop_ - run_.t_start_;
+    if (run_.clocks_[i].stop == Stop::finished)
+      run_.own_steps_[i] = largest > 0.0 ? largest : run_.t_stop_ - run_.t_start_;
 }
 
 void RunStart::check_named_order() const {
@@ -81,7 +85,8 @@ void RunStart::check_named_order() const {
     if (std::count(named.begin(), named.end(), name) > 1) refuse_name(name, "stands there twice");
   }
   for (int i = 0; i < topology_.size(); ++i)
-    if (std::find(named.begin(), named.end(), topology_.name(i)) == named.end()) refuse_name(topology_.name(i), "is missing");
+    if (std::find(named.begin(), named.end(), topology_.name(i)) == named.end())
+      refuse_name(topology_.name(i), "is missing");
 }
 
 std::vector<int> RunStart::leaders_first() const {
@@ -98,7 +103,8 @@ std::vector<int> RunStart::leaders_first() const {
   }
   check_named_order();
   std::sort(order.begin(), order.end(), [&](int a, int b) {
-    return std::find(named.begin(), named.end(), topology_.name(a)) < std::find(named.begin(), named.end(), topology_.name(b));
+    return std::find(named.begin(), named.end(), topology_.name(a)) <
+           std::find(named.begin(), named.end(), topology_.name(b));
   });
   if (ascending) std::reverse(order.begin(), order.end());
   return order;
@@ -108,36 +114,41 @@ void RunStart::check_schemes(const std::vector<int>& order) const {
   if (run_.coordination_.schedule == Schedule::Kind::staggered && order.size() != 2)
     refuse("schedule staggered couples two subsystems; there are " + std::to_string(order.size()));
   if (run_.coordination_.schedule == Schedule::Kind::staggered && !topology_.info(order[1]).abilities.lands)
-    run_.notes_.push_back("subsystem '" + topology_.name(order[1]) +
-                          "' can't shorten a step, so schedule staggered keeps a first order part of the size of its own "
-                          "step over that of '" + topology_.name(order[0]) + "'");
+    run_.notes_.push_back(
+        "subsystem '" + topology_.name(order[1]) +
+        "' can't shorten a step, so schedule staggered keeps a first order part of the size of its own "
+        "step over that of '" +
+        topology_.name(order[0]) + "'");
   for (const Line& line : topology_.lines()) check_line(line, order);
 }
 
 void RunStart::check_line(const Line& line, const std::vector<int>& order) const {
   using Kind = Reconstruction::Kind;
   const Schedule::Kind schedule = run_.coordination_.schedule;
-  const std::string what = "input " + topology_.input_name(line.reader, line.input) + " is reconstructed by " + line.how.name();
+  const std::string what =
+      "input " + topology_.input_name(line.reader, line.input) + " is reconstructed by " + line.how.name();
   const bool turns = schedule == Schedule::Kind::slowest_first || schedule == Schedule::Kind::fastest_first;
   if (schedule == Schedule::Kind::staggered && line.how.kind != Kind::matched_hold)
     refuse(what + "; schedule staggered takes matched_hold only");
   if (schedule == Schedule::Kind::parallel && line.how.kind == Kind::matched_hold)
     refuse(what + ", which needs subsystems that take turns; schedule parallel has none");
   if (line.how.kind == Kind::mean && !(turns && position(order, line.source) < position(order, line.reader)))
-    refuse(what + ", which needs a source that is ahead of its reader; in schedule " + std::string(Schedule::name(schedule)) +
-           " '" + topology_.name(line.source) + "' is not ahead of '" + topology_.name(line.reader) + "'");
+    refuse(what + ", which needs a source that is ahead of its reader; in schedule " +
+           std::string(Schedule::name(schedule)) + " '" + topology_.name(line.source) +
+           "' is not ahead of '" + topology_.name(line.reader) + "'");
   if (line.lag == Lag::memory && topology_.info(line.reader).abilities.chooses_step)
     refuse("input " + topology_.input_name(line.reader, line.input) +
            " has a memory of one own step, but its subsystem chooses its steps; use a delay");
 }
 
-/// The own steps that fit into the longest step or lag: as many are taken in a call, and room is kept for four times as
-/// many samples. Memory grows by itself where steps vary.
+/// The own steps that fit into the longest step or lag: as many are taken in a call, and room is kept for
+/// four times as many samples. Memory grows by itself where steps vary.
 void RunStart::measure_batches() {
   constexpr double most = 1024.0;
   double longest = std::max(run_.coordination_.communication_step.value_or(0.0), lags_.delay);
   for (const double h : run_.own_steps_) longest = std::max(longest, h);
-  for (const double h : run_.own_steps_) run_.batches_.push_back(static_cast<std::int64_t>(std::min(longest / h, most)) + 2);
+  for (const double h : run_.own_steps_)
+    run_.batches_.push_back(static_cast<std::int64_t>(std::min(longest / h, most)) + 2);
 }
 
 std::vector<std::int64_t> RunStart::capacities() const {
@@ -154,7 +165,8 @@ void RunStart::open_exchange(const std::vector<int>& seeds) {
     const auto& row = rows_[static_cast<std::size_t>(i)];
     std::copy(row.begin(), row.end(), history.room().append(run_.t_start_));
     history.commit(run_.t_start_, 0.0);
-    if (const int count = seeds[static_cast<std::size_t>(i)]; count > 0) history.seed(count, run_.own_step(i));
+    if (const int count = seeds[static_cast<std::size_t>(i)]; count > 0)
+      history.seed(count, run_.own_step(i));
     run_.exchange_->commit(i, run_.t_start_);
   }
 }

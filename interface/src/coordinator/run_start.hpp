@@ -26,7 +26,9 @@ class RunStart {
   void open_exchange(const std::vector<int>& seeds);
 
   StartKind choose();
-  bool seeds_needed(const Line& line) const { return line.how.follows_samples() && line.how.derivatives_at_start() > 0; }
+  bool seeds_needed(const Line& line) const {
+    return line.how.follows_samples() && line.how.derivatives_at_start() > 0;
+  }
   bool derivatives_suffice() const;
   bool can_repeat() const;
   void seed();

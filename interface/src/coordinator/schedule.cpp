@@ -18,13 +18,15 @@ constexpr std::array<std::string_view, 4> names = {"slowest-first", "fastest-fir
 Schedule::Kind Schedule::parse(std::string_view text) {
   for (std::size_t i = 0; i < names.size(); ++i)
     if (names[i] == text) return static_cast<Kind>(i);
-  throw Error(ErrorCode::invalid_argument, "schedule '" + std::string(text) +
-                                               "' is not one of slowest-first, fastest-first, staggered, parallel");
+  throw Error(
+      ErrorCode::invalid_argument,
+      "schedule '" + std::string(text) + "' is not one of slowest-first, fastest-first, staggered, parallel");
 }
 
 std::string_view Schedule::name(Kind kind) { return names[static_cast<std::size_t>(kind)]; }
 
-Schedule::Schedule(Kind kind, std::vector<int> order, double t_start, double t_stop, double communication_step)
+Schedule::Schedule(Kind kind, std::vector<int> order, double t_start, double t_stop,
+                   double communication_step)
     : kind_(kind),
       order_(std::move(order)),
       t_start_(t_start),
@@ -40,9 +42,15 @@ std::span<const Turn> Schedule::next_round(std::span<const Member> members) {
   count_ = 0;
   switch (kind_) {
     case Kind::slowest_first:
-    case Kind::fastest_first: take_turns(members); break;
-    case Kind::staggered: stagger(members); break;
-    case Kind::parallel: all_at_once(members); break;
+    case Kind::fastest_first:
+      take_turns(members);
+      break;
+    case Kind::staggered:
+      stagger(members);
+      break;
+    case Kind::parallel:
+      all_at_once(members);
+      break;
   }
   return {round_.data(), count_};
 }
@@ -52,7 +60,8 @@ void Schedule::add(int who, const Member& m, double limit) {
   round_[count_++] = {who, to, m.lands && to >= earliest_stop_};
 }
 
-/// The one with the smallest next node is due; a leader that does not yet stand at or past that node goes before it.
+/// The one with the smallest next node is due; a leader that does not yet stand at or past that node goes
+/// before it.
 void Schedule::take_turns(std::span<const Member> members) {
   const Member* due = nullptr;
   std::size_t position = 0;

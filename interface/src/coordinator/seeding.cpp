@@ -16,11 +16,15 @@ const Port& port_of(const SubsystemInfo& info, int output) {
   return info.outputs.back();
 }
 
-/// Most feedthroughs that a value passes one behind another at one instant; there is no loop (Topology::check).
+/// Most feedthroughs that a value passes one behind another at one instant; there is no loop
+/// (Topology::check).
 int longest_feedthrough(const Topology& topology) {
   std::vector<std::vector<int>> passed;
-  for (int i = 0; i < topology.size(); ++i) passed.emplace_back(static_cast<std::size_t>(topology.info(i).input_size()));
-  const auto at = [&](int i, int k) -> int& { return passed[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)]; };
+  for (int i = 0; i < topology.size(); ++i)
+    passed.emplace_back(static_cast<std::size_t>(topology.info(i).input_size()));
+  const auto at = [&](int i, int k) -> int& {
+    return passed[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
+  };
   int longest = 0;
   for (bool more = true; more && longest <= static_cast<int>(topology.lines().size());) {
     more = false;
@@ -61,7 +65,8 @@ StartKind RunStart::choose() {
   const std::string stays = "not every subsystem can restart, or a connection is a matched hold";
   if (asked == StartKind::derivatives && !derivatives_suffice())
     throw Error(ErrorCode::not_supported, "start from derivatives: " + needs);
-  if (asked == StartKind::repeat && !can_repeat()) throw Error(ErrorCode::not_supported, "repeated start: " + stays);
+  if (asked == StartKind::repeat && !can_repeat())
+    throw Error(ErrorCode::not_supported, "repeated start: " + stays);
   if (asked != StartKind::automatic) return asked;
   if (derivatives_suffice()) return StartKind::derivatives;
   if (can_repeat()) return StartKind::repeat;
@@ -80,11 +85,12 @@ void RunStart::seed() {
   open_exchange(counts);
 }
 
-/// Waveform relaxation over the first d + 1 of the largest own steps, d the highest degree: a first pass on held inputs,
-/// then passes on inputs interpolated in the pass before. The first pass leaves an error of order 2 in the states. Each
-/// further one gains at least one order if no output feeds an input through; with feedthroughs one behind another it
-/// takes one pass more for each until what was gained has come round. So (d + 1) (1 + feedthroughs) passes reach order
-/// d + 1 whatever the coupling. The run goes on from the last pass.
+/// Waveform relaxation over the first d + 1 of the largest own steps, d the highest degree: a first pass on
+/// held inputs, then passes on inputs interpolated in the pass before. The first pass leaves an error of
+/// order 2 in the states. Each further one gains at least one order if no output feeds an input through; with
+/// feedthroughs one behind another it takes one pass more for each until what was gained has come round. So
+/// (d + 1) (1 + feedthroughs) passes reach order d + 1 whatever the coupling. The run goes on from the last
+/// pass.
 void RunStart::repeat() {
   int degree = 0, samples = 0;
   for (const Line& line : topology_.lines())
@@ -103,8 +109,8 @@ void RunStart::repeat() {
   }
 }
 
-/// The subsystem starts again and goes to its last own node at or before `until`, step by step, on the signals of
-/// `before`.
+/// The subsystem starts again and goes to its last own node at or before `until`, step by step, on the
+/// signals of `before`.
 void RunStart::pass(int who, Exchange& before, double until) {
   const auto i = static_cast<std::size_t>(who);
   const std::vector<Clock> at_start(run_.clocks_.size(), Clock{run_.t_start_, run_.t_start_, Stop::limit});

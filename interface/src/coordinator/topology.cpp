@@ -29,7 +29,8 @@ std::string list(const std::vector<std::string>& names) {
   return text.empty() ? "none" : text;
 }
 
-std::string unknown(const std::string& kind, const std::string& found, const std::vector<std::string>& known) {
+std::string unknown(const std::string& kind, const std::string& found,
+                    const std::vector<std::string>& known) {
   const std::string near = nearest(found, known);
   return kind + " '" + found + "' is not known" + (near.empty() ? "" : "; did you mean '" + near + "'?") +
          "; there are: " + list(known);
@@ -38,7 +39,8 @@ std::string unknown(const std::string& kind, const std::string& found, const std
 void check_unique(const std::string& name, const std::vector<Port>& ports) {
   for (auto port = ports.begin(); port != ports.end(); ++port)
     if (std::any_of(ports.begin(), port, [&](const Port& other) { return other.name == port->name; }))
-      refuse("subsystem '" + name + "': port '" + port->name + "' is there twice among its inputs or outputs");
+      refuse("subsystem '" + name + "': port '" + port->name +
+             "' is there twice among its inputs or outputs");
 }
 
 void check_info(const std::string& name, const SubsystemInfo& info) {
@@ -47,8 +49,9 @@ void check_info(const std::string& name, const SubsystemInfo& info) {
   for (const auto* ports : {&info.inputs, &info.outputs})
     for (const Port& port : *ports)
       if (port.name.empty() || port.size < 1 || port.derivatives < 0 || port.derivatives > 3)
-        refuse("subsystem '" + name + "': port '" + port.name + "' has size " + std::to_string(port.size) + " and " +
-               std::to_string(port.derivatives) + " derivatives; allowed are a name, a size from 1, 0 to 3 derivatives");
+        refuse("subsystem '" + name + "': port '" + port.name + "' has size " + std::to_string(port.size) +
+               " and " + std::to_string(port.derivatives) +
+               " derivatives; allowed are a name, a size from 1, 0 to 3 derivatives");
   for (const Feedthrough& f : info.feedthrough)
     if (f.input < 0 || f.input >= info.input_size() || f.output < 0 || f.output >= info.output_size())
       refuse("subsystem '" + name + "': feedthrough from input " + std::to_string(f.input) + " to output " +
@@ -64,20 +67,23 @@ int Topology::add(const std::string& name, const SubsystemInfo& info) {
     if (i.name == name) refuse("instance name '" + name + "' is used twice");
   check_info(name, info);
   Instance instance{name, &info, {}, std::vector<char>(static_cast<std::size_t>(info.input_size()))};
-  for (const Port& port : info.inputs) instance.start.insert(instance.start.end(), static_cast<std::size_t>(port.size), port.start);
+  for (const Port& port : info.inputs)
+    instance.start.insert(instance.start.end(), static_cast<std::size_t>(port.size), port.start);
   instances_.push_back(std::move(instance));
   return size() - 1;
 }
 
 Topology::Place Topology::find(std::string_view text, bool output) const {
   const auto dot = text.find('.');
-  if (dot == std::string_view::npos) refuse("port '" + std::string(text) + "' is not of the form instance.port");
+  if (dot == std::string_view::npos)
+    refuse("port '" + std::string(text) + "' is not of the form instance.port");
   const std::string instance_name(text.substr(0, dot));
   std::string port_name(text.substr(dot + 1));
   int element = -1;
   if (const auto bracket = port_name.find('['); bracket != std::string::npos) {
     const char* first = port_name.data() + bracket + 1;
-    const char* last = std::max(first, static_cast<const char*>(port_name.data() + port_name.size() - 1));  // "x[" ends at its bracket
+    const char* last = std::max(first, static_cast<const char*>(port_name.data() + port_name.size() -
+                                                                1));  // "x[" ends at its bracket
     const auto [end, code] = std::from_chars(first, last, element);
     if (code != std::errc{} || end != last || *last != ']' || element < 0)
       refuse("port '" + std::string(text) + "' has an index that is not a whole number from 0 in brackets");
@@ -93,13 +99,14 @@ Topology::Place Topology::find(std::string_view text, bool output) const {
       port_names.push_back(port.name);
       if (port.name == port_name) {
         if (element >= port.size)
-          refuse("port '" + std::string(text) + "' has no element " + std::to_string(element) + "; allowed are 0 to " +
-                 std::to_string(port.size - 1));
+          refuse("port '" + std::string(text) + "' has no element " + std::to_string(element) +
+                 "; allowed are 0 to " + std::to_string(port.size - 1));
         return {i, &port, first + std::max(element, 0), element < 0 ? port.size : 1};
       }
       first += port.size;
     }
-    refuse(unknown(std::string(output ? "output" : "input"), port_name, port_names) + " in subsystem '" + instance_name + "'");
+    refuse(unknown(std::string(output ? "output" : "input"), port_name, port_names) + " in subsystem '" +
+           instance_name + "'");
   }
   refuse(unknown("subsystem", instance_name, names));
 }
@@ -107,7 +114,8 @@ Topology::Place Topology::find(std::string_view text, bool output) const {
 void Topology::connect(const Connection& c) {
   const Place from = find(c.from, true), to = find(c.to, false);
   const std::string what = "connection from " + c.from + " to " + c.to;
-  if (!std::isfinite(c.gain) || !std::isfinite(c.offset)) refuse(what + " has a gain or offset that is not finite");
+  if (!std::isfinite(c.gain) || !std::isfinite(c.offset))
+    refuse(what + " has a gain or offset that is not finite");
   if (from.count != to.count)
     refuse(what + " joins " + std::to_string(from.count) + " scalars to " + std::to_string(to.count));
   if (c.lag != Lag::none && !c.how.follows_samples())
@@ -125,7 +133,8 @@ void Topology::connect(const Connection& c) {
   connect_scalars(c, from, to, c.gain * unit.factor, c.gain * unit.shift + c.offset);
 }
 
-void Topology::connect_scalars(const Connection& c, const Place& from, const Place& to, double gain, double offset) {
+void Topology::connect_scalars(const Connection& c, const Place& from, const Place& to, double gain,
+                               double offset) {
   Instance& reader = instances_[static_cast<std::size_t>(to.instance)];
   for (int k = 0; k < to.count; ++k) {
     char& shared = reader.shared[static_cast<std::size_t>(to.first + k)];

@@ -18,14 +18,16 @@ class Medians final : public benchmark::BenchmarkReporter {
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& run : runs)
       if (run.run_type == Run::RT_Aggregate && run.aggregate_name == "median")
-        seconds[run.run_name.function_name] = run.GetAdjustedRealTime() / benchmark::GetTimeUnitMultiplier(run.time_unit);
+        seconds[run.run_name.function_name] =
+            run.GetAdjustedRealTime() / benchmark::GetTimeUnitMultiplier(run.time_unit);
   }
   std::map<std::string, double> seconds;
 };
 
 }  // namespace
 
-std::map<std::string, double> measure(const std::vector<Timing>& timings, int repetitions, double seconds_each) {
+std::map<std::string, double> measure(const std::vector<Timing>& timings, int repetitions,
+                                      double seconds_each) {
   std::vector<std::string> words = {"tandem", "--benchmark_enable_random_interleaving=true",
                                     fmt::format("--benchmark_min_time={}", seconds_each)};
   std::vector<char*> arguments;

@@ -16,9 +16,10 @@ struct Timing {
   std::function<void(benchmark::State&)> run;
 };
 
-/// Times all of them in one process, interleaved at random, `repetitions` times each; the median seconds per iteration by
-/// name (Google Benchmark's real time).
-std::map<std::string, double> measure(const std::vector<Timing>& timings, int repetitions, double seconds_each);
+/// Times all of them in one process, interleaved at random, `repetitions` times each; the median seconds per
+/// iteration by name (Google Benchmark's real time).
+std::map<std::string, double> measure(const std::vector<Timing>& timings, int repetitions,
+                                      double seconds_each);
 
 /// A table for the screen and for results/bench/NAME.csv.
 class Table {

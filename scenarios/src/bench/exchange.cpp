@@ -45,7 +45,9 @@ class NullSubsystem final : public Subsystem {
 struct Setting {
   std::string schedule, reconstruction;
   int signals = 2, subsystems = 2;
-  std::string name() const { return fmt::format("{} {} {} signals, {} subsystems", schedule, reconstruction, signals, subsystems); }
+  std::string name() const {
+    return fmt::format("{} {} {} signals, {} subsystems", schedule, reconstruction, signals, subsystems);
+  }
 };
 
 /// Subsystems in a ring (two: each reads the other), all with the same step.
@@ -53,7 +55,8 @@ class Ring {
  public:
   explicit Ring(const Setting& s) : turns_(s.schedule == "parallel" ? 1 : s.subsystems) {
     for (int i = 0; i < s.subsystems; ++i) members_.push_back(std::make_unique<NullSubsystem>(s.signals));
-    for (int i = 0; i < s.subsystems; ++i) topology_.add("s" + std::to_string(i), members_[static_cast<std::size_t>(i)]->info());
+    for (int i = 0; i < s.subsystems; ++i)
+      topology_.add("s" + std::to_string(i), members_[static_cast<std::size_t>(i)]->info());
     for (int i = 0; i < s.subsystems; ++i)
       for (int k = 0; k < s.signals; ++k)
         topology_.connect({fmt::format("s{}.y{}", i, k), fmt::format("s{}.u{}", (i + 1) % s.subsystems, k),
@@ -77,8 +80,9 @@ class Ring {
   std::optional<Coordinator> coordinator_;
 };
 
-/// The same round by hand, for two of the same null subsystems behind the same virtual interface: a Newton polynomial of
-/// fixed degree 3 through the last four samples of a fixed number of signals, nothing checked, scheduled or kept.
+/// The same round by hand, for two of the same null subsystems behind the same virtual interface: a Newton
+/// polynomial of fixed degree 3 through the last four samples of a fixed number of signals, nothing checked,
+/// scheduled or kept.
 template <int Signals>
 class HandWritten {
  public:
@@ -99,7 +103,7 @@ class HandWritten {
     static constexpr std::int64_t stride = Samples::header + Signals;
     std::unique_ptr<Subsystem> subsystem;
     std::array<double, stride> row{};
-    std::array<double, 4> t{};                       // newest first
+    std::array<double, 4> t{};  // newest first
     std::array<std::array<double, 4>, Signals> y4{};
     std::array<Segment, Signals> segments{};
     Clock clock{};
@@ -141,7 +145,8 @@ std::vector<Setting> settings() {
   std::vector<Setting> list;
   for (const char* schedule : {"slowest-first", "fastest-first", "parallel"})
     for (const int signals : {2, 4}) list.push_back({schedule, "lagrange3", signals, 2});
-  for (const char* how : {"lagrange0", "lagrange1", "lagrange2", "lagrange4", "least_squares2_2", "matched_hold"})
+  for (const char* how :
+       {"lagrange0", "lagrange1", "lagrange2", "lagrange4", "least_squares2_2", "matched_hold"})
     list.push_back({"slowest-first", how, 2, 2});
   for (const int signals : {1, 8, 32}) list.push_back({"slowest-first", "lagrange3", signals, 2});
   for (const int subsystems : {3, 5, 10}) list.push_back({"slowest-first", "lagrange3", 2, subsystems});
@@ -158,13 +163,16 @@ Table exchange() {
                          for (auto _ : state) ring.round();
                        }});
   const auto seconds = measure(timings, 9, 0.05);
-  Table table({"schedule", "reconstruction", "signals_each_way", "subsystems", "ns_per_round", "hand_written_ns", "ratio"});
+  Table table({"schedule", "reconstruction", "signals_each_way", "subsystems", "ns_per_round",
+               "hand_written_ns", "ratio"});
   for (const Setting& s : settings()) {
     const double ns = 1e9 * seconds.at(s.name());
     const bool comparable = s.subsystems == 2 && s.reconstruction == "lagrange3";
-    const double hand = comparable ? 1e9 * seconds.at(fmt::format("hand-written, {} signals", s.signals)) : 0.0;
-    table.add({s.schedule, s.reconstruction, std::to_string(s.signals), std::to_string(s.subsystems), fmt::format("{:.1f}", ns),
-               comparable ? fmt::format("{:.1f}", hand) : "", comparable ? fmt::format("{:.2f}", ns / hand) : ""});
+    const double hand =
+        comparable ? 1e9 * seconds.at(fmt::format("hand-written, {} signals", s.signals)) : 0.0;
+    table.add({s.schedule, s.reconstruction, std::to_string(s.signals), std::to_string(s.subsystems),
+               fmt::format("{:.1f}", ns), comparable ? fmt::format("{:.1f}", hand) : "",
+               comparable ? fmt::format("{:.2f}", ns / hand) : ""});
   }
   return table;
 }

@@ -15,21 +15,22 @@ using two_mass::Scheme;
 std::vector<Case> cases() {
   std::vector<Case> list;
   for (const double ratio : {30.0, 100.0})
-    for (const Scheme& s : {Scheme{"slowest-first", "lagrange3", "lagrange3"}, Scheme{"fastest-first", "lagrange3", "lagrange3"},
-                            Scheme{"parallel", "lagrange3", "lagrange3"}, Scheme{"staggered", "matched_hold", "matched_hold"},
-                            Scheme{"monolithic", "", ""}})
+    for (const Scheme& s :
+         {Scheme{"slowest-first", "lagrange3", "lagrange3"},
+          Scheme{"fastest-first", "lagrange3", "lagrange3"}, Scheme{"parallel", "lagrange3", "lagrange3"},
+          Scheme{"staggered", "matched_hold", "matched_hold"}, Scheme{"monolithic", "", ""}})
       list.push_back({s, ratio});
   return list;
 }
 
 }  // namespace
 
-/// Whole runs of 100 fast cycles; the sides' parts are those of the run with the least total, by the clock around each
-/// call, so that part holds the clock's own cost too.
+/// Whole runs of 100 fast cycles; the sides' parts are those of the run with the least total, by the clock
+/// around each call, so that part holds the clock's own cost too.
 Table two_mass() {
   constexpr int repetitions = 15;
-  Table table({"schedule", "to_fast", "to_slow", "frequency_ratio", "ms", "ms_profiled", "fast_share", "slow_share",
-               "coordinator_share", "over_monolithic"});
+  Table table({"schedule", "to_fast", "to_slow", "frequency_ratio", "ms", "ms_profiled", "fast_share",
+               "slow_share", "coordinator_share", "over_monolithic"});
   for (const double ratio : {30.0, 100.0}) {
     std::vector<Case> group;
     for (const Case& c : cases())
@@ -45,9 +46,11 @@ Table two_mass() {
     for (std::size_t k = 0; k < group.size(); ++k) {
       const auto& [total, fast, slow] = profiles[k];
       const Scheme& s = group[k].scheme;
-      table.add({s.schedule, s.to_fast, s.to_slow, fmt::format("{}", ratio), fmt::format("{:.4f}", 1e3 * least[k]),
-                 fmt::format("{:.4f}", 1e3 * total), fmt::format("{:.3f}", fast / total), fmt::format("{:.3f}", slow / total),
-                 fmt::format("{:.3f}", (total - fast - slow) / total), fmt::format("{:.2f}", least[k] / least.back())});
+      table.add({s.schedule, s.to_fast, s.to_slow, fmt::format("{}", ratio),
+                 fmt::format("{:.4f}", 1e3 * least[k]), fmt::format("{:.4f}", 1e3 * total),
+                 fmt::format("{:.3f}", fast / total), fmt::format("{:.3f}", slow / total),
+                 fmt::format("{:.3f}", (total - fast - slow) / total),
+                 fmt::format("{:.2f}", least[k] / least.back())});
     }
   }
   return table;

@@ -1,14 +1,16 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "bench/bench.hpp"
+
 #include <fmt/format.h>
 
-#include "bench/bench.hpp"
 #include "cli/commands.hpp"
 #include "cli/conditions.hpp"
 
 namespace tandem::cli {
 
 void add_bench(CLI::App& app, Context& context) {
-  auto* command = app.add_subcommand("bench", "Time a part of tandem; prints a table and writes results/bench/NAME.csv");
+  auto* command =
+      app.add_subcommand("bench", "Time a part of tandem; prints a table and writes results/bench/NAME.csv");
   auto name = std::make_shared<std::string>();
   auto folder = std::make_shared<std::string>("results/bench");
   std::vector<std::string> names;
@@ -18,7 +20,9 @@ void add_bench(CLI::App& app, Context& context) {
     about += "\n  " + b.name + ": " + b.about;
   }
   command->add_option("name", *name, about)->required()->check(CLI::IsMember(names));
-  command->add_option("--output", *folder, "Folder for the CSV file")->type_name("DIR")->capture_default_str();
+  command->add_option("--output", *folder, "Folder for the CSV file")
+      ->type_name("DIR")
+      ->capture_default_str();
   command->callback([name, folder, &context] {
     for (const auto& b : bench::all()) {
       if (b.name != *name) continue;

@@ -15,12 +15,13 @@ class RunFailed : public std::runtime_error {
 
 /// What every command knows.
 struct Context {
-  bool quiet = false;    ///< results and errors only
+  bool quiet = false;  ///< results and errors only
   bool verbose = false;
-  Builtins builtins;     ///< what "builtin:NAME" can name
+  Builtins builtins;  ///< what "builtin:NAME" can name
 };
 
-// Each adds one subcommand to the app; `context` outlives the parsing. The work is done in the subcommand's callback.
+// Each adds one subcommand to the app; `context` outlives the parsing. The work is done in the subcommand's
+// callback.
 void add_run(CLI::App& app, Context& context);
 void add_validate(CLI::App& app, Context& context);
 void add_info(CLI::App& app, Context& context);

@@ -5,8 +5,8 @@
 
 namespace tandem::cli {
 
-/// Under which conditions figures were taken: processor, cores, commit, version, compiler, reference, error norm,
-/// repetitions.
+/// Under which conditions figures were taken: processor, cores, commit, version, compiler, reference, error
+/// norm, repetitions.
 nlohmann::ordered_json conditions(int repetitions);
 
 std::string processor_model();

@@ -38,10 +38,11 @@ void Progress::draw(std::size_t done) {
   const double spent = seconds(drawn_ - started_);
   const auto here = static_cast<double>(done - first_done_);
   std::string left = done == total_ ? fmt::format("{:.1f} s", spent) : std::string("estimating");
-  if (done < total_ && here > 0.0) left = fmt::format("about {:.0f} s left", spent / here * static_cast<double>(total_ - done));
+  if (done < total_ && here > 0.0)
+    left = fmt::format("about {:.0f} s left", spent / here * static_cast<double>(total_ - done));
   const auto filled = static_cast<std::size_t>(30.0 * share);
-  const std::string line =
-      fmt::format("{} [{}{}] {}/{}  {}", what_, std::string(filled, '#'), std::string(30 - filled, '.'), done, total_, left);
+  const std::string line = fmt::format("{} [{}{}] {}/{}  {}", what_, std::string(filled, '#'),
+                                       std::string(30 - filled, '.'), done, total_, left);
   fmt::print(stderr, "{}{}{}", terminal_ ? "\r" : "", line, terminal_ ? "   " : "\n");
   std::fflush(stderr);
   open_line_ = terminal_;

@@ -6,8 +6,8 @@
 
 namespace tandem::cli {
 
-/// A bar on standard error with an estimate of the time left, drawn anew at most ten times a second; a line now and then
-/// where standard error is no terminal.
+/// A bar on standard error with an estimate of the time left, drawn anew at most ten times a second; a line
+/// now and then where standard error is no terminal.
 class Progress {
  public:
   /// total: number of pieces of work, above 0. shown = false draws nothing.

@@ -72,12 +72,20 @@ class Run {
           "subsystem, or say --no-reference");
     reference_ = scenario::located(scenario_.reference->place,
                                    [&] { return scenario::Table::read(scenario_.reference->file); });
+    if (scenario_.judge) check_judged();
+  }
+
+  void check_judged() const {
+    const std::string& quantity = scenario_.judge->quantity;
     const auto& columns = recorder_->columns();
-    if (scenario_.judge && std::none_of(columns.begin(), columns.end(),
-                                        [&](const auto& c) { return c.name == scenario_.judge->quantity; }))
-      scenario::refuse(scenario_.judge->place,
-                       "judge.quantity " + scenario_.judge->quantity +
-                           " is not recorded; name it in record.ports, or say --no-reference");
+    if (std::none_of(columns.begin(), columns.end(), [&](const auto& c) { return c.name == quantity; }))
+      scenario::refuse(
+          scenario_.judge->place,
+          "judge.quantity " + quantity + " is not recorded; name it in record.ports, or say --no-reference");
+    if (std::find(reference_->names.begin(), reference_->names.end(), quantity) == reference_->names.end())
+      scenario::refuse(scenario_.judge->place, "judge.quantity " + quantity +
+                                                   " is no column of the reference " +
+                                                   scenario_.reference->file.string());
   }
 
   void simulate() {

@@ -1,4 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "two_mass/sweep.hpp"
+
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
@@ -13,7 +15,6 @@
 #include "cli/interrupt.hpp"
 #include "cli/progress.hpp"
 #include "tandem/error.hpp"
-#include "two_mass/sweep.hpp"
 
 namespace tandem::cli {
 namespace {
@@ -45,21 +46,27 @@ std::vector<two_mass::Case> cases_of(const Options& options) {
 
 /// What a sweep that is resumed must agree on with the one before.
 nlohmann::ordered_json settings_of() {
-  return {{"scene", "two_mass"}, {"cycles", two_mass::Case{}.cycles}, {"steps_per_cycle", two_mass::Case{}.steps_per_cycle},
-          {"version", TANDEM_VERSION}, {"commit", source_commit()}};
+  return {{"scene", "two_mass"},
+          {"cycles", two_mass::Case{}.cycles},
+          {"steps_per_cycle", two_mass::Case{}.steps_per_cycle},
+          {"version", TANDEM_VERSION},
+          {"commit", source_commit()}};
 }
 
-/// The table to go on from: empty, or with --resume the one in the folder if it was made with the same settings.
+/// The table to go on from: empty, or with --resume the one in the folder if it was made with the same
+/// settings.
 two_mass::SweepTable begin_table(const Options& options) {
   const fs::path table = options.output / "sweep.csv", settings = options.output / "sweep.json";
   two_mass::SweepTable rows;
   if (options.resume && fs::exists(table) && fs::exists(settings)) {
     std::ifstream in(settings);
-    const bool changed = source_commit().ends_with("-dirty");  // whatever the table was made with, it was other code
+    const bool changed =
+        source_commit().ends_with("-dirty");  // whatever the table was made with, it was other code
     if (!changed && nlohmann::ordered_json::parse(in, nullptr, false) == settings_of())
       rows = two_mass::SweepTable::read(table);
     else
-      spdlog::info("The sweep in {} was made by other code or with other settings; it is made anew.", options.output.string());
+      spdlog::info("The sweep in {} was made by other code or with other settings; it is made anew.",
+                   options.output.string());
   }
   write_text(settings, settings_of().dump(2) + "\n");
   return rows;
@@ -83,8 +90,8 @@ void run_table(const Options& options, const Context& context) {
   table.write(file, cases);
   if (!seconds.empty()) write_timings(options.output / "sweep_timings.csv", seconds);
   if (table.size() < cases.size())
-    throw RunFailed(fmt::format("interrupted; {} of {} rows are kept in {}, --resume goes on from there", table.size(),
-                                cases.size(), file.string()));
+    throw RunFailed(fmt::format("interrupted; {} of {} rows are kept in {}, --resume goes on from there",
+                                table.size(), cases.size(), file.string()));
 }
 
 /// Speed against accuracy: one case at a time, so that the times mean something.
@@ -96,7 +103,8 @@ void run_work(const Options& options, const Context& context) {
   Progress progress("work ", cases.size(), !context.quiet);
   for (std::size_t i = 0; i < cases.size(); ++i) {
     progress.update(i);
-    if (InterruptGuard::interrupted()) throw RunFailed("interrupted; the table is kept, --resume makes what is missing");
+    if (InterruptGuard::interrupted())
+      throw RunFailed("interrupted; the table is kept, --resume makes what is missing");
     text += two_mass::work_row(cases[i], work_repetitions) + "\n";
   }
   progress.update(cases.size());
@@ -106,7 +114,9 @@ void run_work(const Options& options, const Context& context) {
 void sweep(const Options& options, const Context& context) {
   std::error_code failed;
   fs::create_directories(options.output, failed);
-  if (failed) throw Error(ErrorCode::input_output, "folder '" + options.output.string() + "' can't be made: " + failed.message());
+  if (failed)
+    throw Error(ErrorCode::input_output,
+                "folder '" + options.output.string() + "' can't be made: " + failed.message());
   const InterruptGuard guard;
   run_table(options, context);
   if (!options.only_table) {
@@ -120,15 +130,23 @@ void sweep(const Options& options, const Context& context) {
 }  // namespace
 
 void add_sweep(CLI::App& app, Context& context) {
-  auto* command = app.add_subcommand("sweep", "Run a scene over its schemes and frequency ratios, and write the table");
+  auto* command =
+      app.add_subcommand("sweep", "Run a scene over its schemes and frequency ratios, and write the table");
   auto options = std::make_shared<Options>();
-  command->add_option("scene", options->scene, "The scene: two_mass")->required()->check(CLI::IsMember({"two_mass"}));
-  command->add_option("--output", options->output, "Folder for sweep.csv and what belongs to it (default: results/SCENE)")
+  command->add_option("scene", options->scene, "The scene: two_mass")
+      ->required()
+      ->check(CLI::IsMember({"two_mass"}));
+  command
+      ->add_option("--output", options->output,
+                   "Folder for sweep.csv and what belongs to it (default: results/SCENE)")
       ->type_name("DIR");
   command->add_flag("--pairs", options->pairs, "All 25 pairs of degrees, not only equal ones");
-  command->add_flag("--resume", options->resume, "Keep the rows that are there from a sweep that was stopped");
-  command->add_flag("--table-only", options->only_table, "Leave out what only the charts need (traces, run times)");
-  command->add_option("--threads", options->threads, "Number of threads (default: all cores)")->check(CLI::Range(1U, 1024U));
+  command->add_flag("--resume", options->resume,
+                    "Keep the rows that are there from a sweep that was stopped");
+  command->add_flag("--table-only", options->only_table,
+                    "Leave out what only the charts need (traces, run times)");
+  command->add_option("--threads", options->threads, "Number of threads (default: all cores)")
+      ->check(CLI::Range(1U, 1024U));
   command->callback([options, &context] {
     if (options->output.empty()) options->output = fs::path("results") / options->scene;
     sweep(*options, context);

@@ -26,9 +26,8 @@ struct Place {
 /// The one place where an error of what a scenario names becomes one that tells where the scenario says so.
 /// place_of(sentence) gives the place.
 template <class Work, class PlaceOf>
-auto located(const PlaceOf& place_of, const Work& work) -> decltype(work()) requires requires {
-  place_of(std::string());
-}
+auto located(const PlaceOf& place_of, const Work& work) -> decltype(work())
+  requires requires { place_of(std::string()); }
 {
   try {
     return work();

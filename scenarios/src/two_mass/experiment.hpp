@@ -8,16 +8,16 @@
 
 namespace tandem::two_mass {
 
-/// One way to couple the two sides, by the words of files and tables. Schedule "monolithic": both masses in one subsystem,
-/// nothing to reconstruct.
+/// One way to couple the two sides, by the words of files and tables. Schedule "monolithic": both masses in
+/// one subsystem, nothing to reconstruct.
 struct Scheme {
   std::string schedule, to_fast, to_slow;
   bool monolithic() const { return schedule == "monolithic"; }
   bool operator==(const Scheme&) const = default;
 };
 
-/// The schemes of the sweep: schedules x equal degrees (all 25 pairs with `pairs`), hermite, matched hold, smoothing.
-/// All can be honoured.
+/// The schemes of the sweep: schedules x equal degrees (all 25 pairs with `pairs`), hermite, matched hold,
+/// smoothing. All can be honoured.
 std::vector<Scheme> sweep_schemes(bool pairs);
 
 /// The frequency ratios of the sweep: the and fourteen more that are not whole.
@@ -34,8 +34,9 @@ struct Case {
 
 struct Outcome {
   Figures figures;
-  std::int64_t exchanges = 0;    ///< calls of advance
-  std::int64_t evaluations = 0;  ///< of a right-hand side: Runge-Kutta 4 a step (monolithic 8: two masses), trapezoidal rule 2
+  std::int64_t exchanges = 0;  ///< calls of advance
+  std::int64_t evaluations =
+      0;  ///< of a right-hand side: Runge-Kutta 4 a step (monolithic 8: two masses), trapezoidal rule 2
 };
 
 /// Runs the case and judges it.
@@ -45,7 +46,8 @@ Outcome run_case(const Case& c, const std::function<void(const Model&, const Mea
 /// Runs it without measures, for its cost alone: seconds of the stepping loop.
 double time_case(const Case& c);
 
-/// Seconds of a run's stepping loop, and of the calls of each side within it (one clock reading before and after each).
+/// Seconds of a run's stepping loop, and of the calls of each side within it (one clock reading before and
+/// after each).
 struct Profile {
   double total, fast, slow;
 };

@@ -7,8 +7,9 @@ namespace tandem::two_mass {
 
 FastMass::FastMass(const Model& model, Options options) : model_(model), options_(options) {
   if (options.carried_mass < 0.0 || options.carried_mass >= model.m2)
-    throw Error(ErrorCode::invalid_argument, "two_mass: carried_mass is " + std::to_string(options.carried_mass) +
-                                                 " kg; allowed is 0 to below m2 = " + std::to_string(model.m2) + " kg");
+    throw Error(ErrorCode::invalid_argument,
+                "two_mass: carried_mass is " + std::to_string(options.carried_mass) +
+                    " kg; allowed is 0 to below m2 = " + std::to_string(model.m2) + " kg");
 }
 
 SubsystemInfo FastMass::info() const {
@@ -68,8 +69,9 @@ SlowMass::SlowMass(const Model& model, Options options)
       stiffness_(options.force ? model.k3 : model.k2 + model.k3),
       mass_(model.m2 - options.carried_mass) {
   if (options.carried_mass < 0.0 || mass_ <= 0.0)
-    throw Error(ErrorCode::invalid_argument, "two_mass: carried_mass is " + std::to_string(options.carried_mass) +
-                                                 " kg; allowed is 0 to below m2 = " + std::to_string(model.m2) + " kg");
+    throw Error(ErrorCode::invalid_argument,
+                "two_mass: carried_mass is " + std::to_string(options.carried_mass) +
+                    " kg; allowed is 0 to below m2 = " + std::to_string(model.m2) + " kg");
 }
 
 SubsystemInfo SlowMass::info() const {
@@ -90,7 +92,8 @@ void SlowMass::start(double t, std::span<const double> u0) {
 
 void SlowMass::step(const OwnStep& s, std::span<const Signal> u) {
   const double h = s.length;
-  const double before = options_.reuse_acceleration ? a2_ : (gain_ * u[0].value(s.begin) - stiffness_ * x2_) / mass_;
+  const double before =
+      options_.reuse_acceleration ? a2_ : (gain_ * u[0].value(s.begin) - stiffness_ * x2_) / mass_;
   const double push = gain_ * u[0].value(s.end);
   x2_ = (x2_ + h * v2_ + 0.25 * h * h * (before + push / mass_)) / (1.0 + 0.25 * h * h * stiffness_ / mass_);
   a2_ = (push - stiffness_ * x2_) / mass_;
@@ -137,7 +140,8 @@ void add_builtins(Builtins& builtins) {
   };
   builtins["two_mass.slow"] = [](Parameters& p) {
     const Model model(Settings::from(p));
-    return std::make_unique<FixedStep<SlowMass>>(SlowMass(model, {.reuse_acceleration = p.flag("reuse_acceleration", false)}));
+    return std::make_unique<FixedStep<SlowMass>>(
+        SlowMass(model, {.reuse_acceleration = p.flag("reuse_acceleration", false)}));
   };
   builtins["two_mass.fast_force"] = [](Parameters& p) {
     const Model model(Settings::from(p));

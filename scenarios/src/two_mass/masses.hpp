@@ -6,11 +6,12 @@
 
 namespace tandem::two_mass {
 
-/// The fast side: mass 1 by the classical Runge-Kutta method of order 4 (W. Kutta, 1901), inputs read at every stage.
+/// The fast side: mass 1 by the classical Runge-Kutta method of order 4 (W. Kutta, 1901), inputs read at
+/// every stage.
 ///   m1 x1'' = -k1 x1 - k2 (x1 - x2)
-/// Input x2; outputs x1 (with x1', x1''), v1 (with x1''). With `force`: also F = k2 (x1 - x2), the force on mass 2, which
-/// follows x2 at once. With `carried_mass` > 0 that much of mass 2 rides here: input a2 = x2'' too, and
-/// F = k2 (x1 - x2) - carried_mass a2.
+/// Input x2; outputs x1 (with x1', x1''), v1 (with x1''). With `force`: also F = k2 (x1 - x2), the force on
+/// mass 2, which follows x2 at once. With `carried_mass` > 0 that much of mass 2 rides here: input a2 = x2''
+/// too, and F = k2 (x1 - x2) - carried_mass a2.
 class FastMass {
  public:
   struct Options {
@@ -31,21 +32,22 @@ class FastMass {
 
   Model model_;
   Options options_;
-  double x1_ = 0.0, v1_ = 0.0;            ///< state
-  double a1_ = 0.0, force_ = 0.0;         ///< with the inputs at the end of the last step
+  double x1_ = 0.0, v1_ = 0.0;     ///< state
+  double a1_ = 0.0, force_ = 0.0;  ///< with the inputs at the end of the last step
 };
 
 /// The slow side: mass 2 by the trapezoidal rule, solved exactly.
 ///   m x2'' = g u - K x2:  u = x1, g = k2, K = k2 + k3, m = m2;  or, with `force`, u = F, g = 1, K = k3,
 /// m = m2 - carried_mass.
-/// At each step u is read anew at both ends. Outputs x2 (with x2', x2''), v2 (with x2''), and with `force` a2 = x2'',
-/// which follows F at once.
+/// At each step u is read anew at both ends. Outputs x2 (with x2', x2''), v2 (with x2''), and with `force` a2
+/// = x2'', which follows F at once.
 class SlowMass {
  public:
   struct Options {
     bool force = false;
-    double carried_mass = 0.0;        ///< [kg]
-    bool reuse_acceleration = false;  ///< the mistake that the docs show: start the step with the last one's acceleration
+    double carried_mass = 0.0;  ///< [kg]
+    bool reuse_acceleration =
+        false;  ///< the mistake that the docs show: start the step with the last one's acceleration
   };
   SlowMass(const Model& model, Options options);
 
@@ -62,8 +64,8 @@ class SlowMass {
   double x2_ = 0.0, v2_ = 0.0, a2_ = 0.0;
 };
 
-/// Both masses in one subsystem by the classical Runge-Kutta method with the fast side's step: the reference, and the
-/// cost to beat. Outputs x1, v1, x2, v2.
+/// Both masses in one subsystem by the classical Runge-Kutta method with the fast side's step: the reference,
+/// and the cost to beat. Outputs x1, v1, x2, v2.
 class BothMasses {
  public:
   explicit BothMasses(const Model& model) : model_(model) {}

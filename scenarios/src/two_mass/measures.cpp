@@ -12,7 +12,8 @@ namespace {
 
 constexpr double fitted_cycles = 10.0;
 constexpr double least_amplitude = 0.01;  // of C11, below which a phase has no meaning
-constexpr double largest_residual = 0.5;  // of the amplitude (fitted or C11), beyond which the fit has no meaning
+constexpr double largest_residual =
+    0.5;  // of the amplitude (fitted or C11), beyond which the fit has no meaning
 
 }  // namespace
 

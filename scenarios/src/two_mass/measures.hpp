@@ -16,18 +16,21 @@ struct Figures {
   std::string note;
 };
 
-/// Gathers the errors of a two-mass run, N fast cycles long (F. Gonzalez, doctoral thesis, A Coruna 2010, chapter 5):
+/// Gathers the errors of a two-mass run, N fast cycles long (F. Gonzalez, doctoral thesis, A Coruna 2010,
+/// chapter 5):
 ///   position error        (FR/N) rms((x1 - x1_exact) / x1_rms), over the fast side's nodes
-///   energy error          (FR/N) rms((E - E0) / E0), over the same nodes up to the slow side's last one; x2 and v2 there
+///   energy error          (FR/N) rms((E - E0) / E0), over the same nodes up to the slow side's last one; x2
+///   and v2 there
 ///                         from the cubic Hermite polynomial of the slow side's positions and velocities
 ///   exchange energy error the same with the states that each side last computed, after each round
-///   amplitude, phase error of the fast mode: both modes at their exact frequencies fitted to x1 by least squares over
+///   amplitude, phase error of the fast mode: both modes at their exact frequencies fitted to x1 by least
+///   squares over
 ///                         the last ten fast cycles; A/C11 - 1, and the lead in rad within (-pi, pi]
 /// The run has failed when a displacement exceeds 1e8 times the largest at the start.
 class Measures final : public Observer {
  public:
-  /// The fast side is subsystem 0 of the run with outputs x1, v1 first; the slow side is subsystem 1 with x2, v2 first.
-  /// Monolithic: one subsystem with outputs x1, v1, x2, v2.
+  /// The fast side is subsystem 0 of the run with outputs x1, v1 first; the slow side is subsystem 1 with x2,
+  /// v2 first. Monolithic: one subsystem with outputs x1, v1, x2, v2.
   Measures(const Model& model, double frequency_ratio, double t_stop);
 
   bool samples(int subsystem, const History& history, std::int64_t first, std::int64_t last) override;

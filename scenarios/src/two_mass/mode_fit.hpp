@@ -7,9 +7,9 @@
 
 namespace tandem::two_mass {
 
-/// Least-squares fit of x(t) = a cos(w1 t) + b sin(w1 t) + c cos(w2 s) + d sin(w2 s), s = t - centre, by the normal
-/// equations and Cholesky's factorization. Times centred on the data keep the slow mode's two columns apart where they
-/// cover a small part of its cycle.
+/// Least-squares fit of x(t) = a cos(w1 t) + b sin(w1 t) + c cos(w2 s) + d sin(w2 s), s = t - centre, by the
+/// normal equations and Cholesky's factorization. Times centred on the data keep the slow mode's two columns
+/// apart where they cover a small part of its cycle.
 class ModeFit {
  public:
   /// Of mode 1: amplitude cos(w1 t + phase); and the root mean square of what the fit leaves over.
@@ -34,7 +34,8 @@ class ModeFit {
       for (std::size_t i = 0; i < 4; ++i) rest -= c[i] * rows_[k][i];
       squares += rest * rest;
     }
-    return {std::hypot(c[0], c[1]), std::atan2(-c[1], c[0]), std::sqrt(squares / static_cast<double>(rows_.size()))};
+    return {std::hypot(c[0], c[1]), std::atan2(-c[1], c[0]),
+            std::sqrt(squares / static_cast<double>(rows_.size()))};
   }
 
  private:

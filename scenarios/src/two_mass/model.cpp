@@ -13,7 +13,8 @@ namespace {
 
 void require(bool holds, const std::string& setting, double value, const std::string& allowed) {
   if (!holds || !std::isfinite(value))
-    throw Error(ErrorCode::invalid_argument, "two_mass: " + setting + " is " + std::to_string(value) + "; allowed is " + allowed);
+    throw Error(ErrorCode::invalid_argument,
+                "two_mass: " + setting + " is " + std::to_string(value) + "; allowed is " + allowed);
 }
 
 /// The range of b = C13/C23 in which k1 and k3 are positive, with s = FR^2 - 1 and a = C11/C21:
@@ -21,8 +22,10 @@ void require(bool holds, const std::string& setting, double value, const std::st
 std::string stiffness_range(double frequency_ratio, double a) {
   const double s = frequency_ratio * frequency_ratio - 1.0;
   const std::string above = "above " + std::to_string(std::max(0.0, (s + a) / (s + 1.0)));
-  const std::string below = s + 1.0 / a > 0.0 ? " and below " + std::to_string((s + 1.0) / (s + 1.0 / a)) : "";
-  return above + below + " at frequency_ratio " + std::to_string(frequency_ratio) + ", so that k1 and k3 are positive";
+  const std::string below =
+      s + 1.0 / a > 0.0 ? " and below " + std::to_string((s + 1.0) / (s + 1.0 / a)) : "";
+  return above + below + " at frequency_ratio " + std::to_string(frequency_ratio) +
+         ", so that k1 and k3 are positive";
 }
 
 }  // namespace
@@ -58,13 +61,15 @@ Model::Model(const Settings& s) : k2(s.k2), phase1(s.phase1), phase2(s.phase2) {
   omega1 = 2.0 * std::numbers::pi;
   omega2 = omega1 / s.frequency_ratio;
   const double a = c11 / c21, b = c13 / c23, difference = omega1 * omega1 - omega2 * omega2;
-  require(a < 0.0 && b > 0.0, "c11_over_c21 (= c11_over_c23 * c23_over_c21)", a,
-          "below 0, with c13_over_c23 (= c11_over_c23 / c11_over_c13) above 0, so that the masses are positive");
+  require(
+      a < 0.0 && b > 0.0, "c11_over_c21 (= c11_over_c23 * c23_over_c21)", a,
+      "below 0, with c13_over_c23 (= c11_over_c23 / c11_over_c13) above 0, so that the masses are positive");
   m1 = k2 * (a - b) / (a * b * difference);
   m2 = k2 * (b - a) / difference;
   k1 = k2 / b - k2 + omega2 * omega2 * m1;
   k3 = b * k2 - k2 + omega2 * omega2 * m2;
-  require(k1 > 0.0 && k3 > 0.0, "c13_over_c23 (= c11_over_c23 / c11_over_c13)", b, stiffness_range(s.frequency_ratio, a));
+  require(k1 > 0.0 && k3 > 0.0, "c13_over_c23 (= c11_over_c23 / c11_over_c13)", b,
+          stiffness_range(s.frequency_ratio, a));
   h1 = 1.0 / s.steps_per_cycle;
   h2 = s.frequency_ratio / s.steps_per_cycle;
 }
@@ -77,7 +82,8 @@ Motion Model::exact(double t) const {
 
 double Model::energy(const Motion& m) const {
   const double stretch = m.x1 - m.x2;
-  return 0.5 * (m1 * m.v1 * m.v1 + m2 * m.v2 * m.v2 + k1 * m.x1 * m.x1 + k2 * stretch * stretch + k3 * m.x2 * m.x2);
+  return 0.5 *
+         (m1 * m.v1 * m.v1 + m2 * m.v2 * m.v2 + k1 * m.x1 * m.x1 + k2 * stretch * stretch + k3 * m.x2 * m.x2);
 }
 
 }  // namespace tandem::two_mass

@@ -15,7 +15,9 @@
 namespace tandem::two_mass {
 namespace {
 
-std::string cell(const std::optional<double>& value) { return value ? fmt::format("{}", *value) : std::string(); }
+std::string cell(const std::optional<double>& value) {
+  return value ? fmt::format("{}", *value) : std::string();
+}
 
 [[noreturn]] void cannot_write(const std::filesystem::path& file) {
   throw Error(ErrorCode::input_output, "file '" + file.string() + "' can't be written");
@@ -24,7 +26,8 @@ std::string cell(const std::optional<double>& value) { return value ? fmt::forma
 }  // namespace
 
 std::string SweepTable::header() {
-  return "schedule,to_fast,to_slow,frequency_ratio,position_error,energy_error,exchange_energy_error,amplitude_error,"
+  return "schedule,to_fast,to_slow,frequency_ratio,position_error,energy_error,exchange_energy_error,"
+         "amplitude_error,"
          "phase_error,exchanges,evaluations,status,note";
 }
 
@@ -35,8 +38,8 @@ std::string SweepTable::key(const Case& c) {
 std::string SweepTable::row(const Case& c, const Outcome& o) {
   const Figures& f = o.figures;
   return fmt::format("{},{},{},{},{},{},{},{},{},{}", key(c), cell(f.position_error), cell(f.energy_error),
-                     cell(f.exchange_energy_error), cell(f.amplitude_error), cell(f.phase_error), o.exchanges, o.evaluations,
-                     f.failed ? "failed" : "ok", f.note);
+                     cell(f.exchange_energy_error), cell(f.amplitude_error), cell(f.phase_error), o.exchanges,
+                     o.evaluations, f.failed ? "failed" : "ok", f.note);
 }
 
 SweepTable SweepTable::read(const std::filesystem::path& file) {
@@ -47,7 +50,8 @@ SweepTable SweepTable::read(const std::filesystem::path& file) {
   SweepTable table;
   for (int number = 2; std::getline(in, line); ++number) {
     if (std::count(line.begin(), line.end(), ',') != 12)
-      throw Error(ErrorCode::input_output, fmt::format("file '{}', line {}: not a row of 13 cells", file.string(), number));
+      throw Error(ErrorCode::input_output,
+                  fmt::format("file '{}', line {}: not a row of 13 cells", file.string(), number));
     std::size_t end = 0;
     for (int comma = 0; comma < 4; ++comma) end = line.find(',', end) + 1;
     table.rows_[line.substr(0, end - 1)] = line;

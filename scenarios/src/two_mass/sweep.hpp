@@ -20,7 +20,8 @@ class SweepTable {
 
   /// Reads a table written before. Throws Error naming file and line if it is not one.
   static SweepTable read(const std::filesystem::path& file);
-  /// Writes the rows there are, in the order of `cases`, to a file beside it and renames that: never half a table.
+  /// Writes the rows there are, in the order of `cases`, to a file beside it and renames that: never half a
+  /// table.
   void write(const std::filesystem::path& file, const std::vector<Case>& cases) const;
 
   bool has(const Case& c) const { return rows_.count(key(c)) != 0; }
@@ -31,9 +32,9 @@ class SweepTable {
   std::map<std::string, std::string> rows_;
 };
 
-/// Runs the cases that `table` has not, on `threads` threads; each case is deterministic, so the table does not depend on
-/// their order. `tick(done)` is called from the calling thread now and then; if it returns false the sweep ends with what
-/// is done. Returns the seconds that each case took, by key.
+/// Runs the cases that `table` has not, on `threads` threads; each case is deterministic, so the table does
+/// not depend on their order. `tick(done)` is called from the calling thread now and then; if it returns
+/// false the sweep ends with what is done. Returns the seconds that each case took, by key.
 std::map<std::string, double> run_sweep(const std::vector<Case>& cases, unsigned threads, SweepTable& table,
                                         const std::function<bool(std::size_t)>& tick);
 

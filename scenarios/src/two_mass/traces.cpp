@@ -13,10 +13,12 @@ namespace {
 /// The runs whose motion or energy the charts draw.
 std::vector<Case> traced() {
   std::vector<Case> cases;
-  for (const Scheme& s : {Scheme{"slowest-first", "lagrange0", "lagrange0"}, Scheme{"fastest-first", "lagrange3", "lagrange3"},
-                          Scheme{"fastest-first", "lagrange3", "mean"}})
+  for (const Scheme& s :
+       {Scheme{"slowest-first", "lagrange0", "lagrange0"}, Scheme{"fastest-first", "lagrange3", "lagrange3"},
+        Scheme{"fastest-first", "lagrange3", "mean"}})
     cases.push_back({s, 90.0});
-  for (const char* schedule : {"slowest-first", "fastest-first", "parallel"}) cases.push_back({{schedule, "lagrange3", "lagrange3"}, 30.0});
+  for (const char* schedule : {"slowest-first", "fastest-first", "parallel"})
+    cases.push_back({{schedule, "lagrange3", "lagrange3"}, 30.0});
   cases.push_back({{"slowest-first", "lagrange0", "lagrange0"}, 30.0});
   cases.push_back({{"staggered", "matched_hold", "matched_hold"}, 30.0});
   return cases;
@@ -28,7 +30,9 @@ std::string least_time(const Case& c, int repetitions) {
   return fmt::format("{}", least);
 }
 
-std::string cell(const std::optional<double>& value) { return value ? fmt::format("{}", *value) : std::string(); }
+std::string cell(const std::optional<double>& value) {
+  return value ? fmt::format("{}", *value) : std::string();
+}
 
 }  // namespace
 
@@ -40,8 +44,9 @@ void write_traces(const std::filesystem::path& file) {
       const auto energies = measures.energy_errors();
       const auto& nodes = measures.nodes();
       for (std::size_t k = 0; k < std::min(nodes.size(), energies.size()); ++k)
-        out << fmt::format("{},{},{},{},{},{},{},{}\n", c.frequency_ratio, c.scheme.schedule, c.scheme.to_fast, c.scheme.to_slow,
-                           nodes[k].time, nodes[k].x1, model.exact(nodes[k].time).x1, energies[k]);
+        out << fmt::format("{},{},{},{},{},{},{},{}\n", c.frequency_ratio, c.scheme.schedule,
+                           c.scheme.to_fast, c.scheme.to_slow, nodes[k].time, nodes[k].x1,
+                           model.exact(nodes[k].time).x1, energies[k]);
     });
   out.close();
   if (!out) throw Error(ErrorCode::input_output, "file '" + file.string() + "' can't be written");
@@ -58,15 +63,16 @@ std::vector<Case> work_cases() {
 }
 
 std::string work_header() {
-  return "schedule,to_fast,to_slow,frequency_ratio,steps_per_cycle,position_error,amplitude_error,phase_error,exchanges,"
+  return "schedule,to_fast,to_slow,frequency_ratio,steps_per_cycle,position_error,amplitude_error,phase_"
+         "error,exchanges,"
          "evaluations,seconds,repetitions,status";
 }
 
 std::string work_row(const Case& c, int repetitions) {
   const Outcome o = run_case(c);
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}", c.scheme.schedule, c.scheme.to_fast, c.scheme.to_slow,
-                     c.frequency_ratio, c.steps_per_cycle, cell(o.figures.position_error), cell(o.figures.amplitude_error),
-                     cell(o.figures.phase_error), o.exchanges, o.evaluations,
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}", c.scheme.schedule, c.scheme.to_fast,
+                     c.scheme.to_slow, c.frequency_ratio, c.steps_per_cycle, cell(o.figures.position_error),
+                     cell(o.figures.amplitude_error), cell(o.figures.phase_error), o.exchanges, o.evaluations,
                      o.figures.failed ? std::string() : least_time(c, repetitions), repetitions,
                      o.figures.failed ? "failed" : "ok");
 }

@@ -10,9 +10,11 @@
 
 namespace tandem {
 
-/// How histories are filled before the first step, so that degree d gives global order d + 1 from the beginning.
+/// How histories are filled before the first step, so that degree d gives global order d + 1 from the
+/// beginning.
 enum class StartKind {
-  automatic,    ///< derivatives if the outputs give enough of them, else repeat if all can restart, else cold (noted)
+  automatic,    ///< derivatives if the outputs give enough of them, else repeat if all can restart, else cold
+                ///< (noted)
   derivatives,  ///< past samples by Taylor expansion of the output derivatives at the start
   repeat,       ///< the first steps are run again and again, on inputs interpolated in the pass before
   cold,         ///< as many samples as there are; caps the order at 2 (extrapolated) and 3 (interpolated)
@@ -21,8 +23,9 @@ enum class StartKind {
 /// The coordination of a run, as a scenario states it.
 struct Coordination {
   Schedule::Kind schedule = Schedule::Kind::slowest_first;
-  std::vector<std::string> order;            ///< instances, slowest first; empty: by the length of their own steps
-  std::optional<double> communication_step;  ///< [s], for parallel and for delays; default: the largest own step
+  std::vector<std::string> order;  ///< instances, slowest first; empty: by the length of their own steps
+  std::optional<double>
+      communication_step;  ///< [s], for parallel and for delays; default: the largest own step
   StartKind start = StartKind::automatic;
   bool profile = false;  ///< read the clock before and after each call of a subsystem
 };
@@ -31,8 +34,8 @@ struct Coordination {
 class Observer {
  public:
   virtual ~Observer() = default;
-  /// Rows first..last of the subsystem's history are new. Called after each turn (parallel: for each subsystem after the
-  /// round). Returns false to end the run.
+  /// Rows first..last of the subsystem's history are new. Called after each turn (parallel: for each
+  /// subsystem after the round). Returns false to end the run.
   virtual bool samples(int subsystem, const History& history, std::int64_t first, std::int64_t last) = 0;
 };
 
@@ -43,24 +46,24 @@ struct Effort {
   double seconds = 0.0;        ///< inside advance; with `profile` only
 };
 
-/// Runs subsystems that integrate themselves from t_start to t_stop. The stepping loop allocates nothing once the memory
-/// of the histories has settled.
+/// Runs subsystems that integrate themselves from t_start to t_stop. The stepping loop allocates nothing once
+/// the memory of the histories has settled.
 class Coordinator {
  public:
-  /// subsystems: in the order of the topology, which has been checked; both must outlive the coordinator. Throws Error
-  /// for an end that is not after the start, and a coordination that names what is not there.
-  Coordinator(const Topology& topology, std::vector<Subsystem*> subsystems, Coordination coordination, double t_start,
-              double t_stop);
+  /// subsystems: in the order of the topology, which has been checked; both must outlive the coordinator.
+  /// Throws Error for an end that is not after the start, and a coordination that names what is not there.
+  Coordinator(const Topology& topology, std::vector<Subsystem*> subsystems, Coordination coordination,
+              double t_start, double t_stop);
 
-  /// First samples, order, scheme checks and start, up to the point from which round() goes on. Throws Error for a
-  /// scheme that the schedule can't honour, or a start that is asked for and can't be made.
+  /// First samples, order, scheme checks and start, up to the point from which round() goes on. Throws Error
+  /// for a scheme that the schedule can't honour, or a start that is asked for and can't be made.
   void initialize();
 
   /// Tells `observer` (may be null) of all samples from now on. Call before initialize().
   void observe(Observer* observer) { observer_ = observer; }
 
-  /// One round of the schedule. False: there was none left, or the observer ended the run. Throws Error if a subsystem
-  /// fails or breaks the contract, with its name and the time.
+  /// One round of the schedule. False: there was none left, or the observer ended the run. Throws Error if a
+  /// subsystem fails or breaks the contract, with its name and the time.
   bool round();
 
   /// initialize(), then rounds to the end.

@@ -14,12 +14,13 @@ struct Lags {
   double delay = 0.0;
 };
 
-/// What passes between the subsystems of a run: the recent samples of each, and the signals made from them. Subsystem i
-/// appends to history(i), commit(i) makes that visible, inputs(j) gives what j reads.
+/// What passes between the subsystems of a run: the recent samples of each, and the signals made from them.
+/// Subsystem i appends to history(i), commit(i) makes that visible, inputs(j) gives what j reads.
 class Exchange {
  public:
   /// capacities: rows of memory by subsystem, to begin with. `topology` must outlive the exchange.
-  Exchange(const Topology& topology, TimeTolerance tolerance, const Lags& lags, std::span<const std::int64_t> capacities);
+  Exchange(const Topology& topology, TimeTolerance tolerance, const Lags& lags,
+           std::span<const std::int64_t> capacities);
   Exchange(Exchange&&) = default;
   Exchange& operator=(Exchange&&) = default;
 
@@ -33,8 +34,8 @@ class Exchange {
     for (Link* link : links_from_[static_cast<std::size_t>(source)]) link->extend(h);
   }
 
-  /// The inputs of `reader` for a call that begins at `time`, with an own step to `next_time`. Valid until the next commit
-  /// of one of its sources or the next call of inputs() for it.
+  /// The inputs of `reader` for a call that begins at `time`, with an own step to `next_time`. Valid until
+  /// the next commit of one of its sources or the next call of inputs() for it.
   std::span<const Signal> inputs(int reader, double time, double next_time) {
     Reader& r = readers_[static_cast<std::size_t>(reader)];
     for (Link* link : r.links) link->read(history(link->source()), time, next_time, r.slots.data());
@@ -42,7 +43,8 @@ class Exchange {
     return {r.slots.data(), r.constants.size()};
   }
 
-  /// Makes room for `wanted` rows of `source`: drops what no reader, standing where `clocks` says, needs any more.
+  /// Makes room for `wanted` rows of `source`: drops what no reader, standing where `clocks` says, needs any
+  /// more.
   void make_room(int source, std::int64_t wanted, std::span<const Clock> clocks);
 
   /// From now on the signals begin with the first segment of full degree (see Link::reach_back).

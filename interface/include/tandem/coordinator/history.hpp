@@ -11,21 +11,23 @@
 
 namespace tandem {
 
-/// The recent samples of one subsystem. The subsystem appends into room(); readers see the rows after commit(). Rows are
-/// numbered from 0 (the oldest seed, or else the first sample) and keep their number when older ones are dropped.
+/// The recent samples of one subsystem. The subsystem appends into room(); readers see the rows after
+/// commit(). Rows are numbered from 0 (the oldest seed, or else the first sample) and keep their number when
+/// older ones are dropped.
 class History {
  public:
   static constexpr std::int64_t min_capacity = 32;
-  /// name: of the instance, for errors. capacity: rows that there is memory for at first (at least min_capacity). `info`
-  /// must outlive the history.
+  /// name: of the instance, for errors. capacity: rows that there is memory for at first (at least
+  /// min_capacity). `info` must outlive the history.
   History(std::string name, const SubsystemInfo& info, std::int64_t capacity);
   History(History&&) = default;
   History& operator=(History&&) = default;
 
   /// Where the subsystem appends. make_room() first.
   Samples& room() { return samples_; }
-  /// Makes the appended rows visible, after checking that their values are finite, that times rise (a jump may repeat a
-  /// time) and that none is past t_limit by more than `tolerance`. Throws Error naming subsystem, port and time.
+  /// Makes the appended rows visible, after checking that their values are finite, that times rise (a jump
+  /// may repeat a time) and that none is past t_limit by more than `tolerance`. Throws Error naming
+  /// subsystem, port and time.
   void commit(double t_limit, double tolerance) {
     const std::int64_t size = base_ + samples_.size();
     const double latest = t_limit + tolerance;
@@ -40,7 +42,8 @@ class History {
   double time(std::int64_t row) const { return samples_.time(row - base_); }
   bool jump(std::int64_t row) const { return samples_.jump(row - base_); }
   std::span<const double> values(std::int64_t row) const { return samples_.values(row - base_); }
-  /// The row as the subsystem wrote it: time, jump flag, values. The one before it stands stride() doubles earlier.
+  /// The row as the subsystem wrote it: time, jump flag, values. The one before it stands stride() doubles
+  /// earlier.
   const double* row(std::int64_t row) const { return data_.data() + (row - base_) * stride_; }
   std::int64_t stride() const { return stride_; }
   int outputs() const { return outputs_; }
@@ -48,23 +51,25 @@ class History {
 
   /// Number of the first row that the subsystem gave itself; rows before it are seeds.
   std::int64_t first_own() const { return seeds_; }
-  /// Puts `count` past samples at t0 - k h before the only row, by Taylor expansion of the derivatives it carries.
-  /// Precondition: exactly one committed row, h > 0, count at most min_capacity - 3.
+  /// Puts `count` past samples at t0 - k h before the only row, by Taylor expansion of the derivatives it
+  /// carries. Precondition: exactly one committed row, h > 0, count at most min_capacity - 3.
   void seed(int count, double h);
   /// Forgets everything.
   void clear();
 
   bool has_room(std::int64_t rows) const { return samples_.size() + rows <= capacity_; }
-  /// Drops the committed rows before `keep`, and takes more memory where the others and `wanted` more would fill over
-  /// half of it.
+  /// Drops the committed rows before `keep`, and takes more memory where the others and `wanted` more would
+  /// fill over half of it.
   void make_room(std::int64_t keep, std::int64_t wanted);
   std::int64_t capacity() const { return capacity_; }
 
  private:
-  /// Nothing is wrong with the row, which comes later than the one before it. (False for the first row and for a jump.)
+  /// Nothing is wrong with the row, which comes later than the one before it. (False for the first row and
+  /// for a jump.)
   bool plain(const double* y, double latest) const {
     bool good = y[0] <= latest && committed_ > base_ && y[0] > y[-stride_];
-    for (std::int64_t k = Samples::header; k < stride_; ++k) good &= std::abs(y[k]) <= std::numeric_limits<double>::max();
+    for (std::int64_t k = Samples::header; k < stride_; ++k)
+      good &= std::abs(y[k]) <= std::numeric_limits<double>::max();
     return good;
   }
   void check(std::int64_t row, double t_limit, double tolerance) const;

@@ -17,10 +17,11 @@ struct Lane {
   double gain = 1.0, offset = 0.0;
 };
 
-/// All lanes from one source to one reader with the same reconstruction. Reconstructions that follow the samples get one
-/// segment per sample of the source, with its origin at that sample (the segment's right node), made once, when the
-/// sample is committed; so the signal depends on the samples alone, and many small calls read what one large call reads.
-/// Mean and matched hold depend on the reader's step and are made when it reads.
+/// All lanes from one source to one reader with the same reconstruction. Reconstructions that follow the
+/// samples get one segment per sample of the source, with its origin at that sample (the segment's right
+/// node), made once, when the sample is committed; so the signal depends on the samples alone, and many small
+/// calls read what one large call reads. Mean and matched hold depend on the reader's step and are made when
+/// it reads.
 class Link {
  public:
   /// delay [s]: the reader gets at t what the source gave at t - delay.
@@ -40,7 +41,8 @@ class Link {
   /// Follows a History::make_room that moved rows.
   void follow_room(const History& source);
 
-  /// Writes a Signal into slots[lane.slot] for each lane, for a reader whose next own step is [time, next_time]. The signals are valid until the next call of any other member.
+  /// Writes a Signal into slots[lane.slot] for each lane, for a reader whose next own step is [time,
+  /// next_time]. The signals are valid until the next call of any other member.
   void read(const History& source, double time, double next_time, Signal* slots) {
     if (!follows_) return read_window(source, time, next_time, slots);
     advance_cursor(time);
@@ -54,12 +56,14 @@ class Link {
 
   /// The oldest row of the source that read() or extend() may still need for a reader that stands at `time`.
   std::int64_t oldest_needed(const History& source, double time);
-  /// Lets the segments before the first one of full degree be forgotten, so that this one reaches back to the start
-  /// (repeated start: interpolate in a pass that is complete).
+  /// Lets the segments before the first one of full degree be forgotten, so that this one reaches back to the
+  /// start (repeated start: interpolate in a pass that is complete).
   void reach_back();
 
  private:
-  Segment* segments(std::size_t lane) { return segments_.data() + lane * static_cast<std::size_t>(capacity_); }
+  Segment* segments(std::size_t lane) {
+    return segments_.data() + lane * static_cast<std::size_t>(capacity_);
+  }
   void advance_cursor(double time) {
     const Segment* s = segments_.data() + (cursor_ - base_);
     for (; cursor_ < end_ - 1 && s->end < time; ++s) ++cursor_;
@@ -75,8 +79,8 @@ class Link {
 
   int source_, reader_;
   Reconstruction how_;
-  int degree_;     ///< of the polynomials
-  bool follows_;   ///< how_.follows_samples()
+  int degree_;    ///< of the polynomials
+  bool follows_;  ///< how_.follows_samples()
   double delay_;
   std::vector<Lane> lanes_;
 

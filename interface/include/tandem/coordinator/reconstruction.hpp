@@ -8,9 +8,10 @@ namespace tandem {
 /// How the samples of an output become a function of time for its reader.
 struct Reconstruction {
   enum class Kind {
-    lagrange,       ///< polynomial through the newest degree + 1 samples; interpolates where samples cover the span
-    hermite,        ///< cubic through the values and derivatives of two samples
-    mean,           ///< mean of the source's samples within the reader's own step, constant over that step
+    lagrange,  ///< polynomial through the newest degree + 1 samples; interpolates where samples cover the
+               ///< span
+    hermite,   ///< cubic through the values and derivatives of two samples
+    mean,      ///< mean of the source's samples within the reader's own step, constant over that step
     least_squares,  ///< polynomial fitted to the newest degree + 1 + extra samples
     matched_hold,   ///< the newest sample, constant over the whole call
   };
@@ -32,8 +33,8 @@ struct Reconstruction {
   int polynomial_degree() const;
   /// Output derivatives that each sample must carry.
   int derivatives_read() const { return kind == Kind::hermite ? 1 : 0; }
-  /// Output derivatives at the start from which past samples can be made by a Taylor expansion so that the order of the
-  /// scheme is kept: degree - 1 (hermite: 2). 0 where a cold start costs no order.
+  /// Output derivatives at the start from which past samples can be made by a Taylor expansion so that the
+  /// order of the scheme is kept: degree - 1 (hermite: 2). 0 where a cold start costs no order.
   int derivatives_at_start() const;
 
   bool operator==(const Reconstruction&) const = default;

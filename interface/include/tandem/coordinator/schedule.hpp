@@ -10,10 +10,11 @@ namespace tandem {
 
 /// What a schedule sees of a subsystem.
 struct Member {
-  double time;              ///< where it stands [s]
-  double next;              ///< where its next own step ends [s]; of one that can land, at most t_stop
-  bool lands = false;       ///< can cut a step
-  bool reads_mean = false;  ///< reads an input that is a mean over its own step, so it takes one step at a time
+  double time;         ///< where it stands [s]
+  double next;         ///< where its next own step ends [s]; of one that can land, at most t_stop
+  bool lands = false;  ///< can cut a step
+  bool reads_mean =
+      false;  ///< reads an input that is a mean over its own step, so it takes one step at a time
 };
 
 /// One subsystem's share of a round: advance to `limit`; with `land`, cut the last step to end there.
@@ -23,12 +24,14 @@ struct Turn {
   bool land;
 };
 
-/// Who advances next and up to where: pure functions of the clocks. Positions 0, 1, ... are the order in which the
-/// subsystems lead: position 0 is ahead of all others (slowest-first: own steps descending; fastest-first: ascending).
+/// Who advances next and up to where: pure functions of the clocks. Positions 0, 1, ... are the order in
+/// which the subsystems lead: position 0 is ahead of all others (slowest-first: own steps descending;
+/// fastest-first: ascending).
 class Schedule {
  public:
   enum class Kind { slowest_first, fastest_first, staggered, parallel };
-  /// From "slowest-first", "fastest-first", "staggered", "parallel"; throws Error(invalid_argument) otherwise.
+  /// From "slowest-first", "fastest-first", "staggered", "parallel"; throws Error(invalid_argument)
+  /// otherwise.
   static Kind parse(std::string_view text);
   static std::string_view name(Kind kind);
 
@@ -38,10 +41,9 @@ class Schedule {
   Kind kind() const { return kind_; }
   std::span<const int> order() const { return order_; }
 
-  /// The turns of the next round, at most one for each subsystem; none when all have finished. The turns of a round read
-  /// the samples as they were when the round began. In parallel a member goes on until its next step would end past
-  /// `limit`, in as many calls as it takes.
-  /// The span is valid until the next call.
+  /// The turns of the next round, at most one for each subsystem; none when all have finished. The turns of a
+  /// round read the samples as they were when the round began. In parallel a member goes on until its next
+  /// step would end past `limit`, in as many calls as it takes. The span is valid until the next call.
   std::span<const Turn> next_round(std::span<const Member> members);
 
   /// A member takes no further part: it stands at t_stop, or its next step would end past it.

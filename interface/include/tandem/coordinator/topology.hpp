@@ -9,11 +9,12 @@
 
 namespace tandem {
 
-/// What a reader gets is later than what the source gave by: nothing; one own step of the reader (memory); one
-/// communication step (delay). Both of the latter break an algebraic loop.
+/// What a reader gets is later than what the source gave by: nothing; one own step of the reader (memory);
+/// one communication step (delay). Both of the latter break an algebraic loop.
 enum class Lag { none, memory, delay };
 
-/// One line between ports, as a scenario states it. Ports are "instance.port", or "instance.port[i]" for one element.
+/// One line between ports, as a scenario states it. Ports are "instance.port", or "instance.port[i]" for one
+/// element.
 struct Connection {
   std::string from, to;
   Reconstruction how;
@@ -35,21 +36,22 @@ struct Line {
 /// The subsystems of a run and what connects them, checked before anything runs.
 class Topology {
  public:
-  /// A new instance; its index. `info` must outlive the topology. Throws Error for a name that is empty, taken, or
-  /// holds a '.', '[' or blank, and for ports that contradict themselves (size below 1, derivatives beyond 3,
-  /// feedthrough of a port that is not there).
+  /// A new instance; its index. `info` must outlive the topology. Throws Error for a name that is empty,
+  /// taken, or holds a '.', '[' or blank, and for ports that contradict themselves (size below 1, derivatives
+  /// beyond 3, feedthrough of a port that is not there).
   int add(const std::string& name, const SubsystemInfo& info);
 
-  /// Checks and adds a connection. Throws Error for an unknown instance or port, an index out of range, sizes or units
-  /// that differ, an input connected twice without `add`, a reconstruction that the output's samples can't feed, a lag
-  /// on mean or matched hold.
+  /// Checks and adds a connection. Throws Error for an unknown instance or port, an index out of range, sizes
+  /// or units that differ, an input connected twice without `add`, a reconstruction that the output's samples
+  /// can't feed, a lag on mean or matched hold.
   void connect(const Connection& connection);
 
-  /// The value that an input ("instance.port", or one element) takes at the start, or for ever if it is not connected.
+  /// The value that an input ("instance.port", or one element) takes at the start, or for ever if it is not
+  /// connected.
   void set_start(std::string_view port, double value);
 
-  /// Throws Error for an input that is neither connected nor has a start value, and for an algebraic loop, with its
-  /// cycle.
+  /// Throws Error for an input that is neither connected nor has a start value, and for an algebraic loop,
+  /// with its cycle.
   void check() const;
 
   int size() const { return static_cast<int>(instances_.size()); }

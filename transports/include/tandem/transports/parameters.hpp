@@ -8,8 +8,8 @@
 
 namespace tandem {
 
-/// Named values for the making of a subsystem, from a scenario or a URI. Each is asked for by name and type; what nobody
-/// asked for is an error, so that a misspelt parameter never passes unseen.
+/// Named values for the making of a subsystem, from a scenario or a URI. Each is asked for by name and type;
+/// what nobody asked for is an error, so that a misspelt parameter never passes unseen.
 class Parameters {
  public:
   using Value = std::variant<double, bool, std::string>;
@@ -17,8 +17,8 @@ class Parameters {
   void set(const std::string& name, Value value) { values_[name] = std::move(value); }
   bool has(const std::string& name) const { return values_.count(name) != 0; }
 
-  /// The value of that name, or `otherwise`. Throws Error if it has another type (a text is read as a number or as
-  /// true/false, since a URI knows only texts).
+  /// The value of that name, or `otherwise`. Throws Error if it has another type (a text is read as a number
+  /// or as true/false, since a URI knows only texts).
   double number(const std::string& name, double otherwise);
   bool flag(const std::string& name, bool otherwise);
   std::string text(const std::string& name, const std::string& otherwise);
