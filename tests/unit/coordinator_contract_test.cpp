@@ -97,6 +97,15 @@ TEST_P(BrokenContract, ByNotMoving) {
         refuses_deed({"'bad'", "0.5", "not moved"}, [&](double, auto, Samples&) { return bad.clock(stop); }));
 }
 
+TEST_P(BrokenContract, NotByReturningOftenBetweenItsSteps) {
+  int calls = 0;
+  bad.instead_of_advance = [&](double t_limit, bool, std::span<const Signal> u, Samples& y) {
+    if (++calls % 60 == 0 && bad.grid().fits(t_limit)) bad.grid().step(), bad.put(u, y);
+    return bad.clock(Stop::event);
+  };
+  EXPECT_NO_THROW(bench.run(2.0)) << "59 calls without progress, again and again";
+}
+
 TEST_P(BrokenContract, ByTimesThatDoNotRise) {
   EXPECT_TRUE(refuses_deed({"0.5", "does not come after"}, [&](double, auto u, Samples& y) {
     bad.put(u, y);  // the sample of 0.5 again

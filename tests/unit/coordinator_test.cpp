@@ -72,6 +72,25 @@ TEST_P(EachSchedule, CarriesItOverThreeSubsystems) {
   EXPECT_EQ(bench.recording.rows(2).size(), 41U);
 }
 
+TEST_P(EachSchedule, AMemoryIsAnOwnStepOfTheReaderAndADelayACommunicationStep) {
+  const std::pair<Lag, double> lags[] = {{Lag::memory, 0.1}, {Lag::delay, 0.3}};
+  for (const auto& [lag, length] : lags)
+    for (const double step : {0.0, 0.45}) {
+      Scripted source = test::source(0.3, [](double t) { return 7.0 * t; }), listener = reader(0.1);
+      RunBench bench;
+      bench.add("source", source).add("reader", listener).schedule(GetParam());
+      bench.connect("source.y", "reader.u", "lagrange1", lag);
+      if (step > 0.0) bench.coordination.communication_step = step;
+      bench.run(6.0);
+      const double shift = lag == Lag::delay && step > 0.0 ? step : length;
+      for (const auto& row :
+           bench.recording.rows(1))  // the first straight line is there from 0.3 on, or a step later
+        if (row[0] > shift + 0.61) {
+          EXPECT_NEAR(row[2], 7.0 * (row[0] - shift), 1e-13) << row[0];
+        }
+    }
+}
+
 TEST_P(EachSchedule, RunsOneSubsystemAlone) {
   Scripted alone = test::source(0.1, cubic);
   RunBench bench;

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 #include "link_bench.hpp"
@@ -15,14 +16,18 @@ double square(double t) { return t * t; }
 TEST(MeanLink, IsTheArithmeticMeanOfTheSamplesWithinTheReadersStepEndsIncluded) {
   LinkBench bench("mean");
   for (int k = 0; k <= 20; ++k) bench.give(0.1 * k, square(0.1 * k));
-  for (const auto& [from, to] :
-       {std::pair{0.0, 1.0}, {0.3, 1.3}, {0.55, 0.95}, {0.3, 0.3000001}, {0.0, 2.0}}) {
+  const double after_third = std::nextafter(3 * 0.1, 1.0);
+  for (const auto& [from, to] : {std::pair{0.0, 1.0},
+                                 {0.3, 1.3},
+                                 {0.55, 0.95},
+                                 {0.3, 0.3000001},
+                                 {0.0, 2.0},
+                                 {0.2, 0.6},              // 6 * 0.1 is an ulp above 0.6
+                                 {after_third, 0.65}}) {  // and 3 * 0.1 an ulp before
     double sum = 0.0;
     int count = 0;
-    for (int k = 0; k <= 20; ++k) {
-      const double t = k / 10.0;  // the node 0.1 k may differ from it by rounding, which the ends tolerate
-      if (t >= from && t <= to) sum += square(t), ++count;
-    }
+    for (int k = 0; k <= 20; ++k)
+      if (k * 0.1 > from - 1e-12 && k * 0.1 < to + 1e-12) sum += square(0.1 * k), ++count;
     const Signal signal = bench.read(from, to);
     for (const double t : {from, (from + to) / 2.0, to})
       EXPECT_NEAR(signal.value(t), sum / count, 1e-14)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "polynomial.hpp"
 #include "refusal.hpp"
 #include "run_bench.hpp"
 #include "scripted.hpp"
@@ -67,6 +68,23 @@ TEST(Start, RepeatedTellsItsSamplesOnceAndGoesOnFromThem) {
   ASSERT_EQ(bench.recording.rows(0).size(), 9U);
   for (std::size_t row = 0; row < 9; ++row)
     EXPECT_EQ(bench.recording.time(0, row), 0.5 * static_cast<double>(row));
+}
+
+TEST(Start, RepeatedReadsACubicExactlyFromTheFirstStepOn) {
+  const test::Polynomial cubic = test::Polynomial::of_degree(3);
+  for (const char* schedule : {"slowest-first", "fastest-first", "parallel"}) {
+    Scripted source({"cubic", {}, {{"y", "1"}}, {}, {.restarts = true}}, 0.5,
+                    [&](double t, const auto&, double* y) { y[0] = cubic(t); });
+    SubsystemInfo info = test::mirror(0.2).info();
+    info.abilities.restarts = true;
+    Scripted reader(info, 0.2, [](double, const auto& u, double* y) { y[0] = u[0]; });
+    RunBench bench;
+    bench.add("source", source).add("reader", reader).schedule(schedule);
+    bench.connect("source.y", "reader.u", "lagrange3").run(6.0);
+    ASSERT_EQ(bench.recording.rows(1).size(), 31U);
+    for (std::size_t row = 0; row < 31; ++row)  // values below 500, Lebesgue functions below 100: 40 eps 5e4
+      EXPECT_NEAR(bench.recording.value(1, row), cubic(bench.recording.time(1, row)), 5e-10) << schedule;
+  }
 }
 
 TEST(Start, RepeatedMayReachTheEnd) {

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "run_start.hpp"
 #include "tandem/error.hpp"
@@ -77,25 +76,6 @@ class FirstSamples {
              line.offset;
     }
     return sum;
-  }
-
-  /// What the line carries comes round to its own source by feedthrough, over whatever lags. (A line with a
-  /// lag behind a loop does not: its value becomes known once the loop is closed.)
-  bool closes_loop(const Line& line) const {
-    std::vector<std::pair<int, int>> inputs = {{line.reader, line.input}};
-    for (std::size_t next = 0; next < inputs.size(); ++next) {
-      const auto [instance, input] = inputs[next];
-      for (const Feedthrough& f : topology_.info(instance).feedthrough) {
-        if (f.input != input) continue;
-        if (instance == line.source && f.output == line.output) return true;
-        for (const Line& onward : topology_.lines())
-          if (const std::pair to{onward.reader, onward.input};
-              onward.source == instance && onward.output == f.output &&
-              std::find(inputs.begin(), inputs.end(), to) == inputs.end())
-            inputs.push_back(to);
-      }
-    }
-    return false;
   }
 
   /// Gives one input that closes a loop through a memory or delay its start value.
