@@ -16,15 +16,14 @@ class LinkBench {
       : history_("source", info_, 32), link_(0, 1, Reconstruction::parse(how), delay), slots_(2) {
     link_.add(a);
     link_.add(b);
-    link_.restart(history_, TimeTolerance(0.0));
+    link_.attach(history_, TimeTolerance(0.0));
   }
 
   /// The source gives a sample: a, b and their derivatives.
   void give(double t, double a, double b = 0.0, double a_dot = 0.0, double b_dot = 0.0, bool jump = false) {
     const double row[] = {a, b, a_dot, b_dot};
     std::copy(std::begin(row), std::end(row), history_.room().append(t, jump));
-    history_.commit(t, 0.0);
-    link_.extend(history_);
+    link_.extend(history_.commit(t, TimeTolerance()));
   }
   /// Samples of a function of time.
   template <class F>
@@ -34,7 +33,7 @@ class LinkBench {
 
   /// The signal of lane a (0) or b (1) for a reader whose next own step is [from, to].
   Signal read(double from, double to, std::size_t slot = 0) {
-    link_.read(history_, from, to, slots_.data());
+    link_.read(from, to, slots_.data());
     return slots_[slot];
   }
 

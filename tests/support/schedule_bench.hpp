@@ -21,12 +21,26 @@ struct Walker {
 class ScheduleBench {
  public:
   ScheduleBench(const std::vector<Walker>& walkers, double t_start, double t_stop)
-      : walkers_(walkers), t_stop_(t_stop), tolerance_(t_start) {
-    for (const Walker& w : walkers) grids_.emplace_back(t_start, w.own_step), members_.push_back({});
+      : walkers_(walkers),
+        t_stop_(t_stop),
+        ends_(Schedule::Kind::parallel, {}, t_start, t_stop, 1.0),
+        tolerance_(t_start) {
+    for (const Walker& w : walkers) {
+      grids_.emplace_back(t_start, w.own_step);
+      members_.push_back({t_start, t_start, w.lands, w.reads_mean});
+    }
     for (std::size_t i = 0; i < walkers.size(); ++i) look(i);
   }
 
-  std::vector<Member>& members() { return members_; }
+  const std::vector<Member>& members() const { return members_; }
+  double time(int i) const { return grids_[static_cast<std::size_t>(i)].time(); }
+  /// Its clock, whether it has finished or not.
+  Member clock(int i) const {
+    const auto k = static_cast<std::size_t>(i);
+    const Walker& w = walkers_[k];
+    const double next = done(k) ? 1e300 : w.lands ? std::min(grids_[k].next(), t_stop_) : grids_[k].next();
+    return {time(i), next, w.lands, w.reads_mean};
+  }
 
   /// Takes a turn, as FixedStep does; in parallel this is all the calls of a round.
   void take(const Turn& turn) {
@@ -49,7 +63,7 @@ class ScheduleBench {
         take(turn);
         char place[32];
         std::snprintf(place, sizeof place, "%c%.6g", walkers_[static_cast<std::size_t>(turn.who)].name,
-                      members_[static_cast<std::size_t>(turn.who)].time);
+                      time(turn.who));
         text += (text.empty() ? "" : " ") + std::string(place);
       }
       log += (log.empty() ? "" : " ") + (turns.size() > 1 ? "(" + text + ")" : text);
@@ -59,13 +73,12 @@ class ScheduleBench {
  private:
   bool done(std::size_t i) const { return tolerance_.before(walkers_[i].finishes, grids_[i].next()); }
   void look(std::size_t i) {
-    const Walker& w = walkers_[i];
-    const double next = done(i) ? 1e300 : w.lands ? std::min(grids_[i].next(), t_stop_) : grids_[i].next();
-    members_[i] = {grids_[i].time(), next, w.lands, w.reads_mean};
+    ends_.stand(members_[i], grids_[i].time(), done(i) ? Member::never : grids_[i].next());
   }
 
   std::vector<Walker> walkers_;
   double t_stop_;
+  Schedule ends_;  ///< says who has finished
   TimeTolerance tolerance_;
   std::vector<TimeGrid> grids_;
   std::vector<Member> members_;

@@ -31,7 +31,7 @@ class End : public testing::TestWithParam<const char*> {
     bench.connect("fast.y", "slow.u", how).connect("slow.y", "fast.u", how);
     return bench.run(t_stop, t_start);
   }
-  double end(int who) const { return bench.coordinator->clock(who).time; }
+  double end(int who) const { return bench.coordinator->time(who); }
 
   Scripted fast = listener(0.1, false), slow = listener(0.25, false);
   RunBench bench;
@@ -108,8 +108,8 @@ TEST_P(End, ComesEarlyIfTheObserverSaysSo) {
   StopAtOne observer;
   coordinator.observe(&observer);
   coordinator.run();
-  EXPECT_LE(coordinator.clock(0).time, 1.3);
-  EXPECT_LE(coordinator.clock(1).time, 1.3);
+  EXPECT_LE(coordinator.time(0), 1.3);
+  EXPECT_LE(coordinator.time(1), 1.3);
   EXPECT_FALSE(coordinator.round());
 }
 

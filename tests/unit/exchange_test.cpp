@@ -43,8 +43,7 @@ class Bench {
     for (const int i : {0, 1}) give(i, 1);
   }
   void give(int source, int rows) {
-    const Clock clocks[] = {{times_[0], 0.0, {}}, {times_[1], 0.0, {}}, {reader_time, 0.0, {}}};
-    if (!exchange->history(source).has_room(rows)) exchange->make_room(source, rows, clocks);
+    if (!exchange->history(source).has_room(rows)) exchange->make_room(source, rows);
     for (int k = 0; k < rows; ++k) {
       const double t = times_[source] = static_cast<double>(given_[source]++) * (source == 0 ? 0.3 : 0.25);
       double* y = exchange->history(source).room().append(t);
@@ -54,9 +53,14 @@ class Bench {
     exchange->commit(source, times_[source]);
   }
   std::span<const Signal> read(double from, double to) { return exchange->inputs(2, from, to); }
+  /// The reader gives its sample at t: it will not read before it.
+  void stand(double t) {
+    if (!exchange->history(2).has_room(1)) exchange->make_room(2, 1);
+    exchange->history(2).room().append(t);
+    exchange->commit(2, t);
+  }
 
   std::optional<Exchange> exchange;
-  double reader_time = 0.0;
 
  private:
   Topology topology_;
@@ -119,15 +123,18 @@ TEST(Exchange, DroppedRowsAndNewMemoryChangeNoBit) {
   for (const char* how : {"lagrange0", "lagrange4", "hermite", "least_squares3_4", "mean", "matched_hold"}) {
     const double delay = Reconstruction::parse(how).follows_samples() ? 0.11 : 0.0;
     Bench moving(how, how, delay), still(how, how, delay, 100'000);
+    double from = 0.0;
     for (int round = 0; round < 200; ++round) {
       const int rows = round < 50 ? 1 : 40;  // later the batches take more memory
       for (Bench* bench : {&moving, &still}) bench->give(0, 5 * rows), bench->give(1, 6 * rows);
-      const double from = moving.reader_time, span = 1.5 * rows;
+      const double span = 1.5 * rows;
       const auto u = moving.read(from, from + span), expected = still.read(from, from + span);
       for (const std::size_t input : {0U, 1U, 2U})
         for (double t = from; t < from + 1.3 * span; t += 0.37)
           ASSERT_EQ(u[input].value(t), expected[input].value(t)) << how << " round " << round << " at " << t;
-      moving.reader_time = still.reader_time = from + span;
+      from += span;
+      moving.stand(from);
+      still.stand(from);
     }
     EXPECT_EQ(still.exchange->history(0).oldest(), 0);
     EXPECT_GT(moving.exchange->history(0).oldest(), 10'000);

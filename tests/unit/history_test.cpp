@@ -14,7 +14,7 @@ namespace {
 using test::Polynomial;
 using test::refuses;
 
-constexpr double tolerance = 1e-12;
+const TimeTolerance tolerance(1e3);  // a width of 9e-13
 
 /// Two ports, the second an array of two, with as many derivatives of each.
 SubsystemInfo info(int derivatives) {
@@ -76,7 +76,7 @@ TEST(History, LetsAJumpRepeatATimeAndATimePassTheLimitByTheTolerance) {
   History h("pump", pump, 32);
   append(h, 1.0, 1.0);
   append(h, 1.0, 2.0, 0.0, 0.0, true);
-  append(h, 2.0 + tolerance / 2.0, 3.0);
+  append(h, 2.0 + tolerance.width(2.0, 2.0) / 2.0, 3.0);
   EXPECT_NO_THROW(h.commit(2.0, tolerance));
   EXPECT_TRUE(h.jump(1));
   EXPECT_FALSE(h.jump(2));
@@ -86,7 +86,7 @@ TEST(History, LargeFiniteValuesPass) {
   const SubsystemInfo pump = info(0);
   History h("pump", pump, 32);
   append(h, 1.0, 1.7e308, -1.7e308, 5e-324);
-  EXPECT_NO_THROW(h.commit(1.0, 0.0));
+  EXPECT_NO_THROW(h.commit(1.0, TimeTolerance()));
 }
 
 TEST(History, DroppingAndGrowingKeepRowsAndTheirNumbers) {
@@ -99,7 +99,7 @@ TEST(History, DroppingAndGrowingKeepRowsAndTheirNumbers) {
     ASSERT_TRUE(h.has_room(batch));
     for (int k = 0; k < batch; ++k, ++row)
       append(h, 0.1 * static_cast<double>(row), static_cast<double>(row));
-    h.commit(1e9, 0.0);
+    h.commit(1e9, TimeTolerance());
     ASSERT_EQ(h.newest(), row - 1);
     ASSERT_LE(h.oldest(), std::max<std::int64_t>(0, row - batch - 5));
     for (std::int64_t r = h.oldest(); r <= h.newest(); ++r) {
@@ -113,10 +113,10 @@ TEST(History, MakingRoomKeepsRowsThatAreNotCommittedYet) {
   const SubsystemInfo pump = info(0);
   History h("pump", pump, 0);
   for (int k = 0; k < 30; ++k) append(h, k, k);
-  h.commit(29.0, 0.0);
+  h.commit(29.0, TimeTolerance());
   append(h, 30.0, 30.0);
   h.make_room(28, 10);
-  h.commit(30.0, 0.0);
+  h.commit(30.0, TimeTolerance());
   EXPECT_EQ(h.oldest(), 28);
   EXPECT_EQ(h.newest(), 30);
   EXPECT_EQ(h.values(30)[0], 30.0);
@@ -132,8 +132,10 @@ TEST(History, SeedsAreExactForPolynomialsOfTheDegreeOfTheDerivatives) {
     Polynomial derivative = p;
     for (int m = 0; m <= d; ++m, derivative = derivative.derivative())
       for (int i = 0; i < 3; ++i) y[3 * m + i] = (i + 1) * derivative(t0);
-    history.commit(t0, 0.0);
+    history.commit(t0, TimeTolerance());
     history.seed(6, h);
+    ASSERT_TRUE(history.empty()) << "until they are committed";
+    history.commit(t0, TimeTolerance());
     ASSERT_EQ(history.first_own(), 6);
     ASSERT_EQ(history.newest(), 6);
     for (std::int64_t row = 0; row <= 6; ++row) {
@@ -152,13 +154,13 @@ TEST(History, ClearForgetsEverything) {
   const SubsystemInfo pump = info(0);
   History h("pump", pump, 32);
   append(h, 1.0, 1.0);
-  h.commit(1.0, 0.0);
+  h.commit(1.0, TimeTolerance());
   h.seed(3, 0.1);
   h.clear();
   EXPECT_TRUE(h.empty());
   EXPECT_EQ(h.first_own(), 0);
   append(h, 0.0, 5.0);
-  h.commit(0.0, 0.0);
+  h.commit(0.0, TimeTolerance());
   EXPECT_EQ(h.values(0)[0], 5.0);
 }
 

@@ -76,8 +76,9 @@ TEST(HoldLinks, KeepWhatTheyNeedWhenTheSourceDropsRows) {
   for (const char* how : {"mean", "matched_hold"}) {
     LinkBench kept(how), moved(how);
     for (int k = 0; k < 30; ++k) kept.give(0.1 * k, k), moved.give(0.1 * k, k);
-    moved.history().make_room(moved.link().oldest_needed(moved.history(), 2.5), 60);
-    moved.link().follow_room(moved.history());
+    moved.read(2.5, 2.8);
+    moved.history().make_room(moved.link().oldest_needed(2.5), 60);
+    moved.link().follow_room();
     EXPECT_GT(moved.history().oldest(), 20) << how;
     EXPECT_EQ(moved.read(2.5, 2.8).value(2.6), kept.read(2.5, 2.8).value(2.6)) << how;
     EXPECT_EQ(moved.read(2.55, 2.58).value(2.56), kept.read(2.55, 2.58).value(2.56)) << how;

@@ -151,8 +151,9 @@ TEST(Link, FollowsItsSourceIntoNewMemory) {
       for (LinkBench* bench : {&kept, &moved})
         bench->give(0.1 * k, bounded(0.1 * k), k, std::cos(0.1 * k), 1.0);
     for (const std::int64_t wanted : {5, 40}) {  // the same memory, then more
-      moved.history().make_room(moved.link().oldest_needed(moved.history(), 2.5), wanted);
-      moved.link().follow_room(moved.history());
+      moved.read(2.5, 2.6);
+      moved.history().make_room(moved.link().oldest_needed(2.5), wanted);
+      moved.link().follow_room();
     }
     EXPECT_GT(moved.history().oldest(), 10);
     for (LinkBench* bench : {&kept, &moved}) bench->give(3.1, bounded(3.1), 31.0, std::cos(3.1), 1.0);

@@ -229,7 +229,7 @@ class Told {
     double* row = history_.room().append(t, jump);
     row[0] = y;
     if (info_.derivatives() > 0) row[1] = derivative;
-    history_.commit(t, 0.0);
+    history_.commit(t, TimeTolerance());
   }
   void tell(Recorder& recorder, int who) {
     recorder.samples(who, history_, history_.oldest(), history_.newest());

@@ -92,7 +92,7 @@ TEST(Start, RepeatedMayReachTheEnd) {
   RunBench bench = couple(a, b, StartKind::repeat);
   bench.run(1.2);
   EXPECT_EQ(bench.recording.rows(0).size(), 3U);
-  EXPECT_EQ(bench.coordinator->clock(1).time, 1.0);
+  EXPECT_EQ(bench.coordinator->time(1), 1.0);
 }
 
 }  // namespace

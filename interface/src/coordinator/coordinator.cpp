@@ -25,26 +25,27 @@ double seconds_now() {
 
 }  // namespace
 
-Coordinator::Coordinator(const Topology& topology, std::vector<Subsystem*> subsystems,
+Coordinator::Coordinator(const Topology& topology, const std::vector<Subsystem*>& subsystems,
                          Coordination coordination, double t_start, double t_stop)
     : topology_(topology),
-      subsystems_(std::move(subsystems)),
       coordination_(std::move(coordination)),
       t_start_(t_start),
       t_stop_(t_stop),
-      tolerance_(t_start),
-      efforts_(subsystems_.size()),
-      idle_calls_(subsystems_.size()) {
+      tolerance_(t_start) {
   if (!std::isfinite(t_start) || !std::isfinite(t_stop) || !tolerance_.before(t_start, t_stop))
     throw Error(ErrorCode::invalid_argument, "the span from " + std::to_string(t_start) + " s to " +
                                                  std::to_string(t_stop) + " s does not end after its start");
+  for (Subsystem* subsystem : subsystems) seats_.push_back({subsystem});
 }
 
 void Coordinator::initialize() {
   Observer* observer = std::exchange(observer_, nullptr);  // is told once, when the start is made
   RunStart(*this).make();
   observer_ = observer;
-  for (int i = 0; i < topology_.size(); ++i) tell(i, exchange_->history(i).first_own());
+  for (int i = 0; observer_ && i < topology_.size(); ++i) {
+    const History& history = exchange_->history(i);
+    tell(i, history.newest() - history.first_own() + 1);
+  }
 }
 
 void Coordinator::run() {
@@ -56,70 +57,62 @@ void Coordinator::run() {
 bool Coordinator::round() {
   if (stopped_) return false;
   const auto turns = schedule_->next_round(members_);
-  if (turns.empty()) {
-    note_ends();
-    stopped_ = true;
-    return false;
-  }
-  if (schedule_->kind() == Schedule::Kind::parallel)
+  if (turns.empty()) return end();
+  if (schedule_->kind() == Schedule::Kind::parallel) {
     for (const Turn& turn : turns) take_all(turn);
-  else
-    advance(turns[0].who, turns[0].limit, turns[0].land);
-  for (const Turn& turn : turns) commit(turn.who, turn.limit);
+    for (const Turn& turn : turns) commit(turn.who, turn.limit);
+  } else {
+    take(turns[0], *exchange_);
+    commit(turns[0].who, turns[0].limit);
+  }
   return !stopped_;
 }
 
 /// In parallel: as many calls as it takes to come past the communication point.
 void Coordinator::take_all(const Turn& turn) {
   const Member& member = members_[static_cast<std::size_t>(turn.who)];
-  do advance(turn.who, turn.limit, turn.land);
-  while (!schedule_->finished(member) && !tolerance_.before(turn.limit, member.next));
+  do take(turn, *exchange_);
+  while (!tolerance_.before(turn.limit, member.next));
 }
 
-void Coordinator::advance(int who, double limit, bool land) {
-  const auto i = static_cast<std::size_t>(who);
-  if (!exchange_->history(who).has_room(batches_[i])) exchange_->make_room(who, batches_[i], clocks_);
-  call(who, limit, land, exchange_->inputs(who, members_[i].time, members_[i].next));
-}
-
-void Coordinator::call(int who, double limit, bool land, std::span<const Signal> u) {
-  const auto i = static_cast<std::size_t>(who);
-  Samples& y = exchange_->history(who).room();
+/// One call, on the signals of `inputs`.
+void Coordinator::take(const Turn& turn, Exchange& inputs) {
+  const int who = turn.who;
+  Seat& seat = seats_[static_cast<std::size_t>(who)];
+  Member& member = members_[static_cast<std::size_t>(who)];
+  History& history = exchange_->history(who);
+  if (!history.has_room(seat.batch)) exchange_->make_room(who, seat.batch);
+  Samples& y = history.room();
   const std::int64_t rows = y.size();
-  const double started = coordination_.profile ? seconds_now() : 0.0;
-  const Clock clock = subsystems_[i]->advance(limit, land, u, y);
-  Effort& effort = efforts_[i];
-  if (coordination_.profile) effort.seconds += seconds_now() - started;
-  ++effort.exchanges;
-  effort.steps += y.size() - rows;
-  const double before = clocks_[i].time;
-  clocks_[i].time = clock.time;  // field by field: a copy of the whole waits for all of it to be stored
-  clocks_[i].next_time = clock.next_time;
-  clocks_[i].stop = clock.stop;
-  const bool plain = y.size() > rows && clock.time == y.time(y.size() - 1) && clock.time > before &&
-                     clock.time <= limit && clock.next_time > clock.time;
-  idle_calls_[i] = plain ? 0 : idle_calls_[i];
-  if (!plain) check_clock(who, before, y.size() - rows, limit);
-  update_member(who);
+  const double before = seat.time;
+  const auto u = inputs.inputs(who, before, member.next);
+  if (coordination_.profile) seat.effort.seconds -= seconds_now();
+  const Clock clock = seat.subsystem->advance(turn.limit, turn.land, u, y);
+  if (coordination_.profile) seat.effort.seconds += seconds_now();
+  const std::int64_t steps = y.size() - rows;
+  seat.effort.exchanges += 1;
+  seat.effort.steps += steps;
+  if (steps > 0 && clock.time == y.time(y.size() - 1) && clock.time > before && clock.time <= turn.limit &&
+      clock.next_time > clock.time)
+    seat.idle_calls = 0;
+  else
+    check_clock(who, before, steps, clock, turn.limit);
+  stand(seat, member, clock);
 }
 
 void Coordinator::commit(int who, double limit) {
-  const std::int64_t first = exchange_->history(who).newest() + 1;
-  exchange_->commit(who, limit);
-  tell(who, first);
+  const std::int64_t count = exchange_->commit(who, limit);
+  if (observer_ && count > 0) tell(who, count);
 }
 
-void Coordinator::tell(int who, std::int64_t first) {
+void Coordinator::tell(int who, std::int64_t count) {
   const History& history = exchange_->history(who);
-  if (observer_ && history.newest() >= first && !observer_->samples(who, history, first, history.newest()))
-    stopped_ = true;
+  if (!observer_->samples(who, history, history.newest() - count + 1, history.newest())) stopped_ = true;
 }
 
 /// What is not plain may still be right: no step taken, an end within the tolerance, no further step. Throws
 /// otherwise.
-void Coordinator::check_clock(int who, double before, std::int64_t rows, double limit) {
-  const auto i = static_cast<std::size_t>(who);
-  const Clock& after = clocks_[i];
+void Coordinator::check_clock(int who, double before, std::int64_t rows, const Clock& after, double limit) {
   const Samples& y = exchange_->history(who).room();
   const double stands = rows > 0 ? y.time(y.size() - 1) : before;
   if (rows < 0 || !(after.time == stands))
@@ -132,27 +125,20 @@ void Coordinator::check_clock(int who, double before, std::int64_t rows, double 
     fail(topology_.name(who), "at t = " + std::to_string(after.time) + " s gives " +
                                   std::to_string(after.next_time) +
                                   " s as the end of its next own step, which is not later");
-  idle_calls_[i] = after.time > before ? 0 : idle_calls_[i] + 1;
-  if (idle_calls_[i] >= most_idle_calls)
+  int& idle_calls = seats_[static_cast<std::size_t>(who)].idle_calls;
+  idle_calls = after.time > before ? 0 : idle_calls + 1;
+  if (idle_calls >= most_idle_calls)
     fail(topology_.name(who), "has not moved from t = " + std::to_string(after.time) + " s in " +
                                   std::to_string(most_idle_calls) + " calls");
 }
 
-void Coordinator::update_member(int who) {
-  const auto i = static_cast<std::size_t>(who);
-  const Clock& clock = clocks_[i];
-  members_[i].time = clock.time;
-  members_[i].next = clock.stop == Stop::finished ? std::numeric_limits<double>::infinity()
-                     : members_[i].lands          ? std::min(clock.next_time, t_stop_)
-                                                  : clock.next_time;
-}
-
-void Coordinator::note_ends() {
+bool Coordinator::end() {
   for (int i = 0; i < topology_.size(); ++i)
-    if (tolerance_.before(clock(i).time, t_stop_))
-      notes_.push_back("subsystem '" + topology_.name(i) + "' ended at t = " + std::to_string(clock(i).time) +
-                       " s, its last own node, " + std::to_string(t_stop_ - clock(i).time) +
-                       " s before the end");
+    if (tolerance_.before(time(i), t_stop_))
+      notes_.push_back("subsystem '" + topology_.name(i) + "' ended at t = " + std::to_string(time(i)) +
+                       " s, its last own node, " + std::to_string(t_stop_ - time(i)) + " s before the end");
+  stopped_ = true;
+  return false;
 }
 
 }  // namespace tandem

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tandem {
 namespace {
@@ -33,20 +34,18 @@ const Segment& piece(const Signal& signal, double end) {
 
 Exchange::Exchange(const Topology& topology, TimeTolerance tolerance, const Lags& lags,
                    std::span<const std::int64_t> capacities)
-    : tolerance_(tolerance),
-      links_from_(static_cast<std::size_t>(topology.size())),
-      readers_(static_cast<std::size_t>(topology.size())) {
+    : tolerance_(tolerance) {
   for (int i = 0; i < topology.size(); ++i) {
-    histories_.emplace_back(topology.name(i), topology.info(i), capacities[static_cast<std::size_t>(i)]);
-    readers_[static_cast<std::size_t>(i)].slots.resize(
-        static_cast<std::size_t>(topology.info(i).input_size()));
+    const auto inputs = static_cast<std::size_t>(topology.info(i).input_size());
+    History history(topology.name(i), topology.info(i), capacities[static_cast<std::size_t>(i)]);
+    ends_.push_back({std::move(history), {}, {}, inputs, std::vector<Signal>(inputs), {}, {}});
   }
   for (const Line& line : topology.lines()) add_line(topology, line, lags);
   for (int i = 0; i < topology.size(); ++i) hold_start_values(topology, i);
   for (Link& link : links_) {
-    link.restart(history(link.source()), tolerance_);
-    links_from_[static_cast<std::size_t>(link.source())].push_back(&link);
-    readers_[static_cast<std::size_t>(link.reader())].links.push_back(&link);
+    link.attach(history(link.source()), tolerance_);
+    ends_[static_cast<std::size_t>(link.source())].out.push_back(&link);
+    ends_[static_cast<std::size_t>(link.reader())].in.push_back(&link);
   }
 }
 
@@ -61,7 +60,7 @@ Link& Exchange::link_for(const Line& line, const Lags& lags) {
 }
 
 void Exchange::add_line(const Topology& topology, const Line& line, const Lags& lags) {
-  Reader& reader = readers_[static_cast<std::size_t>(line.reader)];
+  End& reader = ends_[static_cast<std::size_t>(line.reader)];
   auto slot = static_cast<std::size_t>(line.input);
   if (const int terms = topology.lines_to(line.reader, line.input); terms > 1) {
     const auto known =
@@ -76,7 +75,7 @@ void Exchange::add_line(const Topology& topology, const Line& line, const Lags& 
 
 /// Inputs without a connection keep their start value.
 void Exchange::hold_start_values(const Topology& topology, int i) {
-  Reader& reader = readers_[static_cast<std::size_t>(i)];
+  End& reader = ends_[static_cast<std::size_t>(i)];
   const auto& start = topology.start(i);
   reader.constants.resize(start.size());
   for (std::size_t k = 0; k < start.size(); ++k) {
@@ -105,13 +104,16 @@ void Exchange::add_up(Sum& sum, std::span<Signal> slots) {
   slots[sum.input] = Signal(sum.segments.data(), static_cast<std::int32_t>(sum.segments.size()), degree);
 }
 
-void Exchange::make_room(int source, std::int64_t wanted, std::span<const Clock> clocks) {
-  History& h = history(source);
-  std::int64_t keep = h.newest();
-  for (Link* link : links_from_[static_cast<std::size_t>(source)])
-    keep = std::min(keep, link->oldest_needed(h, clocks[static_cast<std::size_t>(link->reader())].time));
-  h.make_room(keep, wanted);
-  for (Link* link : links_from_[static_cast<std::size_t>(source)]) link->follow_room(h);
+void Exchange::make_room(int source, std::int64_t wanted) {
+  End& end = ends_[static_cast<std::size_t>(source)];
+  std::int64_t keep = end.history.newest();
+  for (Link* link : end.out) {
+    const History& reader = history(link->reader());
+    keep = reader.empty() ? end.history.oldest()
+                          : std::min(keep, link->oldest_needed(reader.time(reader.newest())));
+  }
+  end.history.make_room(keep, wanted);
+  for (Link* link : end.out) link->follow_room();
 }
 
 void Exchange::reach_back() {

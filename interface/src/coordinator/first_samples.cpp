@@ -129,13 +129,13 @@ void RunStart::first_samples() {
       if (topology_.lines_to(i, static_cast<int>(k)) == 0) u0[k] = start[k];
     rows_.emplace_back(static_cast<std::size_t>(topology_.info(i).row_size() - Samples::header));
   }
-  run_.clocks_.resize(u0_.size());
+  clocks_.resize(u0_.size());
   FirstSamples(topology_, u0_, rows_).make([this](int i) {
     const auto k = static_cast<std::size_t>(i);
     std::vector<double> memory(static_cast<std::size_t>(topology_.info(i).row_size()));
     Samples y(memory.data(), topology_.info(i).row_size(), 1);
-    run_.clocks_[k] = run_.subsystems_[k]->initialize(run_.t_start_, run_.t_stop_, u0_[k], y);
-    if (y.size() != 1 || y.time(0) != run_.t_start_ || run_.clocks_[k].time != run_.t_start_)
+    clocks_[k] = run_.seats_[k].subsystem->initialize(run_.t_start_, run_.t_stop_, u0_[k], y);
+    if (y.size() != 1 || y.time(0) != run_.t_start_ || clocks_[k].time != run_.t_start_)
       throw Error(ErrorCode::numerical, "subsystem '" + topology_.name(i) + "' gave " +
                                             std::to_string(y.size()) +
                                             " samples when initialized; one at t_start is allowed");

@@ -32,8 +32,8 @@ struct Cubic {
 
 }  // namespace
 
-void Link::extend_hermite(const History& source) {
-  extend_rows(source, Cubic{source.stride(), source.outputs()});
+void Link::extend_hermite(Link& link, NewRows rows) {
+  link.extend_rows(rows, Cubic{link.stride_, link.samples_->outputs()});
 }
 
 }  // namespace tandem

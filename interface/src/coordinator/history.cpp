@@ -40,7 +40,7 @@ History::History(std::string name, const SubsystemInfo& info, std::int64_t capac
 
 /// Throws if there is something wrong with the row. (The first row and one after a jump have no earlier
 /// time.)
-void History::check(std::int64_t row, double t_limit, double tolerance) const {
+void History::check(std::int64_t row, double t_limit, const TimeTolerance& tolerance) const {
   const double t = time(row);
   const auto y = values(row);
   bool finite = std::isfinite(t);
@@ -52,7 +52,7 @@ void History::check(std::int64_t row, double t_limit, double tolerance) const {
     fail(name_, "gave " + value + (column >= outputs_ ? " (a derivative)" : "") +
                     " not finite at t = " + number_text(t) + " s");
   }
-  if (t > t_limit + tolerance)
+  if (tolerance.before(t_limit, t))
     fail(name_,
          "gave a sample at t = " + number_text(t) + " s, past its limit " + number_text(t_limit) + " s");
   if (row == base_ || t > time(row - 1) || (jump(row) && t == time(row - 1))) return;
@@ -79,7 +79,6 @@ void History::seed(int count, double h) {
     double* y = samples_.append(t0 - k * h);
     for (std::size_t c = 0; c < first.size(); ++c) y[c] = taylor(first, static_cast<int>(c), -k * h);
   }
-  committed_ = count + 1;
   seeds_ = count;
 }
 

@@ -18,17 +18,11 @@ struct Newton {
     double e[Degree + 1], reciprocal[Degree + 1];
   };
   Distances prepare(const double* row, std::int64_t fitted) const {
-    if (fitted >= Degree) return distances(row, Degree);
-    Distances d = distances(row, static_cast<int>(fitted));
-    std::fill(d.reciprocal + fitted + 1, d.reciprocal + Degree + 1, 0.0);
-    std::fill(d.e + fitted + 1, d.e + Degree + 1, 0.0);
-    return d;
-  }
-  Distances distances(const double* row, int order) const {
     Distances d;
-    for (int i = 1; i <= order; ++i) {
-      d.e[i] = row[0] - row[-i * stride];
-      d.reciprocal[i] = 1.0 / d.e[i];
+    for (int i = 1; i <= Degree; ++i) {
+      const bool there = fitted >= Degree || i <= fitted;
+      d.e[i] = there ? row[0] - row[-i * stride] : 0.0;
+      d.reciprocal[i] = there ? 1.0 / d.e[i] : 0.0;
     }
     return d;
   }
@@ -46,14 +40,14 @@ struct Newton {
 }  // namespace
 
 template <int Degree>
-void Link::extend_lagrange(const History& source) {
-  extend_rows(source, Newton<Degree>{source.stride()});
+void Link::extend_lagrange(Link& link, NewRows rows) {
+  link.extend_rows(rows, Newton<Degree>{link.stride_});
 }
 
-template void Link::extend_lagrange<0>(const History&);
-template void Link::extend_lagrange<1>(const History&);
-template void Link::extend_lagrange<2>(const History&);
-template void Link::extend_lagrange<3>(const History&);
-template void Link::extend_lagrange<4>(const History&);
+template void Link::extend_lagrange<0>(Link&, NewRows);
+template void Link::extend_lagrange<1>(Link&, NewRows);
+template void Link::extend_lagrange<2>(Link&, NewRows);
+template void Link::extend_lagrange<3>(Link&, NewRows);
+template void Link::extend_lagrange<4>(Link&, NewRows);
 
 }  // namespace tandem

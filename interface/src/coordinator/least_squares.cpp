@@ -75,8 +75,8 @@ struct Fit {
 
 }  // namespace
 
-void Link::extend_least_squares(const History& source) {
-  extend_rows(source, Fit{source.stride(), how_.degree, how_.samples()});
+void Link::extend_least_squares(Link& link, NewRows rows) {
+  link.extend_rows(rows, Fit{link.stride_, link.how_.degree, link.how_.samples()});
 }
 
 }  // namespace tandem

@@ -10,96 +10,91 @@ Link::Link(int source, int reader, Reconstruction how, double delay)
     : source_(source),
       reader_(reader),
       how_(how),
+      extend_(extend_by(how)),
       degree_(how.polynomial_degree()),
       follows_(how.follows_samples()),
       delay_(delay) {}
 
-void Link::restart(const History& source, TimeTolerance tolerance) {
+void Link::attach(const History& samples, TimeTolerance tolerance) {
   tolerance_ = tolerance;
-  capacity_ = follows_ ? source.capacity() : 1;
-  base_ = end_ = cursor_ = fit_from_ = source.oldest();
+  samples_ = &samples;
+  stride_ = samples.stride();
+  capacity_ = follows_ ? samples_->capacity() : 1;
   segments_.assign(lanes_.size() * static_cast<std::size_t>(capacity_), Segment{});
   differences_.assign(lanes_.size() * TANDEM_MAX_COEFFICIENTS, 0.0);
+  first_ = segments_.data();
 }
 
-void Link::extend(const History& source) {
-  switch (how_.kind) {
+Link::Extend Link::extend_by(Reconstruction how) {
+  constexpr Extend lagrange[] = {extend_lagrange<0>, extend_lagrange<1>, extend_lagrange<2>,
+                                 extend_lagrange<3>, extend_lagrange<4>};
+  switch (how.kind) {
     case Reconstruction::Kind::lagrange:
-      break;
+      return lagrange[how.degree];
     case Reconstruction::Kind::hermite:
-      return extend_hermite(source);
+      return extend_hermite;
     case Reconstruction::Kind::least_squares:
-      return extend_least_squares(source);
+      return extend_least_squares;
     default:
-      return;
-  }
-  switch (how_.degree) {
-    case 0:
-      return extend_lagrange<0>(source);
-    case 1:
-      return extend_lagrange<1>(source);
-    case 2:
-      return extend_lagrange<2>(source);
-    case 3:
-      return extend_lagrange<3>(source);
-    default:
-      return extend_lagrange<4>(source);
+      return [](Link&, NewRows) {};  // made when it is read
   }
 }
 
 /// Mean: the rows in [time, next_time], else the newest before. Matched hold: the newest row.
-void Link::read_window(const History& source, double time, double next_time, Signal* slots) {
-  std::int64_t first = source.newest(), last = first;
+void Link::read_window(double time, double next_time, Signal* slots) {
+  std::int64_t first = samples_->newest(), last = first;
   if (how_.kind == Reconstruction::Kind::mean) {
-    while (last > source.oldest() && tolerance_.before(next_time, source.time(last))) --last;
+    while (last > samples_->oldest() && tolerance_.before(next_time, samples_->time(last))) --last;
     first = last;
-    while (first > source.oldest() && !tolerance_.before(source.time(first - 1), time)) --first;
+    while (first > samples_->oldest() && !tolerance_.before(samples_->time(first - 1), time)) --first;
   }
-  hold(source, first, last, slots);
+  hold(first, last, slots);
   for (std::size_t l = 0; l < lanes_.size(); ++l) segments_[l].end = next_time;
 }
 
 /// One segment a lane: the mean of rows first..last, constant.
-void Link::hold(const History& source, std::int64_t first, std::int64_t last, Signal* slots) {
+void Link::hold(std::int64_t first, std::int64_t last, Signal* slots) {
   for (std::size_t l = 0; l < lanes_.size(); ++l) {
     const Lane& lane = lanes_[l];
     double sum = 0.0;
     for (std::int64_t row = first; row <= last; ++row)
-      sum += source.values(row)[static_cast<std::size_t>(lane.output)];
-    segments_[l].origin = source.time(last);
+      sum += samples_->values(row)[static_cast<std::size_t>(lane.output)];
+    segments_[l].origin = samples_->time(last);
     segments_[l].c[0] = lane.gain * (sum / static_cast<double>(last - first + 1)) + lane.offset;
     slots[lane.slot] = Signal(&segments_[l], 1, 0);
   }
 }
 
-std::int64_t Link::oldest_needed(const History& source, double time) {
+std::int64_t Link::oldest_needed(double time) {
+  if (!been_read_) return samples_->oldest();
+  std::int64_t row = samples_->newest();
   if (follows_) {
-    advance_cursor(time);
-    return std::min(cursor_, end_ - how_.samples());
+    forget_before(time);
+    return row + 1 - std::max(count_, how_.samples());
   }
-  std::int64_t row = source.newest();
   if (how_.kind == Reconstruction::Kind::mean)
-    while (row > source.oldest() && !tolerance_.before(source.time(row), time)) --row;
+    while (row > samples_->oldest() && !tolerance_.before(samples_->time(row), time)) --row;
   return row;
 }
 
-void Link::reach_back() { cursor_ = std::min(base_ + how_.samples(), end_) - 1; }
+void Link::reach_back() {
+  const std::int32_t before = std::min(how_.samples(), count_) - 1;
+  first_ += before;
+  count_ -= before;
+}
 
-void Link::follow_room(const History& source) {
+void Link::follow_room() {
   if (!follows_) return;
-  const std::int64_t keep = std::max(source.oldest(), base_);
   std::vector<Segment> larger;
-  std::vector<Segment>& target = source.capacity() == capacity_ ? segments_ : larger;
-  target.resize(lanes_.size() * static_cast<std::size_t>(source.capacity()));
+  std::vector<Segment>& target = samples_->capacity() == capacity_ ? segments_ : larger;
+  target.resize(lanes_.size() * static_cast<std::size_t>(samples_->capacity()));
   for (std::size_t l = 0; l < lanes_.size(); ++l) {
-    const Segment* first = segments(l) + (keep - base_);
-    std::copy(first, first + (end_ - keep),
-              target.data() + static_cast<std::ptrdiff_t>(l) * source.capacity());
+    const Segment* first = first_ + static_cast<std::int64_t>(l) * capacity_;
+    std::copy(first, first + count_, target.data() + static_cast<std::int64_t>(l) * samples_->capacity());
   }
   if (&target == &larger) segments_ = std::move(larger);
-  capacity_ = source.capacity();
-  base_ = keep;
-  cursor_ = std::max(cursor_, base_);
+  capacity_ = samples_->capacity();
+  first_ = segments_.data();
 }
 
 }  // namespace tandem

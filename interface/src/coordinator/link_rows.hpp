@@ -8,13 +8,13 @@ namespace tandem {
 /// fitted together with it, and for each lane make.fill(weights, row, lane, table, coefficients), where
 /// `table` is the lane's memory.
 template <class Make>
-void Link::extend_rows(const History& source, const Make& make) {
-  for (; end_ <= source.newest(); ++end_) {
-    const double* row = source.row(end_);
-    if (row[1] != 0.0) fit_from_ = end_;
+void Link::extend_rows(NewRows rows, const Make& make) {
+  const double* row = rows.first;
+  for (std::int64_t left = rows.count; left > 0; --left, row += stride_) {
+    if (row[1] != 0.0) fitted_ = 0;
+    const auto weights = make.prepare(row, fitted_++);
     const double origin = row[0] + delay_, end = origin + tolerance_.width(origin, origin);
-    const auto weights = make.prepare(row, end_ - fit_from_);
-    Segment* s = segments_.data() + (end_ - base_);
+    Segment* s = first_ + count_++;
     double* table = differences_.data();
     for (const Lane& lane : lanes_) {
       s->end = end;

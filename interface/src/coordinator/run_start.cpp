@@ -31,6 +31,7 @@ void RunStart::make() {
     throw Error(ErrorCode::invalid_argument,
                 "communication_step is " + std::to_string(h) + " s; it must be finite and above 0");
   run_.schedule_.emplace(run_.coordination_.schedule, std::move(order), run_.t_start_, run_.t_stop_, h);
+  for (std::size_t i = 0; i < clocks_.size(); ++i) run_.stand(run_.seats_[i], run_.members_[i], clocks_[i]);
   lags_ = {run_.own_steps_, h};
   measure_batches();
   open_exchange(std::vector<int>(run_.own_steps_.size()));
@@ -50,14 +51,11 @@ void RunStart::note_steps() {
     run_.members_[i].reads_mean = std::any_of(
         topology_.lines().begin(), topology_.lines().end(),
         [&](const Line& line) { return line.reader == who && line.how.kind == Reconstruction::Kind::mean; });
-    run_.own_steps_[i] = run_.clocks_[i].next_time - run_.clocks_[i].time;
-    if (run_.clocks_[i].stop != Stop::finished &&
-        !(run_.own_steps_[i] > 0.0 && std::isfinite(run_.own_steps_[i])))
+    run_.own_steps_[i] = clocks_[i].next_time - clocks_[i].time;
+    if (clocks_[i].stop != Stop::finished && !(run_.own_steps_[i] > 0.0 && std::isfinite(run_.own_steps_[i])))
       throw Error(ErrorCode::numerical,
-                  "subsystem '" + topology_.name(who) + "' gives " +
-                      std::to_string(run_.clocks_[i].next_time) +
+                  "subsystem '" + topology_.name(who) + "' gives " + std::to_string(clocks_[i].next_time) +
                       " s as the end of its first own step, which is not later than the start");
-    run_.update_member(who);
   }
   lend_steps();
 }
@@ -66,9 +64,9 @@ void RunStart::note_steps() {
 void RunStart::lend_steps() {
   double largest = 0.0;
   for (std::size_t i = 0; i < run_.own_steps_.size(); ++i)
-    if (run_.clocks_[i].stop != Stop::finished) largest = std::max(largest, run_.own_steps_[i]);
+    if (clocks_[i].stop != Stop::finished) largest = std::max(largest, run_.own_steps_[i]);
   for (std::size_t i = 0; i < run_.own_steps_.size(); ++i)
-    if (run_.clocks_[i].stop == Stop::finished)
+    if (clocks_[i].stop == Stop::finished)
       run_.own_steps_[i] = largest > 0.0 ? largest : run_.t_stop_ - run_.t_start_;
 }
 
@@ -147,13 +145,13 @@ void RunStart::measure_batches() {
   constexpr double most = 1024.0;
   double longest = std::max(run_.coordination_.communication_step.value_or(0.0), lags_.delay);
   for (const double h : run_.own_steps_) longest = std::max(longest, h);
-  for (const double h : run_.own_steps_)
-    run_.batches_.push_back(static_cast<std::int64_t>(std::min(longest / h, most)) + 2);
+  for (std::size_t i = 0; i < run_.seats_.size(); ++i)
+    run_.seats_[i].batch = static_cast<std::int64_t>(std::min(longest / run_.own_steps_[i], most)) + 2;
 }
 
 std::vector<std::int64_t> RunStart::capacities() const {
   std::vector<std::int64_t> rows;
-  for (const std::int64_t batch : run_.batches_) rows.push_back(std::max(History::min_capacity, 4 * batch));
+  for (const auto& seat : run_.seats_) rows.push_back(std::max(History::min_capacity, 4 * seat.batch));
   return rows;
 }
 
@@ -164,9 +162,10 @@ void RunStart::open_exchange(const std::vector<int>& seeds) {
     History& history = run_.exchange_->history(i);
     const auto& row = rows_[static_cast<std::size_t>(i)];
     std::copy(row.begin(), row.end(), history.room().append(run_.t_start_));
-    history.commit(run_.t_start_, 0.0);
-    if (const int count = seeds[static_cast<std::size_t>(i)]; count > 0)
+    if (const int count = seeds[static_cast<std::size_t>(i)]; count > 0) {
+      history.commit(run_.t_start_, run_.tolerance_);
       history.seed(count, run_.own_step(i));
+    }
     run_.exchange_->commit(i, run_.t_start_);
   }
 }

@@ -38,6 +38,7 @@ class RunStart {
   Coordinator& run_;
   const Topology& topology_;
   std::vector<std::vector<double>> rows_;  ///< by subsystem: its first sample, header left out
+  std::vector<Clock> clocks_;              ///< by subsystem: as it was initialized
   std::vector<std::vector<double>> u0_;    ///< by subsystem: the inputs that it was initialized with
   Lags lags_;
 };

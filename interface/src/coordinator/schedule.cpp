@@ -38,6 +38,59 @@ Schedule::Schedule(Kind kind, std::vector<int> order, double t_start, double t_s
   round_.resize(order_.size());
 }
 
+inline void Schedule::add(int who, const Member& m, double limit) {
+  const double to = std::min(std::max(limit, m.next), t_stop_);
+  round_[count_++] = {who, to, m.lands && to >= earliest_stop_};
+}
+
+/// The one with the smallest next node is due; a leader that does not yet stand at or past that node goes
+/// before it. A follower goes as far as its leaders stand, a leader as far as its followers' next nodes.
+inline void Schedule::take_turns(std::span<const Member> members) {
+  const auto at = [&](std::size_t p) -> const Member& {
+    return members[static_cast<std::size_t>(order_[p])];
+  };
+  const std::size_t n = order_.size();
+  std::size_t due = 0;
+  for (std::size_t p = 1; p < n; ++p)
+    if (tolerance_.before(at(p).next, at(due).next)) due = p;
+  if (at(due).finished()) return;
+  double limit = t_stop_;
+  for (std::size_t q = 0; q < due; ++q) {
+    limit = std::min(limit, at(q).time);
+    if (!tolerance_.before(at(q).time, at(due).next)) continue;
+    limit = t_stop_;
+    due = std::exchange(q, std::size_t{0} - 1);  // q is due, and its own leaders may have to go before it
+  }
+  for (std::size_t q = due + 1; q < n; ++q) limit = std::min(limit, at(q).next);
+  add(order_[due], at(due), at(due).reads_mean ? at(due).next : limit);
+}
+
+/// The slow side steps when the fast side stands in the middle of that step.
+void Schedule::stagger(std::span<const Member> members) {
+  assert(order_.size() == 2);
+  const Member& slow = members[static_cast<std::size_t>(order_[0])];
+  const Member& fast = members[static_cast<std::size_t>(order_[1])];
+  const double middle = slow.time + (slow.next - slow.time) / 2.0;
+  if (!slow.finished() && !fast.finished() && tolerance_.before(fast.time, middle))
+    round_[count_++] = {order_[1], fast.lands ? middle : std::max(middle, fast.next), fast.lands};
+  else if (!slow.finished())
+    add(order_[0], slow, slow.next);
+  else if (!fast.finished())
+    add(order_[1], fast, t_stop_);
+}
+
+void Schedule::all_at_once(std::span<const Member> members) {
+  double first = Member::never;
+  for (const Member& m : members) first = std::min(first, m.next);
+  if (first == Member::never) return;
+  double k = std::ceil((first - t_start_) / communication_step_);
+  if (!tolerance_.before(t_start_ + (k - 1.0) * communication_step_, first)) k -= 1.0;
+  const double target = std::min(t_start_ + k * communication_step_, t_stop_);
+  for (std::size_t i = 0; i < members.size(); ++i)
+    if (!tolerance_.before(target, members[i].next))
+      add(static_cast<int>(i), members[i], std::max(target, members[i].next));
+}
+
 std::span<const Turn> Schedule::next_round(std::span<const Member> members) {
   count_ = 0;
   switch (kind_) {
@@ -53,70 +106,6 @@ std::span<const Turn> Schedule::next_round(std::span<const Member> members) {
       break;
   }
   return {round_.data(), count_};
-}
-
-void Schedule::add(int who, const Member& m, double limit) {
-  const double to = std::min(std::max(limit, m.next), t_stop_);
-  round_[count_++] = {who, to, m.lands && to >= earliest_stop_};
-}
-
-/// The one with the smallest next node is due; a leader that does not yet stand at or past that node goes
-/// before it.
-void Schedule::take_turns(std::span<const Member> members) {
-  const Member* due = nullptr;
-  std::size_t position = 0;
-  for (std::size_t p = 0; p < order_.size(); ++p) {
-    const Member& m = members[static_cast<std::size_t>(order_[p])];
-    if (finished(m) || (due && !tolerance_.before(m.next, due->next))) continue;
-    due = &m;
-    position = p;
-  }
-  if (!due) return;
-  for (std::size_t q = 0; q < position;) {
-    const Member& leader = members[static_cast<std::size_t>(order_[q])];
-    const bool behind = !finished(leader) && tolerance_.before(leader.time, due->next);
-    if (behind) due = &leader, position = q;
-    q = behind ? 0 : q + 1;  // its own leaders may have to go before it
-  }
-  add(order_[position], *due, due->reads_mean ? due->next : limit_of(members, position));
-}
-
-/// A follower goes as far as its leaders stand; a leader as far as its followers' next nodes.
-double Schedule::limit_of(std::span<const Member> members, std::size_t position) const {
-  double limit = t_stop_;
-  for (std::size_t q = 0; q < order_.size(); ++q) {
-    const Member& other = members[static_cast<std::size_t>(order_[q])];
-    if (q != position && !finished(other)) limit = std::min(limit, q < position ? other.time : other.next);
-  }
-  return limit;
-}
-
-/// The slow side steps when the fast side stands in the middle of that step.
-void Schedule::stagger(std::span<const Member> members) {
-  assert(order_.size() == 2);
-  const Member& slow = members[static_cast<std::size_t>(order_[0])];
-  const Member& fast = members[static_cast<std::size_t>(order_[1])];
-  const double middle = slow.time + (slow.next - slow.time) / 2.0;
-  if (!finished(slow) && !finished(fast) && tolerance_.before(fast.time, middle))
-    round_[count_++] = {order_[1], fast.lands ? middle : std::max(middle, fast.next), fast.lands};
-  else if (!finished(slow))
-    add(order_[0], slow, slow.next);
-  else if (!finished(fast))
-    add(order_[1], fast, t_stop_);
-}
-
-void Schedule::all_at_once(std::span<const Member> members) {
-  double first = t_stop_;
-  bool any = false;
-  for (const Member& m : members)
-    if (!finished(m)) first = std::min(first, m.next), any = true;
-  if (!any) return;
-  double k = std::ceil((first - t_start_) / communication_step_);
-  if (!tolerance_.before(t_start_ + (k - 1.0) * communication_step_, first)) k -= 1.0;
-  const double target = std::min(t_start_ + k * communication_step_, t_stop_);
-  for (std::size_t i = 0; i < members.size(); ++i)
-    if (!finished(members[i]) && !tolerance_.before(target, members[i].next))
-      add(static_cast<int>(i), members[i], std::max(target, members[i].next));
 }
 
 }  // namespace tandem

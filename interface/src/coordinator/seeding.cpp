@@ -113,17 +113,14 @@ void RunStart::repeat() {
 /// signals of `before`.
 void RunStart::pass(int who, Exchange& before, double until) {
   const auto i = static_cast<std::size_t>(who);
-  const std::vector<Clock> at_start(run_.clocks_.size(), Clock{run_.t_start_, run_.t_start_, Stop::limit});
   std::vector<double> memory(static_cast<std::size_t>(topology_.info(who).row_size()));
   Samples first(memory.data(), topology_.info(who).row_size(), 1);
-  run_.clocks_[i] = run_.subsystems_[i]->initialize(run_.t_start_, run_.t_stop_, u0_[i], first);
-  run_.update_member(who);
-  const Member& member = run_.members_[i];
-  while (!run_.schedule_->finished(member) && !run_.tolerance_.before(until, member.next)) {
-    if (!run_.exchange_->history(who).has_room(2)) run_.exchange_->make_room(who, 2, at_start);
-    const double limit = member.next;
-    run_.call(who, limit, member.lands && !run_.tolerance_.before(limit, run_.t_stop_),
-              before.inputs(who, member.time, member.next));
+  Member& member = run_.members_[i];
+  Subsystem* const subsystem = run_.seats_[i].subsystem;
+  run_.stand(run_.seats_[i], member, subsystem->initialize(run_.t_start_, run_.t_stop_, u0_[i], first));
+  while (!run_.tolerance_.before(until, member.next)) {
+    const bool land = member.lands && !run_.tolerance_.before(member.next, run_.t_stop_);
+    run_.take({who, member.next, land}, before);
   }
   run_.commit(who, until);
 }

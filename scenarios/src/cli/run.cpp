@@ -27,8 +27,8 @@ struct Options {
 };
 
 double slowest_time(const Coordinator& run) {
-  double time = run.clock(0).time;
-  for (int i = 1; i < run.topology().size(); ++i) time = std::min(time, run.clock(i).time);
+  double time = run.time(0);
+  for (int i = 1; i < run.topology().size(); ++i) time = std::min(time, run.time(i));
   return time;
 }
 

@@ -32,7 +32,7 @@ Json coordination_of(const Assembly& assembly) {
 Json reached(const Assembly& assembly) {
   Json times = Json::object();
   for (int i = 0; i < assembly.topology().size(); ++i)
-    times[assembly.topology().name(i)] = assembly.coordinator().clock(i).time;
+    times[assembly.topology().name(i)] = assembly.coordinator().time(i);
   return times;
 }
 

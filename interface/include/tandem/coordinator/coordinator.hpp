@@ -52,7 +52,7 @@ class Coordinator {
  public:
   /// subsystems: in the order of the topology, which has been checked; both must outlive the coordinator.
   /// Throws Error for an end that is not after the start, and a coordination that names what is not there.
-  Coordinator(const Topology& topology, std::vector<Subsystem*> subsystems, Coordination coordination,
+  Coordinator(const Topology& topology, const std::vector<Subsystem*>& subsystems, Coordination coordination,
               double t_start, double t_stop);
 
   /// First samples, order, scheme checks and start, up to the point from which round() goes on. Throws Error
@@ -72,25 +72,35 @@ class Coordinator {
   const Topology& topology() const { return topology_; }
   const Exchange& exchange() const { return *exchange_; }
   const Schedule& schedule() const { return *schedule_; }
-  const Clock& clock(int subsystem) const { return clocks_[static_cast<std::size_t>(subsystem)]; }
-  const Effort& effort(int subsystem) const { return efforts_[static_cast<std::size_t>(subsystem)]; }
+  /// Where a subsystem stands [s].
+  double time(int subsystem) const { return seats_[static_cast<std::size_t>(subsystem)].time; }
+  const Effort& effort(int subsystem) const { return seats_[static_cast<std::size_t>(subsystem)].effort; }
+  /// Its first own step [s].
   double own_step(int subsystem) const { return own_steps_[static_cast<std::size_t>(subsystem)]; }
   /// What a user should know of this run: the start chosen, an end not reached.
   const std::vector<std::string>& notes() const { return notes_; }
 
  private:
   friend class RunStart;
-  void advance(int who, double limit, bool land);
-  void commit(int who, double limit);
-  void call(int who, double limit, bool land, std::span<const Signal> u);
-  void check_clock(int who, double before, std::int64_t rows, double limit);
-  void tell(int who, std::int64_t first);
+  struct Seat {
+    Subsystem* subsystem;
+    double time = 0.0;       ///< where the subsystem stands
+    std::int64_t batch = 0;  ///< own steps that a call may take
+    int idle_calls = 0;      ///< since it last moved
+    Effort effort = {};
+  };
+  void take(const Turn& turn, Exchange& inputs);
   void take_all(const Turn& turn);
-  void update_member(int who);
-  void note_ends();
+  void check_clock(int who, double before, std::int64_t rows, const Clock& after, double limit);
+  void stand(Seat& seat, Member& member, const Clock& clock) {
+    seat.time = clock.time;
+    schedule_->stand(member, clock.time, clock.stop == Stop::finished ? Member::never : clock.next_time);
+  }
+  void commit(int who, double limit);
+  void tell(int who, std::int64_t count);
+  bool end();
 
   const Topology& topology_;
-  std::vector<Subsystem*> subsystems_;
   Coordination coordination_;
   double t_start_, t_stop_;
   TimeTolerance tolerance_;
@@ -99,12 +109,9 @@ class Coordinator {
 
   std::optional<Exchange> exchange_;
   std::optional<Schedule> schedule_;
-  std::vector<Clock> clocks_;
+  std::vector<Seat> seats_;
   std::vector<Member> members_;
   std::vector<double> own_steps_;
-  std::vector<std::int64_t> batches_;  ///< own steps that a call may take
-  std::vector<Effort> efforts_;
-  std::vector<int> idle_calls_;  ///< since a subsystem last moved
   std::vector<std::string> notes_;
 };
 

@@ -24,28 +24,29 @@ class Exchange {
   Exchange(Exchange&&) = default;
   Exchange& operator=(Exchange&&) = default;
 
-  History& history(int subsystem) { return histories_[static_cast<std::size_t>(subsystem)]; }
-  const History& history(int subsystem) const { return histories_[static_cast<std::size_t>(subsystem)]; }
+  History& history(int subsystem) { return ends_[static_cast<std::size_t>(subsystem)].history; }
+  const History& history(int subsystem) const { return ends_[static_cast<std::size_t>(subsystem)].history; }
 
-  /// Checks the rows that `source` appended (History::commit) and makes their segments.
-  void commit(int source, double t_limit) {
-    History& h = history(source);
-    h.commit(t_limit, tolerance_.width(t_limit, t_limit));
-    for (Link* link : links_from_[static_cast<std::size_t>(source)]) link->extend(h);
+  /// Checks the rows that `source` appended (History::commit) and makes their segments. Returns their number.
+  std::int64_t commit(int source, double t_limit) {
+    End& end = ends_[static_cast<std::size_t>(source)];
+    const NewRows rows = end.history.commit(t_limit, tolerance_);
+    for (Link* link : end.out) link->extend(rows);
+    return rows.count;
   }
 
   /// The inputs of `reader` for a call that begins at `time`, with an own step to `next_time`. Valid until
   /// the next commit of one of its sources or the next call of inputs() for it.
   std::span<const Signal> inputs(int reader, double time, double next_time) {
-    Reader& r = readers_[static_cast<std::size_t>(reader)];
-    for (Link* link : r.links) link->read(history(link->source()), time, next_time, r.slots.data());
-    for (Sum& sum : r.sums) add_up(sum, r.slots);
-    return {r.slots.data(), r.constants.size()};
+    End& end = ends_[static_cast<std::size_t>(reader)];
+    for (Link* link : end.in) link->read(time, next_time, end.slots.data());
+    for (Sum& sum : end.sums) add_up(sum, end.slots);
+    return {end.slots.data(), end.inputs};
   }
 
-  /// Makes room for `wanted` rows of `source`: drops what no reader, standing where `clocks` says, needs any
+  /// Makes room for `wanted` rows of `source`: drops what no reader, standing at its newest sample, needs any
   /// more.
-  void make_room(int source, std::int64_t wanted, std::span<const Clock> clocks);
+  void make_room(int source, std::int64_t wanted);
 
   /// From now on the signals begin with the first segment of full degree (see Link::reach_back).
   void reach_back();
@@ -58,11 +59,14 @@ class Exchange {
     std::size_t input, first, count;  ///< slots
     std::vector<Segment> segments;
   };
-  struct Reader {
+  /// What one subsystem gives and reads.
+  struct End {
+    History history;
+    std::vector<Link*> out, in;
+    std::size_t inputs;
     std::vector<Signal> slots;  ///< the inputs, then the terms of sums
-    std::vector<Segment> constants;
     std::vector<Sum> sums;
-    std::vector<Link*> links;
+    std::vector<Segment> constants;
   };
   Link& link_for(const Line& line, const Lags& lags);
   void add_line(const Topology& topology, const Line& line, const Lags& lags);
@@ -70,10 +74,8 @@ class Exchange {
   static void add_up(Sum& sum, std::span<Signal> slots);
 
   TimeTolerance tolerance_;
-  std::vector<History> histories_;
   std::vector<Link> links_;
-  std::vector<std::vector<Link*>> links_from_;  ///< by source
-  std::vector<Reader> readers_;
+  std::vector<End> ends_;
 };
 
 }  // namespace tandem

@@ -1,15 +1,20 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "tandem/subsystem.hpp"
+#include "tandem/time_grid.hpp"
 
 namespace tandem {
+
+/// Rows of a History that have become visible.
+struct NewRows {
+  const double* first;
+  std::int64_t count;
+};
 
 /// The recent samples of one subsystem. The subsystem appends into room(); readers see the rows after
 /// commit(). Rows are numbered from 0 (the oldest seed, or else the first sample) and keep their number when
@@ -26,13 +31,14 @@ class History {
   /// Where the subsystem appends. make_room() first.
   Samples& room() { return samples_; }
   /// Makes the appended rows visible, after checking that their values are finite, that times rise (a jump
-  /// may repeat a time) and that none is past t_limit by more than `tolerance`. Throws Error naming
+  /// may repeat a time) and that none is past t_limit by more than the tolerance. Throws Error naming
   /// subsystem, port and time.
-  void commit(double t_limit, double tolerance) {
-    const std::int64_t size = base_ + samples_.size();
-    const double latest = t_limit + tolerance;
-    for (const double* y = row(committed_); committed_ < size; ++committed_, y += stride_)
-      if (!plain(y, latest)) check(committed_, t_limit, tolerance);
+  NewRows commit(double t_limit, const TimeTolerance& tolerance) {
+    const NewRows rows{row(committed_), base_ + samples_.size() - committed_};
+    const double* y = rows.first;
+    for (std::int64_t left = rows.count; left > 0; --left, ++committed_, y += stride_)
+      if (!plain(y, t_limit)) check(committed_, t_limit, tolerance);
+    return rows;
   }
 
   std::int64_t oldest() const { return base_; }
@@ -52,7 +58,8 @@ class History {
   /// Number of the first row that the subsystem gave itself; rows before it are seeds.
   std::int64_t first_own() const { return seeds_; }
   /// Puts `count` past samples at t0 - k h before the only row, by Taylor expansion of the derivatives it
-  /// carries. Precondition: exactly one committed row, h > 0, count at most min_capacity - 3.
+  /// carries. commit() makes them visible, and that row anew. Precondition: exactly one committed row, h > 0,
+  /// count at most min_capacity - 3.
   void seed(int count, double h);
   /// Forgets everything.
   void clear();
@@ -66,13 +73,12 @@ class History {
  private:
   /// Nothing is wrong with the row, which comes later than the one before it. (False for the first row and
   /// for a jump.)
-  bool plain(const double* y, double latest) const {
-    bool good = y[0] <= latest && committed_ > base_ && y[0] > y[-stride_];
-    for (std::int64_t k = Samples::header; k < stride_; ++k)
-      good &= std::abs(y[k]) <= std::numeric_limits<double>::max();
-    return good;
+  bool plain(const double* y, double t_limit) const {
+    double zero = 0.0;  // NaN if there is one, or an infinity, among the values
+    for (std::int64_t k = Samples::header; k < stride_; ++k) zero += y[k] - y[k];
+    return zero == 0.0 && y[0] <= t_limit && committed_ > base_ && y[0] > y[-stride_];
   }
-  void check(std::int64_t row, double t_limit, double tolerance) const;
+  void check(std::int64_t row, double t_limit, const TimeTolerance& tolerance) const;
   double taylor(const std::vector<double>& sample, int column, double s) const;
   void resize(std::int64_t capacity, std::int64_t keep);
 

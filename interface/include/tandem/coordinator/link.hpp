@@ -26,6 +26,7 @@ class Link {
  public:
   /// delay [s]: the reader gets at t what the source gave at t - delay.
   Link(int source, int reader, Reconstruction how, double delay);
+  Link(Link&&) = default;
   void add(Lane lane) { lanes_.push_back(lane); }
 
   int source() const { return source_; }
@@ -34,63 +35,67 @@ class Link {
   double delay() const { return delay_; }
   std::span<const Lane> lanes() const { return lanes_; }
 
-  /// Forgets all segments and takes memory for as many samples as `source` has room for.
-  void restart(const History& source, TimeTolerance tolerance);
-  /// Makes the segments of the samples committed since the last call.
-  void extend(const History& source);
-  /// Follows a History::make_room that moved rows.
-  void follow_room(const History& source);
+  /// Takes memory for as many samples as there is room for in `samples`, the source's; they must outlive the
+  /// link. Before anything below.
+  void attach(const History& samples, TimeTolerance tolerance);
+  /// Makes the segments of the samples committed last.
+  void extend(NewRows rows) { extend_(*this, rows); }
+  /// Follows a History::make_room of its source.
+  void follow_room();
 
   /// Writes a Signal into slots[lane.slot] for each lane, for a reader whose next own step is [time,
   /// next_time]. The signals are valid until the next call of any other member.
-  void read(const History& source, double time, double next_time, Signal* slots) {
-    if (!follows_) return read_window(source, time, next_time, slots);
-    advance_cursor(time);
-    const Segment* first = segments_.data() + (cursor_ - base_);
-    const auto count = static_cast<std::int32_t>(end_ - cursor_);
+  void read(double time, double next_time, Signal* slots) {
+    been_read_ = true;
+    if (!follows_) return read_window(time, next_time, slots);
+    forget_before(time);
+    const Segment* s = first_;
     for (const Lane& lane : lanes_) {
-      slots[lane.slot] = Signal(first, count, degree_);
-      first += capacity_;
+      slots[lane.slot] = Signal(s, count_, degree_);
+      s += capacity_;
     }
   }
 
-  /// The oldest row of the source that read() or extend() may still need for a reader that stands at `time`.
-  std::int64_t oldest_needed(const History& source, double time);
+  /// The oldest row of the source that extend() may still need, or read() for a reader that stands at `time`;
+  /// all of them before the first read.
+  std::int64_t oldest_needed(double time);
   /// Lets the segments before the first one of full degree be forgotten, so that this one reaches back to the
   /// start (repeated start: interpolate in a pass that is complete).
   void reach_back();
 
  private:
-  Segment* segments(std::size_t lane) {
-    return segments_.data() + lane * static_cast<std::size_t>(capacity_);
+  void forget_before(double time) {
+    for (; count_ > 1 && first_->end < time; --count_) ++first_;
   }
-  void advance_cursor(double time) {
-    const Segment* s = segments_.data() + (cursor_ - base_);
-    for (; cursor_ < end_ - 1 && s->end < time; ++s) ++cursor_;
-  }
-  template <class Make>
-  void extend_rows(const History& source, const Make& make);
+  using Extend = void (*)(Link&, NewRows rows);
+  static Extend extend_by(Reconstruction how);
   template <int Degree>
-  void extend_lagrange(const History& source);
-  void extend_hermite(const History& source);
-  void extend_least_squares(const History& source);
-  void read_window(const History& source, double time, double next_time, Signal* slots);
-  void hold(const History& source, std::int64_t first, std::int64_t last, Signal* slots);
+  static void extend_lagrange(Link& link, NewRows rows);
+  static void extend_hermite(Link& link, NewRows rows);
+  static void extend_least_squares(Link& link, NewRows rows);
+  template <class Make>
+  void extend_rows(NewRows rows, const Make& make);
+  void read_window(double time, double next_time, Signal* slots);
+  void hold(std::int64_t first, std::int64_t last, Signal* slots);
 
   int source_, reader_;
   Reconstruction how_;
+  Extend extend_;
   int degree_;    ///< of the polynomials
   bool follows_;  ///< how_.follows_samples()
   double delay_;
   std::vector<Lane> lanes_;
 
   TimeTolerance tolerance_;
-  std::int64_t capacity_ = 0, base_ = 0;  ///< rows of segments, and the row of the first one
-  std::int64_t end_ = 0;                  ///< one past the newest row that has a segment
-  std::int64_t cursor_ = 0;               ///< row of the segment that holds the reader's time
-  std::int64_t fit_from_ = 0;             ///< first row that may be fitted together with the newest one
-  std::vector<Segment> segments_;         ///< by lane, then by row
-  std::vector<double> differences_;       ///< by lane: backward divided differences at the newest row
+  const History* samples_ = nullptr;
+  std::int64_t stride_ = 0;    ///< of their rows
+  std::int64_t capacity_ = 0;  ///< segments that there is room for in a lane
+  Segment* first_ = nullptr;   ///< of lane 0: the segment that holds the reader's time
+  std::int32_t count_ = 0;     ///< segments from there on
+  std::int64_t fitted_ = 0;    ///< rows that may be fitted together with the next one
+  bool been_read_ = false;
+  std::vector<Segment> segments_;    ///< by lane, then by row
+  std::vector<double> differences_;  ///< by lane: backward divided differences at the newest row
 };
 
 }  // namespace tandem

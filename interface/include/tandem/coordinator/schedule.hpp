@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <limits>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -8,13 +9,17 @@
 
 namespace tandem {
 
-/// What a schedule sees of a subsystem.
+/// What a schedule sees of a subsystem (Schedule::stand).
 struct Member {
-  double time;         ///< where it stands [s]
-  double next;         ///< where its next own step ends [s]; of one that can land, at most t_stop
+  static constexpr double never = std::numeric_limits<double>::max();
+
+  double time;         ///< where it stands [s]; `never` if it takes no further part
+  double next;         ///< where its next own step ends [s]; of one that can land, at most t_stop; likewise
   bool lands = false;  ///< can cut a step
   bool reads_mean =
       false;  ///< reads an input that is a mean over its own step, so it takes one step at a time
+
+  bool finished() const { return next == never; }
 };
 
 /// One subsystem's share of a round: advance to `limit`; with `land`, cut the last step to end there.
@@ -46,14 +51,19 @@ class Schedule {
   /// step would end past `limit`, in as many calls as it takes. The span is valid until the next call.
   std::span<const Turn> next_round(std::span<const Member> members);
 
-  /// A member takes no further part: it stands at t_stop, or its next step would end past it.
-  bool finished(const Member& m) const { return m.time >= earliest_stop_ || m.next > latest_stop_; }
+  /// Puts a member where its subsystem stands. It takes no further part if it stands at t_stop, if its next
+  /// step would end past it, or if it says so (next = never).
+  void stand(Member& m, double time, double next) const {
+    if (m.lands && next != Member::never) next = std::min(next, t_stop_);
+    const bool finished = time >= earliest_stop_ || next > latest_stop_;
+    m.time = finished ? Member::never : time;
+    m.next = finished ? Member::never : next;
+  }
 
  private:
   void take_turns(std::span<const Member> members);
   void stagger(std::span<const Member> members);
   void all_at_once(std::span<const Member> members);
-  double limit_of(std::span<const Member> members, std::size_t position) const;
   void add(int who, const Member& m, double limit);
 
   Kind kind_;
