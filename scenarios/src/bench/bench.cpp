@@ -11,13 +11,13 @@
 namespace tandem::bench {
 namespace {
 
-/// Keeps the medians, prints nothing.
-class Medians final : public benchmark::BenchmarkReporter {
+/// Keeps the least of the repetitions, prints nothing.
+class Least final : public benchmark::BenchmarkReporter {
  public:
   bool ReportContext(const Context&) override { return true; }
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& run : runs)
-      if (run.run_type == Run::RT_Aggregate && run.aggregate_name == "median")
+      if (run.run_type == Run::RT_Aggregate && run.aggregate_name == "least")
         seconds[run.run_name.function_name] =
             run.GetAdjustedRealTime() / benchmark::GetTimeUnitMultiplier(run.time_unit);
   }
@@ -37,11 +37,13 @@ std::map<std::string, double> measure(const std::vector<Timing>& timings, int re
   for (const Timing& t : timings) {
     auto* registered = benchmark::RegisterBenchmark(t.name.c_str(), t.run);
     registered->Repetitions(repetitions)->ReportAggregatesOnly(true)->UseRealTime();
+    registered->ComputeStatistics(
+        "least", [](const std::vector<double>& all) { return *std::min_element(all.begin(), all.end()); });
   }
-  Medians medians;
-  benchmark::RunSpecifiedBenchmarks(&medians);
+  Least least;
+  benchmark::RunSpecifiedBenchmarks(&least);
   benchmark::ClearRegisteredBenchmarks();
-  return medians.seconds;
+  return least.seconds;
 }
 
 void Table::print() const {

@@ -16,8 +16,9 @@ struct Timing {
   std::function<void(benchmark::State&)> run;
 };
 
-/// Times all of them in one process, interleaved at random, `repetitions` times each; the median seconds per
-/// iteration by name (Google Benchmark's real time).
+/// Times all of them in one process, interleaved at random, `repetitions` times each; the least seconds per
+/// iteration by name (Google Benchmark's real time): what other work on the machine adds is never less than
+/// nothing.
 std::map<std::string, double> measure(const std::vector<Timing>& timings, int repetitions,
                                       double seconds_each);
 
