@@ -30,15 +30,20 @@ std::vector<Port> ports_from(const tandem_port* ports, int32_t count) {
     throw Error(ErrorCode::invalid_argument,
                 "the subsystem gives " + std::to_string(count) + " ports without a list of them");
   std::vector<Port> list;
-  for (const tandem_port* p = ports; p != ports + count; ++p)
-    list.push_back({p->name ? p->name : "", p->unit ? p->unit : "1", p->size, p->derivatives, p->start});
+  for (const tandem_port* p = ports; p != ports + count; ++p) {
+    if (!p->name || !p->unit)
+      throw Error(ErrorCode::invalid_argument, "the subsystem's port " + std::to_string(p - ports) +
+                                                   " has no name or no unit; allowed is \"1\" for none");
+    list.push_back({p->name, p->unit, p->size, p->derivatives, p->start});
+  }
   return list;
 }
 
 SubsystemInfo info_from(const tandem_info* c) {
   if (!c) throw Error(ErrorCode::invalid_argument, "the subsystem gives no info");
   SubsystemInfo info;
-  info.name = c->name ? c->name : "";
+  if (!c->name) throw Error(ErrorCode::invalid_argument, "the subsystem gives no name");
+  info.name = c->name;
   info.inputs = ports_from(c->inputs, c->input_count);
   info.outputs = ports_from(c->outputs, c->output_count);
   if (c->feedthrough_count < 0 || (c->feedthrough_count > 0 && !c->feedthrough))

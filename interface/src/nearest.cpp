@@ -3,27 +3,51 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace tandem {
+
+namespace {
+
+/// Insertions, deletions, changes and swaps of neighbours that make b of a (optimal string alignment).
+std::size_t distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1), before(b.size() + 1), before_that(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::swap(before_that, before);
+    std::swap(before, row);
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      row[j] = std::min({before[j] + 1, row[j - 1] + 1, before[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        row[j] = std::min(row[j], before_that[j - 2] + 1);
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
 
 std::string nearest(std::string_view text, const std::vector<std::string>& candidates) {
   std::string best;
   std::size_t best_distance = text.size() / 2 + 1;
-  for (const std::string& candidate : candidates) {
-    std::vector<std::size_t> row(candidate.size() + 1);  // Levenshtein's distance, a row at a time
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < text.size(); ++i) {
-      std::size_t diagonal = row[0];
-      row[0] = i + 1;
-      for (std::size_t j = 0; j < candidate.size(); ++j) {
-        const std::size_t change = diagonal + (text[i] == candidate[j] ? 0 : 1);
-        diagonal = row[j + 1];
-        row[j + 1] = std::min({row[j + 1] + 1, row[j] + 1, change});
-      }
-    }
-    if (row.back() < best_distance) best_distance = row.back(), best = candidate;
-  }
+  for (const std::string& candidate : candidates)
+    if (const std::size_t d = distance(text, candidate); d < best_distance)
+      best_distance = d, best = candidate;
   return best;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text.empty() ? "none" : text;
+}
+
+std::string unknown(const std::string& kind, const std::string& found,
+                    const std::vector<std::string>& known) {
+  const std::string near = nearest(found, known);
+  return kind + " '" + found + "' is not there" + (near.empty() ? "." : "; did you mean '" + near + "'?") +
+         " There are: " + listed(known);
 }
 
 }  // namespace tandem

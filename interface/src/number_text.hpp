@@ -11,4 +11,10 @@ inline std::string number_text(double value) {
   return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
 }
 
+/// With so many significant digits at most: for differences of times.
+inline std::string number_text(double value, int digits) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits).ptr};
+}
+
 }  // namespace tandem

@@ -10,6 +10,16 @@ namespace {
 }
 }  // namespace
 
+std::string Scalar::name() const {
+  return port->size == 1 ? port->name : port->name + "[" + std::to_string(element) + "]";
+}
+
+Scalar scalar_at(const std::vector<Port>& ports, int index) {
+  auto port = ports.begin();
+  for (; index >= port->size; ++port) index -= port->size;
+  return {&*port, index};
+}
+
 StateId Subsystem::save_state() { refuse(info()); }
 Clock Subsystem::restore_state(StateId) { refuse(info()); }
 void Subsystem::release_state(StateId) { refuse(info()); }

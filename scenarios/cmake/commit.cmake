@@ -1,7 +1,27 @@
 # Run at every build: writes OUTPUT, a header with the commit of SOURCE ("unknown" without git), if that has changed.
-execute_process(COMMAND git -C ${SOURCE} describe --always --dirty --abbrev=12
-  OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
+# A tree with changes is named by its commit and a checksum of the changes, so that two of them are told apart.
+function(git result)
+  execute_process(COMMAND git -C ${SOURCE} ${ARGN}
+    OUTPUT_VARIABLE output OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
+  set(${result} "${output}" PARENT_SCOPE)
+  set(failed ${failed} PARENT_SCOPE)
+endfunction()
+
+git(commit describe --always --abbrev=12)
 if(failed)
   set(commit unknown)
+else()
+  git(changes diff HEAD)
+  git(new ls-files --others --exclude-standard)
+  string(REPLACE "\n" ";" new "${new}")
+  foreach(file IN LISTS new)
+    file(SHA1 ${SOURCE}/${file} checksum)
+    string(APPEND changes "${file} ${checksum}")
+  endforeach()
+  if(changes)
+    string(SHA1 checksum "${changes}")
+    string(SUBSTRING ${checksum} 0 8 checksum)
+    set(commit ${commit}-dirty-${checksum})
+  endif()
 endif()
 file(CONFIGURE OUTPUT ${OUTPUT} CONTENT "#pragma once\n#define TANDEM_COMMIT \"${commit}\"\n")

@@ -1,15 +1,17 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
 #include <spdlog/sinks/basic_file_sink.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
-#include <iostream>
-
 #include "cli/commands.hpp"
 #include "tandem/error.hpp"
+#include "tandem/nearest.hpp"
 #include "two_mass/masses.hpp"
 
 namespace {
+
+bool log_failed = false;
 
 /// Messages go to standard error, and to the log file if one is named; results go to standard output.
 void set_up_log(const tandem::cli::Context& context, const std::string& file) {
@@ -25,7 +27,18 @@ void set_up_log(const tandem::cli::Context& context, const std::string& file) {
   }
   auto log = std::make_shared<spdlog::logger>("tandem", sinks.begin(), sinks.end());
   log->set_level(spdlog::level::debug);
+  log->set_error_handler([file](const std::string& why) {
+    if (!log_failed) fmt::print(stderr, "tandem: log file '{}' can't be written: {}\n", file, why);
+    log_failed = true;
+  });
   spdlog::set_default_logger(log);
+}
+
+std::vector<std::string> commands(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  return names;
 }
 
 int run(int argc, char** argv) {
@@ -53,6 +66,10 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& done) {
     return app.exit(done);
   } catch (const CLI::ParseError& error) {
+    const auto rest = app.remaining();
+    if (app.get_subcommands().empty() && !rest.empty() && !rest[0].starts_with('-'))
+      throw tandem::Error(tandem::ErrorCode::invalid_argument,
+                          tandem::unknown("command", rest[0], commands(app)));
     app.exit(error);
     return 2;
   }
@@ -61,14 +78,21 @@ int run(int argc, char** argv) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int run_and_report(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const tandem::cli::RunFailed& failure) {
-    std::cerr << "tandem: " << failure.what() << '\n';
+    spdlog::error("tandem: {}", failure.what());
     return 1;
   } catch (const std::exception& error) {
-    std::cerr << "tandem: " << error.what() << '\n';
+    spdlog::error("tandem: {}", error.what());
     return 2;
   }
+}
+
+int main(int argc, char** argv) {
+  set_up_log({}, "");
+  const int status = run_and_report(argc, argv);
+  spdlog::default_logger()->flush();
+  return status == 0 && log_failed ? 1 : status;
 }

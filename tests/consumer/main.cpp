@@ -72,7 +72,7 @@ int main() {
   topology.connect({.from = "cold.temperature", .to = "hot.surroundings", .how = cubic});
   topology.check();
 
-  tandem::Coordinator(topology, {&hot, &cold}, {}, 0.0, 1.0).run();
+  tandem::Coordinator(topology, {&hot, &cold}, {}, {0.0, 1.0}).run();
 
   // The sum stays 700 K, the difference decays with exp(-2 t). The scheme is of order 4, so the error is of
   // the size of h^4 d4T/dt4 = (0.01 s)^4 800 K/s^4.

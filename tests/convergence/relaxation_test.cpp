@@ -49,7 +49,7 @@ double error_at(double h, const Relaxation& system, Schedule::Kind schedule, int
   Coordination coordination;
   coordination.schedule = schedule;
   coordination.start = StartKind::repeat;
-  Coordinator coordinator(topology, {&a, &b}, coordination, 0.0, 4.0);
+  Coordinator coordinator(topology, {&a, &b}, coordination, {0.0, 4.0});
   Distance distance(system);
   coordinator.observe(&distance);
   coordinator.run();

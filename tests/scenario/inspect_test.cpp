@@ -63,6 +63,27 @@ TEST(Help, EveryCommandExplainsItsOptions) {
   expect_words(tandem(folder, {"validate", "--help"}), {"--set"});
   expect_words(tandem(folder, {"info", "--help"}), {"SOURCE|FILE"});
   expect_words(tandem(folder, {"list", "--help"}), {"DIR"});
+  expect_words(tandem(folder, {"sweep", "--help"}), {"two_mass", "--pairs", "--resume", "--threads"});
+  expect_words(tandem(folder, {"chart", "--help"}), {"two_mass", "--results", "--png", "gnuplot"});
+  expect_words(tandem(folder, {"bench", "--help"}), {"exchange", "two_mass", "--output"});
+  expect_words(tandem(folder, {"--help"}), {"run", "sweep", "chart", "compare", "info", "validate", "list",
+                                            "bench", "--version", "--quiet", "--verbose", "--log"});
+}
+
+TEST(Help, TheVersionIsThatOfTheProject) {
+  const Scratch folder;
+  const Said said = tandem(folder, {"--version"});
+  EXPECT_EQ(said.status, 0);
+  EXPECT_EQ(said.out, TANDEM_VERSION "\n");
+}
+
+TEST(Help, AnUnknownCommandIsNamedWithTheNearest) {
+  const Scratch folder;
+  const Said said = tandem(folder, {"rnu", "x.toml"});
+  EXPECT_EQ(said.status, 2);
+  EXPECT_EQ(said.err,
+            "tandem: command 'rnu' is not there; did you mean 'run'? There are: run, sweep, chart, compare, "
+            "info, validate, list, bench\n");
 }
 
 }  // namespace

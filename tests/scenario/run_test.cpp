@@ -1,11 +1,9 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 
+#include "background.hpp"
 #include "command.hpp"
 #include "scenario/table.hpp"
 
@@ -36,6 +34,7 @@ TEST(RunCommand, WritesResultsWithUnitsAndMachineFigures) {
   EXPECT_EQ(json["interpolation"]["slow.x2"], "cubic hermite");
   EXPECT_EQ(json["scenario"]["values"]["span"]["stop"], 100.0);
   EXPECT_EQ(json["coordination"]["leader_first"][0], "slow");
+  EXPECT_EQ(json["coordination"]["start"], "derivatives");
   EXPECT_EQ(json["reference"]["within"], true);
   EXPECT_TRUE(json["versions"].contains("tandem"));
   const auto machine = json_of(results / "machine.json");
@@ -169,25 +168,41 @@ TEST(RunCommand, AFolderThatCannotBeMadeIsStatusTwo) {
 TEST(RunCommand, CtrlCEndsCleanlyAndKeepsResults) {
   const Scratch folder;
   const auto output = folder.path() / "o";
-  const pid_t child = fork();
-  if (child == 0) {
-    const std::string file = two_mass_file("two_mass.toml");
-    if (!freopen((folder.path() / "err.txt").c_str(), "w", stderr)) _exit(9);
-    execl(TANDEM_COMMAND, TANDEM_COMMAND, "run", file.c_str(), "--no-reference", "--output", output.c_str(),
-          "--set", "span.stop=1e9", static_cast<char*>(nullptr));
-    _exit(9);
-  }
-  int status = 0;
-  while (!std::filesystem::exists(output / "results.csv") ||
-         std::filesystem::file_size(output / "results.csv") == 0)
-    ASSERT_EQ(waitpid(child, &status, WNOHANG), 0) << read_text(folder.path() / "err.txt");
-  kill(child, SIGINT);
-  waitpid(child, &status, 0);
-  ASSERT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), 1);
-  EXPECT_NE(read_text(folder.path() / "err.txt").find("interrupted at t = "), std::string::npos);
+  test::Background run(folder, {"run", two_mass_file("two_mass.toml"), "--no-reference", "--output", "o",
+                                "--set", "span.stop=1e9"});
+  ASSERT_TRUE(run.wait_for_file(output / "results.csv")) << run.err();
+  EXPECT_EQ(run.interrupt(), 1);
+  EXPECT_NE(run.err().find("interrupted at t = "), std::string::npos) << run.err();
   EXPECT_EQ(json_of(output / "results.json")["status"], "interrupted");
   EXPECT_GT(Table::read(output).times.size(), 1000U);
+}
+
+TEST(RunCommand, ADryRunRefusesAFolderThatCannotBeMade) {
+  const Scratch folder;
+  folder.write("file", "");
+  for (const char* output : {"file", "file/o"}) {
+    const Said said =
+        tandem(folder, {"run", two_mass_file("two_mass.toml"), "--dry-run", "--output", output});
+    EXPECT_EQ(said.status, 2) << output;
+    EXPECT_NE(said.err.find("'" + std::string(output) + "'"), std::string::npos) << said.err;
+  }
+}
+
+TEST(RunCommand, VerboseAndTheLogTellWhatIsDone) {
+  const Scratch folder;
+  const std::string file = two_mass_file("two_mass.toml");
+  Said said = tandem(folder, {"--verbose", "run", file});
+  EXPECT_NE(said.err.find("subsystem 'slow': first own step 0.25 s"), std::string::npos) << said.err;
+  EXPECT_NE(said.err.find("schedule slowest-first, start derivatives"), std::string::npos) << said.err;
+  said = tandem(folder, {"--log", "l.log", "run", file});
+  EXPECT_EQ(said.err, "");
+  EXPECT_NE(read_text(folder.path() / "l.log").find("first own step 0.25 s"), std::string::npos);
+  said = tandem(folder, {"--log", "l.log", "run", file, "--set", "judge.tolerance=0.01"});
+  EXPECT_NE(read_text(folder.path() / "l.log").find("fast.x1 differs by"), std::string::npos);
+  said = tandem(folder, {"--log", "/dev/full", "run", file});
+  EXPECT_EQ(said.status, 1);
+  EXPECT_NE(said.err.find("log file '/dev/full' can't be written"), std::string::npos) << said.err;
+  EXPECT_EQ(tandem(folder, {"--log", "/dev/null/l", "run", file}).status, 2);
 }
 
 }  // namespace

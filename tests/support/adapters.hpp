@@ -65,12 +65,32 @@ class ThreeSamplesACall final : public Adapter {
   }
 };
 
+/// Compares times strictly: a node an ulp past the limit is not taken.
+class Strict final : public Adapter {
+ public:
+  using Adapter::Adapter;
+  Clock initialize(double t_start, double t_stop, std::span<const double> u0, Samples& y) override {
+    return clock_ = inner_->initialize(t_start, t_stop, u0, y);
+  }
+  Clock advance(double t_limit, bool land, std::span<const Signal> u, Samples& y) override {
+    while (!y.full() && clock_.next_time <= t_limit) clock_ = inner_->advance(clock_.next_time, false, u, y);
+    if (land && !y.full() && clock_.time < t_limit) clock_ = inner_->advance(t_limit, true, u, y);
+    return clock_;
+  }
+
+ private:
+  Clock clock_{};
+};
+
 inline std::unique_ptr<Subsystem> as_it_is(std::unique_ptr<Subsystem> s) { return s; }
 inline std::unique_ptr<Subsystem> one_step_a_call(std::unique_ptr<Subsystem> s) {
   return std::make_unique<OneStepACall>(std::move(s));
 }
 inline std::unique_ptr<Subsystem> three_samples_a_call(std::unique_ptr<Subsystem> s) {
   return std::make_unique<ThreeSamplesACall>(std::move(s));
+}
+inline std::unique_ptr<Subsystem> strict(std::unique_ptr<Subsystem> s) {
+  return std::make_unique<Strict>(std::move(s));
 }
 
 }  // namespace tandem::test

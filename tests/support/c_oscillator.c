@@ -36,21 +36,9 @@ static tandem_status fail(oscillator* o, tandem_status status, const char* sente
   return status;
 }
 
-/* Width within which two times are the same, 4 ulp as subsystem.h says. */
+/* Width within which two times are the same, as subsystem.h says. */
 static double width(const oscillator* o, double a, double b) {
-  return 4.0 * DBL_EPSILON * fmax(fmax(fabs(a), fabs(b)), fabs(o->now.t_start));
-}
-
-static double value(const tandem_signal* u, double t) {
-  const tandem_segment* s = u->segments;
-  const tandem_segment* last = s + u->count - 1;
-  double sum, d;
-  int32_t i;
-  while (s != last && t > s->end) ++s;
-  d = t - s->origin;
-  sum = s->c[u->degree];
-  for (i = u->degree; i > 0; --i) sum = sum * d + s->c[i - 1];
-  return sum;
+  return 6.0 * DBL_EPSILON * fmax(fmax(fabs(a), fabs(b)), fabs(o->now.t_start));
 }
 
 static double acceleration(const oscillator* o, double x, double v, double force) {
@@ -59,7 +47,8 @@ static double acceleration(const oscillator* o, double x, double v, double force
 
 static void step(oscillator* o, double end, double h, const tandem_signal* u) {
   state* s = &o->now;
-  const double begin = value(u, s->time), middle = value(u, s->time + 0.5 * h), at_end = value(u, end);
+  const double begin = tandem_signal_value(u, s->time), middle = tandem_signal_value(u, s->time + 0.5 * h),
+               at_end = tandem_signal_value(u, end);
   const double x1 = s->v, v1 = acceleration(o, s->x, s->v, begin);
   const double x2 = s->v + 0.5 * h * v1, v2 = acceleration(o, s->x + 0.5 * h * x1, x2, middle);
   const double x3 = s->v + 0.5 * h * v2, v3 = acceleration(o, s->x + 0.5 * h * x2, x3, middle);

@@ -39,8 +39,8 @@ class RunBench {
   /// A coordinator that is not initialized yet and that nobody observes.
   Coordinator& make(double t_stop, double t_start = 0.0) {
     topology.check();
-    return *(coordinator =
-                 std::make_unique<Coordinator>(topology, subsystems_, coordination, t_start, t_stop));
+    return *(coordinator = std::make_unique<Coordinator>(topology, subsystems_, coordination,
+                                                         TimeSpan{t_start, t_stop}));
   }
 
   Topology topology;

@@ -23,7 +23,7 @@ class ScheduleBench {
   ScheduleBench(const std::vector<Walker>& walkers, double t_start, double t_stop)
       : walkers_(walkers),
         t_stop_(t_stop),
-        ends_(Schedule::Kind::parallel, {}, t_start, t_stop, 1.0),
+        ends_(Schedule::Kind::parallel, {}, {t_start, t_stop}, 1.0),
         tolerance_(t_start) {
     for (const Walker& w : walkers) {
       grids_.emplace_back(t_start, w.own_step);

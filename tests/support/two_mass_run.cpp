@@ -137,7 +137,7 @@ TwoMassResult run(const TwoMassRun& what) {
   Coordination coordination;
   coordination.schedule = what.schedule;
   coordination.start = what.start;
-  Coordinator coordinator(topology, {fast.get(), slow.get()}, coordination, what.t_start, what.t_stop);
+  Coordinator coordinator(topology, {fast.get(), slow.get()}, coordination, {what.t_start, what.t_stop});
   Keeper keeper(result);
   coordinator.observe(&keeper);
   coordinator.run();

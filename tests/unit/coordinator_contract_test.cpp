@@ -152,11 +152,11 @@ TEST(BrokenStart, ByAnotherNumberOfSamplesThanOne) {
 }
 
 TEST(BrokenStart, ByAnotherTimeThanTheStart) {
-  EXPECT_TRUE(refuses_start({"'bad'", "t_start"}, [](double t, auto, Samples& y) {
+  EXPECT_TRUE(refuses_start({"'bad'", "t = 0.1 s"}, [](double t, auto, Samples& y) {
     y.append(t + 0.1)[0] = 0.0;
     return Clock{t + 0.1, t + 0.2, Stop::limit};
   }));
-  EXPECT_TRUE(refuses_start({"'bad'", "t_start"}, [](double t, auto, Samples& y) {
+  EXPECT_TRUE(refuses_start({"'bad'", "t = 0.1 s"}, [](double t, auto, Samples& y) {
     y.append(t)[0] = 0.0;
     return Clock{t + 0.1, t + 0.2, Stop::limit};
   }));

@@ -104,7 +104,7 @@ class StopAtOne final : public Observer {
 TEST_P(End, ComesEarlyIfTheObserverSaysSo) {
   run(false, 0.5);
   std::vector<Subsystem*> both = {&fast, &slow};
-  Coordinator coordinator(bench.topology, both, bench.coordination, 0.0, 100.0);
+  Coordinator coordinator(bench.topology, both, bench.coordination, {0.0, 100.0});
   StopAtOne observer;
   coordinator.observe(&observer);
   coordinator.run();

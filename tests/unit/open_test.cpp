@@ -51,9 +51,9 @@ TEST(Open, RefusesWhatItDoesNotKnow) {
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'ramp.slow'", "scheme"}, opening("ramp.slow")));
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"ramp.slwo", "did you mean 'builtin:ramp.slow'"},
                       opening("builtin:ramp.slwo")));
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"There are: ramp.slow"}, opening("builtin:")));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"There are: builtin:ramp.slow"}, opening("builtin:")));
   EXPECT_TRUE(
-      refuses(ErrorCode::invalid_argument, {"'step'", "It takes: h"}, opening("builtin:ramp.slow?step=1")));
+      refuses(ErrorCode::invalid_argument, {"'step'", "There are: h"}, opening("builtin:ramp.slow?step=1")));
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'h'", "key=value"}, opening("builtin:ramp.slow?h")));
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'=1'", "key=value"}, opening("builtin:ramp.slow?=1")));
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'h'", "'fast'"}, opening("builtin:ramp.slow?h=fast")));

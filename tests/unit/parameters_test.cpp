@@ -58,7 +58,7 @@ TEST(Parameters, NameWhatNobodyAskedForAndTheNearestThatWas) {
   p.number("k2", 1.0);
   EXPECT_TRUE(
       refuses(ErrorCode::invalid_argument,
-              {"source 'x'", "'frequncy_ratio'", "did you mean 'frequency_ratio'", "frequency_ratio k2"},
+              {"source 'x'", "'frequncy_ratio'", "did you mean 'frequency_ratio'", "frequency_ratio, k2"},
               [&] { p.refuse_unused("source 'x'"); }));
 }
 

@@ -42,7 +42,7 @@ struct Bench {
       topology.add(std::string(1, static_cast<char>('a' + i)), subsystems[i]->info());
       all.push_back(subsystems[i].get());
     }
-    run.emplace(topology, all, Coordination{}, 0.0, t_stop);
+    run.emplace(topology, all, Coordination{}, TimeSpan{0.0, t_stop});
   }
 
   /// Runs and closes; the recorder as it is then.
@@ -254,7 +254,7 @@ TEST(Recorder, DoesNotInterpolateAcrossAJump) {
   other.add(1.5, 1.5, false, 1.0);
   other.add(1.5, 5.0, true, 0.0);
   other.add(2.0, 7.0, true, 0.0);
-  const Coordinator run(topology, {nullptr, nullptr}, {}, 0.0, 2.0);
+  const Coordinator run(topology, {nullptr, nullptr}, {}, {0.0, 2.0});
   Recorder recorder(run, {folder.path(), "clock", false, {}});
   clock.tell(recorder, 0);
   other.tell(recorder, 1);

@@ -74,19 +74,46 @@ TEST_F(SchemeTest, StaggeredCouplesTwo) {
   EXPECT_TRUE(refuses(ErrorCode::not_supported, {"staggered", "two", "3"}, [&] { bench.run(4.0); }));
 }
 
-TEST_F(SchemeTest, StaggeredWithoutLandingSaysThatAFirstOrderPartRemains) {
+TEST_F(SchemeTest, StaggeredSaysThatAFirstOrderPartRemainsWhereNoNodeIsInTheMiddle) {
+  for (const double step : {0.25, 0.2, 0.3}) {
+    fast = test::listener(step);
+    RunBench bench;
+    couple(bench, "staggered", "matched_hold", "matched_hold");
+    bench.run(4.0);
+    std::string notes;
+    for (const std::string& note : bench.coordinator->notes()) notes += note + "\n";
+    EXPECT_EQ(notes.find("first order") != std::string::npos, step != 0.25) << notes;
+  }
+}
+
+TEST_F(SchemeTest, SettingsWithoutEffectAreTold) {
   RunBench bench;
-  couple(bench, "staggered", "matched_hold", "matched_hold");
+  couple(bench, "parallel", "lagrange1", "lagrange1");
+  bench.coordination.order = {"slow", "fast"};
   bench.run(4.0);
-  ASSERT_FALSE(bench.coordinator->notes().empty());
-  EXPECT_NE(bench.coordinator->notes()[0].find("first order"), std::string::npos)
-      << bench.coordinator->notes()[0];
+  ASSERT_EQ(bench.coordinator->notes().size(), 1U);
+  EXPECT_NE(bench.coordinator->notes()[0].find("order has no effect"), std::string::npos);
+  RunBench turns;
+  couple(turns, "slowest-first", "lagrange1", "lagrange1");
+  turns.coordination.communication_step = 0.5;
+  turns.run(4.0);
+  ASSERT_EQ(turns.coordinator->notes().size(), 1U);
+  EXPECT_NE(turns.coordinator->notes()[0].find("communication_step has no effect"), std::string::npos);
+}
+
+TEST_F(SchemeTest, AnOwnStepThatIsNothingBesideTheEndIsRefused) {
+  fast = test::listener(1e-16);
+  RunBench bench;
+  couple(bench, "slowest-first", "lagrange1", "lagrange1");
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'fast'", "1e-16 s", "4 s", "more than"},
+                      [&] { bench.run(4.0); }));
 }
 
 TEST(Scheme, AMemoryNeedsAFixedStep) {
   SubsystemInfo info = test::listener(1.0).info();
   info.abilities.chooses_step = true;
-  Scripted source = test::listener(0.5), reader(info, 1.0, [](double, const auto&, double*y) { y[0] = 0.0; });
+  Scripted source = test::listener(0.5),
+           reader(info, 1.0, [](double, const auto&, double* y) { y[0] = 0.0; });
   RunBench bench;
   bench.add("source", source).add("reader", reader);
   bench.connect("source.y", "reader.u", "lagrange1", Lag::memory).connect("reader.y", "source.u");

@@ -20,7 +20,7 @@ std::string turns(Kind kind, const std::vector<Walker>& walkers, std::vector<int
                   double t_start = 0.0) {
   double h = 0.0;
   for (const Walker& w : walkers) h = std::max(h, w.own_step);
-  return ScheduleBench(walkers, t_start, t_stop).run(Schedule(kind, std::move(order), t_start, t_stop, h));
+  return ScheduleBench(walkers, t_start, t_stop).run(Schedule(kind, std::move(order), {t_start, t_stop}, h));
 }
 
 // The lists below are worked out by hand from the rules in docs: who is due, who has to go before, and up to
@@ -83,12 +83,12 @@ TEST(Schedule, ParallelAdvancesAllToTheNextCommunicationPoint) {
 TEST(Schedule, ParallelWithACommunicationStepBelowTheOwnSteps) {
   // H = 1: the points without a node in the next interval are left out, and those who can't reach one wait.
   ScheduleBench bench({{'F', 1.5}, {'S', 2.5}}, 0.0, 6.0);
-  EXPECT_EQ(bench.run(Schedule(Kind::parallel, {0, 1}, 0.0, 6.0, 1.0)), "F1.5 (F3 S2.5) (F4.5 S5) F6");
+  EXPECT_EQ(bench.run(Schedule(Kind::parallel, {0, 1}, {0.0, 6.0}, 1.0)), "F1.5 (F3 S2.5) (F4.5 S5) F6");
 }
 
 TEST(Schedule, ParallelWithALongCommunicationStepTakesManyStepsEach) {
   ScheduleBench bench({{'F', 1.0, true}, {'S', 2.0, true}}, 0.0, 9.0);
-  EXPECT_EQ(bench.run(Schedule(Kind::parallel, {0, 1}, 0.0, 9.0, 4.0)), "(F4 S4) (F8 S8) (F9 S9)");
+  EXPECT_EQ(bench.run(Schedule(Kind::parallel, {0, 1}, {0.0, 9.0}, 4.0)), "(F4 S4) (F8 S8) (F9 S9)");
 }
 
 TEST(Schedule, StaggeredStepsTheSlowSideFromTheMiddleOfItsStep) {
@@ -106,11 +106,11 @@ TEST(Schedule, StaggeredWithoutLandingGoesToTheFirstNodeAtOrPastTheMiddle) {
 
 TEST(Schedule, LandsOnlyAtTheEndButInTheMiddleWhenStaggered) {
   const std::vector<Member> members = {{0.0, 1.0, true}, {0.0, 3.0, true}};
-  Schedule turns(Kind::slowest_first, {1, 0}, 0.0, 6.0, 3.0);
+  Schedule turns(Kind::slowest_first, {1, 0}, {0.0, 6.0}, 3.0);
   EXPECT_FALSE(turns.next_round(members)[0].land);
   const std::vector<Member> near_end = {{3.0, 4.0, true}, {3.0, 6.0, true}};
   EXPECT_TRUE(turns.next_round(near_end)[0].land);
-  Schedule staggered(Kind::staggered, {1, 0}, 0.0, 6.0, 3.0);
+  Schedule staggered(Kind::staggered, {1, 0}, {0.0, 6.0}, 3.0);
   EXPECT_TRUE(staggered.next_round(members)[0].land);
   EXPECT_EQ(staggered.next_round(members)[0].limit, 1.5);
   const std::vector<Member> rigid = {{0.0, 1.0, false}, {0.0, 6.0, false}};

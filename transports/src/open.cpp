@@ -40,11 +40,8 @@ std::unique_ptr<Subsystem> open(const std::string& uri, const Builtins& builtins
   const auto it = builtins.find(name);
   if (it == builtins.end()) {
     std::vector<std::string> known;
-    std::string list;
-    for (const auto& [key, builder] : builtins) known.push_back(key), list += " " + key;
-    const std::string near = nearest(name, known);
-    refuse(uri, "is not known" + (near.empty() ? std::string() : "; did you mean 'builtin:" + near + "'?") +
-                    " There are:" + list);
+    for (const auto& [key, builder] : builtins) known.push_back("builtin:" + key);
+    throw Error(ErrorCode::invalid_argument, unknown("source", "builtin:" + name, known));
   }
   auto subsystem = it->second(parameters);
   parameters.refuse_unused("source '" + uri + "'");

@@ -13,7 +13,7 @@ namespace {
                              const std::string& wanted) {
   const std::string found = std::holds_alternative<double>(value) ? "a number"
                             : std::holds_alternative<bool>(value)
-                                ? "true or false"
+                                ? std::get<bool>(value) ? "true" : "false"
                                 : "the text '" + std::get<std::string>(value) + "'";
   throw Error(ErrorCode::invalid_argument,
               "parameter '" + name + "' is " + found + "; " + wanted + " is allowed");
@@ -59,12 +59,7 @@ void Parameters::refuse_unused(const std::string& owner) const {
   const std::vector<std::string> known(asked_.begin(), asked_.end());
   for (const auto& [name, value] : values_) {
     if (asked_.count(name)) continue;
-    std::string sentence = owner + " has no parameter '" + name + "'";
-    if (const std::string near = nearest(name, known); !near.empty())
-      sentence += "; did you mean '" + near + "'?";
-    sentence += " It takes:";
-    for (const std::string& k : known) sentence += " " + k;
-    throw Error(ErrorCode::invalid_argument, sentence);
+    throw Error(ErrorCode::invalid_argument, unknown(owner + ": parameter", name, known));
   }
 }
 

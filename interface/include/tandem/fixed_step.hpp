@@ -18,14 +18,16 @@ struct OwnStep {
 };
 
 /// Makes a model with a fixed own step a Subsystem: keeps the grid, takes the steps that fit, lands, appends
-/// samples. Model has:
-///   SubsystemInfo info() const;                           ports, units, feedthrough; `lands` and `restarts`
-///   are added double own_step() const;                              h [s], finite and above 0 void
-///   start(double t, std::span<const double> u0);     puts the state at t; u0 may hold NaN
-///   (Subsystem::initialize) void step(const OwnStep& s, std::span<const Signal> u);   integrates over s;
-///   inputs are read at any time in it void outputs(double* y) const;                        outputs, then
-///   derivatives, of the state as it is
-/// and is copyable: a copy is its saved state.
+/// samples; adds the abilities `lands`, `restarts` and `saves_state`. Model is copyable (a copy is its saved
+/// state) and has:
+/// @code
+/// SubsystemInfo info() const;                              // ports, units, feedthrough
+/// double own_step() const;                                 // h [s], finite and above 0
+/// void start(double t, std::span<const double> u0);        // puts the state at t; u0 may hold NaN
+/// void step(const OwnStep& s, std::span<const Signal> u);  // integrates over s; reads inputs at any time in
+/// it void outputs(double* y) const;                           // outputs, then derivatives, of the state as
+/// it is
+/// @endcode
 template <class Model>
 class FixedStep final : public Subsystem {
  public:

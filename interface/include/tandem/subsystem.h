@@ -3,7 +3,8 @@
  * to where, and gives every input as a function of time. Data in, data out: nothing calls back, so the same
  * contract holds in one process, in a shared library and over a socket.
  *
- * Units are SI (time in s) unless a port says otherwise. Numbers are IEEE doubles.
+ * Units are SI (time in s) unless a port says otherwise. Numbers are IEEE doubles. Inputs are functions of
+ * time: tandem/signal.h.
  *
  * Order of calls:  create  info  initialize+  advance*  destroy
  * `initialize` may be called again before the first `advance`; afterwards only with TANDEM_RESTARTS.
@@ -17,12 +18,13 @@
 #define TANDEM_SUBSYSTEM_H
 #include <stdint.h>
 
+#include "tandem/signal.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 #define TANDEM_ABI_VERSION 1
-#define TANDEM_MAX_COEFFICIENTS 6
 
 typedef enum tandem_status {
   TANDEM_OK = 0,
@@ -33,24 +35,6 @@ typedef enum tandem_status {
   TANDEM_INPUT_OUTPUT = 5,     /* a file or a stream */
   TANDEM_INTERNAL = 6          /* anything else */
 } tandem_status;
-
-/* One polynomial piece of an input: it holds for t <= end (the tolerance for rounding is already added to
- * end), and its value is sum over k of c[k] * (t - origin)^k. */
-typedef struct tandem_segment {
-  double end;
-  double origin;
-  double c[TANDEM_MAX_COEFFICIENTS];
-} tandem_segment;
-
-/* One input over the span of one `advance`: `count` >= 1 segments, ends ascending. The last one goes on
- * beyond its end. Coefficients above `degree` are zero. A break belongs to the segment before it. `reactive`
- * is NULL; it is kept for inputs that react to the subsystem's own output. */
-typedef struct tandem_signal {
-  const tandem_segment* segments;
-  int32_t count;
-  int32_t degree;
-  const void* reactive;
-} tandem_signal;
 
 /* Rows in the caller's memory. A row is `stride` doubles: time, jump (1: nothing before this row may be
  * fitted together with it; else 0), the outputs, then their first time derivatives, their second ones, as
@@ -78,9 +62,9 @@ typedef struct tandem_clock {
   int32_t reserved;
 } tandem_clock;
 
-/* A port of `size` >= 1 scalars (an array port is flattened in place). `start` is the value an input takes
- * when nothing else is known, NaN for none. `derivatives`: how many time derivatives an output gives with
- * each sample, 0 to 3. */
+/* A port of `size` >= 1 scalars (an array port is flattened in place). `name` is not NULL; `unit` is "1" for
+ * none. `start` is the value an input takes when nothing else is known, NaN for none. `derivatives`: how many
+ * time derivatives an output gives with each sample, 0 to 3. */
 typedef struct tandem_port {
   const char* name;
   const char* unit;
@@ -124,12 +108,14 @@ typedef struct tandem_subsystem_api {
   const tandem_info* (*info)(void* self);
   const char* (*last_error)(void* self);
 
-  /* Puts the state at t_start and appends the first sample. u0: one value per scalar input, NaN where it is
+  /* Puts the state at t_start and appends the first sample. t_stop: the end of the run, past which it is not
+   * asked to go. u0: one value per scalar input, NaN where it is
    * not known yet; outputs without feedthrough from an unknown input must come back finite all the same. */
   tandem_status (*initialize)(void* self, double t_start, double t_stop, const double* u0, tandem_samples* y,
                               tandem_clock* clock);
 
-  /* Takes own steps for as long as they end at or before t_limit (compare with a tolerance of 4 ulp), and
+  /* Takes own steps for as long as they end at or before t_limit (compare with a tolerance
+   * of 6 DBL_EPSILON max(|t|, |t_start|); a strict comparison costs extra calls), and
    * appends one row for each. u: one signal per scalar input, covering [time, t_limit]. land != 0: the last
    * step is cut so that it ends at t_limit; the grid of own steps stays as it was. Time after the call is
    * that of the last row. */
@@ -142,7 +128,8 @@ typedef struct tandem_subsystem_api {
   tandem_status (*release_state)(void* self, int64_t id);
 } tandem_subsystem_api;
 
-/* The one symbol that a shared library exports. */
+/* The one symbol that a shared library exports: a function of this type, named tandem_subsystem unless the
+ * URI names another (entry=NAME). */
 typedef const tandem_subsystem_api* (*tandem_subsystem_entry)(void);
 
 #ifdef __cplusplus

@@ -21,6 +21,15 @@ struct Port {
       std::numeric_limits<double>::quiet_NaN();  ///< of an input: its value when nothing else is known
 };
 
+/// Which port a scalar of the flattened numbering belongs to.
+struct Scalar {
+  const Port* port;
+  int element;
+  std::string name() const;  ///< "x" or, of an array port, "x[2]"
+};
+/// Precondition: 0 <= index < the number of scalars.
+Scalar scalar_at(const std::vector<Port>& ports, int index);
+
 /// The scalar output at time t depends on that scalar input at the same t (flattened indices).
 struct Feedthrough {
   int output, input;
@@ -69,7 +78,7 @@ enum class Stop {
   finished = TANDEM_STOP_FINISHED,          ///< it will not go on, whatever the limit
 };
 
-/// Where a subsystem stands, where its next own step would end (later than time), and why it returned.
+/// Where a subsystem stands [s], where its next own step would end (later than time), and why it returned.
 struct Clock {
   double time, next_time;
   Stop stop;
@@ -87,9 +96,11 @@ class Subsystem {
   /// Constant after construction.
   virtual const SubsystemInfo& info() const = 0;
 
-  /// Puts the state at t_start [s] and appends the first sample. u0: one value per scalar input, NaN where it
-  /// is not known yet; an output without feedthrough from an unknown input must come back finite all the
-  /// same. May be called again before the first advance, and afterwards with the ability `restarts`.
+  /// Puts the state at t_start [s] and appends the first sample; the run ends at t_stop [s], past which no
+  /// step is asked for. u0: one value per scalar input, NaN where it is not known yet; an output without
+  /// feedthrough from an unknown input must come back finite all the same. May be called again before the
+  /// first advance, and afterwards with the ability `restarts`. u0, y and later u belong to the caller and
+  /// are valid during the call.
   virtual Clock initialize(double t_start, double t_stop, std::span<const double> u0, Samples& y) = 0;
 
   /// Takes own steps for as long as they end at or before t_limit (tolerant: TimeGrid::fits) and appends one
@@ -98,8 +109,10 @@ class Subsystem {
   /// (only with the ability `lands`); the grid of own steps stays as it was.
   virtual Clock advance(double t_limit, bool land, std::span<const Signal> u, Samples& y) = 0;
 
-  /// With the ability `saves_state`: a copy of the whole state, valid until released. The base class refuses.
+  /// With the ability `saves_state`: a copy of the whole state, valid until released. The base class refuses
+  /// all three with Error(not_supported); an id that is not saved is Error(invalid_argument).
   virtual StateId save_state();
+  /// Stands again where it stood when `id` was saved; `id` stays saved.
   virtual Clock restore_state(StateId id);
   virtual void release_state(StateId id);
 };

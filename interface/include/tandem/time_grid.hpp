@@ -7,16 +7,22 @@
 
 namespace tandem {
 
-/// The one tolerant comparison of times. Two grids that meet by their definition, n h2 = k h1, differ by at
-/// most 2 eps max(|t|, |t_start|) after rounding (to 10^7 steps), so 4 eps of that size tells "equal" from
-/// "before".
+/// From `start` to `stop` [s].
+struct TimeSpan {
+  double start, stop;
+};
+
+/// The one tolerant comparison of times. A node t = t_start + k h is rounded three times: the step h and the
+/// product by eps/2 |k h| each, the sum by eps/2 |t|. With S = max(|t|, |t_start|), |k h| <= 2 S, so a node
+/// is off by at most 2.5 eps S, and two grids that meet by their definition, n h2 = k h1, differ by at most
+/// 5 eps S (2 eps S from t_start = 0). 6 eps S tells "equal" from "before".
 class TimeTolerance {
  public:
   explicit TimeTolerance(double t_start = 0.0) : t_start_(std::abs(t_start)) {}
 
   /// Width within which a and b are the same time [s].
   double width(double a, double b) const {
-    return 4.0 * std::numeric_limits<double>::epsilon() *
+    return 6.0 * std::numeric_limits<double>::epsilon() *
            std::max(std::max(std::abs(a), std::abs(b)), t_start_);
   }
   /// a lies before b by more than the tolerance.

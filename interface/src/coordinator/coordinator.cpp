@@ -2,11 +2,13 @@
 #include "tandem/coordinator/coordinator.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "../number_text.hpp"
 #include "run_start.hpp"
 #include "tandem/error.hpp"
 
@@ -25,16 +27,22 @@ double seconds_now() {
 
 }  // namespace
 
+std::string_view name(StartKind start) {
+  constexpr std::string_view names[] = {"automatic", "derivatives", "repeat", "cold"};
+  return names[static_cast<std::size_t>(start)];
+}
+
 Coordinator::Coordinator(const Topology& topology, const std::vector<Subsystem*>& subsystems,
-                         Coordination coordination, double t_start, double t_stop)
+                         Coordination coordination, TimeSpan span)
     : topology_(topology),
       coordination_(std::move(coordination)),
-      t_start_(t_start),
-      t_stop_(t_stop),
-      tolerance_(t_start) {
-  if (!std::isfinite(t_start) || !std::isfinite(t_stop) || !tolerance_.before(t_start, t_stop))
-    throw Error(ErrorCode::invalid_argument, "the span from " + std::to_string(t_start) + " s to " +
-                                                 std::to_string(t_stop) + " s does not end after its start");
+      t_start_(span.start),
+      t_stop_(span.stop),
+      tolerance_(span.start) {
+  assert(static_cast<int>(subsystems.size()) == topology.size());
+  if (!std::isfinite(t_start_) || !std::isfinite(t_stop_) || !tolerance_.before(t_start_, t_stop_))
+    throw Error(ErrorCode::invalid_argument, "the span from " + number_text(t_start_) + " s to " +
+                                                 number_text(t_stop_) + " s does not end after its start");
   for (Subsystem* subsystem : subsystems) seats_.push_back({subsystem});
 }
 
@@ -50,8 +58,8 @@ void Coordinator::initialize() {
 
 void Coordinator::run() {
   initialize();
-  while (round()) {
-  }
+  while (round())
+    if (observer_) observer_->between_rounds();
 }
 
 bool Coordinator::round() {
@@ -68,10 +76,11 @@ bool Coordinator::round() {
   return !stopped_;
 }
 
-/// In parallel: as many calls as it takes to come past the communication point.
+/// In parallel: as many calls as it takes to come past the communication point. A node that lies beside that
+/// point by rounding is the limit itself, for subsystems that compare strictly.
 void Coordinator::take_all(const Turn& turn) {
   const Member& member = members_[static_cast<std::size_t>(turn.who)];
-  do take(turn, *exchange_);
+  do take({turn.who, std::max(turn.limit, member.next), turn.land}, *exchange_);
   while (!tolerance_.before(turn.limit, member.next));
 }
 
@@ -96,7 +105,7 @@ void Coordinator::take(const Turn& turn, Exchange& inputs) {
       clock.next_time > clock.time)
     seat.idle_calls = 0;
   else
-    check_clock(who, before, steps, clock, turn.limit);
+    check_clock(turn, before, steps, clock);
   stand(seat, member, clock);
 }
 
@@ -112,31 +121,32 @@ void Coordinator::tell(int who, std::int64_t count) {
 
 /// What is not plain may still be right: no step taken, an end within the tolerance, no further step. Throws
 /// otherwise.
-void Coordinator::check_clock(int who, double before, std::int64_t rows, const Clock& after, double limit) {
+void Coordinator::check_clock(const Turn& turn, double before, std::int64_t rows, const Clock& after) {
+  const auto [who, limit, land] = turn;
   const Samples& y = exchange_->history(who).room();
   const double stands = rows > 0 ? y.time(y.size() - 1) : before;
   if (rows < 0 || !(after.time == stands))
-    fail(topology_.name(who), "says that it stands at t = " + std::to_string(after.time) +
-                                  " s, but its newest sample is of " + std::to_string(stands) + " s");
+    fail(topology_.name(who), "says that it stands at t = " + number_text(after.time) +
+                                  " s, but its newest sample is of " + number_text(stands) + " s");
   if (tolerance_.before(limit, after.time))
-    fail(topology_.name(who), "stands at t = " + std::to_string(after.time) + " s, past its limit " +
-                                  std::to_string(limit) + " s");
+    fail(topology_.name(who),
+         "stands at t = " + number_text(after.time) + " s, past its limit " + number_text(limit) + " s");
   if (after.stop != Stop::finished && !(after.next_time > after.time))
-    fail(topology_.name(who), "at t = " + std::to_string(after.time) + " s gives " +
-                                  std::to_string(after.next_time) +
+    fail(topology_.name(who), "at t = " + number_text(after.time) + " s gives " +
+                                  number_text(after.next_time) +
                                   " s as the end of its next own step, which is not later");
   int& idle_calls = seats_[static_cast<std::size_t>(who)].idle_calls;
   idle_calls = after.time > before ? 0 : idle_calls + 1;
   if (idle_calls >= most_idle_calls)
-    fail(topology_.name(who), "has not moved from t = " + std::to_string(after.time) + " s in " +
+    fail(topology_.name(who), "has not moved from t = " + number_text(after.time) + " s in " +
                                   std::to_string(most_idle_calls) + " calls");
 }
 
 bool Coordinator::end() {
   for (int i = 0; i < topology_.size(); ++i)
     if (tolerance_.before(time(i), t_stop_))
-      notes_.push_back("subsystem '" + topology_.name(i) + "' ended at t = " + std::to_string(time(i)) +
-                       " s, its last own node, " + std::to_string(t_stop_ - time(i)) + " s before the end");
+      notes_.push_back("subsystem '" + topology_.name(i) + "' ended at t = " + number_text(time(i)) +
+                       " s, its last own node, " + number_text(t_stop_ - time(i), 3) + " s before the end");
   stopped_ = true;
   return false;
 }

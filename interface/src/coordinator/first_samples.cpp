@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "../number_text.hpp"
 #include "run_start.hpp"
 #include "tandem/error.hpp"
 
@@ -135,10 +136,15 @@ void RunStart::first_samples() {
     std::vector<double> memory(static_cast<std::size_t>(topology_.info(i).row_size()));
     Samples y(memory.data(), topology_.info(i).row_size(), 1);
     clocks_[k] = run_.seats_[k].subsystem->initialize(run_.t_start_, run_.t_stop_, u0_[k], y);
-    if (y.size() != 1 || y.time(0) != run_.t_start_ || clocks_[k].time != run_.t_start_)
-      throw Error(ErrorCode::numerical, "subsystem '" + topology_.name(i) + "' gave " +
-                                            std::to_string(y.size()) +
-                                            " samples when initialized; one at t_start is allowed");
+    const auto fail = [&](const std::string& found) {
+      throw Error(ErrorCode::numerical,
+                  "subsystem '" + topology_.name(i) + "' " + found +
+                      " when initialized; allowed is one sample, and the clock, at t = " +
+                      number_text(run_.t_start_) + " s");
+    };
+    if (y.size() != 1) fail("gave " + std::to_string(y.size()) + " samples");
+    if (y.time(0) != run_.t_start_) fail("gave a sample at t = " + number_text(y.time(0)) + " s");
+    if (clocks_[k].time != run_.t_start_) fail("stands at t = " + number_text(clocks_[k].time) + " s");
     rows_[k].assign(memory.begin() + Samples::header, memory.end());
   });
 }

@@ -13,15 +13,6 @@
 namespace tandem {
 namespace {
 
-/// "x" or, for an element of an array port, "x[2]".
-std::string output_name(const SubsystemInfo& info, int index) {
-  for (const Port& port : info.outputs) {
-    if (index < port.size) return port.size == 1 ? port.name : port.name + "[" + std::to_string(index) + "]";
-    index -= port.size;
-  }
-  return "output " + std::to_string(index);
-}
-
 [[noreturn]] void fail(const std::string& name, const std::string& what) {
   throw Error(ErrorCode::numerical, "subsystem '" + name + "' " + what);
 }
@@ -48,7 +39,8 @@ void History::check(std::int64_t row, double t_limit, const TimeTolerance& toler
   if (!finite) {
     const auto bad = std::find_if(y.begin(), y.end(), [](double v) { return !std::isfinite(v); });
     const auto column = static_cast<int>(bad - y.begin());
-    const std::string value = bad == y.end() ? "a time that is" : output_name(*info_, column % outputs_);
+    const std::string value =
+        bad == y.end() ? "a time that is" : scalar_at(info_->outputs, column % outputs_).name();
     fail(name_, "gave " + value + (column >= outputs_ ? " (a derivative)" : "") +
                     " not finite at t = " + number_text(t) + " s");
   }

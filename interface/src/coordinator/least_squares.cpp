@@ -10,9 +10,8 @@ namespace {
 constexpr int max_points = 4 + 1 + 16;
 constexpr int max_terms = 5;
 
-/// Weights w[k][i]: the coefficient of x^k of the fitted polynomial is the sum over i of w[k][i] y_i.
 /// The coefficient of (t' - t)^k of the fitted polynomial is the sum over i of w[k][i] y_i, i counted back
-/// from the newest.
+/// from the newest sample, at t.
 struct Weights {
   int points = 0, terms = 0;
   std::array<std::array<double, max_points>, max_terms> w{};

@@ -18,12 +18,7 @@ std::string whole_port(const std::string& scalar) { return scalar.substr(0, scal
 
 [[noreturn]] void refuse(const std::string& what, const std::string& found,
                          const std::vector<std::string>& known) {
-  const std::string near = nearest(found, known);
-  std::string list;
-  for (const std::string& k : known) list += (list.empty() ? "" : ", ") + k;
-  throw Error(ErrorCode::invalid_argument, what + " '" + found + "' is not there" +
-                                               (near.empty() ? "" : "; did you mean '" + near + "'?") +
-                                               "; there are: " + (list.empty() ? "none" : list));
+  throw Error(ErrorCode::invalid_argument, unknown(what, found, known));
 }
 
 }  // namespace
@@ -93,12 +88,6 @@ bool Recorder::samples(int subsystem, const History& history, std::int64_t first
   if (files_.empty()) start(history.time(first));
   Track& track = tracks_[static_cast<std::size_t>(subsystem)];
   if (track.outputs.empty() && subsystem != clock_) return true;
-  const auto wanted = static_cast<std::size_t>(last - first + 1) * track.width();
-  if (track.rows.size() + wanted > track.rows.capacity()) {
-    write_waiting(false);
-    if (track.rows.size() + wanted > track.rows.capacity() / 2)
-      track.rows.reserve(2 * (track.rows.size() + wanted));
-  }
   for (std::int64_t row = first; row <= last; ++row) {
     const double* y = history.values(row).data();
     track.rows.insert(track.rows.end(), {history.time(row), history.jump(row) ? 1.0 : 0.0});
@@ -107,6 +96,14 @@ bool Recorder::samples(int subsystem, const History& history, std::int64_t first
       track.rows.push_back(track.has_slope[k] ? y[history.outputs() + track.outputs[k]] : 0.0);
   }
   return true;
+}
+
+void Recorder::between_rounds() {
+  const auto half_full = [](const Track& track) { return track.rows.size() > track.rows.capacity() / 2; };
+  if (std::none_of(tracks_.begin(), tracks_.end(), half_full)) return;
+  write_waiting(false);
+  for (Track& track : tracks_)
+    if (half_full(track)) track.rows.reserve(2 * track.rows.capacity());
 }
 
 void Recorder::start(double t_start) {

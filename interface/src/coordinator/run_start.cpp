@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "../number_text.hpp"
 #include "tandem/error.hpp"
 
 namespace tandem {
@@ -29,15 +30,29 @@ void RunStart::make() {
   const double h = run_.coordination_.communication_step.value_or(largest);
   if (!std::isfinite(h) || h <= 0.0)
     throw Error(ErrorCode::invalid_argument,
-                "communication_step is " + std::to_string(h) + " s; it must be finite and above 0");
-  run_.schedule_.emplace(run_.coordination_.schedule, std::move(order), run_.t_start_, run_.t_stop_, h);
+                "communication_step is " + number_text(h) + " s; it must be finite and above 0");
+  run_.schedule_.emplace(run_.coordination_.schedule, std::move(order), TimeSpan{run_.t_start_, run_.t_stop_},
+                         h);
   for (std::size_t i = 0; i < clocks_.size(); ++i) run_.stand(run_.seats_[i], run_.members_[i], clocks_[i]);
   lags_ = {run_.own_steps_, h};
   measure_batches();
   open_exchange(std::vector<int>(run_.own_steps_.size()));
-  const StartKind start = choose();
-  if (start == StartKind::derivatives) seed();
-  if (start == StartKind::repeat) repeat();
+  note_without_effect();
+  run_.start_ = choose();
+  if (run_.start_ == StartKind::derivatives) seed();
+  if (run_.start_ == StartKind::repeat) repeat();
+}
+
+/// Settings that are there and change nothing.
+void RunStart::note_without_effect() const {
+  const auto& lines = topology_.lines();
+  const bool parallel = run_.coordination_.schedule == Schedule::Kind::parallel;
+  const bool delays =
+      std::any_of(lines.begin(), lines.end(), [](const Line& line) { return line.lag == Lag::delay; });
+  if (run_.coordination_.communication_step && !parallel && !delays)
+    run_.notes_.push_back("communication_step has no effect: it serves schedule parallel and delays");
+  if (!run_.coordination_.order.empty() && parallel)
+    run_.notes_.push_back("order has no effect in schedule parallel");
 }
 
 /// Own steps as the subsystems stand, and what the schedule sees of them.
@@ -54,10 +69,17 @@ void RunStart::note_steps() {
     run_.own_steps_[i] = clocks_[i].next_time - clocks_[i].time;
     if (clocks_[i].stop != Stop::finished && !(run_.own_steps_[i] > 0.0 && std::isfinite(run_.own_steps_[i])))
       throw Error(ErrorCode::numerical,
-                  "subsystem '" + topology_.name(who) + "' gives " + std::to_string(clocks_[i].next_time) +
+                  "subsystem '" + topology_.name(who) + "' gives " + number_text(clocks_[i].next_time) +
                       " s as the end of its first own step, which is not later than the start");
   }
   lend_steps();
+  for (std::size_t i = 0; i < n; ++i)
+    if (!run_.tolerance_.before(run_.t_stop_ - run_.own_steps_[i], run_.t_stop_))
+      throw Error(ErrorCode::invalid_argument,
+                  "subsystem '" + topology_.name(static_cast<int>(i)) + "' has an own step of " +
+                      number_text(run_.own_steps_[i]) + " s, which is nothing beside the end, " +
+                      number_text(run_.t_stop_) + " s; allowed is more than " +
+                      number_text(run_.tolerance_.width(run_.t_stop_, 0.0)) + " s");
 }
 
 /// Who has finished at the start has no own step: the largest of the others stands in for it.
@@ -111,13 +133,21 @@ std::vector<int> RunStart::leaders_first() const {
 void RunStart::check_schemes(const std::vector<int>& order) const {
   if (run_.coordination_.schedule == Schedule::Kind::staggered && order.size() != 2)
     refuse("schedule staggered couples two subsystems; there are " + std::to_string(order.size()));
-  if (run_.coordination_.schedule == Schedule::Kind::staggered && !topology_.info(order[1]).abilities.lands)
+  if (run_.coordination_.schedule == Schedule::Kind::staggered && misses_middle(order[1], order[0]))
     run_.notes_.push_back(
         "subsystem '" + topology_.name(order[1]) +
         "' can't shorten a step, so schedule staggered keeps a first order part of the size of its own "
         "step over that of '" +
         topology_.name(order[0]) + "'");
   for (const Line& line : topology_.lines()) check_line(line, order);
+}
+
+/// The fast side can't cut a step, and none of its nodes lies in the middle of the slow side's step.
+bool RunStart::misses_middle(int fast, int slow) const {
+  const double middle = run_.own_step(slow) / 2.0, nearest = std::remainder(middle, run_.own_step(fast));
+  const Abilities &a = topology_.info(fast).abilities, &b = topology_.info(slow).abilities;
+  return !a.lands &&
+         (a.chooses_step || b.chooses_step || std::abs(nearest) > run_.tolerance_.width(middle, 0.0));
 }
 
 void RunStart::check_line(const Line& line, const std::vector<int>& order) const {

@@ -20,6 +20,8 @@ class RunStart {
   std::vector<int> leaders_first() const;
   void check_named_order() const;
   void check_schemes(const std::vector<int>& order) const;
+  bool misses_middle(int fast, int slow) const;
+  void note_without_effect() const;
   void check_line(const Line& line, const std::vector<int>& order) const;
   void measure_batches();
   std::vector<std::int64_t> capacities() const;

@@ -25,21 +25,20 @@ Schedule::Kind Schedule::parse(std::string_view text) {
 
 std::string_view Schedule::name(Kind kind) { return names[static_cast<std::size_t>(kind)]; }
 
-Schedule::Schedule(Kind kind, std::vector<int> order, double t_start, double t_stop,
-                   double communication_step)
+Schedule::Schedule(Kind kind, std::vector<int> order, TimeSpan span, double communication_step)
     : kind_(kind),
       order_(std::move(order)),
-      t_start_(t_start),
-      t_stop_(t_stop),
+      t_start_(span.start),
+      t_stop_(span.stop),
       communication_step_(communication_step),
-      tolerance_(t_start),
-      earliest_stop_(t_stop - tolerance_.width(t_start, t_stop)),
-      latest_stop_(t_stop + tolerance_.width(t_start, t_stop)) {
+      tolerance_(t_start_),
+      earliest_stop_(t_stop_ - tolerance_.width(t_start_, t_stop_)),
+      latest_stop_(t_stop_ + tolerance_.width(t_start_, t_stop_)) {
   round_.resize(order_.size());
 }
 
 inline void Schedule::add(int who, const Member& m, double limit) {
-  const double to = std::min(std::max(limit, m.next), t_stop_);
+  const double to = std::max(std::min(limit, t_stop_), m.next);
   round_[count_++] = {who, to, m.lands && to >= earliest_stop_};
 }
 
@@ -87,8 +86,7 @@ void Schedule::all_at_once(std::span<const Member> members) {
   if (!tolerance_.before(t_start_ + (k - 1.0) * communication_step_, first)) k -= 1.0;
   const double target = std::min(t_start_ + k * communication_step_, t_stop_);
   for (std::size_t i = 0; i < members.size(); ++i)
-    if (!tolerance_.before(target, members[i].next))
-      add(static_cast<int>(i), members[i], std::max(target, members[i].next));
+    if (!tolerance_.before(target, members[i].next)) add(static_cast<int>(i), members[i], target);
 }
 
 std::span<const Turn> Schedule::next_round(std::span<const Member> members) {

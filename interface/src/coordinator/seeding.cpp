@@ -8,14 +8,6 @@
 namespace tandem {
 namespace {
 
-const Port& port_of(const SubsystemInfo& info, int output) {
-  for (const Port& port : info.outputs) {
-    if (output < port.size) return port;
-    output -= port.size;
-  }
-  return info.outputs.back();
-}
-
 /// Most feedthroughs that a value passes one behind another at one instant; there is no loop
 /// (Topology::check).
 int longest_feedthrough(const Topology& topology) {
@@ -44,7 +36,8 @@ int longest_feedthrough(const Topology& topology) {
 bool RunStart::derivatives_suffice() const {
   return std::all_of(topology_.lines().begin(), topology_.lines().end(), [&](const Line& line) {
     return !seeds_needed(line) ||
-           port_of(topology_.info(line.source), line.output).derivatives >= line.how.derivatives_at_start();
+           scalar_at(topology_.info(line.source).outputs, line.output).port->derivatives >=
+               line.how.derivatives_at_start();
   });
 }
 
@@ -58,8 +51,6 @@ bool RunStart::can_repeat() const {
 /// The start that is asked for, or the best that there is. Notes a cold one that costs order.
 StartKind RunStart::choose() {
   const auto& lines = topology_.lines();
-  if (std::none_of(lines.begin(), lines.end(), [&](const Line& line) { return seeds_needed(line); }))
-    return StartKind::cold;
   const StartKind asked = run_.coordination_.start;
   const std::string needs = "the outputs give too few derivatives for the degrees of their connections";
   const std::string stays = "not every subsystem can restart, or a connection is a matched hold";
@@ -68,9 +59,13 @@ StartKind RunStart::choose() {
   if (asked == StartKind::repeat && !can_repeat())
     throw Error(ErrorCode::not_supported, "repeated start: " + stays);
   if (asked != StartKind::automatic) return asked;
+  if (std::none_of(lines.begin(), lines.end(), [&](const Line& line) { return seeds_needed(line); }))
+    return StartKind::cold;
   if (derivatives_suffice()) return StartKind::derivatives;
   if (can_repeat()) return StartKind::repeat;
-  run_.notes_.push_back("cold start: " + needs + ", and " + stays + "; orders above 2 are not reached");
+  run_.notes_.push_back(
+      "cold start: " + needs + ", and " + stays +
+      "; the order stays at 2 where inputs are extrapolated, at 3 where they are interpolated");
   return StartKind::cold;
 }
 
@@ -85,16 +80,16 @@ void RunStart::seed() {
   open_exchange(counts);
 }
 
-/// Waveform relaxation over the first d + 1 of the largest own steps, d the highest degree: a first pass on
-/// held inputs, then passes on inputs interpolated in the pass before. The first pass leaves an error of
-/// order 2 in the states. Each further one gains at least one order if no output feeds an input through; with
-/// feedthroughs one behind another it takes one pass more for each until what was gained has come round. So
-/// (d + 1) (1 + feedthroughs) passes reach order d + 1 whatever the coupling. The run goes on from the last
-/// pass.
+/// Waveform relaxation over as many of the largest own steps as a reconstruction takes samples (d + 1 at
+/// degree d): a first pass on held inputs, then passes on inputs interpolated in the pass before. The first
+/// pass leaves an error of order 2 in the states. Each further one gains at least one order if no output
+/// feeds an input through; with feedthroughs one behind another it takes one pass more for each until what
+/// was gained has come round. So (d + 1) (1 + feedthroughs) passes reach order d + 1 whatever the coupling.
+/// The run goes on from the last pass.
 void RunStart::repeat() {
   int degree = 0, samples = 0;
   for (const Line& line : topology_.lines())
-    if (seeds_needed(line)) {
+    if (line.how.follows_samples()) {
       degree = std::max(degree, line.how.polynomial_degree());
       samples = std::max(samples, line.how.samples());
     }

@@ -14,28 +14,6 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& sentence) { throw Error(ErrorCode::invalid_argument, sentence); }
 
-std::string scalar_name(const std::string& instance, const std::vector<Port>& ports, int index) {
-  for (const Port& port : ports) {
-    if (index < port.size)
-      return instance + "." + port.name + (port.size > 1 ? "[" + std::to_string(index) + "]" : "");
-    index -= port.size;
-  }
-  return instance + ".?";
-}
-
-std::string list(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text.empty() ? "none" : text;
-}
-
-std::string unknown(const std::string& kind, const std::string& found,
-                    const std::vector<std::string>& known) {
-  const std::string near = nearest(found, known);
-  return kind + " '" + found + "' is not known" + (near.empty() ? "" : "; did you mean '" + near + "'?") +
-         "; there are: " + list(known);
-}
-
 void check_unique(const std::string& name, const std::vector<Port>& ports) {
   for (auto port = ports.begin(); port != ports.end(); ++port)
     if (std::any_of(ports.begin(), port, [&](const Port& other) { return other.name == port->name; }))
@@ -48,10 +26,12 @@ void check_info(const std::string& name, const SubsystemInfo& info) {
   check_unique(name, info.outputs);
   for (const auto* ports : {&info.inputs, &info.outputs})
     for (const Port& port : *ports)
-      if (port.name.empty() || port.size < 1 || port.derivatives < 0 || port.derivatives > 3)
+      if (port.name.empty() || port.name.find_first_of("[] \t\n\",") != std::string::npos || port.size < 1 ||
+          port.derivatives < 0 || port.derivatives > 3)
         refuse("subsystem '" + name + "': port '" + port.name + "' has size " + std::to_string(port.size) +
                " and " + std::to_string(port.derivatives) +
-               " derivatives; allowed are a name, a size from 1, 0 to 3 derivatives");
+               " derivatives; allowed are a name without [ ] , \" and blanks, a size from 1, 0 to 3 "
+               "derivatives");
   for (const Feedthrough& f : info.feedthrough)
     if (f.input < 0 || f.input >= info.input_size() || f.output < 0 || f.output >= info.output_size())
       refuse("subsystem '" + name + "': feedthrough from input " + std::to_string(f.input) + " to output " +
@@ -61,8 +41,8 @@ void check_info(const std::string& name, const SubsystemInfo& info) {
 }  // namespace
 
 int Topology::add(const std::string& name, const SubsystemInfo& info) {
-  if (name.empty() || name.find_first_of(".[] \t\n\",") != std::string::npos)
-    refuse("instance name '" + name + "' is empty or holds a '.', '[', ']', ',', '\"' or blank");
+  if (name.empty() || name.find_first_of(".[] \t\n\",/\\") != std::string::npos)
+    refuse("instance name '" + name + "' is empty or holds one of . [ ] , \" / \\ or a blank");
   for (const Instance& i : instances_)
     if (i.name == name) refuse("instance name '" + name + "' is used twice");
   check_info(name, info);
@@ -105,8 +85,8 @@ Topology::Place Topology::find(std::string_view text, bool output) const {
       }
       first += port.size;
     }
-    refuse(unknown(std::string(output ? "output" : "input"), port_name, port_names) + " in subsystem '" +
-           instance_name + "'");
+    refuse(unknown("subsystem '" + instance_name + "': " + (output ? "output" : "input"), port_name,
+                   port_names));
   }
   refuse(unknown("subsystem", instance_name, names));
 }
@@ -169,10 +149,10 @@ void Topology::check() const {
 }
 
 std::string Topology::input_name(int instance, int input) const {
-  return scalar_name(name(instance), info(instance).inputs, input);
+  return name(instance) + "." + scalar_at(info(instance).inputs, input).name();
 }
 std::string Topology::output_name(int instance, int output) const {
-  return scalar_name(name(instance), info(instance).outputs, output);
+  return name(instance) + "." + scalar_at(info(instance).outputs, output).name();
 }
 
 }  // namespace tandem

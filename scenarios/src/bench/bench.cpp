@@ -4,9 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 
-#include "tandem/error.hpp"
+#include "output/files.hpp"
 
 namespace tandem::bench {
 namespace {
@@ -61,13 +60,9 @@ void Table::print() const {
 }
 
 void Table::write(const std::filesystem::path& file) const {
-  std::error_code failed;
-  std::filesystem::create_directories(file.parent_path(), failed);
-  std::ofstream out(file);
-  out << fmt::format("{}\n", fmt::join(columns_, ","));
-  for (const auto& row : rows_) out << fmt::format("{}\n", fmt::join(row, ","));
-  out.close();
-  if (!out) throw Error(ErrorCode::input_output, "file '" + file.string() + "' can't be written");
+  std::string text = fmt::format("{}\n", fmt::join(columns_, ","));
+  for (const auto& row : rows_) text += fmt::format("{}\n", fmt::join(row, ","));
+  output::write_text(file, text);
 }
 
 const std::vector<Benchmark>& all() {

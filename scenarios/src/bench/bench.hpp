@@ -28,7 +28,7 @@ class Table {
   explicit Table(std::vector<std::string> columns) : columns_(std::move(columns)) {}
   void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
   void print() const;
-  /// Throws Error if the file can't be written. Makes the folder.
+  /// Throws Error if the file can't be written.
   void write(const std::filesystem::path& file) const;
 
  private:

@@ -66,7 +66,7 @@ class Ring {
     Coordination coordination;
     coordination.schedule = Schedule::parse(s.schedule);
     coordination.start = StartKind::cold;
-    coordinator_.emplace(topology_, pointers, coordination, 0.0, 1e9);
+    coordinator_.emplace(topology_, pointers, coordination, TimeSpan{0.0, 1e9});
     coordinator_->initialize();
   }
   void round() {

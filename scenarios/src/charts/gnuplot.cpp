@@ -6,9 +6,25 @@
 #include <fstream>
 
 #include "charts/program.hpp"
+#include "output/files.hpp"
 #include "tandem/error.hpp"
 
 namespace tandem::charts {
+
+namespace {
+
+/// What gnuplot writes last: its exit status says nothing of a full disk.
+bool ends_with(const std::filesystem::path& file, const std::string& mark) {
+  constexpr std::uintmax_t tail = 16;
+  std::error_code failed;
+  const auto size = std::filesystem::file_size(file, failed);
+  if (failed || size < tail) return false;
+  std::ifstream in(file, std::ios::binary);
+  in.seekg(-static_cast<std::streamoff>(tail), std::ios::end);
+  return std::string(std::istreambuf_iterator<char>(in), {}).find(mark) != std::string::npos;
+}
+
+}  // namespace
 
 std::string quote(std::string_view text) {
   std::string quoted = "'";
@@ -98,14 +114,13 @@ std::string Picture::script() const { return head_ + data_ + commands_ + "unset 
 
 std::filesystem::path Picture::draw(const std::filesystem::path& folder, Format format) const {
   const std::string script_file = name_ + ".gp", ending = format == Format::svg ? "svg" : "png";
-  std::ofstream out(folder / script_file);
-  out << script();
-  out.close();
-  if (!out)
-    throw Error(ErrorCode::input_output, "file '" + (folder / script_file).string() + "' can't be written");
+  output::write_text(folder / script_file, script());
   run_program({"gnuplot", "-e", "format='" + ending + "'", script_file}, folder,
               "Debian package gnuplot-nox");
-  return folder / (name_ + "." + ending);
+  const std::filesystem::path file = folder / (name_ + "." + ending);
+  if (!ends_with(file, format == Format::svg ? "</svg>" : "IEND"))
+    throw Error(ErrorCode::input_output, "file '" + file.string() + "' was not written to its end");
+  return file;
 }
 
 }  // namespace tandem::charts

@@ -4,7 +4,8 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
-#include "cli/conditions.hpp"
+#include "output/conditions.hpp"
+#include "output/files.hpp"
 
 namespace tandem::cli {
 
@@ -26,7 +27,8 @@ void add_bench(CLI::App& app, Context& context) {
   command->callback([name, folder, &context] {
     for (const auto& b : bench::all()) {
       if (b.name != *name) continue;
-      if (!context.quiet) fmt::print("{}; {}, {}\n", b.about, processor_model(), TANDEM_COMPILER);
+      if (!context.quiet) fmt::print("{}; {}, {}\n", b.about, output::processor_model(), TANDEM_COMPILER);
+      output::make_folder(*folder);
       const bench::Table table = b.run();
       table.print();
       const auto file = std::filesystem::path(*folder) / (b.name + ".csv");

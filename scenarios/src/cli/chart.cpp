@@ -35,25 +35,28 @@ void check_results(const Options& options) {
   for (const char* name : {"sweep.csv", "traces.csv", "work.csv", "conditions.json"})
     if (!fs::exists(options.results / name))
       throw Error(ErrorCode::input_output,
-                  fmt::format("file '{}' is missing; 'tandem sweep {} --output {}' writes it",
+                  fmt::format("file '{}' is missing; 'tandem sweep {} --output {} --resume' writes it",
                               (options.results / name).string(), options.scene, options.results.string()));
 }
 
-void chart(const Options& options) {
+void chart(const Options& options, const Context& context) {
   check_results(options);
   const auto sweep = charts::read_sweep(options.results / "sweep.csv");
   const auto pictures = two_mass_pictures(options.results, sweep);
   std::string files;
-  for (const charts::Picture& picture : pictures) {
-    files += "  " + picture.draw(options.results, charts::Format::svg).string() + '\n';
-    if (options.png) files += "  " + picture.draw(options.results, charts::Format::png).string() + '\n';
-  }
-  fmt::print("{}\nCharts\n{}", charts::short_table(sweep), files);
+  for (const charts::Picture& picture : pictures) try {
+      files += "  " + picture.draw(options.results, charts::Format::svg).string() + '\n';
+      if (options.png) files += "  " + picture.draw(options.results, charts::Format::png).string() + '\n';
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::input_output) throw;
+      throw RunFailed(error.what());
+    }
+  if (!context.quiet) fmt::print("{}\nCharts\n{}", charts::short_table(sweep), files);
 }
 
 }  // namespace
 
-void add_chart(CLI::App& app, Context&) {
+void add_chart(CLI::App& app, Context& context) {
   auto* command = app.add_subcommand(
       "chart", "Draw the charts of a sweep, and print which scheme is best at which ratio");
   auto options = std::make_shared<Options>();
@@ -68,9 +71,9 @@ void add_chart(CLI::App& app, Context&) {
   command->footer(
       "The charts are drawn by the program gnuplot (Debian package gnuplot-nox); each leaves its script, "
       "NAME.gp.");
-  command->callback([options] {
+  command->callback([options, &context] {
     if (options->results.empty()) options->results = fs::path("results") / options->scene;
-    chart(*options);
+    chart(*options, context);
   });
 }
 

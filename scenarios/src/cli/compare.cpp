@@ -1,8 +1,16 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
 #include "cli/commands.hpp"
 #include "scenario/comparison.hpp"
+#include "tandem/error.hpp"
+#include "tandem/nearest.hpp"
 
 namespace tandem::cli {
 namespace {
@@ -13,13 +21,55 @@ struct Options {
   std::vector<std::string> columns;
 };
 
+namespace fs = std::filesystem;
+
+/// The files of a folder's results, as its results.json says; results.csv without one; none for a file.
+std::vector<std::string> files_in(const fs::path& place) {
+  if (!fs::is_directory(place)) return {};
+  std::ifstream in(place / "results.json");
+  if (!in) return {"results.csv"};
+  const auto json = nlohmann::json::parse(in, nullptr, false);
+  if (!json.is_object() || !json.contains("files") || !json["files"].is_array())
+    throw Error(ErrorCode::input_output,
+                "file '" + (place / "results.json").string() + "' is not one of a run");
+  return json["files"].get<std::vector<std::string>>();
+}
+
+/// The pairs of files that belong together.
+std::vector<std::pair<fs::path, fs::path>> pairs_of(const Options& options) {
+  const auto in_a = files_in(options.a), in_b = files_in(options.b);
+  const auto one = [](const std::string& place, const std::vector<std::string>& files) {
+    return files.empty() ? fs::path(place) : fs::path(place) / files[0];
+  };
+  if (in_a.size() <= 1 && in_b.size() <= 1) return {{one(options.a, in_a), one(options.b, in_b)}};
+  if (in_a != in_b)
+    throw Error(ErrorCode::invalid_argument, options.a + " holds " + listed(in_a) + ", " + options.b +
+                                                 " holds " + listed(in_b) + "; name two files");
+  std::vector<std::pair<fs::path, fs::path>> pairs;
+  for (const std::string& file : in_a)
+    pairs.emplace_back(fs::path(options.a) / file, fs::path(options.b) / file);
+  return pairs;
+}
+
 void compare(const Options& options, const Context& context) {
-  const auto a = scenario::Table::read(options.a), b = scenario::Table::read(options.b);
-  const auto comparison = scenario::compare(a, b, options.columns);
-  if (!context.quiet) fmt::print("{}", scenario::text(comparison));
-  if (const std::string difference = scenario::beyond(comparison, options.tolerance); !difference.empty())
-    throw RunFailed(difference);
+  std::string worst;
+  for (const auto& [file_a, file_b] : pairs_of(options)) {
+    const auto a = scenario::Table::read(file_a), b = scenario::Table::read(file_b);
+    const auto comparison = scenario::compare(a, b, options.columns);
+    if (!context.quiet) fmt::print("{}", scenario::text(comparison));
+    if (worst.empty()) worst = scenario::beyond(comparison, options.tolerance);
+  }
+  if (!worst.empty()) throw RunFailed(worst);
   if (!context.quiet) fmt::print("within the tolerance of {:.3g} %\n", 100.0 * options.tolerance);
+}
+
+/// Empty if the text is a number from 0, else what is wrong.
+std::string non_negative(const std::string& text) {
+  double value = -1.0;
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool number = code == std::errc{} && end == text.data() + text.size();
+  return number && value >= 0.0 && std::isfinite(value) ? std::string()
+                                                        : "'" + text + "'; allowed is a number from 0";
 }
 
 }  // namespace
@@ -27,12 +77,12 @@ void compare(const Options& options, const Context& context) {
 void add_compare(CLI::App& app, Context& context) {
   auto* command = app.add_subcommand("compare", "Tell where and by how much two results differ most");
   auto options = std::make_shared<Options>();
-  command->add_option("A", options->a, "Results: a CSV file, or a folder that holds results.csv")->required();
+  command->add_option("A", options->a, "Results: a CSV file, or the folder of a run")->required();
   command->add_option("B", options->b, "What to compare with, likewise")->required();
   command
       ->add_option("--tolerance", options->tolerance,
                    "Allowed difference, a fraction of the largest magnitude of the column in B; 0: equal")
-      ->check(CLI::NonNegativeNumber)
+      ->check(non_negative)
       ->capture_default_str();
   command->add_option("--columns", options->columns, "Columns to compare (default: all that both have)")
       ->delimiter(',')
@@ -40,8 +90,9 @@ void add_compare(CLI::App& app, Context& context) {
   command->footer(
       "Compared at the times of the one with fewer rows where both cover the time; where the other has no "
       "row there, it is\n"
-      "interpolated linearly. Empty cells are left out. Exit status: 0 within the tolerance, 1 beyond, 2 bad "
-      "input.");
+      "interpolated linearly. Empty cells are left out. Columns (unless named) and times that only one "
+      "has are a difference.\n"
+      "Exit status: 0 within the tolerance, 1 beyond, 2 bad input.");
   command->callback([options, &context] { compare(*options, context); });
 }
 

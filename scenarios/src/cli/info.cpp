@@ -12,14 +12,6 @@ namespace {
 
 std::string shape(const Port& port) { return port.size > 1 ? fmt::format("[{}]", port.size) : ""; }
 
-std::string element(const std::vector<Port>& ports, int index) {
-  for (const Port& port : ports) {
-    if (index < port.size) return port.name + (port.size > 1 ? fmt::format("[{}]", index) : "");
-    index -= port.size;
-  }
-  return "?";
-}
-
 void print_inputs(const SubsystemInfo& info, const std::vector<double>& start) {
   fmt::print("  inputs:{}\n", info.inputs.empty() ? " none" : "");
   std::size_t k = 0;
@@ -39,7 +31,8 @@ void print_outputs(const SubsystemInfo& info) {
                port.derivatives);
   fmt::print("  feedthrough:{}\n", info.feedthrough.empty() ? " none" : "");
   for (const Feedthrough& f : info.feedthrough)
-    fmt::print("    {} at once from {}\n", element(info.outputs, f.output), element(info.inputs, f.input));
+    fmt::print("    {} at once from {}\n", scalar_at(info.outputs, f.output).name(),
+               scalar_at(info.inputs, f.input).name());
 }
 
 void print_abilities(const Abilities& a) {

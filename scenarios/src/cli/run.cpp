@@ -9,6 +9,7 @@
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/run_progress.hpp"
+#include "output/files.hpp"
 #include "scenario/comparison.hpp"
 #include "scenario/results.hpp"
 
@@ -46,6 +47,7 @@ class Run {
   }
 
   void dry() {
+    output::check_folder(folder_);
     assembly_.initialize();
     tell_notes();
     if (!context_.quiet)
@@ -55,6 +57,7 @@ class Run {
   void make() {
     assembly_.coordinator().observe(recorder_.get());
     assembly_.initialize();
+    tell_coordination();
     simulate();
     close();
     compare();
@@ -93,8 +96,10 @@ class Run {
     Coordinator& run = assembly_.coordinator();
     RunProgress progress(scenario_.start, scenario_.stop, !context_.quiet);
     try {
-      while (run.round() && !InterruptGuard::interrupted())
+      while (run.round() && !InterruptGuard::interrupted()) {
+        recorder_->between_rounds();
         if (progress.due()) progress.show(slowest_time(run));
+      }
       if (InterruptGuard::interrupted())
         fail("interrupted", fmt::format("interrupted at t = {} s", slowest_time(run)));
     } catch (const std::exception& error) {
@@ -150,6 +155,15 @@ class Run {
     } catch (const Error& error) {
       fail("failed", error.what());
     }
+  }
+
+  void tell_coordination() const {
+    const Coordinator& run = assembly_.coordinator();
+    spdlog::debug("{}: {} s to {} s, schedule {}, start {}", scenario_.file.string(), scenario_.start,
+                  scenario_.stop, Schedule::name(run.schedule().kind()), name(run.start()));
+    for (const int i : run.schedule().order())
+      spdlog::debug("subsystem '{}': first own step {} s", run.topology().name(i), run.own_step(i));
+    for (const auto& file : recorder_->files()) spdlog::debug("recording to {}", file.string());
   }
 
   void tell_notes() const {

@@ -11,9 +11,10 @@
 #include <thread>
 
 #include "cli/commands.hpp"
-#include "cli/conditions.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/progress.hpp"
+#include "output/conditions.hpp"
+#include "output/files.hpp"
 #include "tandem/error.hpp"
 
 namespace tandem::cli {
@@ -30,13 +31,6 @@ struct Options {
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
 };
 
-void write_text(const fs::path& file, const std::string& text) {
-  std::ofstream out(file);
-  out << text;
-  out.close();
-  if (!out) throw Error(ErrorCode::input_output, "file '" + file.string() + "' can't be written");
-}
-
 std::vector<two_mass::Case> cases_of(const Options& options) {
   std::vector<two_mass::Case> cases;
   for (const double ratio : two_mass::sweep_ratios())
@@ -45,87 +39,105 @@ std::vector<two_mass::Case> cases_of(const Options& options) {
 }
 
 /// What a sweep that is resumed must agree on with the one before.
-nlohmann::ordered_json settings_of() {
-  return {{"scene", "two_mass"},
-          {"cycles", two_mass::Case{}.cycles},
-          {"steps_per_cycle", two_mass::Case{}.steps_per_cycle},
-          {"version", TANDEM_VERSION},
-          {"commit", source_commit()}};
+std::string settings() {
+  const nlohmann::ordered_json json{{"scene", "two_mass"},
+                                    {"cycles", two_mass::Case{}.cycles},
+                                    {"steps_per_cycle", two_mass::Case{}.steps_per_cycle},
+                                    {"version", TANDEM_VERSION},
+                                    {"commit", output::source_commit()}};
+  return json.dump(2) + "\n";
 }
 
-/// The table to go on from: empty, or with --resume the one in the folder if it was made with the same
-/// settings.
-two_mass::SweepTable begin_table(const Options& options) {
-  const fs::path table = options.output / "sweep.csv", settings = options.output / "sweep.json";
-  two_mass::SweepTable rows;
-  if (options.resume && fs::exists(table) && fs::exists(settings)) {
-    std::ifstream in(settings);
-    const bool changed =
-        source_commit().ends_with("-dirty");  // whatever the table was made with, it was other code
-    if (!changed && nlohmann::ordered_json::parse(in, nullptr, false) == settings_of())
-      rows = two_mass::SweepTable::read(table);
-    else
+/// A sweep from its folder to its tables. sweep.json says what made them; conditions.json stands there when
+/// all are complete.
+class Sweep {
+ public:
+  Sweep(const Options& options, const Context& context) : options_(options), context_(context) {
+    output::make_folder(options.output);
+    if (!options.resume || !made_alike())
+      for (const char* name : {"sweep.csv", "sweep_timings.csv", "work.csv", "traces.csv"})
+        fs::remove(options.output / name);
+    fs::remove(options.output / "conditions.json");
+    output::write_text(options.output / "sweep.json", settings());
+  }
+
+  void make() {
+    try {
+      make_table();
+      if (!options_.only_table) make_the_rest();
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::input_output) throw;
+      throw RunFailed(error.what());  // begun and not ended: a full disk, say
+    }
+    if (!context_.quiet) fmt::print("wrote {}\n", (options_.output / "sweep.csv").string());
+  }
+
+ private:
+  bool made_alike() const {
+    const fs::path file = options_.output / "sweep.json";
+    if (!fs::exists(file)) return false;
+    std::ifstream in(file);
+    const std::string before((std::istreambuf_iterator<char>(in)), {});
+    if (before != settings())
       spdlog::info("The sweep in {} was made by other code or with other settings; it is made anew.",
-                   options.output.string());
+                   options_.output.string());
+    return before == settings();
   }
-  write_text(settings, settings_of().dump(2) + "\n");
-  return rows;
-}
 
-void write_timings(const fs::path& file, const std::map<std::string, double>& seconds) {
-  std::string text = "schedule,to_fast,to_slow,frequency_ratio,seconds\n";
-  for (const auto& [key, value] : seconds) text += fmt::format("{},{:.6g}\n", key, value);
-  write_text(file, text);
-}
-
-void run_table(const Options& options, const Context& context) {
-  const auto cases = cases_of(options);
-  auto table = begin_table(options);
-  const fs::path file = options.output / "sweep.csv";
-  Progress progress("sweep", cases.size(), !context.quiet);
-  const auto seconds = two_mass::run_sweep(cases, options.threads, table, [&](std::size_t done) {
-    progress.update(done);
-    return !InterruptGuard::interrupted();
-  });
-  table.write(file, cases);
-  if (!seconds.empty()) write_timings(options.output / "sweep_timings.csv", seconds);
-  if (table.size() < cases.size())
-    throw RunFailed(fmt::format("interrupted; {} of {} rows are kept in {}, --resume goes on from there",
-                                table.size(), cases.size(), file.string()));
-}
-
-/// Speed against accuracy: one case at a time, so that the times mean something.
-void run_work(const Options& options, const Context& context) {
-  const auto cases = two_mass::work_cases();
-  const fs::path file = options.output / "work.csv";
-  if (options.resume && fs::exists(file) && fs::exists(options.output / "conditions.json")) return;
-  std::string text = two_mass::work_header() + "\n";
-  Progress progress("work ", cases.size(), !context.quiet);
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    progress.update(i);
-    if (InterruptGuard::interrupted())
-      throw RunFailed("interrupted; the table is kept, --resume makes what is missing");
-    text += two_mass::work_row(cases[i], work_repetitions) + "\n";
+  void read(const char* name, output::KeyedTable& table) const {
+    if (fs::exists(options_.output / name)) table.read(options_.output / name);
   }
-  progress.update(cases.size());
-  write_text(file, text);
-}
 
-void sweep(const Options& options, const Context& context) {
-  std::error_code failed;
-  fs::create_directories(options.output, failed);
-  if (failed)
-    throw Error(ErrorCode::input_output,
-                "folder '" + options.output.string() + "' can't be made: " + failed.message());
-  const InterruptGuard guard;
-  run_table(options, context);
-  if (!options.only_table) {
-    two_mass::write_traces(options.output / "traces.csv");
-    run_work(options, context);
-    write_text(options.output / "conditions.json", conditions(work_repetitions).dump(2) + "\n");
+  void make_table() const {
+    const auto cases = cases_of(options_);
+    std::vector<std::string> keys;
+    for (const auto& c : cases) keys.push_back(two_mass::sweep_key(c));
+    auto rows = two_mass::sweep_table(), timings = two_mass::timing_table();
+    read("sweep.csv", rows);
+    read("sweep_timings.csv", timings);
+    spdlog::debug("sweep: {} of {} rows are there; {} threads", rows.size(), cases.size(), options_.threads);
+    Progress progress("sweep", cases.size(), !context_.quiet);
+    two_mass::run_sweep({cases, options_.threads, rows, timings}, [&](std::size_t done) {
+      progress.update(done);
+      return !InterruptGuard::interrupted();
+    });
+    rows.write(options_.output / "sweep.csv", keys);
+    timings.write(options_.output / "sweep_timings.csv", keys);
+    keep_going(rows, keys, "sweep.csv");
   }
-  if (!context.quiet) fmt::print("wrote {}\n", (options.output / "sweep.csv").string());
-}
+
+  /// What the charts need besides. Run times are taken one case at a time, so that they mean something.
+  void make_the_rest() const {
+    if (!fs::exists(options_.output / "traces.csv")) two_mass::write_traces(options_.output / "traces.csv");
+    const auto cases = two_mass::work_cases();
+    std::vector<std::string> keys;
+    for (const auto& c : cases) keys.push_back(two_mass::work_key(c));
+    auto rows = two_mass::work_table();
+    read("work.csv", rows);
+    Progress progress("work ", cases.size(), !context_.quiet);
+    for (std::size_t i = 0; i < cases.size() && !InterruptGuard::interrupted(); ++i) {
+      if (!rows.has(keys[i])) rows.set(keys[i], two_mass::work_cells(cases[i], work_repetitions));
+      progress.update(i + 1);
+    }
+    rows.write(options_.output / "work.csv", keys);
+    keep_going(rows, keys, "work.csv");
+    output::write_text(options_.output / "conditions.json",
+                       output::conditions(work_repetitions).dump(2) + "\n");
+  }
+
+  void keep_going(const output::KeyedTable& rows, const std::vector<std::string>& keys,
+                  const char* name) const {
+    const auto done = static_cast<std::size_t>(
+        std::count_if(keys.begin(), keys.end(), [&](const std::string& key) { return rows.has(key); }));
+    if (done < keys.size())
+      throw RunFailed(fmt::format("interrupted; {} of {} rows are kept in {}, --resume goes on from there",
+                                  done, keys.size(), (options_.output / name).string()));
+  }
+
+  const InterruptGuard guard_;  // from before the first file is written
+  const Options& options_;
+  const Context& context_;
+};
 
 }  // namespace
 
@@ -142,14 +154,14 @@ void add_sweep(CLI::App& app, Context& context) {
       ->type_name("DIR");
   command->add_flag("--pairs", options->pairs, "All 25 pairs of degrees, not only equal ones");
   command->add_flag("--resume", options->resume,
-                    "Keep the rows that are there from a sweep that was stopped");
+                    "Keep the rows that are there from a sweep that was stopped, if the same code made them");
   command->add_flag("--table-only", options->only_table,
                     "Leave out what only the charts need (traces, run times)");
   command->add_option("--threads", options->threads, "Number of threads (default: all cores)")
       ->check(CLI::Range(1U, 1024U));
   command->callback([options, &context] {
     if (options->output.empty()) options->output = fs::path("results") / options->scene;
-    sweep(*options, context);
+    Sweep(*options, context).make();
   });
 }
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "scenario/known.hpp"
+#include "tandem/nearest.hpp"
 
 namespace tandem::scenario {
 
@@ -26,7 +26,8 @@ Assembly::Assembly(const Scenario& scenario, const Builtins& builtins, bool prof
   Coordination coordination = scenario.coordination;
   coordination.profile = profile;
   coordinator_ = located(place_of, [&] {
-    return std::make_unique<Coordinator>(topology_, subsystems, coordination, scenario.start, scenario.stop);
+    return std::make_unique<Coordinator>(topology_, subsystems, coordination,
+                                         TimeSpan{scenario.start, scenario.stop});
   });
 }
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <utility>
 
-#include "scenario/known.hpp"
 #include "tandem/error.hpp"
+#include "tandem/nearest.hpp"
 #include "tandem/time_grid.hpp"
 
 namespace tandem::scenario {
@@ -104,6 +104,11 @@ class SideBySide {
                        a_.times.front(), a_.times.back(), b_.file.string(), b_.times.front(),
                        b_.times.back()));
     for (std::size_t k = 0; k < index_.size(); ++k) scale(k);
+    if (!rows_b_.covers(a_.times.front()) || !rows_b_.covers(a_.times.back()) ||
+        !rows_a_.covers(b_.times.front()) || !rows_a_.covers(b_.times.back()))
+      result_.uncompared.push_back(fmt::format("{} covers {} to {} s, {} covers {} to {} s", a_.file.string(),
+                                               a_.times.front(), a_.times.back(), b_.file.string(),
+                                               b_.times.front(), b_.times.back()));
     return std::move(result_);
   }
 
@@ -138,8 +143,14 @@ std::string percent(double fraction) { return fmt::format("{:.3g} %", 100.0 * fr
 
 Comparison compare(const Table& a, const Table& b, const std::vector<std::string>& columns) {
   SideBySide both(a, b);
-  for (const std::string& name : columns.empty() ? common(a, b) : columns) both.add(name);
-  return both.compared();
+  const auto names = columns.empty() ? common(a, b) : columns;
+  for (const std::string& name : names) both.add(name);
+  Comparison comparison = both.compared();
+  for (const Table* table : {&a, &b})
+    for (const std::string& name : table->names)
+      if (columns.empty() && std::find(names.begin(), names.end(), name) == names.end())
+        comparison.uncompared.push_back("column " + name + " is in " + table->file.string() + " only");
+  return comparison;
 }
 
 std::string text(const Comparison& comparison) {
@@ -151,6 +162,7 @@ std::string text(const Comparison& comparison) {
   lines += fmt::format(
       "compared at {} times of {}; at {} of them the other has no row and is interpolated linearly\n",
       comparison.times, comparison.at, comparison.interpolated);
+  for (const std::string& sentence : comparison.uncompared) lines += sentence + '\n';
   return lines;
 }
 
@@ -164,7 +176,8 @@ std::string beyond(const Comparison& comparison, double tolerance) {
   const auto worst =
       std::max_element(comparison.columns.begin(), comparison.columns.end(),
                        [](const Difference& x, const Difference& y) { return x.relative < y.relative; });
-  return worst->relative <= tolerance ? std::string() : text(*worst, tolerance);
+  if (!(worst->relative <= tolerance)) return text(*worst, tolerance);
+  return comparison.uncompared.empty() ? std::string() : "not the same: " + comparison.uncompared.front();
 }
 
 }  // namespace tandem::scenario

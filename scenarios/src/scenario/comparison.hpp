@@ -19,16 +19,17 @@ struct Difference {
 
 struct Comparison {
   std::vector<Difference> columns;
-  std::size_t times = 0;         ///< compared
-  std::size_t interpolated = 0;  ///< of these, times at which the other one has no row
-  std::string at;                ///< the file whose times these are
+  std::size_t times = 0;                ///< compared
+  std::size_t interpolated = 0;         ///< of these, times at which the other one has no row
+  std::string at;                       ///< the file whose times these are
+  std::vector<std::string> uncompared;  ///< sentences: columns and times that only one of them has
 };
 
 /// Compares the columns that both have, or those named. They are compared at the times of the one that has
 /// fewer rows where both cover the time; where the other has no row at such a time, it is interpolated
 /// linearly. Empty cells are left out. Of a time that stands twice (a jump), the first row is compared with
 /// the first and the last with the last. Throws Error for a column that is not there, no column or no time in
-/// common.
+/// common; columns (if none are named) and times that only one has are told in `uncompared`.
 Comparison compare(const Table& a, const Table& b, const std::vector<std::string>& columns = {});
 
 /// A line for each column and one on how they were compared.

@@ -22,9 +22,8 @@ class Reader {
     read_connections(root);
     for (const auto& [name, read_into] : settings())
       if (const auto* table = root.table(name)) read_into({document_, *table, name}, to_);
+    if (!document_.table().contains("span")) root.missing("span", "a table [span] with start and stop in s");
     root.refuse_unknown();
-    if (!document_.table().contains("span"))
-      refuse({document_.file()}, "[span] is missing; it gives start and stop in s");
   }
 
  private:
@@ -47,8 +46,7 @@ class Reader {
 
   void read_subsystems(Section& root) {
     const toml::table* table = root.table("subsystems");
-    if (!table || table->empty())
-      refuse({document_.file()}, "[subsystems.NAME] is missing; there must be at least one");
+    if (!table || table->empty()) root.missing("subsystems", "a table [subsystems.NAME] for each");
     for (const auto& [name, node] : in_file_order(*table)) {
       const std::string path = "subsystems." + name;
       if (!node->is_table())

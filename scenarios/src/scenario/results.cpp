@@ -1,12 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "scenario/results.hpp"
 
-#include <algorithm>
-#include <cerrno>
-#include <fstream>
-#include <system_error>
-
-#include "cli/conditions.hpp"
+#include "output/conditions.hpp"
+#include "output/files.hpp"
 
 namespace tandem::scenario {
 namespace {
@@ -26,6 +22,7 @@ Json coordination_of(const Assembly& assembly) {
   for (int i = 0; i < run.topology().size(); ++i) steps[run.topology().name(i)] = run.own_step(i);
   return {{"schedule", Schedule::name(run.schedule().kind())},
           {"leader_first", order},
+          {"start", name(run.start())},
           {"first_own_steps", steps}};
 }
 
@@ -57,7 +54,7 @@ Json results_of(const Scenario& scenario, const Assembly& assembly, const Record
           {"coordination", coordination_of(assembly)},
           {"stands_at", reached(assembly)},
           {"versions",
-           {{"tandem", TANDEM_VERSION}, {"commit", cli::source_commit()}, {"compiler", TANDEM_COMPILER}}},
+           {{"tandem", TANDEM_VERSION}, {"commit", output::source_commit()}, {"compiler", TANDEM_COMPILER}}},
           {"scenario", scenario_of(scenario)}};
 }
 
@@ -71,7 +68,7 @@ Json machine_figures(const Assembly& assembly, const RunEnd& end, bool profiled,
     if (profiled) figures["seconds"] = effort.seconds;
     inside += effort.seconds;
   }
-  Json json{{"processor", cli::processor_model()},
+  Json json{{"processor", output::processor_model()},
             {"simulated_seconds", simulated},
             {"seconds", end.seconds},
             {"real_time_factor", end.seconds > 0.0 ? Json(simulated / end.seconds) : Json()},
@@ -81,13 +78,7 @@ Json machine_figures(const Assembly& assembly, const RunEnd& end, bool profiled,
 }
 
 void write_json(const std::filesystem::path& file, const Json& json) {
-  errno = 0;
-  std::ofstream out(file, std::ios::binary);
-  out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-  out.close();
-  if (!out)
-    throw Error(ErrorCode::input_output,
-                "file '" + file.string() + "' can't be written: " + std::generic_category().message(errno));
+  output::write_text(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
 }
 
 }  // namespace tandem::scenario

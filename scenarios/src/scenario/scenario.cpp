@@ -22,6 +22,10 @@ bool mentions(const std::string& sentence, const std::string& name) {
   return mention(sentence, name) != std::string::npos;
 }
 
+bool mentions_quoted(const std::string& sentence, const std::string& text) {
+  return sentence.find("'" + text + "'") != std::string::npos;
+}
+
 }  // namespace
 
 Place Scenario::place(const std::string& key) const {
@@ -52,9 +56,11 @@ Place Scenario::place_named_in(const std::string& sentence) const {
 
 Place ConnectionEntry::place_named_in(const std::string& sentence) const {
   if (mentions(sentence, connection.how.name())) return how_place;
-  const bool unknown = mentions(sentence, "known") || mentions(sentence, "element");
-  if (unknown && !mentions(sentence, "input")) return from_place;
-  if (unknown) return to_place;
+  const bool unknown = sentence.find("is not there") != std::string::npos;
+  const std::string reader = connection.to.substr(0, connection.to.find('.'));
+  const bool at_reader = mentions(sentence, "input") || sentence.starts_with("subsystem '" + reader + "' is");
+  if (unknown) return at_reader ? to_place : from_place;
+  if (sentence.starts_with("port '")) return mentions_quoted(sentence, connection.to) ? to_place : from_place;
   for (const Place& end : {from_place, to_place, how_place})
     if (!end.set_by.empty()) return end;
   return place;

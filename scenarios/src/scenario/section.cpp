@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "scenario/known.hpp"
+#include "tandem/nearest.hpp"
 
 namespace tandem::scenario {
 
@@ -35,8 +35,15 @@ std::optional<std::string> Section::text(const std::string& key) {
 
 std::string Section::required_text(const std::string& key, const std::string& allowed) {
   const auto found = text(key);
-  if (!found) refuse(place(), name(key) + " is missing; allowed is " + allowed);
+  if (!found) missing(key, allowed);
   return *found;
+}
+
+void Section::missing(const std::string& key, const std::string& allowed) const {
+  for (const std::string& found : keys(table_))
+    if (std::find(asked_.begin(), asked_.end(), found) == asked_.end() && !nearest(found, {key}).empty())
+      refuse_key(found, key);
+  refuse(place(), name(key) + " is missing; allowed is " + allowed);
 }
 
 std::optional<double> Section::number(const std::string& key) {
@@ -81,12 +88,15 @@ const toml::table* Section::table(const std::string& key) {
 void Section::refuse_unknown() const {
   for (const auto& [key, found] : in_file_order(table_)) {
     if (std::find(asked_.begin(), asked_.end(), key) != asked_.end()) continue;
-    const std::string where = path_.empty() ? "key" : "key of [" + path_ + "]";
-    const std::string near = nearest(key, asked_);
-    refuse(document_.place(*found), "unknown " + where + " '" + key + "'" +
-                                        (near.empty() ? "." : "; did you mean '" + near + "'?") +
-                                        " Allowed are: " + listed(asked_));
+    refuse_key(key, nearest(key, asked_));
   }
+}
+
+void Section::refuse_key(const std::string& key, const std::string& near) const {
+  const std::string where = path_.empty() ? "key" : "key of [" + path_ + "]";
+  refuse(place(key), "unknown " + where + " '" + key + "'" +
+                         (near.empty() ? "." : "; did you mean '" + near + "'?") +
+                         " Allowed are: " + listed(asked_));
 }
 
 double number_of(const Document& document, const toml::node& node, const std::string& name) {

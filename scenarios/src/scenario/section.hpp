@@ -24,6 +24,8 @@ class Section {
   const toml::table* table(const std::string& key);
 
   std::string required_text(const std::string& key, const std::string& allowed);
+  /// Refuses the section for a key that is not there, or for one that looks like it misspelt.
+  [[noreturn]] void missing(const std::string& key, const std::string& allowed) const;
 
   /// Refuses the keys that nobody asked for.
   void refuse_unknown() const;
@@ -39,6 +41,8 @@ class Section {
   const Document& document_;
   const toml::table& table_;
   std::string path_;
+  [[noreturn]] void refuse_key(const std::string& key, const std::string& near) const;
+
   std::vector<std::string> asked_;
 };
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "scenario/document.hpp"
-#include "scenario/known.hpp"
+#include "tandem/nearest.hpp"
 
 namespace tandem::scenario {
 namespace {

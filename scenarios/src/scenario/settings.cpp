@@ -2,9 +2,8 @@
 #include "scenario/settings.hpp"
 
 #include <algorithm>
-#include <array>
 
-#include "scenario/known.hpp"
+#include "tandem/nearest.hpp"
 
 namespace tandem::scenario {
 namespace {
@@ -25,13 +24,10 @@ void note_places(const Section& section, std::initializer_list<const char*> keys
 }
 
 StartKind start_kind(Section& section) {
-  constexpr std::array words{std::pair{"automatic", StartKind::automatic},
-                             std::pair{"derivatives", StartKind::derivatives},
-                             std::pair{"repeat", StartKind::repeat}, std::pair{"cold", StartKind::cold}};
   const auto word = section.text("start");
   if (!word) return StartKind::automatic;
-  for (const auto& [name, kind] : words)
-    if (*word == name) return kind;
+  for (const auto kind : {StartKind::automatic, StartKind::derivatives, StartKind::repeat, StartKind::cold})
+    if (*word == name(kind)) return kind;
   section.wrong("start", "'" + *word + "'", "automatic, derivatives, repeat or cold");
 }
 
@@ -75,8 +71,8 @@ void read_span(Section section, Scenario& to) {
   note_places(section, {"start", "stop"}, to);
   to.start = section.number("start").value_or(0.0);
   const auto stop = section.number("stop");
+  if (!stop) section.missing("stop", "a time in s after span.start");
   section.refuse_unknown();
-  if (!stop) refuse(section.place(), "span.stop is missing; allowed is a time in s after span.start");
   to.stop = *stop;
   const toml::node* start = section.node("start");
   if (to.stop <= to.start)
@@ -99,9 +95,7 @@ void read_record(Section section, Scenario& to) {
 double required_tolerance(Section& section) {
   const auto tolerance = section.positive("tolerance");
   if (!tolerance)
-    refuse(section.place(),
-           section.name("tolerance") +
-               " is missing; allowed is a number above 0, a fraction of a column's largest magnitude");
+    section.missing("tolerance", "a number above 0, a fraction of a column's largest magnitude");
   return *tolerance;
 }
 

@@ -33,7 +33,7 @@ class Run {
     if (!c.scheme.monolithic()) coordination.schedule = Schedule::parse(c.scheme.schedule);
     std::vector<Subsystem*> members;
     for (const auto& s : subsystems_) members.push_back(s.get());
-    coordinator_.emplace(topology_, members, coordination, 0.0, c.cycles);
+    coordinator_.emplace(topology_, members, coordination, TimeSpan{0.0, c.cycles});
   }
   Coordinator& coordinator() { return *coordinator_; }
 
@@ -80,8 +80,7 @@ Outcome run_case(const Case& c, const std::function<void(const Model&, const Mea
   run.coordinator().observe(&measures);
   Outcome outcome;
   try {
-    run.coordinator().initialize();
-    while (run.coordinator().round()) measures.round_done();
+    run.coordinator().run();
   } catch (const Error& error) {
     if (error.code() != ErrorCode::numerical) throw;
     measures.fail(error.what());

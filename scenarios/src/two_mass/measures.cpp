@@ -37,7 +37,7 @@ bool Measures::samples(int subsystem, const History& history, std::int64_t first
   return !failed_;
 }
 
-void Measures::round_done() {
+void Measures::between_rounds() {
   const double e = model_.energy({fast_.back().x1, fast_.back().v1, slow_.back().x2, slow_.back().v2});
   const double error = (e - energy0_) / energy0_;
   exchange_sum_ += error * error;

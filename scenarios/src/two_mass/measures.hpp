@@ -34,8 +34,7 @@ class Measures final : public Observer {
   Measures(const Model& model, double frequency_ratio, double t_stop);
 
   bool samples(int subsystem, const History& history, std::int64_t first, std::int64_t last) override;
-  /// To be called after each round of the coordinator.
-  void round_done();
+  void between_rounds() override;
   /// The run ended early with this message.
   void fail(const std::string& note);
 

@@ -2,49 +2,39 @@
 #pragma once
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
+#include "output/keyed_table.hpp"
 #include "two_mass/experiment.hpp"
 
 namespace tandem::two_mass {
 
-/// Rows of sweep.csv by their first four cells. A row is a line of text without its end.
-class SweepTable {
- public:
-  static std::string header();
-  /// The first four cells of a case's row.
-  static std::string key(const Case& c);
-  static std::string row(const Case& c, const Outcome& outcome);
+/// sweep.csv: a row for each case; and sweep_timings.csv, the seconds that each took. The same key.
+output::KeyedTable sweep_table();
+output::KeyedTable timing_table();
+std::string sweep_key(const Case& c);
+std::string sweep_cells(const Outcome& outcome);
 
-  /// Reads a table written before. Throws Error naming file and line if it is not one.
-  static SweepTable read(const std::filesystem::path& file);
-  /// Writes the rows there are, in the order of `cases`, to a file beside it and renames that: never half a
-  /// table.
-  void write(const std::filesystem::path& file, const std::vector<Case>& cases) const;
-
-  bool has(const Case& c) const { return rows_.count(key(c)) != 0; }
-  void set(const Case& c, const Outcome& outcome) { rows_[key(c)] = row(c, outcome); }
-  std::size_t size() const { return rows_.size(); }
-
- private:
-  std::map<std::string, std::string> rows_;
+/// What a sweep has to do: the cases that `rows` has not, on that many threads.
+struct SweepWork {
+  const std::vector<Case>& cases;
+  unsigned threads;
+  output::KeyedTable &rows, &timings;
 };
 
-/// Runs the cases that `table` has not, on `threads` threads; each case is deterministic, so the table does
-/// not depend on their order. `tick(done)` is called from the calling thread now and then; if it returns
-/// false the sweep ends with what is done. Returns the seconds that each case took, by key.
-std::map<std::string, double> run_sweep(const std::vector<Case>& cases, unsigned threads, SweepTable& table,
-                                        const std::function<bool(std::size_t)>& tick);
+/// Does it. Each case is deterministic, so the rows do not depend on their order. `tick(done)` is called from
+/// the calling thread now and then; if it returns false the sweep ends with what is done.
+void run_sweep(const SweepWork& work, const std::function<bool(std::size_t)>& tick);
 
 /// traces.csv: x1 and the energy error over time for the runs that the charts show.
 void write_traces(const std::filesystem::path& file);
 
-/// A row of work.csv: a case, its errors, and the least time of `repetitions` runs.
-/// All cases of the speed-against-accuracy chart.
+/// work.csv, of the speed-against-accuracy chart: its cases; a row of it is a case, its errors, and the least
+/// time of `repetitions` runs.
 std::vector<Case> work_cases();
-std::string work_header();
-std::string work_row(const Case& c, int repetitions);
+output::KeyedTable work_table();
+std::string work_key(const Case& c);
+std::string work_cells(const Case& c, int repetitions);
 
 }  // namespace tandem::two_mass

@@ -2,9 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 
-#include "tandem/error.hpp"
+#include "output/files.hpp"
 #include "two_mass/sweep.hpp"
 
 namespace tandem::two_mass {
@@ -37,19 +36,17 @@ std::string cell(const std::optional<double>& value) {
 }  // namespace
 
 void write_traces(const std::filesystem::path& file) {
-  std::ofstream out(file);
-  out << "frequency_ratio,schedule,to_fast,to_slow,time,x1,x1_exact,energy_error\n";
+  std::string text = "frequency_ratio,schedule,to_fast,to_slow,time,x1,x1_exact,energy_error\n";
   for (const Case& c : traced())
     run_case(c, [&](const Model& model, const Measures& measures) {
       const auto energies = measures.energy_errors();
       const auto& nodes = measures.nodes();
       for (std::size_t k = 0; k < std::min(nodes.size(), energies.size()); ++k)
-        out << fmt::format("{},{},{},{},{},{},{},{}\n", c.frequency_ratio, c.scheme.schedule,
-                           c.scheme.to_fast, c.scheme.to_slow, nodes[k].time, nodes[k].x1,
-                           model.exact(nodes[k].time).x1, energies[k]);
+        text += fmt::format("{},{},{},{},{},{},{},{}\n", c.frequency_ratio, c.scheme.schedule,
+                            c.scheme.to_fast, c.scheme.to_slow, nodes[k].time, nodes[k].x1,
+                            model.exact(nodes[k].time).x1, energies[k]);
     });
-  out.close();
-  if (!out) throw Error(ErrorCode::input_output, "file '" + file.string() + "' can't be written");
+  output::write_text(file, text);
 }
 
 std::vector<Case> work_cases() {
@@ -62,16 +59,18 @@ std::vector<Case> work_cases() {
   return cases;
 }
 
-std::string work_header() {
-  return "schedule,to_fast,to_slow,frequency_ratio,steps_per_cycle,position_error,amplitude_error,phase_"
-         "error,exchanges,"
-         "evaluations,seconds,repetitions,status";
+output::KeyedTable work_table() {
+  return {
+      "schedule,to_fast,to_slow,frequency_ratio,steps_per_cycle,position_error,amplitude_error,"
+      "phase_error,exchanges,evaluations,seconds,repetitions,status",
+      5};
 }
 
-std::string work_row(const Case& c, int repetitions) {
+std::string work_key(const Case& c) { return fmt::format("{},{}", sweep_key(c), c.steps_per_cycle); }
+
+std::string work_cells(const Case& c, int repetitions) {
   const Outcome o = run_case(c);
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}", c.scheme.schedule, c.scheme.to_fast,
-                     c.scheme.to_slow, c.frequency_ratio, c.steps_per_cycle, cell(o.figures.position_error),
+  return fmt::format("{},{},{},{},{},{},{},{}", cell(o.figures.position_error),
                      cell(o.figures.amplitude_error), cell(o.figures.phase_error), o.exchanges, o.evaluations,
                      o.figures.failed ? std::string() : least_time(c, repetitions), repetitions,
                      o.figures.failed ? "failed" : "ok");

@@ -61,16 +61,25 @@ TEST(Gnuplot, CaptionsAreDrawnOnce) {
 }
 
 TEST(Gnuplot, DrawsTheFormatThatIsAskedForInTheFolder) {
-  const StandIn stand_in("printf '%s|' \"$@\" > arguments");
   const test::Scratch scratch;
   const auto folder = scratch.path() / "it's here";
   std::filesystem::create_directory(folder);
-  const Picture picture("p", 300, 200);
+  Picture picture("p", 300, 200);
+  picture.plot({{"sin(x)", "with lines"}});
   EXPECT_EQ(picture.draw(folder, Format::svg), folder / "p.svg");
-  EXPECT_EQ(test::read_text(folder / "arguments"), "-e|format='svg'|p.gp|");
   EXPECT_EQ(picture.draw(folder, Format::png), folder / "p.png");
-  EXPECT_EQ(test::read_text(folder / "arguments"), "-e|format='png'|p.gp|");
+  EXPECT_TRUE(holds(test::read_text(folder / "p.svg"), "<svg"));
+  EXPECT_EQ(test::read_text(folder / "p.png").substr(1, 3), "PNG");
   EXPECT_EQ(test::read_text(folder / "p.gp"), picture.script());
+}
+
+TEST(Gnuplot, APictureThatIsNotWrittenToItsEndIsAnError) {  // gnuplot itself does not tell a full disk
+  const test::Scratch scratch;
+  Picture picture("p", 300, 200);
+  picture.plot({{"sin(x)", "with lines"}});
+  std::filesystem::create_symlink("/dev/full", scratch.path() / "p.svg");
+  EXPECT_TRUE(test::refuses(ErrorCode::input_output, {"p.svg' was not written to its end"},
+                            [&] { picture.draw(scratch.path(), Format::svg); }));
 }
 
 TEST(Gnuplot, ItsComplaintIsPassedOn) {

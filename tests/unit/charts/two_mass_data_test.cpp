@@ -40,8 +40,9 @@ TEST(TwoMassData, TheSweepIsReadAsItIsWritten) {
   o.figures.energy_error = 0.03;
   o.figures.amplitude_error = -0.4;
   o.exchanges = 7;
-  const auto file = scratch.write(
-      "sweep.csv", two_mass::SweepTable::header() + "\n" + two_mass::SweepTable::row(c, o) + "\n");
+  const auto file =
+      scratch.write("sweep.csv", two_mass::sweep_table().header() + "\n" + two_mass::sweep_key(c) + "," +
+                                     two_mass::sweep_cells(o) + "\n");
   const auto results = read_sweep(file);
   ASSERT_EQ(results.size(), 1U);
   EXPECT_EQ(results[0].scheme, c.scheme);
@@ -56,11 +57,11 @@ TEST(TwoMassData, AFailedRunNeedsNoRunTime) {
   const test::Scratch scratch;
   const std::string row = "parallel,lagrange4,lagrange4,90,25,,,,12,30,,5,";
   const auto results =
-      read_work(scratch.write("work.csv", two_mass::work_header() + "\n" + row + "failed\n"));
+      read_work(scratch.write("work.csv", two_mass::work_table().header() + "\n" + row + "failed\n"));
   EXPECT_TRUE(results[0].failed);
   EXPECT_TRUE(std::isnan(results[0].seconds));
   EXPECT_EQ(results[0].steps_per_cycle, 25.0);
-  const auto wrong = scratch.write("work.csv", two_mass::work_header() + "\n" + row + "ok\n");
+  const auto wrong = scratch.write("work.csv", two_mass::work_table().header() + "\n" + row + "ok\n");
   EXPECT_TRUE(
       refuses(ErrorCode::input_output, {"work.csv', line 2: seconds is ''"}, [&] { read_work(wrong); }));
 }
@@ -81,7 +82,7 @@ TEST(TwoMassData, TracesBeginAnewWithAnotherSchemeOrRatio) {
 
 TEST(TwoMassData, BadTablesAreRefusedByLine) {
   const test::Scratch scratch;
-  const std::string header = two_mass::SweepTable::header() + "\n";
+  const std::string header = two_mass::sweep_table().header() + "\n";
   const auto refused = [&](const std::string& rows, const std::string& why) {
     const auto file = scratch.write("sweep.csv", header + rows);
     return refuses(ErrorCode::input_output, {"sweep.csv', line 2: " + why}, [&] { read_sweep(file); });

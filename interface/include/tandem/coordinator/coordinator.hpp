@@ -2,6 +2,7 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tandem/coordinator/exchange.hpp"
@@ -19,6 +20,8 @@ enum class StartKind {
   repeat,       ///< the first steps are run again and again, on inputs interpolated in the pass before
   cold,         ///< as many samples as there are; caps the order at 2 (extrapolated) and 3 (interpolated)
 };
+/// "automatic", "derivatives", "repeat", "cold".
+std::string_view name(StartKind start);
 
 /// The coordination of a run, as a scenario states it.
 struct Coordination {
@@ -37,6 +40,9 @@ class Observer {
   /// Rows first..last of the subsystem's history are new. Called after each turn (parallel: for each
   /// subsystem after the round). Returns false to end the run.
   virtual bool samples(int subsystem, const History& history, std::int64_t first, std::int64_t last) = 0;
+  /// Called by Coordinator::run after each round that is followed by another, with all samples made known:
+  /// the place for input and output. Whoever calls round() in a loop of his own calls this too.
+  virtual void between_rounds() {}
 };
 
 /// Figures of one subsystem's part in a run.
@@ -50,20 +56,22 @@ struct Effort {
 /// the memory of the histories has settled.
 class Coordinator {
  public:
-  /// subsystems: in the order of the topology, which has been checked; both must outlive the coordinator.
-  /// Throws Error for an end that is not after the start, and a coordination that names what is not there.
+  /// subsystems: one for each of the topology, in its order; the topology has been checked; both must outlive
+  /// the coordinator. Throws Error for a span that does not end after its start.
   Coordinator(const Topology& topology, const std::vector<Subsystem*>& subsystems, Coordination coordination,
-              double t_start, double t_stop);
+              TimeSpan span);
 
-  /// First samples, order, scheme checks and start, up to the point from which round() goes on. Throws Error
-  /// for a scheme that the schedule can't honour, or a start that is asked for and can't be made.
+  /// First samples, order, scheme checks and start, up to the point from which round() goes on; once. Throws
+  /// Error for an order that names what is not there, a scheme that the schedule can't honour, a start that
+  /// is asked for and can't be made, and what a subsystem throws.
   void initialize();
 
   /// Tells `observer` (may be null) of all samples from now on. Call before initialize().
   void observe(Observer* observer) { observer_ = observer; }
 
-  /// One round of the schedule. False: there was none left, or the observer ended the run. Throws Error if a
-  /// subsystem fails or breaks the contract, with its name and the time.
+  /// One round of the schedule, after initialize(). False: there was none left, or the observer ended the
+  /// run. Throws Error with name and time if a subsystem breaks the contract, and what a subsystem throws, as
+  /// it is.
   bool round();
 
   /// initialize(), then rounds to the end.
@@ -77,7 +85,10 @@ class Coordinator {
   const Effort& effort(int subsystem) const { return seats_[static_cast<std::size_t>(subsystem)].effort; }
   /// Its first own step [s].
   double own_step(int subsystem) const { return own_steps_[static_cast<std::size_t>(subsystem)]; }
-  /// What a user should know of this run: the start chosen, an end not reached.
+  /// How the histories were filled; cold too where no connection needs them filled. After initialize().
+  StartKind start() const { return start_; }
+  /// What a user should know of this run: a start that costs order, settings without effect, an end not
+  /// reached.
   const std::vector<std::string>& notes() const { return notes_; }
 
  private:
@@ -91,7 +102,7 @@ class Coordinator {
   };
   void take(const Turn& turn, Exchange& inputs);
   void take_all(const Turn& turn);
-  void check_clock(int who, double before, std::int64_t rows, const Clock& after, double limit);
+  void check_clock(const Turn& turn, double before, std::int64_t rows, const Clock& after);
   void stand(Seat& seat, Member& member, const Clock& clock) {
     seat.time = clock.time;
     schedule_->stand(member, clock.time, clock.stop == Stop::finished ? Member::never : clock.next_time);
@@ -104,6 +115,7 @@ class Coordinator {
   Coordination coordination_;
   double t_start_, t_stop_;
   TimeTolerance tolerance_;
+  StartKind start_ = StartKind::cold;
   Observer* observer_ = nullptr;
   bool stopped_ = false;
 

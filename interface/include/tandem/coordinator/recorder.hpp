@@ -29,8 +29,9 @@ struct Recording {
 /// gives derivatives, else linear; at a jump, the value before it, and nothing is interpolated across one:
 /// the value before is held. A cell is empty where its subsystem has no sample at or after that time.
 ///
-/// samples() only copies into memory that is reserved at the first call; the files are written when that
-/// memory is full, and by close(). After an error of a write nothing more is written to that file.
+/// samples() only copies into memory that is reserved at the first call (it grows if nobody calls
+/// between_rounds()); the files are written by between_rounds(), when that memory is half full, and by
+/// close(). After an error of a write nothing more is written to that file.
 class Recorder final : public Observer {
  public:
   enum class Fill { own, hermite, linear };
@@ -50,6 +51,8 @@ class Recorder final : public Observer {
   /// At the first call (the end of Coordinator::initialize) folder and files are opened, so that a run that
   /// can't begin leaves earlier results as they are. Throws Error(input_output) with the path.
   bool samples(int subsystem, const History& history, std::int64_t first, std::int64_t last) override;
+  /// Throws Error(input_output) with the path.
+  void between_rounds() override;
 
   /// Writes what is left and closes the files. Also after a failed run: all that it was told of gets written.
   /// Throws Error(input_output) with the path.

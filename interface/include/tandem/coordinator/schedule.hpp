@@ -41,13 +41,14 @@ class Schedule {
   static std::string_view name(Kind kind);
 
   /// order: indices of the subsystems, leader first. communication_step [s]: of parallel only.
-  Schedule(Kind kind, std::vector<int> order, double t_start, double t_stop, double communication_step);
+  Schedule(Kind kind, std::vector<int> order, TimeSpan span, double communication_step);
 
   Kind kind() const { return kind_; }
   std::span<const int> order() const { return order_; }
 
   /// The turns of the next round, at most one for each subsystem; none when all have finished. The turns of a
-  /// round read the samples as they were when the round began. In parallel a member goes on until its next
+  /// round read the samples as they were when the round began. A limit is never before the member's next
+  /// node, and past t_stop only where that node is, by rounding. In parallel a member goes on until its next
   /// step would end past `limit`, in as many calls as it takes. The span is valid until the next call.
   std::span<const Turn> next_round(std::span<const Member> members);
 

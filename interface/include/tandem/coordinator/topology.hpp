@@ -36,9 +36,10 @@ struct Line {
 /// The subsystems of a run and what connects them, checked before anything runs.
 class Topology {
  public:
-  /// A new instance; its index. `info` must outlive the topology. Throws Error for a name that is empty,
-  /// taken, or holds a '.', '[' or blank, and for ports that contradict themselves (size below 1, derivatives
-  /// beyond 3, feedthrough of a port that is not there).
+  /// A new instance; its index. `info` must outlive the topology. Throws Error for a name (of the instance or
+  /// of a port) that is empty, taken, or holds one of [ ] , " or a blank (an instance: or . / \), and for
+  /// ports that contradict themselves (size below 1, derivatives beyond 3, feedthrough of a port that is not
+  /// there).
   int add(const std::string& name, const SubsystemInfo& info);
 
   /// Checks and adds a connection. Throws Error for an unknown instance or port, an index out of range, sizes
@@ -47,7 +48,7 @@ class Topology {
   void connect(const Connection& connection);
 
   /// The value that an input ("instance.port", or one element) takes at the start, or for ever if it is not
-  /// connected.
+  /// connected. Throws Error for an unknown port, an index out of range, and a value that is not finite.
   void set_start(std::string_view port, double value);
 
   /// Throws Error for an input that is neither connected nor has a start value, and for an algebraic loop,

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace tandem::cli {
+namespace tandem::output {
 
 /// Under which conditions figures were taken: processor, cores, commit, version, compiler, reference, error
 /// norm, repetitions.
@@ -13,4 +13,4 @@ std::string processor_model();
 /// The commit that the source was configured from, "unknown" without git.
 std::string source_commit();
 
-}  // namespace tandem::cli
+}  // namespace tandem::output

@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-#include "cli/conditions.hpp"
+#include "output/conditions.hpp"
 
 #include <fstream>
 #include <thread>
 
 #include "commit.hpp"
 
-namespace tandem::cli {
+namespace tandem::output {
 
 std::string processor_model() {
   std::ifstream in("/proc/cpuinfo");  // Linux; elsewhere the file is absent and the model unknown
@@ -28,4 +28,4 @@ nlohmann::ordered_json conditions(int repetitions) {
           {"repetitions", repetitions}};
 }
 
-}  // namespace tandem::cli
+}  // namespace tandem::output
