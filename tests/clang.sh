@@ -5,4 +5,4 @@ set -euo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 CC=clang-16 CXX=clang++-16 cmake --preset release -B build/clang -DTANDEM_WERROR=ON
 cmake --build build/clang
-ctest --test-dir build/clang --output-on-failure -L '^(unit|conformance|convergence)$' -j "$(nproc)"
+ctest --test-dir build/clang --output-on-failure -L '^(unit|conformance|convergence|scenario)$' -j "$(nproc)"

@@ -10,3 +10,4 @@ block() { # LANGUAGE: the first fenced block of that language
 
 diff <(block cpp) tests/consumer/main.cpp
 diff <(block toml) scenarios/two_mass/two_mass.toml
+diff <(block cmake) tests/consumer/CMakeLists.txt

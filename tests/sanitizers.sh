@@ -1,19 +1,22 @@
 #!/usr/bin/env bash
 # sanitizers.sh [asan|tsan]: builds that preset (without a word: both, one after the other) and runs its quick tests.
+# sanitizers.sh short: the address and undefined-behaviour sanitizers over the conformance tests, for every day.
 set -euo pipefail
 
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
-[[ $# -gt 0 ]] || set -- asan tsan
-for preset in "$@"; do
-  case $preset in
-    asan | tsan) ;;
-    *) echo "sanitizers.sh: unknown preset '$preset'; allowed: asan, tsan" >&2 && exit 2 ;;
-  esac
-done
 
-for preset in "$@"; do
-  cmake --preset "$preset" -DTANDEM_WERROR=ON
-  cmake --build --preset "$preset"
+check() { # PRESET LABELS [TARGET]
+  cmake --preset "$1" -DTANDEM_WERROR=ON
+  cmake --build --preset "$1" ${3:+--target "$3"}
   # Without address randomization: the thread sanitizer refuses the mappings of newer kernels.
-  setarch -R ctest --preset "$preset" -L '^(unit|conformance|convergence)$' -j "$(nproc)"
+  setarch -R ctest --preset "$1" -L "$2" -j "$(nproc)"
+}
+
+[[ $# -gt 0 ]] || set -- asan tsan
+for word in "$@"; do
+  case $word in
+    asan | tsan) check "$word" '^(unit|conformance|convergence|scenario)$' ;;
+    short) check asan '^conformance$' tandem_conformance_tests ;;
+    *) echo "sanitizers.sh: unknown word '$word'; allowed: asan, tsan, short" >&2 && exit 2 ;;
+  esac
 done

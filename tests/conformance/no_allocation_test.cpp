@@ -10,6 +10,8 @@
 
 #include "run_bench.hpp"
 #include "scheme.hpp"
+#include "scratch.hpp"
+#include "tandem/coordinator/recorder.hpp"
 #include "wave.hpp"
 
 #if defined(__has_feature)
@@ -87,6 +89,33 @@ TEST(NoAllocation, InEverySchedule) {
       EXPECT_EQ(allocations_in(bench), 0) << scheme.name() << " at ratio " << ratio;
       EXPECT_TRUE(std::isfinite(fast.model().heard() + slow.model().heard()));
     }
+}
+
+/// Rounds and what is between them, with results written to a file.
+TEST(NoAllocation, WithARecorder) {
+  const Scratch folder;
+  for (const char* schedule : {"slowest-first", "fastest-first", "parallel"}) {
+    FixedStep<Wave> fast(Wave(0.1)), slow(Wave(0.37));
+    RunBench bench;
+    bench.add("fast", fast).add("slow", slow).schedule(schedule);
+    bench.connect("slow.y", "fast.u", "lagrange3").connect("fast.y", "slow.u", "lagrange3");
+    Coordinator& run = bench.make(1e9);
+    tandem::Recording what;
+    what.directory = folder.path();
+    Recorder recorder(run, what);
+    run.observe(&recorder);
+    run.initialize();
+    const auto rounds = [&](int count) {
+      for (int k = 0; k < count; ++k) run.round(), recorder.between_rounds();
+    };
+    rounds(40'000);  // the memory of both has been full and was written
+    allocations = 0;
+    counting = true;
+    rounds(10'000);
+    counting = false;
+    EXPECT_EQ(allocations, 0) << schedule;
+    EXPECT_GT(std::filesystem::file_size(folder.path() / "results.csv"), 100'000U);
+  }
 }
 
 TEST(NoAllocation, InSumsAndLags) {

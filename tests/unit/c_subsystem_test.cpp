@@ -5,8 +5,11 @@
 
 #include <functional>
 
+#include "adapters.hpp"
 #include "c_oscillator.h"
 #include "refusal.hpp"
+#include "run_bench.hpp"
+#include "same_bits.hpp"
 
 namespace tandem {
 namespace {
@@ -201,6 +204,40 @@ TEST(CSubsystem, RefusesPortListsThatAreNotThere) {
       refuses(ErrorCode::invalid_argument, {"3 ports"}, make([](tandem_info& i) { i.outputs = nullptr; })));
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"feedthrough"},
                       make([](tandem_info& i) { i.feedthrough = nullptr; })));
+}
+
+/// Takes a displacement for its force.
+class Driven final : public test::Adapter {
+ public:
+  explicit Driven(const std::string& parameters)
+      : Adapter(std::make_unique<CSubsystem>(c_oscillator(), parameters)), info_(inner_->info()) {
+    info_.inputs[0].unit = "m";
+  }
+  const SubsystemInfo& info() const override { return info_; }
+  Clock advance(double t_limit, bool land, std::span<const Signal> u, Samples& y) override {
+    return inner_->advance(t_limit, land, u, y);
+  }
+
+ private:
+  SubsystemInfo info_;
+};
+
+/// Two oscillators in C, each driven by the other's displacement.
+std::vector<test::Recording::Rows> coupled(const test::Wrap& wrap) {
+  const auto fast = wrap(std::make_unique<Driven>("m=1&k=40&x0=1&h=0.01"));
+  const auto slow = wrap(std::make_unique<Driven>("m=30&k=40&x0=0.3&h=0.073"));
+  test::RunBench bench;
+  bench.add("fast", *fast).add("slow", *slow);
+  bench.connect("slow.x", "fast.F", "lagrange3").connect("fast.x", "slow.F", "hermite");
+  return bench.run(10.0).all();
+}
+
+TEST(CSubsystem, RunsUnderACoordinatorWithTheSameBitsInAnyNumberOfCalls) {
+  const auto expected = coupled(test::as_it_is);
+  EXPECT_EQ(expected[0].size(), 1001U);
+  EXPECT_EQ(expected[0].back()[0], 10.0);
+  for (const test::Wrap& wrap : {test::Wrap(test::one_step_a_call), test::Wrap(test::three_samples_a_call)})
+    EXPECT_TRUE(test::same_bits(coupled(wrap), expected));
 }
 
 }  // namespace

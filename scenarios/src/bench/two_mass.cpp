@@ -28,7 +28,7 @@ std::vector<Case> cases() {
 /// Whole runs of 100 fast cycles; the sides' parts are those of the run with the least total, by the clock
 /// around each call, so that part holds the clock's own cost too.
 Table two_mass() {
-  constexpr int repetitions = 15;
+  constexpr int repetitions = 100;
   Table table({"schedule", "to_fast", "to_slow", "frequency_ratio", "ms", "ms_profiled", "fast_share",
                "slow_share", "coordinator_share", "over_monolithic"});
   for (const double ratio : {30.0, 100.0}) {
