@@ -70,8 +70,8 @@ std::int64_t allocations_in(RunBench& bench) {
 TEST(NoAllocation, TheCountSeesAnAllocation) {
   allocations = 0;
   counting = true;
-  auto* one = new double(1.0);
-  auto* two = new std::vector<double>(100);
+  double* volatile one = new double(1.0);  // volatile, or it may be optimized away
+  std::vector<double>* volatile two = new std::vector<double>(100);
   counting = false;
   EXPECT_GE(allocations, 3);
   delete one;
