@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "run_bench.hpp"
 #include "scripted.hpp"
@@ -111,6 +112,19 @@ TEST_P(End, ComesEarlyIfTheObserverSaysSo) {
   EXPECT_LE(coordinator.time(0), 1.3);
   EXPECT_LE(coordinator.time(1), 1.3);
   EXPECT_FALSE(coordinator.round());
+}
+
+TEST(OwnSteps, MayBeTinyOrHuge) {
+  for (const double step : {1e-9, 1e6, 1.0 / std::numbers::sqrt2}) {
+    Scripted fast = listener(step, true), slow = listener(7.3 * step, true);
+    RunBench bench;
+    bench.add("fast", fast).add("slow", slow).connect("fast.y", "slow.u").connect("slow.y", "fast.u");
+    bench.run(1000.0 * step);
+    EXPECT_EQ(bench.coordinator->effort(0).steps, 1000);
+    EXPECT_EQ(bench.coordinator->effort(1).steps, 137);
+    EXPECT_EQ(bench.coordinator->time(0), 1000.0 * step);
+    EXPECT_EQ(bench.coordinator->time(1), 1000.0 * step);
+  }
 }
 
 TEST(Effort, CountsCallsAndOwnStepsAndSecondsOnlyWithProfile) {

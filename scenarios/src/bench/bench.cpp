@@ -68,7 +68,9 @@ void Table::write(const std::filesystem::path& file) const {
 const std::vector<Benchmark>& all() {
   static const std::vector<Benchmark> list = {
       {"exchange", "one round of in-process null subsystems, beside a hand-written loop", exchange},
-      {"two_mass", "a run of the two-mass test split into its sides and the coordinator", two_mass}};
+      {"two_mass", "a run of the two-mass test split into its sides and the coordinator", two_mass},
+      {"four_bar", "a step of the N-fold four-bar linkage by each solver, in ns a variable",
+       four_bar_linkage}};
   return list;
 }
 

@@ -45,5 +45,6 @@ const std::vector<Benchmark>& all();
 
 Table exchange();
 Table two_mass();
+Table four_bar_linkage();
 
 }  // namespace tandem::bench

@@ -5,9 +5,9 @@
 #include <filesystem>
 
 #include "cli/commands.hpp"
-#include "scenario/document.hpp"
 #include "tandem/coordinator/reconstruction.hpp"
 #include "tandem/coordinator/schedule.hpp"
+#include "tandem/text/document.hpp"
 
 namespace tandem::cli {
 namespace {
@@ -26,7 +26,7 @@ std::vector<fs::path> toml_files(const fs::path& folder) {
 /// A scenario is a TOML file with subsystems; its name and description, as far as they can be read.
 void print_scenario(const fs::path& file) {
   try {
-    const scenario::Document document(file, {});
+    const text::Document document(file);
     if (!document.table().contains("subsystems")) return;
     fmt::print("  {}  {}\n", file.string(), document.table()["description"].value_or(std::string()));
   } catch (const Error& error) {

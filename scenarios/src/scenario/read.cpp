@@ -2,11 +2,17 @@
 #include <algorithm>
 
 #include "scenario/scenario.hpp"
-#include "scenario/section.hpp"
+#include "scenario/set.hpp"
 #include "scenario/settings.hpp"
+#include "scenario/to_json.hpp"
+#include "tandem/text/section.hpp"
 
 namespace tandem::scenario {
 namespace {
+
+using text::Document;
+using text::in_file_order;
+using text::number_of;
 
 /// Fills a Scenario, table by table.
 class Reader {
@@ -125,7 +131,9 @@ class Reader {
 }  // namespace
 
 Scenario read(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  const Document document(file, overrides);
+  Document document(file);
+  for (const std::string& text : overrides)
+    located(Place{file.string(), 0, text::set_prefix + text}, [&] { set(document.table(), text); });
   Scenario scenario;
   scenario.file = file;
   Reader(document, scenario).read();

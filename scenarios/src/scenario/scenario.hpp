@@ -7,11 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "scenario/place.hpp"
 #include "tandem/coordinator/recorder.hpp"
+#include "tandem/text/place.hpp"
 #include "tandem/transports/parameters.hpp"
 
 namespace tandem::scenario {
+
+using text::located;
+using text::Place;
+using text::refuse;
 
 struct Parameter {
   std::string name;

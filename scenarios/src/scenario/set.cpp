@@ -4,11 +4,14 @@
 #include <charconv>
 #include <vector>
 
-#include "scenario/document.hpp"
 #include "tandem/nearest.hpp"
+#include "tandem/text/document.hpp"
 
 namespace tandem::scenario {
 namespace {
+
+using text::described;
+using text::keys;
 
 [[noreturn]] void fail(const std::string& sentence) { throw Error(ErrorCode::invalid_argument, sentence); }
 
@@ -54,7 +57,7 @@ std::string in_quotes(const std::string& text) {
 /// One override: the path is walked from the root; what it ends at is replaced or added.
 class Override {
  public:
-  explicit Override(const std::string& text) : source_(set_prefix + text) {
+  explicit Override(const std::string& text) : source_(text::set_prefix + text) {
     const auto equals = text.find('=');
     if (equals == std::string::npos || equals == 0) fail("'" + text + "' is not of the form KEY=VALUE");
     steps_ = split(text.substr(0, equals));

@@ -6,8 +6,6 @@
 
 namespace tandem::scenario {
 
-inline const std::string set_prefix = "--set ";
-
 /// Puts "KEY=VALUE" into a scenario. KEY is a dotted path: `coordination.schedule`,
 /// `subsystems.fast.parameters.k2`, `record.ports[0]`; a connection is named by its index or by its `to`,
 /// `connections[0].gain`, `connections[fast.x2].gain`, and `connections.gain` means all of them. VALUE is

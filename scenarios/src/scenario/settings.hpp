@@ -6,9 +6,12 @@
 #include <vector>
 
 #include "scenario/scenario.hpp"
-#include "scenario/section.hpp"
+#include "tandem/text/section.hpp"
 
 namespace tandem::scenario {
+
+using text::described;
+using text::Section;
 
 /// The tables coordination, span, record, reference and judge, each with what reads it into a scenario whose
 /// subsystems are known. Throw Error.

@@ -8,12 +8,14 @@
 #include <limits>
 #include <string_view>
 
-#include "scenario/place.hpp"
+#include "tandem/text/place.hpp"
 
 namespace tandem::scenario {
 namespace {
 
 namespace fs = std::filesystem;
+using text::Place;
+using text::refuse;
 
 /// One line at a time into cells; a cell may be quoted, with "" for a quote in it.
 class Lines {

@@ -1,40 +1,38 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-#include "scenario/document.hpp"
+#include "tandem/text/document.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
-#include "scenario/set.hpp"
-
-namespace tandem::scenario {
+namespace tandem::text {
 namespace {
 
 std::string read_text(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file))
-    throw Error(ErrorCode::input_output, "scenario file '" + file.string() + "' is not there");
+    throw Error(ErrorCode::input_output, "file '" + file.string() + "' is not there");
   std::ifstream in(file, std::ios::binary);
   std::ostringstream text;
   text << in.rdbuf();
   if (!in || std::filesystem::is_directory(file))
-    throw Error(ErrorCode::input_output, "scenario file '" + file.string() + "' can't be read");
+    throw Error(ErrorCode::input_output, "file '" + file.string() + "' can't be read");
   return text.str();
 }
 
 }  // namespace
 
-Document::Document(const std::filesystem::path& file, const std::vector<std::string>& overrides)
-    : file_(file.string()) {
+Document::Document(const std::filesystem::path& file) : Document(file.string(), read_text(file)) {}
+
+Document::Document(std::string name, const std::string& text) : file_(std::move(name)) {
   try {
-    table_ = toml::parse(std::string_view(read_text(file)), std::string_view(file_));
+    table_ = toml::parse(std::string_view(text), std::string_view(file_));
   } catch (const toml::parse_error& error) {
     refuse({file_, static_cast<int>(error.source().begin.line)},
            "not TOML: " + std::string(error.description()));
   }
-  for (const std::string& text : overrides)
-    located(Place{file_, 0, set_prefix + text}, [&] { set(table_, text); });
 }
 
 Place Document::place(const toml::node& node) const {
@@ -69,26 +67,4 @@ std::string described(const toml::node& node) {
   return node.is_table() ? "a table" : node.is_array() ? "an array" : "a date or time";
 }
 
-nlohmann::ordered_json to_json(const toml::node& node) {
-  nlohmann::ordered_json json;
-  if (const auto* table = node.as_table()) {
-    json = nlohmann::ordered_json::object();
-    for (const auto& [key, value] : in_file_order(*table)) json[key] = to_json(*value);
-  } else if (const auto* array = node.as_array()) {
-    json = nlohmann::ordered_json::array();
-    for (const toml::node& value : *array) json.push_back(to_json(value));
-  } else if (const auto* text = node.as_string()) {
-    json = text->get();
-  } else if (const auto* flag = node.as_boolean()) {
-    json = flag->get();
-  } else if (const auto* whole = node.as_integer()) {
-    json = whole->get();
-  } else if (const auto* number = node.as_floating_point()) {
-    json = number->get();
-  } else {
-    json = described(node);
-  }
-  return json;
-}
-
-}  // namespace tandem::scenario
+}  // namespace tandem::text

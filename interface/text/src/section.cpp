@@ -1,5 +1,5 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-#include "scenario/section.hpp"
+#include "tandem/text/section.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "tandem/nearest.hpp"
 
-namespace tandem::scenario {
+namespace tandem::text {
 
 Section::Section(const Document& document, const toml::table& table, std::string path)
     : document_(document), table_(table), path_(std::move(path)) {}
@@ -114,4 +114,4 @@ double number_of(const Document& document, const toml::node& node, const std::st
   return value;
 }
 
-}  // namespace tandem::scenario
+}  // namespace tandem::text

@@ -4,9 +4,9 @@
 
 #include "tandem/error.hpp"
 
-namespace tandem::scenario {
+namespace tandem::text {
 
-/// Where a value of a scenario stands: in a line of its file, or in an override from the command line.
+/// Where a value stands: in a line of its file, or in an override from the command line.
 struct Place {
   std::string file;
   int line = 0;             ///< 0: the file as a whole
@@ -18,12 +18,15 @@ struct Place {
   }
 };
 
+/// The word that begins what an override is called, and its source region's path.
+inline const std::string set_prefix = "--set ";
+
 [[noreturn]] inline void refuse(const Place& place, const std::string& sentence,
                                 ErrorCode code = ErrorCode::invalid_argument) {
   throw Error(code, place.text() + ": " + sentence);
 }
 
-/// The one place where an error of what a scenario names becomes one that tells where the scenario says so.
+/// The one place where an error of what a file names becomes one that tells where the file says so.
 /// place_of(sentence) gives the place.
 template <class Work, class PlaceOf>
 auto located(const PlaceOf& place_of, const Work& work) -> decltype(work())
@@ -41,4 +44,4 @@ auto located(const Place& place, const Work& work) -> decltype(work()) {
   return located([&](const std::string&) { return place; }, work);
 }
 
-}  // namespace tandem::scenario
+}  // namespace tandem::text

@@ -3,24 +3,25 @@
 #include <toml++/toml.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "scenario/place.hpp"
+#include "tandem/text/place.hpp"
 
-namespace tandem::scenario {
+namespace tandem::text {
 
-/// A TOML file with the overrides of the command line put into it. Every value knows where it came from.
+/// A TOML text. Every value knows where it came from: a line, or an override that was put in.
 class Document {
  public:
-  /// Throws Error for a file that can't be read, with file and line for one that is not TOML, and for an
-  /// override that names what is not there (see set.hpp).
-  Document(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+  /// Throws Error for a file that can't be read, and with file and line for one that is not TOML.
+  explicit Document(const std::filesystem::path& file);
+  /// Of a text; `name` is what errors call it.
+  Document(std::string name, const std::string& text);
 
   const std::string& file() const { return file_; }
   const toml::table& table() const { return table_; }
+  toml::table& table() { return table_; }
   Place place(const toml::node& node) const;
 
  private:
@@ -36,7 +37,4 @@ std::vector<std::string> keys(const toml::table& table);
 /// "the number 3", "the text 'abc'", "a table": what an error says it found.
 std::string described(const toml::node& node);
 
-/// The same values, in the order of the file.
-nlohmann::ordered_json to_json(const toml::node& node);
-
-}  // namespace tandem::scenario
+}  // namespace tandem::text

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "scenario/document.hpp"
+#include "tandem/text/document.hpp"
 
-namespace tandem::scenario {
+namespace tandem::text {
 
-/// A table of a scenario while it is read: each key is asked for by name and type, and what nobody asked for
+/// A table of a document while it is read: each key is asked for by name and type, and what nobody asked for
 /// is refused. Every error names the place, the key, the value found and what is allowed.
 class Section {
  public:
@@ -50,4 +50,4 @@ class Section {
 /// double can't hold; `name` is what the sentence calls it.
 double number_of(const Document& document, const toml::node& node, const std::string& name);
 
-}  // namespace tandem::scenario
+}  // namespace tandem::text

@@ -1,0 +1,17 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "tandem/mbs/mechanism/description.hpp"
+
+namespace tandem::mbs {
+
+/// A mechanism from its TOML file (docs/mechanisms.md has the form). Throws Error that names file, line, the
+/// value found and the values allowed.
+Description read_mechanism(const std::filesystem::path& file);
+
+/// The same from a text; `name` is what errors call it.
+Description read_mechanism(const std::string& name, const std::string& text);
+
+}  // namespace tandem::mbs

@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "tandem/mbs/sparse/pattern.hpp"
+
+namespace tandem::mbs {
+
+/// What does not change while a model moves.
+struct Structure {
+  int coordinates = 0;  ///< length of q and its derivatives: the variables, then coordinates that stay fixed
+  int variables = 0;    ///< n
+  int constraints = 0;  ///< m
+  Matrix mass;          ///< M, n x n, both triangles, constant
+  Pattern jacobian;     ///< of Phi_q^T, n x m: a column for each constraint
+  Pattern stiffness;    ///< of K and C, n x n; no entries if forces depend on neither q nor q'
+  std::vector<std::string> variable_names, constraint_names;
+};
+
+/// Where a model stands. Vectors have `coordinates` entries (lambda: `constraints`).
+struct State {
+  double time = 0.0;        ///< [s]
+  Eigen::VectorXd q, v, a;  ///< positions, velocities, accelerations; those of fixed ones are zero
+  Eigen::VectorXd lambda;   ///< multipliers: the constraint forces are -Phi_q^T lambda
+};
+
+/// A multibody system M q'' + Phi_q^T lambda = Q(t, q, q'), Phi(t, q) = 0, with constant M. Pointers are to
+/// arrays of the sizes in structure(); values of matrices are in the order of their patterns. at_time() comes
+/// before the others.
+class Model {
+ public:
+  virtual ~Model() = default;
+  virtual const Structure& structure() const = 0;
+
+  /// Fixes what depends on time alone: inputs, prescribed motions.
+  virtual void at_time(double t) = 0;
+
+  /// Phi, and the values of Phi_q^T. The array `jacobian` has an entry beyond its pattern, which is for the
+  /// derivatives by fixed coordinates, that nobody reads.
+  virtual void constraints(const double* q, double* phi, double* jacobian) const = 0;
+  /// Partial derivative of Phi by time.
+  virtual void constraint_rates(const double* q, double* phi_t) const = 0;
+  /// gamma in Phi'' = Phi_q q'' + gamma = 0.
+  virtual void constraint_accelerations(const double* q, const double* v, double* gamma) const = 0;
+
+  /// Q, of the variables.
+  virtual void forces(const double* q, const double* v, double* force) const = 0;
+  /// K = -dQ/dq and C = -dQ/dq' on the pattern `stiffness`.
+  virtual void force_derivatives(const double* q, const double* v, double* k, double* c) const = 0;
+
+  /// Kinetic plus potential energy [J]; forces given from outside have none.
+  virtual double energy(const double* q, const double* v) const = 0;
+};
+
+}  // namespace tandem::mbs

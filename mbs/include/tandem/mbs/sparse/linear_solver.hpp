@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tandem/mbs/sparse/pattern.hpp"
+
+namespace tandem::mbs {
+
+/// What is known of a square matrix. A solver may be used for a matrix of a better kind than its own.
+enum class MatrixKind { positive_definite, symmetric, unsymmetric };
+
+/// Solves A x = b again and again for matrices of one pattern: analyze() once, then factorize() for new
+/// values, then solve() as often as wanted. One object is used by one thread at a time.
+class LinearSolver {
+ public:
+  virtual ~LinearSolver() = default;
+
+  /// True: the pattern and values it is given are those of the lower triangle of a symmetric matrix.
+  virtual bool lower() const = 0;
+  /// Prepares for a square pattern with all diagonal entries, which it copies.
+  virtual void analyze(const Pattern& pattern) = 0;
+  /// values: by position of the pattern. Returns -1, or the column at which the matrix is singular (or not
+  /// positive definite, for a solver that needs it) to working precision.
+  virtual int factorize(const double* values) = 0;
+  /// b becomes A^-1 b. Precondition: the last factorize() returned -1.
+  virtual void solve(double* b) = 0;
+};
+
+/// Names of the solvers for matrices of this kind that this build has.
+std::vector<std::string> solver_names(MatrixKind kind);
+
+/// Throws Error for a name that is not there or not for this kind, with those that are.
+std::unique_ptr<LinearSolver> make_solver(const std::string& name, MatrixKind kind);
+
+}  // namespace tandem::mbs

@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "tandem/mbs/sparse/pattern.hpp"
+
+namespace tandem::mbs {
+
+/// y = A x for a symmetric A that stores both triangles: of each column a dot product.
+void multiply_symmetric(const Matrix& a, const double* x, double* y);
+
+/// y = A^T x: of each column of A a dot product. With A = Phi_q^T this is Phi_q x.
+void multiply_transposed(const Pattern& a, const double* values, const double* x, double* y);
+
+/// y += A x: of each column a multiple. With A = Phi_q^T, constraint forces of multipliers.
+void add_product(const Pattern& a, const double* values, const double* x, double* y);
+
+/// base + factor A A^T on a pattern, A given in compressed columns (Phi_q^T alpha Phi_q: A = Phi_q^T): a
+/// symmetric rank-k update, prepared as a list of products for each entry (F. Gonzalez, doctoral thesis,
+/// A Coruna 2010, chapter 3).
+class RankUpdate {
+ public:
+  /// target has all entries of A A^T, or those of its lower triangle.
+  RankUpdate(const Pattern& a, const Pattern& target);
+  /// result[e] = base[e] + factor (A A^T)[e]. They may be the same array.
+  void run(const double* a, double factor, const double* base, double* result) const;
+
+ private:
+  struct Factors {
+    std::int32_t left, right;  ///< positions in A
+  };
+  std::vector<std::int32_t> starts_;  ///< by entry of the target, into factors_
+  std::vector<Factors> factors_;
+};
+
+}  // namespace tandem::mbs

@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "tandem/mbs/model.hpp"
+#include "tandem/mbs/sparse/linear_solver.hpp"
+#include "tandem/mbs/sparse/products.hpp"
+
+namespace tandem::mbs {
+
+/// Values of a model's matrices where it stands, on the patterns of its structure.
+struct ModelMatrices {
+  explicit ModelMatrices(const Structure& s)
+      : jacobian(static_cast<std::size_t>(s.jacobian.size()) + 1),
+        stiffness(static_cast<std::size_t>(s.stiffness.size())),
+        damping(stiffness.size()) {}
+  std::vector<double> jacobian;            ///< Phi_q^T, and the entry beyond
+  std::vector<double> stiffness, damping;  ///< K = -dQ/dq, C = -dQ/dq'
+};
+
+/// M + damping C + stiffness K + penalty Phi_q^T Phi_q, factorized.
+struct TangentFactors {
+  double damping, stiffness, penalty;
+};
+
+/// That matrix on the union of all patterns, with its solver: prepared once, then assembled and factorized
+/// without a look-up.
+class Tangent {
+ public:
+  Tangent(const Structure& structure, std::unique_ptr<LinearSolver> solver);
+
+  void assemble(const ModelMatrices& at, const TangentFactors& factors);
+  /// -1, or the variable at which the matrix is singular.
+  int factorize() { return solver_->factorize(values_.data()); }
+  /// b becomes T^-1 b.
+  void solve(double* b) { solver_->solve(b); }
+
+  const Pattern& pattern() const { return pattern_; }
+  const std::vector<double>& values() const { return values_; }
+
+ private:
+  std::unique_ptr<LinearSolver> solver_;
+  Pattern pattern_;
+  RankUpdate update_;
+  std::vector<double> mass_, base_, values_;  ///< by position of the pattern
+  std::vector<int> from_, to_;                ///< positions of K and C that the pattern has, and theirs in it
+};
+
+}  // namespace tandem::mbs

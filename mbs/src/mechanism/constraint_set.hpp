@@ -1,0 +1,32 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <vector>
+
+namespace tandem::mbs {
+
+/// Equations of one kind, evaluated in one loop: theirs are size() equations from first_ on. Coordinates are
+/// indices into q; entries of fixed coordinates are written where nobody reads.
+class ConstraintSet {
+ public:
+  virtual ~ConstraintSet() = default;
+  virtual int size() const = 0;
+  /// The coordinates that an equation of the set depends on, in the order in which values() writes.
+  virtual std::vector<int> coordinates(int equation) const = 0;
+
+  /// phi of all equations of the mechanism, and the values of its Jacobian.
+  virtual void values(const double* q, double* phi, double* jacobian) const = 0;
+  /// gamma in Phi'' = Phi_q q'' + gamma.
+  virtual void accelerations(const double* q, const double* v, double* gamma) const = 0;
+
+  /// first: number of the set's first equation. to: for each of its entries the position in the Jacobian.
+  void place(int first, std::vector<int> to) {
+    first_ = first;
+    to_ = std::move(to);
+  }
+
+ protected:
+  int first_ = 0;
+  std::vector<int> to_;
+};
+
+}  // namespace tandem::mbs

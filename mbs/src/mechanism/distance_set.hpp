@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstddef>
+
+#include "constraint_set.hpp"
+
+namespace tandem::mbs {
+
+/// Constant distances: |b - a|^2 - l^2 = 0, a and b the first coordinates of two points.
+template <int Dimension>
+class DistanceSet final : public ConstraintSet {
+ public:
+  void add(int a, int b, double square) { pairs_.push_back({a, b, square}); }
+
+  int size() const override { return static_cast<int>(pairs_.size()); }
+  std::vector<int> coordinates(int equation) const override {
+    std::vector<int> list;
+    for (const int point : {pairs_[equation].a, pairs_[equation].b})
+      for (int d = 0; d < Dimension; ++d) list.push_back(point + d);
+    return list;
+  }
+
+  void values(const double* q, double* phi, double* jacobian) const override {
+    const int* to = to_.data();
+    phi += first_;
+    for (const Pair& p : pairs_) {
+      double square = 0.0;
+      for (int d = 0; d < Dimension; ++d) {
+        const double along = q[p.b + d] - q[p.a + d];
+        square += along * along;
+        jacobian[to[d]] = -2.0 * along;
+        jacobian[to[Dimension + d]] = 2.0 * along;
+      }
+      *phi++ = square - p.square;
+      to += 2 * Dimension;
+    }
+  }
+
+  void accelerations(const double*, const double* v, double* gamma) const override {
+    gamma += first_;
+    for (const Pair& p : pairs_) {
+      double square = 0.0;
+      for (int d = 0; d < Dimension; ++d) {
+        const double along = v[p.b + d] - v[p.a + d];
+        square += along * along;
+      }
+      *gamma++ = 2.0 * square;
+    }
+  }
+
+ private:
+  struct Pair {
+    int a, b;
+    double square;
+  };
+  std::vector<Pair> pairs_;
+};
+
+}  // namespace tandem::mbs

@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// KLU: T. A. Davis, E. Palamadai Natarajan, ACM Trans. Math. Softw. 37 (2010) 36.
+#include <klu.h>
+
+#include <new>
+
+#include "solvers.hpp"
+
+namespace tandem::mbs::solvers {
+namespace {
+
+/// Factors with the pivots of the last full factorization for as long as the growth of the factors stays
+/// near what it was then; else chooses pivots anew.
+class Klu final : public LinearSolver {
+ public:
+  Klu() {
+    klu_defaults(&common_);
+    common_.scale = 0;  // the tangents are scaled alike already, and scaling costs a pass
+  }
+  ~Klu() override {
+    klu_free_numeric(&numeric_, &common_);
+    klu_free_symbolic(&symbolic_, &common_);
+  }
+  Klu(const Klu&) = delete;
+  Klu& operator=(const Klu&) = delete;
+
+  bool lower() const override { return false; }
+
+  void analyze(const Pattern& pattern) override {
+    klu_free_numeric(&numeric_, &common_);
+    klu_free_symbolic(&symbolic_, &common_);
+    pattern_ = pattern;
+    symbolic_ = klu_analyze(pattern_.columns(), starts(), rows(), &common_);
+    if (!symbolic_) throw std::bad_alloc();
+  }
+
+  int factorize(const double* values) override {
+    auto* a = const_cast<double*>(values);  // KLU's interface is not const
+    if (numeric_ && klu_refactor(starts(), rows(), a, symbolic_, numeric_, &common_) && !grown(a)) return -1;
+    klu_free_numeric(&numeric_, &common_);
+    numeric_ = klu_factor(starts(), rows(), a, symbolic_, &common_);
+    if (!numeric_ || common_.status == KLU_SINGULAR) return common_.singular_col;
+    growth_ = growth_of(a);
+    return -1;
+  }
+
+  void solve(double* b) override { klu_solve(symbolic_, numeric_, pattern_.columns(), 1, b, &common_); }
+
+ private:
+  static constexpr double worst = 1e-3;  ///< of the growth after a full factorization
+
+  int* starts() { return const_cast<int*>(pattern_.starts().data()); }
+  int* rows() { return const_cast<int*>(pattern_.indices().data()); }
+  /// Reciprocal pivot growth: the least over the columns of max|A| / max|U|; small is bad.
+  double growth_of(double* a) {
+    klu_rgrowth(starts(), rows(), a, symbolic_, numeric_, &common_);
+    return common_.rgrowth;
+  }
+  bool grown(double* a) { return growth_of(a) < worst * growth_; }
+
+  Pattern pattern_;
+  klu_common common_{};
+  klu_symbolic* symbolic_ = nullptr;
+  klu_numeric* numeric_ = nullptr;
+  double growth_ = 0.0;
+};
+
+}  // namespace
+
+std::unique_ptr<LinearSolver> klu(MatrixKind) { return std::make_unique<Klu>(); }
+
+}  // namespace tandem::mbs::solvers

@@ -1,0 +1,41 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/SparseCholesky>
+
+#include "solvers.hpp"
+
+namespace tandem::mbs::solvers {
+namespace {
+
+/// Eigen's simplicial LDL^T with AMD ordering.
+class Ldlt final : public LinearSolver {
+ public:
+  bool lower() const override { return true; }
+
+  void analyze(const Pattern& pattern) override {
+    pattern_ = pattern;
+    solver_.analyzePattern(matrix(std::vector<double>(pattern.size(), 1.0).data()));
+  }
+  int factorize(const double* values) override {
+    solver_.factorize(matrix(values));
+    return solver_.info() == Eigen::Success ? -1 : 0;
+  }
+  void solve(double* b) override {
+    Eigen::Map<Eigen::VectorXd> x(b, pattern_.columns());
+    x = solver_.solve(x).eval();
+  }
+
+ private:
+  using Lower = Eigen::SparseMatrix<double>;
+  Eigen::Map<const Lower> matrix(const double* values) const {
+    return {pattern_.rows(),          pattern_.columns(),        pattern_.size(),
+            pattern_.starts().data(), pattern_.indices().data(), values};
+  }
+  Pattern pattern_;
+  Eigen::SimplicialLDLT<Lower, Eigen::Lower> solver_;
+};
+
+}  // namespace
+
+std::unique_ptr<LinearSolver> ldlt(MatrixKind) { return std::make_unique<Ldlt>(); }
+
+}  // namespace tandem::mbs::solvers

@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/mbs/sparse/pattern.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace tandem::mbs {
+
+Pattern::Pattern(int rows, int columns, std::vector<std::pair<int, int>> entries) : rows_(rows) {
+  const auto by_column = [](const auto& a, const auto& b) {
+    return std::pair(a.second, a.first) < std::pair(b.second, b.first);
+  };
+  std::sort(entries.begin(), entries.end(), by_column);
+  entries.erase(std::unique(entries.begin(), entries.end()), entries.end());
+  starts_.assign(static_cast<std::size_t>(columns) + 1, 0);
+  for (const auto& [row, column] : entries) {
+    assert(row >= 0 && row < rows && column >= 0 && column < columns);
+    indices_.push_back(row);
+    ++starts_[static_cast<std::size_t>(column) + 1];
+  }
+  for (std::size_t c = 1; c < starts_.size(); ++c) starts_[c] += starts_[c - 1];
+}
+
+int Pattern::find(int row, int column) const {
+  const auto begin = indices_.begin() + starts_[static_cast<std::size_t>(column)];
+  const auto end = indices_.begin() + starts_[static_cast<std::size_t>(column) + 1];
+  const auto at = std::lower_bound(begin, end, row);
+  return at != end && *at == row ? static_cast<int>(at - indices_.begin()) : -1;
+}
+
+std::vector<std::pair<int, int>> Pattern::entries() const {
+  std::vector<std::pair<int, int>> all;
+  all.reserve(indices_.size());
+  for (int column = 0; column < columns(); ++column)
+    for (int k = starts_[static_cast<std::size_t>(column)]; k < starts_[static_cast<std::size_t>(column) + 1];
+         ++k)
+      all.emplace_back(indices_[static_cast<std::size_t>(k)], column);
+  return all;
+}
+
+Pattern Pattern::lower() const {
+  auto all = entries();
+  std::erase_if(all, [](const auto& entry) { return entry.first < entry.second; });
+  return {rows_, columns(), std::move(all)};
+}
+
+Pattern unite(const Pattern& a, const Pattern& b) {
+  assert(a.rows() == b.rows() && a.columns() == b.columns());
+  auto all = a.entries();
+  const auto more = b.entries();
+  all.insert(all.end(), more.begin(), more.end());
+  return {a.rows(), a.columns(), std::move(all)};
+}
+
+std::vector<int> positions(const Pattern& part, const Pattern& whole) {
+  std::vector<int> found;
+  for (const auto& [row, column] : part.entries()) found.push_back(whole.find(row, column));
+  assert(std::find(found.begin(), found.end(), -1) == found.end());
+  return found;
+}
+
+}  // namespace tandem::mbs

@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "four_bar/linkage.hpp"
+#include "refusal.hpp"
+#include "scratch.hpp"
+#include "tandem/mbs/mechanism/mechanism.hpp"
+#include "tandem/mbs/mechanism/read.hpp"
+
+namespace tandem::mbs {
+namespace {
+
+using test::refuses;
+
+TEST(ReadMechanism, ReadsTheLinkage) {
+  const Description d = read_mechanism("f.toml", four_bar::text(3));
+  EXPECT_EQ(d.name, "four_bar_3");
+  EXPECT_EQ(d.dimension, 2);
+  EXPECT_EQ(d.entities.size(), 8U);
+  EXPECT_EQ(d.bodies.size(), 7U);
+  const Mechanism m(d);
+  EXPECT_EQ(m.structure().variables, 8);
+  EXPECT_EQ(m.structure().constraints, 7);
+  EXPECT_EQ(m.structure().variable_names[3], "B1.y");
+  const State s = m.described_state();
+  EXPECT_EQ(s.q[m.coordinate(2)], 2.0);
+  EXPECT_EQ(s.v[m.coordinate(2)], 1.0);
+}
+
+TEST(ReadMechanism, TheLinkageInTheRepositoryIsTheOneOfTheBenchmark) {
+  const auto file =
+      std::filesystem::path(TANDEM_SOURCE_DIR) / "scenarios/mechanisms/four_bar/four_bar_5.toml";
+  EXPECT_EQ(test::read_text(file), four_bar::text(5));
+  EXPECT_EQ(read_mechanism(file).bodies.size(), 11U);
+}
+
+TEST(ReadMechanism, TheMechanismOfTheDocumentIsOne) {
+  std::string text = test::read_text(std::filesystem::path(TANDEM_SOURCE_DIR) / "docs/mechanisms.md");
+  text = text.substr(text.find("```toml\n") + 8);
+  const Mechanism m(read_mechanism("mechanisms.md", text.substr(0, text.find("```"))));
+  EXPECT_EQ(m.structure().variables, 2);
+  EXPECT_EQ(m.structure().constraint_names, (std::vector<std::string>{"arm: P . P", "stay"}));
+}
+
+/// What a line of a small mechanism says when it is changed: file, line, value found and allowed.
+struct Bad {
+  const char *from, *to;
+  int line;
+  std::vector<std::string> says;
+};
+
+constexpr const char* pendulum =
+    "dimension = 2\n"
+    "gravity = [0, -9.81]\n"
+    "[points]\n"
+    "O = { at = [0, 0], fixed = true }\n"
+    "P = { at = [1, 0] }\n"
+    "[rods]\n"
+    "rod = { points = [\"O\", \"P\"], mass = 1 }\n"
+    "[bodies.disc]\n"
+    "points = [\"O\", \"P\"]\n"
+    "mass = 2\n"
+    "centre = [0.5, 0]\n"
+    "inertia = 0.1\n";
+
+TEST(ReadMechanism, RefusesWithFileLineValueAndWhatIsAllowed) {
+  EXPECT_NO_THROW(read_mechanism("p.toml", pendulum));
+  const Bad list[] = {
+      {"dimension = 2", "dimension = 4", 1, {"dimension is 4", "2 for the plane, 3 for space"}},
+      {"dimension = 2", "dimensoin = 2", 1, {"unknown key 'dimensoin'", "did you mean 'dimension'?"}},
+      {"[0, -9.81]", "[0, 0, -9.81]", 2, {"gravity is an array of 3", "an array of 2 numbers"}},
+      {"[0, -9.81]", "[0, 'g']", 2, {"gravity[1] is the text 'g'", "a number"}},
+      {"at = [1, 0]", "to = [1, 0]", 5, {"points.P.at is missing", "coordinates as drawn"}},
+      {"at = [1, 0]", "at = [0, 0]", 7, {"rods.rod.points are drawn at one place", "above 0 m"}},
+      {"fixed = true", "fixed = true, velocity = [1, 0]", 4, {"points.O.velocity is not zero"}},
+      {"[\"O\", \"P\"], mass", "[\"O\", \"Q\"], mass", 7, {"point 'Q' is not there", "There are: O, P"}},
+      {"[\"O\", \"P\"], mass", "[\"O\", \"O\"], mass", 7, {"'O' twice"}},
+      {"[\"O\", \"P\"], mass", "[\"O\"], mass", 7, {"1 names", "two points"}},
+      {"mass = 1", "mass = -1", 7, {"rods.rod.mass is the number -1", "above 0"}},
+      {"mass = 1", "mas = 1", 7, {"'mas'", "did you mean 'mass'?"}},
+      {"inertia = 0.1", "inertia = 0", 12, {"bodies.disc.inertia", "above 0"}},
+      {"centre = [0.5, 0]\n", "", 8, {"bodies.disc.centre is missing"}},
+      {"[points]", "points = 3\n[other]", 3, {"points is the number 3", "a table"}}};
+  for (const Bad& bad : list) {
+    std::string text = pendulum;
+    text.replace(text.find(bad.from), std::string(bad.from).size(), bad.to);
+    auto says = bad.says;
+    says.push_back("p.toml:" + std::to_string(bad.line) + ": ");
+    EXPECT_TRUE(refuses(ErrorCode::invalid_argument, says, [&] { read_mechanism("p.toml", text); }))
+        << bad.to;
+  }
+}
+
+}  // namespace
+}  // namespace tandem::mbs
