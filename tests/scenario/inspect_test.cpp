@@ -55,6 +55,18 @@ TEST(ValidateCommand, SaysOkNotesAndAdvice) {
                {"ok", "advice: output fast.F depends at once", "the error is smaller"});
 }
 
+TEST(InfoCommand, ShowsWhatAMechanismHas) {
+  const Scratch folder;
+  const std::string file = std::string(TANDEM_SOURCE_DIR) + "/scenarios/mechanisms/four_bar/four_bar_5.toml";
+  expect_words(tandem(folder, {"info", file}),
+               {"four_bar_5: a mechanism in the plane", "12 variables: B0.x, B0.y",
+                "11 constraints: crank0: ", "1 degrees of freedom", "redundant equations: none",
+                "tangent matrix: 64 entries"});
+  const Said said = tandem(folder, {"info", file, "--set", "a=1"});
+  EXPECT_EQ(said.status, 2);
+  EXPECT_NE(said.err.find("is a mechanism"), std::string::npos) << said.err;
+}
+
 TEST(Help, EveryCommandExplainsItsOptions) {
   const Scratch folder;
   expect_words(tandem(folder, {"run", "--help"}),

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cli/commands.hpp"
+#include "cli/mechanism_info.hpp"
 #include "scenario/assembly.hpp"
 
 namespace tandem::cli {
@@ -118,26 +119,32 @@ struct Options {
 }  // namespace
 
 void add_info(CLI::App& app, Context& context) {
-  auto* command =
-      app.add_subcommand("info", "Show ports, units, abilities and start values of a source or a scenario");
+  auto* command = app.add_subcommand(
+      "info",
+      "Show ports, units, abilities and start values of a source or a scenario, or what a mechanism has");
   auto options = std::make_shared<Options>();
   command
-      ->add_option("what", options->what,
-                   "A source such as builtin:NAME or builtin:NAME?KEY=VALUE&KEY=VALUE, or a scenario")
+      ->add_option(
+          "what", options->what,
+          "A source such as builtin:NAME or builtin:NAME?KEY=VALUE&KEY=VALUE, a scenario or a mechanism")
       ->required()
       ->type_name("SOURCE|FILE");
   command->add_option("--set", options->overrides, "Set a value of the scenario, as in run (repeatable)")
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->take_all();
-  command->footer("Exit status: 0, or 2 for a source or scenario that is not right.");
+  command->footer("Exit status: 0, or 2 for what is not right.");
   command->callback([options, &context] {
     const bool source = is_source(options->what);
     if (source && !options->overrides.empty())
       throw Error(ErrorCode::invalid_argument, "--set belongs to a scenario; a source takes its values as " +
                                                    options->what + "?KEY=VALUE");
-    source ? print_source(options->what, context)
-           : print_scenario(options->what, options->overrides, context);
+    if (source) return print_source(options->what, context);
+    if (!is_mechanism(options->what)) return print_scenario(options->what, options->overrides, context);
+    if (!options->overrides.empty())
+      throw Error(ErrorCode::invalid_argument,
+                  "--set belongs to a scenario; " + options->what + " is a mechanism");
+    print_mechanism(options->what);
   });
 }
 

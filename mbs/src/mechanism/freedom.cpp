@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/mbs/mechanism/freedom.hpp"
+
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseQR>
+#include <algorithm>
+
+namespace tandem::mbs {
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+/// Phi_q^T with columns of length 1, so that one threshold serves them all.
+Sparse gradients(Model& model, const State& s) {
+  const Structure& structure = model.structure();
+  std::vector<double> phi(static_cast<std::size_t>(structure.constraints)),
+      jacobian(static_cast<std::size_t>(structure.jacobian.size()) + 1);
+  model.at_time(s.time);
+  model.constraints(s.q.data(), phi.data(), jacobian.data());
+  const Pattern& p = structure.jacobian;
+  Sparse a = Eigen::Map<const Sparse>(p.rows(), p.columns(), p.size(), p.starts().data(), p.indices().data(),
+                                      jacobian.data());
+  for (int c = 0; c < a.cols(); ++c)
+    if (const double length = a.col(c).norm(); length > 0.0) a.col(c) /= length;
+  a.makeCompressed();
+  return a;
+}
+
+}  // namespace
+
+Freedom freedom(Model& model, const State& state) {
+  const Structure& structure = model.structure();
+  Freedom result{0, structure.variables, {}};
+  if (structure.constraints == 0) return result;
+  Eigen::SparseQR<Sparse, Eigen::COLAMDOrdering<int>> qr;
+  qr.setPivotThreshold(1e-9);
+  qr.compute(gradients(model, state));
+  result.rank = static_cast<int>(qr.rank());
+  result.degrees = structure.variables - result.rank;
+  for (int k = result.rank; k < structure.constraints; ++k)
+    result.redundant.push_back(qr.colsPermutation().indices()[k]);
+  std::sort(result.redundant.begin(), result.redundant.end());
+  return result;
+}
+
+}  // namespace tandem::mbs

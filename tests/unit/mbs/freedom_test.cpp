@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/mbs/mechanism/freedom.hpp"
+
+#include <gtest/gtest.h>
+
+#include "four_bar/linkage.hpp"
+#include "tandem/mbs/mechanism/mechanism.hpp"
+#include "tandem/mbs/mechanism/read.hpp"
+
+namespace tandem::mbs {
+namespace {
+
+TEST(Freedom, OfTheLinkageIsOneAndManyWhereItIsFlat) {
+  for (const int loops : {1, 2, 5, 60}) {
+    Mechanism linkage(read_mechanism("linkage", four_bar::text(loops)));
+    State s = linkage.described_state();
+    Freedom f = freedom(linkage, s);
+    EXPECT_EQ(f.rank, 2 * loops + 1);
+    EXPECT_EQ(f.degrees, 1);
+    EXPECT_TRUE(f.redundant.empty());
+    for (int i = 0; i <= loops; ++i) s.q.segment(2 * i, 2) << i + 1.0, 0.0;  // all rods in line
+    f = freedom(linkage, s);
+    EXPECT_EQ(f.rank, loops + 1) << "the couplers say nothing that the cranks do not";
+    EXPECT_EQ(f.degrees, loops + 1);
+    EXPECT_EQ(f.redundant.size(), static_cast<std::size_t>(loops));
+  }
+}
+
+TEST(Freedom, NamesAConstraintThatIsThereTwice) {
+  const std::string text =
+      "dimension = 3\n"
+      "[points]\nO = { at = [0, 0, 0], fixed = true }\nP = { at = [1, 0, 0] }\nQ = { at = [1, 2, 0] }\n"
+      "[rods]\na = { points = ['O', 'P'], mass = 1 }\nb = { points = ['P', 'Q'], mass = 1 }\n"
+      "[distances]\nagain = { points = ['Q', 'P'] }\n";
+  Mechanism m(read_mechanism("twice", text));
+  const Freedom f = freedom(m, m.described_state());
+  EXPECT_EQ(f.rank, 2);
+  EXPECT_EQ(f.degrees, 4);
+  ASSERT_EQ(f.redundant.size(), 1U);
+  const std::string name = m.structure().constraint_names[f.redundant[0]];
+  EXPECT_TRUE(name == "again" || name == "b: Q . Q") << name;
+}
+
+TEST(Freedom, OfABodyInSpaceIsSix) {
+  const std::string text =
+      "dimension = 3\n"
+      "[points]\nO = { at = [0, 0, 0] }\n"
+      "[vectors]\nx = { at = [1, 0, 0] }\ny = { at = [0, 1, 0] }\nz = { at = [0, 0, 1] }\n"
+      "[bodies.box]\npoints = ['O']\nvectors = ['x', 'y', 'z']\nmass = 1\ncentre = [0.1, 0, 0]\n"
+      "inertia = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n";
+  Mechanism m(read_mechanism("box", text));
+  EXPECT_EQ(m.structure().variables, 12);
+  EXPECT_EQ(freedom(m, m.described_state()).degrees, 6);
+}
+
+}  // namespace
+}  // namespace tandem::mbs
