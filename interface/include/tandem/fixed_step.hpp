@@ -24,9 +24,8 @@ struct OwnStep {
 /// SubsystemInfo info() const;                              // ports, units, feedthrough
 /// double own_step() const;                                 // h [s], finite and above 0
 /// void start(double t, std::span<const double> u0);        // puts the state at t; u0 may hold NaN
-/// void step(const OwnStep& s, std::span<const Signal> u);  // integrates over s; reads inputs at any time in
-/// it void outputs(double* y) const;                           // outputs, then derivatives, of the state as
-/// it is
+/// void step(const OwnStep& s, std::span<const Signal> u);  // integrates over s, reads inputs anywhere in it
+/// void outputs(double* y) const;                           // outputs, then derivatives, as the state is
 /// @endcode
 template <class Model>
 class FixedStep final : public Subsystem {

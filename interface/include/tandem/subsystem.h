@@ -109,16 +109,15 @@ typedef struct tandem_subsystem_api {
   const char* (*last_error)(void* self);
 
   /* Puts the state at t_start and appends the first sample. t_stop: the end of the run, past which it is not
-   * asked to go. u0: one value per scalar input, NaN where it is
-   * not known yet; outputs without feedthrough from an unknown input must come back finite all the same. */
+   * asked to go. u0: one value per scalar input, NaN where it is not known yet; outputs without feedthrough
+   * from an unknown input must come back finite all the same. */
   tandem_status (*initialize)(void* self, double t_start, double t_stop, const double* u0, tandem_samples* y,
                               tandem_clock* clock);
 
-  /* Takes own steps for as long as they end at or before t_limit (compare with a tolerance
-   * of 6 DBL_EPSILON max(|t|, |t_start|); a strict comparison costs extra calls), and
-   * appends one row for each. u: one signal per scalar input, covering [time, t_limit]. land != 0: the last
-   * step is cut so that it ends at t_limit; the grid of own steps stays as it was. Time after the call is
-   * that of the last row. */
+  /* Takes own steps for as long as they end at or before t_limit (compare with a tolerance of 6 DBL_EPSILON
+   * max(|t|, |t_start|); a strict comparison costs extra calls), and appends one row for each. u: one signal
+   * per scalar input, covering [time, t_limit]. land != 0: the last step is cut so that it ends at t_limit;
+   * the grid of own steps stays as it was. Time after the call is that of the last row. */
   tandem_status (*advance)(void* self, double t_limit, int32_t land, const tandem_signal* u,
                            tandem_samples* y, tandem_clock* clock);
 

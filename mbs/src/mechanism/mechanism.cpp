@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "distance_set.hpp"
@@ -78,12 +79,11 @@ void Mechanism::add_masses(const Description& in) {
 /// Those of the bodies, each once however many bodies share it, then those of the description.
 std::vector<ScalarProduct> all_products(const Description& in) {
   std::vector<ScalarProduct> all;
+  std::set<std::pair<std::pair<int, int>, std::pair<int, int>>> there;
   for (const Body& body : in.bodies)
     for (ScalarProduct& p : rigid_conditions(in, body)) {
-      const auto same = [&](const ScalarProduct& other) {
-        return (other.a == p.a && other.b == p.b) || (other.a == p.b && other.b == p.a);
-      };
-      if (std::none_of(all.begin(), all.end(), same)) all.push_back(std::move(p));
+      const auto [first, last] = std::minmax({std::pair(p.a.to, p.a.from), std::pair(p.b.to, p.b.from)});
+      if (there.emplace(first, last).second) all.push_back(std::move(p));
     }
   all.insert(all.end(), in.products.begin(), in.products.end());
   return all;

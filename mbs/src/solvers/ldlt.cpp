@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/SparseCholesky>
+#include <algorithm>
 
 #include "solvers.hpp"
 
@@ -17,7 +18,10 @@ class Ldlt final : public LinearSolver {
   }
   int factorize(const double* values) override {
     solver_.factorize(matrix(values));
-    return solver_.info() == Eigen::Success ? -1 : 0;
+    if (solver_.info() == Eigen::Success) return -1;
+    const Eigen::VectorXd pivots = solver_.vectorD();  // it stops at one that is zero
+    const auto stop = std::find(pivots.begin(), pivots.end(), 0.0) - pivots.begin();
+    return solver_.permutationPinv().indices()[std::min(stop, pivots.size() - 1)];
   }
   void solve(double* b) override {
     Eigen::Map<Eigen::VectorXd> x(b, pattern_.columns());

@@ -36,13 +36,12 @@ Tangent::Tangent(const Structure& structure, std::unique_ptr<LinearSolver> solve
       update_(structure.jacobian, pattern_),
       mass_(static_cast<std::size_t>(pattern_.size())),
       values_(mass_.size()) {
-  const auto mass = structure.mass.pattern.entries(), stiffness = structure.stiffness.entries();
+  const auto mass = positions(structure.mass.pattern, pattern_),
+             stiffness = positions(structure.stiffness, pattern_);
   for (std::size_t k = 0; k < mass.size(); ++k)
-    if (const int at = pattern_.find(mass[k].first, mass[k].second); at >= 0)
-      mass_[at] = structure.mass.values[k];
+    if (mass[k] >= 0) mass_[mass[k]] = structure.mass.values[k];
   for (std::size_t k = 0; k < stiffness.size(); ++k)
-    if (const int at = pattern_.find(stiffness[k].first, stiffness[k].second); at >= 0)
-      from_.push_back(static_cast<int>(k)), to_.push_back(at);
+    if (stiffness[k] >= 0) from_.push_back(static_cast<int>(k)), to_.push_back(stiffness[k]);
   base_ = mass_;
   solver_->analyze(pattern_);
 }

@@ -10,7 +10,7 @@ namespace tandem::mbs {
 struct Index3Settings {
   double penalty = 0.0;            ///< alpha; 0: 1e7 times the largest mass term
   double beta = 0.25;              ///< Newmark's, 1/12 to 1/4; gamma is 1/2. 1/4: the trapezoidal rule
-  double tolerance = 1e-10;        ///< Newton's iteration ends when |dq| (Euclidean) is below
+  double tolerance = 1e-10;        ///< [m] Newton's iteration ends when |dq| (Euclidean) is below
   int most_iterations = 30;        ///< then it has failed
   int multiplier_iterations = 10;  ///< of these update the multipliers; the others keep them
   int projections = 1;             ///< of velocities and of accelerations; each divides their error anew
@@ -43,9 +43,6 @@ class Index3 {
   /// lambda + beta h^2 alpha (Phi_q q'' + gamma), summed over the projections. (state.lambda
   /// belongs to the accelerations before the projection, which are of order 1.)
   Eigen::VectorXd multipliers(const State& state) const;
-
-  double penalty() const { return penalty_; }
-  const Tangent& tangent() const { return tangent_; }
 
  private:
   void evaluate(const State& s);

@@ -38,7 +38,7 @@ class Pattern {
 /// The entries of both. Precondition: the same shape.
 Pattern unite(const Pattern& a, const Pattern& b);
 
-/// By position of `part` the position in `whole`. Precondition: it has all of them.
+/// By position of `part` the position in `whole`; -1 for an entry that it has not.
 std::vector<int> positions(const Pattern& part, const Pattern& whole);
 
 /// A sparse matrix whose pattern stays.

@@ -37,7 +37,6 @@ class Tangent {
   void solve(double* b) { solver_->solve(b); }
 
   const Pattern& pattern() const { return pattern_; }
-  const std::vector<double>& values() const { return values_; }
 
  private:
   std::unique_ptr<LinearSolver> solver_;
