@@ -169,7 +169,7 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"reference",
             "[record]",
             "[reference]\nfile = \"r.csv\"\ntolerance = 1\n[record]",
-            {"'r.csv' are not there"},
+            {"'r.csv' is not there"},
             1},
         Bad{"tolerance",
             "[record]",

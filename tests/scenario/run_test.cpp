@@ -5,17 +5,17 @@
 
 #include "background.hpp"
 #include "command.hpp"
-#include "scenario/table.hpp"
+#include "tandem/text/time_table.hpp"
 
 namespace tandem {
 namespace {
 
-using scenario::Table;
 using test::read_text;
 using test::Said;
 using test::Scratch;
 using test::tandem;
 using test::two_mass_file;
+using text::TimeTable;
 
 nlohmann::json json_of(const std::filesystem::path& file) { return nlohmann::json::parse(read_text(file)); }
 
@@ -26,7 +26,7 @@ TEST(RunCommand, WritesResultsWithUnitsAndMachineFigures) {
   const auto results = folder.path() / "results/two_mass";
   for (const char* name : {"results.csv", "results.json", "machine.json"})
     EXPECT_NE(said.out.find(std::string("wrote results/two_mass/") + name), std::string::npos) << said.out;
-  EXPECT_EQ(Table::read(results).times.size(), 10001U);
+  EXPECT_EQ(TimeTable::read(results).times.size(), 10001U);
   const auto json = json_of(results / "results.json");
   EXPECT_EQ(json["status"], "ok");
   EXPECT_EQ(json["units"]["slow.v2"], "m/s");
@@ -70,7 +70,7 @@ TEST(RunCommand, OverridesAreDoneAndRecorded) {
                                     "connections.reconstruction=hermite", "--set",
                                     "record.ports=[\"slow.x2\"]", "--set", "record.clock=slow"});
   ASSERT_EQ(said.status, 0) << said.err;
-  const Table table = Table::read(folder.path() / "o");
+  const TimeTable table = TimeTable::read(folder.path() / "o");
   EXPECT_EQ(table.names, std::vector<std::string>{"slow.x2"});
   EXPECT_EQ(table.times.size(), 21U);
   const auto scenario = json_of(folder.path() / "o/results.json")["scenario"];
@@ -84,8 +84,8 @@ TEST(RunCommand, OwnClocksWriteAFileForEachSubsystem) {
                             "record.clock=own"})
                 .status,
             0);
-  EXPECT_EQ(Table::read(folder.path() / "o/results.fast.csv").times.size(), 10001U);
-  EXPECT_EQ(Table::read(folder.path() / "o/results.slow.csv").times.size(), 401U);
+  EXPECT_EQ(TimeTable::read(folder.path() / "o/results.fast.csv").times.size(), 10001U);
+  EXPECT_EQ(TimeTable::read(folder.path() / "o/results.slow.csv").times.size(), 401U);
 }
 
 TEST(RunCommand, ADryRunWritesNothing) {
@@ -132,7 +132,7 @@ TEST(RunCommand, ARunThatFailsKeepsItsResultsAndHasStatusOne) {
   EXPECT_NE(said.err.find("real_loop_memory.toml: subsystem"), std::string::npos) << said.err;
   EXPECT_NE(said.err.find("not finite at t = "), std::string::npos) << said.err;
   EXPECT_NE(said.err.find("kept in o"), std::string::npos) << said.err;
-  EXPECT_GT(Table::read(folder.path() / "o").times.size(), 1000U);
+  EXPECT_GT(TimeTable::read(folder.path() / "o").times.size(), 1000U);
   const auto json = json_of(folder.path() / "o/results.json");
   EXPECT_EQ(json["status"], "failed");
   EXPECT_NE(json["message"].get<std::string>().find("not finite"), std::string::npos);
@@ -174,7 +174,7 @@ TEST(RunCommand, CtrlCEndsCleanlyAndKeepsResults) {
   EXPECT_EQ(run.interrupt(), 1);
   EXPECT_NE(run.err().find("interrupted at t = "), std::string::npos) << run.err();
   EXPECT_EQ(json_of(output / "results.json")["status"], "interrupted");
-  EXPECT_GT(Table::read(output).times.size(), 1000U);
+  EXPECT_GT(TimeTable::read(output).times.size(), 1000U);
 }
 
 TEST(RunCommand, ADryRunRefusesAFolderThatCannotBeMade) {

@@ -4,17 +4,17 @@
 #include <cmath>
 
 #include "command.hpp"
-#include "scenario/table.hpp"
+#include "tandem/text/time_table.hpp"
 #include "two_mass/model.hpp"
 
 namespace tandem {
 namespace {
 
-using scenario::Table;
 using test::Said;
 using test::Scratch;
 using test::tandem;
 using test::two_mass_file;
+using text::TimeTable;
 
 two_mass::Model model() {
   two_mass::Settings settings;
@@ -29,7 +29,7 @@ double position_error(const std::string& file, std::vector<std::string> more = {
   arguments.insert(arguments.end(), more.begin(), more.end());
   const Said said = tandem(folder, arguments);
   EXPECT_EQ(said.status, 0) << said.err;
-  const Table table = Table::read(folder.path() / "o");
+  const TimeTable table = TimeTable::read(folder.path() / "o");
   const two_mass::Model exact = model();
   double difference = 0.0, square = 0.0;
   for (std::size_t k = 0; k < table.times.size(); ++k) {
@@ -58,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(All, TwoMassScenario,
 
 /// The file was rounded to 12 places; the formula rounds by some 1e-13 at t = 100 s.
 TEST(TwoMassReference, IsTheExactMotion) {
-  const Table table = Table::read(two_mass_file("exact_motion.csv"));
+  const TimeTable table = TimeTable::read(two_mass_file("exact_motion.csv"));
   const two_mass::Model exact = model();
   ASSERT_EQ(table.names, (std::vector<std::string>{"fast.x1", "slow.x2", "both.x1", "both.x2"}));
   for (std::size_t k = 0; k < table.times.size(); ++k) {

@@ -7,18 +7,18 @@
 
 #include "recording.hpp"
 #include "refusal.hpp"
-#include "scenario/table.hpp"
 #include "scratch.hpp"
 #include "scripted.hpp"
+#include "tandem/text/time_table.hpp"
 
 namespace tandem {
 namespace {
 
-using scenario::Table;
 using test::read_text;
 using test::refuses;
 using test::Scratch;
 using test::Scripted;
+using text::TimeTable;
 
 double cubic(double t) { return 1.0 - 2.0 * t + 0.5 * t * t * t; }
 double slope(double t) { return -2.0 + 1.5 * t * t; }
@@ -59,7 +59,7 @@ struct Bench {
   std::optional<Coordinator> run;
 };
 
-const std::vector<double>& column(const Table& table, const std::string& name) {
+const std::vector<double>& column(const TimeTable& table, const std::string& name) {
   const auto it = std::find(table.names.begin(), table.names.end(), name);
   return table.columns.at(static_cast<std::size_t>(it - table.names.begin()));
 }
@@ -67,7 +67,7 @@ const std::vector<double>& column(const Table& table, const std::string& name) {
 TEST(Recorder, RowsStandAtTheOwnStepsOfTheSmallestStep) {
   const Scratch folder;
   Bench({0.25, 0.1}).record({folder.path(), "", false, {}});
-  const Table table = Table::read(folder.path());
+  const TimeTable table = TimeTable::read(folder.path());
   ASSERT_EQ(table.times.size(), 21U);
   for (std::size_t k = 0; k < table.times.size(); ++k)
     EXPECT_EQ(table.times[k], static_cast<double>(k) * 0.1);
@@ -80,7 +80,7 @@ TEST(Recorder, RowsStandAtTheOwnStepsOfTheSmallestStep) {
 TEST(Recorder, OtherOutputsAreInterpolatedByHermiteOrLinearly) {
   const Scratch folder;
   const auto recorder = Bench({0.25, 0.1}).record({folder.path(), "", false, {}});
-  const Table table = Table::read(folder.path());
+  const TimeTable table = TimeTable::read(folder.path());
   for (std::size_t k = 0; k < table.times.size(); ++k) {
     EXPECT_NEAR(column(table, "a.c")[k], cubic(table.times[k]), 1e-14);
     EXPECT_NEAR(column(table, "a.l")[k], line(table.times[k]), 1e-14);
@@ -96,7 +96,7 @@ TEST(Recorder, NumbersReadBackTheSameToTheLastBit) {
   const Scratch folder;
   Bench bench({0.1});
   bench.record({folder.path(), "", false, {}});
-  const Table table = Table::read(folder.path());
+  const TimeTable table = TimeTable::read(folder.path());
   for (std::size_t k = 0; k < table.times.size(); ++k) {
     EXPECT_EQ(column(table, "a.a[1]")[k], std::sin(static_cast<double>(k) * 0.1));
     EXPECT_EQ(column(table, "a.c")[k], cubic(static_cast<double>(k) * 0.1));
@@ -106,7 +106,7 @@ TEST(Recorder, NumbersReadBackTheSameToTheLastBit) {
 TEST(Recorder, AnyInstanceCanBeTheClock) {
   const Scratch folder;
   Bench({0.25, 0.1}).record({folder.path(), "a", false, {}});
-  const Table table = Table::read(folder.path());
+  const TimeTable table = TimeTable::read(folder.path());
   EXPECT_EQ(table.times.size(), 9U);
   EXPECT_EQ(column(table, "a.c")[3], cubic(0.75));
   EXPECT_NEAR(column(table, "b.c")[3], cubic(0.75), 1e-14);
@@ -116,8 +116,8 @@ TEST(Recorder, OwnModeWritesAFileForEachSubsystem) {
   const Scratch folder;
   const auto recorder = Bench({0.25, 0.1}).record({folder.path(), "", true, {}});
   EXPECT_EQ(recorder->files().size(), 2U);
-  const Table a = Table::read(folder.path() / "results.a.csv"),
-              b = Table::read(folder.path() / "results.b.csv");
+  const TimeTable a = TimeTable::read(folder.path() / "results.a.csv"),
+                  b = TimeTable::read(folder.path() / "results.b.csv");
   EXPECT_EQ(a.times.size(), 9U);
   EXPECT_EQ(b.times.size(), 21U);
   EXPECT_EQ(a.names, (std::vector<std::string>{"a.c", "a.l", "a.a[0]", "a.a[1]"}));
@@ -128,7 +128,7 @@ TEST(Recorder, OwnModeWritesAFileForEachSubsystem) {
 TEST(Recorder, WritesOnlyThePortsThatAreNamed) {
   const Scratch folder;
   Bench({0.25, 0.1}).record({folder.path(), "", false, {"b.a", "a.a[1]", "b.l"}});
-  EXPECT_EQ(Table::read(folder.path()).names,
+  EXPECT_EQ(TimeTable::read(folder.path()).names,
             (std::vector<std::string>{"a.a[1]", "b.l", "b.a[0]", "b.a[1]"}));
 }
 
@@ -146,7 +146,7 @@ TEST(Recorder, RefusesPortsAndClocksThatAreNotThere) {
 TEST(Recorder, LeavesCellsEmptyAfterASubsystemsLastSample) {
   const Scratch folder;
   const auto recorder = Bench({0.6, 0.1}).record({folder.path(), "", false, {"a.c", "b.c"}});
-  const Table table = Table::read(folder.path());
+  const TimeTable table = TimeTable::read(folder.path());
   ASSERT_EQ(table.times.size(), 21U);
   EXPECT_NEAR(column(table, "a.c")[18], cubic(1.8), 1e-14);
   EXPECT_TRUE(std::isnan(column(table, "a.c")[19]));
@@ -160,7 +160,7 @@ TEST(Recorder, LeavesCellsEmptyAfterASubsystemsLastSample) {
 TEST(Recorder, LongRunsAreWrittenInPieces) {
   const Scratch folder;
   Bench({0.3, 0.001}, 60.0).record({folder.path(), "", false, {}});
-  const Table table = Table::read(folder.path());
+  const TimeTable table = TimeTable::read(folder.path());
   ASSERT_EQ(table.times.size(), 60001U);
   for (std::size_t k = 0; k < table.times.size(); k += 7) {
     ASSERT_EQ(column(table, "b.a[1]")[k], std::sin(static_cast<double>(k) * 0.001));
@@ -182,7 +182,7 @@ TEST(Recorder, ARunThatFailsKeepsWhatWasRecorded) {
     bench.run->observe(&recorder);
     EXPECT_TRUE(refuses(ErrorCode::numerical, {"it broke"}, [&] { bench.run->run(); }));
   }  // closed by its destructor
-  const Table table = Table::read(folder.path());
+  const TimeTable table = TimeTable::read(folder.path());
   EXPECT_EQ(table.times.back(), 1.0);
 }
 

@@ -6,7 +6,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
-#include "tandem/error.hpp"
+#include "refuse.hpp"
 
 namespace tandem::mbs {
 namespace {
@@ -15,17 +15,10 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 [[noreturn]] void refuse(const Body& body, const std::string& what) {
-  throw Error(ErrorCode::invalid_argument, fmt::format("body '{}' {}", body.name, what));
+  mbs::refuse(body.where, fmt::format("body '{}' {}", body.name, what));
 }
 
-/// (1, x) of a point, (0, u) of a vector.
-VectorXd homogeneous(const Description& in, int entity) {
-  const Entity& e = in.entities[entity];
-  VectorXd h(in.dimension + 1);
-  h[0] = e.kind == Entity::Kind::point ? 1.0 : 0.0;
-  h.tail(in.dimension) = e.at.head(in.dimension);
-  return h;
-}
+bool is_point(const Description& in, int entity) { return in.entities[entity].kind == Entity::Kind::point; }
 
 /// Integral of (1, x)(1, x)^T dm. In the plane only the polar moment counts: it is shared out evenly.
 MatrixXd pseudo_inertia(const Description& in, const Body& body) {
@@ -69,30 +62,46 @@ void spanned(const Description& in, const Body& body, const MatrixXd& j, BodyMas
   }
 }
 
-/// Two points in the plane: r = (1 - w) r_i + w r_j with a complex w, so blocks are [re -im; im re].
+/// A point i and an edge u in the plane: r = r_i + w u with a complex w, so blocks are [re -im; im re]. With
+/// a second point j in place of u: u = r_j - r_i.
 void planar_pair(const Description& in, const Body& body, const MatrixXd& j, BodyMass& to) {
+  const bool points = is_point(in, to.entities[1]);
   const Eigen::Vector2d i = in.entities[to.entities[0]].at.head(2),
-                        along = in.entities[to.entities[1]].at.head(2) - i, centre = body.centre.head(2) - i,
-                        across(-along[1], along[0]);
-  const double square = along.squaredNorm(), m = body.mass, re = m * centre.dot(along) / square,
+                        u = drawn(in, {to.entities[1], points ? to.entities[0] : -1}).head(2),
+                        across(-u[1], u[0]), centre = body.centre.head(2) - i;
+  const double square = u.squaredNorm(), m = body.mass, re = m * centre.dot(u) / square,
                im = m * centre.dot(across) / square,
-               polar =
-                   (j(1, 1) + j(2, 2) - 2.0 * m * body.centre.head(2).dot(i) + m * i.squaredNorm()) / square;
+               moment = j(1, 1) + j(2, 2) - m * body.centre.head(2).squaredNorm(),
+               polar = (moment + m * centre.squaredNorm()) / square;
   Eigen::Matrix2d turn;
   turn << 0.0, -1.0, 1.0, 0.0;
-  const Eigen::Matrix2d one = Eigen::Matrix2d::Identity(), cross = (re - polar) * one + im * turn;
+  const Eigen::Matrix2d one = Eigen::Matrix2d::Identity(), cross = re * one + im * turn;
   to.mass.resize(4, 4);
-  to.mass << (m - 2.0 * re + polar) * one, cross, cross.transpose(), polar * one;
+  to.mass << m * one, cross, cross.transpose(), polar * one;
   to.weight.resize(4, 2);
-  to.weight << (m - re) * one + im * turn, re * one - im * turn;  // transposed, and turn^T = -turn
+  to.weight << m * one, cross.transpose();
+  if (!points) return;
+  Eigen::Matrix4d split = Eigen::Matrix4d::Identity();
+  split.bottomLeftCorner(2, 2) = -one;
+  to.mass = (split.transpose() * to.mass * split).eval();
+  to.weight = (split.transpose() * to.weight).eval();
 }
 
 }  // namespace
 
+VectorXd homogeneous(const Description& in, int entity) {
+  const Entity& e = in.entities[entity];
+  VectorXd h(in.dimension + 1);
+  h[0] = e.kind == Entity::Kind::point ? 1.0 : 0.0;
+  h.tail(in.dimension) = e.at.head(in.dimension);
+  return h;
+}
+
 std::vector<int> defining_entities(const Description& in, const Body& body) {
-  std::vector<int> chosen;
+  std::vector<int> chosen, candidates = body.entities;
+  std::stable_partition(candidates.begin(), candidates.end(), [&](int e) { return is_point(in, e); });
   MatrixXd basis(in.dimension + 1, 0);
-  for (const int entity : body.entities) {
+  for (const int entity : candidates) {
     MatrixXd more(in.dimension + 1, basis.cols() + 1);
     more << basis, homogeneous(in, entity);
     Eigen::ColPivHouseholderQR<MatrixXd> qr(more);
@@ -116,12 +125,10 @@ BodyMass body_mass(const Description& in, const Body& body) {
 
 std::vector<ScalarProduct> rigid_conditions(const Description& in, const Body& body) {
   const auto defining = defining_entities(in, body);
-  const auto is_point = [&](int e) { return in.entities[e].kind == Entity::Kind::point; };
-  const auto base = std::find_if(defining.begin(), defining.end(), is_point);
-  if (base == defining.end()) refuse(body, "has no point");
+  if (defining.empty() || !is_point(in, defining[0])) refuse(body, "has no point");
   std::vector<Edge> edges;
-  for (const int e : defining)
-    if (e != *base) edges.push_back({e, is_point(e) ? *base : -1});
+  for (std::size_t k = 1; k < defining.size(); ++k)
+    edges.push_back({defining[k], is_point(in, defining[k]) ? defining[0] : -1});
   const auto fixed = [&](const Edge& e) {
     return in.entities[e.to].fixed && (e.from < 0 || in.entities[e.from].fixed);
   };
@@ -131,7 +138,7 @@ std::vector<ScalarProduct> rigid_conditions(const Description& in, const Body& b
       if (!fixed(*a) || !fixed(*b))
         conditions.push_back(
             {fmt::format("{}: {} . {}", body.name, in.entities[a->to].name, in.entities[b->to].name), *a, *b,
-             drawn(in, *a).dot(drawn(in, *b))});
+             drawn(in, *a).dot(drawn(in, *b)), body.where});
   return conditions;
 }
 

@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <utility>
 #include <vector>
 
 namespace tandem::mbs {
@@ -15,6 +16,8 @@ class ConstraintSet {
 
   /// phi of all equations of the mechanism, and the values of its Jacobian.
   virtual void values(const double* q, double* phi, double* jacobian) const = 0;
+  /// Partial derivatives by time, of equations that have one.
+  virtual void rates(double*) const {}
   /// gamma in Phi'' = Phi_q q'' + gamma.
   virtual void accelerations(const double* q, const double* v, double* gamma) const = 0;
 

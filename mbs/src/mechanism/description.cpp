@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "tandem/mbs/mechanism/description.hpp"
 
+#include <Eigen/Geometry>
+#include <cmath>
 #include <utility>
 
 namespace tandem::mbs {
@@ -8,6 +10,15 @@ namespace tandem::mbs {
 Eigen::Vector3d drawn(const Description& in, const Edge& edge) {
   const Eigen::Vector3d to = in.entities[edge.to].at;
   return edge.from < 0 ? to : Eigen::Vector3d(to - in.entities[edge.from].at);
+}
+
+double drawn(const Description& in, const Relative& relative) {
+  const Eigen::Vector3d a = drawn(in, relative.a);
+  if (relative.kind == Relative::Kind::length) return a.norm();
+  const Eigen::Vector3d b = drawn(in, relative.b),
+                        n = in.dimension == 2 ? Eigen::Vector3d(Eigen::Vector3d::UnitZ())
+                                              : Eigen::Vector3d(in.entities[relative.axis].at.normalized());
+  return std::atan2(n.dot(a.cross(b)), a.dot(b) - n.dot(a) * n.dot(b));
 }
 
 Body uniform_rod(const Description& in, std::string name, int a, int b, double mass) {

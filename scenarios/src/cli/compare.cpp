@@ -54,7 +54,7 @@ std::vector<std::pair<fs::path, fs::path>> pairs_of(const Options& options) {
 void compare(const Options& options, const Context& context) {
   std::string worst;
   for (const auto& [file_a, file_b] : pairs_of(options)) {
-    const auto a = scenario::Table::read(file_a), b = scenario::Table::read(file_b);
+    const auto a = text::TimeTable::read(file_a), b = text::TimeTable::read(file_b);
     const auto comparison = scenario::compare(a, b, options.columns);
     if (!context.quiet) fmt::print("{}", scenario::text(comparison));
     if (worst.empty()) worst = scenario::beyond(comparison, options.tolerance);

@@ -74,7 +74,7 @@ class Run {
           "record.clock is 'own', which writes no results.csv to compare with the reference; name a "
           "subsystem, or say --no-reference");
     reference_ = scenario::located(scenario_.reference->place,
-                                   [&] { return scenario::Table::read(scenario_.reference->file); });
+                                   [&] { return text::TimeTable::read(scenario_.reference->file); });
     if (scenario_.judge) check_judged();
   }
 
@@ -125,7 +125,7 @@ class Run {
   void compare() {
     if (!reference_ || end_.status != "ok") return;
     try {
-      const auto comparison = scenario::compare(scenario::Table::read(folder_), *reference_);
+      const auto comparison = scenario::compare(text::TimeTable::read(folder_), *reference_);
       report_ = scenario::text(comparison);
       for (const auto& d : comparison.columns) judge(d);
     } catch (const Error& error) {
@@ -192,7 +192,7 @@ class Run {
   Assembly assembly_;
   fs::path folder_;
   std::unique_ptr<Recorder> recorder_;
-  std::optional<scenario::Table> reference_;
+  std::optional<text::TimeTable> reference_;
   RunEnd end_;
   std::string report_;
   nlohmann::ordered_json differences_ = nlohmann::ordered_json::object();

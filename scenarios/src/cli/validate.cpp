@@ -18,7 +18,7 @@ void validate(const Options& options, const Context& context) {
   scenario::Assembly assembly(scenario, context.builtins);
   const auto recorder = assembly.recorder(".");
   if (scenario.reference)
-    scenario::located(scenario.reference->place, [&] { scenario::Table::read(scenario.reference->file); });
+    scenario::located(scenario.reference->place, [&] { text::TimeTable::read(scenario.reference->file); });
   assembly.initialize();
   fmt::print("{}: ok\n", options.file);
   for (const std::string& note : assembly.coordinator().notes()) fmt::print("note: {}\n", note);

@@ -16,13 +16,13 @@ namespace {
 
 [[noreturn]] void fail(const std::string& sentence) { throw Error(ErrorCode::invalid_argument, sentence); }
 
-std::size_t index_of(const Table& table, const std::string& column) {
+std::size_t index_of(const TimeTable& table, const std::string& column) {
   const auto it = std::find(table.names.begin(), table.names.end(), column);
   if (it == table.names.end()) fail(table.file.string() + ": " + unknown("column", column, table.names));
   return static_cast<std::size_t>(it - table.names.begin());
 }
 
-std::vector<std::string> common(const Table& a, const Table& b) {
+std::vector<std::string> common(const TimeTable& a, const TimeTable& b) {
   std::vector<std::string> names;
   for (const std::string& name : a.names)
     if (std::find(b.names.begin(), b.names.end(), name) != b.names.end()) names.push_back(name);
@@ -35,7 +35,7 @@ std::vector<std::string> common(const Table& a, const Table& b) {
 /// Finds for rising times the row of a table, or the two rows around it.
 class Rows {
  public:
-  explicit Rows(const Table& table) : table_(table), tolerance_(table.times.front()) {}
+  explicit Rows(const TimeTable& table) : table_(table), tolerance_(table.times.front()) {}
 
   bool covers(double t) const {
     return !tolerance_.before(t, table_.times.front()) && !tolerance_.before(table_.times.back(), t);
@@ -60,7 +60,7 @@ class Rows {
   }
 
  private:
-  const Table& table_;
+  const TimeTable& table_;
   TimeTolerance tolerance_;
   std::size_t row_ = 0;
   double time_ = 0.0;
@@ -82,7 +82,7 @@ void note(Difference& d, double time, double a, double b) {
 /// Two tables side by side at the times of the one with fewer rows.
 class SideBySide {
  public:
-  SideBySide(const Table& a, const Table& b) : a_(a), b_(b), rows_a_(a), rows_b_(b) {
+  SideBySide(const TimeTable& a, const TimeTable& b) : a_(a), b_(b), rows_a_(a), rows_b_(b) {
     const double begin = std::max(a.times.front(), b.times.front()),
                  end = std::min(a.times.back(), b.times.back());
     coarse_ = rows_a_.count_between(begin, end) < rows_b_.count_between(begin, end) ? &a : &b;
@@ -130,9 +130,9 @@ class SideBySide {
     d.relative = by > 0.0 ? d.absolute / by : 0.0;
   }
 
-  const Table &a_, &b_;
+  const TimeTable &a_, &b_;
   Rows rows_a_, rows_b_;
-  const Table* coarse_;
+  const TimeTable* coarse_;
   std::vector<std::pair<std::size_t, std::size_t>> index_;
   Comparison result_;
 };
@@ -141,12 +141,12 @@ std::string percent(double fraction) { return fmt::format("{:.3g} %", 100.0 * fr
 
 }  // namespace
 
-Comparison compare(const Table& a, const Table& b, const std::vector<std::string>& columns) {
+Comparison compare(const TimeTable& a, const TimeTable& b, const std::vector<std::string>& columns) {
   SideBySide both(a, b);
   const auto names = columns.empty() ? common(a, b) : columns;
   for (const std::string& name : names) both.add(name);
   Comparison comparison = both.compared();
-  for (const Table* table : {&a, &b})
+  for (const TimeTable* table : {&a, &b})
     for (const std::string& name : table->names)
       if (columns.empty() && std::find(names.begin(), names.end(), name) == names.end())
         comparison.uncompared.push_back("column " + name + " is in " + table->file.string() + " only");

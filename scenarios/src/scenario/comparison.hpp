@@ -3,9 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "scenario/table.hpp"
+#include "tandem/text/time_table.hpp"
 
 namespace tandem::scenario {
+
+using text::TimeTable;
 
 /// Where one column of two results differs most.
 struct Difference {
@@ -30,7 +32,7 @@ struct Comparison {
 /// linearly. Empty cells are left out. Of a time that stands twice (a jump), the first row is compared with
 /// the first and the last with the last. Throws Error for a column that is not there, no column or no time in
 /// common; columns (if none are named) and times that only one has are told in `uncompared`.
-Comparison compare(const Table& a, const Table& b, const std::vector<std::string>& columns = {});
+Comparison compare(const TimeTable& a, const TimeTable& b, const std::vector<std::string>& columns = {});
 
 /// A line for each column and one on how they were compared.
 std::string text(const Comparison& comparison);

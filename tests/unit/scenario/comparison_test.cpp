@@ -13,12 +13,12 @@ namespace {
 using test::refuses;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-Table table(std::vector<double> times, std::vector<double> x, const std::string& name = "x") {
+TimeTable table(std::vector<double> times, std::vector<double> x, const std::string& name = "x") {
   return {"file", std::move(times), {name}, {std::move(x)}};
 }
 
 TEST(Comparison, EqualResultsDoNotDiffer) {
-  const Table a = table({0, 1, 2}, {1, 2, 3});
+  const TimeTable a = table({0, 1, 2}, {1, 2, 3});
   const auto c = compare(a, a);
   EXPECT_EQ(c.columns[0].absolute, 0.0);
   EXPECT_EQ(c.times, 3U);
@@ -58,13 +58,13 @@ TEST(Comparison, LeavesEmptyCellsOut) {
 }
 
 TEST(Comparison, AJumpIsComparedBeforeAndAfter) {
-  const Table step = table({0, 1, 1, 2}, {0, 0, 5, 5});
+  const TimeTable step = table({0, 1, 1, 2}, {0, 0, 5, 5});
   EXPECT_EQ(compare(step, step).columns[0].absolute, 0.0);
   EXPECT_EQ(compare(step, table({0, 1, 1, 2}, {0, 0, 4, 5})).columns[0].absolute, 1.0);
 }
 
 TEST(Comparison, NamesAColumnThatIsMissing) {
-  const Table a = table({0, 1}, {0, 1}, "fast.x1"), b = table({0, 1}, {0, 1}, "slow.x2");
+  const TimeTable a = table({0, 1}, {0, 1}, "fast.x1"), b = table({0, 1}, {0, 1}, "slow.x2");
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"no column is in both", "fast.x1", "slow.x2"},
                       [&] { compare(a, b); }));
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'fast.x2'", "did you mean 'fast.x1'?"},

@@ -16,6 +16,9 @@ struct Structure {
   Matrix mass;          ///< M, n x n, both triangles, constant
   Pattern jacobian;     ///< of Phi_q^T, n x m: a column for each constraint
   Pattern stiffness;    ///< of K and C, n x n; no entries if forces depend on neither q nor q'
+  /// Lengths of the arrays of their values: a model may write more behind those of the pattern (derivatives
+  /// by fixed coordinates).
+  int jacobian_values = 0, stiffness_values = 0;
   std::vector<std::string> variable_names, constraint_names;
 };
 
@@ -37,8 +40,7 @@ class Model {
   /// Fixes what depends on time alone: inputs, prescribed motions.
   virtual void at_time(double t) = 0;
 
-  /// Phi, and the values of Phi_q^T. The array `jacobian` has an entry beyond its pattern, which is for the
-  /// derivatives by fixed coordinates, that nobody reads.
+  /// Phi, and the values of Phi_q^T.
   virtual void constraints(const double* q, double* phi, double* jacobian) const = 0;
   /// Partial derivative of Phi by time.
   virtual void constraint_rates(const double* q, double* phi_t) const = 0;

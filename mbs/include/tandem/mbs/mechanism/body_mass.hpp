@@ -20,7 +20,11 @@ struct BodyMass {
 /// vectors that don't span where its mass is, and a body with no two of them apart.
 BodyMass body_mass(const Description& in, const Body& body);
 
-/// Of the entities of a body the first that are independent of those before them: they define it.
+/// (1, at) of a point, (0, at) of a vector; as many numbers as there are dimensions, and one.
+Eigen::VectorXd homogeneous(const Description& in, int entity);
+
+/// Of the entities of a body, points before vectors, the first that are independent of those before them:
+/// they define it.
 std::vector<int> defining_entities(const Description& in, const Body& body);
 
 /// What keeps those entities rigid: all scalar products of the edges from the first point to the others and

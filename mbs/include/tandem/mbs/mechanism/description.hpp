@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "tandem/mbs/mechanism/elements.hpp"
+
 namespace tandem::mbs {
 
 /// A point or a vector, shared by the bodies that name it. `at` is where it stands as drawn [m] (a vector:
@@ -14,6 +16,7 @@ struct Entity {
   bool fixed = false;
   Eigen::Vector3d at = Eigen::Vector3d::Zero();
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< at the start [m/s]
+  std::string where = {};
 };
 
 /// A rigid body and the points and vectors that belong to it, as drawn: its centre and inertia are given in
@@ -25,34 +28,45 @@ struct Body {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< [m]
   Eigen::Matrix3d inertia =
       Eigen::Matrix3d::Zero();  ///< about the centre [kg m^2]; in the plane (2, 2) counts
+  bool free = false;            ///< may be connected to nothing else
+  std::string where = {};
 };
 
-/// The way from one point to another, or a vector (`from` is -1).
-struct Edge {
-  int to, from = -1;
-  bool operator==(const Edge&) const = default;
-};
-
-/// The scalar product of two edges stays as large as this [m^2]; of one with itself: the square of a
-/// distance.
-struct ScalarProduct {
+/// A mass added at a point [kg].
+struct PointMass {
   std::string name;
-  Edge a, b;
-  double value;
+  int point;
+  double mass;
+  std::string where = {};
 };
 
-/// A mechanism before it is assembled. Names are unique among their kind. Indices are of `entities`.
+/// A mechanism before it is assembled. Names are unique among their kind. Indices are of the lists here,
+/// those of points and vectors of `entities`. `where` is what errors begin with: a file and its line, or
+/// nothing.
 struct Description {
   std::string name;
   int dimension = 3;                                  ///< 2: in the plane
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< [m/s^2]
   std::vector<Entity> entities;
   std::vector<Body> bodies;
+  std::vector<PointMass> masses;
   std::vector<ScalarProduct> products;  ///< those that hold besides the bodies' own rigidity
+  std::vector<FixedAngle> fixed_angles;
+  std::vector<Joint> joints;
+  std::vector<Relative> relatives;
+  std::vector<Input> inputs;
+  std::vector<Drive> drives;
+  std::vector<Spring> springs;
+  std::vector<Force> forces;
+  std::vector<Output> outputs;
+  std::vector<Given> positions, velocities;  ///< that the assembly and the initial velocity problem keep
 };
 
 /// An edge as drawn [m].
 Eigen::Vector3d drawn(const Description& in, const Edge& edge);
+
+/// A relative coordinate as drawn [rad or m]; an angle from -pi to pi.
+double drawn(const Description& in, const Relative& relative);
 
 /// A uniform thin rod between two points.
 Body uniform_rod(const Description& in, std::string name, int a, int b, double mass);

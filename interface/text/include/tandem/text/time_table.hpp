@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-namespace tandem::scenario {
+namespace tandem::text {
 
-/// Results read back from CSV: one header row, `time` first, times that never fall.
-struct Table {
+/// A CSV file of results or of data over time: one header row, `time` first, times that never fall.
+struct TimeTable {
   std::filesystem::path file;
   std::vector<double> times;                 ///< [s]
   std::vector<std::string> names;            ///< without time
@@ -15,7 +15,7 @@ struct Table {
 
   /// place: a CSV file, or a folder that holds results.csv. Throws Error that names the file, and the line,
   /// column and text of what is no number.
-  static Table read(const std::filesystem::path& place);
+  static TimeTable read(const std::filesystem::path& place);
 };
 
-}  // namespace tandem::scenario
+}  // namespace tandem::text

@@ -1,5 +1,5 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-#include "scenario/table.hpp"
+#include "tandem/text/time_table.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -10,18 +10,15 @@
 
 #include "tandem/text/place.hpp"
 
-namespace tandem::scenario {
+namespace tandem::text {
 namespace {
 
 namespace fs = std::filesystem;
-using text::Place;
-using text::refuse;
-
 /// One line at a time into cells; a cell may be quoted, with "" for a quote in it.
 class Lines {
  public:
   explicit Lines(const fs::path& file) : place_{file.string()}, in_(file, std::ios::binary) {
-    if (!in_) refuse(place_, "results can't be read", ErrorCode::input_output);
+    if (!in_) refuse(place_, "the file can't be read", ErrorCode::input_output);
   }
 
   bool next(std::vector<std::string>& cells) {
@@ -58,7 +55,7 @@ double number(const std::string& cell, const std::string& column, const Place& p
   return value;
 }
 
-void read_header(Table& table, const std::vector<std::string>& cells, const Place& place) {
+void read_header(TimeTable& table, const std::vector<std::string>& cells, const Place& place) {
   if (cells[0] != "time") refuse(place, "the first column is '" + cells[0] + "'; allowed is time");
   table.names.assign(cells.begin() + 1, cells.end());
   table.columns.resize(table.names.size());
@@ -67,7 +64,7 @@ void read_header(Table& table, const std::vector<std::string>& cells, const Plac
       refuse(place, "column " + name + " is there twice");
 }
 
-void read_row(Table& table, const std::vector<std::string>& cells, const Place& place) {
+void read_row(TimeTable& table, const std::vector<std::string>& cells, const Place& place) {
   if (cells.size() != table.names.size() + 1)
     refuse(place, "the row has " + std::to_string(cells.size()) + " cells; the header has " +
                       std::to_string(table.names.size() + 1));
@@ -82,11 +79,11 @@ void read_row(Table& table, const std::vector<std::string>& cells, const Place& 
 
 }  // namespace
 
-Table Table::read(const fs::path& place) {
-  Table table;
+TimeTable TimeTable::read(const fs::path& place) {
+  TimeTable table;
   table.file = fs::is_directory(place) ? place / "results.csv" : place;
   if (!fs::exists(table.file))
-    throw Error(ErrorCode::input_output, "results '" + table.file.string() + "' are not there");
+    throw Error(ErrorCode::input_output, "file '" + table.file.string() + "' is not there");
   Lines lines(table.file);
   std::vector<std::string> cells;
   if (!lines.next(cells)) refuse(lines.place(), "the file is empty; a header row is missing");
@@ -96,4 +93,4 @@ Table Table::read(const fs::path& place) {
   return table;
 }
 
-}  // namespace tandem::scenario
+}  // namespace tandem::text

@@ -1,5 +1,5 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-#include "scenario/table.hpp"
+#include "tandem/text/time_table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,31 +8,31 @@
 #include "refusal.hpp"
 #include "scratch.hpp"
 
-namespace tandem::scenario {
+namespace tandem::text {
 namespace {
 
 using test::refuses;
 using test::Scratch;
 
-TEST(Table, ReadsColumnsEmptyCellsAndQuotedNames) {
+TEST(TimeTable, ReadsColumnsEmptyCellsAndQuotedNames) {
   const Scratch folder;
-  const Table t = Table::read(folder.write("r.csv", "time,\"a,\"\"b\"\"\",c\r\n0,1,2\r\n1e-3,,-4.5\r\n"));
+  const TimeTable t = TimeTable::read(folder.write("r.csv", "time,\"a,\"\"b\"\"\",c\r\n0,1,2\r\n1e-3,,-4.5\r\n"));
   EXPECT_EQ(t.names, (std::vector<std::string>{"a,\"b\"", "c"}));
   EXPECT_EQ(t.times, (std::vector<double>{0.0, 0.001}));
   EXPECT_TRUE(std::isnan(t.columns[0][1]));
   EXPECT_EQ(t.columns[1][1], -4.5);
 }
 
-TEST(Table, TakesTheFolderThatHoldsResults) {
+TEST(TimeTable, TakesTheFolderThatHoldsResults) {
   const Scratch folder;
   folder.write("results.csv", "time,x\n0,1\n");
-  EXPECT_EQ(Table::read(folder.path()).columns[0][0], 1.0);
+  EXPECT_EQ(TimeTable::read(folder.path()).columns[0][0], 1.0);
 }
 
-TEST(Table, NamesFileLineAndTextOfWhatIsWrong) {
+TEST(TimeTable, NamesFileLineAndTextOfWhatIsWrong) {
   const Scratch folder;
   const auto refused = [&](const std::string& text, const std::vector<std::string>& words) {
-    return refuses(ErrorCode::invalid_argument, words, [&] { Table::read(folder.write("r.csv", text)); });
+    return refuses(ErrorCode::invalid_argument, words, [&] { TimeTable::read(folder.write("r.csv", text)); });
   };
   EXPECT_TRUE(refused("time,x\n0,1\n1,abc\n", {"r.csv:3", "column x", "'abc'"}));
   EXPECT_TRUE(refused("time,x\n0,1\n1,2e\n", {"r.csv:3", "'2e'"}));
@@ -44,8 +44,8 @@ TEST(Table, NamesFileLineAndTextOfWhatIsWrong) {
   EXPECT_TRUE(refused("", {"r.csv", "empty"}));
   EXPECT_TRUE(refused("time,x\n", {"r.csv", "no rows"}));
   EXPECT_TRUE(
-      refuses(ErrorCode::input_output, {"nowhere.csv", "not there"}, [] { Table::read("nowhere.csv"); }));
+      refuses(ErrorCode::input_output, {"nowhere.csv", "not there"}, [] { TimeTable::read("nowhere.csv"); }));
 }
 
 }  // namespace
-}  // namespace tandem::scenario
+}  // namespace tandem::text

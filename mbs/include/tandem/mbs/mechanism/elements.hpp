@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <Eigen/Core>
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace tandem::mbs {
+
+/// The way from one point to another, or a vector (`from` is -1).
+struct Edge {
+  int to = -1, from = -1;
+  bool operator==(const Edge&) const = default;
+};
+
+/// The scalar product of two edges stays as large as this [m^2]; of one with itself: the square of a
+/// distance.
+struct ScalarProduct {
+  std::string name;
+  Edge a, b;
+  double value;
+  std::string where = {};
+};
+
+/// The angle between two edges stays as drawn. In space it may not be 0 or pi, where its gradient vanishes.
+struct FixedAngle {
+  std::string name;
+  Edge a, b;
+  std::string where = {};
+};
+
+/// What a joint holds: a body by its number, a single point, or the ground.
+struct Carrier {
+  enum class Kind { ground, body, point } kind = Kind::ground;
+  int index = -1;
+};
+
+/// Two carriers joined at a place of the drawing. Bodies that share a point (and in space a vector for the
+/// axis) are joined there already, without equations; a joint is for those that don't.
+struct Joint {
+  enum class Kind { revolute, prismatic, cylindrical, spherical, universal, point_on_line, point_on_plane };
+  std::string name;
+  Kind kind;
+  Carrier first, second;  ///< point_on_...: the point belongs to the first, line and plane to the second
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();
+  /// Revolute (in space), prismatic, cylindrical, point_on_line: the axis. point_on_plane: the normal.
+  /// Universal: the first carrier's axis, and the second's, at a right angle.
+  std::array<Eigen::Vector3d, 2> axes = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+  std::string where = {};
+};
+
+/// A coordinate more: the angle from edge a to edge b [rad], counterclockwise about `axis` (a vector, in
+/// space), which may turn over and over; or the distance of two points [m], a alone.
+struct Relative {
+  enum class Kind { angle, length };
+  std::string name;
+  Kind kind;
+  Edge a, b;
+  int axis = -1;
+  std::string where = {};
+};
+
+/// Names one coordinate: axis 0 to 2 of a point or vector, or (entity -1) a relative one.
+struct Coordinate {
+  int entity = -1, axis = 0, relative = -1;
+  bool operator==(const Coordinate&) const = default;
+};
+
+/// A function of time where it stands, with its derivatives by time.
+struct Motion {
+  double value = 0.0, rate = 0.0, acceleration = 0.0;
+};
+
+/// What forces and drives depend on besides the state: given from outside (a port), or by a function of time.
+struct Input {
+  std::string name, unit;
+  double value = 0.0;                           ///< until something else is given
+  std::function<Motion(double)> function = {};  ///< of time [s]; empty: given from outside
+  std::string where = {};
+};
+
+/// A coordinate follows an input: prescribed motion.
+struct Drive {
+  std::string name;
+  Coordinate coordinate;
+  int input;
+  std::string where = {};
+};
+
+/// Between two points, along the edge, or on a relative coordinate: the force that pulls it back is
+/// k1 x + k2 x^2 + ... + c1 v + c2 v^2 + ..., x the coordinate less its free value, v its rate.
+struct Spring {
+  std::string name;
+  Edge points;        ///< or
+  int relative = -1;  ///< if 0 or more
+  double free = 0.0;  ///< [m or rad]
+  std::vector<double> stiffness, damping;
+  std::string where = {};
+};
+
+/// An input times a gain acts on a point in a constant direction [N], between two points, driving them apart
+/// [N], or on a relative coordinate [N or N m].
+struct Force {
+  enum class Kind { point, line, relative };
+  std::string name;
+  Kind kind;
+  int index = -1;                                       ///< the point, or the relative coordinate
+  Edge points = {};                                     ///< of a line
+  Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< of a point's force; its length is a factor
+  int input = -1;
+  double gain = 1.0;
+  std::string where = {};
+};
+
+/// A quantity to be read of a mechanism. Reactions are those of the support on the mechanism: of a drive
+/// [N or N m], of a fixed point along an axis [N].
+struct Output {
+  enum class Kind { position, velocity, acceleration, drive_reaction, reaction, kinetic, potential, energy };
+  std::string name;
+  Kind kind;
+  Coordinate coordinate = {};  ///< positions to accelerations, and reactions of fixed points
+  int drive = -1;
+  std::string where = {};
+};
+
+/// A coordinate's value that is known at the start.
+struct Given {
+  Coordinate coordinate;
+  double value;
+};
+
+}  // namespace tandem::mbs

@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string>
+#include <vector>
+
+#include "tandem/mbs/mechanism/mechanism.hpp"
+
+namespace tandem::mbs {
+
+/// Evaluates the outputs that a mechanism's description names.
+class Outputs {
+ public:
+  /// `mechanism` must outlive it.
+  explicit Outputs(const Mechanism& mechanism);
+
+  int size() const { return static_cast<int>(outputs_.size()); }
+  const std::string& name(int output) const { return outputs_[static_cast<std::size_t>(output)].name; }
+  /// "m", "rad/s", "N" and so on.
+  std::string unit(int output) const;
+  /// Whether it depends on an input at the same instant: on a drive's all do; on a force's, accelerations and
+  /// reactions.
+  bool depends(int output, int input) const;
+
+  /// y: one for each output. State: complete, at the time of the mechanism's last at_time(). Positions,
+  /// velocities and accelerations are those of the state; reactions are computed from its multipliers.
+  void evaluate(const State& state, double* y);
+  /// Their derivatives by time where the state has them: of positions and velocities; NaN for the others.
+  void derivatives(const State& state, double* dy) const;
+  bool has_derivative(int output) const;
+
+ private:
+  void prepare_reactions(const State& state);
+  double value(const Output& output, const State& state) const;
+  double reaction(int coordinate, const State& state) const;
+
+  const Mechanism& mechanism_;
+  const std::vector<Output>& outputs_;
+  bool reactions_ = false;
+  Eigen::VectorXd phi_, force_;
+  std::vector<double> jacobian_;
+};
+
+}  // namespace tandem::mbs

@@ -1,0 +1,240 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// How a Mechanism is made of its description.
+#include <set>
+#include <utility>
+
+#include "angle_set.hpp"
+#include "central_set.hpp"
+#include "check.hpp"
+#include "coordinate_forces.hpp"
+#include "distance_set.hpp"
+#include "equations.hpp"
+#include "tandem/mbs/mechanism/body_mass.hpp"
+#include "tandem/mbs/mechanism/mechanism.hpp"
+
+namespace tandem::mbs {
+namespace {
+
+/// A matrix from entries that add up where they coincide.
+class Sum {
+ public:
+  void add(int row, int column, double value) {
+    entries_.emplace_back(row, column);
+    values_.push_back(value);
+  }
+  Matrix matrix(int rows, int columns) const {
+    Matrix m{Pattern(rows, columns, entries_), {}};
+    m.values.assign(static_cast<std::size_t>(m.pattern.size()), 0.0);
+    for (std::size_t k = 0; k < entries_.size(); ++k)
+      m.values[m.pattern.find(entries_[k].first, entries_[k].second)] += values_[k];
+    return m;
+  }
+
+ private:
+  std::vector<std::pair<int, int>> entries_;
+  std::vector<double> values_;
+};
+
+/// Those of the bodies, each once however many bodies share it, then those of the description.
+std::vector<ScalarProduct> all_products(const Description& in) {
+  std::vector<ScalarProduct> all;
+  std::set<std::pair<std::pair<int, int>, std::pair<int, int>>> there;
+  for (const Body& body : in.bodies)
+    for (ScalarProduct& p : rigid_conditions(in, body)) {
+      const auto [first, last] = std::minmax({std::pair(p.a.to, p.a.from), std::pair(p.b.to, p.b.from)});
+      if (there.emplace(first, last).second) all.push_back(std::move(p));
+    }
+  all.insert(all.end(), in.products.begin(), in.products.end());
+  return all;
+}
+
+bool is_distance(const ScalarProduct& p) { return p.a == p.b && p.a.from >= 0; }
+
+template <int Dimension>
+std::unique_ptr<ConstraintSet> distance_set(const std::vector<ScalarProduct>& products, const Numbering& at,
+                                            std::vector<std::string>& names) {
+  auto set = std::make_unique<DistanceSet<Dimension>>();
+  for (const ScalarProduct& p : products)
+    if (is_distance(p)) set->add(at.entity[p.a.from], at.entity[p.a.to], p.value), names.push_back(p.name);
+  return set;
+}
+
+/// All but distances and angles; the drives last.
+std::vector<Quadratic> quadratics(const Description& in, const Numbering& at,
+                                  const std::vector<ScalarProduct>& products) {
+  std::vector<Quadratic> all;
+  const auto append = [&](const std::vector<Quadratic>& more) {
+    all.insert(all.end(), more.begin(), more.end());
+  };
+  for (int b = 0; b < static_cast<int>(in.bodies.size()); ++b) append(dependent_entities(in, at, b));
+  for (const ScalarProduct& p : products)
+    if (!is_distance(p)) all.push_back(equation(in, at, p));
+  for (const FixedAngle& angle : in.fixed_angles) all.push_back(equation(in, at, angle));
+  for (const Joint& joint : in.joints) append(equations(in, at, joint));
+  for (int r = 0; r < static_cast<int>(in.relatives.size()); ++r)
+    if (in.relatives[r].kind == Relative::Kind::length) all.push_back(length_equation(in, at, r));
+  for (const Drive& drive : in.drives) all.push_back(equation(in, at, drive));
+  return all;
+}
+
+template <int Dimension>
+std::unique_ptr<ConstraintSet> angle_set(const Description& in, const Numbering& at,
+                                         std::vector<std::string>& names) {
+  auto set = std::make_unique<AngleSet<Dimension>>();
+  const auto edge = [&](const Edge& e) {
+    return EdgeCoordinates{at.entity[e.to], e.from < 0 ? at.zero : at.entity[e.from]};
+  };
+  for (std::size_t r = 0; r < in.relatives.size(); ++r) {
+    const Relative& angle = in.relatives[r];
+    if (angle.kind != Relative::Kind::angle) continue;
+    names.push_back(angle.name);
+    if (Dimension == 2) {
+      set->add({edge(angle.a), edge(angle.b), at.zero, at.relative[r], 1.0, 0.0});
+      continue;
+    }
+    const Eigen::Vector3d n = in.entities[angle.axis].at;
+    set->add({edge(angle.a), edge(angle.b), at.entity[angle.axis], at.relative[r], n.norm(),
+              n.dot(drawn(in, angle.a)) * n.dot(drawn(in, angle.b)) / n.norm()});
+  }
+  return set;
+}
+
+template <class Set>
+void add_if_used(std::unique_ptr<Set> set, std::vector<std::unique_ptr<ForceSet>>& sets) {
+  if (!set->empty()) sets.push_back(std::move(set));
+}
+
+template <int Dimension>
+std::unique_ptr<CentralSet<Dimension>> central_set(const Description& in, const Numbering& at,
+                                                   const std::vector<Motion>& inputs) {
+  auto set = std::make_unique<CentralSet<Dimension>>(inputs);
+  for (const Spring& s : in.springs)
+    if (s.relative < 0) set->add({at.entity[s.points.from], at.entity[s.points.to], SpringLaw(s), -1, 0.0});
+  for (const Force& f : in.forces)
+    if (f.kind == Force::Kind::line)
+      set->add({at.entity[f.points.from], at.entity[f.points.to], SpringLaw(Spring{}), f.input, f.gain});
+  return set;
+}
+
+}  // namespace
+
+Mechanism::Mechanism(Description description)
+    : description_((check(description), std::move(description))), numbering_(description_) {
+  structure_.coordinates = numbering_.coordinates;
+  structure_.variables = numbering_.variables;
+  structure_.variable_names = numbering_.variable_names;
+  for (const Input& input : description_.inputs) inputs_.push_back({input.value});
+  add_masses();
+  add_constraints();
+  place_constraints();
+  add_forces();
+  place_forces();
+}
+
+Mechanism::~Mechanism() = default;
+
+void Mechanism::add_masses() {
+  const Description& in = description_;
+  const int d = in.dimension, n = structure_.variables;
+  Sum variable, fixed;
+  weight_.setZero(structure_.coordinates);
+  force_.setZero(structure_.coordinates);
+  const auto add = [&](int row, int column, double mass) {
+    if (mass == 0.0 || column >= n) return;
+    row < n ? variable.add(row, column, mass) : fixed.add(row - n, column, mass);
+  };
+  for (const Body& body : in.bodies) {
+    const BodyMass share = body_mass(in, body);
+    const int size = static_cast<int>(share.entities.size()) * d;
+    const auto coordinate = [&](int k) { return numbering_.entity[share.entities[k / d]] + k % d; };
+    const Eigen::VectorXd weight = share.weight * in.gravity.head(d);
+    for (int r = 0; r < size; ++r) {
+      weight_[coordinate(r)] += weight[r];
+      for (int c = 0; c < size; ++c) add(coordinate(r), coordinate(c), share.mass(r, c));
+    }
+  }
+  for (const PointMass& m : in.masses)
+    for (int k = 0, first = numbering_.entity[m.point]; k < d; ++k) {
+      weight_[first + k] += m.mass * in.gravity[k];
+      add(first + k, first + k, m.mass);
+    }
+  structure_.mass = variable.matrix(n, n);
+  fixed_mass_ = fixed.matrix(structure_.coordinates - n, n);
+}
+
+void Mechanism::add_constraints() {
+  const Description& in = description_;
+  auto& names = structure_.constraint_names;
+  const bool plane = in.dimension == 2;
+  const auto products = all_products(in);
+  sets_.push_back(plane ? distance_set<2>(products, numbering_, names)
+                        : distance_set<3>(products, numbering_, names));
+  sets_.push_back(plane ? angle_set<2>(in, numbering_, names) : angle_set<3>(in, numbering_, names));
+  auto others = std::make_unique<QuadraticSet>(inputs_);
+  for (const Quadratic& q : quadratics(in, numbering_, products)) others->add(q), names.push_back(q.name);
+  sets_.push_back(std::move(others));
+  std::erase_if(sets_, [](const auto& set) { return set->size() == 0; });
+  structure_.constraints = static_cast<int>(names.size());
+  first_drive_ = structure_.constraints - static_cast<int>(in.drives.size());
+}
+
+/// Derivatives by variables stand where the pattern has them, those by fixed coordinates behind.
+void Mechanism::place_constraints() {
+  const int n = structure_.variables, m = structure_.constraints;
+  std::vector<std::pair<int, int>> variable, fixed;
+  int equation = 0;
+  for (const auto& set : sets_)
+    for (int e = 0; e < set->size(); ++e, ++equation)
+      for (const int c : set->coordinates(e))
+        c < n ? variable.emplace_back(c, equation) : fixed.emplace_back(c - n, equation);
+  structure_.jacobian = Pattern(n, m, std::move(variable));
+  fixed_jacobian_ = Pattern(structure_.coordinates - n, m, std::move(fixed));
+  structure_.jacobian_values = structure_.jacobian.size() + fixed_jacobian_.size();
+  int first = 0;
+  for (const auto& set : sets_) {
+    std::vector<int> to;
+    for (int e = 0; e < set->size(); ++e)
+      for (const int c : set->coordinates(e))
+        to.push_back(c < n ? structure_.jacobian.find(c, first + e)
+                           : structure_.jacobian.size() + fixed_jacobian_.find(c - n, first + e));
+    set->place(std::exchange(first, first + set->size()), std::move(to));
+  }
+}
+
+void Mechanism::add_forces() {
+  const Description& in = description_;
+  in.dimension == 2 ? add_if_used(central_set<2>(in, numbering_, inputs_), force_sets_)
+                    : add_if_used(central_set<3>(in, numbering_, inputs_), force_sets_);
+  auto springs = std::make_unique<RelativeSpringSet>();
+  for (const Spring& s : in.springs)
+    if (s.relative >= 0) springs->add(numbering_.relative[s.relative], SpringLaw(s));
+  add_if_used(std::move(springs), force_sets_);
+  auto loads = std::make_unique<LoadSet>(inputs_);
+  for (const Force& f : in.forces) {
+    if (f.kind == Force::Kind::relative) loads->add(numbering_.relative[f.index], f.input, f.gain);
+    for (int k = 0; k < in.dimension && f.kind == Force::Kind::point; ++k)
+      loads->add(numbering_.entity[f.index] + k, f.input, f.gain * f.direction[k]);
+  }
+  add_if_used(std::move(loads), force_sets_);
+}
+
+/// Entries of fixed coordinates are written behind the pattern's, where nobody reads.
+void Mechanism::place_forces() {
+  const int n = structure_.variables;
+  const auto is_variable = [n](const auto& entry) { return entry.first < n && entry.second < n; };
+  std::vector<std::pair<int, int>> entries;
+  for (const auto& set : force_sets_)
+    for (const auto& entry : set->entries())
+      if (is_variable(entry)) entries.push_back(entry);
+  structure_.stiffness = Pattern(n, n, std::move(entries));
+  structure_.stiffness_values = structure_.stiffness.size() + 1;
+  for (const auto& set : force_sets_) {
+    std::vector<int> to;
+    for (const auto& entry : set->entries())
+      to.push_back(is_variable(entry) ? structure_.stiffness.find(entry.first, entry.second)
+                                      : structure_.stiffness.size());
+    set->place(std::move(to));
+  }
+}
+
+}  // namespace tandem::mbs

@@ -1,0 +1,187 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "equations.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "refuse.hpp"
+#include "tandem/mbs/mechanism/body_mass.hpp"
+
+namespace tandem::mbs {
+namespace {
+
+constexpr const char* axis_names[] = {"x", "y", "z"};
+
+/// a x b in the plane, times a factor.
+void add_cross(Quadratic& to, const Forms& a, const Forms& b, double factor) {
+  to.add_product(a[0], b[1], factor);
+  to.add_product(a[1], b[0], -factor);
+}
+
+Forms difference(Forms a, const Forms& b) {
+  for (std::size_t k = 0; k < a.size(); ++k) a[k].add(b[k], -1.0);
+  return a;
+}
+
+/// Two unit vectors at right angles to an axis and to each other; in the plane one.
+std::vector<Eigen::Vector3d> across(int dimension, const Eigen::Vector3d& axis) {
+  const Eigen::Vector3d unit = axis.normalized();
+  if (dimension == 2) return {{-unit[1], unit[0], 0.0}};
+  const Eigen::Vector3d first = unit.unitOrthogonal();
+  return {first, unit.cross(first)};
+}
+
+/// Writes the equations of one joint.
+class JointEquations {
+ public:
+  JointEquations(const Description& in, const Numbering& at, const Joint& joint)
+      : in_(in),
+        joint_(joint),
+        first_(in, at, joint.first, joint.where),
+        second_(in, at, joint.second, joint.where),
+        across_(across(in.dimension, joint.axes[0])) {}
+
+  std::vector<Quadratic> write() {
+    using enum Joint::Kind;
+    const Joint::Kind kind = joint_.kind;
+    const bool space = in_.dimension == 3;
+    if (kind == spherical || kind == universal || kind == revolute) same_place();
+    if (kind == prismatic || kind == cylindrical || kind == point_on_line) on_line();
+    if (kind == point_on_plane) along(joint_.axes[0], "height");
+    if (space && (kind == revolute || kind == prismatic || kind == cylindrical)) parallel();
+    if (kind == prismatic) no_turn();
+    if (kind == universal)
+      product(first_.direction(joint_.axes[0]), second_.direction(joint_.axes[1]), "angle");
+    return std::move(equations_);
+  }
+
+ private:
+  Quadratic& next(const std::string& what) {
+    equations_.push_back({joint_.name + ": " + what, joint_.where});
+    return equations_.back();
+  }
+  Forms between() const { return difference(first_.point(joint_.at), second_.point(joint_.at)); }
+
+  void same_place() {
+    const Forms gap = between();
+    for (int k = 0; k < in_.dimension; ++k) next(axis_names[k]).add(gap[k], 1.0);
+  }
+  /// The first's place does not leave the second's in that direction of the second.
+  void along(const Eigen::Vector3d& direction, const std::string& what) {
+    next(what).add_product(between(), second_.direction(direction), 1.0);
+  }
+  void on_line() {
+    for (std::size_t k = 0; k < across_.size(); ++k) along(across_[k], "across " + std::to_string(k + 1));
+  }
+  void parallel() {
+    for (int k = 0; k < 2; ++k)
+      product(first_.direction(joint_.axes[0]), second_.direction(across_[k]),
+              "axis " + std::to_string(k + 1));
+  }
+  /// About the axis, or in the plane.
+  void no_turn() {
+    const auto& turned = in_.dimension == 3 ? across_[1] : joint_.axes[0];
+    product(first_.direction(across_[0]), second_.direction(turned), "turn");
+  }
+  /// Two directions stay at a right angle.
+  void product(const Forms& a, const Forms& b, const std::string& what) { next(what).add_product(a, b, 1.0); }
+
+  const Description& in_;
+  const Joint& joint_;
+  Frame first_, second_;
+  std::vector<Eigen::Vector3d> across_;
+  std::vector<Quadratic> equations_;
+};
+
+bool right_angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::abs(a.dot(b)) <= 1e-9 * a.norm() * b.norm();
+}
+
+void check(const Description& in, const Joint& joint) {
+  using enum Joint::Kind;
+  const bool needs_axis = joint.kind != spherical && (in.dimension == 3 || joint.kind != revolute);
+  if (needs_axis && !(joint.axes[0].norm() > 0.0))
+    refuse(joint.where, "joint '" + joint.name + "' has an axis of length 0; allowed is a direction");
+  if (joint.kind == universal &&
+      (!(joint.axes[1].norm() > 0.0) || !right_angle(joint.axes[0], joint.axes[1])))
+    refuse(joint.where, "joint '" + joint.name + "' has axes that are not at a right angle");
+}
+
+}  // namespace
+
+std::vector<Quadratic> dependent_entities(const Description& in, const Numbering& at, int number) {
+  const Body& body = in.bodies[number];
+  const auto defining = defining_entities(in, body);
+  const Frame frame(in, at, {Carrier::Kind::body, number}, body.where);
+  std::vector<Quadratic> equations;
+  for (const int e : body.entities) {
+    const Entity& entity = in.entities[e];
+    if (std::find(defining.begin(), defining.end(), e) != defining.end()) continue;
+    const Forms own = forms_of(in, at, e), from = entity.kind == Entity::Kind::point
+                                                      ? frame.point(entity.at)
+                                                      : frame.direction(entity.at);
+    for (int k = 0; k < in.dimension; ++k) {
+      equations.push_back({fmt::format("{}: {}.{}", body.name, entity.name, axis_names[k]), body.where});
+      equations.back().add(own[k], 1.0);
+      equations.back().add(from[k], -1.0);
+    }
+  }
+  return equations;
+}
+
+Quadratic equation(const Description& in, const Numbering& at, const ScalarProduct& p) {
+  Quadratic e{p.name, p.where, -p.value};
+  e.add_product(forms_of(in, at, p.a), forms_of(in, at, p.b), 1.0);
+  return e;
+}
+
+/// In the plane with the drawn angle phi: (a x b) cos(phi) - (a . b) sin(phi) = 0, whose gradient never
+/// vanishes.
+Quadratic equation(const Description& in, const Numbering& at, const FixedAngle& angle) {
+  const Eigen::Vector3d a = drawn(in, angle.a), b = drawn(in, angle.b), cross = a.cross(b);
+  if (!(a.norm() * b.norm() > 0.0))
+    refuse(angle.where, "fixed angle '" + angle.name + "' is of an edge of length 0");
+  const double phi = in.dimension == 2 ? std::atan2(cross[2], a.dot(b)) : std::atan2(cross.norm(), a.dot(b));
+  const Forms fa = forms_of(in, at, angle.a), fb = forms_of(in, at, angle.b);
+  Quadratic e{angle.name, angle.where};
+  if (in.dimension == 2) {
+    add_cross(e, fa, fb, std::cos(phi));
+    e.add_product(fa, fb, -std::sin(phi));
+    return e;
+  }
+  if (std::sin(phi) < 1e-4)
+    refuse(angle.where,
+           fmt::format("fixed angle '{}' is {} rad as drawn; allowed in space is an angle other "
+                       "than 0 and pi, where its gradient vanishes (a joint keeps axes parallel)",
+                       angle.name, phi));
+  e.constant = -a.dot(b);
+  e.add_product(fa, fb, 1.0);
+  return e;
+}
+
+Quadratic equation(const Description&, const Numbering& at, const Drive& drive) {
+  Quadratic e{drive.name, drive.where};
+  e.linear.push_back({1.0, at.of(drive.coordinate)});
+  e.input = drive.input;
+  return e;
+}
+
+Quadratic length_equation(const Description& in, const Numbering& at, int relative) {
+  const Relative& length = in.relatives[relative];
+  const Forms edge = forms_of(in, at, length.a);
+  const int s = at.relative[relative];
+  Quadratic e{length.name, length.where};
+  e.add_product(edge, edge, 1.0);
+  e.products.push_back({-1.0, s, s});
+  return e;
+}
+
+std::vector<Quadratic> equations(const Description& in, const Numbering& at, const Joint& joint) {
+  check(in, joint);
+  return JointEquations(in, at, joint).write();
+}
+
+}  // namespace tandem::mbs

@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <vector>
+
+#include "quadratic_set.hpp"
+
+namespace tandem::mbs {
+
+/// Points and vectors of a body beyond those that define it, as combinations of these.
+std::vector<Quadratic> dependent_entities(const Description& in, const Numbering& at, int body);
+
+Quadratic equation(const Description& in, const Numbering& at, const ScalarProduct& product);
+Quadratic equation(const Description& in, const Numbering& at, const FixedAngle& angle);
+Quadratic equation(const Description& in, const Numbering& at, const Drive& drive);
+/// The definition of a length, |b - a|^2 - s^2 = 0.
+Quadratic length_equation(const Description& in, const Numbering& at, int relative);
+
+/// In the plane: revolute and prismatic 2, point_on_line 1. In space: spherical 3, revolute and prismatic 5,
+/// universal and cylindrical 4, point_on_line 2, point_on_plane 1.
+std::vector<Quadratic> equations(const Description& in, const Numbering& at, const Joint& joint);
+
+}  // namespace tandem::mbs

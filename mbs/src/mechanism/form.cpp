@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "form.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+
+#include "refuse.hpp"
+#include "tandem/mbs/mechanism/body_mass.hpp"
+
+namespace tandem::mbs {
+
+void Form::add(const Form& other, double factor) {
+  constant += factor * other.constant;
+  for (const auto& [coordinate, coefficient] : other.terms)
+    if (factor * coefficient != 0.0) terms.emplace_back(coordinate, factor * coefficient);
+}
+
+double Form::at(const double* q) const {
+  double sum = constant;
+  for (const auto& [coordinate, coefficient] : terms) sum += coefficient * q[coordinate];
+  return sum;
+}
+
+Forms forms_of(const Description& in, const Numbering& at, int entity) {
+  Forms forms;
+  for (int k = 0; k < in.dimension; ++k) forms.push_back({0.0, {{at.entity[entity] + k, 1.0}}});
+  return forms;
+}
+
+Forms forms_of(const Description& in, const Numbering& at, const Edge& edge) {
+  Forms forms = forms_of(in, at, edge.to);
+  if (edge.from < 0) return forms;
+  const Forms from = forms_of(in, at, edge.from);
+  for (std::size_t k = 0; k < forms.size(); ++k) forms[k].add(from[k], -1.0);
+  return forms;
+}
+
+Frame::Frame(const Description& in, const Numbering& at, const Carrier& carrier, std::string where)
+    : in_(in), at_(at), carrier_(carrier), where_(std::move(where)) {
+  if (carrier.kind == Carrier::Kind::body) entities_ = defining_entities(in, in.bodies[carrier.index]);
+  if (carrier.kind == Carrier::Kind::point) entities_ = {carrier.index};
+}
+
+Forms Frame::point(const Eigen::Vector3d& at) const { return forms(at, true); }
+Forms Frame::direction(const Eigen::Vector3d& along) const { return forms(along, false); }
+
+std::string Frame::name() const {
+  return carrier_.kind == Carrier::Kind::body ? "body '" + in_.bodies[carrier_.index].name + "'"
+                                              : "point '" + in_.entities[carrier_.index].name + "'";
+}
+
+/// The combination of the entities that has the drawn place: in homogeneous coordinates B c = (1, at), or
+/// (0, along) for a direction.
+Forms Frame::forms(const Eigen::Vector3d& at, bool is_point) const {
+  const int d = in_.dimension;
+  Forms result(static_cast<std::size_t>(d));
+  if (carrier_.kind == Carrier::Kind::ground) {
+    for (int k = 0; k < d; ++k) result[k].constant = at[k];
+    return result;
+  }
+  if (d == 2 && entities_.size() == 2) return turned_pair(at, is_point);
+  Eigen::MatrixXd basis(d + 1, static_cast<int>(entities_.size()));
+  for (std::size_t e = 0; e < entities_.size(); ++e)
+    basis.col(static_cast<int>(e)) = homogeneous(in_, entities_[e]);
+  Eigen::VectorXd target(d + 1);
+  target << (is_point ? 1.0 : 0.0), at.head(d);
+  const Eigen::VectorXd c = basis.colPivHouseholderQr().solve(target);
+  if (!((basis * c - target).norm() <= 1e-9 * (1.0 + at.norm())))
+    refuse(where_, fmt::format("{} has no {} ({}, {}, {}): its points and vectors don't span it; give it one "
+                               "more of them",
+                               name(), is_point ? "place" : "direction", at[0], at[1], at[2]));
+  for (std::size_t e = 0; e < entities_.size(); ++e) {
+    const Forms own = forms_of(in_, at_, entities_[e]);
+    for (int k = 0; k < d; ++k) result[k].add(own[k], c[static_cast<int>(e)]);
+  }
+  return result;
+}
+
+/// In the plane two points suffice: p = i + (re + im turn)(j - i), turn a quarter turn counterclockwise.
+Forms Frame::turned_pair(const Eigen::Vector3d& at, bool is_point) const {
+  const Edge edge = in_.entities[entities_[1]].kind == Entity::Kind::point ? Edge{entities_[1], entities_[0]}
+                                                                           : Edge{entities_[1]};
+  const Eigen::Vector2d along = drawn(in_, edge).head(2), across(-along[1], along[0]),
+                        way = is_point ? Eigen::Vector2d(at.head(2) - in_.entities[entities_[0]].at.head(2))
+                                       : Eigen::Vector2d(at.head(2));
+  const double re = way.dot(along) / along.squaredNorm(), im = way.dot(across) / along.squaredNorm();
+  const Forms e = forms_of(in_, at_, edge);
+  Forms result = is_point ? forms_of(in_, at_, entities_[0]) : Forms(2);
+  result[0].add(e[0], re), result[0].add(e[1], -im);
+  result[1].add(e[1], re), result[1].add(e[0], im);
+  return result;
+}
+
+}  // namespace tandem::mbs

@@ -1,0 +1,125 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/mbs/mechanism/outputs.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace tandem::mbs {
+namespace {
+
+using Kind = Output::Kind;
+
+bool is_angle(const Description& in, const Coordinate& c) {
+  return c.relative >= 0 && in.relatives[static_cast<std::size_t>(c.relative)].kind == Relative::Kind::angle;
+}
+
+bool is_motion(Kind kind) {
+  return kind == Kind::position || kind == Kind::velocity || kind == Kind::acceleration;
+}
+
+}  // namespace
+
+Outputs::Outputs(const Mechanism& mechanism)
+    : mechanism_(mechanism),
+      outputs_(mechanism.description().outputs),
+      reactions_(std::any_of(outputs_.begin(), outputs_.end(),
+                             [](const Output& o) { return o.kind == Kind::reaction; })),
+      phi_(mechanism.structure().constraints),
+      force_(mechanism.structure().coordinates),
+      jacobian_(static_cast<std::size_t>(mechanism.structure().jacobian_values)) {}
+
+std::string Outputs::unit(int output) const {
+  const Description& in = mechanism_.description();
+  const Output& o = outputs_[static_cast<std::size_t>(output)];
+  const Coordinate& c = o.drive >= 0 ? in.drives[static_cast<std::size_t>(o.drive)].coordinate : o.coordinate;
+  const std::string length = is_angle(in, c) ? "rad" : "m";
+  switch (o.kind) {
+    case Kind::position:
+      return length;
+    case Kind::velocity:
+      return length + "/s";
+    case Kind::acceleration:
+      return length + "/s^2";
+    case Kind::drive_reaction:
+      return is_angle(in, c) ? "N m" : "N";
+    case Kind::reaction:
+      return "N";
+    default:
+      return "J";
+  }
+}
+
+bool Outputs::depends(int output, int input) const {
+  const Description& in = mechanism_.description();
+  const Kind kind = outputs_[static_cast<std::size_t>(output)].kind;
+  const bool at_once = kind == Kind::acceleration || kind == Kind::drive_reaction || kind == Kind::reaction;
+  const auto uses = [input](const auto& element) { return element.input == input; };
+  return std::any_of(in.drives.begin(), in.drives.end(), uses) ||
+         (at_once && std::any_of(in.forces.begin(), in.forces.end(), uses));
+}
+
+void Outputs::evaluate(const State& state, double* y) {
+  if (reactions_) prepare_reactions(state);
+  for (const Output& output : outputs_) *y++ = value(output, state);
+}
+
+void Outputs::prepare_reactions(const State& s) {
+  mechanism_.constraints(s.q.data(), phi_.data(), jacobian_.data());
+  mechanism_.all_forces(s.q.data(), s.v.data(), force_.data());
+}
+
+double Outputs::value(const Output& output, const State& s) const {
+  const int i = is_motion(output.kind) || output.kind == Kind::reaction
+                    ? mechanism_.numbering().of(output.coordinate)
+                    : 0;
+  switch (output.kind) {
+    case Kind::position:
+      return s.q[i];
+    case Kind::velocity:
+      return s.v[i];
+    case Kind::acceleration:
+      return s.a[i];
+    case Kind::drive_reaction:
+      return -s.lambda[mechanism_.drive_equation(output.drive)];
+    case Kind::reaction:
+      return reaction(i, s);
+    case Kind::kinetic:
+      return mechanism_.kinetic(s.v.data());
+    case Kind::potential:
+      return mechanism_.potential(s.q.data());
+    default:
+      return mechanism_.energy(s.q.data(), s.v.data());
+  }
+}
+
+/// The equation of motion of a coordinate that does not move, M q'' + Phi_q^T lambda = Q + R.
+double Outputs::reaction(int coordinate, const State& s) const {
+  const Structure& structure = mechanism_.structure();
+  const int row = coordinate - structure.variables;
+  double sum = -force_[coordinate];
+  const Matrix& mass = mechanism_.fixed_mass();
+  const auto m = mass.pattern.entries();
+  for (std::size_t k = 0; k < m.size(); ++k)
+    if (m[k].first == row) sum += mass.values[k] * s.a[m[k].second];
+  const auto j = mechanism_.fixed_jacobian().entries();
+  for (std::size_t k = 0; k < j.size(); ++k)
+    if (j[k].first == row)
+      sum += jacobian_[static_cast<std::size_t>(structure.jacobian.size()) + k] * s.lambda[j[k].second];
+  return sum;
+}
+
+bool Outputs::has_derivative(int output) const {
+  const Kind kind = outputs_[static_cast<std::size_t>(output)].kind;
+  return kind == Kind::position || kind == Kind::velocity;
+}
+
+void Outputs::derivatives(const State& s, double* dy) const {
+  for (const Output& output : outputs_) {
+    const int i = is_motion(output.kind) ? mechanism_.numbering().of(output.coordinate) : 0;
+    *dy++ = output.kind == Kind::position   ? s.v[i]
+            : output.kind == Kind::velocity ? s.a[i]
+                                            : std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+}  // namespace tandem::mbs

@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string>
+
+#include "constraint_set.hpp"
+#include "form.hpp"
+
+namespace tandem::mbs {
+
+/// An equation of second degree in the coordinates, less an input:
+///   constant + sum c q_i + sum c q_i q_j - u(t) = 0.
+/// Every condition of natural coordinates is one, but for angles.
+struct Quadratic {
+  struct Linear {
+    double c;
+    int i;
+  };
+  struct Product {
+    double c;
+    int i, j;
+  };
+  std::string name, where;
+  double constant = 0.0;
+  std::vector<Linear> linear = {};
+  std::vector<Product> products = {};
+  int input = -1;
+
+  void add(const Form& f, double factor);
+  /// factor * a * b.
+  void add_product(const Form& a, const Form& b, double factor);
+  /// factor * the scalar product of two points or directions.
+  void add_product(const Forms& a, const Forms& b, double factor);
+};
+
+class QuadraticSet final : public ConstraintSet {
+ public:
+  /// inputs: where the mechanism keeps them, in the order of the description; must outlive the set.
+  explicit QuadraticSet(const std::vector<Motion>& inputs) : inputs_(inputs) {}
+  void add(const Quadratic& equation);
+
+  int size() const override { return static_cast<int>(equations_.size()); }
+  std::vector<int> coordinates(int equation) const override;
+  void values(const double* q, double* phi, double* jacobian) const override;
+  void rates(double* phi_t) const override;
+  void accelerations(const double* q, const double* v, double* gamma) const override;
+
+ private:
+  struct Equation {
+    double constant;
+    int input, linear_end, products_end;  ///< the last two: into linear_ and products_
+  };
+  const std::vector<Motion>& inputs_;
+  std::vector<Equation> equations_;
+  std::vector<Quadratic::Linear> linear_;
+  std::vector<Quadratic::Product> products_;
+};
+
+}  // namespace tandem::mbs

@@ -1,0 +1,118 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include "reader.hpp"
+#include "tandem/nearest.hpp"
+
+namespace tandem::mbs {
+namespace {
+
+const std::vector<std::pair<std::string, Joint::Kind>>& joint_kinds() {
+  using enum Joint::Kind;
+  static const std::vector<std::pair<std::string, Joint::Kind>> kinds = {{"revolute", revolute},
+                                                                         {"prismatic", prismatic},
+                                                                         {"cylindrical", cylindrical},
+                                                                         {"spherical", spherical},
+                                                                         {"universal", universal},
+                                                                         {"point_on_line", point_on_line},
+                                                                         {"point_on_plane", point_on_plane}};
+  return kinds;
+}
+
+/// What has a meaning in the plane.
+bool is_planar(Joint::Kind kind) {
+  return kind == Joint::Kind::revolute || kind == Joint::Kind::prismatic ||
+         kind == Joint::Kind::point_on_line;
+}
+
+}  // namespace
+
+void Reader::read_distance(const std::string& name, Section& section) {
+  const Edge edge = two_points(section, "points");
+  const double l = section.positive("length").value_or(drawn(to_, edge).norm());
+  to_.products.push_back({name, edge, edge, l * l, section.place().text()});
+}
+
+void Reader::read_product(const std::string& name, Section& section) {
+  const auto [a, b] = two_edges(section, "edges");
+  const double value = section.number("value").value_or(drawn(to_, a).dot(drawn(to_, b)));
+  to_.products.push_back({name, a, b, value, section.place().text()});
+}
+
+void Reader::read_fixed_angle(const std::string& name, Section& section) {
+  const auto [a, b] = two_edges(section, "edges");
+  to_.fixed_angles.push_back({name, a, b, section.place().text()});
+}
+
+void Reader::read_joint(const std::string& name, Section& section) {
+  Joint joint{name, Joint::Kind::revolute, {}, {}};
+  joint.where = section.place().text();
+  std::vector<std::string> known;
+  for (const auto& [word, kind] : joint_kinds())
+    if (to_.dimension == 3 || is_planar(kind)) known.push_back(word);
+  const std::string found = section.required_text("kind", listed(known));
+  if (std::find(known.begin(), known.end(), found) == known.end())
+    text::refuse(section.place("kind"), section.name("kind") + ": " + unknown("joint", found, known));
+  for (const auto& [word, kind] : joint_kinds())
+    if (word == found) joint.kind = kind;
+  const auto between = section.texts("between");
+  if (between.size() != 2)
+    section.wrong("between", fmt::format("{} names", between.size()),
+                  "two names, each of a body, of a point, or \"ground\"");
+  joint.first = carrier(section, between[0]);
+  joint.second = carrier(section, between[1]);
+  joint.at = required_vector(section, "at", "its place as drawn [m]");
+  read_axes(section, joint);
+  to_.joints.push_back(joint);
+}
+
+void Reader::read_axes(Section& section, Joint& joint) const {
+  using enum Joint::Kind;
+  if (joint.kind == spherical || (joint.kind == revolute && to_.dimension == 2)) return;
+  if (joint.kind != universal) {
+    joint.axes[0] = required_vector(section, "axis", "a direction as drawn");
+    return;
+  }
+  joint.axes[0] = required_vector(section, "axis", "the first body's axis as drawn");
+  joint.axes[1] = required_vector(section, "second_axis", "the second body's axis as drawn");
+}
+
+Carrier Reader::carrier(Section& section, const std::string& name) const {
+  if (name == "ground") return {};
+  if (const auto it = bodies_.find(name); it != bodies_.end()) return {Carrier::Kind::body, it->second};
+  if (const auto it = entities_.find(name); it != entities_.end())
+    return {Carrier::Kind::point, point(section, "between", name)};
+  std::vector<std::string> known = {"ground"};
+  for (const auto& [body, index] : bodies_) known.push_back(body);
+  text::refuse(section.place("between"), section.name("between") + ": " + unknown("body", name, known));
+}
+
+void Reader::read_angle(const std::string& name, Section& section) {
+  Relative angle{name, Relative::Kind::angle, {}, {}};
+  angle.a = edge(section, "from", section.node("from"));
+  angle.b = edge(section, "to", section.node("to"));
+  angle.where = section.place().text();
+  if (to_.dimension == 3)
+    angle.axis = find(entities_, section, "axis", "vector",
+                      section.required_text("axis", "the vector that it turns about"));
+  this->name(relatives_, section, name, to_.relatives.size());
+  to_.relatives.push_back(angle);
+}
+
+void Reader::read_length(const std::string& name, Section& section) {
+  const Edge edge = two_points(section, "points");
+  this->name(relatives_, section, name, to_.relatives.size());
+  to_.relatives.push_back({name, Relative::Kind::length, edge, {}, -1, section.place().text()});
+}
+
+void Reader::read_drive(const std::string& name, Section& section) {
+  Drive drive{name, required_coordinate(section, "coordinate"), -1, section.place().text()};
+  if (drive.coordinate.entity >= 0 && to_.entities[drive.coordinate.entity].fixed)
+    section.wrong("coordinate", "of a fixed point", "one that is not fixed");
+  drive.input =
+      find(inputs_, section, "motion", "input", section.required_text("motion", "the name of an input"));
+  this->name(drives_, section, name, to_.drives.size());
+  to_.drives.push_back(drive);
+}
+
+}  // namespace tandem::mbs

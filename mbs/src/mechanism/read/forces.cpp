@@ -1,0 +1,124 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include "reader.hpp"
+#include "tandem/mbs/mechanism/motions.hpp"
+#include "tandem/text/time_table.hpp"
+
+namespace tandem::mbs {
+
+void Reader::read_input(const std::string& name, Section& section) {
+  Input input{name, section.required_text("unit", "its unit, \"N\"")};
+  input.value = section.number("value").value_or(0.0);
+  input.where = section.place().text();
+  read_function(section, input);
+  this->name(inputs_, section, name, to_.inputs.size());
+  to_.inputs.push_back(std::move(input));
+}
+
+/// At most one of the keys that make it a function of time.
+void Reader::read_function(Section& section, Input& input) const {
+  int given = section.node("value") ? 1 : 0;
+  if (auto c = numbers(section, "polynomial"); !c.empty()) {
+    input.function = polynomial(std::move(c));
+    ++given;
+  }
+  if (const toml::table* table = section.table("sine")) {
+    input.function = sine_of(section, *table);
+    ++given;
+  }
+  if (const auto file = section.text("file")) {
+    input.function = data(section, *file);
+    ++given;
+  }
+  if (given > 1)
+    text::refuse(section.place(),
+                 fmt::format("input '{}' has {} of value, polynomial, sine and file; allowed is one",
+                             input.name, given));
+  if (input.function) input.value = 0.0;
+}
+
+std::function<Motion(double)> Reader::sine_of(Section& section, const toml::table& table) const {
+  Section s(document_, table, section.name("sine"));
+  const auto amplitude = s.number("amplitude"), frequency = s.positive("frequency");
+  if (!amplitude) s.missing("amplitude", "a number");
+  if (!frequency) s.missing("frequency", "a number above 0 [Hz]");
+  const auto result =
+      sine({*amplitude, *frequency, s.number("phase").value_or(0.0), s.number("mean").value_or(0.0)});
+  s.refuse_unknown();
+  return result;
+}
+
+std::function<Motion(double)> Reader::data(Section& section, const std::string& file) const {
+  const text::TimeTable table = text::TimeTable::read(folder_ / file);
+  const std::string column = section.required_text("column", "a column of the file");
+  Names columns;
+  for (std::size_t k = 0; k < table.names.size(); ++k) columns.emplace(table.names[k], static_cast<int>(k));
+  const auto& values =
+      table.columns[static_cast<std::size_t>(find(columns, section, "column", "column", column))];
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (!(values[k] == values[k]))
+      section.wrong("column", fmt::format("'{}' with an empty cell at {} s", column, table.times[k]),
+                    "one with a number in each row");
+  const std::string how = section.text("interpolation").value_or("linear");
+  if (how != "linear" && how != "spline") section.wrong("interpolation", "'" + how + "'", "linear or spline");
+  return text::located(section.place("file"), [&] {
+    return interpolated(table.times, values, how == "spline" ? Interpolation::spline : Interpolation::linear,
+                        "column '" + column + "' of " + table.file.string());
+  });
+}
+
+void Reader::read_spring(const std::string& name, Section& section) {
+  Spring spring;
+  spring.name = name;
+  spring.where = section.place().text();
+  const bool between = section.node("points") != nullptr;
+  if (between) {
+    spring.points = two_points(section, "points");
+  } else {
+    const Coordinate c = required_coordinate(section, "coordinate");
+    if (c.relative < 0) section.wrong("coordinate", "one of a point", "an angle or a length");
+    spring.relative = c.relative;
+  }
+  spring.stiffness = numbers(section, "stiffness");
+  spring.damping = numbers(section, "damping");
+  if (spring.stiffness.empty() && spring.damping.empty())
+    section.missing("stiffness", "a number, or an array of one for each power; or damping");
+  spring.free = section.number("free").value_or(between ? drawn(to_, spring.points).norm()
+                                                        : drawn(to_, to_.relatives[spring.relative]));
+  to_.springs.push_back(std::move(spring));
+}
+
+void Reader::read_force(const std::string& name, Section& section) {
+  Force force{name, Force::Kind::relative};
+  force.where = section.place().text();
+  if (const auto on = section.text("point")) {
+    force.kind = Force::Kind::point;
+    force.index = point(section, "point", *on);
+    force.direction = required_vector(section, "direction", "the direction that it acts in");
+  } else if (section.node("between")) {
+    force.kind = Force::Kind::line;
+    force.points = two_points(section, "between");
+  } else {
+    const Coordinate c = required_coordinate(section, "coordinate");
+    if (c.relative < 0) section.wrong("coordinate", "one of a point", "an angle or a length");
+    force.index = c.relative;
+  }
+  force.input = magnitude(section, name);
+  force.gain = section.number("gain").value_or(1.0);
+  to_.forces.push_back(force);
+}
+
+int Reader::magnitude(Section& section, const std::string& name) {
+  const toml::node* node = section.node("magnitude");
+  if (!node) section.missing("magnitude", "a number, or the name of an input");
+  if (const auto input = node->value<std::string>(); input && node->is_string())
+    return find(inputs_, section, "magnitude", "input", *input);
+  Input constant{name, ""};
+  constant.value = text::number_of(document_, *node, section.name("magnitude"));
+  constant.function = polynomial({constant.value});
+  to_.inputs.push_back(std::move(constant));
+  return static_cast<int>(to_.inputs.size()) - 1;
+}
+
+}  // namespace tandem::mbs

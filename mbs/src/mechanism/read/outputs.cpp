@@ -1,0 +1,85 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include "reader.hpp"
+#include "tandem/nearest.hpp"
+
+namespace tandem::mbs {
+namespace {
+
+using Kind = Output::Kind;
+constexpr std::pair<const char*, Kind> motions[] = {
+    {"position", Kind::position}, {"velocity", Kind::velocity}, {"acceleration", Kind::acceleration}};
+constexpr std::pair<const char*, Kind> energies[] = {
+    {"kinetic", Kind::kinetic}, {"potential", Kind::potential}, {"total", Kind::energy}};
+
+}  // namespace
+
+/// Exactly one of the keys position, velocity, acceleration, reaction and energy.
+void Reader::read_output(const std::string& name, Section& section) {
+  Output output{name, Kind::position};
+  output.where = section.place().text();
+  int given = 0;
+  for (const auto& [key, kind] : motions)
+    if (section.node(key)) {
+      output.kind = kind;
+      output.coordinate = required_coordinate(section, key);
+      ++given;
+    }
+  if (const auto of = section.text("reaction")) {
+    read_reaction(section, *of, output);
+    ++given;
+  }
+  if (const auto energy = section.text("energy")) {
+    const auto found = std::find_if(std::begin(energies), std::end(energies),
+                                    [&](const auto& e) { return e.first == *energy; });
+    if (found == std::end(energies))
+      section.wrong("energy", "'" + *energy + "'", "kinetic, potential or total");
+    output.kind = found->second;
+    ++given;
+  }
+  if (given != 1)
+    text::refuse(section.place(),
+                 fmt::format("output '{}' names {} quantities; allowed is one of position, velocity, "
+                             "acceleration, reaction and energy",
+                             name, given));
+  to_.outputs.push_back(output);
+}
+
+/// Of a drive, or of a fixed point along an axis.
+void Reader::read_reaction(Section& section, const std::string& of, Output& output) const {
+  if (const auto it = drives_.find(of); it != drives_.end()) {
+    output.kind = Kind::drive_reaction;
+    output.drive = it->second;
+    return;
+  }
+  output.kind = Kind::reaction;
+  if (of.rfind('.') == std::string::npos) find(drives_, section, "reaction", "drive", of);
+  output.coordinate = coordinate(section, "reaction", of);
+  if (!to_.entities[output.coordinate.entity].fixed)
+    section.wrong("reaction", "'" + of + "', a point that is not fixed", "a drive, or a fixed point's axis");
+}
+
+void Reader::read_initial(Section& root) {
+  const toml::table* table = root.table("initial");
+  if (!table) return;
+  Section initial(document_, *table, "initial");
+  read_given(initial, "positions", to_.positions);
+  read_given(initial, "velocities", to_.velocities);
+  initial.refuse_unknown();
+}
+
+/// Replaces what is known of a coordinate already.
+void Reader::read_given(Section& initial, const std::string& key, std::vector<Given>& to) {
+  const toml::table* table = initial.table(key);
+  if (!table) return;
+  for (const auto& [name, node] : text::in_file_order(*table)) {
+    const Coordinate c = coordinate(initial, key, name);
+    if (c.entity >= 0 && to_.entities[c.entity].fixed)
+      initial.wrong(key, "'" + name + "', of a fixed point", "coordinates that are not fixed");
+    std::erase_if(to, [&](const Given& g) { return g.coordinate == c; });
+    to.push_back({c, text::number_of(document_, *node, initial.name(key) + "." + name)});
+  }
+}
+
+}  // namespace tandem::mbs

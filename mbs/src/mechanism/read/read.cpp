@@ -1,0 +1,185 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/mbs/mechanism/read.hpp"
+
+#include <fmt/format.h>
+
+#include "reader.hpp"
+#include "tandem/nearest.hpp"
+
+namespace tandem::mbs {
+
+using text::refuse;
+
+Description Reader::read() {
+  Section root(document_, document_.table(), "");
+  to_.name = root.text("name").value_or(document_.file());
+  root.text("description");
+  read_dimension(root);
+  to_.gravity = vector(root, "gravity").value_or(Eigen::Vector3d::Zero());
+  using Read = void (Reader::*)(const std::string&, Section&);
+  each(root, "points", [this](auto& name, Section& s) { read_entity(name, s, Entity::Kind::point); });
+  each(root, "vectors", [this](auto& name, Section& s) { read_entity(name, s, Entity::Kind::vector); });
+  const std::pair<const char*, Read> tables[] = {
+      {"rods", &Reader::read_rod},         {"bodies", &Reader::read_body},
+      {"masses", &Reader::read_mass},      {"distances", &Reader::read_distance},
+      {"products", &Reader::read_product}, {"fixed_angles", &Reader::read_fixed_angle},
+      {"joints", &Reader::read_joint},     {"angles", &Reader::read_angle},
+      {"lengths", &Reader::read_length},   {"inputs", &Reader::read_input},
+      {"drives", &Reader::read_drive},     {"springs", &Reader::read_spring},
+      {"forces", &Reader::read_force},     {"outputs", &Reader::read_output}};
+  for (const auto& [key, read] : tables)
+    each(root, key, [this, read = read](auto& name, Section& s) { (this->*read)(name, s); });
+  read_initial(root);
+  root.refuse_unknown();
+  if (to_.bodies.empty() && to_.masses.empty())
+    root.missing("rods", "a table [rods.NAME], [bodies.NAME] or [masses.NAME] for each body");
+  return std::move(to_);
+}
+
+void Reader::read_dimension(Section& root) {
+  const auto dimension = root.number("dimension");
+  if (!dimension) root.missing("dimension", "2 for the plane, 3 for space");
+  if (*dimension != 2.0 && *dimension != 3.0)
+    root.wrong("dimension", fmt::format("{}", *dimension), "2 for the plane, 3 for space");
+  to_.dimension = static_cast<int>(*dimension);
+}
+
+/// Calls read(name, section) for each table below a key, in the order of the file.
+template <class Read>
+void Reader::each(Section& root, const std::string& key, const Read& read) {
+  const toml::table* table = root.table(key);
+  if (!table) return;
+  for (const auto& [name, node] : text::in_file_order(*table)) {
+    if (!node->is_table())
+      refuse(document_.place(*node),
+             key + "." + name + " is " + text::described(*node) + "; allowed is a table");
+    Section section(document_, *node->as_table(), key + "." + name);
+    read(name, section);
+    section.refuse_unknown();
+  }
+}
+
+/// As many numbers as the mechanism has dimensions; the third is zero in the plane.
+std::optional<Eigen::Vector3d> Reader::vector(Section& section, const std::string& key) const {
+  const toml::node* node = section.node(key);
+  if (!node) return std::nullopt;
+  const toml::array* array = node->as_array();
+  if (!array || static_cast<int>(array->size()) != to_.dimension)
+    section.wrong(key, array ? fmt::format("an array of {}", array->size()) : text::described(*node),
+                  fmt::format("an array of {} numbers", to_.dimension));
+  Eigen::Vector3d value = Eigen::Vector3d::Zero();
+  for (int i = 0; i < to_.dimension; ++i)
+    value[i] = text::number_of(document_, *array->get(i), fmt::format("{}[{}]", section.name(key), i));
+  return value;
+}
+
+Eigen::Vector3d Reader::required_vector(Section& section, const std::string& key,
+                                        const std::string& what) const {
+  const auto value = vector(section, key);
+  if (!value) section.missing(key, what);
+  return *value;
+}
+
+double Reader::required_positive(Section& section, const std::string& key, const std::string& unit) const {
+  const auto value = section.positive(key);
+  if (!value) section.missing(key, "a number above 0 [" + unit + "]");
+  return *value;
+}
+
+std::vector<double> Reader::numbers(Section& section, const std::string& key) const {
+  const toml::node* node = section.node(key);
+  if (!node) return {};
+  const toml::array* array = node->as_array();
+  if (!array) return {text::number_of(document_, *node, section.name(key))};
+  std::vector<double> all;
+  for (const toml::node& item : *array)
+    all.push_back(text::number_of(document_, item, fmt::format("{}[{}]", section.name(key), all.size())));
+  return all;
+}
+
+void Reader::name(Names& names, const Section& section, const std::string& name, std::size_t index) const {
+  if (!names.emplace(name, static_cast<int>(index)).second)
+    refuse(section.place(), "the name '" + name + "' is there twice; allowed is a name of its own");
+}
+
+int Reader::find(const Names& names, const Section& section, const std::string& key, const std::string& kind,
+                 const std::string& name) const {
+  if (const auto it = names.find(name); it != names.end()) return it->second;
+  std::vector<std::string> known;
+  for (const auto& [other, index] : names) known.push_back(other);
+  refuse(section.place(key), section.name(key) + ": " + unknown(kind, name, known));
+}
+
+int Reader::point(Section& section, const std::string& key, const std::string& name) const {
+  const int e = find(entities_, section, key, "point", name);
+  if (to_.entities[e].kind != Entity::Kind::point)
+    section.wrong(key, "the vector '" + name + "'", "the name of a point");
+  return e;
+}
+
+Edge Reader::two_points(Section& section, const std::string& key) const {
+  const std::string allowed = "the names of two points";
+  const auto names = section.texts(key);
+  if (names.empty()) section.missing(key, allowed);
+  if (names.size() != 2) section.wrong(key, fmt::format("{} names", names.size()), allowed);
+  const Edge edge{point(section, key, names[1]), point(section, key, names[0])};
+  if (edge.to == edge.from) section.wrong(key, "'" + names[0] + "' twice", allowed);
+  if (!(drawn(to_, edge).norm() > 0.0))
+    refuse(section.place(key),
+           section.name(key) + " are drawn at one place; allowed is a distance above 0 m");
+  return edge;
+}
+
+Edge Reader::edge(Section& section, const std::string& key, const toml::node* node) const {
+  const std::string allowed = "the name of a vector, or an array of two points";
+  if (!node) section.missing(key, allowed);
+  const toml::array* array = node->as_array();
+  if (const auto text = node->value<std::string>()) {
+    const int e = find(entities_, section, key, "vector", *text);
+    if (to_.entities[e].kind != Entity::Kind::vector)
+      section.wrong(key, "the point '" + *text + "'", allowed);
+    return {e};
+  }
+  if (!array || array->size() != 2 || !array->get(0)->is_string() || !array->get(1)->is_string())
+    section.wrong(key, text::described(*node), allowed);
+  return {point(section, key, *array->get(1)->value<std::string>()),
+          point(section, key, *array->get(0)->value<std::string>())};
+}
+
+std::pair<Edge, Edge> Reader::two_edges(Section& section, const std::string& key) const {
+  const std::string allowed = "two edges, each the name of a vector or an array of two points";
+  const toml::node* node = section.node(key);
+  if (!node) section.missing(key, allowed);
+  const toml::array* array = node->as_array();
+  if (!array || array->size() != 2) section.wrong(key, text::described(*node), allowed);
+  return {edge(section, key, array->get(0)), edge(section, key, array->get(1))};
+}
+
+Coordinate Reader::coordinate(const Section& section, const std::string& key, const std::string& text) const {
+  const auto dot = text.rfind('.');
+  if (dot == std::string::npos) return {-1, 0, find(relatives_, section, key, "angle or length", text)};
+  const int e = find(entities_, section, key, "point or vector", text.substr(0, dot));
+  const std::string axis = text.substr(dot + 1);
+  const auto found = std::string("xyz").substr(0, static_cast<std::size_t>(to_.dimension)).find(axis);
+  if (axis.size() != 1 || found == std::string::npos)
+    section.wrong(key, "the axis '" + axis + "'", to_.dimension == 2 ? "x or y" : "x, y or z");
+  return {e, static_cast<int>(found)};
+}
+
+Coordinate Reader::required_coordinate(Section& section, const std::string& key) const {
+  return coordinate(
+      section, key,
+      section.required_text(key, "a point and an axis, \"P.x\", or the name of an angle or length"));
+}
+
+Description read_mechanism(const std::filesystem::path& file) {
+  const text::Document document(file);
+  return Reader(document, file.parent_path()).read();
+}
+
+Description read_mechanism(const std::string& name, const std::string& text) {
+  const text::Document document(name, text);
+  return Reader(document, "").read();
+}
+
+}  // namespace tandem::mbs

@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tandem/mbs/mechanism/description.hpp"
+#include "tandem/text/section.hpp"
+
+namespace tandem::mbs {
+
+/// Fills a Description, table by table. What one table names stands in a table read before it.
+class Reader {
+ public:
+  /// folder: where data files are looked for.
+  Reader(const text::Document& document, std::filesystem::path folder)
+      : document_(document), folder_(std::move(folder)) {}
+  Description read();
+
+ private:
+  using Section = text::Section;
+  using Names = std::map<std::string, int>;  ///< index by name
+
+  // read.cpp: the root, and what the others read by
+  void read_dimension(Section& root);
+  template <class Read>
+  void each(Section& root, const std::string& key, const Read& read);
+  std::optional<Eigen::Vector3d> vector(Section& section, const std::string& key) const;
+  Eigen::Vector3d required_vector(Section& section, const std::string& key, const std::string& what) const;
+  double required_positive(Section& section, const std::string& key, const std::string& unit) const;
+  /// A number or an array of numbers; empty if it is not there.
+  std::vector<double> numbers(Section& section, const std::string& key) const;
+  void name(Names& names, const Section& section, const std::string& name, std::size_t index) const;
+  int find(const Names& names, const Section& section, const std::string& key, const std::string& kind,
+           const std::string& name) const;
+  int point(Section& section, const std::string& key, const std::string& name) const;
+  /// The two points of a key, apart from each other as drawn.
+  Edge two_points(Section& section, const std::string& key) const;
+  /// A vector's name, or an array of two points.
+  Edge edge(Section& section, const std::string& key, const toml::node* node) const;
+  std::pair<Edge, Edge> two_edges(Section& section, const std::string& key) const;
+  /// "P.x" or the name of a relative coordinate.
+  Coordinate coordinate(const Section& section, const std::string& key, const std::string& text) const;
+  Coordinate required_coordinate(Section& section, const std::string& key) const;
+
+  // bodies.cpp
+  void read_entity(const std::string& name, Section& section, Entity::Kind kind);
+  void read_rod(const std::string& name, Section& section);
+  void read_body(const std::string& name, Section& section);
+  void read_mass(const std::string& name, Section& section);
+  Eigen::Matrix3d inertia(Section& section) const;
+
+  // constraints.cpp
+  void read_distance(const std::string& name, Section& section);
+  void read_product(const std::string& name, Section& section);
+  void read_fixed_angle(const std::string& name, Section& section);
+  void read_joint(const std::string& name, Section& section);
+  void read_axes(Section& section, Joint& joint) const;
+  Carrier carrier(Section& section, const std::string& name) const;
+  void read_angle(const std::string& name, Section& section);
+  void read_length(const std::string& name, Section& section);
+  void read_drive(const std::string& name, Section& section);
+
+  // forces.cpp
+  void read_input(const std::string& name, Section& section);
+  void read_function(Section& section, Input& input) const;
+  std::function<Motion(double)> sine_of(Section& section, const toml::table& table) const;
+  std::function<Motion(double)> data(Section& section, const std::string& file) const;
+  void read_spring(const std::string& name, Section& section);
+  void read_force(const std::string& name, Section& section);
+  /// An input's name, or a number, which becomes an input of its own.
+  int magnitude(Section& section, const std::string& name);
+
+  // outputs.cpp
+  void read_output(const std::string& name, Section& section);
+  void read_reaction(Section& section, const std::string& of, Output& output) const;
+  void read_initial(Section& root);
+  void read_given(Section& initial, const std::string& key, std::vector<Given>& to);
+
+  const text::Document& document_;
+  std::filesystem::path folder_;
+  Description to_;
+  Names entities_, bodies_, relatives_, inputs_, drives_;
+};
+
+}  // namespace tandem::mbs

@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/mbs/mechanism/initial.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "four_bar/linkage.hpp"
+#include "refusal.hpp"
+#include "tandem/mbs/mechanism/read.hpp"
+#include "tandem/mbs/sparse/products.hpp"
+
+namespace tandem::mbs {
+namespace {
+
+using test::refuses;
+
+/// A crank of 0.2 m, a rod of 0.6 m, a slider on the x axis; drawn roughly.
+std::string slider_crank(const std::string& initial) {
+  return "dimension = 2\n[points]\nO = { at = [0, 0], fixed = true }\nX = { at = [1, 0], fixed = true }\n"
+         "A = { at = [0.15, 0.15] }\nB = { at = [0.7, 0.05] }\n"
+         "[masses]\na = { point = 'A', mass = 1 }\nb = { point = 'B', mass = 1 }\n"
+         "[distances]\ncrank = { points = ['O', 'A'], length = 0.2 }\nrod = { points = ['A', 'B'], length = "
+         "0.6 }\n"
+         "[joints.slide]\nkind = 'point_on_line'\nbetween = ['B', 'ground']\nat = [0.7, 0.05]\naxis = [1, "
+         "0]\n"
+         "[angles]\ntheta = { from = ['O', 'X'], to = ['O', 'A'] }\n" +
+         initial;
+}
+
+/// The slide goes through where B is drawn, so B stays at y = 0.05.
+TEST(InitialState, AssemblesFromAGivenAngleAndItsRate) {
+  for (const double angle : {0.3, 1.2, -0.8}) {
+    Mechanism m(read_mechanism("m", slider_crank("[initial]\npositions = { theta = " + std::to_string(angle) +
+                                                 " }\nvelocities = { theta = 10 }\n")));
+    const State s = initial_state(m, 0.0);
+    const double ax = 0.2 * std::cos(angle), ay = 0.2 * std::sin(angle), y = 0.05 - ay,
+                 x = ax + std::sqrt(0.36 - y * y);
+    EXPECT_NEAR(s.q[m.coordinate(2)], ax, 1e-10);
+    EXPECT_NEAR(s.q[m.coordinate(2) + 1], ay, 1e-10);
+    EXPECT_NEAR(s.q[m.coordinate(3)], x, 1e-10);
+    EXPECT_NEAR(s.v[m.coordinate(3)], -10.0 * ay + y / std::sqrt(0.36 - y * y) * 10.0 * ax, 1e-9);
+    EXPECT_EQ(s.q[m.numbering().relative[0]], angle);
+    EXPECT_EQ(s.v[m.numbering().relative[0]], 10.0);
+  }
+}
+
+TEST(InitialState, TakesTheNearestWhereNothingIsGiven) {
+  Mechanism m(read_mechanism("m", slider_crank("")));
+  const State s = initial_state(m, 0.0);
+  EXPECT_NEAR(s.q.segment(m.coordinate(2), 2).norm(), 0.2, 1e-10);
+  EXPECT_LT((s.q - m.described_state().q).norm(), 0.2);
+  EXPECT_EQ(s.v.norm(), 0.0);
+}
+
+TEST(InitialState, LeavesADrawingThatFitsAsItIs) {
+  Mechanism m(read_mechanism("linkage", four_bar::text(300)));
+  const State s = initial_state(m, 0.0), drawn = m.described_state();
+  EXPECT_EQ(s.q, drawn.q);
+  EXPECT_EQ(s.v, drawn.v);
+}
+
+TEST(InitialState, SaysWhatCanNotBe) {
+  const auto refused = [](const std::string& text, const std::vector<std::string>& says) {
+    return refuses(ErrorCode::invalid_argument, says, [&] {
+      Mechanism m(read_mechanism("m", text));
+      initial_state(m, 0.0);
+    });
+  };
+  EXPECT_TRUE(refused(slider_crank("[initial]\npositions = { 'B.x' = 2.0 }\n"),
+                      {"can't be assembled with the given positions", "constraint '", "is off by"}));
+  EXPECT_TRUE(refused(slider_crank("[initial]\nvelocities = { 'B.y' = 1.0 }\n"),
+                      {"no velocities fit", "constraint 'slide: across 1' is off by"}));
+  EXPECT_TRUE(
+      refused(slider_crank("[initial]\npositions = { 'C.x' = 2.0 }\n"), {"'C' is not there", "A, B, O, X"}));
+  EXPECT_TRUE(refused(slider_crank("[initial]\npositions = { 'B.z' = 2.0 }\n"), {"the axis 'z'", "x or y"}));
+  EXPECT_TRUE(refused(slider_crank("[initial]\npositions = { 'O.x' = 2.0 }\n"), {"of a fixed point"}));
+}
+
+/// A constraint that is there twice, and a motion that a drive prescribes.
+TEST(InitialState, TakesRedundantConstraintsAndDrives) {
+  Mechanism m(
+      read_mechanism("m", slider_crank("[distances.again]\npoints = ['O', 'A']\nlength = 0.2\n"
+                                       "[inputs]\nturn = { unit = 'rad', polynomial = [0.5, 3] }\n"
+                                       "[drives]\nmotor = { coordinate = 'theta', motion = 'turn' }\n")));
+  const State s = initial_state(m, 0.1);
+  EXPECT_NEAR(s.q[m.numbering().relative[0]], 0.8, 1e-10);
+  EXPECT_NEAR(s.v[m.numbering().relative[0]], 3.0, 1e-10);
+  EXPECT_NEAR(s.v[m.coordinate(2)], -3.0 * 0.2 * std::sin(0.8), 1e-10);
+}
+
+}  // namespace
+}  // namespace tandem::mbs

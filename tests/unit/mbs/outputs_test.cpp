@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/mbs/mechanism/outputs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "refusal.hpp"
+#include "tandem/mbs/formulations/index3.hpp"
+#include "tandem/mbs/mechanism/initial.hpp"
+#include "tandem/mbs/mechanism/read.hpp"
+
+namespace tandem::mbs {
+namespace {
+
+using Eigen::VectorXd;
+
+VectorXd outputs(const std::string& text) {
+  Mechanism m(read_mechanism("m", text));
+  State s = initial_state(m, 0.0);
+  Index3(m, {}).start(s);
+  VectorXd y(static_cast<Eigen::Index>(m.description().outputs.size()));
+  Outputs(m).evaluate(s, y.data());
+  return y;
+}
+
+const std::string rod = "dimension = 2\ngravity = [0, -9.81]\n[points]\nO = { at = [0, 0], fixed = true }\n";
+
+/// A level rod that is let go: its tip falls with 3/2 g, the pin carries a quarter of its weight.
+TEST(Outputs, OfARodThatIsLetGo) {
+  const VectorXd y = outputs(rod +
+                             "P = { at = [2, 0] }\n[rods]\nr = { points = ['O', 'P'], mass = 3 }\n[outputs]\n"
+                             "x = { position = 'P.x' }\na = { acceleration = 'P.y' }\nrx = { reaction = "
+                             "'O.x' }\nry = { reaction = 'O.y' }\n"
+                             "e = { energy = 'total' }\n");
+  EXPECT_EQ(y[0], 2.0);
+  EXPECT_NEAR(y[1], -1.5 * 9.81, 1e-9);
+  EXPECT_NEAR(y[2], 0.0, 1e-9);
+  EXPECT_NEAR(y[3], 0.25 * 3 * 9.81, 1e-9);
+  EXPECT_EQ(y[4], 0.0);
+}
+
+/// Turned by a motor at 2 rad/s and 3 rad/s^2: torque I alpha + m g l/2, and the pin carries what turns the
+/// centre. (With a fixed point in place of the vector, the couple on the ground would be among the forces of
+/// the two fixed points.)
+TEST(Outputs, OfARodThatIsDriven) {
+  const VectorXd y =
+      outputs(rod +
+              "P = { at = [2, 0] }\n[vectors]\nX = { at = [1, 0], fixed = true }\n[rods]\nr = { points = "
+              "['O', 'P'], mass = 3 }\n"
+              "[angles]\nt = { from = 'X', to = ['O', 'P'] }\n[inputs]\nu = { unit = 'rad', polynomial = [0, "
+              "2, 1.5] }\n"
+              "[drives]\nmotor = { coordinate = 't', motion = 'u' }\n[outputs]\nw = { velocity = 't' }\n"
+              "a = { acceleration = 't' }\ntorque = { reaction = 'motor' }\nrx = { reaction = 'O.x' }\nry = "
+              "{ reaction = 'O.y' }\n"
+              "k = { energy = 'kinetic' }\n");
+  EXPECT_NEAR(y[0], 2.0, 1e-10);
+  EXPECT_NEAR(y[1], 3.0, 1e-9);
+  EXPECT_NEAR(y[2], 3.0 * 4.0 / 3.0 * 3.0 + 3.0 * 9.81, 1e-6);
+  EXPECT_NEAR(y[3], -3.0 * 4.0, 1e-6);
+  EXPECT_NEAR(y[4], 3.0 * 3.0 + 3.0 * 9.81, 1e-6);
+  EXPECT_NEAR(y[5], 0.5 * 4.0 * 4.0, 1e-9);
+}
+
+/// A mass on a spring that a force holds: both pull, and the anchor carries the spring.
+TEST(Outputs, OfAMassBetweenASpringAndAForce) {
+  const VectorXd y =
+      outputs(rod +
+              "P = { at = [1.5, 0] }\n[masses]\nm = { point = 'P', mass = 2 }\n"
+              "[springs]\ns = { points = ['O', 'P'], stiffness = [100, 40], free = 1 }\n"
+              "[forces]\nf = { point = 'P', direction = [1, 1], magnitude = 12 }\n[outputs]\n"
+              "ax = { acceleration = 'P.x' }\nay = { acceleration = 'P.y' }\nrx = { reaction = 'O.x' }\n"
+              "v = { energy = 'potential' }\n");
+  EXPECT_NEAR(y[0], (12.0 - 60.0) / 2.0, 1e-12);
+  EXPECT_NEAR(y[1], 12.0 / 2.0 - 9.81, 1e-12);
+  EXPECT_NEAR(y[2], -60.0, 1e-12);
+  EXPECT_NEAR(y[3], 50.0 * 0.25 + 40.0 / 3.0 * 0.125, 1e-12);
+}
+
+TEST(Outputs, DependAtOnceOnWhatTheyShould) {
+  Mechanism m(read_mechanism(
+      "m", rod + "P = { at = [1.5, 0] }\nQ = { at = [1, 1] }\n[masses]\nm = { point = 'P', mass = 2 }\n"
+                 "[rods]\nr = { points = ['O', 'Q'], mass = 1 }\n[springs]\ns = { points = ['P', 'Q'], "
+                 "stiffness = 1 }\n"
+                 "[inputs]\nF = { unit = 'N' }\nidle = { unit = 'N' }\n"
+                 "[forces]\nf = { point = 'P', direction = [1, 1], magnitude = 'F' }\n[outputs]\n"
+                 "x = { position = 'P.x' }\nv = { velocity = 'P.x' }\na = { acceleration = 'P.x' }\n"
+                 "r = { reaction = 'O.x' }\n"));
+  const Outputs o(m);
+  for (int output = 0; output < 4; ++output) {
+    EXPECT_EQ(o.depends(output, 0), output >= 2);
+    EXPECT_FALSE(o.depends(output, 1));
+    EXPECT_EQ(o.has_derivative(output), output < 2);
+  }
+  EXPECT_EQ(o.unit(0), "m");
+  EXPECT_EQ(o.unit(1), "m/s");
+  EXPECT_EQ(o.unit(2), "m/s^2");
+  EXPECT_EQ(o.unit(3), "N");
+}
+
+}  // namespace
+}  // namespace tandem::mbs
