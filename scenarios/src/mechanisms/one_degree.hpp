@@ -2,7 +2,7 @@
 #pragma once
 #include <array>
 
-#include "mechanisms/motion.hpp"
+#include "mechanisms/jet.hpp"
 
 namespace tandem::mechanisms {
 
@@ -12,6 +12,23 @@ struct OneDegree {
   Real inertia = 0, inertia_slope = 0, force = 0;  ///< J, dJ/ds, Q
 
   Real acceleration(Real rate) const { return (force - inertia_slope * rate * rate / 2) / inertia; }
+
+  /// Adds the kinetic energy 1/2 weight a'.b': a = b is the place of a mass, or of a body in the plane that
+  /// turns a unit vector along it, with its moment of inertia as weight.
+  template <class T>
+  void add_product(const Jet<T>& a, const Jet<T>& b, Real weight) {
+    inertia += weight * a.first.dot(b.first);
+    inertia_slope += weight * (a.second.dot(b.first) + a.first.dot(b.second));
+  }
+
+  /// Adds a uniform thin rod, m/6 (a'.a' + a'.b' + b'.b') with its ends a and b, and its weight along -y.
+  template <class T>
+  void add_rod(const Jet<T>& a, const Jet<T>& b, Real mass) {
+    add_product(a, a, mass / 3);
+    add_product(a, b, mass / 3);
+    add_product(b, b, mass / 3);
+    force -= mass * gravity * (a.first[1] + b.first[1]) / 2;
+  }
 };
 
 /// s and s' at the time t >= 0 [s] from those at 0; coefficients(s) gives OneDegree.
