@@ -2,6 +2,8 @@
 #include "tandem/mbs/sparse/products.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <map>
 #include <type_traits>
 
@@ -32,73 +34,102 @@ void add_product(const Pattern& a, const double* values, const double* x, double
 
 namespace {
 
-struct InRow {
-  int column;
-  std::int32_t position;
+/// By (row, column) below the diagonal the positions of a layout that hold it.
+class Lower {
+ public:
+  Lower(int columns, std::span<const std::pair<int, int>> target)
+      : columns_(static_cast<std::size_t>(columns)) {
+    for (std::size_t e = 0; e < target.size(); ++e)
+      if (const auto [low, high] = std::minmax(target[e].first, target[e].second); low >= 0)
+        columns_[low].push_back({high, static_cast<std::int32_t>(e)});
+    for (auto& column : columns_) std::sort(column.begin(), column.end());
+  }
+  std::int32_t first(int row, int column) const {
+    const auto& entries = columns_[std::min(row, column)];
+    const auto at = std::lower_bound(entries.begin(), entries.end(), std::pair(std::max(row, column), 0));
+    assert(at != entries.end() && at->first == std::max(row, column));
+    return at->second;
+  }
+  const auto& columns() const { return columns_; }
+
+ private:
+  std::vector<std::vector<std::pair<int, std::int32_t>>> columns_;  ///< (row, position), sorted
 };
 
-std::vector<std::vector<InRow>> by_row(const Pattern& a) {
-  std::vector<std::vector<InRow>> rows(static_cast<std::size_t>(a.rows()));
-  for (int c = 0; c < a.columns(); ++c)
-    for (int k = a.starts()[c]; k < a.starts()[c + 1]; ++k) rows[a.indices()[k]].push_back({c, k});
-  return rows;
+/// result[targets] += factor (a a^T) for columns of so many entries; entries: known to the compiler or not.
+template <class Entries>
+const std::int32_t* add_columns(Entries entries, std::span<const std::int32_t> starts, const double* a,
+                                double factor, const std::int32_t* target, double* result) {
+  constexpr std::size_t most = 8;
+  for (const std::int32_t start : starts) {
+    const double* column = a + start;
+    std::array<double, most> local;
+    if constexpr (!std::is_integral_v<Entries>) {  // or they would be read again after each store
+      std::copy_n(column, entries, local.data());
+      column = local.data();
+    }
+    for (std::size_t i = 0; i < entries; ++i) {
+      const double scaled = factor * column[i];
+      for (std::size_t j = 0; j <= i; ++j) result[*target++] += scaled * column[j];
+    }
+  }
+  return target;
 }
 
 }  // namespace
 
 RankUpdate::RankUpdate(const Pattern& a, std::span<const std::pair<int, int>> target) : size_(target.size()) {
-  const auto rows = by_row(a);
-  std::map<std::size_t, std::pair<std::vector<std::int32_t>, std::vector<Factors>>> by_count;
-  std::vector<Factors> products;
-  for (std::size_t e = 0; e < target.size(); ++e) {
-    const auto [row, column] = target[e];
-    if (row < 0) continue;
-    products.clear();
-    auto right = rows[column].begin();
-    for (const InRow& left : rows[row]) {
-      while (right != rows[column].end() && right->column < left.column) ++right;
-      if (right == rows[column].end()) break;
-      if (right->column == left.column) products.push_back({left.position, right->position});
+  const Lower lower(a.rows(), target);
+  std::map<int, std::vector<int>> by_entries;
+  for (int c = 0; c < a.columns(); ++c) by_entries[a.starts()[c + 1] - a.starts()[c]].push_back(c);
+  for (const auto& [entries, columns] : by_entries) {
+    groups_.push_back({static_cast<std::size_t>(entries), columns.size()});
+    for (const int c : columns) {
+      const auto rows =
+          a.indices().subspan(static_cast<std::size_t>(a.starts()[c]), static_cast<std::size_t>(entries));
+      starts_.push_back(a.starts()[c]);
+      for (int i = 0; i < entries; ++i)
+        for (int j = 0; j <= i; ++j) targets_.push_back(lower.first(rows[i], rows[j]));
     }
-    if (products.empty()) continue;
-    auto& [entries, factors] = by_count[products.size()];
-    entries.push_back(static_cast<std::int32_t>(e));
-    factors.insert(factors.end(), products.begin(), products.end());
   }
-  for (const auto& [count, group] : by_count) {
-    groups_.push_back({count, group.first.size()});
-    targets_.insert(targets_.end(), group.first.begin(), group.first.end());
-    factors_.insert(factors_.end(), group.second.begin(), group.second.end());
-  }
+  for (const auto& column : lower.columns())
+    for (std::size_t k = 1, first = 0; k < column.size(); ++k)
+      if (column[k].first == column[first].first)
+        copies_.push_back({column[first].second, column[k].second});
+      else
+        first = k;
 }
 
 void RankUpdate::run(const double* a, double factor, const double* base, double* result) const {
   if (base != result) std::copy_n(base, size_, result);
+  std::span<const std::int32_t> starts(starts_);
   const std::int32_t* target = targets_.data();
-  const Factors* factors = factors_.data();
-  const auto add = [&](auto count, std::size_t entries) {
-    for (std::size_t e = 0; e < entries; ++e, ++target) {
-      double sum = 0.0;
-      for (std::size_t k = 0; k < count; ++k, ++factors) sum += a[factors->left] * a[factors->right];
-      result[*target] += factor * sum;
-    }
-  };
-  for (const Group& group : groups_) switch (group.products) {
+  for (const Group& group : groups_) {
+    const auto add = [&](auto entries) {
+      target = add_columns(entries, starts.first(group.columns), a, factor, target, result);
+    };
+    switch (group.entries) {
       case 1:
-        add(std::integral_constant<std::size_t, 1>(), group.entries);
+        add(std::integral_constant<std::size_t, 1>());
         break;
       case 2:
-        add(std::integral_constant<std::size_t, 2>(), group.entries);
+        add(std::integral_constant<std::size_t, 2>());
         break;
       case 3:
-        add(std::integral_constant<std::size_t, 3>(), group.entries);
+        add(std::integral_constant<std::size_t, 3>());
         break;
       case 4:
-        add(std::integral_constant<std::size_t, 4>(), group.entries);
+        add(std::integral_constant<std::size_t, 4>());
+        break;
+      case 6:
+        add(std::integral_constant<std::size_t, 6>());
         break;
       default:
-        add(group.products, group.entries);
+        add(group.entries);
     }
+    starts = starts.subspan(group.columns);
+  }
+  for (const Copy& copy : copies_) result[copy.to] = result[copy.from];
 }
 
 }  // namespace tandem::mbs

@@ -20,27 +20,29 @@ void multiply_transposed(const Pattern& a, const double* values, const double* x
 void add_product(const Pattern& a, const double* values, const double* x, double* y);
 
 /// base + factor A A^T at given entries, A in compressed columns (Phi_q^T alpha Phi_q: A = Phi_q^T): a
-/// symmetric rank-k update, prepared as a list of products for each entry (F. Gonzalez, doctoral thesis,
-/// A Coruna 2010, chapter 3).
+/// symmetric rank-k update, prepared as a list of where the products of each column with itself go
+/// (F. Gonzalez, doctoral thesis, A Coruna 2010, chapter 3).
 class RankUpdate {
  public:
-  /// target: by position of the result the (row, column) it holds; (-1, -1) for none.
+  /// target: by position of the result the (row, column) it holds; (-1, -1) for none. Precondition: it has
+  /// all entries of A A^T, in either triangle or in both.
   RankUpdate(const Pattern& a, std::span<const std::pair<int, int>> target);
-  /// result[e] = base[e] + factor (A A^T)[e]. They may be the same array.
+  /// result[e] = base[e] + factor (A A^T)[e]. They may be the same array if the target names no entry twice.
   void run(const double* a, double factor, const double* base, double* result) const;
 
  private:
-  struct Factors {
-    std::int32_t left, right;  ///< positions in A
-  };
-  /// Entries with equally many products, so that nothing is asked within.
+  /// Columns of A with equally many entries, so that nothing is asked within.
   struct Group {
-    std::size_t products, entries;
+    std::size_t entries, columns;
+  };
+  struct Copy {
+    std::int32_t from, to;  ///< an entry that the target names again
   };
   std::vector<Group> groups_;
-  std::vector<std::int32_t> targets_;  ///< by entry
-  std::vector<Factors> factors_;       ///< `products` for each entry
-  std::size_t size_;                   ///< of the result
+  std::vector<std::int32_t> starts_;   ///< by column, in order of the groups: its first position in A
+  std::vector<std::int32_t> targets_;  ///< of its products, those of each entry with itself and those before
+  std::vector<Copy> copies_;
+  std::size_t size_;  ///< of the result
 };
 
 }  // namespace tandem::mbs
