@@ -24,8 +24,6 @@ class Klu final : public LinearSolver {
   Klu(const Klu&) = delete;
   Klu& operator=(const Klu&) = delete;
 
-  bool lower() const override { return false; }
-
   void analyze(const Pattern& pattern) override {
     klu_free_numeric(&numeric_, &common_);
     klu_free_symbolic(&symbolic_, &common_);
@@ -34,8 +32,9 @@ class Klu final : public LinearSolver {
     if (!symbolic_) throw std::bad_alloc();
   }
 
-  int factorize(const double* values) override {
-    auto* a = const_cast<double*>(values);  // KLU's interface is not const
+  Layout layout() const override { return pattern_.entries(); }
+
+  int factorize(double* a) override {
     if (numeric_ && klu_refactor(starts(), rows(), a, symbolic_, numeric_, &common_) && !grown(a)) return -1;
     klu_free_numeric(&numeric_, &common_);
     numeric_ = klu_factor(starts(), rows(), a, symbolic_, &common_);

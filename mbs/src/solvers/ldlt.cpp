@@ -10,13 +10,13 @@ namespace {
 /// Eigen's simplicial LDL^T with AMD ordering.
 class Ldlt final : public LinearSolver {
  public:
-  bool lower() const override { return true; }
-
   void analyze(const Pattern& pattern) override {
-    pattern_ = pattern;
-    solver_.analyzePattern(matrix(std::vector<double>(pattern.size(), 1.0).data()));
+    pattern_ = pattern.lower();
+    solver_.analyzePattern(matrix(std::vector<double>(pattern_.size(), 1.0).data()));
   }
-  int factorize(const double* values) override {
+  Layout layout() const override { return pattern_.entries(); }
+
+  int factorize(double* values) override {
     solver_.factorize(matrix(values));
     if (solver_.info() == Eigen::Success) return -1;
     const Eigen::VectorXd pivots = solver_.vectorD();  // it stops at one that is zero

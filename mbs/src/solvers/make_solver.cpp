@@ -17,7 +17,8 @@ struct Entry {
 /// Every solver of this build.
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> all = {{"klu", MatrixKind::unsymmetric, solvers::klu},
-                                         {"ldlt", MatrixKind::symmetric, solvers::ldlt},
+                                         {"ldlt", MatrixKind::positive_definite, solvers::ldlt},
+                                         {"prepared", MatrixKind::positive_definite, solvers::prepared},
                                          {"band", MatrixKind::positive_definite, solvers::band}};
   return all;
 }

@@ -7,7 +7,14 @@
 namespace tandem::mbs::solvers {
 
 /// By column its place in an order in which the band of a symmetric matrix is narrow: reverse Cuthill-McKee,
-/// or the columns' own order where that is as narrow. Either triangle of the pattern will do.
+/// or the columns' own order where that is as narrow.
 std::vector<int> narrow_order(const Pattern& pattern);
+
+/// The farthest that an entry stands from the diagonal if the columns are put to these places.
+int band_width(const Pattern& pattern, const std::vector<int>& place);
+
+/// By place the column that stands there in an order with little fill: approximate minimum degree (P.
+/// Amestoy, T. A. Davis, I. S. Duff, ACM Trans. Math. Softw. 30 (2004) 381).
+std::vector<int> minimum_degree_order(const Pattern& pattern);
 
 }  // namespace tandem::mbs::solvers

@@ -8,6 +8,7 @@ namespace tandem::mbs::solvers {
 
 std::unique_ptr<LinearSolver> klu(MatrixKind kind);
 std::unique_ptr<LinearSolver> ldlt(MatrixKind kind);
+std::unique_ptr<LinearSolver> prepared(MatrixKind kind);
 std::unique_ptr<LinearSolver> band(MatrixKind kind);
 
 }  // namespace tandem::mbs::solvers

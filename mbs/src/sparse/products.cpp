@@ -2,6 +2,10 @@
 #include "tandem/mbs/sparse/products.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
+#include <map>
+#include <type_traits>
 
 namespace tandem::mbs {
 
@@ -28,29 +32,104 @@ void add_product(const Pattern& a, const double* values, const double* x, double
     for (int k = starts[c]; k < starts[c + 1]; ++k) y[rows[k]] += values[k] * x[c];
 }
 
-RankUpdate::RankUpdate(const Pattern& a, const Pattern& target) {
-  std::vector<std::vector<Factors>> lists(static_cast<std::size_t>(target.size()));
-  for (int c = 0; c < a.columns(); ++c)
-    for (int left = a.starts()[c]; left < a.starts()[c + 1]; ++left)
-      for (int right = a.starts()[c]; right < a.starts()[c + 1]; ++right)
-        if (const int entry = target.find(a.indices()[left], a.indices()[right]); entry >= 0)
-          lists[entry].push_back({left, right});
-  starts_.push_back(0);
-  for (const auto& list : lists) {
-    factors_.insert(factors_.end(), list.begin(), list.end());
-    starts_.push_back(static_cast<std::int32_t>(factors_.size()));
+namespace {
+
+/// By (row, column) below the diagonal the positions of a layout that hold it.
+class Lower {
+ public:
+  Lower(int columns, std::span<const std::pair<int, int>> target)
+      : columns_(static_cast<std::size_t>(columns)) {
+    for (std::size_t e = 0; e < target.size(); ++e)
+      if (const auto [low, high] = std::minmax(target[e].first, target[e].second); low >= 0)
+        columns_[low].push_back({high, static_cast<std::int32_t>(e)});
+    for (auto& column : columns_) std::sort(column.begin(), column.end());
   }
+  std::int32_t first(int row, int column) const {
+    const auto& entries = columns_[std::min(row, column)];
+    const auto at = std::lower_bound(entries.begin(), entries.end(), std::pair(std::max(row, column), 0));
+    assert(at != entries.end() && at->first == std::max(row, column));
+    return at->second;
+  }
+  const auto& columns() const { return columns_; }
+
+ private:
+  std::vector<std::vector<std::pair<int, std::int32_t>>> columns_;  ///< (row, position), sorted
+};
+
+/// result[targets] += factor (a a^T) for columns of so many entries; entries: known to the compiler or not.
+template <class Entries>
+const std::int32_t* add_columns(Entries entries, std::span<const std::int32_t> starts, const double* a,
+                                double factor, const std::int32_t* target, double* result) {
+  constexpr std::size_t most = 8;
+  for (const std::int32_t start : starts) {
+    const double* column = a + start;
+    std::array<double, most> local;
+    if constexpr (!std::is_integral_v<Entries>) {  // or they would be read again after each store
+      std::copy_n(column, entries, local.data());
+      column = local.data();
+    }
+    for (std::size_t i = 0; i < entries; ++i) {
+      const double scaled = factor * column[i];
+      for (std::size_t j = 0; j <= i; ++j) result[*target++] += scaled * column[j];
+    }
+  }
+  return target;
+}
+
+}  // namespace
+
+RankUpdate::RankUpdate(const Pattern& a, std::span<const std::pair<int, int>> target) : size_(target.size()) {
+  const Lower lower(a.rows(), target);
+  std::map<int, std::vector<int>> by_entries;
+  for (int c = 0; c < a.columns(); ++c) by_entries[a.starts()[c + 1] - a.starts()[c]].push_back(c);
+  for (const auto& [entries, columns] : by_entries) {
+    groups_.push_back({static_cast<std::size_t>(entries), columns.size()});
+    for (const int c : columns) {
+      const auto rows =
+          a.indices().subspan(static_cast<std::size_t>(a.starts()[c]), static_cast<std::size_t>(entries));
+      starts_.push_back(a.starts()[c]);
+      for (int i = 0; i < entries; ++i)
+        for (int j = 0; j <= i; ++j) targets_.push_back(lower.first(rows[i], rows[j]));
+    }
+  }
+  for (const auto& column : lower.columns())
+    for (std::size_t k = 1, first = 0; k < column.size(); ++k)
+      if (column[k].first == column[first].first)
+        copies_.push_back({column[first].second, column[k].second});
+      else
+        first = k;
 }
 
 void RankUpdate::run(const double* a, double factor, const double* base, double* result) const {
-  const std::int32_t* const starts = starts_.data();
-  const Factors* const factors = factors_.data();
-  const auto entries = starts_.size() - 1;
-  for (std::size_t e = 0; e < entries; ++e) {
-    double sum = 0.0;
-    for (std::int32_t k = starts[e]; k < starts[e + 1]; ++k) sum += a[factors[k].left] * a[factors[k].right];
-    result[e] = base[e] + factor * sum;
+  if (base != result) std::copy_n(base, size_, result);
+  std::span<const std::int32_t> starts(starts_);
+  const std::int32_t* target = targets_.data();
+  for (const Group& group : groups_) {
+    const auto add = [&](auto entries) {
+      target = add_columns(entries, starts.first(group.columns), a, factor, target, result);
+    };
+    switch (group.entries) {
+      case 1:
+        add(std::integral_constant<std::size_t, 1>());
+        break;
+      case 2:
+        add(std::integral_constant<std::size_t, 2>());
+        break;
+      case 3:
+        add(std::integral_constant<std::size_t, 3>());
+        break;
+      case 4:
+        add(std::integral_constant<std::size_t, 4>());
+        break;
+      case 6:
+        add(std::integral_constant<std::size_t, 6>());
+        break;
+      default:
+        add(group.entries);
+    }
+    starts = starts.subspan(group.columns);
   }
+  for (const Copy& copy : copies_) result[copy.to] = result[copy.from];
 }
 
 }  // namespace tandem::mbs

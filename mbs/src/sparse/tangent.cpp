@@ -22,28 +22,33 @@ Pattern diagonal(int size) {
   return {size, size, std::move(entries)};
 }
 
-Pattern tangent_pattern(const Structure& s, bool lower) {
+Pattern tangent_pattern(const Structure& s) {
   const Pattern forces = unite(s.mass.pattern, s.stiffness);
-  const Pattern whole = unite(unite(forces, outer_products(s.jacobian)), diagonal(s.variables));
-  return lower ? whole.lower() : whole;
+  return unite(unite(forces, outer_products(s.jacobian)), diagonal(s.variables));
+}
+
+Layout prepared_layout(LinearSolver& solver, const Pattern& pattern) {
+  solver.analyze(pattern);
+  return solver.layout();
 }
 
 }  // namespace
 
 Tangent::Tangent(const Structure& structure, std::unique_ptr<LinearSolver> solver)
     : solver_(std::move(solver)),
-      pattern_(tangent_pattern(structure, solver_->lower())),
-      update_(structure.jacobian, pattern_),
-      mass_(static_cast<std::size_t>(pattern_.size())),
-      values_(mass_.size()) {
-  const auto mass = positions(structure.mass.pattern, pattern_),
-             stiffness = positions(structure.stiffness, pattern_);
-  for (std::size_t k = 0; k < mass.size(); ++k)
-    if (mass[k] >= 0) mass_[mass[k]] = structure.mass.values[k];
-  for (std::size_t k = 0; k < stiffness.size(); ++k)
-    if (stiffness[k] >= 0) from_.push_back(static_cast<int>(k)), to_.push_back(stiffness[k]);
+      pattern_(tangent_pattern(structure)),
+      layout_(prepared_layout(*solver_, pattern_)),
+      update_(structure.jacobian, layout_),
+      mass_(layout_.size()),
+      values_(layout_.size()) {
+  for (std::size_t e = 0; e < layout_.size(); ++e) {
+    const auto [row, column] = layout_[e];
+    if (row < 0) continue;
+    if (const int k = structure.mass.pattern.find(row, column); k >= 0) mass_[e] = structure.mass.values[k];
+    if (const int k = structure.stiffness.find(row, column); k >= 0)
+      from_.push_back(k), to_.push_back(static_cast<int>(e));
+  }
   base_ = mass_;
-  solver_->analyze(pattern_);
 }
 
 void Tangent::assemble(const ModelMatrices& at, const TangentFactors& factors) {

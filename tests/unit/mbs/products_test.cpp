@@ -76,8 +76,8 @@ TEST(RankUpdate, IsThatOfDenseMatricesOnEitherTriangleOrBoth) {
     const Pattern whole(8, 8, all);
     for (const Pattern& target : {whole, whole.lower()}) {
       std::vector<double> base(target.size(), 0.25), result(target.size());
-      RankUpdate(a.pattern, target).run(a.values.data(), 0.7, base.data(), result.data());
       const auto entries = target.entries();
+      RankUpdate(a.pattern, entries).run(a.values.data(), 0.7, base.data(), result.data());
       for (std::size_t k = 0; k < entries.size(); ++k)
         EXPECT_NEAR(result[k], 0.25 + expected(entries[k].first, entries[k].second), rounding);
     }

@@ -2,6 +2,7 @@
 #pragma once
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tandem/mbs/sparse/pattern.hpp"
@@ -11,19 +12,26 @@ namespace tandem::mbs {
 /// What is known of a square matrix. A solver may be used for a matrix of a better kind than its own.
 enum class MatrixKind { positive_definite, symmetric, unsymmetric };
 
+/// By position of an array of values the (row, column) of the matrix that stands there; (-1, -1): none, and
+/// the value is zero.
+using Layout = std::vector<std::pair<int, int>>;
+
 /// Solves A x = b again and again for matrices of one pattern: analyze() once, then factorize() for new
 /// values, then solve() as often as wanted. One object is used by one thread at a time.
 class LinearSolver {
  public:
   virtual ~LinearSolver() = default;
 
-  /// True: the pattern and values it is given are those of the lower triangle of a symmetric matrix.
-  virtual bool lower() const = 0;
-  /// Prepares for a square pattern with all diagonal entries, which it copies.
+  /// Prepares for a square pattern with all diagonal entries, both triangles of a symmetric matrix.
   virtual void analyze(const Pattern& pattern) = 0;
-  /// values: by position of the pattern. Returns -1, or the column at which the matrix is singular (or not
-  /// positive definite, for a solver that needs it) to working precision.
-  virtual int factorize(const double* values) = 0;
+  /// Which values factorize() takes, and in which order: those of the pattern in its own order, or whatever
+  /// the solver factorizes in place. Of a symmetric matrix an entry may be named by either triangle. Entries
+  /// that the pattern has not are zero.
+  virtual Layout layout() const = 0;
+  /// values: by position of the layout. They may be overwritten, and stay the solver's until the last solve()
+  /// that needs them. Returns -1, or the column at which the matrix is singular (or not positive definite,
+  /// for a solver that needs it) to working precision.
+  virtual int factorize(double* values) = 0;
   /// b becomes A^-1 b. Precondition: the last factorize() returned -1.
   virtual void solve(double* b) = 0;
 };

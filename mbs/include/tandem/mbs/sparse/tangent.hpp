@@ -24,8 +24,8 @@ struct TangentFactors {
   double damping, stiffness, penalty;
 };
 
-/// That matrix on the union of all patterns, with its solver: prepared once, then assembled and factorized
-/// without a look-up.
+/// That matrix on the union of all patterns, with its solver: prepared once, then assembled where the solver
+/// wants it and factorized, without a look-up.
 class Tangent {
  public:
   Tangent(const Structure& structure, std::unique_ptr<LinearSolver> solver);
@@ -36,14 +36,16 @@ class Tangent {
   /// b becomes T^-1 b.
   void solve(double* b) { solver_->solve(b); }
 
+  /// The union of the patterns, both triangles.
   const Pattern& pattern() const { return pattern_; }
 
  private:
   std::unique_ptr<LinearSolver> solver_;
   Pattern pattern_;
+  Layout layout_;
   RankUpdate update_;
-  std::vector<double> mass_, base_, values_;  ///< by position of the pattern
-  std::vector<int> from_, to_;                ///< positions of K and C that the pattern has, and theirs in it
+  std::vector<double> mass_, base_, values_;  ///< by position of the solver's layout
+  std::vector<int> from_, to_;                ///< positions of K and C that the layout has, and theirs in it
 };
 
 }  // namespace tandem::mbs
