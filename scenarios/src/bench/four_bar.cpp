@@ -43,7 +43,8 @@ Outcome run(const Row& row, mbs::Mechanism& linkage, int repetitions) {
       const double e0 = linkage.energy(s.q.data(), s.v.data());
       long iterations = 0;
       const auto began = std::chrono::steady_clock::now();
-      for (long k = 0; k < steps; ++k) iterations += formulation.step(s, row.step);
+      for (long k = 0; k < steps; ++k)
+        iterations += formulation.step(s, row.step, static_cast<double>(k + 1) * row.step);
       const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - began;
       outcome.seconds = std::min(outcome.seconds, spent.count());
       outcome.iterations = static_cast<double>(iterations) / static_cast<double>(steps);

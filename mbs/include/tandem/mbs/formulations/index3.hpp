@@ -2,8 +2,8 @@
 #pragma once
 #include <string>
 
-#include "tandem/mbs/model.hpp"
-#include "tandem/mbs/sparse/tangent.hpp"
+#include "tandem/mbs/formulations/terms.hpp"
+#include "tandem/mbs/stepper.hpp"
 
 namespace tandem::mbs {
 
@@ -16,6 +16,8 @@ struct Index3Settings {
   int projections = 1;             ///< of velocities and of accelerations; each divides their error anew
   bool carry_multipliers = false;  ///< a step begins with the multipliers of the one before, not with zero
   std::string solver = "klu";
+
+  bool operator==(const Index3Settings&) const = default;
 };
 
 /// Index-3 augmented Lagrangian formulation with Newmark's method merged in, and mass-orthogonal projections
@@ -27,38 +29,32 @@ struct Index3Settings {
 /// last T,
 ///   T dv = -beta h^2 alpha Phi_q^T (Phi_q q' + Phi_t),  T da = -beta h^2 alpha Phi_q^T (Phi_q q'' + gamma).
 /// (The literature writes T q' = (T - beta h^2 alpha Phi_q^T Phi_q) q'* - beta h^2 alpha Phi_q^T Phi_t, which
-/// is the same.)
-class Index3 {
+/// is the same.) The lambda that the iteration ends with belongs to the accelerations before the projection
+/// and is of order 1; what a step leaves in the state is, of order 2,
+///   lambda + beta h^2 alpha (Phi_q q'' + gamma) summed over q'' after each projection,
+/// since M da = -Phi_q^T beta h^2 alpha (Phi_q q'' + gamma) - (h/2 C + beta h^2 K) da.
+class Index3 final : public Stepper {
  public:
   /// `model` must outlive it. Throws Error for a setting that is not allowed.
   Index3(Model& model, const Index3Settings& settings);
 
-  /// Completes a state of which time, q and v satisfy the constraints: accelerations and multipliers.
-  void start(State& state);
-  /// One step of length h [s]. Returns the number of iterations. Throws Error(numerical) with the time for no
-  /// convergence and for a singular tangent, with its variable; the state is then of no use.
-  int step(State& state, double h);
-
-  /// The multipliers that belong to the accelerations of the state after the last step(), of order 2:
-  /// lambda + beta h^2 alpha (Phi_q q'' + gamma), summed over the projections. (state.lambda
-  /// belongs to the accelerations before the projection, which are of order 1.)
-  Eigen::VectorXd multipliers(const State& state) const;
+  /// By the augmented Lagrangian of index 1 (Terms::settle).
+  void start(State& state) override;
+  int step(State& state, double h, double t_end) override;
+  /// As start(), but with the tangent of the last step as it is; if its multipliers have not settled after
+  /// ten substitutions (the steps are too short for that), with one of its own.
+  void refresh(State& state) override;
 
  private:
-  void evaluate(const State& s);
-  void prepare(const State& s, const TangentFactors& factors);
+  void predict(State& s, double h, double t_end);
   double correct(State& s, double h);
-  void project_velocities(State& s);
-  void project_accelerations(State& s);
-  void solve_constraint_error();
+  void project_velocities(State& s, double weight);
+  void project_accelerations(State& s, double weight);
 
-  Model& model_;
-  const Structure& structure_;
   Index3Settings settings_;
-  double penalty_, scale_ = 0.0;  ///< beta h^2 of the last step
-  Tangent tangent_;
-  ModelMatrices matrices_;
-  Eigen::VectorXd phi_, error_, shift_, force_, residual_;
+  Terms terms_;
+  double penalty_;
+  double weight_ = 0.0;  ///< of Phi_q^T Phi_q in the tangent at hand; 0: there is none yet
 };
 
 }  // namespace tandem::mbs

@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string>
+
+#include "tandem/mbs/model.hpp"
+#include "tandem/mbs/sparse/tangent.hpp"
+
+namespace tandem::mbs {
+
+/// A model's terms where a state stands, with a factorized tangent T = M + .. + penalty Phi_q^T Phi_q: what
+/// the formulations with a penalty share. Nothing here allocates after construction.
+struct Terms {
+  /// `model` must outlive it. Throws Error for a solver that is not there.
+  Terms(Model& model, const std::string& solver);
+
+  /// Phi and Phi_q^T.
+  void constraints(const State& s);
+  /// Phi_q^T (after constraints()) must have no column that vanishes: Error(numerical) names the constraint
+  /// and the time. Zero is what is below 1e-12 of the largest column.
+  void refuse_vanishing(const State& s) const;
+  /// Q.
+  void forces(const State& s);
+  /// Assembles T at a state, after constraints(). Error(numerical) names variable, constraints and time of a
+  /// T that is singular.
+  void factorize(const State& s, const TangentFactors& factors);
+  /// correction <- factor T^-1 [Q - M a - Phi_q^T weights]; returns its Euclidean norm. Error(numerical)
+  /// names a variable and the time where that is not finite.
+  double correct(const State& s, const Eigen::VectorXd& weights, double factor);
+
+  /// error <- Phi_q x + rhs.
+  void violation(const Eigen::VectorXd& x, const Eigen::VectorXd& rhs);
+  /// x <- x - T^-1 Phi_q^T weight error.
+  void project(Eigen::VectorXd& x, double weight);
+
+  /// Augmented Lagrangian of index 1 from the a and lambda at hand, after forces() and factorize(): with
+  /// e = Phi_q a + rhs
+  ///   a <- a + T^-1 [Q - M a - Phi_q^T (lambda + penalty e)], then lambda <- lambda + penalty e
+  /// until |da| <= tolerance (|a| + |Q| / largest mass term). penalty: that in T; other terms in T change the
+  /// way but not the end. The residual, not the right-hand side, is multiplied by T^-1 as in the second
+  /// penalty |rhs| is lost to rounding. Returns the iterations, 0 if these were not enough.
+  int settle(State& s, const Eigen::VectorXd& rhs, double penalty, double tolerance, int most);
+
+  Model& model;
+  const Structure& structure;
+  Tangent tangent;
+  ModelMatrices matrices;
+  Eigen::VectorXd phi, gamma, error, weights;  ///< m
+  Eigen::VectorXd force, correction;           ///< n
+  double largest_mass;                         ///< the largest entry of M; 1 if there is none [kg]
+};
+
+}  // namespace tandem::mbs

@@ -1,0 +1,27 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "tandem/mbs/model.hpp"
+
+namespace tandem::mbs {
+
+/// Moves the state of a model step by step: a formulation of its equations and an integrator of them. It may
+/// keep what belongs to the last step (a factorized matrix), so it serves one run at a time; a state that was
+/// kept and put back goes on after refresh(). Each function throws Error(numerical) with the time and the
+/// names of what is singular, not finite or does not converge; the state is then of no use. While a function
+/// runs, numbers below 2.2e-308 count as zero where the processor can (they would slow it by far).
+class Stepper {
+ public:
+  virtual ~Stepper() = default;
+
+  /// Completes a state of which time, q and v satisfy the constraints: accelerations and multipliers. It
+  /// comes before the first step.
+  virtual void start(State& state) = 0;
+  /// One step of length h > 0 [s], which ends at t_end [s]; given, so that times are not accumulated. Returns
+  /// the number of iterations (1 for an explicit method). It either takes this step or throws: never a
+  /// smaller one.
+  virtual int step(State& state, double h, double t_end) = 0;
+  /// Accelerations and multipliers anew where the state stands, after an input of the model has changed.
+  virtual void refresh(State& state) = 0;
+};
+
+}  // namespace tandem::mbs
