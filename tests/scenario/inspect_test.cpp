@@ -57,7 +57,7 @@ TEST(ValidateCommand, SaysOkNotesAndAdvice) {
 
 TEST(InfoCommand, ShowsWhatAMechanismHas) {
   const Scratch folder;
-  const std::string file = std::string(TANDEM_SOURCE_DIR) + "/scenarios/mechanisms/four_bar/four_bar_5.toml";
+  const std::string file = std::string(TANDEM_SOURCE_DIR) + "/scenarios/mechanisms/four_bar/four_bar.toml";
   expect_words(tandem(folder, {"info", file}),
                {"four_bar_5: a mechanism in the plane", "12 variables: B0.x, B0.y",
                 "11 constraints: crank0: ", "1 degrees of freedom", "redundant equations: none",

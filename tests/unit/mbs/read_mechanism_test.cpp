@@ -29,7 +29,7 @@ TEST(ReadMechanism, ReadsTheLinkage) {
 
 TEST(ReadMechanism, TheLinkageInTheRepositoryIsTheOneOfTheBenchmark) {
   const auto file =
-      std::filesystem::path(TANDEM_SOURCE_DIR) / "scenarios/mechanisms/four_bar/four_bar_5.toml";
+      std::filesystem::path(TANDEM_SOURCE_DIR) / "scenarios/mechanisms/four_bar/four_bar.toml";
   EXPECT_EQ(test::read_text(file), four_bar::text(5));
   EXPECT_EQ(read_mechanism(file).bodies.size(), 11U);
 }
