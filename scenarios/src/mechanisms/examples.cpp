@@ -5,11 +5,13 @@
 
 #include "four_bar/linkage.hpp"
 #include "mechanisms/andrews.hpp"
+#include "mechanisms/bricard.hpp"
 #include "mechanisms/double_pendulum.hpp"
 #include "mechanisms/pendulum.hpp"
 #include "mechanisms/slider_crank.hpp"
 #include "mechanisms/spherical_pendulum.hpp"
 #include "mechanisms/spring_pendulum.hpp"
+#include "tandem/error.hpp"
 
 namespace tandem::mechanisms {
 namespace {
@@ -54,9 +56,14 @@ double four_bar_error(const Mechanism& m, const State& s) {
 double andrews_error(const Mechanism& m, const State& s) {
   const auto joints = andrews(s.time).joints;
   double square = 0.0;
-  for (const auto& [name, truth] : {std::pair{"F", joints.F}, {"E", joints.E}, {"G", joints.G}, {"H", joints.H}})
+  for (const auto& [name, truth] :
+       {std::pair{"F", joints.F}, {"E", joints.E}, {"G", joints.G}, {"H", joints.H}})
     square += (place(m, s, name) - truth).squaredNorm();
   return std::sqrt(square);
+}
+
+double bricard_error(const Mechanism& m, const State& s) {
+  return (place(m, s, "P3") - bricard(s.time).points[3]).norm();
 }
 
 }  // namespace
@@ -68,7 +75,8 @@ const std::vector<Example>& examples() {
                                            {"slider_crank", 1.0, 1000, slider_crank_error},
                                            {"spring_pendulum", 2.0, 1000, spring_pendulum_error},
                                            {"four_bar", 0.5, 500, four_bar_error},
-                                           {"andrews", 0.03, 1000, andrews_error}};
+                                           {"andrews", 0.03, 1000, andrews_error},
+                                           {"bricard", 1.0, 1000, bricard_error}};
   return all;
 }
 
