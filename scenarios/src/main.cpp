@@ -5,6 +5,7 @@
 #include <spdlog/spdlog.h>
 
 #include "cli/commands.hpp"
+#include "mechanisms/source.hpp"
 #include "tandem/error.hpp"
 #include "tandem/nearest.hpp"
 #include "two_mass/masses.hpp"
@@ -48,6 +49,7 @@ int run(int argc, char** argv) {
   app.fallthrough();
   tandem::cli::Context context;
   tandem::two_mass::add_builtins(context.builtins);
+  tandem::mechanisms::add_sources(context.builtins);
   std::string log_file;
   auto* quiet = app.add_flag("--quiet", context.quiet, "Print results and errors only");
   app.add_flag("--verbose", context.verbose, "Print more of what is done")->excludes(quiet);

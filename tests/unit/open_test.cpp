@@ -15,7 +15,7 @@ using test::Scripted;
 /// One builtin, "ramp.slow", whose own step is its parameter h.
 Builtins ramps() {
   Builtins builtins;
-  builtins["ramp.slow"] = [](Parameters& p) {
+  builtins.models["ramp.slow"] = [](Parameters& p) {
     return std::make_unique<Scripted>(test::source(p.number("h", 0.5), [](double t) { return t; }));
   };
   return builtins;
@@ -33,14 +33,14 @@ TEST(Open, TakesParametersFromTheUriAndBesideIt) {
   EXPECT_EQ(first_step(*open("builtin:ramp.slow?h=0.25", ramps())), 0.25);
   Parameters p;
   p.set("h", 0.125);
-  EXPECT_EQ(first_step(*open("builtin:ramp.slow", ramps(), p)), 0.125);
+  EXPECT_EQ(first_step(*open("builtin:ramp.slow", ramps(), {p})), 0.125);
 }
 
 TEST(Open, RefusesAParameterGivenTwice) {
   Parameters p;
   p.set("h", 0.125);
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'h' twice"},
-                      [&] { open("builtin:ramp.slow?h=1", ramps(), p); }));
+                      [&] { open("builtin:ramp.slow?h=1", ramps(), {p}); }));
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'h' twice"},
                       [&] { open("builtin:ramp.slow?h=1&h=2", ramps()); }));
 }

@@ -29,21 +29,34 @@ void take_query(const std::string& uri, std::string& text, Parameters& parameter
   }
 }
 
+template <class Builders>
+const typename Builders::mapped_type& find(const Builders& builders, const std::string& name) {
+  const auto it = builders.find(name);
+  if (it != builders.end()) return it->second;
+  std::vector<std::string> known;
+  for (const auto& [key, builder] : builders) known.push_back("builtin:" + key);
+  throw Error(ErrorCode::invalid_argument, unknown("source", "builtin:" + name, known));
+}
+
+std::string schemes(const Builtins& builtins) {
+  std::string text = "builtin:NAME";
+  for (const auto& [scheme, builder] : builtins.files) text += ", " + scheme + ":FILE";
+  return text;
+}
+
 }  // namespace
 
-std::unique_ptr<Subsystem> open(const std::string& uri, const Builtins& builtins, Parameters parameters) {
+std::unique_ptr<Subsystem> open(const std::string& uri, const Builtins& builtins, Opening opening) {
   const auto colon = uri.find(':');
-  if (colon == std::string::npos || uri.substr(0, colon) != "builtin")
-    refuse(uri, "has a scheme that is not known; allowed is builtin:NAME");
+  const std::string scheme = uri.substr(0, colon);
+  const auto file = builtins.files.find(scheme);
+  if (colon == std::string::npos || (scheme != "builtin" && file == builtins.files.end()))
+    refuse(uri, "has a scheme that is not known; allowed is " + schemes(builtins));
   std::string name = uri.substr(colon + 1);
+  Parameters& parameters = opening.parameters;
   take_query(uri, name, parameters);
-  const auto it = builtins.find(name);
-  if (it == builtins.end()) {
-    std::vector<std::string> known;
-    for (const auto& [key, builder] : builtins) known.push_back("builtin:" + key);
-    throw Error(ErrorCode::invalid_argument, unknown("source", "builtin:" + name, known));
-  }
-  auto subsystem = it->second(parameters);
+  auto subsystem = scheme == "builtin" ? find(builtins.models, name)(parameters)
+                                       : file->second(opening.folder / name, parameters);
   parameters.refuse_unused("source '" + uri + "'");
   return subsystem;
 }

@@ -106,7 +106,7 @@ void add_if_used(std::unique_ptr<Set> set, std::vector<std::unique_ptr<ForceSet>
 
 template <int Dimension>
 std::unique_ptr<CentralSet<Dimension>> central_set(const Description& in, const Numbering& at,
-                                                   const std::vector<Motion>& inputs) {
+                                                   const std::vector<InputValue>& inputs) {
   auto set = std::make_unique<CentralSet<Dimension>>(inputs);
   for (const Spring& s : in.springs)
     if (s.relative < 0) set->add({at.entity[s.points.from], at.entity[s.points.to], SpringLaw(s), -1, 0.0});

@@ -20,7 +20,7 @@ class CentralSet final : public ForceSet {
     int input;  ///< -1: none
     double gain;
   };
-  explicit CentralSet(const std::vector<Motion>& inputs) : inputs_(inputs) {}
+  explicit CentralSet(const std::vector<InputValue>& inputs) : inputs_(inputs) {}
   void add(const Central& central) { all_.push_back(central); }
   bool empty() const { return all_.empty(); }
 
@@ -83,7 +83,7 @@ class CentralSet final : public ForceSet {
     return pull;
   }
 
-  const std::vector<Motion>& inputs_;
+  const std::vector<InputValue>& inputs_;
   std::vector<Central> all_;
 };
 

@@ -43,7 +43,7 @@ class RelativeSpringSet final : public ForceSet {
 /// Inputs that act on single coordinates, times a gain.
 class LoadSet final : public ForceSet {
  public:
-  explicit LoadSet(const std::vector<Motion>& inputs) : inputs_(inputs) {}
+  explicit LoadSet(const std::vector<InputValue>& inputs) : inputs_(inputs) {}
   void add(int coordinate, int input, double gain) {
     if (gain != 0.0) all_.push_back({coordinate, static_cast<std::size_t>(input), gain});
   }
@@ -59,7 +59,7 @@ class LoadSet final : public ForceSet {
     std::size_t input;
     double gain;
   };
-  const std::vector<Motion>& inputs_;
+  const std::vector<InputValue>& inputs_;
   std::vector<One> all_;
 };
 

@@ -34,7 +34,7 @@ struct Points {
 
   /// Cubic with the values and second derivatives of both ends (C. de Boor, A Practical Guide to Splines,
   /// 1978, ch. IV).
-  Motion at(double t) const {
+  InputValue at(double t) const {
     const std::size_t k = piece(t);
     const double h = times[k + 1] - times[k], a = (times[k + 1] - t) / h, b = (t - times[k]) / h;
     const double slope = (values[k + 1] - values[k]) / h;
@@ -63,9 +63,9 @@ struct Points {
 
 }  // namespace
 
-std::function<Motion(double)> polynomial(std::vector<double> c) {
+std::function<InputValue(double)> polynomial(std::vector<double> c) {
   return [c = std::move(c)](double t) {
-    Motion m;
+    InputValue m;
     for (std::size_t k = c.size(); k-- > 0;) {
       m.acceleration = m.acceleration * t + 2.0 * m.rate;
       m.rate = m.rate * t + m.value;
@@ -75,17 +75,17 @@ std::function<Motion(double)> polynomial(std::vector<double> c) {
   };
 }
 
-std::function<Motion(double)> sine(const Sine& s) {
+std::function<InputValue(double)> sine(const Sine& s) {
   const double w = 2.0 * std::numbers::pi * s.frequency;
   return [s, w](double t) {
     const double sine = s.amplitude * std::sin(w * t + s.phase),
                  cosine = s.amplitude * std::cos(w * t + s.phase);
-    return Motion{s.mean + sine, w * cosine, -w * w * sine};
+    return InputValue{s.mean + sine, w * cosine, -w * w * sine};
   };
 }
 
-std::function<Motion(double)> interpolated(std::vector<double> times, std::vector<double> values,
-                                           Interpolation how, const std::string& name) {
+std::function<InputValue(double)> interpolated(std::vector<double> times, std::vector<double> values,
+                                               Interpolation how, const std::string& name) {
   if (times.size() < 2)
     refuse("", fmt::format("{} has {} points; allowed are 2 or more", name, times.size()));
   if (times[0] == times[1] || times.end()[-1] == times.end()[-2])

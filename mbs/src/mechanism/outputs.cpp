@@ -2,7 +2,6 @@
 #include "tandem/mbs/mechanism/outputs.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace tandem::mbs {
 namespace {
@@ -108,17 +107,17 @@ double Outputs::reaction(int coordinate, const State& s) const {
   return sum;
 }
 
-bool Outputs::has_derivative(int output) const {
+int Outputs::derivatives(int output) const {
   const Kind kind = outputs_[static_cast<std::size_t>(output)].kind;
-  return kind == Kind::position || kind == Kind::velocity;
+  return kind == Kind::position ? 2 : kind == Kind::velocity ? 1 : 0;
 }
 
-void Outputs::derivatives(const State& s, double* dy) const {
-  for (const Output& output : outputs_) {
-    const int i = is_motion(output.kind) ? mechanism_.numbering().of(output.coordinate) : 0;
-    *dy++ = output.kind == Kind::position   ? s.v[i]
-            : output.kind == Kind::velocity ? s.a[i]
-                                            : std::numeric_limits<double>::quiet_NaN();
+void Outputs::derivatives(const State& s, int order, double* dy) const {
+  for (int k = 0; k < size(); ++k) {
+    const Output& output = outputs_[static_cast<std::size_t>(k)];
+    *dy++ = derivatives(k) < order    ? 0.0
+            : derivatives(k) == order ? s.a[mechanism_.numbering().of(output.coordinate)]
+                                      : s.v[mechanism_.numbering().of(output.coordinate)];
   }
 }
 

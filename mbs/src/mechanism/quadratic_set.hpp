@@ -35,7 +35,7 @@ struct Quadratic {
 class QuadraticSet final : public ConstraintSet {
  public:
   /// inputs: where the mechanism keeps them, in the order of the description; must outlive the set.
-  explicit QuadraticSet(const std::vector<Motion>& inputs) : inputs_(inputs) {}
+  explicit QuadraticSet(const std::vector<InputValue>& inputs) : inputs_(inputs) {}
   void add(const Quadratic& equation);
 
   int size() const override { return static_cast<int>(equations_.size()); }
@@ -49,7 +49,7 @@ class QuadraticSet final : public ConstraintSet {
     double constant;
     int input, linear_end, products_end;  ///< the last two: into linear_ and products_
   };
-  const std::vector<Motion>& inputs_;
+  const std::vector<InputValue>& inputs_;
   std::vector<Equation> equations_;
   std::vector<Quadratic::Linear> linear_;
   std::vector<Quadratic::Product> products_;

@@ -46,7 +46,8 @@ void print_scenarios(const fs::path& folder, bool asked) {
 
 void print_words(const Context& context) {
   fmt::print("sources:\n");
-  for (const auto& [name, builder] : context.builtins) fmt::print("  builtin:{}\n", name);
+  for (const auto& [name, builder] : context.builtins.models) fmt::print("  builtin:{}\n", name);
+  for (const auto& [scheme, builder] : context.builtins.files) fmt::print("  {}:FILE\n", scheme);
   fmt::print("schedules:");
   for (const auto kind : {Schedule::Kind::slowest_first, Schedule::Kind::fastest_first,
                           Schedule::Kind::staggered, Schedule::Kind::parallel})

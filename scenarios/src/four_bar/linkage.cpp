@@ -17,7 +17,7 @@ std::string text(int loops) {
     text += fmt::format("crank{0} = {{ points = [\"A{0}\", \"B{0}\"], mass = 1 }}\n", i);
   for (int i = 0; i < loops; ++i)
     text += fmt::format("coupler{0} = {{ points = [\"B{0}\", \"B{1}\"], mass = 1 }}\n", i, i + 1);
-  return text;
+  return text + "\n[run]\nstop = 20\nstep = 1.25e-3\npenalty = 1e8\n";
 }
 
 Crank exact(int loops, double time) {

@@ -32,10 +32,10 @@ Assembly::Assembly(const Scenario& scenario, const Builtins& builtins, bool prof
 }
 
 std::unique_ptr<Subsystem> Assembly::opened(const SubsystemEntry& entry, const Builtins& builtins) {
-  Parameters parameters;
-  for (const Parameter& p : entry.parameters) parameters.set(p.name, p.value);
+  Opening opening{{}, std::filesystem::path(entry.place.file).parent_path()};
+  for (const Parameter& p : entry.parameters) opening.parameters.set(p.name, p.value);
   return located([&](const std::string& sentence) { return entry.place_named_in(sentence); },
-                 [&] { return open(entry.source, builtins, std::move(parameters)); });
+                 [&] { return open(entry.source, builtins, std::move(opening)); });
 }
 
 void Assembly::check_judge() const {

@@ -32,6 +32,27 @@ class Reader {
     root.refuse_unknown();
   }
 
+  /// A mechanism alone: its file is the source, its table [run] says how long and how.
+  void read_mechanism() {
+    Section root(document_, document_.table(), "");
+    to_.name = root.text("name").value_or(to_.file.stem().string());
+    to_.description = root.text("description").value_or("");
+    const toml::table* table = root.table("run");
+    if (!table) root.missing("run", "a table [run] with stop and step in s, to run the mechanism alone");
+    SubsystemEntry entry{to_.file.stem().string(),  "mechanism:" + to_.file.filename().string(),
+                         parameters(*table, "run"), {},
+                         document_.place(*table),   document_.place(*table)};
+    Section run(document_, *table, "run");
+    const auto stop = run.number("stop");
+    if (!stop) run.missing("stop", "the time of its end [s]");
+    to_.start = run.number("start").value_or(0.0);
+    to_.stop = *stop;
+    const auto taken = [](const Parameter& p) { return p.name == "start" || p.name == "stop"; };
+    std::erase_if(entry.parameters, taken);
+    if (!run.node("animate")) entry.parameters.push_back({"animate", true, entry.place});
+    to_.subsystems.push_back(std::move(entry));
+  }
+
  private:
   std::vector<Parameter> parameters(const toml::table& table, const std::string& path) const {
     std::vector<Parameter> all;
@@ -136,7 +157,8 @@ Scenario read(const std::filesystem::path& file, const std::vector<std::string>&
     located(Place{file.string(), 0, text::set_prefix + text}, [&] { set(document.table(), text); });
   Scenario scenario;
   scenario.file = file;
-  Reader(document, scenario).read();
+  Reader reader(document, scenario);
+  document.table().contains("dimension") ? reader.read_mechanism() : reader.read();
   scenario.overrides = overrides;
   scenario.document = to_json(document.table());
   return scenario;

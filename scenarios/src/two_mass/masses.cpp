@@ -135,23 +135,23 @@ void BothMasses::outputs(double* y) const {
 }
 
 void add_builtins(Builtins& builtins) {
-  builtins["two_mass.fast"] = [](Parameters& p) {
+  builtins.models["two_mass.fast"] = [](Parameters& p) {
     return std::make_unique<FixedStep<FastMass>>(FastMass(Model(Settings::from(p)), {}));
   };
-  builtins["two_mass.slow"] = [](Parameters& p) {
+  builtins.models["two_mass.slow"] = [](Parameters& p) {
     const Model model(Settings::from(p));
     return std::make_unique<FixedStep<SlowMass>>(
         SlowMass(model, {.reuse_acceleration = p.flag("reuse_acceleration", false)}));
   };
-  builtins["two_mass.fast_force"] = [](Parameters& p) {
+  builtins.models["two_mass.fast_force"] = [](Parameters& p) {
     const Model model(Settings::from(p));
     return std::make_unique<FixedStep<FastMass>>(FastMass(model, {true, p.number("carried_mass", 0.0)}));
   };
-  builtins["two_mass.slow_force"] = [](Parameters& p) {
+  builtins.models["two_mass.slow_force"] = [](Parameters& p) {
     const Model model(Settings::from(p));
     return std::make_unique<FixedStep<SlowMass>>(SlowMass(model, {true, p.number("carried_mass", 0.0)}));
   };
-  builtins["two_mass.both"] = [](Parameters& p) {
+  builtins.models["two_mass.both"] = [](Parameters& p) {
     return std::make_unique<FixedStep<BothMasses>>(BothMasses(Model(Settings::from(p))));
   };
 }

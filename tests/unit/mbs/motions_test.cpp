@@ -13,11 +13,11 @@ namespace {
 using test::refuses;
 
 TEST(Motions, PolynomialAndSineHaveTheirDerivatives) {
-  const Motion p = polynomial({1, -2, 3, 0.5})(2.0);
+  const InputValue p = polynomial({1, -2, 3, 0.5})(2.0);
   EXPECT_EQ(p.value, 1 - 4 + 12 + 4);
   EXPECT_EQ(p.rate, -2 + 12 + 6);
   EXPECT_EQ(p.acceleration, 6 + 6);
-  const Motion s = sine({2.0, 0.5, 0.3, 1.0})(0.7);
+  const InputValue s = sine({2.0, 0.5, 0.3, 1.0})(0.7);
   const double w = std::acos(-1.0), phase = 0.7 * w + 0.3;
   EXPECT_DOUBLE_EQ(s.value, 1.0 + 2.0 * std::sin(phase));
   EXPECT_DOUBLE_EQ(s.rate, 2.0 * w * std::cos(phase));
@@ -46,7 +46,7 @@ TEST(Motions, SplineIsOfOrderFourAndItsRatesOfThreeAndTwo) {
     const auto f = interpolated(t, y, Interpolation::spline, "data");
     std::array<double, 3> worst{};
     for (double x = 0.0; x < 3.14; x += 0.001) {
-      const Motion m = f(x);
+      const InputValue m = f(x);
       worst[0] = std::max(worst[0], std::abs(m.value - std::sin(x)));
       worst[1] = std::max(worst[1], std::abs(m.rate - std::cos(x)));
       worst[2] = std::max(worst[2], std::abs(m.acceleration + std::sin(x)));

@@ -4,7 +4,7 @@
 #include "four_bar/linkage.hpp"
 #include "refusal.hpp"
 #include "scratch.hpp"
-#include "tandem/mbs/mechanism/mechanism.hpp"
+#include "tandem/mbs/mechanism/initial.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
 
 namespace tandem::mbs {
@@ -28,8 +28,7 @@ TEST(ReadMechanism, ReadsTheLinkage) {
 }
 
 TEST(ReadMechanism, TheLinkageInTheRepositoryIsTheOneOfTheBenchmark) {
-  const auto file =
-      std::filesystem::path(TANDEM_SOURCE_DIR) / "scenarios/mechanisms/four_bar/four_bar.toml";
+  const auto file = std::filesystem::path(TANDEM_SOURCE_DIR) / "scenarios/mechanisms/four_bar/four_bar.toml";
   EXPECT_EQ(test::read_text(file), four_bar::text(5));
   EXPECT_EQ(read_mechanism(file).bodies.size(), 11U);
 }
@@ -37,9 +36,12 @@ TEST(ReadMechanism, TheLinkageInTheRepositoryIsTheOneOfTheBenchmark) {
 TEST(ReadMechanism, TheMechanismOfTheDocumentIsOne) {
   std::string text = test::read_text(std::filesystem::path(TANDEM_SOURCE_DIR) / "docs/mechanisms.md");
   text = text.substr(text.find("```toml\n") + 8);
-  const Mechanism m(read_mechanism("mechanisms.md", text.substr(0, text.find("```"))));
-  EXPECT_EQ(m.structure().variables, 2);
-  EXPECT_EQ(m.structure().constraint_names, (std::vector<std::string>{"arm: P . P", "stay"}));
+  Mechanism m(read_mechanism("mechanisms.md", text.substr(0, text.find("```"))));
+  EXPECT_EQ(m.structure().variables, 6);
+  EXPECT_EQ(m.structure().constraint_names,
+            (std::vector<std::string>{"arm: P . P", "plate: Q . Q", "crank", "slide: across 1", "reach"}));
+  const State s = initial_state(m, 0.0);
+  EXPECT_NEAR(s.v[m.numbering().relative[0]], 2.0, 1e-12);
 }
 
 /// What a line of a small mechanism says when it is changed: file, line, value found and allowed.
@@ -80,7 +82,9 @@ TEST(ReadMechanism, RefusesWithFileLineValueAndWhatIsAllowed) {
       {"mass = 1", "mas = 1", 7, {"'mas'", "did you mean 'mass'?"}},
       {"inertia = 0.1", "inertia = 0", 12, {"bodies.disc.inertia", "above 0"}},
       {"centre = [0.5, 0]\n", "", 8, {"bodies.disc.centre is missing"}},
-      {"[points]", "points = 3\n[other]", 3, {"points is the number 3", "a table"}}};
+      {"[points]", "points = 3\n[other]", 3, {"points is the number 3", "a table"}},
+      {"[bodies.disc]", "[bodies.rod]", 8, {"'rod' is there twice"}},
+      {"inertia = 0.1", "inertia = 0.1\n[joints]\nj = 3", 14, {"joints.j is the number 3"}}};
   for (const Bad& bad : list) {
     std::string text = pendulum;
     text.replace(text.find(bad.from), std::string(bad.from).size(), bad.to);
@@ -89,6 +93,40 @@ TEST(ReadMechanism, RefusesWithFileLineValueAndWhatIsAllowed) {
     EXPECT_TRUE(refuses(ErrorCode::invalid_argument, says, [&] { read_mechanism("p.toml", text); }))
         << bad.to;
   }
+}
+
+/// A pendulum with more: the elements' own sentences.
+TEST(ReadMechanism, RefusesElementsWithWhatIsAllowed) {
+  const auto refused = [](const std::string& more, const std::vector<std::string>& says) {
+    return refuses(ErrorCode::invalid_argument, says,
+                   [&] { Mechanism(read_mechanism("p.toml", pendulum + more)); });
+  };
+  EXPECT_TRUE(
+      refused("[springs]\ns = { points = ['O', 'P'] }\n", {"p.toml:14", "springs.s.stiffness is missing"}));
+  EXPECT_TRUE(refused("[springs]\ns = { coordinate = 'P.x', stiffness = 1 }\n",
+                      {"one of a point", "an angle or a length"}));
+  EXPECT_TRUE(refused("[springs]\ns = { coordinate = 'theta', stiffness = 1 }\n",
+                      {"angle or length 'theta' is not there"}));
+  EXPECT_TRUE(
+      refused("[forces]\nf = { point = 'P', direction = [1, 0] }\n", {"forces.f.magnitude is missing"}));
+  EXPECT_TRUE(refused("[forces]\nf = { point = 'P', direction = [1, 0], magnitude = 'F' }\n",
+                      {"input 'F' is not there"}));
+  EXPECT_TRUE(refused("[inputs]\nF = { value = 2 }\n", {"inputs.F.unit is missing"}));
+  EXPECT_TRUE(
+      refused("[inputs]\nF = { unit = 'N', value = 2, polynomial = [1] }\n", {"has 2 of value, polynomial"}));
+  EXPECT_TRUE(refused("[outputs]\no = { position = 'P.x', velocity = 'P.x' }\n", {"names 2 quantities"}));
+  EXPECT_TRUE(refused("[outputs]\no = { reaction = 'P.x' }\n", {"a point that is not fixed"}));
+  EXPECT_TRUE(refused("[outputs]\no = { energy = 'all' }\n", {"'all'", "kinetic, potential or total"}));
+  EXPECT_TRUE(refused("[drives]\nd = { coordinate = 'O.x', motion = 'u' }\n", {"of a fixed point"}));
+  EXPECT_TRUE(
+      refused("[masses]\nm = { point = 'P', mass = -2 }\n", {"masses.m.mass is the number -2", "above 0"}));
+  EXPECT_TRUE(
+      refused("[points.Q]\nat = [1, 1]\n", {"p.toml:13", "point 'Q' belongs to no body and has no mass"}));
+  EXPECT_TRUE(refused(
+      "[points.Q]\nat = [1, 1]\n[points.R]\nat = [2, 1]\n[rods.loose]\npoints = ['Q', 'R']\nmass = 1\n",
+      {"p.toml:17", "body 'loose' is connected to nothing that is fixed"}));
+  EXPECT_TRUE(refused("[fixed_angles]\na = { edges = ['u', ['O', 'P']] }\n", {"vector 'u' is not there"}));
+  EXPECT_TRUE(refused("[fixed_angles]\na = { edges = [['O', 'P']] }\n", {"two edges"}));
 }
 
 }  // namespace

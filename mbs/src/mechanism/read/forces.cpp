@@ -9,7 +9,7 @@ namespace tandem::mbs {
 
 void Reader::read_input(const std::string& name, Section& section) {
   Input input{name, section.required_text("unit", "its unit, \"N\"")};
-  input.value = section.number("value").value_or(0.0);
+  if (const auto value = section.number("value")) input.value = *value;
   input.where = section.place().text();
   read_function(section, input);
   this->name(inputs_, section, name, to_.inputs.size());
@@ -35,10 +35,9 @@ void Reader::read_function(Section& section, Input& input) const {
     text::refuse(section.place(),
                  fmt::format("input '{}' has {} of value, polynomial, sine and file; allowed is one",
                              input.name, given));
-  if (input.function) input.value = 0.0;
 }
 
-std::function<Motion(double)> Reader::sine_of(Section& section, const toml::table& table) const {
+std::function<InputValue(double)> Reader::sine_of(Section& section, const toml::table& table) const {
   Section s(document_, table, section.name("sine"));
   const auto amplitude = s.number("amplitude"), frequency = s.positive("frequency");
   if (!amplitude) s.missing("amplitude", "a number");
@@ -49,7 +48,7 @@ std::function<Motion(double)> Reader::sine_of(Section& section, const toml::tabl
   return result;
 }
 
-std::function<Motion(double)> Reader::data(Section& section, const std::string& file) const {
+std::function<InputValue(double)> Reader::data(Section& section, const std::string& file) const {
   const text::TimeTable table = text::TimeTable::read(folder_ / file);
   const std::string column = section.required_text("column", "a column of the file");
   Names columns;

@@ -30,6 +30,7 @@ Description Reader::read() {
   for (const auto& [key, read] : tables)
     each(root, key, [this, read = read](auto& name, Section& s) { (this->*read)(name, s); });
   read_initial(root);
+  root.table("run");  // for whoever runs it
   root.refuse_unknown();
   if (to_.bodies.empty() && to_.masses.empty())
     root.missing("rods", "a table [rods.NAME], [bodies.NAME] or [masses.NAME] for each body");

@@ -67,8 +67,8 @@ class Reader {
   // forces.cpp
   void read_input(const std::string& name, Section& section);
   void read_function(Section& section, Input& input) const;
-  std::function<Motion(double)> sine_of(Section& section, const toml::table& table) const;
-  std::function<Motion(double)> data(Section& section, const std::string& file) const;
+  std::function<InputValue(double)> sine_of(Section& section, const toml::table& table) const;
+  std::function<InputValue(double)> data(Section& section, const std::string& file) const;
   void read_spring(const std::string& name, Section& section);
   void read_force(const std::string& name, Section& section);
   /// An input's name, or a number, which becomes an input of its own.

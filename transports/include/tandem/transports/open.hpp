@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -12,12 +13,24 @@ namespace tandem {
 
 /// Makes a subsystem from its parameters.
 using Builder = std::function<std::unique_ptr<Subsystem>(Parameters&)>;
-/// What "builtin:NAME" can name. Whoever owns the models fills it; transports know none.
-using Builtins = std::map<std::string, Builder>;
+/// Makes a subsystem from a file and its parameters.
+using FileBuilder = std::function<std::unique_ptr<Subsystem>(const std::filesystem::path&, Parameters&)>;
 
-/// The subsystem that a URI names: "builtin:NAME" or "builtin:NAME?key=value&key=value". Values in the URI
-/// stand beside `parameters`; the same one in both is an error. Throws Error for an unknown scheme or name,
-/// and for parameters that the subsystem does not take.
-std::unique_ptr<Subsystem> open(const std::string& uri, const Builtins& builtins, Parameters parameters = {});
+/// What URIs can name besides transports. Whoever owns the models fills it; transports know none.
+struct Builtins {
+  std::map<std::string, Builder> models;     ///< by the NAME of "builtin:NAME"
+  std::map<std::string, FileBuilder> files;  ///< by the scheme of "scheme:FILE"
+};
+
+/// What a URI is opened with.
+struct Opening {
+  Parameters parameters = {};
+  std::filesystem::path folder = {};  ///< where a file is looked for that is not named from the root
+};
+
+/// The subsystem that a URI names: "builtin:NAME" or "mechanism:FILE", each with "?key=value&key=value" if
+/// wanted. Values in the URI stand beside the parameters; the same one in both is an error. Throws Error for
+/// an unknown scheme or name, and for parameters that the subsystem does not take.
+std::unique_ptr<Subsystem> open(const std::string& uri, const Builtins& builtins, Opening opening = {});
 
 }  // namespace tandem

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -68,15 +69,16 @@ struct Coordinate {
 };
 
 /// A function of time where it stands, with its derivatives by time.
-struct Motion {
+struct InputValue {
   double value = 0.0, rate = 0.0, acceleration = 0.0;
+  bool operator==(const InputValue&) const = default;
 };
 
 /// What forces and drives depend on besides the state: given from outside (a port), or by a function of time.
 struct Input {
   std::string name, unit;
-  double value = 0.0;                           ///< until something else is given
-  std::function<Motion(double)> function = {};  ///< of time [s]; empty: given from outside
+  double value = std::numeric_limits<double>::quiet_NaN();  ///< until something else is given
+  std::function<InputValue(double)> function = {};          ///< of time [s]; empty: given from outside
   std::string where = {};
 };
 

@@ -17,7 +17,7 @@ class InputSource {
  public:
   virtual ~InputSource() = default;
   /// values: one for each input of the description; those with a function of time are not to be touched.
-  virtual void at(double t, std::span<Motion> values) = 0;
+  virtual void at(double t, std::span<InputValue> values) = 0;
 };
 
 /// A mechanism in natural coordinates: those of its points and vectors, the variable ones first, with the
@@ -47,7 +47,7 @@ class Mechanism final : public Model {
   /// outlive its use.
   void set_inputs(InputSource* source) { source_ = source; }
   /// Inputs as of the last at_time().
-  std::span<const Motion> inputs() const { return inputs_; }
+  std::span<const InputValue> inputs() const { return inputs_; }
 
   const Description& description() const { return description_; }
   /// As described: positions and velocities where the initial problems begin, nothing else yet.
@@ -80,7 +80,7 @@ class Mechanism final : public Model {
   Pattern fixed_jacobian_;
   Eigen::VectorXd weight_;  ///< of each coordinate
   mutable Eigen::VectorXd force_;
-  std::vector<Motion> inputs_;
+  std::vector<InputValue> inputs_;
   InputSource* source_ = nullptr;
   int first_drive_ = 0;
 };

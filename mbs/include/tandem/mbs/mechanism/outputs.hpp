@@ -24,9 +24,10 @@ class Outputs {
   /// y: one for each output. State: complete, at the time of the mechanism's last at_time(). Positions,
   /// velocities and accelerations are those of the state; reactions are computed from its multipliers.
   void evaluate(const State& state, double* y);
-  /// Their derivatives by time where the state has them: of positions and velocities; NaN for the others.
-  void derivatives(const State& state, double* dy) const;
-  bool has_derivative(int output) const;
+  /// Derivatives by time that a state has: two of positions, one of velocities, none of the others.
+  int derivatives(int output) const;
+  /// Those of one order, 1 or 2; 0 where there are none.
+  void derivatives(const State& state, int order, double* dy) const;
 
  private:
   void prepare_reactions(const State& state);

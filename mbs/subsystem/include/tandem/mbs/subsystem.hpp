@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <memory>
+
+#include "tandem/mbs/make_stepper.hpp"
+#include "tandem/mbs/mechanism/description.hpp"
+#include "tandem/subsystem.hpp"
+
+namespace tandem::mbs {
+
+struct SubsystemSettings {
+  double step = 0.0;  ///< own step [s]
+  StepperSettings stepper;
+};
+
+/// A mechanism that integrates itself with a fixed own step. Inputs are those of the description that have no
+/// function of time (a force, a torque, a prescribed motion, of which the signal's derivatives are used too);
+/// outputs are the description's. Positions come with their first two derivatives by time, velocities with
+/// their first. A position or velocity does not follow a force at once, an acceleration or reaction does; a
+/// prescribed motion is followed by all. Inputs are read at the end of each own step, and at its beginning:
+/// where they differ from what they were at the end of the step before, accelerations and multipliers are
+/// computed anew first (a held input would ruin the trapezoidal rule otherwise). A step may be cut (lands).
+/// Throws Error for a step that is not finite and above 0, and for what Mechanism and make_stepper() refuse.
+std::unique_ptr<Subsystem> make_subsystem(Description description, const SubsystemSettings& settings);
+
+}  // namespace tandem::mbs

@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "multibody.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "tandem/mbs/mechanism/initial.hpp"
+
+namespace tandem::mbs {
+
+Multibody::Machine::Machine(Description description, const StepperSettings& settings)
+    : mechanism(std::move(description)),
+      stepper(make_stepper(mechanism, settings)),
+      outputs(mechanism),
+      inputs(mechanism.description()) {
+  for (int k = 0; k < outputs.size(); ++k) derivatives = std::max(derivatives, outputs.derivatives(k));
+  mechanism.set_inputs(&inputs);
+}
+
+Multibody::Multibody(Description description, const SubsystemSettings& settings)
+    : machine_(std::make_shared<Machine>(std::move(description), settings.stepper)),
+      step_(settings.step),
+      inputs_(machine_->inputs.ports().size()) {
+  if (!(step_ > 0.0) || !std::isfinite(step_))
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("mechanism '{}': step is {} s; allowed is a finite number above 0",
+                            machine_->mechanism.description().name, step_));
+}
+
+Multibody::Multibody(const Multibody& other) { *this = other; }
+
+Multibody& Multibody::operator=(const Multibody& other) {
+  memory_ = other.memory();
+  kept_ = true;
+  machine_ = other.machine_;
+  step_ = other.step_;
+  state_ = other.state_;
+  inputs_ = other.inputs_;
+  unknown_ = other.unknown_;
+  return *this;
+}
+
+SubsystemInfo Multibody::info() const {
+  const Mechanism& m = machine_->mechanism;
+  const Outputs& outputs = machine_->outputs;
+  SubsystemInfo info;
+  info.name = m.description().name;
+  for (const int input : machine_->inputs.ports()) {
+    const Input& i = m.description().inputs[static_cast<std::size_t>(input)];
+    info.inputs.push_back({i.name, i.unit, 1, 0, i.value});
+  }
+  for (int k = 0; k < outputs.size(); ++k) {
+    info.outputs.push_back({outputs.name(k), outputs.unit(k), 1, outputs.derivatives(k)});
+    for (int port = 0; port < static_cast<int>(info.inputs.size()); ++port)
+      if (outputs.depends(k, machine_->inputs.ports()[static_cast<std::size_t>(port)]))
+        info.feedthrough.push_back({k, port});
+  }
+  return info;
+}
+
+/// What is not known yet counts as zero, and what follows it at once is not told.
+void Multibody::start(double t, std::span<const double> u0) {
+  std::vector<double> values(u0.begin(), u0.end());
+  unknown_.clear();
+  for (std::size_t port = 0; port < values.size(); ++port)
+    if (std::isnan(values[port])) {
+      values[port] = 0.0;
+      unknown_.push_back(machine_->inputs.ports()[port]);
+    }
+  machine_->inputs.set_constants(values);
+  state_ = initial_state(machine_->mechanism, t);
+  machine_->stepper->start(state_);
+  machine_->inputs.same(t, inputs_);
+  kept_ = false;
+}
+
+void Multibody::step(const OwnStep& s, std::span<const Signal> u) {
+  if (std::exchange(kept_, false)) machine_->stepper->recall(memory_);
+  unknown_.clear();
+  machine_->inputs.set(u);
+  if (!machine_->inputs.same(s.begin, inputs_)) {
+    machine_->mechanism.at_time(s.begin);
+    machine_->stepper->refresh(state_);
+  }
+  machine_->stepper->step(state_, s.length, s.end);
+  machine_->inputs.same(s.end, inputs_);
+}
+
+void Multibody::outputs(double* y) const {
+  Outputs& outputs = machine_->outputs;
+  outputs.evaluate(state_, y);
+  for (int order = 1; order <= machine_->derivatives; ++order)
+    outputs.derivatives(state_, order, y + order * outputs.size());
+  if (!unknown_.empty()) hide_unknown(y);
+}
+
+void Multibody::hide_unknown(double* y) const {
+  const Outputs& outputs = machine_->outputs;
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  for (int k = 0; k < outputs.size(); ++k) {
+    for (const int input : unknown_)
+      if (outputs.depends(k, input)) y[k] = nothing;
+    const int order = outputs.derivatives(k);  // the last derivative is an acceleration
+    if (order > 0) y[order * outputs.size() + k] = nothing;
+  }
+}
+
+std::unique_ptr<Subsystem> make_subsystem(Description description, const SubsystemSettings& settings) {
+  return std::make_unique<FixedStep<Multibody>>(Multibody(std::move(description), settings));
+}
+
+}  // namespace tandem::mbs

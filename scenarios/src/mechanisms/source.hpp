@@ -1,0 +1,13 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "tandem/transports/open.hpp"
+
+namespace tandem::mechanisms {
+
+/// "mechanism:FILE": a mechanism's file as a subsystem. Parameters: `step` [s]; `formulation` and
+/// `integrator` by name, and the settings of the two that are chosen, by the names of StepperSettings;
+/// `animate`, which adds an output for each coordinate of each point. What is not given is taken from the
+/// file's table [run], else by default; `step` must be given.
+void add_sources(Builtins& builtins);
+
+}  // namespace tandem::mechanisms
