@@ -11,10 +11,6 @@ namespace {
 
 using Points = std::array<SpacePath, 6>;
 
-SpacePath vector(const Number& x, const Number& y, const Number& z) {
-  return {{x.value, y.value, z.value}, {x.first, y.first, z.first}, {x.second, y.second, z.second}};
-}
-
 struct Shape {
   Number a, b, h;     ///< radii of the triangles of P0 and of P1, height of the first above the second [m]
   SpacePath p0_axis;  ///< of the joint at P0, with P0 at azimuth zero and z along the normal

@@ -24,6 +24,10 @@ Jet<T> fixed(const T& value) {
   return {value, value * 0, value * 0};
 }
 
+inline SpacePath vector(const Number& x, const Number& y, const Number& z) {
+  return {{x.value, y.value, z.value}, {x.first, y.first, z.first}, {x.second, y.second, z.second}};
+}
+
 template <class T>
 Jet<T> operator+(const Jet<T>& a, const Jet<T>& b) {
   return {a.value + b.value, a.first + b.first, a.second + b.second};
