@@ -9,12 +9,15 @@
 #include <random>
 
 #include "refusal.hpp"
+#include "solver_bench.hpp"
 
 namespace tandem::mbs {
 namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+using test::pattern_of;
+using test::SolverBench;
 
 /// A symmetric matrix with a band of that width after a shuffle of its rows; positive definite by its
 /// diagonal.
@@ -31,44 +34,11 @@ MatrixXd shuffled_band(int size, int width, unsigned seed) {
   return a;
 }
 
-Pattern pattern_of(const MatrixXd& a) {
-  std::vector<std::pair<int, int>> entries;
-  for (int c = 0; c < a.cols(); ++c)
-    for (int r = 0; r < a.rows(); ++r)
-      if (a(r, c) != 0.0 || r == c) entries.emplace_back(r, c);
-  return {static_cast<int>(a.rows()), static_cast<int>(a.cols()), entries};
-}
-
-/// A solver with the values that it is given, which it may overwrite.
-class Bench {
- public:
-  Bench(const std::string& name, MatrixKind kind, const Pattern& pattern) : solver_(make_solver(name, kind)) {
-    analyze(pattern);
-  }
-  void analyze(const Pattern& pattern) {
-    solver_->analyze(pattern);
-    layout_ = solver_->layout();
-    values_.resize(layout_.size());
-  }
-  int factorize(const MatrixXd& a) {
-    for (std::size_t k = 0; k < layout_.size(); ++k)
-      values_[k] = layout_[k].first < 0 ? 0.0 : a(layout_[k].first, layout_[k].second);
-    return solver_->factorize(values_.data());
-  }
-  VectorXd solve(VectorXd b) {
-    solver_->solve(b.data());
-    return b;
-  }
-
- private:
-  std::unique_ptr<LinearSolver> solver_;
-  Layout layout_;
-  std::vector<double> values_;
-};
-
 class Solver : public testing::TestWithParam<std::string> {
  protected:
-  Bench make(const Pattern& pattern) const { return {GetParam(), MatrixKind::positive_definite, pattern}; }
+  SolverBench make(const Pattern& pattern) const {
+    return {GetParam(), MatrixKind::positive_definite, pattern};
+  }
 };
 INSTANTIATE_TEST_SUITE_P(Each, Solver, testing::ValuesIn(solver_names(MatrixKind::positive_definite)),
                          [](const auto& p) { return p.param; });
@@ -78,7 +48,7 @@ TEST_P(Solver, AgreesWithADenseOne) {
   for (const int size : {1, 2, 7, 40})
     for (const int width : {1, 2, 3, 5, 9, 12}) {
       const MatrixXd shape = shuffled_band(size, width, static_cast<unsigned>(size + width));
-      Bench solver = make(pattern_of(shape));
+      SolverBench solver = make(pattern_of(shape));
       for (const double scale : {1.0, 0.3}) {  // values change, the pattern stays
         MatrixXd a = shape;
         a.diagonal() *= 1.0 + scale;
@@ -93,7 +63,7 @@ TEST_P(Solver, AgreesWithADenseOne) {
 
 TEST_P(Solver, TellsTheColumnOfASingularMatrixAndGoesOnAfterIt) {
   const MatrixXd a = shuffled_band(6, 2, 4);
-  Bench solver = make(pattern_of(a));
+  SolverBench solver = make(pattern_of(a));
   for (int column = 0; column < 6; ++column) {
     MatrixXd singular = a;
     singular.row(column).setZero();
@@ -105,7 +75,7 @@ TEST_P(Solver, TellsTheColumnOfASingularMatrixAndGoesOnAfterIt) {
 }
 
 TEST_P(Solver, TakesAnotherPattern) {
-  Bench solver = make(pattern_of(MatrixXd::Identity(3, 3)));
+  SolverBench solver = make(pattern_of(MatrixXd::Identity(3, 3)));
   for (const int size : {9, 4, 15}) {
     const MatrixXd a = shuffled_band(size, 3, 1);
     solver.analyze(pattern_of(a));

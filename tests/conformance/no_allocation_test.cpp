@@ -11,6 +11,7 @@
 #include "run_bench.hpp"
 #include "scheme.hpp"
 #include "scratch.hpp"
+#include "solver_bench.hpp"
 #include "tandem/coordinator/recorder.hpp"
 #include "wave.hpp"
 
@@ -164,6 +165,27 @@ TEST(NoAllocation, WithStepsThatVary) {
       bench.add("restless", restless).add("wave", wave).schedule(schedule);
       bench.connect("restless.y", "wave.u", "lagrange1").connect("wave.y", "restless.u", "lagrange3");
       EXPECT_EQ(allocations_in(bench), 0) << schedule << " with steps of " << step;
+    }
+}
+
+/// A ring, so that columns have fill; each width of the band, and each of the prepared solver's blocks.
+TEST(NoAllocation, InOurOwnSolvers) {
+  using test::SolverBench;
+  for (const char* name : {"band", "prepared"})
+    for (const int width : {1, 2, 4, 8, 9, 20}) {
+      Eigen::MatrixXd a = Eigen::MatrixXd::Identity(50, 50) * 4.0 * width;
+      for (int c = 0; c < 50; ++c)
+        for (int k = 1; k <= width; ++k) a(c, (c + k) % 50) = a((c + k) % 50, c) = -1.0;
+      SolverBench solver(name, mbs::MatrixKind::positive_definite, test::pattern_of(a));
+      solver.place(a);
+      Eigen::VectorXd b = Eigen::VectorXd::Ones(50);
+      allocations = 0;
+      counting = true;
+      const int bad = solver.factorize_placed();
+      solver.solve_in_place(b.data());
+      counting = false;
+      EXPECT_EQ(bad, -1);
+      EXPECT_EQ(allocations, 0) << name << " of width " << width;
     }
 }
 

@@ -9,11 +9,11 @@
 namespace tandem::mbs::solvers {
 namespace {
 
-/// Factors with the pivots of the last full factorization for as long as the growth of the factors stays
-/// near what it was then; else chooses pivots anew.
+/// Orders by AMD of A + A^T. Factors with the pivots of the last full factorization for as long as the growth
+/// of the factors stays near what it was then; else, or if told so always, chooses pivots anew.
 class Klu final : public LinearSolver {
  public:
-  Klu() {
+  explicit Klu(bool always_full) : always_full_(always_full) {
     klu_defaults(&common_);
     common_.scale = 0;  // the tangents are scaled alike already, and scaling costs a pass
   }
@@ -35,11 +35,13 @@ class Klu final : public LinearSolver {
   Layout layout() const override { return pattern_.entries(); }
 
   int factorize(double* a) override {
-    if (numeric_ && klu_refactor(starts(), rows(), a, symbolic_, numeric_, &common_) && !grown(a)) return -1;
+    if (!always_full_ && numeric_ && klu_refactor(starts(), rows(), a, symbolic_, numeric_, &common_) &&
+        !grown(a))
+      return -1;
     klu_free_numeric(&numeric_, &common_);
     numeric_ = klu_factor(starts(), rows(), a, symbolic_, &common_);
     if (!numeric_ || common_.status == KLU_SINGULAR) return common_.singular_col;
-    growth_ = growth_of(a);
+    if (!always_full_) growth_ = growth_of(a);
     return -1;
   }
 
@@ -57,6 +59,7 @@ class Klu final : public LinearSolver {
   }
   bool grown(double* a) { return growth_of(a) < worst * growth_; }
 
+  bool always_full_;
   Pattern pattern_;
   klu_common common_{};
   klu_symbolic* symbolic_ = nullptr;
@@ -66,6 +69,7 @@ class Klu final : public LinearSolver {
 
 }  // namespace
 
-std::unique_ptr<LinearSolver> klu(MatrixKind) { return std::make_unique<Klu>(); }
+std::unique_ptr<LinearSolver> klu(MatrixKind) { return std::make_unique<Klu>(false); }
+std::unique_ptr<LinearSolver> klu_full(MatrixKind) { return std::make_unique<Klu>(true); }
 
 }  // namespace tandem::mbs::solvers

@@ -16,10 +16,32 @@ struct Entry {
 
 /// Every solver of this build.
 const std::vector<Entry>& entries() {
-  static const std::vector<Entry> all = {{"klu", MatrixKind::unsymmetric, solvers::klu},
-                                         {"ldlt", MatrixKind::positive_definite, solvers::ldlt},
-                                         {"prepared", MatrixKind::positive_definite, solvers::prepared},
-                                         {"band", MatrixKind::positive_definite, solvers::band}};
+  using enum MatrixKind;
+  static const std::vector<Entry> all = {
+      {"klu", unsymmetric, solvers::klu},
+      {"klu_full", unsymmetric, solvers::klu_full},
+#ifdef TANDEM_HAS_CHOLMOD
+      {"cholmod", positive_definite, solvers::cholmod},
+      {"cholmod_supernodal", positive_definite, solvers::cholmod_supernodal},
+#endif
+#ifdef TANDEM_HAS_UMFPACK
+      {"umfpack", unsymmetric, solvers::umfpack},
+#endif
+#ifdef TANDEM_HAS_SUPERLU
+      {"superlu", unsymmetric, solvers::superlu},
+#endif
+#ifdef TANDEM_HAS_MUMPS
+      {"mumps", unsymmetric, solvers::mumps},
+#endif
+#ifdef TANDEM_HAS_LAPACK
+      {"lapack", symmetric, solvers::lapack},
+      {"lapack_lu", unsymmetric, solvers::lapack_lu},
+      {"lapack_band", unsymmetric, solvers::lapack_band},
+#endif
+      {"eigen_dense", unsymmetric, solvers::eigen_dense},
+      {"ldlt", positive_definite, solvers::ldlt},
+      {"prepared", positive_definite, solvers::prepared},
+      {"band", positive_definite, solvers::band}};
   return all;
 }
 

@@ -17,4 +17,8 @@ int band_width(const Pattern& pattern, const std::vector<int>& place);
 /// Amestoy, T. A. Davis, I. S. Duff, ACM Trans. Math. Softw. 30 (2004) 381).
 std::vector<int> minimum_degree_order(const Pattern& pattern);
 
+/// The same by nested dissection (G. Karypis, V. Kumar, SIAM J. Sci. Comput. 20 (1998) 359); empty if METIS
+/// is not there.
+std::vector<int> dissection_order(const Pattern& pattern);
+
 }  // namespace tandem::mbs::solvers

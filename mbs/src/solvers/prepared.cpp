@@ -40,6 +40,9 @@ class Prepared final : public LinearSolver {
  public:
   void analyze(const Pattern& pattern) override {
     elimination_ = eliminate(pattern, minimum_degree_order(pattern), widest);
+    if (const auto order = dissection_order(pattern); !order.empty())
+      if (Elimination other = eliminate(pattern, order, widest); operations(other) < operations(elimination_))
+        elimination_ = std::move(other);
     x_.resize(elimination_.order.size());
     place_blocks();
     place_updates();

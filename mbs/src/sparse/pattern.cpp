@@ -18,7 +18,11 @@ Pattern::Pattern(int rows, int columns, std::vector<std::pair<int, int>> entries
     indices_.push_back(row);
     ++starts_[static_cast<std::size_t>(column) + 1];
   }
-  for (std::size_t c = 1; c < starts_.size(); ++c) starts_[c] += starts_[c - 1];
+  for (std::size_t c = 1; c < starts_.size(); ++c) {
+    if (runs_.empty() || runs_.back().entries != starts_[c]) runs_.push_back({starts_[c], 0});
+    ++runs_.back().columns;
+    starts_[c] += starts_[c - 1];
+  }
 }
 
 int Pattern::find(int row, int column) const {

@@ -9,15 +9,43 @@
 
 namespace tandem::mbs {
 
+namespace {
+
+/// Calls run(entries, columns) for each run of columns, the number of entries known to the compiler if small.
+template <class Run>
+void for_runs(const Pattern& a, Run&& run) {
+  for (const auto& [entries, columns] : a.runs()) switch (entries) {
+      case 1:
+        run(std::integral_constant<int, 1>(), columns);
+        break;
+      case 2:
+        run(std::integral_constant<int, 2>(), columns);
+        break;
+      case 3:
+        run(std::integral_constant<int, 3>(), columns);
+        break;
+      case 4:
+        run(std::integral_constant<int, 4>(), columns);
+        break;
+      case 6:
+        run(std::integral_constant<int, 6>(), columns);
+        break;
+      default:
+        run(entries, columns);
+    }
+}
+
+}  // namespace
+
 void multiply_transposed(const Pattern& a, const double* values, const double* x, double* y) {
-  const int* const starts = a.starts().data();
-  const int* const rows = a.indices().data();
-  const int columns = a.columns();
-  for (int c = 0; c < columns; ++c) {
-    double sum = 0.0;
-    for (int k = starts[c]; k < starts[c + 1]; ++k) sum += values[k] * x[rows[k]];
-    y[c] = sum;
-  }
+  const int* rows = a.indices().data();
+  for_runs(a, [&](auto entries, int columns) {
+    for (int c = 0; c < columns; ++c, values += entries, rows += entries) {
+      double sum = entries > 0 ? values[0] * x[rows[0]] : 0.0;
+      for (int k = 1; k < entries; ++k) sum += values[k] * x[rows[k]];
+      *y++ = sum;
+    }
+  });
 }
 
 void multiply_symmetric(const Matrix& a, const double* x, double* y) {
@@ -25,11 +53,17 @@ void multiply_symmetric(const Matrix& a, const double* x, double* y) {
 }
 
 void add_product(const Pattern& a, const double* values, const double* x, double* y) {
-  const int* const starts = a.starts().data();
-  const int* const rows = a.indices().data();
-  const int columns = a.columns();
-  for (int c = 0; c < columns; ++c)
-    for (int k = starts[c]; k < starts[c + 1]; ++k) y[rows[k]] += values[k] * x[c];
+  const int* rows = a.indices().data();
+  for_runs(a, [&](auto entries, int columns) {
+    for (int c = 0; c < columns; ++c, values += entries, rows += entries) {
+      const double factor = *x++;
+      for (int k = 0; k < entries; ++k) y[rows[k]] += values[k] * factor;
+    }
+  });
+}
+
+void add_scaled(std::size_t size, const double* a, double factor, const double* b, double* result) {
+  for (std::size_t k = 0; k < size; ++k) result[k] = a[k] + factor * b[k];
 }
 
 namespace {
@@ -65,7 +99,7 @@ const std::int32_t* add_columns(Entries entries, std::span<const std::int32_t> s
     const double* column = a + start;
     std::array<double, most> local;
     if constexpr (!std::is_integral_v<Entries>) {  // or they would be read again after each store
-      std::copy_n(column, entries, local.data());
+      for (std::size_t k = 0; k < entries; ++k) local[k] = column[k];
       column = local.data();
     }
     for (std::size_t i = 0; i < entries; ++i) {

@@ -70,7 +70,9 @@ const std::vector<Benchmark>& all() {
       {"exchange", "one round of in-process null subsystems, beside a hand-written loop", exchange},
       {"two_mass", "a run of the two-mass test split into its sides and the coordinator", two_mass},
       {"four_bar", "a step of the N-fold four-bar linkage by each solver, in ns a variable",
-       four_bar_linkage}};
+       four_bar_linkage},
+      {"sparse", "the prepared sparse algebra on the linkage's matrices, beside plain expressions of Eigen",
+       sparse_algebra}};
   return list;
 }
 

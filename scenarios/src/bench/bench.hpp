@@ -46,5 +46,6 @@ const std::vector<Benchmark>& all();
 Table exchange();
 Table two_mass();
 Table four_bar_linkage();
+Table sparse_algebra();
 
 }  // namespace tandem::bench

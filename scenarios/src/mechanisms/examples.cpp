@@ -8,7 +8,9 @@
 #include "mechanisms/bricard.hpp"
 #include "mechanisms/double_pendulum.hpp"
 #include "mechanisms/pendulum.hpp"
+#include "mechanisms/rotor.hpp"
 #include "mechanisms/slider_crank.hpp"
+#include "mechanisms/spatial_slider_crank.hpp"
 #include "mechanisms/spherical_pendulum.hpp"
 #include "mechanisms/spring_pendulum.hpp"
 #include "tandem/error.hpp"
@@ -66,6 +68,23 @@ double bricard_error(const Mechanism& m, const State& s) {
   return (place(m, s, "P3") - bricard(s.time).points[3]).norm();
 }
 
+double axes_error(const Mechanism& m, const State& s, const RotorState& truth) {
+  double square = 0.0;
+  for (int k = 0; k < 3; ++k)
+    square += (place(m, s, "e" + std::to_string(k + 1)) - truth.axes.col(k)).squaredNorm();
+  return std::sqrt(square);
+}
+
+double rotor_error(const Mechanism& m, const State& s) { return axes_error(m, s, rotor(s.time)); }
+
+double asymmetric_rotor_error(const Mechanism& m, const State& s) {
+  return axes_error(m, s, asymmetric_rotor(s.time));
+}
+
+double spatial_slider_crank_error(const Mechanism& m, const State& s) {
+  return (place(m, s, "C") - spatial_slider_crank(s.time).slider).norm();
+}
+
 }  // namespace
 
 const std::vector<Example>& examples() {
@@ -76,7 +95,10 @@ const std::vector<Example>& examples() {
                                            {"spring_pendulum", 2.0, 1000, spring_pendulum_error},
                                            {"four_bar", 0.5, 500, four_bar_error},
                                            {"andrews", 0.03, 1000, andrews_error},
-                                           {"bricard", 1.0, 1000, bricard_error}};
+                                           {"bricard", 1.0, 1000, bricard_error},
+                                           {"rotor", 1.0, 1000, rotor_error},
+                                           {"asymmetric_rotor", 1.0, 1000, asymmetric_rotor_error},
+                                           {"spatial_slider_crank", 1.0, 1000, spatial_slider_crank_error}};
   return all;
 }
 

@@ -7,6 +7,8 @@
 #include <Eigen/Core>
 #include <random>
 
+#include "tandem/mbs/sparse/permutation.hpp"
+
 namespace tandem::mbs {
 namespace {
 
@@ -50,6 +52,19 @@ TEST(Pattern, LowerAndUnionHaveTheEntriesTheyShould) {
   EXPECT_EQ(positions(b, both), (std::vector<int>{1, 2}));
 }
 
+TEST(Permuted, MovesRowsAndColumnsAlike) {
+  const Matrix a = random_matrix(9, 9, 30, 3);
+  const std::vector<int> order = {4, 0, 8, 2, 1, 7, 3, 6, 5};
+  const Permuted p = permuted(a.pattern, order);
+  std::vector<double> values(a.values.size()), back(a.values.size());
+  gather(p.from, a.values.data(), values.data());
+  scatter(p.from, values.data(), back.data());
+  const MatrixXd before = dense(a.pattern, a.values), after = dense(p.pattern, values);
+  for (int r = 0; r < 9; ++r)
+    for (int c = 0; c < 9; ++c) EXPECT_EQ(after(r, c), before(order[r], order[c]));
+  EXPECT_EQ(back, a.values);
+}
+
 /// Sums of at most 30 products of numbers up to 1.
 constexpr double rounding = 30 * 1e-15;
 
@@ -58,10 +73,12 @@ TEST(Products, AreThoseOfDenseMatrices) {
     const Matrix a = random_matrix(9, 6, 25, seed);
     const MatrixXd full = dense(a.pattern, a.values);
     const VectorXd x = VectorXd::LinSpaced(9, -1.0, 1.0), y = VectorXd::LinSpaced(6, 0.3, 1.0);
-    VectorXd transposed(6), added = VectorXd::Ones(9);
+    VectorXd transposed(6), added = VectorXd::Ones(9), sum(9);
     multiply_transposed(a.pattern, a.values.data(), x.data(), transposed.data());
     add_product(a.pattern, a.values.data(), y.data(), added.data());
     EXPECT_LT((transposed - full.transpose() * x).norm(), rounding);
+    add_scaled(9, x.data(), -2.0, added.data(), sum.data());
+    EXPECT_LT((sum - (x - 2.0 * added)).norm(), rounding);
     EXPECT_LT((added - VectorXd::Ones(9) - full * y).norm(), rounding);
   }
 }

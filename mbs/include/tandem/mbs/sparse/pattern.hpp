@@ -21,6 +21,13 @@ class Pattern {
   std::span<const int> starts() const { return starts_; }
   /// Of each position its row.
   std::span<const int> indices() const { return indices_; }
+  /// Columns next to each other with equally many entries, in order: what loops over columns go by, so that
+  /// they ask for the number once a run.
+  struct Run {
+    int entries, columns;
+    bool operator==(const Run&) const = default;
+  };
+  std::span<const Run> runs() const { return runs_; }
   /// Position of an entry; -1 if it is not stored.
   int find(int row, int column) const;
 
@@ -33,6 +40,7 @@ class Pattern {
  private:
   int rows_ = 0;
   std::vector<int> starts_ = {0}, indices_;
+  std::vector<Run> runs_;
 };
 
 /// The entries of both. Precondition: the same shape.

@@ -19,6 +19,10 @@ void multiply_transposed(const Pattern& a, const double* values, const double* x
 /// y += A x: of each column a multiple. With A = Phi_q^T, constraint forces of multipliers.
 void add_product(const Pattern& a, const double* values, const double* x, double* y);
 
+/// result = a + factor b, values on one pattern (the union of both: unite(), positions()): one vector
+/// operation. result may be a.
+void add_scaled(std::size_t size, const double* a, double factor, const double* b, double* result);
+
 /// base + factor A A^T at given entries, A in compressed columns (Phi_q^T alpha Phi_q: A = Phi_q^T): a
 /// symmetric rank-k update, prepared as a list of where the products of each column with itself go
 /// (F. Gonzalez, doctoral thesis, A Coruna 2010, chapter 3).
