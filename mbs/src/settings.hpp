@@ -27,4 +27,9 @@ struct Setting {
   void count() const { at_least(1.0, "1 or more"); }
 };
 
+inline void check_beta(const char* owner, double beta) {
+  const Setting setting{owner, "beta", beta};
+  if (!(beta >= 1.0 / 12.0 - 1e-15 && beta <= 0.25)) setting.refuse("1/12 to 1/4");
+}
+
 }  // namespace tandem::mbs

@@ -8,11 +8,16 @@
 #include <cstdlib>
 #include <numbers>
 
+#include "driven_pendulum.hpp"
+#include "four_bar/linkage.hpp"
 #include "run_bench.hpp"
 #include "scheme.hpp"
 #include "scratch.hpp"
 #include "solver_bench.hpp"
 #include "tandem/coordinator/recorder.hpp"
+#include "tandem/mbs/make_stepper.hpp"
+#include "tandem/mbs/mechanism/mechanism.hpp"
+#include "tandem/mbs/mechanism/read.hpp"
 #include "wave.hpp"
 
 #if defined(__has_feature)
@@ -187,6 +192,36 @@ TEST(NoAllocation, InOurOwnSolvers) {
       EXPECT_EQ(bad, -1);
       EXPECT_EQ(allocations, 0) << name << " of width " << width;
     }
+}
+
+/// Steps and refreshes, after some that have settled.
+std::int64_t allocations_in(mbs::Stepper& stepper, mbs::State s) {
+  stepper.start(s);
+  const auto steps = [&](int first, int last) {
+    for (int k = first; k < last; ++k) stepper.step(s, 1e-3, s.time + 1e-3), stepper.refresh(s);
+  };
+  steps(0, 10);
+  allocations = 0;
+  counting = true;
+  steps(10, 300);
+  counting = false;
+  return allocations;
+}
+
+/// But for null_space, which is a check of the others.
+TEST(NoAllocation, InStepsOfAMechanism) {
+  DrivenPendulum pendulum({});
+  mbs::Mechanism linkage(mbs::read_mechanism("linkage", four_bar::text(3)));
+  for (const auto& [formulation, integrator] : mbs::stepper_names()) {
+    if (formulation == "null_space") continue;
+    mbs::StepperSettings settings;
+    settings.formulation = formulation;
+    settings.integrator = integrator;
+    EXPECT_EQ(allocations_in(*mbs::make_stepper(pendulum, settings), pendulum.at(0.0, 1.0, 0.5)), 0)
+        << formulation << " " << integrator;
+    EXPECT_EQ(allocations_in(*mbs::make_stepper(linkage, settings), linkage.described_state()), 0)
+        << formulation << " " << integrator;
+  }
 }
 
 }  // namespace

@@ -11,8 +11,10 @@
 #include "driven_pendulum.hpp"
 #include "four_bar/linkage.hpp"
 #include "refusal.hpp"
+#include "standing_linkage.hpp"
 #include "tandem/mbs/mechanism/mechanism.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
+#include "tandem/mbs/residuals.hpp"
 
 namespace tandem::mbs {
 namespace {
@@ -28,23 +30,11 @@ State run(Mechanism& mechanism, const Index3Settings& settings, double h, double
   return s;
 }
 
-/// The linkage where all its cranks have that angle and rate.
-State standing(Mechanism& linkage, const four_bar::Crank& crank) {
-  State s = linkage.described_state();
-  const int points = linkage.structure().variables / 2;
-  for (int i = 0; i < points; ++i) {
-    s.q.segment(2 * i, 2) << i + std::sin(crank.angle), std::cos(crank.angle);
-    s.v.segment(2 * i, 2) << std::cos(crank.angle) * crank.rate, -std::sin(crank.angle) * crank.rate;
-  }
-  Index3(linkage, {}).start(s);
-  return s;
-}
-
 /// The linkage before its flat position against its exact motion and the multipliers that belong to it.
 TEST(Index3, IsOfOrderTwoInPositionsVelocitiesAccelerationsAndMultipliers) {
   constexpr double end = 0.5;
   Mechanism linkage(read_mechanism("linkage", four_bar::text(2)));
-  const State exact = standing(linkage, four_bar::exact(2, end));
+  const State exact = test::standing(linkage, four_bar::exact(2, end));
   const auto errors = [&](int steps) {
     Index3 formulation(linkage, {.penalty = 1e8, .tolerance = 1e-12, .projections = 3});
     State s = linkage.described_state();
@@ -130,6 +120,67 @@ TEST(Index3, RefreshGivesTheAccelerationsOfANewInput) {
     EXPECT_LT((s.a - expected.a).norm(), 1e-11 * s.a.norm());
     EXPECT_LT((s.lambda - expected.lambda).norm(), 1e-6);
   }
+}
+
+/// A pendulum of 1 m released at an angle, after 5.25 periods: by how much of its period it is late.
+double lateness(double beta, double angle, int steps) {
+  test::DrivenPendulum pendulum({.spring = 0.0, .damper = 0.0, .amplitude = 0.0});
+  Index3 formulation(pendulum, {.penalty = 2e9, .beta = beta, .tolerance = 1e-13, .projections = 4});
+  const double end = 5.25 * 4.0 * std::comp_ellint_1(std::sin(angle / 2.0)) / std::sqrt(9.81);
+  State s = pendulum.at(0.0, angle, 0.0);
+  formulation.start(s);
+  for (int k = 1; k <= steps; ++k) formulation.step(s, end / steps, k * end / steps);
+  const double left = std::atan2(s.q[0], -s.q[1]), rate = s.v[0] * -s.q[1] + s.v[1] * s.q[0];
+  return -left / rate / end;
+}
+
+/// With beta = 1/12 the period's error is of order 4 for small motions only. Projections make the method, for
+/// a pendulum without damping, that of
+///   theta'' = f + h^2 [(beta - 1/12) f'' - 3 beta theta'^2 f],  f = -g sin theta,
+/// so what is left with beta = 1/12 is 3 beta h^2 (A w)^2/8 = h^2 (A w)^2/32 of a period, A the amplitude and
+/// w^2 = g (docs/formulations.md has the derivation); with beta = 1/4 it is h^2 w^2/12 besides.
+TEST(Index3, HasAPeriodErrorOfOrderFourWithBetaOneTwelfthInSmallMotionsOnly) {
+  constexpr double twelfth = 1.0 / 12.0;
+  const auto order_with = [](double beta, double angle, int steps) {
+    return std::log2(lateness(beta, angle, steps) / lateness(beta, angle, 2 * steps));
+  };
+  EXPECT_NEAR(order_with(twelfth, 0.003, 100), 4.0, 0.2);
+  EXPECT_NEAR(order_with(twelfth, 0.1, 800), 2.0, 0.2);
+  EXPECT_NEAR(order_with(0.25, 0.003, 100), 2.0, 0.2);
+  const double h = 5.25 * 4.0 * std::comp_ellint_1(std::sin(0.05)) / std::sqrt(9.81) / 1600;
+  EXPECT_NEAR(lateness(twelfth, 0.1, 1600) / (h * h * 0.01 * 9.81), 1.0 / 32.0, 0.001);
+  EXPECT_NEAR(lateness(0.25, 0.003, 1600) / (h * h * 9.81), 1.0 / 12.0, 0.001);
+}
+
+/// sigma^2 = 4/m = 2: with alpha = 2e7 a projection leaves 1/(1 + 2 beta h^2 alpha), and steps of 2 ms (0.07)
+/// are stable with beta = 1/12, which multiplies by 9.9, those of 1.5 ms (0.118) only with two projections.
+/// Frequencies sqrt(alpha) sigma h of 13 are beyond 2.449 by far, and don't count.
+TEST(Index3, RefusesStepsInWhichProjectionsDoNotKeepUpWithABetaBelowAQuarter) {
+  const auto go = [](double h, int projections) {
+    test::DrivenPendulum pendulum({.spring = 0.0, .damper = 0.0, .amplitude = 0.0});
+    Index3 formulation(pendulum, {.beta = 1.0 / 12.0, .projections = projections});
+    State s = pendulum.at(0.0, 1.0, 0.0);
+    formulation.start(s);
+    for (int k = 1; k <= 1000; ++k) formulation.step(s, h, k * h);
+    return residuals(pendulum, s).velocity;
+  };
+  EXPECT_LT(go(2e-3, 1), 1e-4);
+  EXPECT_LT(go(1.5e-3, 2), 1e-4);
+  EXPECT_TRUE(test::refuses(ErrorCode::numerical, {"beta = 0.08333", "grow by 9.899", "0.118", "below 0.101"},
+                            [&] { go(1.5e-3, 1); }));
+}
+
+/// Hanging at rest, a spring of k to (1, 0) and m = 2 kg: sqrt(k/m + ...) rad/s; with k = 1e6 steps of 5 ms
+/// are beyond 2.449/omega.
+TEST(Index3, RefusesStepsBeyondTheStabilityLimitOfBetaBelowAQuarter) {
+  test::DrivenPendulum pendulum({.spring = 1e6, .damper = 0.0, .amplitude = 0.0});
+  State s = pendulum.at(0.0, 1.0, 0.0), again = s;
+  Index3 formulation(pendulum, {.beta = 1.0 / 12.0}), trapezoidal(pendulum, {});
+  formulation.start(s);
+  EXPECT_TRUE(test::refuses(ErrorCode::numerical, {"omega h = 2.449", "highest frequency", "step below"},
+                            [&] { formulation.step(s, 5e-3, 5e-3); }));
+  trapezoidal.start(again);
+  trapezoidal.step(again, 5e-3, 5e-3);
 }
 
 TEST(Index3, SaysWhenItDoesNotConverge) {

@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 
+#include "checks.hpp"
 #include "flush_denormals.hpp"
+#include "merged_frequency.hpp"
 #include "settings.hpp"
+#include "tandem/mbs/integrators/frequency.hpp"
 
 namespace tandem::mbs {
 namespace {
@@ -18,7 +21,7 @@ const Index3Settings& checked(const Index3Settings& s) {
     return Setting{"index-3 formulation", name, value};
   };
   setting("penalty", s.penalty).at_least(0.0, "a number above 0");
-  if (!(s.beta >= 1.0 / 12.0 - 1e-15 && s.beta <= 0.25)) setting("beta", s.beta).refuse("1/12 to 1/4");
+  check_beta("index-3 formulation", s.beta);
   setting("tolerance", s.tolerance).positive();
   setting("most_iterations", s.most_iterations).count();
   setting("projections", s.projections).count();
@@ -35,6 +38,11 @@ Index3::Index3(Model& model, const Index3Settings& settings)
 
 void Index3::start(State& s) {
   const FlushDenormals scope;
+  frequency_ = -1.0;
+  settle(s);
+}
+
+void Index3::settle(State& s) {
   terms_.model.at_time(s.time);
   terms_.constraints(s);
   terms_.refuse_vanishing(s);
@@ -43,19 +51,17 @@ void Index3::start(State& s) {
   terms_.model.constraint_accelerations(s.q.data(), s.v.data(), terms_.gamma.data());
   s.lambda.setZero(terms_.structure.constraints);
   if (terms_.settle(s, terms_.gamma, weight_, settled, settings_.most_iterations) == 0)
-    throw Error(ErrorCode::numerical,
-                fmt::format("accelerations and multipliers have not settled at t = {} s in {} iterations",
-                            s.time, settings_.most_iterations));
+    refuse_unsettled(settings_.most_iterations, s.time);
 }
 
 void Index3::refresh(State& s) {
   const FlushDenormals scope;
-  if (weight_ == 0.0) return start(s);
+  if (weight_ == 0.0) return settle(s);
   terms_.model.at_time(s.time);
   terms_.constraints(s);
   terms_.forces(s);
   terms_.model.constraint_accelerations(s.q.data(), s.v.data(), terms_.gamma.data());
-  if (terms_.settle(s, terms_.gamma, weight_, settled, most_substitutions) == 0) start(s);
+  if (terms_.settle(s, terms_.gamma, weight_, settled, most_substitutions) == 0) settle(s);
 }
 
 int Index3::step(State& s, double h, double t_end) {
@@ -78,8 +84,26 @@ int Index3::step(State& s, double h, double t_end) {
                   s.time, settings_.most_iterations, terms_.correction.norm(), settings_.tolerance));
 }
 
+void Index3::refuse_unstable(const State& s, double h) {
+  if (frequency_ < 0.0) frequency_ = merged_frequency(terms_, s, weight_ = penalty_);
+  mbs::refuse_unstable("index-3 formulation", settings_.beta, frequency_, s.time, h);
+}
+
+/// The tangent at hand, which refresh() uses, and its penalty.
+std::vector<double> Index3::memory() const {
+  std::vector<double> all = terms_.tangent.values();
+  all.push_back(weight_);
+  return all;
+}
+
+void Index3::recall(std::span<const double> memory) {
+  weight_ = memory.back();
+  terms_.tangent.recall(memory.first(memory.size() - 1));
+}
+
 void Index3::predict(State& s, double h, double t_end) {
   Setting{"index-3 formulation", "the step", h}.positive();
+  if (settings_.beta < 0.25) refuse_unstable(s, h);
   const int n = terms_.structure.variables;
   double* const q = s.q.data();
   double* const v = s.v.data();
@@ -110,10 +134,29 @@ double Index3::correct(State& s, double h) {
 
 void Index3::project_velocities(State& s, double weight) {
   terms_.model.constraint_rates(s.q.data(), terms_.phi.data());
+  terms_.violation(s.v, terms_.phi);
+  const double before = terms_.error.norm();
   for (int k = 0; k < settings_.projections; ++k) {
-    terms_.violation(s.v, terms_.phi);
+    if (k > 0) terms_.violation(s.v, terms_.phi);
     terms_.project(s.v, weight);
   }
+  if (settings_.beta < 0.25) refuse_growth(s, before);
+}
+
+/// Below 1e-8 |Phi_q| |q'| it is rounding and the tolerance of Newton's iteration.
+void Index3::refuse_growth(const State& s, double before) {
+  terms_.violation(s.v, terms_.phi);
+  const double left = terms_.error.norm(), grows = newmark_growth(settings_.beta),
+               size = Eigen::Map<const Eigen::VectorXd>(terms_.matrices.jacobian.data(),
+                                                        terms_.structure.jacobian.size())
+                          .norm();
+  if (left * grows < before || left < 1e-8 * size * s.v.norm()) return;
+  throw Error(
+      ErrorCode::numerical,
+      fmt::format("index-3 formulation: with beta = {:.4g} errors of constrained velocities grow by {:.4g} "
+                  "in a step, and {:.3g} of them is left by projections = {} at t = {} s; allowed is below "
+                  "{:.3g}: more projections, a greater penalty, longer steps, or beta = 0.25",
+                  settings_.beta, grows, left / before, settings_.projections, s.time, 1.0 / grows));
 }
 
 void Index3::project_accelerations(State& s, double weight) {

@@ -6,31 +6,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "checks.hpp"
 #include "tandem/error.hpp"
-#include "tandem/nearest.hpp"
 
 namespace tandem::mbs {
 namespace {
-
-[[noreturn]] void fail(const std::string& sentence) { throw Error(ErrorCode::numerical, sentence); }
 
 double largest(const std::vector<double>& values) {
   return values.empty() ? 1.0 : *std::max_element(values.begin(), values.end());
 }
 
-/// "constraints a, b", or that there are none.
-std::string constraints_of(const Structure& s, int variable) {
-  std::vector<std::string> names;
-  for (const auto& [row, column] : s.jacobian.entries())
-    if (row == variable) names.push_back(s.constraint_names[column]);
-  return names.empty() ? "in no constraint" : "in the constraints " + listed(names);
-}
-
-/// The first variable at which a vector is not finite; -1 if there is none.
+/// The first entry of a vector that is not finite; the first of all where only the norm overflows.
 int not_finite(const Eigen::VectorXd& x) {
   for (int i = 0; i < x.size(); ++i)
     if (!std::isfinite(x[i])) return i;
-  return -1;
+  return 0;
 }
 
 }  // namespace
@@ -53,20 +43,7 @@ void Terms::constraints(const State& s) {
 }
 
 void Terms::refuse_vanishing(const State& s) const {
-  constexpr double zero = 1e-12;
-  const int* const starts = structure.jacobian.starts().data();
-  double least = HUGE_VAL, most = 0.0;
-  int at = 0;
-  for (int c = 0; c < structure.constraints; ++c) {
-    double square = 0.0;
-    for (int k = starts[c]; k < starts[c + 1]; ++k) square += matrices.jacobian[k] * matrices.jacobian[k];
-    if (square < least) least = square, at = c;
-    most = std::max(most, square);
-  }
-  if (structure.constraints > 0 && least <= zero * zero * most)
-    fail(
-        fmt::format("the row of the Jacobian of constraint '{}' vanishes at t = {} s: it holds nothing there",
-                    structure.constraint_names[at], s.time));
+  refuse_vanishing_row(structure, matrices.jacobian.data(), s.time);
 }
 
 void Terms::forces(const State& s) { model.forces(s.q.data(), s.v.data(), force.data()); }
@@ -76,8 +53,7 @@ void Terms::factorize(const State& s, const TangentFactors& factors) {
     model.force_derivatives(s.q.data(), s.v.data(), matrices.stiffness.data(), matrices.damping.data());
   tangent.assemble(matrices, factors);
   if (const int bad = tangent.factorize(); bad >= 0)
-    fail(fmt::format("the tangent matrix is singular at t = {} s, at variable {}, which is {}", s.time,
-                     structure.variable_names[bad], constraints_of(structure, bad)));
+    refuse_singular(structure, "tangent matrix", bad, s.time);
 }
 
 double Terms::correct(const State& s, const Eigen::VectorXd& by, double factor) {
@@ -88,10 +64,9 @@ double Terms::correct(const State& s, const Eigen::VectorXd& by, double factor) 
   tangent.solve(correction.data());
   const double norm = correction.norm();
   if (std::isfinite(norm)) return norm;
-  if (const int i = not_finite(force); i >= 0)
-    fail(fmt::format("the force on {} is {} at t = {} s", structure.variable_names[i], force[i], s.time));
-  fail(fmt::format("the motion of {} is not finite at t = {} s",
-                   structure.variable_names[std::max(0, not_finite(correction))], s.time));
+  refuse_wrong_force(structure, force, s.time);
+  throw Error(ErrorCode::numerical, fmt::format("the motion of {} is not finite at t = {} s",
+                                                structure.variable_names[not_finite(correction)], s.time));
 }
 
 void Terms::violation(const Eigen::VectorXd& x, const Eigen::VectorXd& rhs) {

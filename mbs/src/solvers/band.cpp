@@ -37,6 +37,8 @@ class Band final : public LinearSolver {
     return bad < 0 ? -1 : order_[bad];
   }
 
+  bool in_place() const override { return true; }
+
   void solve(double* b) override {
     if (natural_) return factors_->solve(values_, b);
     const auto columns = order_.size();

@@ -72,6 +72,8 @@ class Prepared final : public LinearSolver {
     return -1;
   }
 
+  bool in_place() const override { return true; }
+
   void solve(double* b) override {
     const auto& order = elimination_.order;
     for (std::size_t k = 0; k < order.size(); ++k) x_[k] = b[order[k]];

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "tandem/mbs/sparse/tangent.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace tandem::mbs {
@@ -49,6 +50,11 @@ Tangent::Tangent(const Structure& structure, std::unique_ptr<LinearSolver> solve
       from_.push_back(k), to_.push_back(static_cast<int>(e));
   }
   base_ = mass_;
+}
+
+void Tangent::recall(std::span<const double> values) {
+  std::copy(values.begin(), values.end(), values_.begin());
+  if (!solver_->in_place()) solver_->factorize(values_.data());
 }
 
 void Tangent::assemble(const ModelMatrices& at, const TangentFactors& factors) {

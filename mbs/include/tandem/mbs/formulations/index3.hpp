@@ -40,21 +40,35 @@ class Index3 final : public Stepper {
 
   /// By the augmented Lagrangian of index 1 (Terms::settle).
   void start(State& state) override;
+  /// With beta below 1/4 a step is refused, Error(numerical),
+  /// - of omega h above 1/sqrt(1/4 - beta), omega the highest frequency of the motion that the constraints
+  /// leave
+  ///   at the first step;
+  /// - if the projections leave so much of the error of velocities that the next step makes it larger than it
+  ///   was: Newmark's formulas multiply it by newmark_growth(beta) where Phi = 0 is held at both ends, and a
+  ///   projection leaves 1/(1 + beta h^2 alpha sigma^2), sigma a singular value of Phi_q in the metric of the
+  ///   mass. That is a limit for steps that are too short.
   int step(State& state, double h, double t_end) override;
   /// As start(), but with the tangent of the last step as it is; if its multipliers have not settled after
   /// ten substitutions (the steps are too short for that), with one of its own.
   void refresh(State& state) override;
+  std::vector<double> memory() const override;
+  void recall(std::span<const double> memory) override;
 
  private:
+  void settle(State& s);
   void predict(State& s, double h, double t_end);
   double correct(State& s, double h);
+  void refuse_unstable(const State& s, double h);
   void project_velocities(State& s, double weight);
+  void refuse_growth(const State& s, double before);
   void project_accelerations(State& s, double weight);
 
   Index3Settings settings_;
   Terms terms_;
   double penalty_;
-  double weight_ = 0.0;  ///< of Phi_q^T Phi_q in the tangent at hand; 0: there is none yet
+  double weight_ = 0.0;      ///< of Phi_q^T Phi_q in the tangent at hand; 0: there is none yet
+  double frequency_ = -1.0;  ///< the highest, with beta below 1/4, from the first step on [rad/s]
 };
 
 }  // namespace tandem::mbs

@@ -32,6 +32,8 @@ class LinearSolver {
   /// that needs them. Returns -1, or the column at which the matrix is singular (or not positive definite,
   /// for a solver that needs it) to working precision.
   virtual int factorize(double* values) = 0;
+  /// True: after factorize() the factors stand in those values, and all that solve() needs.
+  virtual bool in_place() const { return false; }
   /// b becomes A^-1 b. Precondition: the last factorize() returned -1.
   virtual void solve(double* b) = 0;
 };

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "tandem/mbs/model.hpp"
@@ -33,6 +34,9 @@ class Tangent {
   void assemble(const ModelMatrices& at, const TangentFactors& factors);
   /// -1, or the variable at which the matrix is singular.
   int factorize() { return solver_->factorize(values_.data()); }
+  /// The matrix as assembled, or its factors where the solver factorizes in place; and back, factorized.
+  const std::vector<double>& values() const { return values_; }
+  void recall(std::span<const double> values);
   /// b becomes T^-1 b.
   void solve(double* b) { solver_->solve(b); }
 

@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string>
+
+#include "tandem/mbs/formulations/formulation.hpp"
+#include "tandem/mbs/formulations/terms.hpp"
+
+namespace tandem::mbs {
+
+/// What the penalty and the index-1 formulation share: y are the variables, and the accelerations come from
+/// the tangent T = M + alpha Phi_q^T Phi_q and Baumgarte's right-hand side
+///   rhs = gamma + 2 xi omega (Phi_q q' + Phi_t) + omega^2 Phi
+/// (J. Baumgarte, Comput. Methods Appl. Mech. Eng. 1 (1972) 1).
+class Stabilized : public Formulation {
+ public:
+  int size() const override { return terms_.structure.variables; }
+  void accelerations(double t, const double* y, const double* v, double* a) override;
+  void start(State& state) override;
+  bool begin(const State& state, Motion& motion) override;
+  void finish(const Motion& motion, State& state) override;
+  void refresh(State& state) override;
+
+ protected:
+  struct Baumgarte {
+    double penalty, xi, omega;
+    std::string solver;
+  };
+  /// penalty 0: 1e7 times the largest mass term. Throws Error for a setting that is not allowed.
+  Stabilized(const char* owner, Model& model, const Baumgarte& settings);
+
+  /// Accelerations and multipliers of a state from those at hand; T is factorized.
+  virtual void solve(State& s) = 0;
+  virtual void solve_at_start(State& s) = 0;
+
+  Terms terms_;
+  double alpha_;
+  Eigen::VectorXd rhs_;
+
+ private:
+  void prepare(const State& s);
+
+  double xi_, omega_;
+  State at_;  ///< where the last evaluation was
+};
+
+}  // namespace tandem::mbs

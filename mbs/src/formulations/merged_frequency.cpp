@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "merged_frequency.hpp"
+
+#include <cmath>
+
+#include "tandem/mbs/integrators/frequency.hpp"
+
+namespace tandem::mbs {
+namespace {
+
+using Eigen::VectorXd;
+
+/// y += Phi_q^T x, Phi_q where s stands.
+void add_constraint_forces(Terms& terms, const State& s, const VectorXd& x, VectorXd& y) {
+  terms.constraints(s);
+  add_product(terms.structure.jacobian, terms.matrices.jacobian.data(), x.data(), y.data());
+}
+
+/// z <- (K + d(Phi_q^T lambda)/dq) z, the second part by central differences. K as factorize() left it.
+void multiply_stiffness(Terms& terms, const State& s, VectorXd& z) {
+  const double reach = 1e-6 * (1.0 + s.q.norm());
+  const VectorXd lambda = s.lambda / (2.0 * reach), less = -lambda;
+  State above = s, below = s;
+  above.q.head(z.size()) += reach * z;
+  below.q.head(z.size()) -= reach * z;
+  VectorXd product = VectorXd::Zero(z.size());
+  add_product(terms.structure.stiffness, terms.matrices.stiffness.data(), z.data(), product.data());
+  add_constraint_forces(terms, above, lambda, product);
+  add_constraint_forces(terms, below, less, product);
+  z = product;
+}
+
+}  // namespace
+
+double merged_frequency(Terms& terms, const State& s, double penalty) {
+  terms.model.at_time(s.time);
+  terms.constraints(s);
+  terms.factorize(s, {0.0, 0.0, penalty});
+  return std::sqrt(spectral_radius(terms.structure.variables, [&](VectorXd& z) {
+    multiply_stiffness(terms, s, z);
+    terms.tangent.solve(z.data());
+  }));
+}
+
+}  // namespace tandem::mbs

@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/mbs/formulations/unmerged.hpp"
+
+#include <utility>
+
+#include "flush_denormals.hpp"
+#include "settings.hpp"
+
+namespace tandem::mbs {
+
+Unmerged::Unmerged(std::unique_ptr<Formulation> formulation, std::unique_ptr<Integrator> integrator)
+    : formulation_(std::move(formulation)), integrator_(std::move(integrator)) {}
+
+void Unmerged::start(State& s) {
+  const FlushDenormals scope;
+  formulation_->start(s);
+  formulation_->begin(s, motion_);
+  integrator_->start(*formulation_, motion_);
+}
+
+int Unmerged::step(State& s, double h, double t_end) {
+  const FlushDenormals scope;
+  Setting{"stepper", "the step", h}.positive();
+  if (formulation_->begin(s, motion_)) integrator_->start(*formulation_, motion_);
+  const int iterations = integrator_->step(*formulation_, motion_, h, t_end);
+  formulation_->finish(motion_, s);
+  return iterations;
+}
+
+void Unmerged::refresh(State& s) {
+  const FlushDenormals scope;
+  formulation_->refresh(s);
+}
+
+/// The formulation's, the integrator's, and how many numbers are the first's.
+std::vector<double> Unmerged::memory() const {
+  std::vector<double> all = formulation_->memory();
+  const auto first = static_cast<double>(all.size());
+  const auto more = integrator_->memory();
+  all.insert(all.end(), more.begin(), more.end());
+  all.push_back(first);
+  return all;
+}
+
+void Unmerged::recall(std::span<const double> memory) {
+  const auto first = static_cast<std::size_t>(memory.back());
+  formulation_->recall(memory.first(first));
+  integrator_->recall(memory.subspan(first, memory.size() - 1 - first));
+}
+
+}  // namespace tandem::mbs

@@ -1,0 +1,298 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// What every stepper does: each formulation with each integrator, as they come from make_stepper().
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cfloat>
+#include <cmath>
+#include <limits>
+
+#include "driven_pendulum.hpp"
+#include "refusal.hpp"
+#include "standing_linkage.hpp"
+#include "tandem/mbs/make_stepper.hpp"
+#include "tandem/mbs/mechanism/read.hpp"
+#include "tandem/mbs/residuals.hpp"
+
+namespace tandem::mbs {
+namespace {
+
+using test::DrivenPendulum;
+
+class EachStepper : public testing::TestWithParam<StepperNames> {
+ protected:
+  static std::unique_ptr<Stepper> make(Model& model) {
+    StepperSettings settings;
+    settings.formulation = GetParam().formulation;
+    settings.integrator = GetParam().integrator;
+    if (settings.formulation == "index3")  // with one projection its remainder would hide the order
+      settings.index3 = {.tolerance = 1e-12, .projections = 3};
+    return make_stepper(model, settings);
+  }
+  static double order() { return GetParam().integrator == "rk4" ? 4.0 : 2.0; }
+
+  /// `steps` steps to `end`, from a state of which a and lambda are to be found.
+  static State run(Model& model, State s, double end, int steps) {
+    const auto stepper = make(model);
+    s.a.setZero();
+    stepper->start(s);
+    for (int k = 1; k <= steps; ++k) stepper->step(s, end / steps, k * end / steps);
+    return s;
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Each, EachStepper, testing::ValuesIn(stepper_names()),
+                         [](const auto& p) { return p.param.formulation + "_" + p.param.integrator; });
+
+constexpr int checkpoints = 8;
+
+/// Errors of q, v, a and lambda at the checkpoints, all together, as an error at one time may pass through
+/// zero.
+using Errors = std::array<double, 4>;
+Errors errors(Stepper& stepper, State s, const std::vector<State>& exact, int steps) {
+  Errors sum{};
+  const double end = exact.back().time;
+  s.a.setZero();
+  stepper.start(s);
+  for (int k = 1; k <= steps; ++k) {
+    stepper.step(s, end / steps, k * end / steps);
+    if (k % (steps / checkpoints) != 0) continue;
+    const State& there = exact[static_cast<std::size_t>(k / (steps / checkpoints) - 1)];
+    const Errors squares = {(s.q - there.q).squaredNorm(), (s.v - there.v).squaredNorm(),
+                            (s.a - there.a).squaredNorm(), (s.lambda - there.lambda).squaredNorm()};
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += squares[i];
+  }
+  for (double& x : sum) x = std::sqrt(x);
+  return sum;
+}
+
+/// Theory +-0.2 for positions, velocities, accelerations and multipliers.
+void expect_order(const Errors& coarse, const Errors& fine, double order) {
+  const char* const names[] = {"q", "v", "a", "lambda"};
+  for (std::size_t k = 0; k < coarse.size(); ++k)
+    EXPECT_NEAR(std::log2(coarse[k] / fine[k]), order, 0.2)
+        << names[k] << ", errors " << coarse[k] << " " << fine[k];
+}
+
+/// A penalty of 2e7 leaves lambda/alpha = 3e-7 of Phi'' and as much of a; lambda is known to alpha times the
+/// rounding of a, 2e7 1e-15.
+TEST_P(EachStepper, StartsWithTheAccelerationsAndMultipliersOfTheState) {
+  DrivenPendulum pendulum({});
+  const State exact = pendulum.at(0.7, 1.0, 0.5);
+  State s = exact;
+  s.a.setZero();
+  s.lambda.setZero();
+  make(pendulum)->start(s);
+  EXPECT_LT((s.a - exact.a).norm(), 1e-6);
+  EXPECT_LT((s.lambda - exact.lambda).norm(), 1e-6);
+  EXPECT_EQ(s.q, exact.q);
+  EXPECT_EQ(s.v, exact.v);
+}
+
+/// Forces that depend on positions and velocities, a constraint that depends on time. The swing is one in
+/// which null_space keeps its coordinates: where it changes them depends on the step, and so does the error.
+TEST_P(EachStepper, IsOfItsOrderOnADrivenPendulum) {
+  DrivenPendulum pendulum({});
+  const State first = pendulum.at(0.0, 0.4, 1.0);
+  std::vector<State> exact;
+  for (int k = 1; k <= checkpoints; ++k) exact.push_back(pendulum.exact(0.125 * k, 0.4, 1.0));
+  const int steps = order() > 2.0 ? 32 : 128;
+  expect_order(errors(*make(pendulum), first, exact, steps), errors(*make(pendulum), first, exact, 2 * steps),
+               order());
+}
+
+/// The four-bar linkage before its flat position.
+TEST_P(EachStepper, IsOfItsOrderOnTheLinkage) {
+  Mechanism linkage(read_mechanism("linkage", four_bar::text(2)));
+  const State first = linkage.described_state();
+  std::vector<State> exact;
+  for (int k = 1; k <= checkpoints; ++k) {
+    exact.push_back(test::standing(linkage, four_bar::exact(2, 0.0625 * k)));
+    exact.back().time = 0.0625 * k;
+  }
+  const int steps = order() > 2.0 ? 16 : 64;
+  expect_order(errors(*make(linkage), first, exact, steps), errors(*make(linkage), first, exact, 2 * steps),
+               order());
+}
+
+/// The largest change of the energy in 2 s.
+double drift(Stepper& stepper, Model& model, State s, int steps) {
+  stepper.start(s);
+  const double first = model.energy(s.q.data(), s.v.data());
+  double worst = 0.0;
+  for (int k = 1; k <= steps; ++k) {
+    stepper.step(s, 2.0 / steps, k * 2.0 / steps);
+    worst = std::max(worst, std::abs(model.energy(s.q.data(), s.v.data()) - first));
+  }
+  return worst;
+}
+
+/// It may fall faster than the order: some methods keep the energy better than the motion.
+TEST_P(EachStepper, DriftsInEnergyByItsOrderAtMost) {
+  DrivenPendulum pendulum({.damper = 0.0, .amplitude = 0.0});
+  const State s = pendulum.at(0.0, 0.6, 0.5);
+  const int steps = order() > 2.0 ? 100 : 200;
+  const double coarse = drift(*make(pendulum), pendulum, s, steps),
+               fine = drift(*make(pendulum), pendulum, s, 2 * steps);
+  EXPECT_GT(std::log2(coarse / fine), order() - 0.2) << coarse << " " << fine;
+}
+
+/// Residuals of formulations that don't satisfy constraints exactly are errors of the motion, so they fall by
+/// the order, down to what the penalty leaves: lambda/(alpha omega^2) = 3e-9 m^2 in positions, omega times
+/// as much in velocities, omega^2 times in accelerations.
+TEST_P(EachStepper, SatisfiesConstraintsOfPositionVelocityAndAcceleration) {
+  DrivenPendulum pendulum({});
+  const State first = pendulum.at(0.0, 1.0, 0.5);
+  const Residuals coarse = residuals(pendulum, run(pendulum, first, 1.0, 100)),
+                  fine = residuals(pendulum, run(pendulum, first, 1.0, 200));
+  const double falls = std::pow(2.0, order() - 0.3);
+  EXPECT_LT(fine.position, std::max(coarse.position / falls, 1e-8));
+  EXPECT_LT(fine.velocity, std::max(coarse.velocity / falls, 1e-7));
+  EXPECT_LT(fine.acceleration, std::max(coarse.acceleration / falls, 1e-5));
+}
+
+TEST_P(EachStepper, GivesTheSameBitsInEachRun) {
+  DrivenPendulum pendulum({});
+  const State first = pendulum.at(0.0, 1.0, 0.5), a = run(pendulum, first, 1.0, 50),
+              b = run(pendulum, first, 1.0, 50);
+  EXPECT_EQ(a.q, b.q);
+  EXPECT_EQ(a.v, b.v);
+  EXPECT_EQ(a.a, b.a);
+  EXPECT_EQ(a.lambda, b.lambda);
+}
+
+/// As start() gives them, but for the rounding of alpha times the change of a, 2e7 4 2e-16.
+TEST_P(EachStepper, RefreshesAccelerationsAndMultipliersForANewInput) {
+  DrivenPendulum pendulum({});
+  const auto stepper = make(pendulum);
+  State s = pendulum.at(0.0, 1.0, 0.5);
+  stepper->start(s);
+  for (int k = 1; k <= 20; ++k) stepper->step(s, 1e-2, k * 1e-2);
+  pendulum.input = 7.0;
+  State expected = s;
+  stepper->refresh(s);
+  make(pendulum)->start(expected);
+  EXPECT_LT((s.a - expected.a).norm(), 1e-7);
+  EXPECT_LT((s.lambda - expected.lambda).norm(), 1e-6);
+  EXPECT_EQ(s.q, expected.q);
+  EXPECT_EQ(s.v, expected.v);
+}
+
+TEST_P(EachStepper, NamesTheVariableAndTheTimeOfAForceThatIsNotANumber) {
+  DrivenPendulum pendulum({});
+  const auto stepper = make(pendulum);
+  State s = pendulum.at(0.0, 1.0, 0.5);
+  stepper->start(s);
+  stepper->step(s, 0.015625, 0.015625);
+  pendulum.input = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<std::string> says = {"force on bob.x is nan", "at t = 0."};
+  EXPECT_TRUE(test::refuses(ErrorCode::numerical, says, [&] { stepper->step(s, 0.015625, 0.03125); }));
+}
+
+TEST_P(EachStepper, NamesVariableConstraintAndTimeOfASingularTangent) {
+  DrivenPendulum massless({.mass = 0.0});
+  State s = massless.at(0.5, 0.0, 0.0);  // hanging: nothing holds x
+  s.a.setZero();
+  const std::vector<std::string> says = {"singular at t = 0.5 s", "bob.x", "rod"};
+  EXPECT_TRUE(test::refuses(ErrorCode::numerical, says, [&] { make(massless)->start(s); }));
+}
+
+/// A mass that x = 0 holds, and (1 - t) y = 0 until t = 1 s.
+class Fading final : public Model {
+ public:
+  Fading() {
+    structure_.coordinates = structure_.variables = structure_.constraints = 2;
+    structure_.mass = {Pattern(2, 2, {{0, 0}, {1, 1}}), {1.0, 1.0}};
+    structure_.jacobian = Pattern(2, 2, {{0, 0}, {1, 1}});
+    structure_.stiffness = Pattern(2, 2, {});
+    structure_.variable_names = {"x", "y"};
+    structure_.constraint_names = {"wall", "fading"};
+  }
+  const Structure& structure() const override { return structure_; }
+  void at_time(double t) override { left_ = 1.0 - t; }
+  void constraints(const double* q, double* phi, double* jacobian) const override {
+    phi[0] = q[0], phi[1] = left_ * q[1];
+    jacobian[0] = 1.0, jacobian[1] = left_;
+  }
+  void constraint_rates(const double* q, double* phi_t) const override { phi_t[0] = 0.0, phi_t[1] = -q[1]; }
+  void constraint_accelerations(const double*, const double* v, double* gamma) const override {
+    gamma[0] = 0.0, gamma[1] = -2.0 * v[1];
+  }
+  void forces(const double*, const double*, double* force) const override { force[0] = force[1] = 0.0; }
+  void force_derivatives(const double*, const double*, double*, double*) const override {}
+  double energy(const double*, const double* v) const override { return 0.5 * (v[0] * v[0] + v[1] * v[1]); }
+
+ private:
+  Structure structure_;
+  double left_ = 1.0;
+};
+
+TEST_P(EachStepper, NamesTheConstraintAndTheTimeWhereARowOfTheJacobianVanishes) {
+  Fading model;
+  State s{0.0, Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero(),
+          Eigen::Vector2d::Zero()};
+  const auto stepper = make(model);
+  stepper->start(s);
+  for (int k = 1; k < 8; ++k) stepper->step(s, 0.125, 0.125 * k);
+  EXPECT_TRUE(
+      test::refuses(ErrorCode::numerical, {"'fading'", "t = 1 s"}, [&] { stepper->step(s, 0.125, 1.0); }));
+}
+
+/// Free fall: no constraint at all. Second-order methods are exact for constant forces.
+class Thrown final : public Model {
+ public:
+  Thrown() {
+    structure_.coordinates = structure_.variables = 1;
+    structure_.mass = {Pattern(1, 1, {{0, 0}}), {2.0}};
+    structure_.jacobian = Pattern(1, 0, {});
+    structure_.stiffness = Pattern(1, 1, {});
+    structure_.variable_names = {"height"};
+  }
+  const Structure& structure() const override { return structure_; }
+  void at_time(double) override {}
+  void constraints(const double*, double*, double*) const override {}
+  void constraint_rates(const double*, double*) const override {}
+  void constraint_accelerations(const double*, const double*, double*) const override {}
+  void forces(const double*, const double*, double* force) const override { force[0] = -6.0; }
+  void force_derivatives(const double*, const double*, double*, double*) const override {}
+  double energy(const double* q, const double* v) const override { return v[0] * v[0] + 6.0 * q[0]; }
+
+ private:
+  Structure structure_;
+};
+
+TEST_P(EachStepper, MovesWhatHasNoConstraints) {
+  Thrown model;
+  const Eigen::VectorXd one = Eigen::VectorXd::Ones(1);
+  const State s = run(model, {0.0, one, 4.0 * one, one, Eigen::VectorXd()}, 2.0, 16);
+  EXPECT_NEAR(s.q[0], 3.0, 1e-12);  // 1 + 4 t - 3/2 t^2
+  EXPECT_NEAR(s.v[0], -2.0, 1e-12);
+  EXPECT_NEAR(s.a[0], -3.0, 1e-12);
+}
+
+TEST_P(EachStepper, RefusesAStepThatIsNotAboveZero) {
+  DrivenPendulum pendulum({});
+  State s = pendulum.at(0.0, 1.0, 0.5);
+  const auto stepper = make(pendulum);
+  stepper->start(s);
+  for (const double h : {0.0, -0.1, std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_TRUE(
+        test::refuses(ErrorCode::invalid_argument, {"step is"}, [&] { stepper->step(s, h, s.time + h); }));
+}
+
+#if defined(__SSE2__)
+/// A pendulum that comes to rest: x falls by exp(-3 t) and would pass through the denormal numbers, below
+/// 2e-308, from t = 236 s on, where each operation takes many times as long. It stops above them, as changes
+/// that small count as zero; outside of a step they are as ever.
+TEST_P(EachStepper, LeavesNoDenormalsInAMotionThatDiesOut) {
+  DrivenPendulum pendulum({.spring = 0.0, .damper = 12.0, .amplitude = 0.0});
+  const State s = run(pendulum, pendulum.at(0.0, 1.0, 0.0), 260.0, 10400);
+  EXPECT_LT(std::abs(s.q[0]), 1e-300);
+  for (const Eigen::VectorXd* x : {&s.q, &s.v, &s.a, &s.lambda})
+    for (const double value : *x) EXPECT_NE(std::fpclassify(value), FP_SUBNORMAL);
+  volatile double least = DBL_MIN;
+  EXPECT_GT(least / 2.0, 0.0);
+}
+#endif
+
+}  // namespace
+}  // namespace tandem::mbs
