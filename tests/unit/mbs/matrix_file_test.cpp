@@ -1,0 +1,111 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/mbs/sparse/matrix_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "charts/program.hpp"
+#include "refusal.hpp"
+#include "scratch.hpp"
+
+namespace tandem::mbs {
+namespace {
+
+using test::refuses;
+using test::Scratch;
+
+/// Not square, an empty column, and numbers that need all digits.
+Matrix example() {
+  return {Pattern(4, 3, {{0, 0}, {2, 0}, {1, 2}, {3, 2}}), {1.0 / 3.0, -1e-300, 6.02214076e23, 0.1}};
+}
+
+TEST(MatrixFile, GivesBackTheSameBits) {
+  const Scratch folder;
+  const Matrix a = example();
+  write_matrix_market(folder.path() / "a.mtx", a);
+  write_compressed_columns(folder.path() / "a.ccs", a);
+  for (const Matrix& b :
+       {read_matrix_market(folder.path() / "a.mtx"), read_compressed_columns(folder.path() / "a.ccs")}) {
+    EXPECT_EQ(b.pattern, a.pattern);
+    EXPECT_EQ(b.values, a.values);
+  }
+}
+
+TEST(MatrixFile, ReadsASymmetricMatrixAndSumsWhatIsThereTwice) {
+  const Scratch folder;
+  const Matrix a = read_matrix_market(folder.write("a.mtx",
+                                                   "%%MatrixMarket matrix coordinate integer symmetric\n"
+                                                   "% a comment\n\n2 2 3\n1 1 4\n2 1 -1\n2 1 +3\n"));
+  EXPECT_EQ(a.pattern, Pattern(2, 2, {{0, 0}, {1, 0}, {0, 1}}));
+  EXPECT_EQ(a.values, (std::vector<double>{4.0, 2.0, 2.0}));
+}
+
+TEST(MatrixFile, TellsFileLineAndWhatIsAllowed) {
+  const Scratch folder;
+  const auto market = [&](const std::string& text) {
+    return [&folder, text] { read_matrix_market(folder.write("bad.mtx", text)); };
+  };
+  const auto columns = [&](const std::string& text) {
+    return [&folder, text] { read_compressed_columns(folder.write("bad.ccs", text)); };
+  };
+  const std::string head = "%%MatrixMarket matrix coordinate real general\n";
+  const auto code = ErrorCode::input_output;
+  EXPECT_TRUE(
+      refuses(code, {"none.mtx", "can't be read"}, [&] { read_matrix_market(folder.path() / "none.mtx"); }));
+  EXPECT_TRUE(refuses(code, {"bad.mtx:1", "array"}, market("%%MatrixMarket matrix array real general\n")));
+  EXPECT_TRUE(refuses(code, {"bad.mtx:3", "a row is 3", "1 to 2"}, market(head + "2 2 1\n3 1 1\n")));
+  EXPECT_TRUE(refuses(code, {"bad.mtx:3", "'x'"}, market(head + "2 2 1\n1 1 x\n")));
+  EXPECT_TRUE(refuses(code, {"'nan'"}, market(head + "2 2 1\n1 1 nan\n")));
+  EXPECT_TRUE(refuses(code, {"ends where a row"}, market(head + "2 2 2\n1 1 1\n")));
+  EXPECT_TRUE(refuses(code, {"more", "'2'"}, market(head + "2 2 1\n1 1 1\n2 2 2\n")));
+  EXPECT_TRUE(refuses(code, {"bad.ccs:2", "start"}, columns("2 2 2\n0 3 2\n0 1\n1 1\n")));
+  EXPECT_TRUE(refuses(code, {"bad.ccs:3", "a row is 0", "1 to 1"}, columns("2 1 2\n0 2\n0 0\n1 1\n")));
+  EXPECT_TRUE(refuses(code, {"can't be written"},
+                      [&] { write_matrix_market(folder.path() / "none" / "a.mtx", example()); }));
+}
+
+/// Both files and the numbers in them, read by a program that knows nothing of ours.
+const char* const scipy_reads = R"(
+import numpy, scipy.io, scipy.sparse
+a = scipy.io.mmread('a.mtx').tocsc()
+lines = [line.split() for line in open('a.ccs') if not line.startswith('%')]
+b = scipy.sparse.csc_matrix((numpy.array(lines[3], float), numpy.array(lines[2], int), numpy.array(lines[1], int)),
+                            shape=[int(n) for n in lines[0][:2]])
+assert a.shape == b.shape == (4, 3) and a.nnz == b.nnz == 4 and abs(a - b).max() == 0
+assert a[0, 0] == 1 / 3 and a[2, 0] == -1e-300 and a[1, 2] == 6.02214076e23 and a[3, 2] == 0.1
+)";
+const char* const octave_reads = R"(
+lines = strsplit(fileread('a.mtx'), "\n");
+t = sscanf(strjoin(lines(3:end), "\n"), '%f', [3 Inf])';
+s = sscanf(lines{2}, '%d');
+a = sparse(t(:, 1), t(:, 2), t(:, 3), s(1), s(2));
+assert(full(a), [1/3 0 0; 0 0 6.02214076e23; -1e-300 0 0; 0 0 0.1]);
+)";
+
+TEST(MatrixFile, IsReadByScipyOrOctave) {
+  const Scratch folder;
+  write_matrix_market(folder.path() / "a.mtx", example());
+  write_compressed_columns(folder.path() / "a.ccs", example());
+  const auto run = [&](const std::vector<std::string>& words) {
+    charts::run_program(words, folder.path(), "matrix_file_test");
+  };
+  const auto is_there = [&](const std::vector<std::string>& words) {
+    try {
+      run(words);
+      return true;
+    } catch (const Error&) {
+      return false;
+    }
+  };
+  for (const char* python : {"python3", "/usr/bin/python3"})  // the first may be none of the system's
+    if (is_there({python, "-c", "import scipy.io"})) {
+      EXPECT_NO_THROW(run({python, "-c", scipy_reads}));
+      return;
+    }
+  if (is_there({"octave-cli", "--eval", "1;"}))
+    EXPECT_NO_THROW(run({"octave-cli", "--eval", octave_reads}));
+  else
+    GTEST_SKIP() << "neither scipy (package python3-scipy) nor Octave (package octave) is installed";
+}
+
+}  // namespace
+}  // namespace tandem::mbs
