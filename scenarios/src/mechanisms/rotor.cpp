@@ -30,14 +30,6 @@ RotorState state(const Matrix3& axes, const Vector3& inertia) {
 const Vector3 three_inertias(0.3L, 0.4L, 0.5L);
 
 /// Of the angular velocity along the principal axes, Landau and Lifshitz (37.10) with the signs of the start.
-Vector3 components = (axes.transpose() * Vector3(0, 0, momentum)).cwiseQuotient(inertia);
-return {axes.cast<double>(), (axes * components).cast<double>()};
-}
-
-const Vector3 three_inertias(0.3L, 0.4L, 0.5L);
-
-/// Components along the principal axes of the angular velocity, Landau and Lifshitz (37.10); e1's begins
-/// negative and so does e2's become.
 Vector3 components(Real t) {
   constexpr Real tilt = 0.6L;
   const Real i1 = three_inertias[0], i2 = three_inertias[1], i3 = three_inertias[2];
