@@ -26,18 +26,22 @@ std::string constraints_of(const Structure& s, int variable) {
 void refuse_vanishing_row(const Structure& s, const double* jacobian, double time) {
   constexpr double zero = 1e-12;
   const int* const starts = s.jacobian.starts().data();
+  const auto square = [&](int c) {
+    double sum = 0.0;
+    for (int k = starts[c]; k < starts[c + 1]; ++k) sum += jacobian[k] * jacobian[k];
+    return sum;
+  };
   double least = HUGE_VAL, most = 0.0;
-  int at = 0;
-  for (int c = 0; c < s.constraints; ++c) {
-    double square = 0.0;
-    for (int k = starts[c]; k < starts[c + 1]; ++k) square += jacobian[k] * jacobian[k];
-    if (square < least) least = square, at = c;
-    most = std::max(most, square);
+  for (int c = 0; c < s.constraints; ++c) {  // in each step of every model: no name is looked for yet
+    const double row = square(c);
+    least = std::min(least, row);
+    most = std::max(most, row);
   }
-  if (s.constraints > 0 && least <= zero * zero * most)
-    fail(
-        fmt::format("the row of the Jacobian of constraint '{}' vanishes at t = {} s: it holds nothing there",
-                    s.constraint_names[at], time));
+  if (s.constraints == 0 || least > zero * zero * most) return;
+  int at = 0;
+  while (square(at) > least) ++at;
+  fail(fmt::format("the row of the Jacobian of constraint '{}' vanishes at t = {} s: it holds nothing there",
+                   s.constraint_names[at], time));
 }
 
 void refuse_wrong_force(const Structure& s, const Eigen::VectorXd& force, double time) {

@@ -18,12 +18,12 @@ namespace tandem::mbs {
 struct StepperSettings {
   std::string formulation = "index3";  ///< index3, penalty, index1, null_space
   std::string integrator = "newmark";  ///< newmark, rk2, rk4, generalized_alpha; index3 has newmark merged in
-  Index3Settings index3;               ///< beta and the tolerance of newmark with it stand here
-  PenaltySettings penalty;
-  Index1Settings index1;
-  NullSpaceSettings null_space;
-  NewmarkSettings newmark;
-  GeneralizedAlphaSettings generalized_alpha;
+  Index3Settings index3{};             ///< beta and the tolerance of newmark with it stand here
+  PenaltySettings penalty{};
+  Index1Settings index1{};
+  NullSpaceSettings null_space{};
+  NewmarkSettings newmark{};
+  GeneralizedAlphaSettings generalized_alpha{};
 };
 
 /// A formulation and an integrator that go together.

@@ -40,14 +40,12 @@ class Index3 final : public Stepper {
 
   /// By the augmented Lagrangian of index 1 (Terms::settle).
   void start(State& state) override;
-  /// With beta below 1/4 a step is refused, Error(numerical),
-  /// - of omega h above 1/sqrt(1/4 - beta), omega the highest frequency of the motion that the constraints
-  /// leave
-  ///   at the first step;
-  /// - if the projections leave so much of the error of velocities that the next step makes it larger than it
-  ///   was: Newmark's formulas multiply it by newmark_growth(beta) where Phi = 0 is held at both ends, and a
-  ///   projection leaves 1/(1 + beta h^2 alpha sigma^2), sigma a singular value of Phi_q in the metric of the
-  ///   mass. That is a limit for steps that are too short.
+  /// With beta below 1/4 a step is refused, Error(numerical), for two reasons. First, omega h is above
+  /// 1/sqrt(1/4 - beta), omega the highest frequency of the motion that the constraints leave at the first
+  /// step. Second, the projections leave so much of the error of velocities that the next step makes it
+  /// larger than it was: Newmark's formulas multiply it by newmark_growth(beta) where Phi = 0 is held at both
+  /// ends, and a projection leaves 1/(1 + beta h^2 alpha sigma^2), sigma a singular value of Phi_q in the
+  /// metric of the mass. That is a limit for steps that are too short.
   int step(State& state, double h, double t_end) override;
   /// As start(), but with the tangent of the last step as it is; if its multipliers have not settled after
   /// ten substitutions (the steps are too short for that), with one of its own.
