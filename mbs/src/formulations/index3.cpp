@@ -14,6 +14,7 @@ namespace {
 
 constexpr double gamma = 0.5;           // any other value of Newmark's gamma leaves order 1
 constexpr double settled = 1e-12;       // accelerations at the start: some thousand roundings
+constexpr double shortest = 1e-3;       // [s] step with the penalty as it is
 constexpr int most_substitutions = 10;  // about what a new factor costs
 
 const Index3Settings& checked(const Index3Settings& s) {
@@ -32,9 +33,14 @@ const Index3Settings& checked(const Index3Settings& s) {
 }  // namespace
 
 Index3::Index3(Model& model, const Index3Settings& settings)
-    : settings_(checked(settings)),
-      terms_(model, settings.solver),
-      penalty_(settings.penalty > 0.0 ? settings.penalty : 1e7 * terms_.largest_mass) {}
+    : settings_(checked(settings)), terms_(model, settings.solver), penalty_(penalty(shortest)) {}
+
+/// What holds a constraint in a step is alpha h^2 beside the mass: by default it does not fall below that of
+/// a step of 1 ms.
+double Index3::penalty(double h) const {
+  const double more = h < shortest ? (shortest / h) * (shortest / h) : 1.0;
+  return settings_.penalty > 0.0 ? settings_.penalty : 1e7 * terms_.largest_mass * more;
+}
 
 void Index3::start(State& s) {
   const FlushDenormals scope;
@@ -66,6 +72,7 @@ void Index3::refresh(State& s) {
 
 int Index3::step(State& s, double h, double t_end) {
   const FlushDenormals scope;
+  penalty_ = penalty(h);
   predict(s, h, t_end);
   for (int iteration = 1; iteration <= settings_.most_iterations; ++iteration) {
     const bool done = correct(s, h) < settings_.tolerance;

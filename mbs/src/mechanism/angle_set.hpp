@@ -14,17 +14,18 @@ struct EdgeCoordinates {
 
 /// Definitions of angles theta from edge a to edge b about an axis n:
 ///   s cos(theta) - p sin(theta) = 0,  s = n . (a x b),  p = |n| a . b - c,
-/// c = (n . a)(n . b) / |n| as drawn, which turns about the axis do not change. In the plane n is the third
-/// axis and c = 0. s and p are the sine and cosine of theta times one length, so the gradient by theta never
-/// vanishes and no case has to be told from another (where the literature changes between two equations).
-/// theta + pi is a solution as well; the one at hand stays by continuity.
+/// c = (n . a)(n . b) / |n| as drawn, which turns about the axis do not change; times a scale that makes its
+/// gradients lengths of about 1. In the plane n is the third axis and c = 0. s and p are the sine and cosine
+/// of theta times one length, so the gradient by theta never vanishes and no case has to be told from another
+/// (where the literature changes between two equations). theta + pi is a solution as well; the one at hand
+/// stays by continuity.
 template <int Dimension>
 class AngleSet final : public ConstraintSet {
  public:
   struct Angle {
     EdgeCoordinates a, b;
-    int axis, theta;        ///< first coordinate of the axis (in space), and the angle's
-    double length, offset;  ///< |n| and c
+    int axis, theta;               ///< first coordinate of the axis (in space), and the angle's
+    double scale, length, offset;  ///< the last two: |n| and c, times the scale
   };
   void add(const Angle& angle) { angles_.push_back(angle); }
 
@@ -50,7 +51,8 @@ class AngleSet final : public ConstraintSet {
       const double s = n.dot(a.cross(b)), p = angle.length * a.dot(b) - angle.offset;
       *phi++ = s * cosine - p * sine;
       const Vector by_a = cosine * b.cross(n) - angle.length * sine * b,
-                   by_b = cosine * n.cross(a) - angle.length * sine * a, by_n = cosine * a.cross(b);
+                   by_b = cosine * n.cross(a) - angle.length * sine * a,
+                   by_n = angle.scale * cosine * a.cross(b);
       for (int d = 0; d < Dimension; ++d, ++to) {
         jacobian[to[0]] += by_a[d], jacobian[to[Dimension]] -= by_a[d];
         jacobian[to[2 * Dimension]] += by_b[d], jacobian[to[3 * Dimension]] -= by_b[d];
@@ -85,8 +87,8 @@ class AngleSet final : public ConstraintSet {
     return result;
   }
   static Vector axis(const double* q, const Angle& angle) {
-    if constexpr (Dimension == 2) return Vector::UnitZ();
-    return {q[angle.axis], q[angle.axis + 1], q[angle.axis + 2]};
+    if constexpr (Dimension == 2) return angle.scale * Vector::UnitZ();
+    return angle.scale * Vector(q[angle.axis], q[angle.axis + 1], q[angle.axis + 2]);
   }
   static Vector axis_rate(const double* v, const Angle& angle) {
     return Dimension == 2 ? Vector(Vector::Zero()) : axis(v, angle);

@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 // How a Mechanism is made of its description.
+#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -88,13 +89,16 @@ std::unique_ptr<ConstraintSet> angle_set(const Description& in, const Numbering&
     const Relative& angle = in.relatives[r];
     if (angle.kind != Relative::Kind::angle) continue;
     names.push_back(angle.name);
+    const Eigen::Vector3d a = drawn(in, angle.a), b = drawn(in, angle.b);
+    const double size = std::max(a.norm(), b.norm());
     if (Dimension == 2) {
-      set->add({edge(angle.a), edge(angle.b), at.zero, at.relative[r], 1.0, 0.0});
+      set->add({edge(angle.a), edge(angle.b), at.zero, at.relative[r], 1.0 / size, 1.0 / size, 0.0});
       continue;
     }
     const Eigen::Vector3d n = in.entities[angle.axis].at;
-    set->add({edge(angle.a), edge(angle.b), at.entity[angle.axis], at.relative[r], n.norm(),
-              n.dot(drawn(in, angle.a)) * n.dot(drawn(in, angle.b)) / n.norm()});
+    const double length = n.norm(), scale = 1.0 / (size * length);
+    set->add({edge(angle.a), edge(angle.b), at.entity[angle.axis], at.relative[r], scale, scale * length,
+              scale * n.dot(a) * n.dot(b) / length});
   }
   return set;
 }

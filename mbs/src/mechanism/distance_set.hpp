@@ -1,16 +1,18 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <cmath>
 #include <cstddef>
 
 #include "constraint_set.hpp"
 
 namespace tandem::mbs {
 
-/// Constant distances: |b - a|^2 - l^2 = 0, a and b the first coordinates of two points.
+/// Constant distances: (|b - a|^2 - l^2) / l = 0, a and b the first coordinates of two points. Divided by l,
+/// gradients have length 2 whatever the size of a mechanism, so that one penalty serves all.
 template <int Dimension>
 class DistanceSet final : public ConstraintSet {
  public:
-  void add(int a, int b, double square) { pairs_.push_back({a, b, square}); }
+  void add(int a, int b, double square) { pairs_.push_back({a, b, square, 1.0 / std::sqrt(square)}); }
 
   int size() const override { return static_cast<int>(pairs_.size()); }
   std::vector<int> coordinates(int equation) const override {
@@ -28,10 +30,10 @@ class DistanceSet final : public ConstraintSet {
       for (int d = 0; d < Dimension; ++d) {
         const double along = q[p.b + d] - q[p.a + d];
         square += along * along;
-        jacobian[to[d]] = -2.0 * along;
-        jacobian[to[Dimension + d]] = 2.0 * along;
+        jacobian[to[d]] = -2.0 * p.scale * along;
+        jacobian[to[Dimension + d]] = 2.0 * p.scale * along;
       }
-      *phi++ = square - p.square;
+      *phi++ = p.scale * (square - p.square);
       to += 2 * Dimension;
     }
   }
@@ -44,14 +46,14 @@ class DistanceSet final : public ConstraintSet {
         const double along = v[p.b + d] - v[p.a + d];
         square += along * along;
       }
-      *gamma++ = 2.0 * square;
+      *gamma++ = 2.0 * p.scale * square;
     }
   }
 
  private:
   struct Pair {
     int a, b;
-    double square;
+    double square, scale;
   };
   std::vector<Pair> pairs_;
 };

@@ -26,12 +26,12 @@ Forms difference(Forms a, const Forms& b) {
   return a;
 }
 
-/// Two unit vectors at right angles to an axis and to each other; in the plane one.
+/// Two unit vectors at right angles to an axis (a unit vector, or zero for none) and to each other; in the
+/// plane one.
 std::vector<Eigen::Vector3d> across(int dimension, const Eigen::Vector3d& axis) {
-  const Eigen::Vector3d unit = axis.normalized();
-  if (dimension == 2) return {{-unit[1], unit[0], 0.0}};
-  const Eigen::Vector3d first = unit.unitOrthogonal();
-  return {first, unit.cross(first)};
+  if (dimension == 2) return {{-axis[1], axis[0], 0.0}};
+  const Eigen::Vector3d first = axis.norm() > 0.0 ? axis.unitOrthogonal() : axis;
+  return {first, axis.cross(first)};
 }
 
 /// Writes the equations of one joint.
@@ -42,7 +42,8 @@ class JointEquations {
         joint_(joint),
         first_(in, at, joint.first, joint.where),
         second_(in, at, joint.second, joint.where),
-        across_(across(in.dimension, joint.axes[0])) {}
+        axis_(joint.axes[0].normalized()),
+        across_(across(in.dimension, axis_)) {}
 
   std::vector<Quadratic> write() {
     using enum Joint::Kind;
@@ -50,11 +51,11 @@ class JointEquations {
     const bool space = in_.dimension == 3;
     if (kind == spherical || kind == universal || kind == revolute) same_place();
     if (kind == prismatic || kind == cylindrical || kind == point_on_line) on_line();
-    if (kind == point_on_plane) along(joint_.axes[0], "height");
+    if (kind == point_on_plane) along(axis_, "height");
     if (space && (kind == revolute || kind == prismatic || kind == cylindrical)) parallel();
     if (kind == prismatic) no_turn();
     if (kind == universal)
-      product(first_.direction(joint_.axes[0]), second_.direction(joint_.axes[1]), "angle");
+      product(first_.direction(axis_), second_.direction(joint_.axes[1].normalized()), "angle");
     return std::move(equations_);
   }
 
@@ -78,12 +79,11 @@ class JointEquations {
   }
   void parallel() {
     for (int k = 0; k < 2; ++k)
-      product(first_.direction(joint_.axes[0]), second_.direction(across_[k]),
-              "axis " + std::to_string(k + 1));
+      product(first_.direction(axis_), second_.direction(across_[k]), "axis " + std::to_string(k + 1));
   }
   /// About the axis, or in the plane.
   void no_turn() {
-    const auto& turned = in_.dimension == 3 ? across_[1] : joint_.axes[0];
+    const auto& turned = in_.dimension == 3 ? across_[1] : axis_;
     product(first_.direction(across_[0]), second_.direction(turned), "turn");
   }
   /// Two directions stay at a right angle.
@@ -92,6 +92,7 @@ class JointEquations {
   const Description& in_;
   const Joint& joint_;
   Frame first_, second_;
+  Eigen::Vector3d axis_;
   std::vector<Eigen::Vector3d> across_;
   std::vector<Quadratic> equations_;
 };
@@ -133,8 +134,9 @@ std::vector<Quadratic> dependent_entities(const Description& in, const Numbering
 }
 
 Quadratic equation(const Description& in, const Numbering& at, const ScalarProduct& p) {
-  Quadratic e{p.name, p.where, -p.value};
-  e.add_product(forms_of(in, at, p.a), forms_of(in, at, p.b), 1.0);
+  const double scale = 1.0 / std::max(drawn(in, p.a).norm(), drawn(in, p.b).norm());
+  Quadratic e{p.name, p.where, -scale * p.value};
+  e.add_product(forms_of(in, at, p.a), forms_of(in, at, p.b), scale);
   return e;
 }
 
@@ -146,10 +148,11 @@ Quadratic equation(const Description& in, const Numbering& at, const FixedAngle&
     refuse(angle.where, "fixed angle '" + angle.name + "' is of an edge of length 0");
   const double phi = in.dimension == 2 ? std::atan2(cross[2], a.dot(b)) : std::atan2(cross.norm(), a.dot(b));
   const Forms fa = forms_of(in, at, angle.a), fb = forms_of(in, at, angle.b);
+  const double scale = 1.0 / std::max(a.norm(), b.norm());
   Quadratic e{angle.name, angle.where};
   if (in.dimension == 2) {
-    add_cross(e, fa, fb, std::cos(phi));
-    e.add_product(fa, fb, -std::sin(phi));
+    add_cross(e, fa, fb, scale * std::cos(phi));
+    e.add_product(fa, fb, -scale * std::sin(phi));
     return e;
   }
   if (std::sin(phi) < 1e-4)
@@ -157,8 +160,8 @@ Quadratic equation(const Description& in, const Numbering& at, const FixedAngle&
            fmt::format("fixed angle '{}' is {} rad as drawn; allowed in space is an angle other "
                        "than 0 and pi, where its gradient vanishes (a joint keeps axes parallel)",
                        angle.name, phi));
-  e.constant = -a.dot(b);
-  e.add_product(fa, fb, 1.0);
+  e.constant = -scale * a.dot(b);
+  e.add_product(fa, fb, scale);
   return e;
 }
 
@@ -174,8 +177,9 @@ Quadratic length_equation(const Description& in, const Numbering& at, int relati
   const Forms edge = forms_of(in, at, length.a);
   const int s = at.relative[relative];
   Quadratic e{length.name, length.where};
-  e.add_product(edge, edge, 1.0);
-  e.products.push_back({-1.0, s, s});
+  const double scale = 1.0 / drawn(in, length);
+  e.add_product(edge, edge, scale);
+  e.products.push_back({-scale, s, s});
   return e;
 }
 

@@ -6,13 +6,16 @@
 
 namespace tandem::mbs {
 
+// Equations of products are divided by the length of their longer edge as drawn, so that gradients have
+// lengths of about 1 whatever the size of a mechanism: one penalty serves all.
+
 /// Points and vectors of a body beyond those that define it, as combinations of these.
 std::vector<Quadratic> dependent_entities(const Description& in, const Numbering& at, int body);
 
 Quadratic equation(const Description& in, const Numbering& at, const ScalarProduct& product);
 Quadratic equation(const Description& in, const Numbering& at, const FixedAngle& angle);
 Quadratic equation(const Description& in, const Numbering& at, const Drive& drive);
-/// The definition of a length, |b - a|^2 - s^2 = 0.
+/// The definition of a length, (|b - a|^2 - s^2) / s0 = 0, s0 as drawn.
 Quadratic length_equation(const Description& in, const Numbering& at, int relative);
 
 /// In the plane: revolute and prismatic 2, point_on_line 1. In space: spherical 3, revolute and prismatic 5,

@@ -91,7 +91,7 @@ const std::vector<Example>& examples() {
   static const std::vector<Example> all = {{"pendulum", 2.0, 1000, pendulum_error},
                                            {"double_pendulum", 1.0, 1000, double_pendulum_error},
                                            {"spherical_pendulum", 2.0, 1000, spherical_pendulum_error},
-                                           {"slider_crank", 1.0, 1000, slider_crank_error},
+                                           {"slider_crank", 1.0, 2000, slider_crank_error},
                                            {"spring_pendulum", 2.0, 1000, spring_pendulum_error},
                                            {"four_bar", 0.5, 500, four_bar_error},
                                            {"andrews", 0.03, 1000, andrews_error},

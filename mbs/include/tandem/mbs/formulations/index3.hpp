@@ -8,7 +8,8 @@
 namespace tandem::mbs {
 
 struct Index3Settings {
-  double penalty = 0.0;            ///< alpha; 0: 1e7 times the largest mass term
+  /// alpha; 0: 1e7 times the largest mass term, and (1 ms / h)^2 times that for steps h below 1 ms
+  double penalty = 0.0;
   double beta = 0.25;              ///< Newmark's, 1/12 to 1/4; gamma is 1/2. 1/4: the trapezoidal rule
   double tolerance = 1e-10;        ///< [m] Newton's iteration ends when |dq| (Euclidean) is below
   int most_iterations = 30;        ///< then it has failed
@@ -54,6 +55,7 @@ class Index3 final : public Stepper {
   void recall(std::span<const double> memory) override;
 
  private:
+  double penalty(double h) const;
   void settle(State& s);
   void predict(State& s, double h, double t_end);
   double correct(State& s, double h);
@@ -64,7 +66,7 @@ class Index3 final : public Stepper {
 
   Index3Settings settings_;
   Terms terms_;
-  double penalty_;
+  double penalty_;           ///< of the last step
   double weight_ = 0.0;      ///< of Phi_q^T Phi_q in the tangent at hand; 0: there is none yet
   double frequency_ = -1.0;  ///< the highest, with beta below 1/4, from the first step on [rad/s]
 };
