@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "c_oscillator.h"
 #include "contract_suite.hpp"
+#include "mechanism_cases.hpp"
 #include "tandem/c_subsystem.hpp"
 #include "two_mass/masses.hpp"
 
@@ -37,6 +38,8 @@ INSTANTIATE_TEST_SUITE_P(InC, SubsystemContract,
                          testing::Values(in_c(""), in_c("m=2&k=30&c=0.1&h=0.013"),
                                          in_c("h=0.03&x0=1&v0=-2", -7.3)),
                          contract_name);
+
+INSTANTIATE_TEST_SUITE_P(Mechanism, SubsystemContract, testing::ValuesIn(mechanism_cases()), contract_name);
 
 /// x'' = -x from x = 1: x = cos t. The method's error is below t h^4 / 100.
 TEST(COscillator, FollowsItsExactMotion) {

@@ -1,31 +1,40 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 // Mechanisms as subsystems: the contract, with every formulation and integrator.
+#pragma once
+#include <string>
+#include <vector>
+
 #include "contract_suite.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
 #include "tandem/mbs/subsystem.hpp"
 
 namespace tandem::test {
-namespace {
-
-const std::string pushed =
+inline const std::string pushed =
     "dimension = 2\ngravity = [0, -9.81]\n[points]\nO = { at = [0, 0], fixed = true }\nA = { at = [1, 0] }\n"
-    "B = { at = [2, 0] }\n[rods]\nr = { points = ['O', 'A'], mass = 1 }\ns = { points = ['A', 'B'], mass = 1 }\n"
-    "[inputs]\nF = { unit = 'N' }\nG = { unit = 'N' }\n[forces]\nf = { point = 'A', direction = [1, 2], magnitude = 'F' }\n"
-    "g = { point = 'B', direction = [0, 1], magnitude = 'G' }\n[outputs]\nx = { position = 'B.x' }\nv = { velocity = 'B.y' }\n"
+    "B = { at = [2, 0] }\n[rods]\nr = { points = ['O', 'A'], mass = 1 }\ns = { points = ['A', 'B'], mass = 1 "
+    "}\n"
+    "[inputs]\nF = { unit = 'N' }\nG = { unit = 'N' }\n[forces]\nf = { point = 'A', direction = [1, 2], "
+    "magnitude = 'F' }\n"
+    "g = { point = 'B', direction = [0, 1], magnitude = 'G' }\n[outputs]\nx = { position = 'B.x' }\nv = { "
+    "velocity = 'B.y' }\n"
     "a = { acceleration = 'A.y' }\nr = { reaction = 'O.x' }\ne = { energy = 'total' }\n";
-const std::string driven =
+inline const std::string driven =
     "dimension = 2\ngravity = [0, -9.81]\n[points]\nA = { at = [1, 0] }\nB = { at = [1, -1] }\n"
-    "[rods]\nr = { points = ['A', 'B'], mass = 1 }\n[inputs]\nx = { unit = 'm', value = 1 }\ny = { unit = 'm', value = 0 }\n"
+    "[rods]\nr = { points = ['A', 'B'], mass = 1 }\n[inputs]\nx = { unit = 'm', value = 1 }\ny = { unit = "
+    "'m', value = 0 }\n"
     "[drives]\nx = { coordinate = 'A.x', motion = 'x' }\ny = { coordinate = 'A.y', motion = 'y' }\n"
     "[outputs]\nB = { position = 'B.x' }\nR = { reaction = 'x' }\n";
 
-ContractCase mechanism(const std::string& name, const std::string& text, const mbs::StepperSettings& stepper,
-                       double t_start = 0.0) {
+inline ContractCase mechanism(const std::string& name, const std::string& text,
+                              const mbs::StepperSettings& stepper, double t_start = 0.0) {
   return {name + "_" + stepper.formulation + "_" + stepper.integrator,
-          [=] { return mbs::make_subsystem(mbs::read_mechanism(name, text), {0.01, stepper}); }, t_start};
+          [=] {
+            return mbs::make_subsystem(mbs::read_mechanism(name, text), {0.01, stepper});
+          },
+          t_start};
 }
 
-std::vector<ContractCase> cases() {
+inline std::vector<ContractCase> mechanism_cases() {
   std::vector<ContractCase> all;
   for (const auto& [formulation, integrator] : mbs::stepper_names())
     all.push_back(mechanism("pushed", pushed, {formulation, integrator}));
@@ -34,7 +43,4 @@ std::vector<ContractCase> cases() {
   return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(Mechanism, SubsystemContract, testing::ValuesIn(cases()), contract_name);
-
-}  // namespace
 }  // namespace tandem::test
