@@ -46,7 +46,7 @@ tandem_solver_library(METIS metis.h metis libmetis-dev)
 
 find_package(LAPACK QUIET)
 if(LAPACK_FOUND)
-  list(APPEND solver_libraries LAPACK::LAPACK)
+  list(APPEND solver_libraries ${LAPACK_LIBRARIES})
   list(APPEND solver_definitions TANDEM_HAS_LAPACK)
 else()
   tandem_leave_out_solvers("LAPACK is absent (package libopenblas-dev)" lapack_dense.cpp lapack_band.cpp)

@@ -115,7 +115,7 @@ class Element : public testing::TestWithParam<Case> {
  private:
   std::pair<VectorXd, MatrixXd> evaluated(const VectorXd& q) const {
     VectorXd phi(s_.constraints);
-    std::vector<double> values(static_cast<std::size_t>(s_.jacobian_values));
+    std::vector<double> values(static_cast<std::size_t>(s_.jacobian_values()));
     m_.constraints(q.data(), phi.data(), values.data());
     MatrixXd a = MatrixXd::Zero(s_.constraints, s_.variables);
     const auto entries = s_.jacobian.entries();
@@ -158,7 +158,7 @@ TEST_P(Element, GammaIsTheRestOfTheSecondDerivative) {
 }
 
 TEST_P(Element, StiffnessAndDampingAreDerivativesOfTheForces) {
-  std::vector<double> k(static_cast<std::size_t>(s_.stiffness_values)), c(k);
+  std::vector<double> k(static_cast<std::size_t>(s_.stiffness_values())), c(k);
   m_.force_derivatives(q_.data(), v_.data(), k.data(), c.data());
   MatrixXd stiffness = MatrixXd::Zero(s_.variables, s_.variables), damping = stiffness;
   const auto entries = s_.stiffness.entries();

@@ -64,7 +64,7 @@ TEST(Index3, KeepsConstraintsOfPositionVelocityAndAcceleration) {
   Mechanism linkage(read_mechanism("linkage", four_bar::text(3)));
   const State s = run(linkage, {}, 1e-3, 0.4);
   const Structure& structure = linkage.structure();
-  Eigen::VectorXd phi(structure.constraints), jacobian(structure.jacobian_values), rate(phi), gamma(phi);
+  Eigen::VectorXd phi(structure.constraints), jacobian(structure.jacobian_values()), rate(phi), gamma(phi);
   linkage.constraints(s.q.data(), phi.data(), jacobian.data());
   EXPECT_LT(phi.lpNorm<Eigen::Infinity>(), 1e-10);
   multiply_transposed(structure.jacobian, jacobian.data(), s.v.data(), rate.data());

@@ -29,7 +29,7 @@ NullSpace::NullSpace(Model& model, const NullSpaceSettings& s)
     : model_(model),
       structure_(model.structure()),
       settings_(s),
-      jacobian_values_(static_cast<std::size_t>(structure_.jacobian_values)),
+      jacobian_values_(static_cast<std::size_t>(structure_.jacobian_values())),
       phi_(structure_.constraints),
       force_(structure_.variables) {
   Setting{"null-space formulation", "tolerance", s.tolerance}.positive();

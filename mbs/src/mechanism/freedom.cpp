@@ -14,7 +14,7 @@ using Sparse = Eigen::SparseMatrix<double>;
 Sparse gradients(Model& model, const State& s) {
   const Structure& structure = model.structure();
   std::vector<double> phi(static_cast<std::size_t>(structure.constraints)),
-      jacobian(static_cast<std::size_t>(structure.jacobian_values));
+      jacobian(static_cast<std::size_t>(structure.jacobian_values()));
   model.at_time(s.time);
   model.constraints(s.q.data(), phi.data(), jacobian.data());
   const Pattern& p = structure.jacobian;

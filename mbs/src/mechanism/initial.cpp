@@ -24,7 +24,7 @@ class Linearized {
   Linearized(Model& model, const std::vector<std::pair<int, double>>& known)
       : model_(model),
         phi(model.structure().constraints),
-        values_(static_cast<std::size_t>(model.structure().jacobian_values)),
+        values_(static_cast<std::size_t>(model.structure().jacobian_values())),
         known_(known) {}
 
   void evaluate(const VectorXd& q) { model_.constraints(q.data(), phi.data(), values_.data()); }

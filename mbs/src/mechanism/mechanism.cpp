@@ -60,8 +60,8 @@ void Mechanism::all_forces(const double* q, const double* v, double* force) cons
 }
 
 void Mechanism::force_derivatives(const double* q, const double* v, double* k, double* c) const {
-  std::fill_n(k, structure_.stiffness_values, 0.0);
-  std::fill_n(c, structure_.stiffness_values, 0.0);
+  std::fill_n(k, structure_.stiffness_values(), 0.0);
+  std::fill_n(c, structure_.stiffness_values(), 0.0);
   for (const auto& set : force_sets_) set->add_derivatives(q, v, k, c);
 }
 

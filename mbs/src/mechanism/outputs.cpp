@@ -25,7 +25,7 @@ Outputs::Outputs(const Mechanism& mechanism)
                              [](const Output& o) { return o.kind == Kind::reaction; })),
       phi_(mechanism.structure().constraints),
       force_(mechanism.structure().coordinates),
-      jacobian_(static_cast<std::size_t>(mechanism.structure().jacobian_values)) {}
+      jacobian_(static_cast<std::size_t>(mechanism.structure().jacobian_values())) {}
 
 std::string Outputs::unit(int output) const {
   const Description& in = mechanism_.description();

@@ -18,6 +18,7 @@ struct Entry {
 const std::vector<Entry>& entries() {
   using enum MatrixKind;
   static const std::vector<Entry> all = {
+      {"auto", unsymmetric, solvers::automatic},
       {"klu", unsymmetric, solvers::klu},
       {"klu_full", unsymmetric, solvers::klu_full},
 #ifdef TANDEM_HAS_CHOLMOD

@@ -13,7 +13,8 @@
 namespace tandem::mbs::solvers {
 namespace {
 
-constexpr int widest = 4;  ///< columns of a supernode; four pivots at once keep the registers full
+constexpr int long_run = 12;  ///< rows from which on a loop without a list of places pays
+constexpr int widest = 4;     ///< columns of a supernode; four pivots at once keep the registers full
 
 /// A supernode in the storage: its columns one after the other, each from its diagonal entry down.
 struct Block {
@@ -179,10 +180,18 @@ class Prepared final : public LinearSolver {
       double* const target = values_ + other.column(targets[c]);
       std::array<double, B> m;
       for (int k = 0; k < B; ++k) m[k] = u[k][c] * inverse[k];
-      for (int r = c; r < rows; ++r) {
-        double sum = m[0] * u[0][r];
-        for (int k = 1; k < B; ++k) sum += m[k] * u[k][r];
-        target[targets[r]] -= sum;
+      const auto subtract = [&](auto&& place) {
+        for (int r = c; r < rows; ++r) {
+          double sum = m[0] * u[0][r];
+          for (int k = 1; k < B; ++k) sum += m[k] * u[k][r];
+          target[place(r)] -= sum;
+        }
+      };
+      if (to.together && rows - c >= long_run) {
+        const int shift = targets[c] - c;
+        subtract([=](int r) { return r + shift; });
+      } else {
+        subtract([=](int r) { return targets[r]; });
       }
     }
   }

@@ -6,6 +6,7 @@
 
 namespace tandem::mbs::solvers {
 
+std::unique_ptr<LinearSolver> automatic(MatrixKind kind);
 std::unique_ptr<LinearSolver> klu(MatrixKind kind);
 std::unique_ptr<LinearSolver> klu_full(MatrixKind kind);
 std::unique_ptr<LinearSolver> cholmod(MatrixKind kind);

@@ -72,7 +72,12 @@ const std::vector<Benchmark>& all() {
       {"four_bar", "a step of the N-fold four-bar linkage by each solver, in ns a variable",
        four_bar_linkage},
       {"sparse", "the prepared sparse algebra on the linkage's matrices, beside plain expressions of Eigen",
-       sparse_algebra}};
+       sparse_algebra},
+      {"solvers", "a factorization and two solutions by each linear solver, over kind, size and filling",
+       linear_solvers, "the least of 5"},
+      {"dense",
+       "products and Cholesky's factorization with one solution of small dense matrices by each BLAS",
+       dense_algebra}};
   return list;
 }
 

@@ -40,6 +40,7 @@ class Table {
 struct Benchmark {
   std::string name, about;
   std::function<Table()> run;
+  std::string measured = {};  ///< what the times of a chart are, for NAME_conditions.json; empty: no chart
 };
 const std::vector<Benchmark>& all();
 
@@ -47,5 +48,7 @@ Table exchange();
 Table two_mass();
 Table four_bar_linkage();
 Table sparse_algebra();
+Table linear_solvers();
+Table dense_algebra();
 
 }  // namespace tandem::bench

@@ -21,7 +21,7 @@ GenericIndex3::GenericIndex3(mbs::Model& model, double penalty, double tolerance
     : model_(model),
       penalty_(penalty),
       tolerance_(tolerance),
-      jacobian_(static_cast<std::size_t>(model.structure().jacobian_values)),
+      jacobian_(static_cast<std::size_t>(model.structure().jacobian_values())),
       phi_(model.structure().constraints),
       gamma_(model.structure().constraints),
       force_(model.structure().variables) {

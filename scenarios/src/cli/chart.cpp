@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "charts/solver_map_chart.hpp"
 #include "charts/style.hpp"
 #include "charts/two_mass_best.hpp"
 #include "charts/two_mass_charts.hpp"
@@ -30,19 +31,19 @@ std::vector<charts::Picture> two_mass_pictures(const fs::path& folder,
           charts::work_precision_chart(work, caption), charts::best_scheme_chart(sweep, caption)};
 }
 
-/// The folder with what the sweep of the scene writes.
-void check_results(const Options& options) {
-  for (const char* name : {"sweep.csv", "traces.csv", "work.csv", "conditions.json"})
+/// The folder with what another command writes.
+void check_results(const Options& options, const std::vector<std::string>& names,
+                   const std::string& command) {
+  for (const std::string& name : names)
     if (!fs::exists(options.results / name))
-      throw Error(ErrorCode::input_output,
-                  fmt::format("file '{}' is missing; 'tandem sweep {} --output {} --resume' writes it",
-                              (options.results / name).string(), options.scene, options.results.string()));
+      throw Error(
+          ErrorCode::input_output,
+          fmt::format("file '{}' is missing; 'tandem {}' writes it", (options.results / name).string(),
+                      fmt::format(fmt::runtime(command), options.results.string())));
 }
 
-void chart(const Options& options, const Context& context) {
-  check_results(options);
-  const auto sweep = charts::read_sweep(options.results / "sweep.csv");
-  const auto pictures = two_mass_pictures(options.results, sweep);
+/// Draws them and returns their files, a line each.
+std::string draw(const std::vector<charts::Picture>& pictures, const Options& options) {
   std::string files;
   for (const charts::Picture& picture : pictures) try {
       files += "  " + picture.draw(options.results, charts::Format::svg).string() + '\n';
@@ -51,29 +52,49 @@ void chart(const Options& options, const Context& context) {
       if (error.code() != ErrorCode::input_output) throw;
       throw RunFailed(error.what());
     }
+  return files;
+}
+
+void chart_two_mass(const Options& options, const Context& context) {
+  check_results(options, {"sweep.csv", "traces.csv", "work.csv", "conditions.json"},
+                "sweep two_mass --output {} --resume");
+  const auto sweep = charts::read_sweep(options.results / "sweep.csv");
+  const auto files = draw(two_mass_pictures(options.results, sweep), options);
   if (!context.quiet) fmt::print("{}\nCharts\n{}", charts::short_table(sweep), files);
+}
+
+void chart_solvers(const Options& options, const Context& context) {
+  check_results(options, {"solvers.csv", "solvers_conditions.json"}, "bench solvers --output {}");
+  const auto caption = charts::conditions_caption(options.results / "solvers_conditions.json", 140);
+  const auto times = charts::read_solver_times(options.results / "solvers.csv");
+  const auto files = draw({charts::solver_map_chart(times, caption)}, options);
+  if (!context.quiet) fmt::print("Charts\n{}", files);
 }
 
 }  // namespace
 
 void add_chart(CLI::App& app, Context& context) {
   auto* command = app.add_subcommand(
-      "chart", "Draw the charts of a sweep, and print which scheme is best at which ratio");
+      "chart",
+      "Draw the charts of a sweep or a benchmark; of two_mass print which scheme is best at which ratio");
   auto options = std::make_shared<Options>();
-  command->add_option("scene", options->scene, "The scene: two_mass")
+  command->add_option("scene", options->scene, "The scene: two_mass; or a benchmark: solvers")
       ->required()
-      ->check(CLI::IsMember({"two_mass"}));
+      ->check(CLI::IsMember({"two_mass", "solvers"}));
   command
       ->add_option("--results", options->results,
-                   "Folder of the sweep; the charts go there too (default: results/SCENE)")
+                   "Folder of the sweep or benchmark; the charts go there too (default: results/SCENE; for a "
+                   "benchmark results/bench)")
       ->type_name("DIR");
   command->add_flag("--png", options->png, "Draw PNG files too, besides SVG");
   command->footer(
       "The charts are drawn by the program gnuplot (Debian package gnuplot-nox); each leaves its script, "
       "NAME.gp.");
   command->callback([options, &context] {
-    if (options->results.empty()) options->results = fs::path("results") / options->scene;
-    chart(*options, context);
+    const bool solvers = options->scene == "solvers";
+    if (options->results.empty())
+      options->results = fs::path("results") / (solvers ? "bench" : options->scene);
+    solvers ? chart_solvers(*options, context) : chart_two_mass(*options, context);
   });
 }
 

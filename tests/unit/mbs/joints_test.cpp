@@ -46,7 +46,7 @@ double violation(Mechanism& m, const Motion3& motion) {
     s.q.segment(m.coordinate(static_cast<int>(e)), in.dimension) = to.head(in.dimension);
   }
   Eigen::VectorXd phi(m.structure().constraints);
-  std::vector<double> jacobian(static_cast<std::size_t>(m.structure().jacobian_values));
+  std::vector<double> jacobian(static_cast<std::size_t>(m.structure().jacobian_values()));
   m.constraints(s.q.data(), phi.data(), jacobian.data());
   return phi.lpNorm<Eigen::Infinity>();
 }

@@ -13,8 +13,8 @@ namespace tandem::mbs {
 /// Values of a model's matrices where it stands, on the patterns of its structure.
 struct ModelMatrices {
   explicit ModelMatrices(const Structure& s)
-      : jacobian(static_cast<std::size_t>(s.jacobian_values)),
-        stiffness(static_cast<std::size_t>(s.stiffness_values)),
+      : jacobian(static_cast<std::size_t>(s.jacobian_values())),
+        stiffness(static_cast<std::size_t>(s.stiffness_values())),
         damping(stiffness.size()) {}
   std::vector<double> jacobian;            ///< Phi_q^T
   std::vector<double> stiffness, damping;  ///< K = -dQ/dq, C = -dQ/dq'

@@ -1,0 +1,157 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// Maps of the best linear solver over size and filling, for each kind of matrix; and what the rule of `auto`
+// is fitted to.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "bench/bench.hpp"
+#include "bench/tangent_problem.hpp"
+#include "tandem/error.hpp"
+#include "tandem/mbs/sparse/solver_choice.hpp"
+
+namespace tandem::bench {
+namespace {
+
+using mbs::MatrixKind;
+using Clock = std::chrono::steady_clock;
+
+constexpr int repetitions = 5, solutions = 2;
+constexpr double batch = 1e-4;           ///< [s] the least time of a repetition
+constexpr double not_close = 10.0;       ///< times the best: measured once only
+constexpr double hopeless = 30.0;        ///< times the best, and slow: not tried at larger sizes
+constexpr double slow = 1e-2;            ///< [s]
+constexpr double most_operations = 2e8;  ///< of a factorization
+constexpr std::size_t most_values = 4'000'000;
+
+struct Kind {
+  MatrixKind kind;
+  const char* name;
+};
+constexpr Kind kinds[] = {{MatrixKind::positive_definite, "positive definite"},
+                          {MatrixKind::symmetric, "symmetric"},
+                          {MatrixKind::unsymmetric, "unsymmetric"}};
+
+/// A solver at work on a problem: factorizes one matrix after the other, each with its solutions.
+class Runner {
+ public:
+  Runner(const std::string& name, MatrixKind kind, const TangentProblem& problem)
+      : name_(name), solver_(mbs::make_solver(name, kind)) {
+    solver_->analyze(problem.pattern);
+    const auto layout = solver_->layout();
+    if (layout.size() > most_values) throw Error(ErrorCode::not_supported, "too large");
+    for (const auto& values : problem.values) {
+      auto& to = sets_.emplace_back();
+      for (const auto& [row, column] : layout) {
+        const int at = row < 0 ? -1 : problem.pattern.find(row, column);
+        to.push_back(at < 0 ? 0.0 : values[at]);
+      }
+    }
+    storage_.resize(layout.size());
+    b_.resize(static_cast<std::size_t>(problem.pattern.columns()));
+    seconds_ = time_of(1);
+    rounds_ = std::max(1, static_cast<int>(batch / seconds_));
+  }
+
+  const std::string& name() const { return name_; }
+  double seconds() const { return seconds_; }
+  void repeat() { seconds_ = std::min(seconds_, time_of(rounds_)); }
+
+ private:
+  double time_of(int rounds) {
+    const auto began = Clock::now();
+    for (int k = 0; k < rounds; ++k) {
+      next_ = (next_ + 1) % sets_.size();
+      std::copy(sets_[next_].begin(), sets_[next_].end(), storage_.begin());
+      if (solver_->factorize(storage_.data()) >= 0) throw Error(ErrorCode::numerical, "singular");
+      for (int s = 0; s < solutions; ++s) {
+        std::fill(b_.begin(), b_.end(), 1.0);
+        solver_->solve(b_.data());
+      }
+    }
+    return std::chrono::duration<double>(Clock::now() - began).count() / rounds;
+  }
+
+  std::string name_;
+  std::unique_ptr<mbs::LinearSolver> solver_;
+  std::vector<std::vector<double>> sets_;
+  std::vector<double> storage_, b_;
+  std::size_t next_ = 0;
+  int rounds_ = 1;
+  double seconds_ = 1e300;
+};
+
+/// The sizes at one kind and filling, from small to large; solvers drop out on the way.
+class Row {
+ public:
+  Row(const Kind& kind, Placement placement, int entries)
+      : kind_(kind), placement_(placement), entries_(entries), names_(mbs::solver_names(kind.kind)) {}
+
+  void add_size(Table& table, int variables) {
+    const TangentProblem problem = tangent_problem({kind_.kind, placement_, variables, entries_});
+    const auto cost = mbs::elimination_cost(problem.pattern);
+    if (cost.operations > most_operations) return;
+    std::vector<Runner> runners;
+    for (const std::string& name : names_) try {
+        runners.emplace_back(name, kind_.kind, problem);
+      } catch (const Error&) {  // too large for it, and so for what comes after
+      }
+    for (int r = 0; r < repetitions; ++r) {
+      const double limit = not_close * least(runners, "");
+      for (Runner& runner : runners)
+        if (runner.seconds() <= limit) runner.repeat();
+    }
+    write(table, problem.pattern, runners);
+  }
+
+ private:
+  /// Of all but one.
+  static double least(const std::vector<Runner>& runners, const std::string& but) {
+    double best = 1e300;
+    for (const Runner& r : runners)
+      if (r.name() != but && r.name() != "auto") best = std::min(best, r.seconds());
+    return best;
+  }
+
+  void write(Table& table, const mbs::Pattern& pattern, const std::vector<Runner>& runners) {
+    const auto cost = mbs::elimination_cost(pattern);
+    const double smooth = least(runners, ""), rough = least(runners, "klu");
+    const std::string choice = mbs::solver_choice(kind_.kind, pattern);
+    names_.clear();
+    for (const Runner& r : runners) {
+      const bool refactors = r.name() == "klu" || (r.name() == "auto" && choice == "klu");
+      table.add({kind_.name, placement_ == Placement::near ? "near" : "anywhere",
+                 std::to_string(cost.columns), std::to_string(entries_),
+                 fmt::format("{:.1f}", pattern.size() / static_cast<double>(cost.columns)),
+                 std::to_string(cost.band_width), fmt::format("{:.0f}", cost.entries),
+                 fmt::format("{:.0f}", cost.operations), r.name(), r.name() == "auto" ? choice : "",
+                 fmt::format("{:.4g}", 1e6 * r.seconds()), fmt::format("{:.2f}", r.seconds() / smooth),
+                 refactors ? "" : fmt::format("{:.2f}", r.seconds() / rough)});
+      if (r.seconds() < std::max(slow, hopeless * smooth)) names_.push_back(r.name());
+    }
+  }
+
+  Kind kind_;
+  Placement placement_;
+  int entries_;
+  std::vector<std::string> names_;
+};
+
+}  // namespace
+
+Table linear_solvers() {
+  Table table({"kind", "placement", "variables", "filling", "entries_a_row", "band_width", "entries_of_l",
+               "operations", "solver", "choice", "us", "over_best_smooth", "over_best_rough"});
+  for (const Kind& kind : kinds)
+    for (const Placement placement : {Placement::near, Placement::anywhere})
+      for (const int entries : {6, 12, 25, 50, 100}) {
+        if (placement == Placement::anywhere && entries == 6) continue;  // there are none to place
+        Row row(kind, placement, entries);
+        for (const int variables : {10, 20, 50, 100, 200, 500, 1000, 2000, 4000, 8000})
+          if (variables >= entries) row.add_size(table, variables);
+      }
+  return table;
+}
+
+}  // namespace tandem::bench
