@@ -193,7 +193,7 @@ void Mechanism::place_constraints() {
         c < n ? variable.emplace_back(c, equation) : fixed.emplace_back(c - n, equation);
   structure_.jacobian = Pattern(n, m, std::move(variable));
   fixed_jacobian_ = Pattern(structure_.coordinates - n, m, std::move(fixed));
-  structure_.jacobian_values() = structure_.jacobian.size() + fixed_jacobian_.size();
+  structure_.jacobian_extra = fixed_jacobian_.size();
   int first = 0;
   for (const auto& set : sets_) {
     std::vector<int> to;
@@ -231,7 +231,7 @@ void Mechanism::place_forces() {
     for (const auto& entry : set->entries())
       if (is_variable(entry)) entries.push_back(entry);
   structure_.stiffness = Pattern(n, n, std::move(entries));
-  structure_.stiffness_values() = structure_.stiffness.size() + 1;
+  structure_.stiffness_extra = 1;
   for (const auto& set : force_sets_) {
     std::vector<int> to;
     for (const auto& entry : set->entries())

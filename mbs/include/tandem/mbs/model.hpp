@@ -16,10 +16,13 @@ struct Structure {
   Matrix mass;          ///< M, n x n, both triangles, constant
   Pattern jacobian;     ///< of Phi_q^T, n x m: a column for each constraint
   Pattern stiffness;    ///< of K and C, n x n; no entries if forces depend on neither q nor q'
-  /// Lengths of the arrays of their values: a model may write more behind those of the pattern (derivatives
-  /// by fixed coordinates).
-  int jacobian_values = 0, stiffness_values = 0;
+  /// Entries that a model writes behind those of the pattern (derivatives by fixed coordinates), in the arrays
+  /// of values.
+  int jacobian_extra = 0, stiffness_extra = 0;
   std::vector<std::string> variable_names, constraint_names;
+
+  int jacobian_values() const { return jacobian.size() + jacobian_extra; }  ///< length of that array
+  int stiffness_values() const { return stiffness.size() + stiffness_extra; }
 };
 
 /// Where a model stands. Vectors have `coordinates` entries (lambda: `constraints`).
