@@ -17,10 +17,7 @@ Layout dense_layout(int n) {
 
 class EigenCholesky final : public LinearSolver {
  public:
-  void analyze(const Pattern& pattern) override {
-    n_ = pattern.columns();
-    solver_ = Eigen::LLT<Matrix>(n_);
-  }
+  void analyze(const Pattern& pattern) override { n_ = pattern.columns(); }
   Layout layout() const override { return dense_layout(n_); }
   int factorize(double* values) override {
     const Eigen::Map<const Matrix> a(values, n_, n_);
@@ -47,7 +44,6 @@ class EigenLu final : public LinearSolver {
  public:
   void analyze(const Pattern& pattern) override {
     n_ = pattern.columns();
-    solver_ = Eigen::PartialPivLU<Matrix>(n_);
     x_.resize(n_);
   }
   Layout layout() const override { return dense_layout(n_); }

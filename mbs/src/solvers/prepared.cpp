@@ -175,9 +175,9 @@ class Prepared final : public LinearSolver {
   void update(const Update& to, const std::array<double*, B>& u, const std::array<double, B>& inverse,
               int rows) {
     const Block& other = blocks_[to.other];
-    const std::int32_t* const targets = targets_.data() + to.index - to.from;
+    const std::int32_t* const targets = targets_.data() + to.index;
     for (int c = to.from; c < to.to; ++c) {
-      double* const target = values_ + other.column(targets[c]);
+      double* const target = values_ + other.column(targets[c - to.from]);
       std::array<double, B> m;
       for (int k = 0; k < B; ++k) m[k] = u[k][c] * inverse[k];
       const auto subtract = [&](auto&& place) {
@@ -188,10 +188,10 @@ class Prepared final : public LinearSolver {
         }
       };
       if (to.together && rows - c >= long_run) {
-        const int shift = targets[c] - c;
+        const int shift = targets[0] - to.from;
         subtract([=](int r) { return r + shift; });
       } else {
-        subtract([=](int r) { return targets[r]; });
+        subtract([&](int r) { return targets[r - to.from]; });
       }
     }
   }
@@ -200,7 +200,7 @@ class Prepared final : public LinearSolver {
   void forward(const Block& block) {
     const auto l = columns<B>(block);
     double* const x = x_.data() + block.first;
-    const int* const below = below_.data() + block.below - B;
+    const int* const below = below_.data() + block.below;
     std::array<double, B> y;
     for (int k = 0; k < B; ++k) {
       y[k] = x[k];
@@ -210,7 +210,7 @@ class Prepared final : public LinearSolver {
     for (int r = B; r < block.rows; ++r) {
       double sum = l[0][r] * y[0];
       for (int k = 1; k < B; ++k) sum += l[k][r] * y[k];
-      x_[below[r]] -= sum;
+      x_[below[r - B]] -= sum;
     }
   }
 
@@ -218,11 +218,11 @@ class Prepared final : public LinearSolver {
   void backward(const Block& block) {
     const auto l = columns<B>(block);
     double* const x = x_.data() + block.first;
-    const int* const below = below_.data() + block.below - B;
+    const int* const below = below_.data() + block.below;
     std::array<double, B> y;
     for (int k = 0; k < B; ++k) y[k] = x[k] * l[k][k];
     for (int r = B; r < block.rows; ++r)
-      for (int k = 0; k < B; ++k) y[k] -= l[k][r] * x_[below[r]];
+      for (int k = 0; k < B; ++k) y[k] -= l[k][r] * x_[below[r - B]];
     for (int k = B - 1; k >= 0; --k) {
       for (int p = k + 1; p < B; ++p) y[k] -= l[k][p] * y[p];
       x[k] = y[k];

@@ -7,6 +7,7 @@
 #include <chrono>
 
 #include "bench/bench.hpp"
+#include "bench/solver_fit.hpp"
 #include "bench/tangent_problem.hpp"
 #include "tandem/error.hpp"
 #include "tandem/mbs/sparse/solver_choice.hpp"
@@ -20,10 +21,11 @@ using Clock = std::chrono::steady_clock;
 constexpr int repetitions = 5, solutions = 2;
 constexpr double batch = 1e-4;           ///< [s] the least time of a repetition
 constexpr double not_close = 10.0;       ///< times the best: measured once only
+constexpr double well_measured = 20.0;   ///< times the best: counts for the fit
 constexpr double hopeless = 30.0;        ///< times the best, and slow: not tried at larger sizes
 constexpr double slow = 1e-2;            ///< [s]
 constexpr double most_operations = 2e8;  ///< of a factorization
-constexpr std::size_t most_values = 4'000'000;
+constexpr std::size_t most_values = 6'000'000;
 
 struct Kind {
   MatrixKind kind;
@@ -88,7 +90,7 @@ class Row {
   Row(const Kind& kind, Placement placement, int entries)
       : kind_(kind), placement_(placement), entries_(entries), names_(mbs::solver_names(kind.kind)) {}
 
-  void add_size(Table& table, int variables) {
+  void add_size(Table& table, SolverFit& fit, int variables) {
     const TangentProblem problem = tangent_problem({kind_.kind, placement_, variables, entries_});
     const auto cost = mbs::elimination_cost(problem.pattern);
     if (cost.operations > most_operations) return;
@@ -103,6 +105,8 @@ class Row {
         if (runner.seconds() <= limit) runner.repeat();
     }
     write(table, problem.pattern, runners);
+    for (const Runner& r : runners)
+      if (r.seconds() <= well_measured * least(runners, "")) fit.add(kind_.name, r.name(), cost, r.seconds());
   }
 
  private:
@@ -143,14 +147,16 @@ class Row {
 Table linear_solvers() {
   Table table({"kind", "placement", "variables", "filling", "entries_a_row", "band_width", "entries_of_l",
                "operations", "solver", "choice", "us", "over_best_smooth", "over_best_rough"});
+  SolverFit fit;
   for (const Kind& kind : kinds)
     for (const Placement placement : {Placement::near, Placement::anywhere})
       for (const int entries : {6, 12, 25, 50, 100}) {
         if (placement == Placement::anywhere && entries == 6) continue;  // there are none to place
         Row row(kind, placement, entries);
         for (const int variables : {10, 20, 50, 100, 200, 500, 1000, 2000, 4000, 8000})
-          if (variables >= entries) row.add_size(table, variables);
+          if (variables >= entries) row.add_size(table, fit, variables);
       }
+  fit.print();
   return table;
 }
 
