@@ -9,7 +9,7 @@ Residuals residuals(Model& model, const State& s) {
   const Structure& structure = model.structure();
   if (structure.constraints == 0) return {};
   Eigen::VectorXd phi(structure.constraints), extra(phi), product(phi),
-      jacobian(structure.jacobian.size() + 1);
+      jacobian(structure.jacobian_values());
   const auto largest = [&](const Eigen::VectorXd& x) {
     multiply_transposed(structure.jacobian, jacobian.data(), x.data(), product.data());
     return (product + extra).lpNorm<Eigen::Infinity>();

@@ -37,7 +37,7 @@ struct Problem {
   void evaluate(double t, const double* y, const double* rate, double* result) {
     const Structure& s = model.structure();
     const int n = s.variables, m = s.constraints;
-    VectorXd phi(m), gamma(m), jacobian(s.jacobian.size() + 1), balance(n), force(n);
+    VectorXd phi(m), gamma(m), jacobian(s.jacobian_values()), balance(n), force(n);
     at.q.head(n) = Map<const VectorXd>(y, n);
     at.v.head(n) = Map<const VectorXd>(y + n, n);
     model.at_time(t);

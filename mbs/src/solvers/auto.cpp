@@ -88,6 +88,7 @@ class Auto final : public LinearSolver {
   }
   Layout layout() const override { return solver_->layout(); }
   int factorize(double* values) override { return solver_->factorize(values); }
+  bool in_place() const override { return solver_->in_place(); }
   void solve(double* b) override { solver_->solve(b); }
 
  private:

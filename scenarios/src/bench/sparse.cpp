@@ -43,7 +43,8 @@ struct Case {
   explicit Case(int loops)
       : linkage(mbs::read_mechanism("four_bar", four_bar::text(loops))),
         mass{linkage.structure().mass},
-        jacobian{linkage.structure().jacobian, std::vector<double>(linkage.structure().jacobian.size() + 1)} {
+        jacobian{linkage.structure().jacobian,
+                 std::vector<double>(static_cast<std::size_t>(linkage.structure().jacobian_values()))} {
     const mbs::State s = linkage.described_state();
     VectorXd phi(linkage.structure().constraints);
     linkage.constraints(s.q.data(), phi.data(), jacobian.values.data());

@@ -84,7 +84,7 @@ TangentProblem tangent_problem(const TangentRequest& request) {
   const int loops = std::max(1, (request.variables - 2) / (kind == MatrixKind::symmetric ? 4 : 2));
   const mbs::Mechanism linkage(mbs::read_mechanism("four_bar", four_bar::text(loops)));
   const mbs::Structure& s = linkage.structure();
-  mbs::Matrix jacobian{s.jacobian, std::vector<double>(s.jacobian.size() + 1)};
+  mbs::Matrix jacobian{s.jacobian, std::vector<double>(static_cast<std::size_t>(s.jacobian_values()))};
   std::vector<double> phi(static_cast<std::size_t>(s.constraints));
   linkage.constraints(linkage.described_state().q.data(), phi.data(), jacobian.values.data());
 

@@ -21,7 +21,7 @@ void print_mechanism(const std::filesystem::path& file) {
   mbs::Mechanism mechanism(description);
   const mbs::Structure& s = mechanism.structure();
   const mbs::Freedom freedom = mbs::freedom(mechanism, mechanism.described_state());
-  const mbs::Tangent tangent(s, mbs::make_solver("klu", mbs::MatrixKind::positive_definite));
+  const mbs::Tangent tangent(s, mbs::make_solver("auto", mbs::MatrixKind::positive_definite));
   std::vector<std::string> redundant;
   for (const int c : freedom.redundant) redundant.push_back(s.constraint_names[c]);
   fmt::print("{}: a mechanism in {}\n", description.name, description.dimension == 2 ? "the plane" : "space");

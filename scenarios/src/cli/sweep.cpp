@@ -13,6 +13,7 @@
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/progress.hpp"
+#include "cli/sweep_mechanisms.hpp"
 #include "output/conditions.hpp"
 #include "output/files.hpp"
 #include "tandem/error.hpp"
@@ -26,7 +27,7 @@ constexpr int work_repetitions = 5;
 
 struct Options {
   std::string scene;
-  fs::path output;
+  fs::path output, mechanisms = "scenarios/mechanisms";
   bool pairs = false, resume = false, only_table = false;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
 };
@@ -145,12 +146,18 @@ void add_sweep(CLI::App& app, Context& context) {
   auto* command =
       app.add_subcommand("sweep", "Run a scene over its schemes and frequency ratios, and write the table");
   auto options = std::make_shared<Options>();
-  command->add_option("scene", options->scene, "The scene: two_mass")
+  command
+      ->add_option("scene", options->scene,
+                   "The scene: two_mass, or mechanisms (every formulation and integrator on every example)")
       ->required()
-      ->check(CLI::IsMember({"two_mass"}));
+      ->check(CLI::IsMember({"two_mass", "mechanisms"}));
   command
       ->add_option("--output", options->output,
-                   "Folder for sweep.csv and what belongs to it (default: results/SCENE)")
+                   "Folder for the tables (default: results/SCENE, for mechanisms results/mbs)")
+      ->type_name("DIR");
+  command
+      ->add_option("--mechanisms", options->mechanisms,
+                   "Folder of the example mechanisms (default: scenarios/mechanisms)")
       ->type_name("DIR");
   command->add_flag("--pairs", options->pairs, "All 25 pairs of degrees, not only equal ones");
   command->add_flag("--resume", options->resume,
@@ -160,8 +167,13 @@ void add_sweep(CLI::App& app, Context& context) {
   command->add_option("--threads", options->threads, "Number of threads (default: all cores)")
       ->check(CLI::Range(1U, 1024U));
   command->callback([options, &context] {
-    if (options->output.empty()) options->output = fs::path("results") / options->scene;
-    Sweep(*options, context).make();
+    const bool mechanisms = options->scene == "mechanisms";
+    if (options->output.empty())
+      options->output = fs::path("results") / (mechanisms ? "mbs" : options->scene);
+    if (mechanisms)
+      sweep_mechanisms({options->mechanisms, options->output, options->threads}, context);
+    else
+      Sweep(*options, context).make();
   });
 }
 

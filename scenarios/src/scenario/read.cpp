@@ -47,6 +47,7 @@ class Reader {
     if (!stop) run.missing("stop", "the time of its end [s]");
     to_.start = run.number("start").value_or(0.0);
     to_.stop = *stop;
+    if (to_.stop <= to_.start) run.wrong("stop", described(*run.node("stop")), "a time in s after run.start");
     const auto taken = [](const Parameter& p) { return p.name == "start" || p.name == "stop"; };
     std::erase_if(entry.parameters, taken);
     if (!run.node("animate")) entry.parameters.push_back({"animate", true, entry.place});
@@ -153,12 +154,17 @@ class Reader {
 
 Scenario read(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   Document document(file);
-  for (const std::string& text : overrides)
-    located(Place{file.string(), 0, text::set_prefix + text}, [&] { set(document.table(), text); });
+  const bool mechanism = document.table().contains("dimension");
+  for (const std::string& text : overrides) {
+    const Place place{file.string(), 0, text::set_prefix + text};
+    if (mechanism && !text.starts_with("run."))
+      refuse(place, "of a mechanism's file only run.KEY can be set; the rest is what it is made of");
+    located(place, [&] { set(document.table(), text); });
+  }
   Scenario scenario;
   scenario.file = file;
   Reader reader(document, scenario);
-  document.table().contains("dimension") ? reader.read_mechanism() : reader.read();
+  mechanism ? reader.read_mechanism() : reader.read();
   scenario.overrides = overrides;
   scenario.document = to_json(document.table());
   return scenario;

@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <atomic>
 #include <chrono>
 #include <mutex>
-#include <thread>
+
+#include "output/parallel.hpp"
 
 namespace tandem::two_mass {
 namespace {
@@ -41,37 +41,19 @@ void run_sweep(const SweepWork& work, const std::function<bool(std::size_t)>& ti
   std::vector<const Case*> open;
   for (const Case& c : work.cases)
     if (!work.rows.has(sweep_key(c))) open.push_back(&c);
-  std::atomic<std::size_t> next{0}, done{work.cases.size() - open.size()};
-  std::atomic<bool> stop{false};
-  std::exception_ptr failure;
+  const std::size_t before = work.cases.size() - open.size();
   std::mutex mutex;
-  const auto run = [&](const Case& c) {
+  const auto run = [&](std::size_t i) {
+    const Case& c = *open[i];
     const auto started = std::chrono::steady_clock::now();
     const Outcome outcome = run_case(c);
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started;
     const std::lock_guard lock(mutex);
     work.rows.set(sweep_key(c), sweep_cells(outcome));
     work.timings.set(sweep_key(c), fmt::format("{:.6g}", spent.count()));
-    ++done;
   };
-  const auto run_open = [&] {
-    try {
-      for (std::size_t i; !stop && (i = next++) < open.size();) run(*open[i]);
-    } catch (...) {
-      const std::lock_guard lock(mutex);
-      failure = std::current_exception();
-      stop = true;
-    }
-  };
-  std::vector<std::thread> pool;
-  for (unsigned t = 0; t < work.threads; ++t) pool.emplace_back(run_open);
-  while (!stop && done < work.cases.size()) {
-    if (!tick(done)) stop = true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
-  for (std::thread& t : pool) t.join();
-  if (failure) std::rethrow_exception(failure);
-  tick(done);
+  output::for_each_in_parallel(open.size(), work.threads, run,
+                               [&](std::size_t done) { return tick(before + done); });
 }
 
 }  // namespace tandem::two_mass

@@ -28,7 +28,7 @@ class Stepper {
 
   /// What it goes by besides the state, after a step or start(). With the state of that moment and its memory put
   /// back, steps are the same to the last bit, if the solver is one that goes by nothing but the last matrix
-  /// (band and prepared are).
+  /// (band and prepared are, of which `auto` takes one for mechanisms).
   virtual std::vector<double> memory() const { return {}; }
   virtual void recall(std::span<const double> /*memory*/) {}
 };

@@ -13,7 +13,7 @@ struct Index1Settings {
   double tolerance = 1e-12;        ///< see Terms::settle
   int multiplier_iterations = 10;  ///< in an evaluation; then it has failed
   bool carry_multipliers = false;  ///< they begin with those of the evaluation before, not with zero
-  std::string solver = "klu";
+  std::string solver = "auto";
 
   bool operator==(const Index1Settings&) const = default;
 };

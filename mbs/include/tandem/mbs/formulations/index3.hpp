@@ -16,7 +16,7 @@ struct Index3Settings {
   int multiplier_iterations = 10;  ///< of these update the multipliers; the others keep them
   int projections = 1;             ///< of velocities and of accelerations; each divides their error anew
   bool carry_multipliers = false;  ///< a step begins with the multipliers of the one before, not with zero
-  std::string solver = "klu";
+  std::string solver = "auto";
 
   bool operator==(const Index3Settings&) const = default;
 };

@@ -10,7 +10,7 @@ struct PenaltySettings {
   double penalty = 0.0;  ///< alpha; 0: 1e7 times the largest mass term
   double xi = 1.0;       ///< Baumgarte's damping ratio
   double omega = 10.0;   ///< Baumgarte's frequency [rad/s]
-  std::string solver = "klu";
+  std::string solver = "auto";
 
   bool operator==(const PenaltySettings&) const = default;
 };

@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// Mechanisms from the command line: alone, with data from a file, with bad input.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "command.hpp"
+#include "mechanisms/pendulum.hpp"
+#include "tandem/text/time_table.hpp"
+
+namespace tandem {
+namespace {
+
+using test::Said;
+using test::Scratch;
+using test::tandem;
+using text::TimeTable;
+
+std::string mechanism_file(const std::string& name) {
+  return std::string(TANDEM_SOURCE_DIR) + "/scenarios/mechanisms/" + name + "/" + name + ".toml";
+}
+
+const std::vector<double>& column(const TimeTable& table, const std::string& name) {
+  const auto it = std::find(table.names.begin(), table.names.end(), name);
+  EXPECT_NE(it, table.names.end()) << name;
+  return table.columns[static_cast<std::size_t>(it - table.names.begin())];
+}
+
+TEST(RunCommand, RunsAMechanismAloneAndWritesWhereItsPointsAre) {
+  const Scratch folder;
+  const Said said =
+      tandem(folder, {"run", mechanism_file("pendulum"), "--set", "run.stop=1", "--output", "o"});
+  ASSERT_EQ(said.status, 0) << said.err;
+  const TimeTable table = TimeTable::read(folder.path() / "o");
+  ASSERT_EQ(table.times.size(), 1001U);
+  const auto truth = mechanisms::pendulum(1.0);
+  EXPECT_NEAR(column(table, "pendulum.P.x").back(), truth.tip[0], 1e-5);
+  EXPECT_NEAR(column(table, "pendulum.pin_y").back(), truth.reaction[1], 1e-3);
+  EXPECT_EQ(column(table, "pendulum.O.x").back(), 0.0);
+}
+
+TEST(RunCommand, RunsEveryMechanismOfTheRepository) {
+  const Scratch folder;
+  for (const char* name :
+       {"pendulum", "double_pendulum", "spherical_pendulum", "slider_crank", "spring_pendulum", "four_bar",
+        "andrews", "bricard", "rotor", "asymmetric_rotor", "spatial_slider_crank"}) {
+    const Said said =
+        tandem(folder, {"run", mechanism_file(name), "--set", "run.stop=0.01", "--output", name});
+    EXPECT_EQ(said.status, 0) << name << ": " << said.err;
+  }
+}
+
+TEST(RunCommand, AForceComesFromADataFile) {
+  const Scratch folder;
+  folder.write("push.csv", "time,F\n0,0\n0.5,4\n1,0\n");
+  folder.write("m.toml",
+               "dimension = 2\n[points]\nP = { at = [0, 0] }\n[masses]\nm = { point = 'P', mass = 2 }\n"
+               "[inputs]\nF = { unit = 'N', file = 'push.csv', column = 'F' }\n"
+               "[forces]\nf = { point = 'P', direction = [1, 0], magnitude = 'F' }\n"
+               "[outputs]\nv = { velocity = 'P.x' }\n[run]\nstop = 1\nstep = 0.01\n");
+  const Said said = tandem(folder, {"run", "m.toml", "--output", "o"});
+  ASSERT_EQ(said.status, 0) << said.err;
+  EXPECT_NEAR(column(TimeTable::read(folder.path() / "o"), "m.v").back(), 1.0, 1e-12);  // 2 N s on 2 kg
+  const Said beyond = tandem(folder, {"run", "m.toml", "--set", "run.stop=1.2", "--output", "p"});
+  EXPECT_EQ(beyond.status, 1);
+  EXPECT_NE(beyond.err.find("column 'F' of"), std::string::npos) << beyond.err;
+  EXPECT_NE(beyond.err.find("nothing is extrapolated"), std::string::npos) << beyond.err;
+  EXPECT_GT(TimeTable::read(folder.path() / "p").times.size(), 90U) << "results up to the last exchange are kept";
+}
+
+/// Arguments after the file, and words of the sentence.
+struct Bad {
+  std::vector<std::string> arguments, words;
+};
+
+TEST(RunCommand, RefusesWhatAMechanismCanNotDo) {
+  const Scratch folder;
+  const Bad list[] = {{{"--set", "run.formulation=index4"}, {"'index4'", "index3"}},
+                      {{"--set", "run.integrator=rk4"}, {"index3 has Newmark's method merged in"}},
+                      {{"--set", "run.step=-1"}, {"step is -1 s", "above 0"}},
+                      {{"--set", "run.solver=cluck"}, {"'cluck'", "klu"}},
+                      {{"--set", "run.penality=1"}, {"'penality'", "did you mean 'penalty'?"}},
+                      {{"--set", "run.most_iterations=2.5"}, {"'most_iterations' is 2.5", "whole number"}},
+                      {{"--set", "gravity=3"}, {"run.KEY"}},
+                      {{"--set", "run.stop=-3"}, {"run.stop", "-3"}}};
+  for (const Bad& bad : list) {
+    std::vector<std::string> arguments = {"run", mechanism_file("pendulum")};
+    arguments.insert(arguments.end(), bad.arguments.begin(), bad.arguments.end());
+    const Said said = tandem(folder, arguments);
+    EXPECT_EQ(said.status, 2) << said.err;
+    for (const std::string& word : bad.words)
+      EXPECT_NE(said.err.find(word), std::string::npos) << word << " in: " << said.err;
+  }
+}
+
+TEST(RunCommand, AMechanismInAScenarioIsLookedForBesideIt) {
+  const Scratch folder;
+  folder.write(
+      "m.toml",
+      "dimension = 2\n[points]\nP = { at = [0, 0] }\n[masses]\nm = { point = 'P', mass = 2 }\n"
+      "[inputs]\nF = { unit = 'N' }\n[forces]\nf = { point = 'P', direction = [1, 0], magnitude = 'F' }\n"
+      "[outputs]\nv = { velocity = 'P.x' }\n");
+  folder.write("s.toml",
+               "[subsystems.m]\nsource = 'mechanism:m.toml?step=0.1'\n[subsystems.m.inputs]\nF = "
+               "4\n[span]\nstop = 1\n");
+  const Said said = tandem(folder, {"run", "s.toml", "--output", "o"});
+  ASSERT_EQ(said.status, 0) << said.err;
+  EXPECT_NEAR(column(TimeTable::read(folder.path() / "o"), "m.v").back(), 2.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace tandem
