@@ -65,7 +65,8 @@ TEST(RunCommand, AForceComesFromADataFile) {
   EXPECT_EQ(beyond.status, 1);
   EXPECT_NE(beyond.err.find("column 'F' of"), std::string::npos) << beyond.err;
   EXPECT_NE(beyond.err.find("nothing is extrapolated"), std::string::npos) << beyond.err;
-  EXPECT_GT(TimeTable::read(folder.path() / "p").times.size(), 90U) << "results up to the last exchange are kept";
+  EXPECT_GT(TimeTable::read(folder.path() / "p").times.size(), 90U)
+      << "results up to the last exchange are kept";
 }
 
 /// Arguments after the file, and words of the sentence.
@@ -106,6 +107,29 @@ TEST(RunCommand, AMechanismInAScenarioIsLookedForBesideIt) {
   const Said said = tandem(folder, {"run", "s.toml", "--output", "o"});
   ASSERT_EQ(said.status, 0) << said.err;
   EXPECT_NEAR(column(TimeTable::read(folder.path() / "o"), "m.v").back(), 2.0, 1e-12);
+}
+
+std::string split_file(const std::string& name) {
+  return std::string(TANDEM_SOURCE_DIR) + "/scenarios/split_pendulum/" + name;
+}
+
+/// The scenario is of order 1 in its steps; the table of its card.
+TEST(SplitPendulum, ComesNearerToTheWholeOneWithItsSteps) {
+  const Scratch folder;
+  ASSERT_EQ(tandem(folder, {"run", split_file("monolithic.toml"), "--output", "whole"}).status, 0);
+  const TimeTable whole = TimeTable::read(folder.path() / "whole");
+  const auto error = [&](const std::string& upper, const std::string& lower) {
+    const Said said = tandem(folder, {"run", split_file("split_pendulum.toml"), "--output", "o", "--set",
+                                      "subsystems.upper.parameters.step=" + upper, "--set",
+                                      "subsystems.lower.parameters.step=" + lower});
+    EXPECT_EQ(said.status, 0) << said.err;
+    const TimeTable split = TimeTable::read(folder.path() / "o");
+    return std::hypot(column(split, "upper.x").back() - column(whole, "monolithic.x").back(),
+                      column(split, "upper.y").back() - column(whole, "monolithic.y").back());
+  };
+  const double coarse = error("1e-3", "1e-4"), fine = error("2.5e-4", "2.5e-5");
+  EXPECT_NEAR(coarse, 7.1e-3, 1e-4);
+  EXPECT_NEAR(0.5 * std::log2(coarse / fine), 1.0, 0.2);
 }
 
 }  // namespace
