@@ -52,7 +52,7 @@ void Index3::settle(State& s) {
   terms_.model.at_time(s.time);
   terms_.constraints(s);
   terms_.refuse_vanishing(s);
-  terms_.factorize(s, {0.0, 0.0, weight_ = penalty_});
+  terms_.factorize(s, {0.0, 0.0, weight_ = penalty(shortest)});
   terms_.forces(s);
   terms_.model.constraint_accelerations(s.q.data(), s.v.data(), terms_.gamma.data());
   s.lambda.setZero(terms_.structure.constraints);
