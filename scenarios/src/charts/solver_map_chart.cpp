@@ -101,8 +101,8 @@ void draw_legends(Picture& picture, const std::vector<SolverTime>& times) {
   for (const Shade& s : shades)
     behind.push_back({"", fmt::format("with points pt 5 ps 1.4 lc rgb '{}'", s.colour),
                       fmt::format("auto takes over {:g} times as long", s.above)});
-  picture.legend({0.03, 0.97, 0.945, 0.965}, solvers, 8);
-  picture.legend({0.05, 0.95, 0.918, 0.938}, behind, 3);
+  picture.legend({0.03, 0.97, 0.935, 0.968}, solvers, 6);
+  picture.legend({0.05, 0.95, 0.908, 0.925}, behind, 3);
 }
 
 }  // namespace
@@ -131,7 +131,7 @@ Picture solver_map_chart(const std::vector<SolverTime>& times, const std::vector
   for (std::size_t k = 0; k < panels.size(); ++k) {
     const std::size_t row = k / 2;
     const bool left = k % 2 == 0;
-    const double height = 0.84 / rows, top = 0.905 - static_cast<double>(row) * height;
+    const double height = 0.83 / rows, top = 0.895 - static_cast<double>(row) * height;
     picture.command(fmt::format("set title {} offset 0,-0.7 noenhanced", quote(panels[k].title)));
     picture.command(left ? "set ylabel 'entries a row'" : "unset ylabel");
     picture.command(row + 1 == rows ? "set xlabel 'variables'" : "unset xlabel");
