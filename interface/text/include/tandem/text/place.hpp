@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <string>
+#include <string_view>
 
 #include "tandem/error.hpp"
 
@@ -27,7 +28,7 @@ inline const std::string set_prefix = "--set ";
 }
 
 /// The one place where an error of what a file names becomes one that tells where the file says so.
-/// place_of(sentence) gives the place.
+/// place_of(sentence) gives the place. An error that names a line of that file already stays as it is.
 template <class Work, class PlaceOf>
 auto located(const PlaceOf& place_of, const Work& work) -> decltype(work())
   requires requires { place_of(std::string()); }
@@ -35,7 +36,9 @@ auto located(const PlaceOf& place_of, const Work& work) -> decltype(work())
   try {
     return work();
   } catch (const Error& error) {
-    refuse(place_of(error.what()), error.what(), error.code());
+    const Place place = place_of(error.what());
+    if (std::string_view(error.what()).starts_with(place.file + ":")) throw;
+    refuse(place, error.what(), error.code());
   }
 }
 
