@@ -5,8 +5,8 @@ set -euo pipefail
 
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 
-check() { # PRESET LABELS [TARGET]
-  cmake --preset "$1" -DTANDEM_WERROR=ON
+check() { # PRESET LABELS [TARGET [CMAKE_OPTION]]
+  cmake --preset "$1" -DTANDEM_WERROR=ON ${4:+"$4"}
   cmake --build --preset "$1" ${3:+--target "$3"}
   # Without address randomization: the thread sanitizer refuses the mappings of newer kernels.
   setarch -R ctest --preset "$1" -L "$2" -j "$(nproc)"
@@ -16,7 +16,7 @@ check() { # PRESET LABELS [TARGET]
 for word in "$@"; do
   case $word in
     asan | tsan) check "$word" '^(unit|conformance|convergence|scenario)$' ;;
-    short) check asan '^conformance$' tandem_conformance_tests ;;
+    short) check asan '^conformance$' tandem_conformance_tests -DCMAKE_CXX_FLAGS_DEBUG=-O1 ;; # no -g: less to build
     *) echo "sanitizers.sh: unknown word '$word'; allowed: asan, tsan, short" >&2 && exit 2 ;;
   esac
 done
