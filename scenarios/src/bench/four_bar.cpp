@@ -17,8 +17,8 @@ namespace tandem::bench {
 namespace {
 
 constexpr double end = 20.0, alpha = 1e8;
-constexpr int timed_steps = 400, widest_dense = 100;
-constexpr double patience = 1.0;  // [s] for 20 s of the linkage by a solver other than `auto`
+constexpr int widest_dense = 100;
+constexpr double patience = 0.5;  // [s] for 20 s of the linkage by a solver other than `auto`
 
 struct Row {
   std::string solver;
@@ -76,11 +76,12 @@ class Run {
 Outcome run(const Row& row, mbs::Mechanism& linkage) {
   Outcome o;
   try {
+    const int few = std::clamp(200'000 / linkage.structure().variables, 20, 400);
     for (int r = 0; r < 3; ++r)
-      o.seconds_per_step = std::min(o.seconds_per_step, Run(row, linkage).steps(timed_steps) / timed_steps);
+      o.seconds_per_step = std::min(o.seconds_per_step, Run(row, linkage).steps(few) / few);
     const long all = std::lround(end / row.step);
     const bool whole = row.solver == "auto" || o.seconds_per_step * static_cast<double>(all) < patience;
-    const long count = whole ? all : timed_steps;
+    const long count = whole ? all : few;
     Run last(row, linkage);
     o.seconds_per_step = std::min(o.seconds_per_step, last.steps(count) / static_cast<double>(count));
     last.tell(o);
