@@ -14,3 +14,4 @@ cmake -G Ninja -S "$scratch/consumer" -B "$scratch/build" \
   -DCMAKE_PREFIX_PATH="$scratch/prefix" -DCMAKE_BUILD_TYPE=Release
 cmake --build "$scratch/build"
 "$scratch/build/consumer"
+if [[ -x $scratch/build/pendulum ]]; then "$scratch/build/pendulum"; fi

@@ -10,6 +10,7 @@
 
 #include "driven_pendulum.hpp"
 #include "four_bar/linkage.hpp"
+#include "pushed_pendulum.hpp"
 #include "run_bench.hpp"
 #include "scheme.hpp"
 #include "scratch.hpp"
@@ -18,6 +19,7 @@
 #include "tandem/mbs/make_stepper.hpp"
 #include "tandem/mbs/mechanism/mechanism.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
+#include "tandem/mbs/subsystem.hpp"
 #include "wave.hpp"
 
 #if defined(__has_feature)
@@ -61,14 +63,14 @@ int posix_memalign(void** p, size_t alignment, size_t size) {
 namespace tandem::test {
 namespace {
 
-/// Allocations in ten thousand rounds, after enough of them to have settled.
-std::int64_t allocations_in(RunBench& bench) {
+/// Allocations in some rounds, after enough of them to have settled.
+std::int64_t allocations_in(RunBench& bench, int rounds = 10'000) {
   Coordinator& run = bench.make(1e9);
   run.initialize();
   for (int k = 0; k < 300; ++k) run.round();
   allocations = 0;
   counting = true;
-  for (int k = 0; k < 10'000; ++k) run.round();
+  for (int k = 0; k < rounds; ++k) run.round();
   counting = false;
   return allocations;
 }
@@ -222,6 +224,18 @@ TEST(NoAllocation, InStepsOfAMechanism) {
     EXPECT_EQ(allocations_in(*mbs::make_stepper(linkage, settings), linkage.described_state()), 0)
         << formulation << " " << integrator;
   }
+}
+
+/// Beside a wave that pushes it, with every kind of output.
+TEST(NoAllocation, InAMechanismAsASubsystem) {
+  const auto pushed =
+      mbs::make_subsystem(mbs::read_mechanism("pushed", pushed_pendulum), {.step = 0.01, .stepper = {}});
+  FixedStep<Wave> wave(Wave(0.1, "N"));
+  RunBench bench;
+  bench.add("pushed", *pushed).add("wave", wave);
+  bench.connect("wave.y", "pushed.F", "lagrange2").connect("wave.y", "pushed.G", "lagrange1");
+  bench.connect("pushed.r", "wave.u", "lagrange0");
+  EXPECT_EQ(allocations_in(bench, 300), 0);
 }
 
 }  // namespace

@@ -5,19 +5,11 @@
 #include <vector>
 
 #include "contract_suite.hpp"
+#include "pushed_pendulum.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
 #include "tandem/mbs/subsystem.hpp"
 
 namespace tandem::test {
-inline const std::string pushed =
-    "dimension = 2\ngravity = [0, -9.81]\n[points]\nO = { at = [0, 0], fixed = true }\nA = { at = [1, 0] }\n"
-    "B = { at = [2, 0] }\n[rods]\nr = { points = ['O', 'A'], mass = 1 }\ns = { points = ['A', 'B'], mass = 1 "
-    "}\n"
-    "[inputs]\nF = { unit = 'N' }\nG = { unit = 'N' }\n[forces]\nf = { point = 'A', direction = [1, 2], "
-    "magnitude = 'F' }\n"
-    "g = { point = 'B', direction = [0, 1], magnitude = 'G' }\n[outputs]\nx = { position = 'B.x' }\nv = { "
-    "velocity = 'B.y' }\n"
-    "a = { acceleration = 'A.y' }\nr = { reaction = 'O.x' }\ne = { energy = 'total' }\n";
 inline const std::string driven =
     "dimension = 2\ngravity = [0, -9.81]\n[points]\nA = { at = [1, 0] }\nB = { at = [1, -1] }\n"
     "[rods]\nr = { points = ['A', 'B'], mass = 1 }\n[inputs]\nx = { unit = 'm', value = 1 }\ny = { unit = "
@@ -37,9 +29,9 @@ inline ContractCase mechanism(const std::string& name, const std::string& text,
 inline std::vector<ContractCase> mechanism_cases() {
   std::vector<ContractCase> all;
   for (const auto& [formulation, integrator] : mbs::stepper_names())
-    all.push_back(mechanism("pushed", pushed, {formulation, integrator}));
+    all.push_back(mechanism("pushed", pushed_pendulum, {formulation, integrator}));
   all.push_back(mechanism("driven", driven, {}));
-  all.push_back(mechanism("late", pushed, {}, -7.3));
+  all.push_back(mechanism("late", pushed_pendulum, {}, -7.3));
   return all;
 }
 

@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "tandem/fixed_step.hpp"
 
@@ -10,8 +12,8 @@ namespace tandem::test {
 /// partner that keeps a run bounded whatever the scheme. For FixedStep<Model>.
 class Wave {
  public:
-  explicit Wave(double own_step) : own_step_(own_step) {}
-  SubsystemInfo info() const { return {"wave", {{"u", "1"}}, {{"y", "1", 1, 2}}, {}, {}}; }
+  explicit Wave(double own_step, std::string unit = "1") : unit_(std::move(unit)), own_step_(own_step) {}
+  SubsystemInfo info() const { return {"wave", {{"u", unit_}}, {{"y", unit_, 1, 2}}, {}, {}}; }
   double own_step() const { return own_step_; }
   void start(double t, std::span<const double>) { time_ = t; }
   void step(const OwnStep& s, std::span<const Signal> u) {
@@ -26,6 +28,7 @@ class Wave {
   double heard() const { return heard_; }
 
  private:
+  std::string unit_;
   double own_step_, time_ = 0.0, heard_ = 0.0;
 };
 

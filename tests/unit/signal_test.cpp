@@ -27,15 +27,17 @@ Segment segment(const Polynomial& p, double end, double origin) {
   return s;
 }
 
-TEST(Signal, GivesThePolynomialAndItsDerivativeOfEveryDegree) {
+TEST(Signal, GivesThePolynomialAndItsDerivativesOfEveryDegree) {
   for (int degree = 0; degree < TANDEM_MAX_COEFFICIENTS; ++degree) {
     const Polynomial p = Polynomial::of_degree(degree);
     const Segment s = segment(p, 2.0, 1.5);
     const Signal signal(&s, 1, degree);
     for (double t = 0.0; t < 3.0; t += 0.1) {
-      // 36 terms of at most 3.5 * 3^5, each with a few roundings of 1.1e-16: below 1e-11.
+      // 36 terms of at most 3.5 * 3^5 (20 times that in a second derivative), each with a few roundings of
+      // 1.1e-16: below 1e-11, and 1e-10.
       EXPECT_NEAR(signal.value(t), p(t), 1e-11) << degree;
       EXPECT_NEAR(signal.derivative(t), p.derivative()(t), 1e-11) << degree;
+      EXPECT_NEAR(signal.second_derivative(t), p.derivative().derivative()(t), 1e-10) << degree;
     }
     EXPECT_EQ(signal.degree(), degree);
   }

@@ -63,6 +63,16 @@ static inline double tandem_signal_derivative(const tandem_signal* u, double t) 
   return v;
 }
 
+/* Second time derivative at t [s], per second squared. */
+static inline double tandem_signal_second_derivative(const tandem_signal* u, double t) {
+  const tandem_segment* const s = tandem_signal_at(u, t);
+  const double x = t - s->origin;
+  double v = 0.0;
+  int32_t k;
+  for (k = u->degree; k > 1; --k) v = v * x + k * (k - 1) * s->c[k];
+  return v;
+}
+
 #ifdef __cplusplus
 }
 #endif

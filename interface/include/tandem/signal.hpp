@@ -31,6 +31,9 @@ class Signal {
   /// Time derivative at t [s], per second.
   double derivative(double t) const { return tandem_signal_derivative(&data_, t); }
 
+  /// Second time derivative at t [s], per second squared.
+  double second_derivative(double t) const { return tandem_signal_second_derivative(&data_, t); }
+
   std::span<const Segment> segments() const {
     return {data_.segments, static_cast<std::size_t>(data_.count)};
   }

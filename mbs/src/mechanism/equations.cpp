@@ -61,7 +61,7 @@ class JointEquations {
 
  private:
   Quadratic& next(const std::string& what) {
-    equations_.push_back({joint_.name + ": " + what, joint_.where});
+    equations_.push_back({joint_.name + ": " + what});
     return equations_.back();
   }
   Forms between() const { return difference(first_.point(joint_.at), second_.point(joint_.at)); }
@@ -125,7 +125,7 @@ std::vector<Quadratic> dependent_entities(const Description& in, const Numbering
                                                       ? frame.point(entity.at)
                                                       : frame.direction(entity.at);
     for (int k = 0; k < in.dimension; ++k) {
-      equations.push_back({fmt::format("{}: {}.{}", body.name, entity.name, axis_names[k]), body.where});
+      equations.push_back({fmt::format("{}: {}.{}", body.name, entity.name, axis_names[k])});
       equations.back().add(own[k], 1.0);
       equations.back().add(from[k], -1.0);
     }
@@ -134,8 +134,11 @@ std::vector<Quadratic> dependent_entities(const Description& in, const Numbering
 }
 
 Quadratic equation(const Description& in, const Numbering& at, const ScalarProduct& p) {
-  const double scale = 1.0 / std::max(drawn(in, p.a).norm(), drawn(in, p.b).norm());
-  Quadratic e{p.name, p.where, -scale * p.value};
+  const double length = std::max(drawn(in, p.a).norm(), drawn(in, p.b).norm());
+  if (!(length > 0.0))
+    refuse(p.where, "scalar product '" + p.name + "' is of two edges of length 0; allowed is one of them");
+  const double scale = 1.0 / length;
+  Quadratic e{p.name, -scale * p.value};
   e.add_product(forms_of(in, at, p.a), forms_of(in, at, p.b), scale);
   return e;
 }
@@ -149,7 +152,7 @@ Quadratic equation(const Description& in, const Numbering& at, const FixedAngle&
   const double phi = in.dimension == 2 ? std::atan2(cross[2], a.dot(b)) : std::atan2(cross.norm(), a.dot(b));
   const Forms fa = forms_of(in, at, angle.a), fb = forms_of(in, at, angle.b);
   const double scale = 1.0 / std::max(a.norm(), b.norm());
-  Quadratic e{angle.name, angle.where};
+  Quadratic e{angle.name};
   if (in.dimension == 2) {
     add_cross(e, fa, fb, scale * std::cos(phi));
     e.add_product(fa, fb, -scale * std::sin(phi));
@@ -166,7 +169,7 @@ Quadratic equation(const Description& in, const Numbering& at, const FixedAngle&
 }
 
 Quadratic equation(const Description&, const Numbering& at, const Drive& drive) {
-  Quadratic e{drive.name, drive.where};
+  Quadratic e{drive.name};
   e.linear.push_back({1.0, at.of(drive.coordinate)});
   e.input = drive.input;
   return e;
@@ -176,7 +179,7 @@ Quadratic length_equation(const Description& in, const Numbering& at, int relati
   const Relative& length = in.relatives[relative];
   const Forms edge = forms_of(in, at, length.a);
   const int s = at.relative[relative];
-  Quadratic e{length.name, length.where};
+  Quadratic e{length.name};
   const double scale = 1.0 / drawn(in, length);
   e.add_product(edge, edge, scale);
   e.products.push_back({-scale, s, s});

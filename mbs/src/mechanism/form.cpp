@@ -16,12 +16,6 @@ void Form::add(const Form& other, double factor) {
     if (factor * coefficient != 0.0) terms.emplace_back(coordinate, factor * coefficient);
 }
 
-double Form::at(const double* q) const {
-  double sum = constant;
-  for (const auto& [coordinate, coefficient] : terms) sum += coefficient * q[coordinate];
-  return sum;
-}
-
 Forms forms_of(const Description& in, const Numbering& at, int entity) {
   Forms forms;
   for (int k = 0; k < in.dimension; ++k) forms.push_back({0.0, {{at.entity[entity] + k, 1.0}}});

@@ -14,7 +14,6 @@ struct Form {
   std::vector<std::pair<int, double>> terms = {};
 
   void add(const Form& other, double factor);
-  double at(const double* q) const;
 };
 
 /// A point or a direction, a form for each axis.

@@ -22,8 +22,8 @@ constexpr double rounding = 1e-12, settled = 1e-9;  ///< of 1 + the largest coor
 class Linearized {
  public:
   Linearized(Model& model, const std::vector<std::pair<int, double>>& known)
-      : model_(model),
-        phi(model.structure().constraints),
+      : phi(model.structure().constraints),
+        model_(model),
         values_(static_cast<std::size_t>(model.structure().jacobian_values())),
         known_(known) {}
 
@@ -53,17 +53,15 @@ class Linearized {
 
   int variables() const { return model_.structure().variables; }
 
+  VectorXd phi;
+
  private:
   Eigen::Map<const Sparse> transposed() const {
     const Pattern& p = model_.structure().jacobian;
     return {p.rows(), p.columns(), p.size(), p.starts().data(), p.indices().data(), values_.data()};
   }
+
   Model& model_;
-
- public:
-  VectorXd phi;
-
- private:
   std::vector<double> values_;
   const std::vector<std::pair<int, double>>& known_;
 };

@@ -25,7 +25,23 @@ Outputs::Outputs(const Mechanism& mechanism)
                              [](const Output& o) { return o.kind == Kind::reaction; })),
       phi_(mechanism.structure().constraints),
       force_(mechanism.structure().coordinates),
-      jacobian_(static_cast<std::size_t>(mechanism.structure().jacobian_values())) {}
+      jacobian_(static_cast<std::size_t>(mechanism.structure().jacobian_values())) {
+  for (const Output& o : outputs_) supports_.push_back(o.kind == Kind::reaction ? support(o) : Support{});
+}
+
+Outputs::Support Outputs::support(const Output& output) const {
+  const Structure& structure = mechanism_.structure();
+  Support found{mechanism_.numbering().of(output.coordinate), {}, {}};
+  const int row = found.coordinate - structure.variables;
+  const Matrix& mass = mechanism_.fixed_mass();
+  const auto masses = mass.pattern.entries(), gradients = mechanism_.fixed_jacobian().entries();
+  for (std::size_t k = 0; k < masses.size(); ++k)
+    if (masses[k].first == row) found.masses.emplace_back(masses[k].second, mass.values[k]);
+  for (std::size_t k = 0; k < gradients.size(); ++k)
+    if (gradients[k].first == row)
+      found.gradients.emplace_back(gradients[k].second, structure.jacobian.size() + k);
+  return found;
+}
 
 std::string Outputs::unit(int output) const {
   const Description& in = mechanism_.description();
@@ -59,7 +75,7 @@ bool Outputs::depends(int output, int input) const {
 
 void Outputs::evaluate(const State& state, double* y) {
   if (reactions_) prepare_reactions(state);
-  for (const Output& output : outputs_) *y++ = value(output, state);
+  for (int k = 0; k < size(); ++k) *y++ = value(k, state);
 }
 
 void Outputs::prepare_reactions(const State& s) {
@@ -67,10 +83,9 @@ void Outputs::prepare_reactions(const State& s) {
   mechanism_.all_forces(s.q.data(), s.v.data(), force_.data());
 }
 
-double Outputs::value(const Output& output, const State& s) const {
-  const int i = is_motion(output.kind) || output.kind == Kind::reaction
-                    ? mechanism_.numbering().of(output.coordinate)
-                    : 0;
+double Outputs::value(int number, const State& s) const {
+  const Output& output = outputs_[static_cast<std::size_t>(number)];
+  const int i = is_motion(output.kind) ? mechanism_.numbering().of(output.coordinate) : 0;
   switch (output.kind) {
     case Kind::position:
       return s.q[i];
@@ -81,7 +96,7 @@ double Outputs::value(const Output& output, const State& s) const {
     case Kind::drive_reaction:
       return -s.lambda[mechanism_.drive_equation(output.drive)];
     case Kind::reaction:
-      return reaction(i, s);
+      return reaction(supports_[static_cast<std::size_t>(number)], s);
     case Kind::kinetic:
       return mechanism_.kinetic(s.v.data());
     case Kind::potential:
@@ -92,18 +107,10 @@ double Outputs::value(const Output& output, const State& s) const {
 }
 
 /// The equation of motion of a coordinate that does not move, M q'' + Phi_q^T lambda = Q + R.
-double Outputs::reaction(int coordinate, const State& s) const {
-  const Structure& structure = mechanism_.structure();
-  const int row = coordinate - structure.variables;
-  double sum = -force_[coordinate];
-  const Matrix& mass = mechanism_.fixed_mass();
-  const auto m = mass.pattern.entries();
-  for (std::size_t k = 0; k < m.size(); ++k)
-    if (m[k].first == row) sum += mass.values[k] * s.a[m[k].second];
-  const auto j = mechanism_.fixed_jacobian().entries();
-  for (std::size_t k = 0; k < j.size(); ++k)
-    if (j[k].first == row)
-      sum += jacobian_[static_cast<std::size_t>(structure.jacobian.size()) + k] * s.lambda[j[k].second];
+double Outputs::reaction(const Support& support, const State& s) const {
+  double sum = -force_[support.coordinate];
+  for (const auto& [column, mass] : support.masses) sum += mass * s.a[column];
+  for (const auto& [equation, entry] : support.gradients) sum += jacobian_[entry] * s.lambda[equation];
   return sum;
 }
 

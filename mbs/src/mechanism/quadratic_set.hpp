@@ -19,7 +19,7 @@ struct Quadratic {
     double c;
     int i, j;
   };
-  std::string name, where;
+  std::string name;
   double constant = 0.0;
   std::vector<Linear> linear = {};
   std::vector<Product> products = {};

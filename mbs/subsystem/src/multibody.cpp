@@ -74,7 +74,7 @@ void Multibody::start(double t, std::span<const double> u0) {
   machine_->inputs.set_constants(values);
   state_ = initial_state(machine_->mechanism, t);
   machine_->stepper->start(state_);
-  machine_->inputs.same(t, inputs_);
+  machine_->inputs.read(t, inputs_);
   kept_ = false;
 }
 
@@ -82,12 +82,12 @@ void Multibody::step(const OwnStep& s, std::span<const Signal> u) {
   if (std::exchange(kept_, false)) machine_->stepper->recall(memory_);
   unknown_.clear();
   machine_->inputs.set(u);
-  if (!machine_->inputs.same(s.begin, inputs_)) {
+  if (machine_->inputs.read(s.begin, inputs_)) {
     machine_->mechanism.at_time(s.begin);
     machine_->stepper->refresh(state_);
   }
   machine_->stepper->step(state_, s.length, s.end);
-  machine_->inputs.same(s.end, inputs_);
+  machine_->inputs.read(s.end, inputs_);
 }
 
 void Multibody::outputs(double* y) const {

@@ -3,27 +3,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace tandem::mbs {
-namespace {
-
-/// The piece that Signal::value(t) evaluates.
-const Segment& piece(const Signal& signal, double t) {
-  const auto segments = signal.segments();
-  const auto at =
-      std::find_if(segments.begin(), segments.end() - 1, [t](const Segment& s) { return t <= s.end; });
-  return *at;
-}
-
-double second_derivative(const Signal& signal, double t) {
-  const Segment& s = piece(signal, t);
-  double sum = 0.0;
-  for (int k = signal.degree(); k >= 2; --k) sum = sum * (t - s.origin) + k * (k - 1) * s.c[k];
-  return sum;
-}
-
-}  // namespace
-
 SignalInputs::SignalInputs(const Description& in) {
   for (int i = 0; i < static_cast<int>(in.inputs.size()); ++i) {
     if (in.inputs[static_cast<std::size_t>(i)].function) continue;
@@ -47,7 +29,7 @@ void SignalInputs::set_constants(std::span<const double> values) {
 InputValue SignalInputs::value(std::size_t port, double t) const {
   const Signal& signal = signals_[port];
   if (!drives_[port]) return {signal.value(t)};
-  return {signal.value(t), signal.derivative(t), second_derivative(signal, t)};
+  return {signal.value(t), signal.derivative(t), signal.second_derivative(t)};
 }
 
 void SignalInputs::at(double t, std::span<InputValue> values) {
@@ -55,14 +37,13 @@ void SignalInputs::at(double t, std::span<InputValue> values) {
     values[static_cast<std::size_t>(ports_[port])] = value(port, t);
 }
 
-bool SignalInputs::same(double t, std::vector<InputValue>& before) {
-  bool same = true;
+bool SignalInputs::read(double t, std::vector<InputValue>& to) const {
+  bool changed = false;
   for (std::size_t port = 0; port < ports_.size(); ++port) {
-    const InputValue now = value(port, t);
-    same = same && now == before[port];
-    before[port] = now;
+    const InputValue before = std::exchange(to[port], value(port, t));
+    changed |= !(before == to[port]);
   }
-  return same;
+  return changed;
 }
 
 }  // namespace tandem::mbs

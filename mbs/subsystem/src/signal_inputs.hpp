@@ -22,8 +22,8 @@ class SignalInputs final : public InputSource {
   void set_constants(std::span<const double> values);
 
   void at(double t, std::span<InputValue> values) override;
-  /// Whether they are at t as in `before`; if not, that is what `before` becomes.
-  bool same(double t, std::vector<InputValue>& before);
+  /// Writes what they are at t, and tells whether any of them has changed.
+  bool read(double t, std::vector<InputValue>& to) const;
 
  private:
   InputValue value(std::size_t port, double t) const;

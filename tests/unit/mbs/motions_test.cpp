@@ -34,8 +34,8 @@ TEST(Motions, StraightPiecesJumpWhereATimeIsThereTwice) {
   EXPECT_EQ(f(3.0).acceleration, 0.0);
 }
 
-/// x^3 - 1.5 x^2 on [0, 1] mirrored is itself a natural spline on [0, 1]: y'' = 6x - 3 does not vanish at the
-/// ends, so a spline of sin(x) over whole periods of its bends is taken: error 1/384 h^4 max|y''''| within.
+/// A natural spline has y'' = 0 at its ends, as sin(x) has on [0, pi]: then its error is of order 4
+/// everywhere.
 TEST(Motions, SplineIsOfOrderFourAndItsRatesOfThreeAndTwo) {
   const auto errors = [](int pieces) {
     std::vector<double> t, y;

@@ -9,9 +9,9 @@ namespace tandem::mbs {
 
 /// Moves the state of a model step by step: a formulation of its equations and an integrator of them. It may
 /// keep what belongs to the last step (a factorized matrix), so it serves one run at a time; a state that was
-/// kept is put back with the memory() of its time. Each function throws Error(numerical) with the time and the
-/// names of what is singular, not finite or does not converge; the state is then of no use. While a function
-/// runs, numbers below 2.2e-308 count as zero where the processor can (they would slow it by far).
+/// kept is put back with the memory() of its time. Each function throws Error(numerical) with the time and
+/// the names of what is singular, not finite or does not converge; the state is then of no use. While a
+/// function runs, numbers below 2.2e-308 count as zero where the processor can (they would slow it by far).
 class Stepper {
  public:
   virtual ~Stepper() = default;
@@ -26,9 +26,9 @@ class Stepper {
   /// Accelerations and multipliers anew where the state stands, after an input of the model has changed.
   virtual void refresh(State& state) = 0;
 
-  /// What it goes by besides the state, after a step or start(). With the state of that moment and its memory put
-  /// back, steps are the same to the last bit, if the solver is one that goes by nothing but the last matrix
-  /// (band and prepared are, of which `auto` takes one for mechanisms).
+  /// What it goes by besides the state, after a step or start(). With the state of that moment and its memory
+  /// put back, steps are the same to the last bit, if the solver goes by nothing but the last matrix, as band
+  /// and prepared do, of which `auto` takes one for mechanisms (klu goes by the pivots of a matrix before).
   virtual std::vector<double> memory() const { return {}; }
   virtual void recall(std::span<const double> /*memory*/) {}
 };

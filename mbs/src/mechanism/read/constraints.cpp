@@ -106,7 +106,7 @@ void Reader::read_length(const std::string& name, Section& section) {
 }
 
 void Reader::read_drive(const std::string& name, Section& section) {
-  Drive drive{name, required_coordinate(section, "coordinate"), -1, section.place().text()};
+  Drive drive{name, required_coordinate(section, "coordinate"), -1};
   if (drive.coordinate.entity >= 0 && to_.entities[drive.coordinate.entity].fixed)
     section.wrong("coordinate", "of a fixed point", "one that is not fixed");
   drive.input =

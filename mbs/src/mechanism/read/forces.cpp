@@ -10,7 +10,6 @@ namespace tandem::mbs {
 void Reader::read_input(const std::string& name, Section& section) {
   Input input{name, section.required_text("unit", "its unit, \"N\"")};
   if (const auto value = section.number("value")) input.value = *value;
-  input.where = section.place().text();
   read_function(section, input);
   this->name(inputs_, section, name, to_.inputs.size());
   to_.inputs.push_back(std::move(input));
@@ -70,7 +69,6 @@ std::function<InputValue(double)> Reader::data(Section& section, const std::stri
 void Reader::read_spring(const std::string& name, Section& section) {
   Spring spring;
   spring.name = name;
-  spring.where = section.place().text();
   const bool between = section.node("points") != nullptr;
   if (between) {
     spring.points = two_points(section, "points");
@@ -90,7 +88,6 @@ void Reader::read_spring(const std::string& name, Section& section) {
 
 void Reader::read_force(const std::string& name, Section& section) {
   Force force{name, Force::Kind::relative};
-  force.where = section.place().text();
   if (const auto on = section.text("point")) {
     force.kind = Force::Kind::point;
     force.index = point(section, "point", *on);

@@ -18,7 +18,6 @@ constexpr std::pair<const char*, Kind> energies[] = {
 /// Exactly one of the keys position, velocity, acceleration, reaction and energy.
 void Reader::read_output(const std::string& name, Section& section) {
   Output output{name, Kind::position};
-  output.where = section.place().text();
   int given = 0;
   for (const auto& [key, kind] : motions)
     if (section.node(key)) {

@@ -79,7 +79,6 @@ struct Input {
   std::string name, unit;
   double value = std::numeric_limits<double>::quiet_NaN();  ///< until something else is given
   std::function<InputValue(double)> function = {};          ///< of time [s]; empty: given from outside
-  std::string where = {};
 };
 
 /// A coordinate follows an input: prescribed motion.
@@ -87,7 +86,6 @@ struct Drive {
   std::string name;
   Coordinate coordinate;
   int input;
-  std::string where = {};
 };
 
 /// Between two points, along the edge, or on a relative coordinate: the force that pulls it back is
@@ -98,7 +96,6 @@ struct Spring {
   int relative = -1;  ///< if 0 or more
   double free = 0.0;  ///< [m or rad]
   std::vector<double> stiffness, damping;
-  std::string where = {};
 };
 
 /// An input times a gain acts on a point in a constant direction [N], between two points, driving them apart
@@ -112,7 +109,6 @@ struct Force {
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< of a point's force; its length is a factor
   int input = -1;
   double gain = 1.0;
-  std::string where = {};
 };
 
 /// A quantity to be read of a mechanism. Reactions are those of the support on the mechanism: of a drive
@@ -123,7 +119,6 @@ struct Output {
   Kind kind;
   Coordinate coordinate = {};  ///< positions to accelerations, and reactions of fixed points
   int drive = -1;
-  std::string where = {};
 };
 
 /// A coordinate's value that is known at the start.

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tandem/mbs/mechanism/mechanism.hpp"
@@ -30,13 +31,21 @@ class Outputs {
   void derivatives(const State& state, int order, double* dy) const;
 
  private:
+  /// A coordinate that does not move, and what of M and of Phi_q belongs to it.
+  struct Support {
+    int coordinate = -1;
+    std::vector<std::pair<int, double>> masses = {};          ///< by coordinate
+    std::vector<std::pair<int, std::size_t>> gradients = {};  ///< by equation: entry of the Jacobian
+  };
+  Support support(const Output& output) const;
   void prepare_reactions(const State& state);
-  double value(const Output& output, const State& state) const;
-  double reaction(int coordinate, const State& state) const;
+  double value(int output, const State& state) const;
+  double reaction(const Support& support, const State& state) const;
 
   const Mechanism& mechanism_;
   const std::vector<Output>& outputs_;
   bool reactions_ = false;
+  std::vector<Support> supports_;  ///< by output; of reactions
   Eigen::VectorXd phi_, force_;
   std::vector<double> jacobian_;
 };
