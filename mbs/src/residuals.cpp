@@ -8,8 +8,7 @@ namespace tandem::mbs {
 Residuals residuals(Model& model, const State& s) {
   const Structure& structure = model.structure();
   if (structure.constraints == 0) return {};
-  Eigen::VectorXd phi(structure.constraints), extra(phi), product(phi),
-      jacobian(structure.jacobian_values());
+  Eigen::VectorXd phi(structure.constraints), extra(phi), product(phi), jacobian(structure.jacobian_values());
   const auto largest = [&](const Eigen::VectorXd& x) {
     multiply_transposed(structure.jacobian, jacobian.data(), x.data(), product.data());
     return (product + extra).lpNorm<Eigen::Infinity>();

@@ -37,17 +37,17 @@ struct Problem {
   void evaluate(double t, const double* y, const double* rate, double* result) {
     const Structure& s = model.structure();
     const int n = s.variables, m = s.constraints;
-    VectorXd phi(m), gamma(m), jacobian(s.jacobian_values()), balance(n), force(n);
+    VectorXd phi(m), gamma(m), jacobian(s.jacobian_values()), inertia(n), held(n), force(n);
     at.q.head(n) = Map<const VectorXd>(y, n);
     at.v.head(n) = Map<const VectorXd>(y + n, n);
     model.at_time(t);
     model.constraints(at.q.data(), phi.data(), jacobian.data());
     model.constraint_accelerations(at.q.data(), at.v.data(), gamma.data());
     model.forces(at.q.data(), at.v.data(), force.data());
-    multiply_symmetric(s.mass, rate + n, balance.data());
-    add_product(s.jacobian, jacobian.data(), y + 2 * n, balance.data());
+    multiply_symmetric(s.mass, rate + n, inertia.data());
+    Rows(s.jacobian).multiply(jacobian.data(), y + 2 * n, held.data());
     Map<VectorXd>(result, n) = Map<const VectorXd>(rate, n) - at.v.head(n);
-    Map<VectorXd>(result + n, n) = balance - force;
+    Map<VectorXd>(result + n, n) = inertia + held - force;
     multiply_transposed(s.jacobian, jacobian.data(), rate + n, result + 2 * n);
     Map<VectorXd>(result + 2 * n, m) += gamma;
   }

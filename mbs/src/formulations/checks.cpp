@@ -3,10 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "tandem/error.hpp"
+#include "tandem/mbs/sparse/products.hpp"
 #include "tandem/nearest.hpp"
 
 namespace tandem::mbs {
@@ -25,21 +26,15 @@ std::string constraints_of(const Structure& s, int variable) {
 
 void refuse_vanishing_row(const Structure& s, const double* jacobian, double time) {
   constexpr double zero = 1e-12;
+  const ColumnSquares squares =
+      column_squares(s.jacobian, jacobian);  // in each step: no name is looked for yet
+  if (s.constraints == 0 || squares.least > zero * zero * squares.most) return;
   const int* const starts = s.jacobian.starts().data();
   const auto square = [&](int c) {
-    double sum = 0.0;
-    for (int k = starts[c]; k < starts[c + 1]; ++k) sum += jacobian[k] * jacobian[k];
-    return sum;
+    return std::inner_product(jacobian + starts[c], jacobian + starts[c + 1], jacobian + starts[c], 0.0);
   };
-  double least = HUGE_VAL, most = 0.0;
-  for (int c = 0; c < s.constraints; ++c) {  // in each step of every model: no name is looked for yet
-    const double row = square(c);
-    least = std::min(least, row);
-    most = std::max(most, row);
-  }
-  if (s.constraints == 0 || least > zero * zero * most) return;
   int at = 0;
-  while (square(at) > least) ++at;
+  while (square(at) > squares.least) ++at;
   fail(fmt::format("the row of the Jacobian of constraint '{}' vanishes at t = {} s: it holds nothing there",
                    s.constraint_names[at], time));
 }

@@ -8,6 +8,8 @@
 #include "merged_frequency.hpp"
 #include "settings.hpp"
 #include "tandem/mbs/integrators/frequency.hpp"
+#include "team.hpp"
+#include "timed.hpp"
 
 namespace tandem::mbs {
 namespace {
@@ -27,10 +29,18 @@ const Index3Settings& checked(const Index3Settings& s) {
   setting("most_iterations", s.most_iterations).count();
   setting("projections", s.projections).count();
   setting("multiplier_iterations", s.multiplier_iterations).count();
+  setting("threads", s.threads).count();
+  if (s.threads > 1 && !threads_are_built_in())
+    throw Error(ErrorCode::not_supported,
+                fmt::format("index-3 formulation: threads is {}; allowed is 1, as this tandem was built "
+                            "without OpenMP",
+                            s.threads));
   return s;
 }
 
 }  // namespace
+
+bool threads_are_built_in() { return Team::can_be_many; }
 
 Index3::Index3(Model& model, const Index3Settings& settings)
     : settings_(checked(settings)), terms_(model, settings.solver), penalty_(penalty(shortest)) {}
@@ -62,6 +72,7 @@ void Index3::settle(State& s) {
 
 void Index3::refresh(State& s) {
   const FlushDenormals scope;
+  const Team team(settings_.threads);
   if (weight_ == 0.0) return settle(s);
   terms_.model.at_time(s.time);
   terms_.constraints(s);
@@ -72,6 +83,7 @@ void Index3::refresh(State& s) {
 
 int Index3::step(State& s, double h, double t_end) {
   const FlushDenormals scope;
+  const Team team(settings_.threads);
   penalty_ = penalty(h);
   predict(s, h, t_end);
   for (int iteration = 1; iteration <= settings_.most_iterations; ++iteration) {
@@ -111,35 +123,49 @@ void Index3::recall(std::span<const double> memory) {
 void Index3::predict(State& s, double h, double t_end) {
   Setting{"index-3 formulation", "the step", h}.positive();
   if (settings_.beta < 0.25) refuse_unstable(s, h);
-  const int n = terms_.structure.variables;
-  double* const q = s.q.data();
-  double* const v = s.v.data();
-  const double* const a = s.a.data();
-  for (int i = 0; i < n; ++i) q[i] += h * v[i] + 0.5 * h * h * a[i], v[i] += h * a[i];
+  extrapolate(s, h);
   s.time = t_end;
   terms_.model.at_time(t_end);
   if (!settings_.carry_multipliers) s.lambda.setZero();
   terms_.constraints(s);
 }
 
+/// Accelerations stay as they are.
+void Index3::extrapolate(State& s, double h) {
+  const Timed timed(Task::update);
+  double* const q = s.q.data();
+  double* const v = s.v.data();
+  const double* const a = s.a.data();
+  share(terms_.structure.variables, [=](int first, int last) {
+    for (int i = first; i < last; ++i) q[i] += h * v[i] + 0.5 * h * h * a[i], v[i] += h * a[i];
+  });
+}
+
 /// One of Newton's iterations: the Euclidean norm of the change in q.
 double Index3::correct(State& s, double h) {
-  const double scale = settings_.beta * h * h, to_v = gamma / (settings_.beta * h), to_a = 1.0 / scale;
+  const double scale = settings_.beta * h * h;
   terms_.factorize(s, {gamma * h, scale, weight_ = scale * penalty_});
   terms_.forces(s);
   terms_.weights = s.lambda + penalty_ * terms_.phi;
   const double norm = terms_.correct(s, terms_.weights, scale);
-  double* const q = s.q.data();
-  double* const v = s.v.data();
-  double* const a = s.a.data();
-  for (int i = 0; i < terms_.structure.variables; ++i) {
-    const double d = terms_.correction[i];
-    q[i] += d, v[i] += to_v * d, a[i] += to_a * d;
-  }
+  add_correction(s, h);
   return norm;
 }
 
+void Index3::add_correction(State& s, double h) {
+  const Timed timed(Task::update);
+  const double to_v = gamma / (settings_.beta * h), to_a = 1.0 / (settings_.beta * h * h);
+  double* const q = s.q.data();
+  double* const v = s.v.data();
+  double* const a = s.a.data();
+  const double* const d = terms_.correction.data();
+  share(terms_.structure.variables, [=](int first, int last) {
+    for (int i = first; i < last; ++i) q[i] += d[i], v[i] += to_v * d[i], a[i] += to_a * d[i];
+  });
+}
+
 void Index3::project_velocities(State& s, double weight) {
+  const Timed timed(Task::velocity_projection);
   terms_.model.constraint_rates(s.q.data(), terms_.phi.data());
   terms_.violation(s.v, terms_.phi);
   const double before = terms_.error.norm();
@@ -167,6 +193,7 @@ void Index3::refuse_growth(const State& s, double before) {
 }
 
 void Index3::project_accelerations(State& s, double weight) {
+  const Timed timed(Task::acceleration_projection);
   terms_.model.constraint_accelerations(s.q.data(), s.v.data(), terms_.gamma.data());
   terms_.violation(s.a, terms_.gamma);
   for (int k = 0; k < settings_.projections; ++k) {

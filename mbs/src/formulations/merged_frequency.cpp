@@ -10,24 +10,24 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// y += Phi_q^T x, Phi_q where s stands.
-void add_constraint_forces(Terms& terms, const State& s, const VectorXd& x, VectorXd& y) {
+/// Phi_q^T x, Phi_q where s stands.
+VectorXd constraint_forces(Terms& terms, const State& s, const VectorXd& x) {
+  VectorXd y(terms.structure.variables);
   terms.constraints(s);
-  add_product(terms.structure.jacobian, terms.matrices.jacobian.data(), x.data(), y.data());
+  terms.jacobian_rows.multiply(terms.matrices.jacobian.data(), x.data(), y.data());
+  return y;
 }
 
 /// z <- (K + d(Phi_q^T lambda)/dq) z, the second part by central differences. K as factorize() left it.
 void multiply_stiffness(Terms& terms, const State& s, VectorXd& z) {
   const double reach = 1e-6 * (1.0 + s.q.norm());
-  const VectorXd lambda = s.lambda / (2.0 * reach), less = -lambda;
   State above = s, below = s;
   above.q.head(z.size()) += reach * z;
   below.q.head(z.size()) -= reach * z;
-  VectorXd product = VectorXd::Zero(z.size());
-  add_product(terms.structure.stiffness, terms.matrices.stiffness.data(), z.data(), product.data());
-  add_constraint_forces(terms, above, lambda, product);
-  add_constraint_forces(terms, below, less, product);
-  z = product;
+  const VectorXd lambda = s.lambda / (2.0 * reach);
+  VectorXd product(z.size());
+  Rows(terms.structure.stiffness).multiply(terms.matrices.stiffness.data(), z.data(), product.data());
+  z = product + constraint_forces(terms, above, lambda) - constraint_forces(terms, below, lambda);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "checks.hpp"
 #include "tandem/error.hpp"
+#include "timed.hpp"
 
 namespace tandem::mbs {
 namespace {
@@ -29,16 +30,19 @@ Terms::Terms(Model& of, const std::string& solver)
     : model(of),
       structure(of.structure()),
       tangent(structure, make_solver(solver, MatrixKind::positive_definite)),
+      jacobian_rows(structure.jacobian),
       matrices(structure),
       phi(structure.constraints),
       gamma(phi),
       error(phi),
       weights(phi),
       force(structure.variables),
+      inertia(force),
       correction(force),
       largest_mass(largest(structure.mass.values)) {}
 
 void Terms::constraints(const State& s) {
+  const Timed timed(Task::dynamic_terms);
   model.constraints(s.q.data(), phi.data(), matrices.jacobian.data());
 }
 
@@ -46,21 +50,35 @@ void Terms::refuse_vanishing(const State& s) const {
   refuse_vanishing_row(structure, matrices.jacobian.data(), s.time);
 }
 
-void Terms::forces(const State& s) { model.forces(s.q.data(), s.v.data(), force.data()); }
+void Terms::forces(const State& s) {
+  const Timed timed(Task::dynamic_terms);
+  model.forces(s.q.data(), s.v.data(), force.data());
+}
 
-void Terms::factorize(const State& s, const TangentFactors& factors) {
+void Terms::assemble(const State& s, const TangentFactors& factors) {
+  const Timed timed(Task::tangent);
   if (structure.stiffness.size() > 0)
     model.force_derivatives(s.q.data(), s.v.data(), matrices.stiffness.data(), matrices.damping.data());
   tangent.assemble(matrices, factors);
+}
+
+void Terms::factorize(const State& s, const TangentFactors& factors) {
+  assemble(s, factors);
+  const Timed timed(Task::factorization);
   if (const int bad = tangent.factorize(); bad >= 0)
     refuse_singular(structure, "tangent matrix", bad, s.time);
 }
 
+void Terms::residual(const State& s, const Eigen::VectorXd& by, double factor) {
+  const Timed timed(Task::residual);
+  multiply_symmetric(structure.mass, s.a.data(), inertia.data());
+  jacobian_rows.multiply(matrices.jacobian.data(), by.data(), correction.data());
+  correction = factor * (force - inertia - correction);
+}
+
 double Terms::correct(const State& s, const Eigen::VectorXd& by, double factor) {
-  multiply_symmetric(structure.mass, s.a.data(), correction.data());
-  correction -= force;
-  add_product(structure.jacobian, matrices.jacobian.data(), by.data(), correction.data());
-  correction *= -factor;
+  residual(s, by, factor);
+  const Timed timed(Task::substitution);
   tangent.solve(correction.data());
   const double norm = correction.norm();
   if (std::isfinite(norm)) return norm;
@@ -76,8 +94,7 @@ void Terms::violation(const Eigen::VectorXd& x, const Eigen::VectorXd& rhs) {
 
 void Terms::project(Eigen::VectorXd& x, double weight) {
   error *= -weight;
-  correction.setZero();
-  add_product(structure.jacobian, matrices.jacobian.data(), error.data(), correction.data());
+  jacobian_rows.multiply(matrices.jacobian.data(), error.data(), correction.data());
   tangent.solve(correction.data());
   x.head(structure.variables) += correction;
 }

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "constraint_set.hpp"
+#include "team.hpp"
 
 namespace tandem::mbs {
 
@@ -23,31 +24,34 @@ class DistanceSet final : public ConstraintSet {
   }
 
   void values(const double* q, double* phi, double* jacobian) const override {
-    const int* to = to_.data();
-    phi += first_;
-    for (const Pair& p : pairs_) {
-      double square = 0.0;
-      for (int d = 0; d < Dimension; ++d) {
-        const double along = q[p.b + d] - q[p.a + d];
-        square += along * along;
-        jacobian[to[d]] = -2.0 * p.scale * along;
-        jacobian[to[Dimension + d]] = 2.0 * p.scale * along;
+    share(size(), [=, this](int first, int last) {
+      const int* to = to_.data() + 2 * Dimension * first;
+      for (int k = first; k < last; ++k, to += 2 * Dimension) {
+        const Pair& p = pairs_[k];
+        double square = 0.0;
+        for (int d = 0; d < Dimension; ++d) {
+          const double along = q[p.b + d] - q[p.a + d];
+          square += along * along;
+          jacobian[to[d]] = -2.0 * p.scale * along;
+          jacobian[to[Dimension + d]] = 2.0 * p.scale * along;
+        }
+        phi[first_ + k] = p.scale * (square - p.square);
       }
-      *phi++ = p.scale * (square - p.square);
-      to += 2 * Dimension;
-    }
+    });
   }
 
   void accelerations(const double*, const double* v, double* gamma) const override {
-    gamma += first_;
-    for (const Pair& p : pairs_) {
-      double square = 0.0;
-      for (int d = 0; d < Dimension; ++d) {
-        const double along = v[p.b + d] - v[p.a + d];
-        square += along * along;
+    share(size(), [=, this](int first, int last) {
+      for (int k = first; k < last; ++k) {
+        const Pair& p = pairs_[k];
+        double square = 0.0;
+        for (int d = 0; d < Dimension; ++d) {
+          const double along = v[p.b + d] - v[p.a + d];
+          square += along * along;
+        }
+        gamma[first_ + k] = 2.0 * p.scale * square;
       }
-      *gamma++ = 2.0 * p.scale * square;
-    }
+    });
   }
 
  private:

@@ -77,7 +77,11 @@ const std::vector<Benchmark>& all() {
        linear_solvers, "the least of 5"},
       {"dense",
        "products and Cholesky's factorization with one solution of small dense matrices by each BLAS",
-       dense_algebra}};
+       dense_algebra},
+      {"threads", "a step of the linkage, in ns a variable, by the number of threads, over its size", threads,
+       "the least of 15"},
+      {"profile", "the share of each task of a step of the linkage, in a build with -DTANDEM_PROFILE=ON",
+       profile}};
   return list;
 }
 

@@ -50,5 +50,7 @@ Table four_bar_linkage();
 Table sparse_algebra();
 Table linear_solvers();
 Table dense_algebra();
+Table threads();
+Table profile();
 
 }  // namespace tandem::bench

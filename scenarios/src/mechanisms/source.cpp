@@ -45,6 +45,7 @@ void take(Parameters& p, mbs::Index3Settings& s) {
   s.projections = whole(p, "projections", s.projections);
   s.carry_multipliers = p.flag("carry_multipliers", s.carry_multipliers);
   s.solver = p.text("solver", s.solver);
+  s.threads = whole(p, "threads", s.threads);
 }
 
 template <class Stabilized>

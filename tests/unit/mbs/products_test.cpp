@@ -8,6 +8,7 @@
 #include <random>
 
 #include "tandem/mbs/sparse/permutation.hpp"
+#include "tandem/mbs/sparse/rank_update.hpp"
 
 namespace tandem::mbs {
 namespace {
@@ -73,13 +74,13 @@ TEST(Products, AreThoseOfDenseMatrices) {
     const Matrix a = random_matrix(9, 6, 25, seed);
     const MatrixXd full = dense(a.pattern, a.values);
     const VectorXd x = VectorXd::LinSpaced(9, -1.0, 1.0), y = VectorXd::LinSpaced(6, 0.3, 1.0);
-    VectorXd transposed(6), added = VectorXd::Ones(9), sum(9);
+    VectorXd transposed(6), rows(9), sum(9);
     multiply_transposed(a.pattern, a.values.data(), x.data(), transposed.data());
-    add_product(a.pattern, a.values.data(), y.data(), added.data());
+    Rows(a.pattern).multiply(a.values.data(), y.data(), rows.data());
     EXPECT_LT((transposed - full.transpose() * x).norm(), rounding);
-    add_scaled(9, x.data(), -2.0, added.data(), sum.data());
-    EXPECT_LT((sum - (x - 2.0 * added)).norm(), rounding);
-    EXPECT_LT((added - VectorXd::Ones(9) - full * y).norm(), rounding);
+    EXPECT_LT((rows - full * y).norm(), rounding);
+    add_scaled(9, x.data(), -2.0, rows.data(), sum.data());
+    EXPECT_LT((sum - (x - 2.0 * rows)).norm(), rounding);
   }
 }
 
@@ -99,6 +100,20 @@ TEST(RankUpdate, IsThatOfDenseMatricesOnEitherTriangleOrBoth) {
         EXPECT_NEAR(result[k], 0.25 + expected(entries[k].first, entries[k].second), rounding);
     }
   }
+}
+
+/// So many columns that they are coloured.
+TEST(RankUpdate, OfALargeMatrixIsThatOfItsProduct) {
+  const Matrix a = random_matrix(300, 700, 2000, 1);
+  const MatrixXd full = dense(a.pattern, a.values), expected = full * full.transpose();
+  std::vector<std::pair<int, int>> lower;
+  for (int c = 0; c < 300; ++c)
+    for (int r = c; r < 300; ++r) lower.emplace_back(r, c);
+  const std::vector<double> base(lower.size(), 0.25);
+  std::vector<double> result(lower.size());
+  RankUpdate(a.pattern, lower).run(a.values.data(), 1.0, base.data(), result.data());
+  for (std::size_t k = 0; k < lower.size(); ++k)
+    EXPECT_NEAR(result[k], 0.25 + expected(lower[k].first, lower[k].second), rounding);
 }
 
 }  // namespace

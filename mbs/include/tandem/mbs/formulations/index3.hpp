@@ -17,9 +17,15 @@ struct Index3Settings {
   int projections = 1;             ///< of velocities and of accelerations; each divides their error anew
   bool carry_multipliers = false;  ///< a step begins with the multipliers of the one before, not with zero
   std::string solver = "auto";
+  /// that share the loops over a large model's constraints, variables and matrix entries; the states are the
+  /// same, bit for bit, with any number. More than 1 needs a build with OpenMP
+  int threads = 1;
 
   bool operator==(const Index3Settings&) const = default;
 };
+
+/// Whether this tandem was built with OpenMP.
+bool threads_are_built_in();
 
 /// Index-3 augmented Lagrangian formulation with Newmark's method merged in, and mass-orthogonal projections
 /// of velocities and accelerations (E. Bayo, R. Ledesma, Nonlinear Dynamics 9 (1996) 113; J. Cuadrado et al.,
@@ -58,7 +64,9 @@ class Index3 final : public Stepper {
   double penalty(double h) const;
   void settle(State& s);
   void predict(State& s, double h, double t_end);
+  void extrapolate(State& s, double h);
   double correct(State& s, double h);
+  void add_correction(State& s, double h);
   void refuse_unstable(const State& s, double h);
   void project_velocities(State& s, double weight);
   void refuse_growth(const State& s, double before);

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "tandem/mbs/model.hpp"
+#include "tandem/mbs/sparse/products.hpp"
 #include "tandem/mbs/sparse/tangent.hpp"
 
 namespace tandem::mbs {
@@ -40,12 +41,18 @@ struct Terms {
   /// penalty |rhs| is lost to rounding. Returns the iterations, 0 if these were not enough.
   int settle(State& s, const Eigen::VectorXd& rhs, double penalty, double tolerance, int most);
 
+  /// T, not factorized.
+  void assemble(const State& s, const TangentFactors& factors);
+  /// correction <- factor [Q - M a - Phi_q^T weights].
+  void residual(const State& s, const Eigen::VectorXd& weights, double factor);
+
   Model& model;
   const Structure& structure;
   Tangent tangent;
+  Rows jacobian_rows;
   ModelMatrices matrices;
   Eigen::VectorXd phi, gamma, error, weights;  ///< m
-  Eigen::VectorXd force, correction;           ///< n
+  Eigen::VectorXd force, inertia, correction;  ///< n; the second: M a
   double largest_mass;                         ///< the largest entry of M; 1 if there is none [kg]
 };
 

@@ -6,7 +6,7 @@
 
 #include "tandem/mbs/model.hpp"
 #include "tandem/mbs/sparse/linear_solver.hpp"
-#include "tandem/mbs/sparse/products.hpp"
+#include "tandem/mbs/sparse/rank_update.hpp"
 
 namespace tandem::mbs {
 

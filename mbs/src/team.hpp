@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "flush_denormals.hpp"
+
+#ifdef TANDEM_OPENMP
+#include <omp.h>
+#endif
+
+namespace tandem::mbs {
+
+/// Loops over so many elements or more are shared by threads: below it a loop of 5 to 10 ns an element takes
+/// less time than it takes to meet (docs/threads.md).
+constexpr int worth_sharing = 512;
+
+/// While it lives, share() of this thread uses so many threads.
+class Team {
+ public:
+#ifdef TANDEM_OPENMP
+  static constexpr bool can_be_many = true;
+#else
+  static constexpr bool can_be_many = false;
+#endif
+  explicit Team(int threads) : before_(size_) { size_ = threads; }
+  ~Team() { size_ = before_; }
+  Team(const Team&) = delete;
+  Team& operator=(const Team&) = delete;
+  static int size() { return size_; }
+
+ private:
+  static inline constinit thread_local int size_ = 1;
+  int before_;
+};
+
+/// body(first, last) for parts of 0 .. count, which must not depend on each other and must not throw.
+template <class Body>
+void share(int count, const Body& body) {
+#ifdef TANDEM_OPENMP
+  if (count >= worth_sharing && Team::size() > 1) {
+#pragma omp parallel num_threads(Team::size())
+    {
+      const FlushDenormals scope;  // each thread has a setting of its own
+      const long part = omp_get_thread_num(), parts = omp_get_num_threads();
+      const Body own(body);
+      own(static_cast<int>(count * part / parts), static_cast<int>(count * (part + 1) / parts));
+    }
+    return;
+  }
+#endif
+  const Body own(body);  // of whose variables the compiler knows that no thread changes them
+  own(0, count);
+}
+
+}  // namespace tandem::mbs

@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// Steps of large models whose loops threads share.
+#include <gtest/gtest.h>
+
+#include "four_bar/linkage.hpp"
+#include "refusal.hpp"
+#include "tandem/mbs/formulations/index3.hpp"
+#include "tandem/mbs/mechanism/mechanism.hpp"
+#include "tandem/mbs/mechanism/read.hpp"
+
+namespace tandem::mbs {
+namespace {
+
+/// Where the linkage is after twenty steps, and the accelerations and multipliers there.
+State after_steps(Mechanism& linkage, const Index3Settings& settings) {
+  Index3 stepper(linkage, settings);
+  State s = linkage.described_state();
+  stepper.start(s);
+  for (int k = 1; k <= 20; ++k) stepper.step(s, 1e-3, 1e-3 * k);
+  return s;
+}
+
+TEST(Threads, GiveTheSameBitsWhateverTheirNumber) {
+  Mechanism linkage(read_mechanism("linkage", four_bar::text(700)));
+  Index3Settings settings{.penalty = 1e8};
+  const State alone = after_steps(linkage, settings);
+  for (const int threads : {2, 3, 4}) {
+    settings.threads = threads;
+    if (!threads_are_built_in()) {
+      EXPECT_TRUE(test::refuses(ErrorCode::not_supported, {"threads", "without OpenMP"},
+                                [&] { Index3(linkage, settings); }));
+      continue;
+    }
+    const State shared = after_steps(linkage, settings);
+    EXPECT_EQ(shared.q, alone.q) << threads;
+    EXPECT_EQ(shared.v, alone.v) << threads;
+    EXPECT_EQ(shared.a, alone.a) << threads;
+    EXPECT_EQ(shared.lambda, alone.lambda) << threads;
+  }
+}
+
+TEST(Threads, AreAtLeastOne) {
+  Mechanism linkage(read_mechanism("linkage", four_bar::text(1)));
+  EXPECT_TRUE(
+      test::refuses(ErrorCode::invalid_argument, {"threads", "0"}, [&] { Index3(linkage, {.threads = 0}); }));
+}
+
+}  // namespace
+}  // namespace tandem::mbs
