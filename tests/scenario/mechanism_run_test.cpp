@@ -6,6 +6,7 @@
 
 #include "command.hpp"
 #include "mechanisms/pendulum.hpp"
+#include "tandem/mbs/sparse/matrix_file.hpp"
 #include "tandem/text/time_table.hpp"
 
 namespace tandem {
@@ -67,6 +68,24 @@ TEST(RunCommand, AForceComesFromADataFile) {
   EXPECT_NE(beyond.err.find("nothing is extrapolated"), std::string::npos) << beyond.err;
   EXPECT_GT(TimeTable::read(folder.path() / "p").times.size(), 90U)
       << "results up to the last exchange are kept";
+}
+
+TEST(RunCommand, DumpsTheMatricesOfAMechanism) {
+  const Scratch folder;
+  const Said said = tandem(folder, {"run", mechanism_file("spring_pendulum"), "--set", "run.stop=0.5",
+                                    "--output", "o", "--dump-matrices", "m", "--dump-at", "0,0.25"});
+  ASSERT_EQ(said.status, 0) << said.err;
+  for (const char* name : {"mass", "jacobian", "stiffness", "damping", "tangent"})
+    for (const char* at : {"_0.mtx", "_0.25.mtx"})
+      EXPECT_NO_THROW(
+          mbs::read_matrix_market(folder.path() / "m" / "spring_pendulum" / (std::string(name) + at)));
+  const Said none = tandem(folder, {"run", test::two_mass_file("two_mass.toml"), "--dump-matrices", "m"});
+  EXPECT_EQ(none.status, 2);
+  EXPECT_NE(none.err.find("no subsystem of the scenario has the source mechanism:FILE"), std::string::npos);
+  const Said wrong =
+      tandem(folder, {"run", mechanism_file("spring_pendulum"), "--dump-matrices", "m", "--dump-at", "x"});
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_NE(wrong.err.find("'matrices_at' is the text 'x'"), std::string::npos) << wrong.err;
 }
 
 /// Arguments after the file, and words of the sentence.

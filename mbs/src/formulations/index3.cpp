@@ -141,13 +141,19 @@ void Index3::extrapolate(State& s, double h) {
   });
 }
 
+TangentFactors Index3::tangent_factors(double h) const {
+  const double scale = settings_.beta * h * h;
+  return {gamma * h, scale, scale * penalty(h)};
+}
+
 /// One of Newton's iterations: the Euclidean norm of the change in q.
 double Index3::correct(State& s, double h) {
-  const double scale = settings_.beta * h * h;
-  terms_.factorize(s, {gamma * h, scale, weight_ = scale * penalty_});
+  const TangentFactors factors = tangent_factors(h);
+  weight_ = factors.penalty;
+  terms_.factorize(s, factors);
   terms_.forces(s);
   terms_.weights = s.lambda + penalty_ * terms_.phi;
-  const double norm = terms_.correct(s, terms_.weights, scale);
+  const double norm = terms_.correct(s, terms_.weights, factors.stiffness);
   add_correction(s, h);
   return norm;
 }

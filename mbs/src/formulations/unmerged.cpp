@@ -32,6 +32,8 @@ void Unmerged::refresh(State& s) {
   formulation_->refresh(s);
 }
 
+TangentFactors Unmerged::tangent_factors(double) const { return {0.0, 0.0, formulation_->penalty()}; }
+
 /// The formulation's, the integrator's, and how many numbers are the first's.
 std::vector<double> Unmerged::memory() const {
   std::vector<double> all = formulation_->memory();

@@ -12,17 +12,18 @@
 
 namespace tandem::mbs {
 
-Multibody::Machine::Machine(Description description, const StepperSettings& settings)
+Multibody::Machine::Machine(Description description, const SubsystemSettings& settings)
     : mechanism(std::move(description)),
-      stepper(make_stepper(mechanism, settings)),
+      stepper(make_stepper(mechanism, settings.stepper)),
       outputs(mechanism),
-      inputs(mechanism.description()) {
+      inputs(mechanism.description()),
+      dump(settings.dump) {
   for (int k = 0; k < outputs.size(); ++k) derivatives = std::max(derivatives, outputs.derivatives(k));
   mechanism.set_inputs(&inputs);
 }
 
 Multibody::Multibody(Description description, const SubsystemSettings& settings)
-    : machine_(std::make_shared<Machine>(std::move(description), settings.stepper)),
+    : machine_(std::make_shared<Machine>(std::move(description), settings)),
       step_(settings.step),
       inputs_(machine_->inputs.ports().size()) {
   if (!(step_ > 0.0) || !std::isfinite(step_))
@@ -76,6 +77,8 @@ void Multibody::start(double t, std::span<const double> u0) {
   machine_->stepper->start(state_);
   machine_->inputs.read(t, inputs_);
   kept_ = false;
+  machine_->dumped = 0;
+  dump_matrices();
 }
 
 void Multibody::step(const OwnStep& s, std::span<const Signal> u) {
@@ -88,6 +91,17 @@ void Multibody::step(const OwnStep& s, std::span<const Signal> u) {
   }
   machine_->stepper->step(state_, s.length, s.end);
   machine_->inputs.read(s.end, inputs_);
+  dump_matrices();
+}
+
+/// Where the state has got to the next of the times.
+void Multibody::dump_matrices() const {
+  Machine& m = *machine_;
+  const auto due = [&] { return m.dumped < m.dump.times.size() && state_.time >= m.dump.times[m.dumped]; };
+  if (m.dump.folder.empty() || !due()) return;
+  while (due()) ++m.dumped;
+  write(step_matrices(m.mechanism, state_, m.stepper->tangent_factors(step_)), m.dump.folder,
+        fmt::format("{}", state_.time), m.dump.format);
 }
 
 void Multibody::outputs(double* y) const {

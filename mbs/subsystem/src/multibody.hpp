@@ -27,15 +27,18 @@ class Multibody {
 
  private:
   struct Machine {
-    Machine(Description description, const StepperSettings& settings);
+    Machine(Description description, const SubsystemSettings& settings);
     Mechanism mechanism;
     std::unique_ptr<Stepper> stepper;
     Outputs outputs;
     int derivatives = 0;  ///< of the output that has most
     SignalInputs inputs;
+    MatrixDump dump;
+    std::size_t dumped = 0;  ///< of its times
   };
   std::vector<double> memory() const { return kept_ ? memory_ : machine_->stepper->memory(); }
   void hide_unknown(double* y) const;
+  void dump_matrices() const;
 
   std::shared_ptr<Machine> machine_;
   double step_ = 0.0;

@@ -21,9 +21,15 @@ using scenario::Assembly;
 using scenario::RunEnd;
 using scenario::Scenario;
 
+/// What of a mechanism's matrices is written, and where.
+struct Matrices {
+  std::string folder, times, format = "mtx";
+};
+
 struct Options {
   fs::path file, output;
   std::vector<std::string> overrides;
+  Matrices matrices;
   bool dry = false, profile = false, no_reference = false;
 };
 
@@ -33,13 +39,34 @@ double slowest_time(const Coordinator& run) {
   return time;
 }
 
+/// The scenario with the matrices asked for of each mechanism, in a folder of its name.
+Scenario with_matrices(Scenario scenario, const Matrices& matrices) {
+  if (matrices.folder.empty()) return scenario;
+  bool found = false;
+  for (auto& entry : scenario.subsystems) {
+    if (!entry.source.starts_with("mechanism:")) continue;
+    found = true;
+    const auto set = [&](const char* name, const std::string& value) {
+      if (!value.empty()) entry.parameters.push_back({name, value, entry.place});
+    };
+    set("matrices", fs::absolute(fs::path(matrices.folder) / entry.name).string());
+    set("matrices_at", matrices.times);
+    set("matrices_format", matrices.format);
+  }
+  if (!found)
+    throw Error(ErrorCode::invalid_argument,
+                "--dump-matrices: no subsystem of the scenario has the source "
+                "mechanism:FILE, so there are no matrices");
+  return scenario;
+}
+
 /// One run of a scenario, from its file to its results.
 class Run {
  public:
   Run(const Options& options, const Context& context)
       : options_(options),
         context_(context),
-        scenario_(scenario::read(options.file, options.overrides)),
+        scenario_(with_matrices(scenario::read(options.file, options.overrides), options.matrices)),
         assembly_(scenario_, context.builtins, options.profile),
         folder_(options.output.empty() ? fs::path("results") / options.file.stem() : options.output),
         recorder_(assembly_.recorder(folder_)) {
@@ -230,6 +257,19 @@ void add_run(CLI::App& app, Context& context) {
                     "Take the seconds of each subsystem too (two clock readings a call)");
   command->add_flag("--no-reference", options->no_reference,
                     "Don't compare with the reference that the scenario names");
+  auto* dump = command
+                   ->add_option("--dump-matrices", options->matrices.folder,
+                                "Write M, Phi_q, K, C and the tangent of each mechanism to DIR/NAME")
+                   ->type_name("DIR");
+  command->add_option("--dump-at", options->matrices.times, "When, in s (default: at the start)")
+      ->type_name("T,T...")
+      ->needs(dump);
+  command
+      ->add_option("--dump-format", options->matrices.format,
+                   "mtx: Matrix Market; ccs: compressed columns as text")
+      ->check(CLI::IsMember({"mtx", "ccs"}))
+      ->capture_default_str()
+      ->needs(dump);
   command->footer(footer);
   command->callback([options, &context] {
     Run run(*options, context);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "tandem/error.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
@@ -88,6 +89,27 @@ mbs::StepperSettings stepper(Parameters& p) {
   return s;
 }
 
+/// Numbers with commas between them.
+std::vector<double> list(const std::string& name, const std::string& text) {
+  std::vector<double> all;
+  std::istringstream in(text);
+  for (std::string word; std::getline(in, word, ',');) {
+    Parameters one;
+    one.set(name, word);
+    all.push_back(one.number(name, 0.0));
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+mbs::MatrixDump dump(Parameters& p) {
+  mbs::MatrixDump d;
+  d.folder = p.text("matrices", "");
+  d.times = list("matrices_at", p.text("matrices_at", "-inf"));
+  d.format = mbs::matrix_format(p.text("matrices_format", "mtx"));
+  return d;
+}
+
 /// An output for each coordinate of a point that has none of that name.
 void animate(mbs::Description& d) {
   constexpr const char* axes[] = {"x", "y", "z"};
@@ -112,7 +134,7 @@ std::unique_ptr<Subsystem> make(const std::filesystem::path& file, Parameters& p
                     "' has no own step; give the parameter step, a number above 0 "
                     "[s], or step in the table [run] of its file");
   const double step = p.number("step", 0.0);
-  return mbs::make_subsystem(std::move(description), {step, stepper(p)});
+  return mbs::make_subsystem(std::move(description), {step, stepper(p), dump(p)});
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tandem/mbs/model.hpp"
+#include "tandem/mbs/sparse/tangent.hpp"
 
 namespace tandem::mbs {
 
@@ -25,6 +26,10 @@ class Stepper {
   virtual int step(State& state, double h, double t_end) = 0;
   /// Accelerations and multipliers anew where the state stands, after an input of the model has changed.
   virtual void refresh(State& state) = 0;
+
+  /// M + damping C + stiffness K + penalty Phi_q^T Phi_q is the matrix that steps of h [s] factorize
+  /// (null_space: none, so the factors are 0).
+  virtual TangentFactors tangent_factors([[maybe_unused]] double h) const { return {0.0, 0.0, 0.0}; }
 
   /// What it goes by besides the state, after a step or start(). With the state of that moment and its memory
   /// put back, steps are the same to the last bit, if the solver goes by nothing but the last matrix, as band

@@ -17,6 +17,8 @@ class Formulation : public SecondOrder {
   virtual void finish(const Motion& motion, State& state) = 0;
   /// Accelerations and multipliers anew, of a state that is complete but for a change of inputs.
   virtual void refresh(State& state) = 0;
+  /// alpha in the matrix M + alpha Phi_q^T Phi_q that it factorizes; 0 if there is none.
+  virtual double penalty() const { return 0.0; }
   /// See Stepper::memory().
   virtual std::vector<double> memory() const { return {}; }
   virtual void recall(std::span<const double> /*memory*/) {}

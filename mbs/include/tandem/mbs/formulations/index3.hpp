@@ -57,6 +57,7 @@ class Index3 final : public Stepper {
   /// As start(), but with the tangent of the last step as it is; if its multipliers have not settled after
   /// ten substitutions (the steps are too short for that), with one of its own.
   void refresh(State& state) override;
+  TangentFactors tangent_factors(double h) const override;
   std::vector<double> memory() const override;
   void recall(std::span<const double> memory) override;
 

@@ -19,6 +19,7 @@ class Stabilized : public Formulation {
   bool begin(const State& state, Motion& motion) override;
   void finish(const Motion& motion, State& state) override;
   void refresh(State& state) override;
+  double penalty() const override { return alpha_; }
 
  protected:
   struct Baumgarte {

@@ -1,16 +1,28 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "tandem/mbs/make_stepper.hpp"
 #include "tandem/mbs/mechanism/description.hpp"
+#include "tandem/mbs/step_matrices.hpp"
 #include "tandem/subsystem.hpp"
 
 namespace tandem::mbs {
 
+/// Matrices to be written while a mechanism runs (step_matrices.hpp).
+struct MatrixDump {
+  std::filesystem::path folder = {};  ///< none: nothing is written
+  /// [s], ascending: each where the first own step ends that gets there, or at the start.
+  std::vector<double> times = {};
+  MatrixFormat format = MatrixFormat::matrix_market;
+};
+
 struct SubsystemSettings {
   double step = 0.0;  ///< own step [s]
-  StepperSettings stepper;
+  StepperSettings stepper = {};
+  MatrixDump dump = {};
 };
 
 /// A mechanism that integrates itself with a fixed own step. Inputs are those of the description that have no
