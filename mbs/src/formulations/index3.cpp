@@ -38,12 +38,18 @@ const Index3Settings& checked(const Index3Settings& s) {
   return s;
 }
 
+MatrixKind kind_of_tangent(const Structure& s) {
+  return s.symmetric_forces ? MatrixKind::positive_definite : MatrixKind::unsymmetric;
+}
+
 }  // namespace
 
 bool threads_are_built_in() { return Team::can_be_many; }
 
 Index3::Index3(Model& model, const Index3Settings& settings)
-    : settings_(checked(settings)), terms_(model, settings.solver), penalty_(penalty(shortest)) {}
+    : settings_(checked(settings)),
+      terms_(model, settings.solver, kind_of_tangent(model.structure())),
+      penalty_(penalty(shortest)) {}
 
 /// What holds a constraint in a step is alpha h^2 beside the mass: by default it does not fall below that of
 /// a step of 1 ms.

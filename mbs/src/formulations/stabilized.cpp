@@ -8,7 +8,7 @@
 namespace tandem::mbs {
 
 Stabilized::Stabilized(const char* owner, Model& model, const Baumgarte& s)
-    : terms_(model, s.solver),
+    : terms_(model, s.solver, MatrixKind::positive_definite),
       alpha_(s.penalty > 0.0 ? s.penalty : 1e7 * terms_.largest_mass),
       rhs_(terms_.structure.constraints),
       xi_(s.xi),

@@ -26,10 +26,10 @@ int not_finite(const Eigen::VectorXd& x) {
 
 }  // namespace
 
-Terms::Terms(Model& of, const std::string& solver)
+Terms::Terms(Model& of, const std::string& solver, MatrixKind kind)
     : model(of),
       structure(of.structure()),
-      tangent(structure, make_solver(solver, MatrixKind::positive_definite)),
+      tangent(structure, make_solver(solver, kind)),
       jacobian_rows(structure.jacobian),
       matrices(structure),
       phi(structure.constraints),

@@ -1,4 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include <functional>
 
 #include "solvers.hpp"
@@ -58,7 +60,10 @@ std::vector<std::string> solver_names(MatrixKind kind) {
 std::unique_ptr<LinearSolver> make_solver(const std::string& name, MatrixKind kind) {
   for (const Entry& entry : entries())
     if (entry.name == name && entry.kind >= kind) return entry.make(kind);
-  throw Error(ErrorCode::invalid_argument, unknown("solver", name, solver_names(kind)));
+  constexpr const char* kinds[] = {"positive definite", "symmetric", "unsymmetric"};
+  throw Error(ErrorCode::invalid_argument,
+              unknown(fmt::format("solver for {} matrices", kinds[static_cast<int>(kind)]), name,
+                      solver_names(kind)));
 }
 
 }  // namespace tandem::mbs

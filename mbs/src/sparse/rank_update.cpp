@@ -115,7 +115,7 @@ void RankUpdate::run(const double* a, double factor, const double* base, double*
     start += group.columns;
     target += products * group.columns;
   }
-  for (const Copy& copy : copies_) result[copy.to] = result[copy.from];
+  for (const auto& [from, to] : copies_) result[to] = base[to] + (result[from] - base[from]);
 }
 
 }  // namespace tandem::mbs

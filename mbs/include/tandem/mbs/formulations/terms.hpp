@@ -11,8 +11,8 @@ namespace tandem::mbs {
 /// A model's terms where a state stands, with a factorized tangent T = M + .. + penalty Phi_q^T Phi_q: what
 /// the formulations with a penalty share. Nothing here allocates after construction.
 struct Terms {
-  /// `model` must outlive it. Throws Error for a solver that is not there.
-  Terms(Model& model, const std::string& solver);
+  /// `model` must outlive it. kind: of T. Throws Error for a solver that is not there.
+  Terms(Model& model, const std::string& solver, MatrixKind kind);
 
   /// Phi and Phi_q^T.
   void constraints(const State& s);
