@@ -92,8 +92,12 @@ Clock CSubsystem::clock_from(const tandem_clock& clock) const {
   return {clock.time, clock.next_time, static_cast<Stop>(clock.stop)};
 }
 
+bool CSubsystem::has_rows(const tandem_samples& rows, const Samples& y) {
+  return rows.size >= y.size() && rows.size <= rows.capacity && rows.capacity == y.c_view().capacity;
+}
+
 void CSubsystem::take_rows(const tandem_samples& rows, Samples& y) const {
-  if (rows.size < y.size() || rows.size > rows.capacity || rows.capacity != y.c_view().capacity)
+  if (!has_rows(rows, y))
     throw Error(ErrorCode::invalid_argument,
                 "subsystem '" + info_.name + "' says that " + std::to_string(rows.size) +
                     " sample rows are filled; allowed are " + std::to_string(y.size()) + " to " +
@@ -113,8 +117,9 @@ Clock CSubsystem::advance(double t_limit, bool land, std::span<const Signal> u, 
   tandem_clock clock{};
   const auto* signals = reinterpret_cast<const tandem_signal*>(u.data());  // same layout: see signal.hpp
   tandem_samples rows = y.c_view();
-  check(api_->advance(self_, t_limit, land ? 1 : 0, signals, &rows, &clock), "advance");
-  take_rows(rows, y);
+  const tandem_status status = api_->advance(self_, t_limit, land ? 1 : 0, signals, &rows, &clock);
+  if (status == TANDEM_OK || has_rows(rows, y)) take_rows(rows, y);
+  check(status, "advance");
   return clock_from(clock);
 }
 

@@ -35,14 +35,15 @@ Scripted shapes(double own_step) {
 
 /// A run of shapes, one for each own step, named "a", "b", ... and not connected.
 struct Bench {
-  explicit Bench(const std::vector<double>& own_steps, double t_stop = 2.0) {
+  explicit Bench(const std::vector<double>& own_steps, double t_stop = 2.0,
+                 const Coordination& coordination = {}) {
     for (const double h : own_steps) subsystems.push_back(std::make_unique<Scripted>(shapes(h)));
     std::vector<Subsystem*> all;
     for (std::size_t i = 0; i < subsystems.size(); ++i) {
       topology.add(std::string(1, static_cast<char>('a' + i)), subsystems[i]->info());
       all.push_back(subsystems[i].get());
     }
-    run.emplace(topology, all, Coordination{}, TimeSpan{0.0, t_stop});
+    run.emplace(topology, all, coordination, TimeSpan{0.0, t_stop});
   }
 
   /// Runs and closes; the recorder as it is then.
@@ -184,6 +185,34 @@ TEST(Recorder, ARunThatFailsKeepsWhatWasRecorded) {
   }  // closed by its destructor
   const TimeTable table = TimeTable::read(folder.path());
   EXPECT_EQ(table.times.back(), 1.0);
+}
+
+/// Own steps of 0.1 s before one that breaks, or has a value that is not finite, in one call with it.
+TEST(Recorder, ACallThatFailsKeepsTheStepsThatItTook) {
+  for (const bool throws : {true, false})
+    for (const Schedule::Kind schedule :
+         {Schedule::Kind::slowest_first, Schedule::Kind::fastest_first, Schedule::Kind::parallel}) {
+      const Scratch folder;
+      Coordination coordination;
+      coordination.schedule = schedule;
+      Bench bench({1.0, 0.1}, 2.0, coordination);
+      Scripted& fast = *bench.subsystems[1];
+      fast.instead_of_advance = [&](double limit, bool, std::span<const Signal> u, Samples& y) {
+        while (fast.grid().fits(limit)) {
+          fast.grid().step();
+          const bool breaks = fast.grid().time() > 1.35;
+          if (breaks && throws) throw Error(ErrorCode::numerical, "it broke");
+          fast.put(u, y);
+          if (breaks) y.append(fast.grid().time() + 0.01)[0] = NAN;
+        }
+        return fast.clock(Stop::limit);
+      };
+      Recorder recorder(*bench.run, {folder.path(), "", true, {}});
+      bench.run->observe(&recorder);
+      EXPECT_THROW(bench.run->run(), Error);
+      recorder.close();
+      EXPECT_DOUBLE_EQ(TimeTable::read(folder.path() / "results.b.csv").times.back(), throws ? 1.3 : 1.4);
+    }
 }
 
 TEST(Recorder, NamesAFolderThatCannotBeWrittenTo) {

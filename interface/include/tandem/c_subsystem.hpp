@@ -29,6 +29,7 @@ class CSubsystem final : public Subsystem {
  private:
   void check(tandem_status status, const char* call) const;
   void require_saving() const;
+  static bool has_rows(const tandem_samples& rows, const Samples& y);
   void take_rows(const tandem_samples& rows, Samples& y) const;
   Clock clock_from(const tandem_clock& clock) const;
 

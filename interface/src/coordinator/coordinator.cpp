@@ -50,9 +50,9 @@ void Coordinator::initialize() {
   Observer* observer = std::exchange(observer_, nullptr);  // is told once, when the start is made
   RunStart(*this).make();
   observer_ = observer;
-  for (int i = 0; observer_ && i < topology_.size(); ++i) {
-    const History& history = exchange_->history(i);
-    tell(i, history.newest() - history.first_own() + 1);
+  for (int i = 0; i < topology_.size(); ++i) {
+    seats_[static_cast<std::size_t>(i)].told = exchange_->history(i).first_own() - 1;
+    if (observer_) tell(i);
   }
 }
 
@@ -66,6 +66,16 @@ bool Coordinator::round() {
   if (stopped_) return false;
   const auto turns = schedule_->next_round(members_);
   if (turns.empty()) return end();
+  try {
+    make(turns);
+  } catch (...) {
+    for (const Turn& turn : turns) keep(turn);
+    throw;
+  }
+  return !stopped_;
+}
+
+void Coordinator::make(std::span<const Turn> turns) {
   if (schedule_->kind() == Schedule::Kind::parallel) {
     for (const Turn& turn : turns) take_all(turn);
     for (const Turn& turn : turns) commit(turn.who, turn.limit);
@@ -73,7 +83,19 @@ bool Coordinator::round() {
     take(turns[0], *exchange_);
     commit(turns[0].who, turns[0].limit);
   }
-  return !stopped_;
+}
+
+/// Tells what a subsystem gave before an error, as far as it is sound. The error is the one to be heard of,
+/// not what may follow from it.
+void Coordinator::keep(const Turn& turn) {
+  if (observer_) try {
+      exchange_->history(turn.who).commit(turn.limit, tolerance_);
+    } catch (const Error&) {
+    }
+  if (observer_) try {
+      tell(turn.who);
+    } catch (const Error&) {
+    }
 }
 
 /// In parallel: as many calls as it takes to come past the communication point. A node that lies beside that
@@ -111,12 +133,15 @@ void Coordinator::take(const Turn& turn, Exchange& inputs) {
 
 void Coordinator::commit(int who, double limit) {
   const std::int64_t count = exchange_->commit(who, limit);
-  if (observer_ && count > 0) tell(who, count);
+  if (observer_ && count > 0) tell(who);
 }
 
-void Coordinator::tell(int who, std::int64_t count) {
+/// The observer, once of each row.
+void Coordinator::tell(int who) {
   const History& history = exchange_->history(who);
-  if (!observer_->samples(who, history, history.newest() - count + 1, history.newest())) stopped_ = true;
+  const std::int64_t first = std::exchange(seats_[static_cast<std::size_t>(who)].told, history.newest()) + 1;
+  if (first <= history.newest() && !observer_->samples(who, history, first, history.newest()))
+    stopped_ = true;
 }
 
 /// What is not plain may still be right: no step taken, an end within the tolerance, no further step. Throws

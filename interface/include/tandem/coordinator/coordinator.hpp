@@ -98,6 +98,7 @@ class Coordinator {
     double time = 0.0;       ///< where the subsystem stands
     std::int64_t batch = 0;  ///< own steps that a call may take
     int idle_calls = 0;      ///< since it last moved
+    std::int64_t told = 0;   ///< last row that the observer knows
     Effort effort = {};
   };
   void take(const Turn& turn, Exchange& inputs);
@@ -108,7 +109,9 @@ class Coordinator {
     schedule_->stand(member, clock.time, clock.stop == Stop::finished ? Member::never : clock.next_time);
   }
   void commit(int who, double limit);
-  void tell(int who, std::int64_t count);
+  void tell(int who);
+  void make(std::span<const Turn> turns);
+  void keep(const Turn& turn);
   bool end();
 
   const Topology& topology_;
