@@ -6,6 +6,7 @@
 
 #include "cli/commands.hpp"
 #include "mechanisms/source.hpp"
+#include "sources/diagram.hpp"
 #include "tandem/error.hpp"
 #include "tandem/nearest.hpp"
 #include "two_mass/masses.hpp"
@@ -50,6 +51,7 @@ int run(int argc, char** argv) {
   tandem::cli::Context context;
   tandem::two_mass::add_builtins(context.builtins);
   tandem::mechanisms::add_sources(context.builtins);
+  tandem::diagrams::add_sources(context.builtins);
   std::string log_file;
   auto* quiet = app.add_flag("--quiet", context.quiet, "Print results and errors only");
   app.add_flag("--verbose", context.verbose, "Print more of what is done")->excludes(quiet);

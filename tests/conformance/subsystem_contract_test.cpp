@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "c_oscillator.h"
 #include "contract_suite.hpp"
+#include "diagram_cases.hpp"
 #include "mechanism_cases.hpp"
 #include "tandem/c_subsystem.hpp"
 #include "two_mass/masses.hpp"
@@ -40,6 +41,7 @@ INSTANTIATE_TEST_SUITE_P(InC, SubsystemContract,
                          contract_name);
 
 INSTANTIATE_TEST_SUITE_P(Mechanism, SubsystemContract, testing::ValuesIn(mechanism_cases()), contract_name);
+INSTANTIATE_TEST_SUITE_P(Diagram, SubsystemContract, testing::ValuesIn(diagram_cases()), contract_name);
 
 /// x'' = -x from x = 1: x = cos t. The method's error is below t h^4 / 100.
 TEST(COscillator, FollowsItsExactMotion) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "sources/run_table.hpp"
 #include "tandem/error.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
 #include "tandem/mbs/subsystem.hpp"
@@ -14,21 +15,6 @@
 
 namespace tandem::mechanisms {
 namespace {
-
-/// Parameters of the file's table [run] that are not given.
-void take_run(const text::Document& document, Parameters& to) {
-  const toml::table* run = document.table()["run"].as_table();
-  if (!run) return;
-  for (const auto& [name, node] : text::in_file_order(*run)) {
-    if (name == "start" || name == "stop" || to.has(name)) continue;
-    if (const auto* text = node->as_string())
-      to.set(name, text->get());
-    else if (const auto* flag = node->as_boolean())
-      to.set(name, flag->get());
-    else
-      to.set(name, text::number_of(document, *node, "run." + name));
-  }
-}
 
 int whole(Parameters& p, const std::string& name, int otherwise) {
   const double value = p.number(name, otherwise);
@@ -125,7 +111,7 @@ void animate(mbs::Description& d) {
 
 std::unique_ptr<Subsystem> make(const std::filesystem::path& file, Parameters& p) {
   const text::Document document(file);
-  take_run(document, p);
+  take_run_table(document, p);
   mbs::Description description = mbs::read_mechanism(file);
   if (p.flag("animate", false)) animate(description);
   if (!p.has("step"))

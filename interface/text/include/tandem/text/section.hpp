@@ -36,6 +36,7 @@ class Section {
   [[noreturn]] void wrong(const std::string& key, const std::string& found, const std::string& allowed) const;
 
   const Document& document() const { return document_; }
+  const toml::table& table() const { return table_; }
 
  private:
   const Document& document_;

@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace tandem::engine {
+
+/// Where a block's port gets its value: a signal by its name ("block", "block.port" or a diagram's input), or
+/// a number.
+using Wire = std::variant<std::string, double>;
+
+/// What stands at a key of a block: a number, a text (a signal's name or a word), true or false, an array.
+using Value = std::variant<double, std::string, bool, std::vector<Wire>>;
+
+/// A block by its kind (docs/diagrams.md has all), with its ports' sources and its parameters by key.
+struct Block {
+  std::string name, kind;
+  std::map<std::string, Value> values = {};
+  std::string where = {};                          ///< file and line, or nothing
+  std::map<std::string, std::string> places = {};  ///< the same by key
+};
+
+struct Parameter {
+  std::string name, unit;
+  double value;
+};
+
+struct Input {
+  std::string name, unit;
+  std::string where = {};
+};
+
+struct Output {
+  std::string name, unit;
+  Wire from;
+  std::string where = {};
+};
+
+/// A block diagram as written down: nothing is sorted or checked yet. From a file: read_diagram().
+struct Description {
+  std::string name;
+  std::vector<Parameter> parameters;  ///< whose values stand in the blocks already
+  std::vector<Input> inputs;
+  std::vector<Block> blocks;
+  std::vector<Output> outputs;
+};
+
+}  // namespace tandem::engine

@@ -1,0 +1,88 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tandem/engine/curve.hpp"
+
+namespace tandem::engine {
+
+/// One operation on signals, which are numbers of slots in an image.
+struct Operation {
+  enum class Code : std::uint8_t {
+    linear,      ///< out = p0 + p1 a
+    sum,         ///< out = p0 a + p1 b
+    add,         ///< out += p0 a
+    product,     ///< out = a b
+    quotient,    ///< out = a / b
+    polynomial,  ///< out = p0 + p1 a + .. up to the power b
+    function,    ///< out = functions[b](a)
+    function2,   ///< out = functions2[more](a, b)
+    curve,       ///< out = curves[b](a)
+    select,      ///< out = more > 0 ? a : b
+    clamp,       ///< out = more < 0 ? p0 : more > 0 ? p1 : a
+    dead_zone,   ///< out = more < 0 ? a - p0 : more > 0 ? a - p1 : 0
+    beyond,      ///< out = a < p0 ? -1 : a > p1 ? 1 : 0
+    compare      ///< out = a > b ? 1 : 0
+  };
+  Code code;
+  int out, a, b = 0;
+  int more = 0;       ///< a third slot, or a number of a table
+  int parameter = 0;  ///< of p0
+};
+
+/// out <- from, with the values from before the event.
+struct Update {
+  int to, from;
+};
+
+/// What happens at an instant that is not known before: the sign of a signal changes.
+struct Crossing {
+  enum class Direction : std::uint8_t { rising, falling, both };
+  int signal, sign;  ///< slots: of the signal, and of its sign as last seen (1 or -1)
+  Direction direction;
+  std::vector<Update> updates;
+  std::string name;  ///< of its block
+};
+
+/// What happens at offset + k period, k = 0, 1, ..
+struct Periodic {
+  double period, offset;
+  int count;  ///< slot of the next k
+  std::vector<Update> updates;
+  std::string name;
+};
+
+/// A diagram compiled: operations in the order of evaluation. All that changes during a run stands in one
+/// image of doubles: states first, then time, inputs, held values, signs, results of operations, constants.
+struct Program {
+  int states = 0, time = 0;
+  std::vector<int> inputs, outputs;  ///< slots
+  std::vector<int> rates;            ///< by state: the slot of its derivative
+  /// (output, input): that output depends on that input at once.
+  std::vector<std::pair<int, int>> feedthrough;
+  std::vector<Operation> operations;
+  int rate_operations = 0;  ///< so many of them, the first, are all that derivatives need
+  std::vector<double> parameters;
+  std::vector<Curve> curves;
+  std::vector<Crossing> crossings;
+  std::vector<Periodic> periodics;
+  std::vector<double> breaks;                          ///< [s] where sources have a kink, ascending
+  std::vector<Update> starts;                          ///< values at the start that come from signals
+  std::vector<Update> settled;                         ///< modes: repeated at the start until nothing changes
+  std::vector<double> image;                           ///< at the start
+  std::vector<std::string> state_names, signal_names;  ///< the second by slot; empty: no name
+  std::vector<std::string> notices;                    ///< what was left out, and why
+
+  /// Results of operations, from states, time, inputs and held values of an image: of all, or of those that
+  /// derivatives need.
+  void evaluate(double* signals) const { run(signals, operations.size()); }
+  void evaluate_rates(double* signals) const { run(signals, static_cast<std::size_t>(rate_operations)); }
+
+ private:
+  void run(double* signals, std::size_t count) const;
+};
+
+}  // namespace tandem::engine

@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "tandem/engine/description.hpp"
+
+namespace tandem::engine {
+
+/// Values of a diagram's parameters by name, in place of those in its file.
+using ParameterValues = std::map<std::string, double>;
+
+/// A diagram from its TOML file (docs/diagrams.md has the form). Throws Error that names file, line, the
+/// value found and the values allowed.
+Description read_diagram(const std::filesystem::path& file, const ParameterValues& parameters = {});
+
+/// The same from a text; `name` is what errors call it.
+Description read_diagram(const std::string& name, const std::string& text,
+                         const ParameterValues& parameters = {});
+
+}  // namespace tandem::engine

@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tandem/engine/integrators/integrator.hpp"
+
+namespace tandem::engine {
+
+struct SimulationSettings {
+  int most_events = 1000;  ///< within one own step; then it chatters, and that is an error
+};
+
+/// A compiled diagram that moves: steps between instants, and what happens at events. At an event all its
+/// updates take the values from before it; then other signs that have changed by that have their events, in
+/// the order of the diagram's blocks.
+class Simulation {
+ public:
+  /// `program` and `inputs` (null: the program has none) must outlive it.
+  Simulation(const Program& program, InputSource* inputs, std::unique_ptr<Integrator> integrator,
+             const SimulationSettings& settings = {});
+
+  void start(double t);
+  /// To t_end, or, with an integrator that chooses its steps, to the end of one of them. Returns the time.
+  /// Throws Error(numerical) with the time and a block's name: a signal that is not finite, chattering, an
+  /// integrator that can't go on.
+  double step(double t_end);
+
+  double time() const { return time_; }
+  double output(int k) const {
+    return system_.image()[static_cast<std::size_t>(system_.program().outputs[k])];
+  }
+
+  /// All that a run goes by, and back.
+  const std::vector<double>& state() const { return system_.image(); }
+  void restore(double t, std::span<const double> state);
+
+ private:
+  void settle();
+  double next_instant(double t_end) const;
+  void fire_periodics();
+  void fire_crossings();
+  void apply(const std::vector<Update>& updates);
+  void happened(const std::string& block);
+  void refuse_not_finite() const;
+
+  System system_;
+  std::unique_ptr<Integrator> integrator_;
+  SimulationSettings settings_;
+  double time_ = 0.0;
+  int events_ = 0;
+  std::vector<double> before_;
+};
+
+}  // namespace tandem::engine

@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <vector>
+
+#include "tandem/engine/program.hpp"
+
+namespace tandem::engine {
+
+/// Gives the inputs of a diagram as functions of time.
+class InputSource {
+ public:
+  virtual ~InputSource() = default;
+  /// One value for each input, in the order of the diagram.
+  virtual void at(double t, double* values) = 0;
+};
+
+/// A program with its image, as integrators see it: x' = f(t, x), and signals whose signs are watched. Held
+/// values stay as they are. The states stand in the image.
+class System {
+ public:
+  /// inputs: may be null where the program has none. Both must outlive the system.
+  System(const Program& program, InputSource* inputs)
+      : program_(program), inputs_(inputs), image_(program.image) {}
+
+  int size() const { return program_.states; }
+  double* states() { return image_.data(); }
+  const Program& program() const { return program_; }
+  std::vector<double>& image() { return image_; }
+  const std::vector<double>& image() const { return image_; }
+
+  /// Derivatives at t and the image's states.
+  void rates(double t, double* dx) {
+    set_time(t);
+    program_.evaluate_rates(image_.data());
+    read_rates(dx);
+  }
+  void read_rates(double* dx) const {
+    for (const int slot : program_.rates) *dx++ = image_[static_cast<std::size_t>(slot)];
+  }
+  /// Every signal at t.
+  void evaluate(double t) {
+    set_time(t);
+    program_.evaluate(image_.data());
+  }
+
+  /// After evaluate(): the number of the first crossing from `first` on whose signal has another sign than it
+  /// was last seen with; -1 for none. A signal that is zero keeps its sign.
+  int changed(int first = 0) const;
+  double watched(int crossing) const;
+
+ private:
+  void set_time(double t) {
+    image_[static_cast<std::size_t>(program_.time)] = t;
+    if (inputs_) inputs_->at(t, image_.data() + program_.time + 1);
+  }
+
+  const Program& program_;
+  InputSource* inputs_;
+  std::vector<double> image_;
+};
+
+}  // namespace tandem::engine

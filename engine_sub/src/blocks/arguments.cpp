@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "arguments.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compile/refuse.hpp"
+#include "tandem/nearest.hpp"
+
+namespace tandem::engine {
+namespace {
+
+std::string described(const Value& value) {
+  if (const auto* number = std::get_if<double>(&value)) return fmt::format("the number {}", *number);
+  if (const auto* text = std::get_if<std::string>(&value)) return "the text '" + *text + "'";
+  if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
+  return fmt::format("an array of {}", std::get<std::vector<Wire>>(value).size());
+}
+
+}  // namespace
+
+const Value* Arguments::find(const std::string& key) {
+  asked_.insert(key);
+  const auto it = block_.values.find(key);
+  return it == block_.values.end() ? nullptr : &it->second;
+}
+
+std::string Arguments::place(const std::string& key) const {
+  const auto it = block_.places.find(key);
+  return it == block_.places.end() ? block_.where : it->second;
+}
+
+const Value& Arguments::required(const std::string& key, const std::string& allowed) {
+  if (const Value* value = find(key)) return *value;
+  engine::refuse(block_.where, owner() + " has no " + key + "; allowed is " + allowed);
+}
+
+void Arguments::refuse(const std::string& key, const std::string& found, const std::string& allowed) const {
+  engine::refuse(place(key), owner() + ": " + key + " is " + found + "; allowed is " + allowed);
+}
+
+int Arguments::slot(const std::string& key, const Wire& wire) {
+  if (const auto* number = std::get_if<double>(&wire)) return to_.constant(*number);
+  return to_.named(std::get<std::string>(wire), place(key));
+}
+
+int Arguments::wire(const std::string& key) {
+  const Value& value = required(key, "the name of a signal, or a number");
+  if (const auto* text = std::get_if<std::string>(&value)) return slot(key, *text);
+  if (const auto* number = std::get_if<double>(&value)) return slot(key, *number);
+  refuse(key, described(value), "the name of a signal, or a number");
+}
+
+std::vector<int> Arguments::wires(const std::string& key) {
+  const std::string allowed = "an array with the names of signals";
+  const Value& value = required(key, allowed);
+  const auto* list = std::get_if<std::vector<Wire>>(&value);
+  if (!list || list->empty()) refuse(key, described(value), allowed);
+  std::vector<int> all;
+  for (const Wire& wire : *list) all.push_back(slot(key, wire));
+  return all;
+}
+
+double Arguments::number(const std::string& key) {
+  const Value& value = required(key, "a number");
+  const auto* number = std::get_if<double>(&value);
+  if (!number || !std::isfinite(*number)) refuse(key, described(value), "a finite number");
+  return *number;
+}
+
+double Arguments::number(const std::string& key, double otherwise) {
+  return find(key) ? number(key) : otherwise;
+}
+
+double Arguments::positive(const std::string& key) {
+  const double value = number(key);
+  if (!(value > 0.0)) refuse(key, fmt::format("{}", value), "a number above 0");
+  return value;
+}
+
+std::vector<double> Arguments::numbers(const std::string& key) {
+  const Value& value = required(key, "an array of numbers");
+  if (const auto* number = std::get_if<double>(&value)) return {*number};
+  const auto* list = std::get_if<std::vector<Wire>>(&value);
+  if (!list || list->empty()) refuse(key, described(value), "an array of numbers");
+  std::vector<double> all;
+  for (const Wire& item : *list) {
+    const auto* number = std::get_if<double>(&item);
+    if (!number || !std::isfinite(*number)) refuse(key, "not made of finite numbers", "an array of numbers");
+    all.push_back(*number);
+  }
+  return all;
+}
+
+std::string Arguments::text(const std::string& key, const std::string& otherwise) {
+  const Value* value = find(key);
+  if (!value) return otherwise;
+  const auto* text = std::get_if<std::string>(value);
+  if (!text) refuse(key, described(*value), "a text");
+  return *text;
+}
+
+std::size_t Arguments::word(const std::string& key, const std::vector<std::string>& allowed) {
+  const std::string found = text(key, allowed.front());
+  const auto it = std::find(allowed.begin(), allowed.end(), found);
+  if (it == allowed.end()) refuse(key, "'" + found + "'", listed(allowed));
+  return static_cast<std::size_t>(it - allowed.begin());
+}
+
+bool Arguments::flag(const std::string& key, bool otherwise) {
+  const Value* value = find(key);
+  if (!value) return otherwise;
+  const auto* flag = std::get_if<bool>(value);
+  if (!flag) refuse(key, described(*value), "true or false");
+  return *flag;
+}
+
+void Arguments::refuse_unknown() const {
+  const std::vector<std::string> known(asked_.begin(), asked_.end());
+  for (const auto& [key, value] : block_.values)
+    if (asked_.count(key) == 0) engine::refuse(place(key), owner() + ": " + unknown("key", key, known));
+}
+
+}  // namespace tandem::engine

@@ -1,0 +1,32 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "kinds.hpp"
+
+namespace tandem::engine {
+namespace {
+
+/// The input as it was at the last event: where `trigger` rises above 0, or every `period` from `offset` on.
+void sample(Lowering& to, Arguments& a) {
+  const int held = to.held();
+  to.start(held, a.wire("initial", 0.0));
+  const int event = a.has("period") ? to.periodic(a.positive("period"), a.number("offset", 0.0))
+                                    : to.crossing(a.wire("trigger"), Crossing::Direction::rising);
+  to.update(event, held, a.wire("input"));
+  to.define("", held);
+}
+
+/// A signal that rises above 0 where the input passes the next multiple of `every`, and falls below it there
+/// and then, as that multiple is the one that has been passed.
+void passes(Lowering& to, Arguments& a) {
+  const double every = a.positive("every");
+  const int count = to.held(a.number("first", 1.0));
+  const int beyond = to.sum({a.wire("input"), count}, {1.0, -every});
+  const int event = to.crossing(beyond, Crossing::Direction::rising);
+  to.update(event, count, to.linear(1.0, 1.0, count));
+  to.define("", beyond);
+}
+
+}  // namespace
+
+const std::vector<BlockKind> discrete_blocks = {{"sample", sample}, {"passes", passes}};
+
+}  // namespace tandem::engine

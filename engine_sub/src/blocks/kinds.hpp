@@ -1,0 +1,19 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <vector>
+
+#include "arguments.hpp"
+
+namespace tandem::engine {
+
+/// A kind of block: what it comes down to.
+struct BlockKind {
+  const char* name;
+  void (*lower)(Lowering& to, Arguments& a);
+};
+
+// By theme, one file each.
+extern const std::vector<BlockKind> source_blocks, algebraic_blocks, nonlinear_blocks, dynamic_blocks,
+    discrete_blocks;
+
+}  // namespace tandem::engine

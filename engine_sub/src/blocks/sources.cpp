@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <numbers>
+
+#include "kinds.hpp"
+
+namespace tandem::engine {
+namespace {
+
+using Code = Operation::Code;
+
+void constant(Lowering& to, Arguments& a) { to.define("", to.constant(a.number("value"))); }
+
+/// A signal that is positive from t on, as an event at t says.
+int after(Lowering& to, double t) {
+  const int wanted = to.operation(Code::compare, to.time(), to.constant(t));
+  return to.mode(wanted, {to.linear(-t, 1.0, to.time())});
+}
+
+/// before, until `time`; then after.
+void step(Lowering& to, Arguments& a) {
+  const int before = to.constant(a.number("before", 0.0)), level = to.constant(a.number("after"));
+  to.define("", to.operation(Code::select, level, before, {}, after(to, a.number("time"))));
+}
+
+/// start + slope (t - time) from `time` on.
+void ramp(Lowering& to, Arguments& a) {
+  const double t = a.number("time", 0.0), slope = a.number("slope"), start = a.number("start", 0.0);
+  const int line = to.linear(start - slope * t, slope, to.time());
+  to.define("", to.operation(Code::select, line, to.constant(start), {}, after(to, t)));
+}
+
+/// mean + amplitude sin(2 pi frequency t + phase).
+void sine(Lowering& to, Arguments& a) {
+  const double turn = 2.0 * std::numbers::pi * a.positive("frequency");
+  const int angle = to.linear(a.number("phase", 0.0), turn, to.time());
+  const int wave = to.operation(Code::function, angle, 0);
+  to.define("", to.linear(a.number("mean", 0.0), a.number("amplitude"), wave));
+}
+
+/// Straight lines through points of time; before the first and after the last its value.
+void piecewise_linear(Lowering& to, Arguments& a) {
+  Curve curve(a.owner(), a.numbers("times"), a.numbers("values"), Curve::Between::linear,
+              Curve::Beyond::hold);
+  for (const double t : curve.x()) to.kink(t);
+  to.define("", to.curve(std::move(curve), to.time()));
+}
+
+}  // namespace
+
+const std::vector<BlockKind> source_blocks = {{"constant", constant},
+                                              {"step", step},
+                                              {"ramp", ramp},
+                                              {"sine", sine},
+                                              {"piecewise_linear", piecewise_linear}};
+
+}  // namespace tandem::engine

@@ -1,0 +1,186 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/engine/compile.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "blocks/kinds.hpp"
+#include "refuse.hpp"
+#include "sort.hpp"
+#include "tandem/nearest.hpp"
+
+namespace tandem::engine {
+namespace {
+
+std::vector<BlockKind> kinds() {
+  std::vector<BlockKind> all;
+  for (const auto* list :
+       {&source_blocks, &algebraic_blocks, &nonlinear_blocks, &dynamic_blocks, &discrete_blocks})
+    all.insert(all.end(), list->begin(), list->end());
+  return all;
+}
+
+void lower(const Block& block, Lowering& to) {
+  for (const BlockKind& kind : kinds())
+    if (block.kind == kind.name) {
+      Arguments arguments(block, to);
+      to.begin(block);
+      kind.lower(to, arguments);
+      return arguments.refuse_unknown();
+    }
+  refuse(block.where, "block '" + block.name + "': " + unknown("kind", block.kind, block_kinds()));
+}
+
+void refuse_unknown_signals(const Lowering& d) {
+  std::vector<std::string> known;
+  for (const Slot& s : d.signals)
+    if (!s.name.empty() && (s.kind != Slot::Kind::unknown || s.same_as >= 0)) known.push_back(s.name);
+  for (const Slot& s : d.signals)
+    if (s.kind == Slot::Kind::unknown && s.same_as < 0) refuse(s.where, unknown("signal", s.name, known));
+}
+
+/// Gives slots their places in the image and writes the program.
+class Writer {
+ public:
+  Writer(const Description& diagram, Lowering& lowered, const std::vector<int>& outputs)
+      : diagram_(diagram),
+        d_(lowered),
+        outputs_(outputs),
+        alive_(alive(d_, outputs)),
+        place_(d_.signals.size(), -1) {}
+
+  Program write() {
+    for (const auto kind : {Slot::Kind::state, Slot::Kind::time, Slot::Kind::input, Slot::Kind::held,
+                            Slot::Kind::result, Slot::Kind::constant})
+      place(kind);
+    write_states();
+    write_operations();
+    write_events();
+    write_notices();
+    write_feedthrough();
+    for (const int output : outputs_) program_.outputs.push_back(at(output));
+    program_.parameters = d_.parameters;
+    program_.curves = d_.curves;
+    program_.breaks = d_.breaks;
+    std::sort(program_.breaks.begin(), program_.breaks.end());
+    return std::move(program_);
+  }
+
+ private:
+  int at(int slot) const { return place_[d_.resolved(slot)]; }
+
+  /// Time and inputs are there, needed or not.
+  void place(Slot::Kind kind) {
+    const bool always = kind == Slot::Kind::time || kind == Slot::Kind::input;
+    for (std::size_t s = 0; s < d_.signals.size(); ++s)
+      if (d_.signals[s].kind == kind && (always || alive_[s])) {
+        place_[s] = static_cast<int>(program_.image.size());
+        program_.image.push_back(d_.signals[s].start);
+        program_.signal_names.push_back(d_.signals[s].name);
+      }
+  }
+
+  void write_states() {
+    program_.time = place_[0];
+    for (std::size_t s = 0; s < d_.signals.size(); ++s) {
+      if (d_.signals[s].kind == Slot::Kind::input) program_.inputs.push_back(place_[s]);
+      if (d_.signals[s].kind != Slot::Kind::state || place_[s] < 0) continue;
+      program_.rates.push_back(at(d_.signals[s].rate));
+      program_.state_names.push_back(d_.signals[s].name);
+    }
+    program_.states = static_cast<int>(program_.rates.size());
+  }
+
+  /// First those that rates need.
+  void write_operations() {
+    std::vector<int> rates;
+    for (std::size_t s = 0; s < d_.signals.size(); ++s)
+      if (d_.signals[s].kind == Slot::Kind::state && alive_[s]) rates.push_back(d_.signals[s].rate);
+    const auto first = needed_at_once(d_, rates);
+    const auto order = sorted_steps(d_, alive_);
+    for (const bool now : {true, false}) {
+      for (const int step : order)
+        if (first[d_.steps[step].out] == now) write(d_.steps[step]);
+      if (now) program_.rate_operations = static_cast<int>(program_.operations.size());
+    }
+  }
+
+  void write(const Step& step) {
+    for (Operation o : step.operations) {
+      o.out = place_[step.out];
+      for (int* const slot : slots_of(o)) *slot = at(*slot);
+      program_.operations.push_back(o);
+    }
+  }
+
+  std::vector<Update> moved(const std::vector<Update>& updates) const {
+    std::vector<Update> all;
+    for (const Update& u : updates)
+      if (alive_[d_.resolved(u.to)]) all.push_back({at(u.to), at(u.from)});
+    return all;
+  }
+
+  void write_events() {
+    for (const Event& e : d_.events) {
+      auto updates = moved(e.updates);
+      if (updates.empty()) continue;
+      if (e.kind == Event::Kind::crossing)
+        program_.crossings.push_back({at(e.signal), at(e.sign), e.direction, std::move(updates), e.block});
+      else
+        program_.periodics.push_back({e.period, e.offset, at(e.sign), std::move(updates), e.block});
+    }
+    program_.settled = moved(d_.settled);
+    program_.starts = moved(d_.starts);
+  }
+
+  void write_feedthrough() {
+    for (std::size_t k = 0; k < outputs_.size(); ++k) {
+      const auto needed = needed_at_once(d_, {outputs_[k]});
+      for (std::size_t s = 0, input = 0; s < d_.signals.size(); ++s)
+        if (d_.signals[s].kind == Slot::Kind::input) {
+          if (needed[s]) program_.feedthrough.emplace_back(static_cast<int>(k), static_cast<int>(input));
+          ++input;
+        }
+    }
+  }
+
+  void write_notices() {
+    std::set<std::string> used;
+    for (std::size_t s = 0; s < d_.signals.size(); ++s)
+      if (alive_[s]) used.insert(d_.signals[s].block), used.insert(block_of(static_cast<int>(s)));
+    for (const Block& block : diagram_.blocks)
+      if (used.count(block.name) == 0)
+        program_.notices.push_back("block '" + block.name + "' feeds no output and is left out");
+  }
+  std::string block_of(int slot) const { return d_.signals[d_.resolved(slot)].block; }
+
+  const Description& diagram_;
+  Lowering& d_;
+  std::vector<int> outputs_;
+  std::vector<bool> alive_;
+  std::vector<int> place_;
+  Program program_;
+};
+
+}  // namespace
+
+std::vector<std::string> block_kinds() {
+  std::vector<std::string> names;
+  for (const BlockKind& kind : kinds()) names.push_back(kind.name);
+  return names;
+}
+
+Program compile(const Description& diagram) {
+  Lowering lowered(diagram);
+  for (const Block& block : diagram.blocks) lower(block, lowered);
+  std::vector<int> outputs;
+  for (const Output& output : diagram.outputs) {
+    const auto* name = std::get_if<std::string>(&output.from);
+    outputs.push_back(name ? lowered.named(*name, output.where)
+                           : lowered.constant(std::get<double>(output.from)));
+  }
+  refuse_unknown_signals(lowered);
+  return Writer(diagram, lowered, outputs).write();
+}
+
+}  // namespace tandem::engine

@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tandem/engine/description.hpp"
+#include "tandem/engine/program.hpp"
+
+namespace tandem::engine {
+
+/// A signal while a diagram is compiled.
+struct Slot {
+  enum class Kind { unknown, state, time, input, held, result, constant } kind = Kind::unknown;
+  double start = 0.0;
+  std::string name = {};
+  std::string block = {};  ///< that makes it
+  std::string where = {};  ///< of a name that nobody has defined: where it is used
+  int same_as = -1;        ///< of a name: the signal that it stands for
+  int rate = -1;           ///< of a state: its derivative
+};
+
+/// Operations that make one signal, in their order.
+struct Step {
+  int out;
+  std::vector<Operation> operations;
+  std::string block;
+};
+
+struct Event {
+  enum class Kind { crossing, periodic } kind;
+  int signal = -1, sign = -1;  ///< the second of a periodic one: its count
+  Crossing::Direction direction = Crossing::Direction::rising;
+  double period = 0.0, offset = 0.0;
+  std::vector<Update> updates = {};
+  std::string block = {};
+};
+
+/// Collects what blocks come down to: signals, operations, events. Numbers of signals are its own.
+class Lowering {
+ public:
+  explicit Lowering(const Description& diagram);
+
+  /// Whose the signals and operations are that come next.
+  void begin(const Block& block) { block_ = &block; }
+  /// The signal of that name, which may be defined later.
+  int named(const std::string& name, const std::string& where);
+  /// "block.port", or the block's own name where port is empty.
+  void define(const std::string& port, int signal);
+
+  int constant(double value);
+  int time() const { return 0; }
+  int state(int rate);
+  int held(double start = 0.0);
+  /// What a state or held value is at the start: a constant or a signal.
+  void start(int slot, int from);
+  int operation(Operation::Code code, int a, int b, std::vector<double> parameters = {}, int more = 0);
+  int linear(double constant, double factor, int a) {
+    return operation(Operation::Code::linear, a, 0, {constant, factor});
+  }
+  int difference(int a, int b) { return operation(Operation::Code::sum, a, b, {1.0, -1.0}); }
+  int sum(const std::vector<int>& signals, const std::vector<double>& factors);
+  int curve(Curve curve, int a);
+
+  /// The event when a signal changes its sign; of what it does the others can be added.
+  int crossing(int signal, Crossing::Direction direction);
+  int periodic(double period, double offset);
+  void update(int event, int to, int from) { events[event].updates.push_back({to, from}); }
+  /// A held mode that is `wanted` after an event of any of these signals' signs, and at the start.
+  int mode(int wanted, const std::vector<int>& signals);
+  void kink(double t) { breaks.push_back(t); }
+
+  /// Follows names to what they stand for.
+  int resolved(int signal) const;
+
+  std::vector<Slot> signals;
+  std::vector<Step> steps;
+  std::vector<Event> events;
+  std::vector<Update> starts, settled;
+  std::vector<double> parameters, breaks;
+  std::vector<Curve> curves;
+
+ private:
+  int add(Slot signal);
+  std::map<std::string, int> names_;
+  const Block* block_ = nullptr;
+};
+
+}  // namespace tandem::engine

@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/engine/program.hpp"
+
+#include <span>
+
+#include "functions.hpp"
+
+namespace tandem::engine {
+namespace {
+
+double power_series(const double* c, int degree, double x) {
+  double sum = c[degree];
+  for (int k = degree - 1; k >= 0; --k) sum = sum * x + c[k];
+  return sum;
+}
+
+double clamped(double mode, double x, const double* limits) {
+  return mode < 0.0 ? limits[0] : mode > 0.0 ? limits[1] : x;
+}
+
+double beyond_dead_zone(double mode, double x, const double* limits) {
+  return mode < 0.0 ? x - limits[0] : mode > 0.0 ? x - limits[1] : 0.0;
+}
+
+double side(double x, const double* limits) { return x < limits[0] ? -1.0 : x > limits[1] ? 1.0 : 0.0; }
+
+}  // namespace
+
+void Program::run(double* s, std::size_t count) const {
+  using enum Operation::Code;
+  for (const Operation& o : std::span(operations).first(count)) {
+    const double* const p = parameters.data() + o.parameter;
+    double& out = s[o.out];
+    switch (o.code) {
+      case linear:
+        out = p[0] + p[1] * s[o.a];
+        break;
+      case sum:
+        out = p[0] * s[o.a] + p[1] * s[o.b];
+        break;
+      case add:
+        out += p[0] * s[o.a];
+        break;
+      case product:
+        out = s[o.a] * s[o.b];
+        break;
+      case quotient:
+        out = s[o.a] / s[o.b];
+        break;
+      case polynomial:
+        out = power_series(p, o.b, s[o.a]);
+        break;
+      case function:
+        out = functions[static_cast<std::size_t>(o.b)].call(s[o.a]);
+        break;
+      case function2:
+        out = functions2[static_cast<std::size_t>(o.more)].call(s[o.a], s[o.b]);
+        break;
+      case curve:
+        out = curves[static_cast<std::size_t>(o.b)](s[o.a]);
+        break;
+      case select:
+        out = s[o.more] > 0.0 ? s[o.a] : s[o.b];
+        break;
+      case clamp:
+        out = clamped(s[o.more], s[o.a], p);
+        break;
+      case dead_zone:
+        out = beyond_dead_zone(s[o.more], s[o.a], p);
+        break;
+      case beyond:
+        out = side(s[o.a], p);
+        break;
+      case compare:
+        out = s[o.a] > s[o.b] ? 1.0 : 0.0;
+        break;
+    }
+  }
+}
+
+}  // namespace tandem::engine

@@ -1,0 +1,149 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/engine/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "tandem/error.hpp"
+
+namespace tandem::engine {
+namespace {
+
+constexpr int most_settlings = 100;
+
+}  // namespace
+
+Simulation::Simulation(const Program& program, InputSource* inputs, std::unique_ptr<Integrator> integrator,
+                       const SimulationSettings& settings)
+    : system_(program, inputs), integrator_(std::move(integrator)), settings_(settings) {}
+
+void Simulation::start(double t) {
+  system_.image() = system_.program().image;
+  time_ = t;
+  system_.evaluate(t);
+  before_ = system_.image();
+  apply(system_.program().starts);
+  settle();
+  for (const Crossing& c : system_.program().crossings)
+    system_.image()[c.sign] = system_.image()[c.signal] > 0.0 ? 1.0 : -1.0;
+  for (const Periodic& p : system_.program().periodics)
+    system_.image()[p.count] = std::max(0.0, std::ceil((t - p.offset) / p.period));
+  fire_periodics();
+  integrator_->restart(system_, t);
+}
+
+/// Modes as the signals want them.
+void Simulation::settle() {
+  const Program& program = system_.program();
+  for (int round = 0; round < most_settlings; ++round) {
+    system_.evaluate(time_);
+    before_ = system_.image();
+    apply(program.settled);
+    if (before_ == system_.image()) return;
+  }
+  throw Error(ErrorCode::numerical,
+              fmt::format("switches and limits don't settle at the start, t = {} s, in {} rounds", time_,
+                          most_settlings));
+}
+
+double Simulation::step(double t_end) {
+  events_ = 0;
+  while (time_ < t_end) {
+    const double instant = next_instant(t_end);
+    const double before = time_;
+    time_ = integrator_->advance(system_, time_, instant);
+    refuse_not_finite();
+    const bool arrived = time_ >= instant;
+    if (system_.changed() >= 0) fire_crossings();
+    if (arrived) fire_periodics();
+    if (!arrived && events_ == 0 && time_ > before) return time_;
+  }
+  return time_;
+}
+
+/// Where a source has a kink or a periodic event is due, if that is before t_end.
+double Simulation::next_instant(double t_end) const {
+  const Program& program = system_.program();
+  double next = t_end;
+  const auto kink = std::upper_bound(program.breaks.begin(), program.breaks.end(), time_);
+  if (kink != program.breaks.end()) next = std::min(next, *kink);
+  for (const Periodic& p : program.periodics)
+    next = std::min(next, p.offset + system_.image()[p.count] * p.period);
+  return next;
+}
+
+void Simulation::fire_periodics() {
+  bool fired = false;
+  for (const Periodic& p : system_.program().periodics) {
+    double& count = system_.image()[p.count];
+    if (p.offset + count * p.period > time_) continue;
+    if (!std::exchange(fired, true)) before_ = system_.image();
+    count += 1.0;
+    apply(p.updates);
+    happened(p.name);
+  }
+  if (!fired) return;
+  system_.evaluate(time_);
+  fire_crossings();
+}
+
+/// Until no sign changes any more. The values before are those of the first event of an instant for all that
+/// are due with it.
+void Simulation::fire_crossings() {
+  while (system_.changed() >= 0) {
+    before_ = system_.image();
+    for (int k = system_.changed(); k >= 0; k = system_.changed(k + 1)) {
+      const Crossing& c = system_.program().crossings[static_cast<std::size_t>(k)];
+      const bool rises = before_[c.signal] > 0.0;
+      system_.image()[c.sign] = rises ? 1.0 : -1.0;
+      using enum Crossing::Direction;
+      if (c.direction != both && (c.direction == rising) != rises) continue;
+      apply(c.updates);
+      happened(c.name);
+    }
+    system_.evaluate(time_);
+  }
+  integrator_->restart(system_, time_);
+}
+
+void Simulation::apply(const std::vector<Update>& updates) {
+  for (const Update& u : updates) system_.image()[u.to] = before_[u.from];
+}
+
+void Simulation::happened(const std::string& block) {
+  if (++events_ <= settings_.most_events) return;
+  throw Error(ErrorCode::numerical,
+              fmt::format("block '{}' chatters at t = {} s: more than {} events in one step", block, time_,
+                          settings_.most_events));
+}
+
+/// The first signal that is not finite, in the order of evaluation.
+void Simulation::refuse_not_finite() const {
+  const Program& program = system_.program();
+  const auto& image = system_.image();
+  double zero = 0.0;
+  for (int i = 0; i < program.states; ++i) zero += image[i] - image[i];
+  if (zero == 0.0) return;
+  const auto name = [&](int slot) {
+    return program.signal_names[slot].empty() ? "?" : program.signal_names[slot];
+  };
+  for (const Operation& o : program.operations)
+    if (!std::isfinite(image[o.out]))
+      throw Error(ErrorCode::numerical,
+                  fmt::format("signal '{}' is {} at t = {} s", name(o.out), image[o.out], time_));
+  for (int i = 0; i < program.states; ++i)
+    if (!std::isfinite(image[i]))
+      throw Error(ErrorCode::numerical,
+                  fmt::format("state '{}' is {} at t = {} s", name(i), image[i], time_));
+}
+
+void Simulation::restore(double t, std::span<const double> state) {
+  std::copy(state.begin(), state.end(), system_.image().begin());
+  time_ = t;
+  integrator_->restart(system_, t);
+}
+
+}  // namespace tandem::engine

@@ -1,0 +1,23 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <memory>
+
+#include "tandem/engine/description.hpp"
+#include "tandem/engine/make_integrator.hpp"
+#include "tandem/engine/simulation.hpp"
+#include "tandem/subsystem.hpp"
+
+namespace tandem::engine {
+
+struct SubsystemSettings {
+  double step = 0.0;  ///< own step [s]
+  IntegratorSettings integrator = {};
+  SimulationSettings simulation = {};
+};
+
+/// A diagram that integrates itself with a fixed own step. Inputs are read wherever the integrator evaluates.
+/// Feedthrough is what the diagram says. An output that is a state comes with its derivative by time. Throws
+/// Error for a step that is not finite and above 0, and for what compile() and make_integrator() refuse.
+std::unique_ptr<Subsystem> make_subsystem(const Description& diagram, const SubsystemSettings& settings);
+
+}  // namespace tandem::engine

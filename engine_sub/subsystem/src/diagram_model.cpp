@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "diagram_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "tandem/engine/compile.hpp"
+#include "tandem/error.hpp"
+
+namespace tandem::engine {
+
+void SignalInputs::at(double t, double* values) {
+  if (signals_.empty())
+    std::copy(constants_.begin(), constants_.end(), values);
+  else
+    for (const Signal& signal : signals_) *values++ = signal.value(t);
+}
+
+DiagramModel::Machine::Machine(const Description& of, const SubsystemSettings& settings)
+    : diagram{of.name, of.parameters, of.inputs, {}, of.outputs},
+      program(compile(of)),
+      simulation(program, &inputs, make_integrator(settings.integrator), settings.simulation) {
+  for (const int slot : program.outputs) {
+    rates.push_back(slot < program.states ? program.rates[static_cast<std::size_t>(slot)] : -1);
+    derivatives = std::max(derivatives, slot < program.states ? 1 : 0);
+  }
+}
+
+DiagramModel::DiagramModel(const Description& diagram, const SubsystemSettings& settings)
+    : machine_(std::make_shared<Machine>(diagram, settings)),
+      step_(settings.step),
+      hidden_(diagram.outputs.size()) {
+  if (!(step_ > 0.0) || !std::isfinite(step_))
+    throw Error(
+        ErrorCode::invalid_argument,
+        fmt::format("diagram '{}': step is {} s; allowed is a finite number above 0", diagram.name, step_));
+}
+
+DiagramModel::DiagramModel(const DiagramModel& other) { *this = other; }
+
+DiagramModel& DiagramModel::operator=(const DiagramModel& other) {
+  const bool is_kept = !other.kept_.empty();
+  kept_ = is_kept ? other.kept_ : other.machine_->simulation.state();
+  kept_time_ = is_kept ? other.kept_time_ : other.machine_->simulation.time();
+  machine_ = other.machine_;
+  step_ = other.step_;
+  hidden_ = other.hidden_;
+  return *this;
+}
+
+SubsystemInfo DiagramModel::info() const {
+  const Machine& m = *machine_;
+  SubsystemInfo info;
+  info.name = m.diagram.name;
+  for (const Input& input : m.diagram.inputs) info.inputs.push_back({input.name, input.unit});
+  for (std::size_t k = 0; k < m.diagram.outputs.size(); ++k)
+    info.outputs.push_back({m.diagram.outputs[k].name, m.diagram.outputs[k].unit, 1, m.rates[k] < 0 ? 0 : 1});
+  for (const auto& [output, input] : m.program.feedthrough) info.feedthrough.push_back({output, input});
+  return info;
+}
+
+/// What is not known yet counts as zero, and what follows it at once is not told.
+void DiagramModel::start(double t, std::span<const double> u0) {
+  Machine& m = *machine_;
+  std::vector<double> values(u0.begin(), u0.end());
+  std::fill(hidden_.begin(), hidden_.end(), false);
+  for (const auto& [output, input] : m.program.feedthrough)
+    if (std::isnan(u0[static_cast<std::size_t>(input)])) hidden_[static_cast<std::size_t>(output)] = true;
+  for (double& value : values)
+    if (std::isnan(value)) value = 0.0;
+  m.inputs.set_constants(values);
+  m.simulation.start(t);
+  kept_.clear();
+}
+
+void DiagramModel::step(const OwnStep& s, std::span<const Signal> u) {
+  Machine& m = *machine_;
+  m.inputs.set(u);
+  if (!kept_.empty()) m.simulation.restore(kept_time_, kept_), kept_.clear();
+  std::fill(hidden_.begin(), hidden_.end(), false);
+  m.simulation.step(s.end);
+}
+
+void DiagramModel::outputs(double* y) const {
+  const Machine& m = *machine_;
+  const auto& image = kept_.empty() ? m.simulation.state() : kept_;
+  const std::size_t count = m.rates.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    y[k] = hidden_[k] ? std::numeric_limits<double>::quiet_NaN()
+                      : image[static_cast<std::size_t>(m.program.outputs[k])];
+    if (m.derivatives > 0) y[count + k] = m.rates[k] < 0 ? 0.0 : image[static_cast<std::size_t>(m.rates[k])];
+  }
+}
+
+std::unique_ptr<Subsystem> make_subsystem(const Description& diagram, const SubsystemSettings& settings) {
+  return std::make_unique<FixedStep<DiagramModel>>(DiagramModel(diagram, settings));
+}
+
+}  // namespace tandem::engine

@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "tandem/engine/subsystem.hpp"
+#include "tandem/fixed_step.hpp"
+
+namespace tandem::engine {
+
+/// Inputs of a diagram from the signals of a call, or constants.
+class SignalInputs final : public InputSource {
+ public:
+  void set(std::span<const Signal> signals) { signals_ = signals; }
+  void set_constants(std::span<const double> values) {
+    constants_.assign(values.begin(), values.end()), signals_ = {};
+  }
+  void at(double t, double* values) override;
+
+ private:
+  std::span<const Signal> signals_;
+  std::vector<double> constants_;
+};
+
+/// The model of a FixedStep. A copy is a state that is kept: it shares the machinery.
+class DiagramModel {
+ public:
+  DiagramModel(const Description& diagram, const SubsystemSettings& settings);
+  DiagramModel(const DiagramModel& other);
+  DiagramModel& operator=(const DiagramModel& other);
+
+  SubsystemInfo info() const;
+  double own_step() const { return step_; }
+  void start(double t, std::span<const double> u0);
+  void step(const OwnStep& s, std::span<const Signal> u);
+  void outputs(double* y) const;
+
+ private:
+  struct Machine {
+    Machine(const Description& diagram, const SubsystemSettings& settings);
+    Description diagram;  ///< without its blocks
+    Program program;
+    SignalInputs inputs;
+    Simulation simulation;
+    std::vector<int> rates;  ///< by output: the slot of its derivative, -1 for none
+    int derivatives = 0;
+  };
+
+  std::shared_ptr<Machine> machine_;
+  double step_ = 0.0;
+  std::vector<bool> hidden_;  ///< outputs that follow an unknown input at once
+  std::vector<double> kept_;  ///< Simulation::state(), of a state that is kept
+  double kept_time_ = 0.0;
+};
+
+}  // namespace tandem::engine
