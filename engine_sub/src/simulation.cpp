@@ -140,6 +140,11 @@ void Simulation::refuse_not_finite() const {
                   fmt::format("state '{}' is {} at t = {} s", name(i), image[i], time_));
 }
 
+const std::vector<double>& Simulation::keep() {
+  integrator_->restart(system_, time_);
+  return system_.image();
+}
+
 void Simulation::restore(double t, std::span<const double> state) {
   std::copy(state.begin(), state.end(), system_.image().begin());
   time_ = t;

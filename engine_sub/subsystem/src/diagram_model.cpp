@@ -44,7 +44,7 @@ DiagramModel::DiagramModel(const DiagramModel& other) { *this = other; }
 
 DiagramModel& DiagramModel::operator=(const DiagramModel& other) {
   const bool is_kept = !other.kept_.empty();
-  kept_ = is_kept ? other.kept_ : other.machine_->simulation.state();
+  kept_ = is_kept ? other.kept_ : other.machine_->simulation.keep();
   kept_time_ = is_kept ? other.kept_time_ : other.machine_->simulation.time();
   machine_ = other.machine_;
   step_ = other.step_;
@@ -82,12 +82,12 @@ void DiagramModel::step(const OwnStep& s, std::span<const Signal> u) {
   m.inputs.set(u);
   if (!kept_.empty()) m.simulation.restore(kept_time_, kept_), kept_.clear();
   std::fill(hidden_.begin(), hidden_.end(), false);
-  m.simulation.step(s.end);
+  while (m.simulation.time() < s.end) m.simulation.step(s.end);
 }
 
 void DiagramModel::outputs(double* y) const {
   const Machine& m = *machine_;
-  const auto& image = kept_.empty() ? m.simulation.state() : kept_;
+  const auto& image = kept_.empty() ? m.simulation.signals() : kept_;
   const std::size_t count = m.rates.size();
   for (std::size_t k = 0; k < count; ++k) {
     y[k] = hidden_[k] ? std::numeric_limits<double>::quiet_NaN()

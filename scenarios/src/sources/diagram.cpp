@@ -17,6 +17,13 @@ engine::Description read(const std::filesystem::path& file, Parameters& p) {
   return engine::read_diagram(file, values);
 }
 
+void take(Parameters& p, engine::AdaptiveSettings& s) {
+  s.relative_tolerance = p.number("relative_tolerance", s.relative_tolerance);
+  s.absolute_tolerance = p.number("absolute_tolerance", s.absolute_tolerance);
+  s.longest_step = p.number("longest_step", s.longest_step);
+  s.most_steps = static_cast<long>(p.number("most_steps", static_cast<double>(s.most_steps)));
+}
+
 std::unique_ptr<Subsystem> make(const std::filesystem::path& file, Parameters& p) {
   take_run_table(text::Document(file), p);
   const engine::Description diagram = read(file, p);
@@ -30,6 +37,7 @@ std::unique_ptr<Subsystem> make(const std::filesystem::path& file, Parameters& p
   settings.step = p.number("step", 0.0);
   settings.integrator.name = p.text("integrator", settings.integrator.name);
   settings.integrator.locate_events = p.flag("locate_events", settings.integrator.locate_events);
+  take(p, settings.integrator.adaptive);
   return engine::make_subsystem(diagram, settings);
 }
 

@@ -4,9 +4,9 @@
 
 namespace tandem::diagrams {
 
-/// "diagram:FILE": a diagram's file as a subsystem. Parameters: `step` [s], `integrator`, `locate_events`,
-/// and those of the diagram by their names. What is not given is taken from the file's table [run], else by
-/// default; `step` must be given.
+/// "diagram:FILE": a diagram's file as a subsystem. Parameters: `step` [s], `integrator`, the settings of the
+/// one that is chosen by the names of IntegratorSettings and AdaptiveSettings, and the diagram's own
+/// parameters. What is not given is taken from the file's table [run], else by default; `step` must be given.
 void add_sources(Builtins& builtins);
 
 }  // namespace tandem::diagrams

@@ -33,8 +33,10 @@ class Simulation {
     return system_.image()[static_cast<std::size_t>(system_.program().outputs[k])];
   }
 
-  /// All that a run goes by, and back.
-  const std::vector<double>& state() const { return system_.image(); }
+  /// All that a run goes by from here on, and back; the integrator starts anew at both, as a multistep method
+  /// has a past that is not in it.
+  const std::vector<double>& keep();
+  const std::vector<double>& signals() const { return system_.image(); }
   void restore(double t, std::span<const double> state);
 
  private:

@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <memory>
+#include <string>
+
+#include "tandem/engine/integrators/integrator.hpp"
+
+namespace tandem::engine {
+
+/// Tolerances and limits of the integrators of SUNDIALS.
+struct AdaptiveSettings {
+  double relative_tolerance = 1e-6, absolute_tolerance = 1e-9;  ///< of each state
+  double longest_step = 0.0;                                    ///< [s]; 0: no limit
+  long most_steps = 1'000'000;  ///< within one step that it is asked for; then it is an error
+
+  bool operator==(const AdaptiveSettings&) const = default;
+};
+
+// The integrators of SUNDIALS (A. Hindmarsh et al., ACM Trans. Math. Softw. 31 (2005) 363; D. Reynolds et
+// al., ibid. 49 (2023) 19). They locate changes of sign by their own root finding on their interpolant, and
+// stop at the time that they are asked for. Their messages become Error(numerical) with the time.
+
+/// CVODE: linear multistep methods of variable order, Adams for non-stiff problems or BDF with Newton's
+/// method and a dense Jacobian by differences for stiff ones.
+std::unique_ptr<Integrator> cvode_adams(const AdaptiveSettings& settings);
+std::unique_ptr<Integrator> cvode_bdf(const AdaptiveSettings& settings);
+/// ARKODE's ERKStep: the explicit Runge-Kutta pair of order 4 that it takes by default.
+std::unique_ptr<Integrator> erkstep(const AdaptiveSettings& settings);
+/// ARKODE's ARKStep with the diagonally implicit pair of order 4 that it takes by default, and Newton's
+/// method.
+std::unique_ptr<Integrator> arkstep(const AdaptiveSettings& settings);
+
+}  // namespace tandem::engine

@@ -1,0 +1,137 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "sundials_integrator.hpp"
+
+#include <cvode/cvode.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tandem/error.hpp"
+
+namespace tandem::engine {
+namespace {
+
+/// Refuses the first setting that is not allowed.
+void check_settings(const char* name, const AdaptiveSettings& s) {
+  const auto require = [name](const char* setting, double value, bool allowed, const char* what) {
+    if (!allowed)
+      throw Error(ErrorCode::invalid_argument,
+                  fmt::format("integrator {}: {} is {}; allowed is {}", name, setting, value, what));
+  };
+  const auto positive = [&](const char* setting, double value) {
+    require(setting, value, value > 0.0 && std::isfinite(value), "a number above 0");
+  };
+  positive("relative_tolerance", s.relative_tolerance);
+  positive("absolute_tolerance", s.absolute_tolerance);
+  require("longest_step", s.longest_step, s.longest_step >= 0.0, "0 (no limit) or more [s]");
+  positive("most_steps", static_cast<double>(s.most_steps));
+}
+
+}  // namespace
+
+SundialsIntegrator::SundialsIntegrator(const SundialsMethod& method, const AdaptiveSettings& settings)
+    : method_(method), settings_(settings) {
+  check_settings(method.name, settings);
+  SUNContext_Create(nullptr, &context_);
+}
+
+SundialsIntegrator::~SundialsIntegrator() {
+  if (memory_) method_.free(&memory_);
+  if (solver_) SUNLinSolFree(solver_);
+  if (matrix_) SUNMatDestroy(matrix_);
+  if (x_) N_VDestroy(x_);
+  SUNContext_Free(&context_);
+}
+
+/// Where a derivative is not finite a shorter step is tried.
+int SundialsIntegrator::rates(double t, N_Vector x, N_Vector dx, void* self) {
+  System& system = *static_cast<SundialsIntegrator*>(self)->system_;
+  std::copy_n(N_VGetArrayPointer(x), system.size(), system.states());
+  double* const d = N_VGetArrayPointer(dx);
+  system.rates(t, d);
+  return std::all_of(d, d + system.size(), [](double rate) { return std::isfinite(rate); }) ? 0 : 1;
+}
+
+int SundialsIntegrator::watch(double t, N_Vector x, double* g, void* self) {
+  System& system = *static_cast<SundialsIntegrator*>(self)->system_;
+  std::copy_n(N_VGetArrayPointer(x), system.size(), system.states());
+  system.evaluate(t);
+  for (int k = 0; k < static_cast<int>(system.program().crossings.size()); ++k) g[k] = system.watched(k);
+  return 0;
+}
+
+void SundialsIntegrator::take_message(int, const char*, const char* function, char* message, void* self) {
+  static_cast<SundialsIntegrator*>(self)->message_ = fmt::format("{}: {}", function, message);
+}
+
+void SundialsIntegrator::check(int flag) const {
+  if (flag >= 0) return;
+  throw Error(ErrorCode::numerical,
+              fmt::format("integrator {} can't go on at t = {} s: {}", method_.name, time_,
+                          message_.empty() ? fmt::format("error {}", flag) : message_));
+}
+
+void SundialsIntegrator::restart(System& system, double t) {
+  system_ = &system;
+  time_ = t;
+  if (system.size() == 0) return;
+  if (!x_) x_ = N_VNew_Serial(system.size(), context_);
+  std::copy_n(system.states(), system.size(), N_VGetArrayPointer(x_));
+  memory_ ? check(method_.start_anew(memory_, rates, t, x_)) : create(t);
+}
+
+void SundialsIntegrator::create(double t) {
+  memory_ = method_.create(rates, t, x_, context_);
+  check(method_.set_messages(memory_, take_message, this));
+  check(method_.set_self(memory_, this));
+  check(method_.set_tolerances(memory_, settings_.relative_tolerance, settings_.absolute_tolerance));
+  if (method_.set_linear_solver) {
+    matrix_ = SUNDenseMatrix(system_->size(), system_->size(), context_);
+    solver_ = SUNLinSol_Dense(x_, matrix_, context_);
+    check(method_.set_linear_solver(memory_, solver_, matrix_));
+  }
+  check(method_.set_longest_step(memory_, settings_.longest_step));
+  directions_.resize(system_->program().crossings.size());
+  check(method_.set_roots(memory_, static_cast<int>(directions_.size()), watch));
+  check(method_.set_no_warning(memory_));
+}
+
+double SundialsIntegrator::advance(System& system, double t, double t_end) {
+  system.evaluate(t);
+  if (system.changed() >= 0) return t;  // by an input that has jumped
+  const bool moves = system.size() > 0;
+  time_ = moves ? t : t_end;
+  bool root = false;
+  for (long steps = 0; time_ < t_end && !root; root = step(t_end))
+    if (++steps > settings_.most_steps)
+      throw Error(ErrorCode::numerical,
+                  fmt::format("integrator {} has taken {} steps at t = {} s, on the way to {} s",
+                              method_.name, settings_.most_steps, time_, t_end));
+  if (moves) std::copy_n(N_VGetArrayPointer(x_), system.size(), system.states());
+  system.evaluate(time_);
+  if (root) mark_roots();
+  return time_;
+}
+
+/// One of its steps, not past t_end. Whether it ended at a root.
+bool SundialsIntegrator::step(double t_end) {
+  static_assert(CV_TSTOP_RETURN == 1 && CV_ROOT_RETURN == 2, "as in ARKODE");
+  check(method_.set_stop_time(memory_, t_end));
+  const int flag = method_.step(memory_, t_end, x_, &time_);
+  check(flag);
+  if (flag == CV_TSTOP_RETURN) time_ = t_end;
+  return flag == CV_ROOT_RETURN;
+}
+
+/// At a root a signal may be zero, which has no sign: it gets that of its way.
+void SundialsIntegrator::mark_roots() {
+  check(method_.roots(memory_, directions_.data()));
+  for (std::size_t k = 0; k < directions_.size(); ++k) {
+    double& signal = system_->image()[static_cast<std::size_t>(system_->program().crossings[k].signal)];
+    if (directions_[k] != 0 && signal == 0.0) signal = directions_[k] * std::numeric_limits<double>::min();
+  }
+}
+
+}  // namespace tandem::engine

@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <nvector/nvector_serial.h>
+#include <sundials/sundials_context.h>
+#include <sunlinsol/sunlinsol_dense.h>
+#include <sunmatrix/sunmatrix_dense.h>
+
+#include <string>
+#include <vector>
+
+#include "tandem/engine/integrators/adaptive.hpp"
+
+namespace tandem::engine {
+
+/// The functions of one integrator of SUNDIALS, which do the same under other names. Those that return an int
+/// give a flag, negative for an error.
+struct SundialsMethod {
+  using Rates = int (*)(double, N_Vector, N_Vector, void*);
+  using Roots = int (*)(double, N_Vector, double*, void*);
+  using Messages = void (*)(int, const char*, const char*, char*, void*);
+  const char* name;
+  void* (*create)(Rates rates, double t, N_Vector x, SUNContext context);
+  void (*free)(void** memory);
+  int (*set_messages)(void* memory, Messages take, void* self);
+  int (*set_self)(void* memory, void* self);
+  int (*set_tolerances)(void* memory, double relative, double absolute);
+  int (*set_linear_solver)(void* memory, SUNLinearSolver solver, SUNMatrix matrix);  ///< null: explicit
+  int (*set_longest_step)(void* memory, double step);
+  int (*set_roots)(void* memory, int count, Roots watch);
+  int (*set_no_warning)(void* memory);
+  int (*start_anew)(void* memory, Rates rates, double t, N_Vector x);
+  int (*set_stop_time)(void* memory, double t);
+  int (*step)(void* memory, double t_end, N_Vector x, double* t);
+  int (*roots)(void* memory, int* directions);
+};
+
+class SundialsIntegrator final : public Integrator {
+ public:
+  SundialsIntegrator(const SundialsMethod& method, const AdaptiveSettings& settings);
+  ~SundialsIntegrator() override;
+  SundialsIntegrator(const SundialsIntegrator&) = delete;
+  SundialsIntegrator& operator=(const SundialsIntegrator&) = delete;
+
+  void restart(System& system, double t) override;
+  double advance(System& system, double t, double t_end) override;
+
+ private:
+  static int rates(double t, N_Vector x, N_Vector dx, void* self);
+  static int watch(double t, N_Vector x, double* g, void* self);
+  static void take_message(int code, const char* module, const char* function, char* message, void* self);
+
+  void create(double t);
+  bool step(double t_end);
+  void mark_roots();
+  void check(int flag) const;
+
+  const SundialsMethod& method_;
+  AdaptiveSettings settings_;
+  SUNContext context_ = nullptr;
+  N_Vector x_ = nullptr;
+  SUNMatrix matrix_ = nullptr;
+  SUNLinearSolver solver_ = nullptr;
+  void* memory_ = nullptr;
+  System* system_ = nullptr;
+  double time_ = 0.0;
+  std::string message_;
+  std::vector<int> directions_;  ///< of the roots, by crossing
+};
+
+}  // namespace tandem::engine

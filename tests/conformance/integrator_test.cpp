@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// One suite for every integrator of diagrams: accuracy on problems with exact solutions, events, stop times,
+// restarts.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "diagram_run.hpp"
+#include "refusal.hpp"
+#include "word.hpp"
+
+namespace tandem::engine {
+namespace {
+
+using test::DiagramRun;
+
+/// Tight tolerances for those that have them; the fixed step gets there by its steps.
+IntegratorSettings tight(const std::string& name) {
+  IntegratorSettings settings{.name = name};
+  if (name != "rk4") settings.adaptive = {.relative_tolerance = 1e-10, .absolute_tolerance = 1e-12};
+  return settings;
+}
+
+/// What tolerances of 1e-10 leave after some hundred steps; the fixed steps are chosen so that they leave
+/// less.
+constexpr double close = 3e-8;
+
+class EachIntegrator : public testing::TestWithParam<std::string> {};
+
+TEST_P(EachIntegrator, FollowsAnOscillator) {
+  DiagramRun run(
+      "[blocks]\nx = { kind = 'integrator', input = 'v', initial = 1 }\nv = { kind = 'integrator', input = "
+      "'a' }\n"
+      "a = { kind = 'gain', input = 'x', gain = -1 }\n[outputs]\nx = { unit = 'm' }\nv = { unit = 'm/s' }\n",
+      tight(GetParam()));
+  run.run(10.0, 1000);
+  EXPECT_NEAR(run.simulation.output(0), std::cos(10.0), close);
+  EXPECT_NEAR(run.simulation.output(1), -std::sin(10.0), close);
+  EXPECT_EQ(run.simulation.time(), 10.0);
+}
+
+/// x' = -1000 (x - cos t) - sin t from x = 1: x = cos t.
+TEST_P(EachIntegrator, FollowsAStiffProblem) {
+  DiagramRun run(
+      "[blocks]\nwave = { kind = 'function', function = 'cos', input = 'time' }\n"
+      "slope = { kind = 'function', function = 'sin', input = 'time' }\n"
+      "rate = { kind = 'sum', inputs = ['x', 'wave', 'slope'], gains = [-1000, 1000, -1] }\n"
+      "x = { kind = 'integrator', input = 'rate', initial = 1 }\n[outputs]\nx = { unit = '1' }\n",
+      tight(GetParam()));
+  run.run(2.0, 2000);
+  EXPECT_NEAR(run.simulation.output(0), std::cos(2.0), close);
+}
+
+/// A ball that falls from 1 m with g = 2 and has its velocity set to 0.8 of what it was, upwards, at each
+/// bounce.
+TEST_P(EachIntegrator, StartsAnewAtEachEvent) {
+  DiagramRun run(
+      "[blocks]\nx = { kind = 'integrator', input = 'v', initial = 1 }\n"
+      "v = { kind = 'integrator', input = -2, reset = 'below', reset_to = 'up' }\n"
+      "below = { kind = 'gain', input = 'x', gain = -1 }\nup = { kind = 'gain', input = 'v', gain = -0.8 }\n"
+      "[outputs]\nx = { unit = 'm' }\nv = { unit = 'm/s' }\n",
+      tight(GetParam()));
+  run.run(3.0, 100);
+  EXPECT_NEAR(run.simulation.output(1), 2.0 * 0.64 - 2.0 * 0.4, close);
+  EXPECT_NEAR(run.simulation.output(0), 0.4 * (2.0 * 0.64 - 0.4), close);
+}
+
+/// x' = 1 up to x = 1/2, from there x' = 2 - x.
+TEST_P(EachIntegrator, SwitchesWhereTheSignChanges) {
+  DiagramRun run(
+      "[blocks]\nx = { kind = 'integrator', input = 'rate' }\npull = { kind = 'gain', input = 'x', gain = "
+      "-1, offset = 2 }\n"
+      "rate = { kind = 'switch', control = 'x', threshold = 0.5, above = 'pull', below = 1 }\n"
+      "[outputs]\nx = { unit = '1' }\n",
+      tight(GetParam()));
+  run.run(2.2, 220);
+  EXPECT_NEAR(run.simulation.output(0), 2.0 - 1.5 * std::exp(-1.7), close);
+}
+
+/// A diagram without states, too.
+TEST_P(EachIntegrator, TakesSamplesAtTheirTimes) {
+  DiagramRun run(
+      "[blocks]\nseen = { kind = 'sample', input = 'time', period = 0.25, offset = 0.1 }\n[outputs]\nseen = "
+      "{ unit = 's' }\n",
+      tight(GetParam()));
+  run.run(1.0, 3);
+  EXPECT_EQ(run.simulation.output(0), 0.1 + 3.0 * 0.25);
+}
+
+/// To the last bit.
+TEST_P(EachIntegrator, GoesOnFromAStateThatWasKept) {
+  DiagramRun run(
+      "[blocks]\nx = { kind = 'integrator', input = 'y', initial = 1 }\ny = { kind = 'integrator', input = "
+      "'a' }\n"
+      "s = { kind = 'saturation', input = 'x', low = -0.3, high = 0.3 }\na = { kind = 'gain', input = 's', "
+      "gain = -9 }\n"
+      "[outputs]\nx = { unit = '1' }\n",
+      tight(GetParam()));
+  run.run(1.0, 100);
+  const auto kept = run.simulation.keep();
+  const auto go_on = [&] {
+    run.simulation.restore(1.0, kept);
+    for (int k = 1; k <= 50; ++k) run.simulation.step(1.0 + 0.01 * k);
+    return run.simulation.output(0);
+  };
+  const double first = go_on();
+  EXPECT_EQ(go_on(), first);
+}
+
+TEST_P(EachIntegrator, TellsWhatIsNotFinite) {
+  DiagramRun run(
+      "[blocks]\nx = { kind = 'integrator', input = 'rate', initial = 1 }\nrate = { kind = 'product', inputs "
+      "= ['x', 'x'] }\n"
+      "[outputs]\nx = { unit = '1' }\n",
+      tight(GetParam()));
+  EXPECT_TRUE(test::refuses(ErrorCode::numerical, {"t = "}, [&] { run.run(1.5, 15); }));
+}
+
+TEST_P(EachIntegrator, EndsChatteringWithASentence) {
+  DiagramRun run(
+      "[blocks]\nx = { kind = 'integrator', input = 'rate', initial = 0.01 }\n"
+      "rate = { kind = 'switch', control = 'x', above = -1, below = 1 }\n[outputs]\nx = { unit = '1' }\n",
+      tight(GetParam()));
+  EXPECT_TRUE(test::refuses(ErrorCode::numerical, {"'rate' chatters", "1000"}, [&] { run.run(1.0, 1); }));
+}
+
+INSTANTIATE_TEST_SUITE_P(Integrators, EachIntegrator, testing::ValuesIn(integrator_names()),
+                         [](const auto& p) { return test::word(p.param); });
+
+TEST(IntegratorSettings, AreRefusedByName) {
+  const auto made = [](IntegratorSettings settings) { return [settings] { make_integrator(settings); }; };
+  const auto code = ErrorCode::invalid_argument;
+  EXPECT_TRUE(test::refuses(code, {"'cvode'", "cvode_adams"}, made({.name = "cvode"})));
+  EXPECT_TRUE(test::refuses(code, {"rk4 is chosen"}, made({.adaptive = {.relative_tolerance = 1e-3}})));
+  EXPECT_TRUE(
+      test::refuses(code, {"locate_events", "erkstep"}, made({.name = "erkstep", .locate_events = false})));
+  EXPECT_TRUE(test::refuses(code, {"erkstep", "relative_tolerance is -1"},
+                            made({.name = "erkstep", .adaptive = {.relative_tolerance = -1}})));
+}
+
+}  // namespace
+}  // namespace tandem::engine
