@@ -39,7 +39,7 @@ void RungeKutta4::restart(System& system, double) {
 
 double RungeKutta4::advance(System& system, double t, double t_end) {
   std::copy_n(system.states(), system.size(), start_.data());
-  system.evaluate(t);
+  system.evaluate_again(t);
   if (locate_events_ && system.changed() >= 0) return t;  // by an input that has jumped
   system.read_rates(first_.data());
   step(system, t, t_end - t);
@@ -51,17 +51,15 @@ double RungeKutta4::advance(System& system, double t, double t_end) {
 void RungeKutta4::step(System& system, double t, double h) {
   const int n = system.size();
   double* const x = system.states();
-  const auto stage = [&](double weight, double reach, const double* rate) {
-    for (int i = 0; i < n; ++i) sum_[i] += weight * rate[i], x[i] = start_[i] + reach * rate[i];
-  };
-  std::fill_n(sum_.data(), n, 0.0);
-  stage(1.0, 0.5 * h, first_.data());
-  system.rates(t + 0.5 * h, rate_.data());
-  stage(2.0, 0.5 * h, rate_.data());
-  system.rates(t + 0.5 * h, rate_.data());
-  stage(2.0, h, rate_.data());
-  system.rates(t + h, rate_.data());
-  for (int i = 0; i < n; ++i) x[i] = start_[i] + h / 6.0 * (sum_[i] + rate_[i]);
+  const double *const start = start_.data(), *const first = first_.data();
+  double *const rate = rate_.data(), *const sum = sum_.data();
+  for (int i = 0; i < n; ++i) sum[i] = first[i], x[i] = start[i] + 0.5 * h * first[i];
+  system.rates(t + 0.5 * h, rate);
+  for (int i = 0; i < n; ++i) sum[i] += 2.0 * rate[i], x[i] = start[i] + 0.5 * h * rate[i];
+  system.rates(t + 0.5 * h, rate);
+  for (int i = 0; i < n; ++i) sum[i] += 2.0 * rate[i], x[i] = start[i] + h * rate[i];
+  system.rates(t + h, rate);
+  for (int i = 0; i < n; ++i) x[i] = start[i] + h / 6.0 * (sum[i] + rate[i]);
 }
 
 void RungeKutta4::try_step(System& system, double t, double h) {

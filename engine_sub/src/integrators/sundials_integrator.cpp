@@ -99,7 +99,7 @@ void SundialsIntegrator::create(double t) {
 }
 
 double SundialsIntegrator::advance(System& system, double t, double t_end) {
-  system.evaluate(t);
+  system.evaluate_again(t);
   if (system.changed() >= 0) return t;  // by an input that has jumped
   const bool moves = system.size() > 0;
   time_ = moves ? t : t_end;

@@ -81,7 +81,9 @@ const std::vector<Benchmark>& all() {
       {"threads", "a step of the linkage, in ns a variable, by the number of threads, over its size", threads,
        "the least of 15"},
       {"profile", "the share of each task of a step of the linkage, in a build with -DTANDEM_PROFILE=ON",
-       profile}};
+       profile},
+      {"integrators", "a step of 1 ms of oscillators as compiled diagrams, beside functions written by hand",
+       integrators}};
   return list;
 }
 

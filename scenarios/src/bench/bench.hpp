@@ -52,5 +52,6 @@ Table linear_solvers();
 Table dense_algebra();
 Table threads();
 Table profile();
+Table integrators();
 
 }  // namespace tandem::bench

@@ -42,6 +42,10 @@ class System {
     set_time(t);
     program_.evaluate(image_.data());
   }
+  /// The same after evaluate(t) and changes of the inputs alone.
+  void evaluate_again(double t) {
+    if (inputs_) evaluate(t);
+  }
 
   /// After evaluate(): the number of the first crossing from `first` on whose signal has another sign than it
   /// was last seen with; -1 for none. A signal that is zero keeps its sign.
