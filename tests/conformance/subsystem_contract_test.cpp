@@ -2,6 +2,7 @@
 #include "c_oscillator.h"
 #include "contract_suite.hpp"
 #include "mechanism_cases.hpp"
+#include "pendulum_subsystem.hpp"
 #include "tandem/c_subsystem.hpp"
 #include "two_mass/masses.hpp"
 
@@ -40,6 +41,11 @@ INSTANTIATE_TEST_SUITE_P(InC, SubsystemContract,
                          contract_name);
 
 INSTANTIATE_TEST_SUITE_P(Mechanism, SubsystemContract, testing::ValuesIn(mechanism_cases()), contract_name);
+
+INSTANTIATE_TEST_SUITE_P(HandWrittenModel, SubsystemContract,
+                         testing::Values(ContractCase{
+                             "pendulum", [] { return std::make_unique<example::PendulumSubsystem>(0.01); }}),
+                         contract_name);
 
 /// x'' = -x from x = 1: x = cos t. The method's error is below t h^4 / 100.
 TEST(COscillator, FollowsItsExactMotion) {
