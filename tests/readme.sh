@@ -1,13 +1,16 @@
 #!/usr/bin/env bash
-# The code in README.md is that of the files which are built and run.
+# The code in documents is that of the files which are built and run.
 set -euo pipefail
 
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 
-block() { # LANGUAGE: the first fenced block of that language
-  awk -v fence='```' -v open="\`\`\`$1" '$0 == open {inside = 1; next} $0 == fence && inside {exit} inside' README.md
+block() { # FILE LANGUAGE NUMBER: the first, second, ... fenced block of that language
+  awk -v fence='```' -v open="\`\`\`$2" -v number="$3" \
+    '$0 == open {inside = ++count == number; next} $0 == fence && inside {exit} inside' "$1"
 }
 
-diff <(block cpp) tests/consumer/main.cpp
-diff <(block toml) scenarios/two_mass/two_mass.toml
-diff <(block cmake) tests/consumer/CMakeLists.txt
+diff <(block README.md cpp 1) tests/consumer/main.cpp
+diff <(block README.md toml 1) scenarios/two_mass/two_mass.toml
+diff <(block README.md cmake 1) tests/consumer/CMakeLists.txt
+diff <(block docs/models_in_cpp.md cpp 1) tests/examples/pendulum.hpp
+diff <(block docs/models_in_cpp.md cpp 2) tests/examples/pendulum_subsystem.hpp

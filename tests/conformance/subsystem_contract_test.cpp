@@ -3,6 +3,7 @@
 #include "contract_suite.hpp"
 #include "diagram_cases.hpp"
 #include "mechanism_cases.hpp"
+#include "pendulum_subsystem.hpp"
 #include "tandem/c_subsystem.hpp"
 #include "two_mass/masses.hpp"
 
@@ -42,6 +43,11 @@ INSTANTIATE_TEST_SUITE_P(InC, SubsystemContract,
 
 INSTANTIATE_TEST_SUITE_P(Mechanism, SubsystemContract, testing::ValuesIn(mechanism_cases()), contract_name);
 INSTANTIATE_TEST_SUITE_P(Diagram, SubsystemContract, testing::ValuesIn(diagram_cases()), contract_name);
+
+INSTANTIATE_TEST_SUITE_P(HandWrittenModel, SubsystemContract,
+                         testing::Values(ContractCase{
+                             "pendulum", [] { return std::make_unique<example::PendulumSubsystem>(0.01); }}),
+                         contract_name);
 
 /// x'' = -x from x = 1: x = cos t. The method's error is below t h^4 / 100.
 TEST(COscillator, FollowsItsExactMotion) {

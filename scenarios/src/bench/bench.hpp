@@ -47,6 +47,7 @@ const std::vector<Benchmark>& all();
 Table exchange();
 Table two_mass();
 Table four_bar_linkage();
+Table hand_written_linkage();
 Table sparse_algebra();
 Table linear_solvers();
 Table dense_algebra();
