@@ -94,6 +94,7 @@ void Simulation::fire_periodics() {
 /// are due with it.
 void Simulation::fire_crossings() {
   while (system_.changed() >= 0) {
+    happened(system_.program().crossings[static_cast<std::size_t>(system_.changed())].name);
     before_ = system_.image();
     for (int k = system_.changed(); k >= 0; k = system_.changed(k + 1)) {
       const Crossing& c = system_.program().crossings[static_cast<std::size_t>(k)];
@@ -102,7 +103,6 @@ void Simulation::fire_crossings() {
       using enum Crossing::Direction;
       if (c.direction != both && (c.direction == rising) != rises) continue;
       apply(c.updates);
-      happened(c.name);
     }
     system_.evaluate(time_);
   }

@@ -102,9 +102,9 @@ TEST_P(HandWrittenModel, HasTheRestOfTheirSecondDerivative) {
 TEST_P(HandWrittenModel, HasTheDerivativesOfItsForces) {
   VectorXd k(s_.stiffness_values()), c(k);
   model_->force_derivatives(q_.data(), v_.data(), k.data(), c.data());
-  VectorXd by_q = VectorXd::Zero(s_.variables), by_v = by_q;  // K and C times v
-  add_product(s_.stiffness, k.data(), v_.data(), by_q.data());
-  add_product(s_.stiffness, c.data(), v_.data(), by_v.data());
+  VectorXd by_q(s_.variables), by_v(by_q);  // K and C times v
+  Rows(s_.stiffness).multiply(k.data(), v_.data(), by_q.data());
+  Rows(s_.stiffness).multiply(c.data(), v_.data(), by_v.data());
   const auto difference = [&](const VectorXd& q, const VectorXd& v) {
     return VectorXd((force(q_ + d_ * q, v_ + d_ * v) - force(q_ - d_ * q, v_ - d_ * v)) / (2.0 * d_));
   };

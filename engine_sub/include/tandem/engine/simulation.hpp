@@ -10,7 +10,9 @@
 namespace tandem::engine {
 
 struct SimulationSettings {
-  int most_events = 1000;  ///< within one own step; then it chatters, and that is an error
+  /// Times within one own step at which something happens, an event that follows from another at the same
+  /// time counted for itself; with more it chatters, and that is an error.
+  int most_events = 1000;
 };
 
 /// A compiled diagram that moves: steps between instants, and what happens at events. At an event all its
