@@ -74,6 +74,9 @@ void Program::run(double* s, std::size_t count) const {
       case compare:
         out = s[o.a] > s[o.b] ? 1.0 : 0.0;
         break;
+      case leave:
+        out = s[o.more] * s[o.a] < 0.0 ? 0.0 : s[o.more];
+        break;
     }
   }
 }

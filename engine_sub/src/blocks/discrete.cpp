@@ -14,6 +14,17 @@ void sample(Lowering& to, Arguments& a) {
   to.define("", held);
 }
 
+/// The input as it was at the sample before the last.
+void unit_delay(Lowering& to, Arguments& a) {
+  const int last = to.held(), before = to.held();
+  to.start(last, a.wire("initial", 0.0));
+  to.start(before, a.wire("initial", 0.0));
+  const int event = to.periodic(a.positive("period"), a.number("offset", 0.0));
+  to.update(event, before, last);
+  to.update(event, last, a.wire("input"));
+  to.define("", before);
+}
+
 /// A signal that rises above 0 where the input passes the next multiple of `every`, and falls below it there
 /// and then, as that multiple is the one that has been passed.
 void passes(Lowering& to, Arguments& a) {
@@ -27,6 +38,7 @@ void passes(Lowering& to, Arguments& a) {
 
 }  // namespace
 
-const std::vector<BlockKind> discrete_blocks = {{"sample", sample}, {"passes", passes}};
+const std::vector<BlockKind> discrete_blocks = {
+    {"sample", sample}, {"unit_delay", unit_delay}, {"passes", passes}};
 
 }  // namespace tandem::engine

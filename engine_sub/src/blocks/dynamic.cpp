@@ -1,15 +1,52 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "kinds.hpp"
 
 namespace tandem::engine {
 namespace {
 
+using Code = Operation::Code;
+using Direction = Crossing::Direction;
+
+/// A factor of a state's derivative that is 0 while the state is held at a limit: it gets there where it
+/// rises above `high` or falls below `low`, and leaves it where its input points inwards again.
+int freedom(Lowering& to, int state, int input, double low, double high) {
+  const int mode = to.held();
+  for (const bool above : {true, false}) {
+    const double limit = above ? high : low;
+    if (!std::isfinite(limit)) continue;
+    const int event =
+        to.crossing(to.linear(-limit, 1.0, state), above ? Direction::rising : Direction::falling);
+    to.update(event, state, to.constant(limit));
+    to.update(event, mode, to.constant(above ? 1.0 : -1.0));
+  }
+  const int left = to.operation(Code::leave, input, 0, {}, mode);
+  to.update(to.crossing(input, Direction::both), mode, left);
+  return to.operation(Code::polynomial, mode, 2, {1.0, 0.0, -1.0});
+}
+
+/// Its derivative is the input, within limits if there are.
+void integrate(Lowering& to, Arguments& a, int state, int input) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  const double low = a.number("low", -none), high = a.number("high", none);
+  to.start(state, a.wire("initial", 0.0));
+  if (!(low < high)) a.refuse("low", fmt::format("{}", low), fmt::format("below high, {}", high));
+  const bool limited = std::isfinite(low) || std::isfinite(high);
+  to.signals[state].rate =
+      limited ? to.operation(Code::product, input, freedom(to, state, input, low, high)) : input;
+}
+
 /// state' = input from `initial` on; back to `reset_to` where `reset` rises above 0.
 void integrator(Lowering& to, Arguments& a) {
-  const int state = to.state(a.wire("input"));
-  to.start(state, a.wire("initial", 0.0));
+  const int state = to.state(-1);
+  integrate(to, a, state, a.wire("input"));
   if (a.has("reset")) {
-    const int event = to.crossing(a.wire("reset"), Crossing::Direction::rising);
+    const int event = to.crossing(a.wire("reset"), Direction::rising);
     to.update(event, state, a.wire("reset_to", 0.0));
   }
   to.define("", state);
@@ -24,8 +61,104 @@ void lag(Lowering& to, Arguments& a) {
   to.define("", state);
 }
 
+/// The sum of signals, each times the factor of a row from `first` on.
+int row(Lowering& to, const std::vector<int>& signals, const std::vector<double>& matrix, std::size_t first) {
+  return to.sum(signals, {matrix.begin() + static_cast<std::ptrdiff_t>(first),
+                          matrix.begin() + static_cast<std::ptrdiff_t>(first + signals.size())});
+}
+
+std::vector<double> matrix(Arguments& a, const char* key, std::size_t rows, std::size_t columns) {
+  auto values = a.numbers(key);
+  if (values.size() != rows * columns)
+    a.refuse(key, fmt::format("an array of {}", values.size()),
+             fmt::format("{} rows of {} numbers, one row after the other", rows, columns));
+  return values;
+}
+
+/// x' = a x + b u, y = c x + d u, matrices row by row. One output is named as the block, more BLOCK.1,
+/// BLOCK.2, ..
+void state_space(Lowering& to, Arguments& a) {
+  const auto u = a.wires("inputs");
+  const auto n = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(a.numbers("a").size()))));
+  const auto own = matrix(a, "a", n, n), in = matrix(a, "b", n, u.size()), all = a.numbers("c");
+  const std::size_t outputs = std::max<std::size_t>(1, all.size() / n);
+  const auto out = matrix(a, "c", outputs, n);
+  const auto through =
+      a.has("d") ? matrix(a, "d", outputs, u.size()) : std::vector<double>(outputs * u.size(), 0.0);
+  std::vector<int> x;
+  for (std::size_t k = 0; k < n; ++k) x.push_back(to.state(-1));
+  for (std::size_t k = 0; k < n; ++k)
+    to.signals[x[k]].rate = to.sum({row(to, x, own, k * n), row(to, u, in, k * u.size())}, {1.0, 1.0});
+  for (std::size_t k = 0; k < outputs; ++k) {
+    const int y = row(to, x, out, k * n);
+    const bool passes = std::any_of(through.begin() + static_cast<std::ptrdiff_t>(k * u.size()),
+                                    through.begin() + static_cast<std::ptrdiff_t>((k + 1) * u.size()),
+                                    [](double d) { return d != 0.0; });
+    to.define(outputs == 1 ? "" : std::to_string(k + 1),
+              passes ? to.sum({y, row(to, u, through, k * u.size())}, {1.0, 1.0}) : y);
+  }
+}
+
+/// Coefficients of the highest power first, in controllable canonical form: x_n = s^(n-1) w, w = input /
+/// denominator.
+void transfer_function(Lowering& to, Arguments& a) {
+  auto num = a.numbers("numerator"), den = a.numbers("denominator");
+  if (den[0] == 0.0) a.refuse("denominator", "0 in its highest power", "another number there");
+  if (num.size() > den.size() || den.size() < 2)
+    a.refuse("denominator", fmt::format("of order {}", den.size() - 1),
+             fmt::format("{} or more", std::max<std::size_t>(1, num.size() - 1)));
+  const double scale = den[0];
+  num.insert(num.begin(), den.size() - num.size(), 0.0);
+  for (double& c : num) c /= scale;
+  for (double& c : den) c /= scale;
+  const int input = a.wire("input");
+  const std::size_t n = den.size() - 1;
+  std::vector<int> x, terms;
+  for (std::size_t k = 0; k < n; ++k) x.push_back(to.state(-1));
+  for (std::size_t k = 0; k + 1 < n; ++k) to.signals[x[k]].rate = x[k + 1];
+  std::vector<double> own = {1.0}, out;
+  terms.push_back(input);
+  for (std::size_t k = 0; k < n; ++k) {
+    terms.push_back(x[k]);
+    own.push_back(-den[n - k]);
+    out.push_back(num[n - k] - num[0] * den[n - k]);
+  }
+  to.signals[x[n - 1]].rate = to.sum(terms, own);
+  const int y = to.sum(x, out);
+  to.define("", num[0] == 0.0 ? y : to.sum({y, input}, {1.0, num[0]}));
+}
+
+/// u = kp e + I + D within limits; I' = ki e + back (u - its value without limits), D = kd e' by a lag of
+/// 1/filter.
+void pid(Lowering& to, Arguments& a) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  const int e = a.wire("input"), integral = to.state(-1), filtered = to.state(-1);
+  const double kp = a.number("kp"), ki = a.number("ki", 0.0), kd = a.number("kd", 0.0);
+  const double filter = a.has("filter") ? a.positive("filter") : 100.0, back = a.number("back", 1.0);
+  const double low = a.number("low", -none), high = a.number("high", none);
+  if (!(low < high)) a.refuse("low", fmt::format("{}", low), fmt::format("below high, {}", high));
+  to.start(integral, a.wire("initial", 0.0));
+  const int slope = to.sum({e, filtered}, {filter * kd, -filter});
+  to.signals[filtered].rate = slope;
+  const int free = to.sum({e, integral, slope}, {kp, 1.0, 1.0});
+  int u = free;
+  if (std::isfinite(low) || std::isfinite(high)) {
+    const int wanted = to.operation(Code::beyond, free, 0, {low, high});
+    std::vector<int> crossed;
+    for (const double limit : {low, high})
+      if (std::isfinite(limit)) crossed.push_back(to.linear(-limit, 1.0, free));
+    u = to.operation(Code::clamp, free, 0, {low, high}, to.mode(wanted, crossed));
+  }
+  to.signals[integral].rate = to.sum({e, u, free}, {ki, back, -back});
+  to.define("", u);
+}
+
 }  // namespace
 
-const std::vector<BlockKind> dynamic_blocks = {{"integrator", integrator}, {"lag", lag}};
+const std::vector<BlockKind> dynamic_blocks = {{"integrator", integrator},
+                                               {"lag", lag},
+                                               {"state_space", state_space},
+                                               {"transfer_function", transfer_function},
+                                               {"pid", pid}};
 
 }  // namespace tandem::engine

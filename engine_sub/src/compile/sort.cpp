@@ -99,6 +99,7 @@ std::vector<int*> slots_of(Operation& o) {
     case Code::add:
       return {&o.a};
     case Code::clamp:
+    case Code::leave:
     case Code::dead_zone:
       return {&o.a, &o.more};
     case Code::select:

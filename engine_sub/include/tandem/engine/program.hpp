@@ -25,7 +25,8 @@ struct Operation {
     clamp,       ///< out = more < 0 ? p0 : more > 0 ? p1 : a
     dead_zone,   ///< out = more < 0 ? a - p0 : more > 0 ? a - p1 : 0
     beyond,      ///< out = a < p0 ? -1 : a > p1 ? 1 : 0
-    compare      ///< out = a > b ? 1 : 0
+    compare,     ///< out = a > b ? 1 : 0
+    leave        ///< out = more, or 0 where a points from more to 0
   };
   Code code;
   int out, a, b = 0;
