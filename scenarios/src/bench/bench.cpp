@@ -66,27 +66,33 @@ void Table::write(const std::filesystem::path& file) const {
 }
 
 const std::vector<Benchmark>& all() {
+  using output::Measured;
+  const auto one = [](Table (*run)()) { return [run](const Tick&) { return std::vector{run()}; }; };
   static const std::vector<Benchmark> list = {
-      {"exchange", "one round of in-process null subsystems, beside a hand-written loop", exchange},
-      {"two_mass", "a run of the two-mass test split into its sides and the coordinator", two_mass},
-      {"four_bar", "a step of the N-fold four-bar linkage by each solver, in ns a variable",
-       four_bar_linkage},
+      {"exchange", "one round of in-process null subsystems, beside a hand-written loop", one(exchange)},
+      {"two_mass", "a run of the two-mass test split into its sides and the coordinator", one(two_mass)},
+      {"four_bar",
+       "a step of the N-fold four-bar linkage by each solver, in ns a variable; the memory, in bytes a "
+       "variable",
+       four_bar_linkage,
+       Measured{"exact motion", "x of the first moving point at 20 s", "the least of several in turns"}},
       {"hand_written",
        "a step of the linkage and its terms alone, in ns a variable, beside a model written for it alone",
-       hand_written_linkage},
+       one(hand_written_linkage)},
       {"sparse", "the prepared sparse algebra on the linkage's matrices, beside plain expressions of Eigen",
-       sparse_algebra},
+       one(sparse_algebra)},
       {"solvers", "a factorization and two solutions by each linear solver, over kind, size and filling",
-       linear_solvers, "the least of 5"},
+       one(linear_solvers),
+       Measured{"the best solver of each cell", "none, these are times", "the least of 5"}},
       {"dense",
        "products and Cholesky's factorization with one solution of small dense matrices by each BLAS",
-       dense_algebra},
-      {"threads", "a step of the linkage, in ns a variable, by the number of threads, over its size", threads,
-       "the least of 15"},
+       one(dense_algebra), Measured{"none", "none, these are times", "the least of 10"}},
+      {"threads", "a step of the linkage, in ns a variable, by the number of threads, over its size",
+       one(threads)},
       {"profile", "the share of each task of a step of the linkage, in a build with -DTANDEM_PROFILE=ON",
-       profile},
+       one(profile)},
       {"integrators", "a step of 1 ms of oscillators as compiled diagrams, beside functions written by hand",
-       integrators}};
+       one(integrators)}};
   return list;
 }
 

@@ -5,8 +5,11 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "output/conditions.hpp"
 
 namespace tandem::bench {
 
@@ -22,31 +25,37 @@ struct Timing {
 std::map<std::string, double> measure(const std::vector<Timing>& timings, int repetitions,
                                       double seconds_each);
 
-/// A table for the screen and for results/bench/NAME.csv.
+/// A table for the screen and for results/bench/BENCHMARK.csv, or with a name of its own BENCHMARK_NAME.csv.
 class Table {
  public:
-  explicit Table(std::vector<std::string> columns) : columns_(std::move(columns)) {}
+  explicit Table(std::vector<std::string> columns, std::string name = "")
+      : columns_(std::move(columns)), name_(std::move(name)) {}
   void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
+  const std::string& name() const { return name_; }
   void print() const;
   /// Throws Error if the file can't be written.
   void write(const std::filesystem::path& file) const;
 
  private:
   std::vector<std::string> columns_;
+  std::string name_;
   std::vector<std::vector<std::string>> rows_;
 };
 
-/// Benchmarks by name: each prints its table with a sentence about it, and returns the table for the CSV.
+/// Is told now and then which share of a benchmark's work is done, 0 to 1.
+using Tick = std::function<void(double share)>;
+
+/// Benchmarks by name, with a sentence about each.
 struct Benchmark {
   std::string name, about;
-  std::function<Table()> run;
-  std::string measured = {};  ///< what the times of a chart are, for NAME_conditions.json; empty: no chart
+  std::function<std::vector<Table>(const Tick&)> run;
+  std::optional<output::Measured> measured = {};  ///< for NAME_conditions.json, if there is a chart
 };
 const std::vector<Benchmark>& all();
 
 Table exchange();
 Table two_mass();
-Table four_bar_linkage();
+std::vector<Table> four_bar_linkage(const Tick& tick);
 Table hand_written_linkage();
 Table sparse_algebra();
 Table linear_solvers();

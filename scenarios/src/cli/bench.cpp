@@ -4,19 +4,30 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "cli/progress.hpp"
 #include "output/conditions.hpp"
 #include "output/files.hpp"
 
 namespace tandem::cli {
 namespace {
 
-/// What a chart of the benchmark tells beside its figures.
-void write_conditions(const bench::Benchmark& benchmark, const std::filesystem::path& folder) {
-  auto conditions = output::conditions(0);
-  conditions["reference"] = "the best solver of each cell";
-  conditions["error_norm"] = "none, these are times";
-  conditions["repetitions"] = benchmark.measured;
-  output::write_text(folder / (benchmark.name + "_conditions.json"), conditions.dump(2) + "\n");
+void run(const bench::Benchmark& benchmark, const std::filesystem::path& folder, const Context& context) {
+  if (!context.quiet) fmt::print("{}; {}, {}\n", benchmark.about, output::processor_model(), TANDEM_COMPILER);
+  output::make_folder(folder);
+  std::vector<bench::Table> tables;
+  {
+    Progress progress(benchmark.name, 100, !context.quiet);
+    tables = benchmark.run([&](double share) { progress.update(static_cast<std::size_t>(100.0 * share)); });
+  }
+  for (const bench::Table& table : tables) {
+    table.print();
+    const std::string name = benchmark.name + (table.name().empty() ? "" : "_" + table.name());
+    table.write(folder / (name + ".csv"));
+    if (!context.quiet) fmt::print("wrote {}\n", (folder / (name + ".csv")).string());
+  }
+  if (benchmark.measured)
+    output::write_text(folder / (benchmark.name + "_conditions.json"),
+                       output::conditions(*benchmark.measured).dump(2) + "\n");
 }
 
 }  // namespace
@@ -37,17 +48,8 @@ void add_bench(CLI::App& app, Context& context) {
       ->type_name("DIR")
       ->capture_default_str();
   command->callback([name, folder, &context] {
-    for (const auto& b : bench::all()) {
-      if (b.name != *name) continue;
-      if (!context.quiet) fmt::print("{}; {}, {}\n", b.about, output::processor_model(), TANDEM_COMPILER);
-      output::make_folder(*folder);
-      const bench::Table table = b.run();
-      table.print();
-      const auto file = std::filesystem::path(*folder) / (b.name + ".csv");
-      table.write(file);
-      if (!b.measured.empty()) write_conditions(b, *folder);
-      if (!context.quiet) fmt::print("wrote {}\n", file.string());
-    }
+    for (const auto& b : bench::all())
+      if (b.name == *name) run(b, *folder, context);
   });
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cli/commands.hpp"
+#include "cli/diagram_info.hpp"
 #include "cli/mechanism_info.hpp"
 #include "scenario/assembly.hpp"
 
@@ -114,25 +115,27 @@ bool is_source(const std::string& text) {
 struct Options {
   std::string what;
   std::vector<std::string> overrides;
+  bool dot = false;
 };
 
 }  // namespace
 
 void add_info(CLI::App& app, Context& context) {
-  auto* command = app.add_subcommand(
-      "info",
-      "Show ports, units, abilities and start values of a source or a scenario, or what a mechanism has");
+  auto* command = app.add_subcommand("info",
+                                     "Show ports, units, abilities and start values of a source or a "
+                                     "scenario, or what a mechanism or a diagram has");
   auto options = std::make_shared<Options>();
   command
-      ->add_option(
-          "what", options->what,
-          "A source such as builtin:NAME or builtin:NAME?KEY=VALUE&KEY=VALUE, a scenario or a mechanism")
+      ->add_option("what", options->what,
+                   "A source such as builtin:NAME or builtin:NAME?KEY=VALUE&KEY=VALUE, a scenario, a "
+                   "mechanism or a diagram")
       ->required()
       ->type_name("SOURCE|FILE");
   command->add_option("--set", options->overrides, "Set a value of the scenario, as in run (repeatable)")
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->take_all();
+  command->add_flag("--dot", options->dot, "Print the graph of a diagram in the language of Graphviz");
   command->footer("Exit status: 0, or 2 for what is not right.");
   command->callback([options, &context] {
     const bool source = is_source(options->what);
@@ -140,11 +143,15 @@ void add_info(CLI::App& app, Context& context) {
       throw Error(ErrorCode::invalid_argument, "--set belongs to a scenario; a source takes its values as " +
                                                    options->what + "?KEY=VALUE");
     if (source) return print_source(options->what, context);
-    if (!is_mechanism(options->what)) return print_scenario(options->what, options->overrides, context);
+    const bool mechanism = is_mechanism(options->what), diagram = !mechanism && is_diagram(options->what);
+    if (options->dot && !diagram)
+      throw Error(ErrorCode::invalid_argument, "--dot belongs to a diagram; " + options->what + " is none");
+    if (!mechanism && !diagram) return print_scenario(options->what, options->overrides, context);
     if (!options->overrides.empty())
-      throw Error(ErrorCode::invalid_argument,
-                  "--set belongs to a scenario; " + options->what + " is a mechanism");
-    print_mechanism(options->what);
+      throw Error(ErrorCode::invalid_argument, "--set belongs to a scenario; " + options->what + " is a " +
+                                                   (mechanism ? "mechanism" : "diagram"));
+    if (mechanism) return print_mechanism(options->what);
+    options->dot ? print_dot(options->what) : print_diagram(options->what);
   });
 }
 

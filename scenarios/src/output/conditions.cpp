@@ -17,15 +17,17 @@ std::string processor_model() {
 
 std::string source_commit() { return TANDEM_COMMIT; }
 
+nlohmann::ordered_json conditions(const Measured& measured) {
+  return {{"processor", processor_model()},    {"cores", std::thread::hardware_concurrency()},
+          {"commit", source_commit()},         {"version", TANDEM_VERSION},
+          {"compiler", TANDEM_COMPILER},       {"reference", measured.reference},
+          {"error_norm", measured.error_norm}, {"repetitions", measured.repetitions}};
+}
+
 nlohmann::ordered_json conditions(int repetitions) {
-  return {{"processor", processor_model()},
-          {"cores", std::thread::hardware_concurrency()},
-          {"commit", source_commit()},
-          {"version", TANDEM_VERSION},
-          {"compiler", TANDEM_COMPILER},
-          {"reference", "exact motion"},
-          {"error_norm", "(FR/N) rms(x1 - x1_exact) / rms(x1)"},
-          {"repetitions", repetitions}};
+  auto all = conditions(Measured{"exact motion", "(FR/N) rms(x1 - x1_exact) / rms(x1)", ""});
+  all["repetitions"] = repetitions;
+  return all;
 }
 
 }  // namespace tandem::output

@@ -5,8 +5,15 @@
 
 namespace tandem::output {
 
+/// What a chart says of its figures, besides where they were taken.
+struct Measured {
+  std::string reference, error_norm, repetitions;
+};
+
 /// Under which conditions figures were taken: processor, cores, commit, version, compiler, reference, error
 /// norm, repetitions.
+nlohmann::ordered_json conditions(const Measured& measured);
+/// Those of the two-mass test.
 nlohmann::ordered_json conditions(int repetitions);
 
 std::string processor_model();

@@ -1,0 +1,16 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <filesystem>
+
+namespace tandem::cli {
+
+/// True for a TOML file that has a table of blocks, as only diagrams do.
+bool is_diagram(const std::filesystem::path& file);
+
+/// Prints parameters, ports with units, states, feedthrough, events and what is left out.
+void print_diagram(const std::filesystem::path& file);
+
+/// The graph of blocks and signals in the language of Graphviz.
+void print_dot(const std::filesystem::path& file);
+
+}  // namespace tandem::cli
