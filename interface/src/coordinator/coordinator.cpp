@@ -118,7 +118,7 @@ void Coordinator::take(const Turn& turn, Exchange& inputs) {
   const double before = seat.time;
   const auto u = inputs.inputs(who, before, member.next);
   if (coordination_.profile) seat.effort.seconds -= seconds_now();
-  const Clock clock = seat.subsystem->advance(turn.limit, turn.land, u, y);
+  const Clock clock = advance(turn, u, y);
   if (coordination_.profile) seat.effort.seconds += seconds_now();
   const std::int64_t steps = y.size() - rows;
   seat.effort.exchanges += 1;
@@ -129,6 +129,18 @@ void Coordinator::take(const Turn& turn, Exchange& inputs) {
   else
     check_clock(turn, before, steps, clock);
   stand(seat, member, clock);
+}
+
+/// The subsystem's call; its error names it.
+Clock Coordinator::advance(const Turn& turn, std::span<const Signal> u, Samples& y) {
+  const std::string& name = topology_.name(turn.who);
+  try {
+    return seats_[static_cast<std::size_t>(turn.who)].subsystem->advance(turn.limit, turn.land, u, y);
+  } catch (const Error& error) {
+    const std::string sentence = error.what();
+    if (sentence.find("'" + name + "'") != std::string::npos) throw;
+    throw Error(error.code(), "subsystem '" + name + "': " + sentence);
+  }
 }
 
 void Coordinator::commit(int who, double limit) {

@@ -103,6 +103,7 @@ class Coordinator {
   };
   void take(const Turn& turn, Exchange& inputs);
   void take_all(const Turn& turn);
+  Clock advance(const Turn& turn, std::span<const Signal> u, Samples& y);
   void check_clock(const Turn& turn, double before, std::int64_t rows, const Clock& after);
   void stand(Seat& seat, Member& member, const Clock& clock) {
     seat.time = clock.time;

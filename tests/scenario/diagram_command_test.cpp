@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// Diagrams from the command line.
+#include <gtest/gtest.h>
+
+#include "command.hpp"
+
+namespace tandem {
+namespace {
+
+using test::Said;
+using test::Scratch;
+using test::tandem;
+
+const std::string engine = TANDEM_SOURCE_DIR "/scenarios/engine/engine.toml";
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(InfoCommand, ShowsWhatADiagramHas) {
+  const Scratch folder;
+  const Said said = tandem(folder, {"info", engine});
+  EXPECT_EQ(said.status, 0) << said.err;
+  for (const char* part : {"order 4: P, angle, M, N", "parameter J = 0.14 kg m^2", "input throttle [deg]",
+                           "output torque [N m], follows at once: none", "6 signals watched for events"})
+    EXPECT_TRUE(contains(said.out, part)) << part << " is not in:\n" << said.out;
+}
+
+TEST(InfoCommand, DrawsTheGraphOfADiagram) {
+  const Scratch folder;
+  const Said said = tandem(folder, {"info", engine, "--dot"});
+  EXPECT_EQ(said.status, 0) << said.err;
+  EXPECT_TRUE(contains(said.out, "digraph \"engine\" {")) << said.out;
+  EXPECT_TRUE(contains(said.out, "\"throttle\" -> \"opening\" [label=\"input\"];")) << said.out;
+  EXPECT_EQ(tandem(folder, {"info", test::two_mass_file("two_mass.toml"), "--dot"}).status, 2);
+}
+
+/// A scenario of one diagram and its parameters.
+Said run(const Scratch& folder, const std::string& blocks, const std::string& parameters) {
+  folder.write("d.toml", "[parameters]\nk = { value = 2, unit = '1' }\n[blocks]\n" + blocks +
+                             "\n[outputs]\nx = { unit = '1' }\n");
+  folder.write("s.toml", "name = 's'\n[subsystems.d]\nsource = 'diagram:d.toml'\nparameters = { " +
+                             parameters + " }\n[span]\nstop = 1.0\n");
+  return tandem(folder, {"run", "s.toml", "--output", "o"});
+}
+
+TEST(RunCommand, RunsADiagramWithItsParameters) {
+  const Scratch folder;
+  const std::string decay =
+      "x = { kind = 'integrator', input = 'rate', initial = 1 }\nrate = { kind = 'product', inputs = ['x', "
+      "'$k'] }";
+  for (const char* integrator : {"rk4", "cvode_adams", "cvode_bdf", "erkstep", "arkstep"}) {
+    const Said said =
+        run(folder, decay, "step = 0.01, k = -1, integrator = '" + std::string(integrator) + "'");
+    EXPECT_EQ(said.status, 0) << said.err;
+    const std::string results = test::read_text(folder.path() / "o" / "results.csv");
+    EXPECT_TRUE(contains(results, "\n1,0.3678")) << integrator << ": " << results.substr(results.size() - 40);
+  }
+}
+
+TEST(RunCommand, RefusesWhatADiagramCanNotDo) {
+  const Scratch folder;
+  const std::string fine = "x = { kind = 'integrator', input = 1 }";
+  const struct {
+    std::string blocks, parameters, words;
+    int status;
+  } list[] = {
+      {fine, "k = 1", "has no own step; give the parameter step", 2},
+      {fine, "step = -1", "step is -1 s; allowed is a finite number above 0", 2},
+      {fine, "step = 0.1, j = 1", "'j'", 2},
+      {fine, "step = 0.1, integrator = 'rk5'", "'rk5' is not there; did you mean 'rk4'", 2},
+      {fine, "step = 0.1, relative_tolerance = 1e-3", "rk4 is chosen", 2},
+      {"x = { kind = 'gain', input = 'x', gain = 1 }", "step = 0.1", "algebraic loop", 2},
+      {"x = { kind = 'gain', input = 'y', gain = 1 }", "step = 0.1", "d.toml:4: signal 'y' is not there", 2},
+      {"x = { kind = 'integrator', input = 'r' }\nr = { kind = 'function', function = 'log', input = 'x' }",
+       "step = 0.1", "subsystem 'd' gave x (a derivative) not finite at t = 0 s", 2},
+      {"x = { kind = 'integrator', input = 'r', initial = 1 }\nr = { kind = 'product', inputs = ['x', 'x', "
+       "'x'] }",
+       "step = 0.01, integrator = 'cvode_bdf'",
+       "subsystem 'd': integrator cvode_bdf can't go on at t = 0.49998", 1}};
+  for (const auto& bad : list) {
+    const Said said = run(folder, bad.blocks, bad.parameters);
+    EXPECT_EQ(said.status, bad.status) << bad.parameters << ": " << said.err;
+    EXPECT_TRUE(contains(said.err, bad.words)) << bad.words << " is not in: " << said.err;
+  }
+}
+
+}  // namespace
+}  // namespace tandem
