@@ -67,17 +67,20 @@ void Table::write(const std::filesystem::path& file) const {
 
 const std::vector<Benchmark>& all() {
   static const std::vector<Benchmark> list = {
-      {"exchange", "one round of in-process null subsystems, beside a hand-written loop", exchange},
-      {"two_mass", "a run of the two-mass test split into its sides and the coordinator", two_mass},
-      {"four_bar", "a step of the N-fold four-bar linkage by each solver, in ns a variable",
-       four_bar_linkage},
-      {"sparse", "the prepared sparse algebra on the linkage's matrices, beside plain expressions of Eigen",
-       sparse_algebra},
-      {"solvers", "a factorization and two solutions by each linear solver, over kind, size and filling",
-       linear_solvers, "the least of 5"},
-      {"dense",
-       "products and Cholesky's factorization with one solution of small dense matrices by each BLAS",
-       dense_algebra}};
+    {"exchange", "one round of in-process null subsystems, beside a hand-written loop", exchange},
+    {"two_mass", "a run of the two-mass test split into its sides and the coordinator", two_mass},
+    {"four_bar", "a step of the N-fold four-bar linkage by each solver, in ns a variable", four_bar_linkage},
+    {"sparse", "the prepared sparse algebra on the linkage's matrices, beside plain expressions of Eigen",
+     sparse_algebra},
+    {"solvers", "a factorization and two solutions by each linear solver, over kind, size and filling",
+     linear_solvers, Notes{"the best solver of each cell", "none, these are times", "the least of 5"}},
+    {"dense", "products and Cholesky's factorization with one solution of small dense matrices by each BLAS",
+     dense_algebra},
+#if TANDEM_HAS_SIMBODY
+    {"simbody", "the linkage by tandem and by Simbody: error and processor time", against_simbody,
+     Notes{"exact motion", "rms of the first point's distance", "the least of 2 to 5"}},
+#endif
+  };
   return list;
 }
 

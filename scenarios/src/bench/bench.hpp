@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,11 +37,16 @@ class Table {
   std::vector<std::vector<std::string>> rows_;
 };
 
+/// What a chart tells beside its figures.
+struct Notes {
+  std::string reference, error_norm, repetitions;
+};
+
 /// Benchmarks by name: each prints its table with a sentence about it, and returns the table for the CSV.
 struct Benchmark {
   std::string name, about;
   std::function<Table()> run;
-  std::string measured = {};  ///< what the times of a chart are, for NAME_conditions.json; empty: no chart
+  std::optional<Notes> notes = {};  ///< for NAME_conditions.json; none: no chart
 };
 const std::vector<Benchmark>& all();
 
@@ -50,5 +56,6 @@ Table four_bar_linkage();
 Table sparse_algebra();
 Table linear_solvers();
 Table dense_algebra();
+Table against_simbody();  ///< only with Simbody
 
 }  // namespace tandem::bench

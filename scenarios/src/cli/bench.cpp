@@ -13,9 +13,9 @@ namespace {
 /// What a chart of the benchmark tells beside its figures.
 void write_conditions(const bench::Benchmark& benchmark, const std::filesystem::path& folder) {
   auto conditions = output::conditions(0);
-  conditions["reference"] = "the best solver of each cell";
-  conditions["error_norm"] = "none, these are times";
-  conditions["repetitions"] = benchmark.measured;
+  conditions["reference"] = benchmark.notes->reference;
+  conditions["error_norm"] = benchmark.notes->error_norm;
+  conditions["repetitions"] = benchmark.notes->repetitions;
   output::write_text(folder / (benchmark.name + "_conditions.json"), conditions.dump(2) + "\n");
 }
 
@@ -45,7 +45,7 @@ void add_bench(CLI::App& app, Context& context) {
       table.print();
       const auto file = std::filesystem::path(*folder) / (b.name + ".csv");
       table.write(file);
-      if (!b.measured.empty()) write_conditions(b, *folder);
+      if (b.notes) write_conditions(b, *folder);
       if (!context.quiet) fmt::print("wrote {}\n", file.string());
     }
   });
