@@ -48,7 +48,7 @@ std::vector<Row> first_runs(const std::vector<LinkageMethod>& methods, const Lin
 void repeat(std::vector<Row>& rows) {
   for (int r = 1; r < repetitions; ++r)
     for (Row& row : rows)
-      if (r == 1 || row.seconds < long_run)
+      if (row.status == "ok" && (r == 1 || row.seconds < long_run))
         row.seconds = std::min(row.seconds, row.method->run(row.setting, 2.0 * patience).seconds);
 }
 

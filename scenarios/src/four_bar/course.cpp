@@ -10,8 +10,6 @@
 namespace tandem::four_bar {
 namespace {
 
-constexpr double lost = 0.1;  // [m]
-
 /// The cubic through both values with both rates, at the part s of the length h.
 double hermite(double s, double h, double from, double from_rate, double to, double to_rate) {
   const double r = 1.0 - s;
@@ -42,12 +40,10 @@ double rms_error(const Course& course, const std::vector<Crank>& exact, double i
 }
 
 std::string status(const Course& course) {
-  const auto found =
-      std::find_if(course.knots.begin(), course.knots.end(), [](const Knot& k) { return !(k.skew <= lost); });
-  if (found != course.knots.end()) return fmt::format("lost at {:.3g} s", found->time);
-  if (course.ended == Course::Ended::at_the_end) return "ok";
-  return fmt::format("{} at {:.3g} s", course.ended == Course::Ended::failed ? "failed" : "given up",
-                     course.knots.empty() ? 0.0 : course.knots.back().time);
+  static constexpr const char* words[] = {"ok", "lost", "failed", "given up"};
+  const char* word = words[static_cast<int>(course.ended)];
+  if (course.ended == Course::Ended::at_the_end) return word;
+  return fmt::format("{} at {:.3g} s", word, course.knots.empty() ? 0.0 : course.knots.back().time);
 }
 
 }  // namespace tandem::four_bar

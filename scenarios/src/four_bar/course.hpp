@@ -17,7 +17,7 @@ struct Knot {
 
 /// What a run of the linkage leaves, by whatever code.
 struct Course {
-  enum class Ended { at_the_end, failed, given_up };
+  enum class Ended { at_the_end, lost, failed, given_up };
   std::vector<Knot> knots;  ///< the start, then the end of each step
   double seconds = 0.0;     ///< thread_seconds() from the described positions and velocities to the end
   Ended ended = Ended::at_the_end;
@@ -35,8 +35,10 @@ inline double thread_seconds() {
 /// knots it moves on cubic Hermite polynomials. NaN for a course that ended early.
 double rms_error(const Course& course, const std::vector<Crank>& exact, double interval);
 
-/// "ok"; "lost at 2.7 s", where the linkage is no parallelogram any more by a tenth of a rod; "failed at 3.2
-/// s", "given up at 3.2 s".
+/// Whether it is no parallelogram any more, by a tenth of a rod: where a run is ended.
+inline bool lost(const Knot& knot) { return !(knot.skew <= 0.1); }
+
+/// "ok", "lost at 2.7 s", "failed at 3.2 s", "given up at 3.2 s".
 std::string status(const Course& course);
 
 }  // namespace tandem::four_bar

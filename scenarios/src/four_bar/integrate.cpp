@@ -30,9 +30,10 @@ Course integrate(const mbs::Mechanism& linkage, mbs::Stepper& stepper, double en
   try {
     stepper.start(s);
     course.knots.push_back(knot(linkage, s));
-    for (long k = 1; k <= steps; ++k) {
+    for (long k = 1; k <= steps && course.ended == Course::Ended::at_the_end; ++k) {
       stepper.step(s, h, static_cast<double>(k) * h);
       course.knots.push_back(knot(linkage, s));
+      if (lost(course.knots.back())) course.ended = Course::Ended::lost;
     }
   } catch (const Error& error) {
     course.ended = Course::Ended::failed;

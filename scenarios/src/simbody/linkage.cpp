@@ -37,12 +37,16 @@ const std::vector<IntegratorEntry>& integrators() {
   return all;
 }
 
+[[noreturn]] void refuse(const std::string& integrator) {
+  std::string sentence = "Simbody's integrator is '" + integrator + "'; allowed is one of";
+  for (const std::string& name : integrator_names()) sentence += " " + name;
+  throw Error(ErrorCode::invalid_argument, sentence);
+}
+
 Integrator make_integrator(const Settings& settings, const SimTK::System& system) {
   const auto found = std::find_if(integrators().begin(), integrators().end(),
                                   [&](const auto& entry) { return entry.name == settings.integrator; });
-  if (found == integrators().end())
-    throw Error(ErrorCode::invalid_argument, "Simbody's integrator is '" + settings.integrator +
-                                                 "'; allowed are those of simbody::integrator_names()");
+  if (found == integrators().end()) refuse(settings.integrator);
   const Integrator integrator = found->make(system);
   integrator->setAccuracy(settings.accuracy);
   if (settings.tolerance > 0.0) integrator->setConstraintTolerance(settings.tolerance);
@@ -152,8 +156,10 @@ Course Linkage::run(const Settings& settings, double end) const {
     integrator->initialize(model_->start);
     course.knots.push_back(model_->knot(integrator->getState()));
     while (course.knots.back().time < end && course.ended == Course::Ended::at_the_end) {
-      integrator->stepTo(end, end);
-      course.knots.push_back(model_->knot(integrator->getState()));
+      integrator->stepTo(end, end);  // the first ends at the start
+      if (integrator->getTime() > course.knots.back().time)
+        course.knots.push_back(model_->knot(integrator->getState()));
+      if (lost(course.knots.back())) course.ended = Course::Ended::lost;
       if (four_bar::thread_seconds() - began > settings.patience) course.ended = Course::Ended::given_up;
     }
   } catch (const std::exception& error) {
