@@ -92,7 +92,12 @@ const std::vector<Benchmark>& all() {
       {"profile", "the share of each task of a step of the linkage, in a build with -DTANDEM_PROFILE=ON",
        one(profile)},
       {"integrators", "a step of 1 ms of oscillators as compiled diagrams, beside functions written by hand",
-       one(integrators)}};
+       one(integrators)},
+#if TANDEM_HAS_SIMBODY
+      {"simbody", "the linkage by tandem and by Simbody: error and processor time", one(against_simbody),
+       Measured{"exact motion", "rms of the first point's distance", "the least of 2 to 5"}},
+#endif
+  };
   return list;
 }
 

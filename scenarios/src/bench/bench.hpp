@@ -63,5 +63,6 @@ Table dense_algebra();
 Table threads();
 Table profile();
 Table integrators();
+Table against_simbody();  ///< only with Simbody
 
 }  // namespace tandem::bench

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "charts/simbody_chart.hpp"
 #include "charts/solver_map_chart.hpp"
 #include "charts/style.hpp"
 #include "charts/two_mass_best.hpp"
@@ -71,16 +72,25 @@ void chart_solvers(const Options& options, const Context& context) {
   if (!context.quiet) fmt::print("Charts\n{}", files);
 }
 
+void chart_simbody(const Options& options, const Context& context) {
+  check_results(options, {"simbody.csv", "simbody_conditions.json"}, "bench simbody --output {}");
+  const auto caption = charts::conditions_caption(options.results / "simbody_conditions.json", 180);
+  const auto runs = charts::read_linkage_runs(options.results / "simbody.csv");
+  const auto files = draw({charts::simbody_chart(runs, caption)}, options);
+  if (!context.quiet) fmt::print("{}\nCharts\n{}", charts::ratios(runs), files);
+}
+
 }  // namespace
 
 void add_chart(CLI::App& app, Context& context) {
   auto* command = app.add_subcommand(
       "chart",
-      "Draw the charts of a sweep or a benchmark; of two_mass print which scheme is best at which ratio");
+      "Draw the charts of a sweep or a benchmark; of two_mass print which scheme is best at which ratio, of "
+      "simbody the times at 1 mm");
   auto options = std::make_shared<Options>();
-  command->add_option("scene", options->scene, "The scene: two_mass; or a benchmark: solvers")
+  command->add_option("scene", options->scene, "The scene: two_mass; or a benchmark: solvers, simbody")
       ->required()
-      ->check(CLI::IsMember({"two_mass", "solvers"}));
+      ->check(CLI::IsMember({"two_mass", "solvers", "simbody"}));
   command
       ->add_option("--results", options->results,
                    "Folder of the sweep or benchmark; the charts go there too (default: results/SCENE; for a "
@@ -91,10 +101,10 @@ void add_chart(CLI::App& app, Context& context) {
       "The charts are drawn by the program gnuplot (Debian package gnuplot-nox); each leaves its script, "
       "NAME.gp.");
   command->callback([options, &context] {
-    const bool solvers = options->scene == "solvers";
-    if (options->results.empty())
-      options->results = fs::path("results") / (solvers ? "bench" : options->scene);
-    solvers ? chart_solvers(*options, context) : chart_two_mass(*options, context);
+    const bool scene = options->scene == "two_mass";
+    if (options->results.empty()) options->results = fs::path("results") / (scene ? options->scene : "bench");
+    if (scene) return chart_two_mass(*options, context);
+    options->scene == "solvers" ? chart_solvers(*options, context) : chart_simbody(*options, context);
   });
 }
 

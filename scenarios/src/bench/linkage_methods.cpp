@@ -1,0 +1,86 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "bench/linkage_methods.hpp"
+
+#include <cmath>
+
+#include "four_bar/integrate.hpp"
+#include "tandem/mbs/mechanism/read.hpp"
+
+namespace tandem::bench {
+namespace {
+
+constexpr double held = 1e-10;  // [m] tolerance of constraints with which Simbody passes the flat position
+
+const std::vector<double> accuracies = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8};
+
+/// From 0.1 s on; a whole number of them to the end.
+std::vector<double> steps(double end) {
+  std::vector<double> all;
+  for (double count = std::round(end / 0.1); count < 1e5; count = std::round(1.5 * count))
+    all.push_back(end / count);
+  return all;
+}
+
+/// The default formulation, with the penalty of the linkage's own file.
+mbs::StepperSettings index3(double tolerance, double penalty = 1e8) {
+  mbs::StepperSettings settings;
+  settings.index3.penalty = penalty;
+  settings.index3.tolerance = tolerance;
+  return settings;
+}
+
+mbs::StepperSettings order_four(const std::string& formulation) {
+  mbs::StepperSettings settings;
+  settings.formulation = formulation;
+  settings.integrator = "rk4";
+  // A firm hold and no word on multipliers that don't settle: what the flat position needs.
+  if (formulation == "penalty") settings.penalty.penalty = 1e10;
+  if (formulation == "index1")
+    settings.index1 = {.penalty = 1e10, .tolerance = 1e-6, .multiplier_iterations = 50};
+  return settings;
+}
+
+}  // namespace
+
+LinkageMethods::LinkageMethods(const LinkageMotion& motion, int loops)
+    : end_(motion.end),
+      rod_(loops, motion.start, simbody::Closing::rod),
+      point_on_line_(loops, motion.start, simbody::Closing::point_on_line),
+      mechanism_(mbs::read_mechanism("four_bar", four_bar::text(loops, motion.start))) {
+  for (const std::string& integrator : simbody::integrator_names()) {
+    add_simbody("Rod", rod_, integrator);
+    if (integrator == "RungeKuttaMerson") add_simbody("PointOnLine", point_on_line_, integrator);
+  }
+  for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10})
+    add_tandem("index3 1e" + std::to_string(std::lround(std::log10(tolerance))), index3(tolerance));
+  add_tandem("index3 1e-8 firm", index3(1e-8, 1e10));
+  add_tandem("penalty rk4", order_four("penalty"));
+  add_tandem("index1 rk4", order_four("index1"));
+}
+
+void LinkageMethods::add_simbody(const std::string& closing, const simbody::Linkage& linkage,
+                                 const std::string& integrator) {
+  const std::string name = closing + " " + integrator;
+  const auto run = [&linkage, end = end_](const simbody::Settings& settings) {
+    return linkage.run(settings, end);
+  };
+  all_.push_back({"simbody", name, accuracies, [=](double accuracy, double patience) {
+                    return run({integrator, accuracy, 0.0, 0.0, patience});
+                  }});
+  all_.push_back({"simbody", name + " held", accuracies, [=](double accuracy, double patience) {
+                    return run({integrator, accuracy, held, 0.0, patience});
+                  }});
+  if (integrator == "CPodes") return;  // it chooses its steps
+  all_.push_back({"simbody", name + " fixed", steps(end_), [=](double step, double patience) {
+                    return run({integrator, 1e-3, held, step, patience});
+                  }});
+}
+
+void LinkageMethods::add_tandem(const std::string& name, const mbs::StepperSettings& settings) {
+  all_.push_back({"tandem", name, steps(end_), [this, settings](double step, double) {
+                    const auto stepper = mbs::make_stepper(mechanism_, settings);
+                    return four_bar::integrate(mechanism_, *stepper, end_, std::lround(end_ / step));
+                  }});
+}
+
+}  // namespace tandem::bench

@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bench/bench.hpp"
+#include "bench/linkage_methods.hpp"
+
+namespace tandem::bench {
+namespace {
+
+using four_bar::Course;
+
+constexpr LinkageMotion motions[] = {{"upright", four_bar::Start::upright, 20.0},
+                                     {"upright 0.5 s", four_bar::Start::upright, 0.5},
+                                     {"hanging", four_bar::Start::hanging, 20.0}};
+
+constexpr int samples = 400, repetitions = 5;
+constexpr double finest = 1e-5;    // [m] beyond that nothing is asked
+constexpr double patience = 3.0;   // [s] a run that takes longer is its method's last
+constexpr double long_run = 0.25;  // [s] of these one repetition is enough
+
+struct Row {
+  const LinkageMethod* method;
+  double setting, seconds, error;
+  std::size_t steps;
+  std::string status;
+};
+
+/// All methods from coarse to fine, once.
+std::vector<Row> first_runs(const std::vector<LinkageMethod>& methods, const LinkageMotion& motion,
+                            int loops) {
+  const double interval = motion.end / samples;
+  const auto exact = four_bar::exact_path(loops, motion.start, interval, samples);
+  std::vector<Row> rows;
+  for (const LinkageMethod& method : methods)
+    for (const double setting : method.settings) {
+      const Course course = method.run(setting, 2.0 * patience);
+      const double error = rms_error(course, exact, interval);
+      rows.push_back({&method, setting, course.seconds, error, course.knots.size() - 1, status(course)});
+      if (course.seconds > patience || error < finest) break;
+    }
+  return rows;
+}
+
+/// In turn, so that what else the machine does meets all methods alike.
+void repeat(std::vector<Row>& rows) {
+  for (int r = 1; r < repetitions; ++r)
+    for (Row& row : rows)
+      if (row.status == "ok" && (r == 1 || row.seconds < long_run))
+        row.seconds = std::min(row.seconds, row.method->run(row.setting, 2.0 * patience).seconds);
+}
+
+void add(Table& table, const Row& row, const LinkageMotion& motion, int loops) {
+  table.add({row.method->code, motion.name, std::to_string(loops), row.method->name,
+             fmt::format("{:.4g}", row.setting), std::to_string(row.steps),
+             std::isfinite(row.error) ? fmt::format("{:.3e}", row.error) : "",
+             fmt::format("{:.3e}", row.seconds), row.status});
+}
+
+}  // namespace
+
+Table against_simbody() {
+  Table table({"code", "start", "loops", "method", "accuracy", "steps", "rms_error", "seconds", "status"});
+  for (const LinkageMotion& motion : motions)
+    for (const int loops : {1, 5, 10, 40}) {
+      const LinkageMethods methods(motion, loops);
+      std::vector<Row> rows = first_runs(methods.all(), motion, loops);
+      repeat(rows);
+      for (const Row& row : rows) add(table, row, motion, loops);
+    }
+  return table;
+}
+
+}  // namespace tandem::bench
