@@ -9,8 +9,8 @@
 namespace tandem::mbs {
 
 /// Loops over so many elements or more are shared by threads: below it a loop of 5 to 10 ns an element takes
-/// less time than it takes to meet (docs/threads.md).
-constexpr int worth_sharing = 512;
+/// less time than threads need to meet and to fetch each other's results (docs/threads.md).
+constexpr int worth_sharing = 4000;
 
 /// While it lives, share() of this thread uses so many threads.
 class Team {
