@@ -70,7 +70,7 @@ void LinkageMethods::add_simbody(const std::string& closing, const simbody::Link
   all_.push_back({"simbody", name + " held", accuracies, [=](double accuracy, double patience) {
                     return run({integrator, accuracy, held, 0.0, patience});
                   }});
-  if (integrator == "CPodes") return;  // it chooses its steps
+
   all_.push_back({"simbody", name + " fixed", steps(end_), [=](double step, double patience) {
                     return run({integrator, 1e-3, held, step, patience});
                   }});
