@@ -10,12 +10,15 @@
 
 #include "driven_pendulum.hpp"
 #include "four_bar/linkage.hpp"
+#include "pushed_mass.hpp"
 #include "pushed_pendulum.hpp"
 #include "run_bench.hpp"
 #include "scheme.hpp"
 #include "scratch.hpp"
 #include "solver_bench.hpp"
 #include "tandem/coordinator/recorder.hpp"
+#include "tandem/engine/read.hpp"
+#include "tandem/engine/subsystem.hpp"
 #include "tandem/mbs/make_stepper.hpp"
 #include "tandem/mbs/mechanism/mechanism.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
@@ -236,6 +239,22 @@ TEST(NoAllocation, InAMechanismAsASubsystem) {
   bench.connect("wave.y", "pushed.F", "lagrange2").connect("wave.y", "pushed.G", "lagrange1");
   bench.connect("pushed.r", "wave.u", "lagrange0");
   EXPECT_EQ(allocations_in(bench, 300), 0);
+}
+
+/// The same of a diagram, with events. Not by cvode_bdf and arkstep: SUNDIALS allocates in each Jacobian by
+/// differences.
+TEST(NoAllocation, InADiagramAsASubsystem) {
+  for (const char* integrator : {"rk4", "cvode_adams", "erkstep"}) {
+    const auto mass =
+        engine::make_subsystem(engine::read_diagram("pushed_mass", pushed_mass),
+                               {.step = 0.01, .integrator = {.name = integrator}, .simulation = {}});
+    FixedStep<Wave> wave(Wave(0.1, "N")), other(Wave(0.1, "N"));
+    RunBench bench;
+    bench.add("mass", *mass).add("wave", wave).add("other", other);
+    bench.connect("wave.y", "mass.F", "lagrange2").connect("wave.y", "other.u", "lagrange1");
+    bench.connect("other.y", "wave.u", "lagrange1");
+    EXPECT_EQ(allocations_in(bench, 300), 0) << integrator;
+  }
 }
 
 }  // namespace
