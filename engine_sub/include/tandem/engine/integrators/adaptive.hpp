@@ -20,8 +20,8 @@ struct AdaptiveSettings {
 // al., ibid. 49 (2023) 19). They locate changes of sign by their own root finding on their interpolant, and
 // stop at the time that they are asked for. Their messages become Error(numerical) with the time.
 
-/// CVODE: linear multistep methods of variable order, Adams for non-stiff problems or BDF with Newton's
-/// method and a dense Jacobian by differences for stiff ones.
+/// CVODE: linear multistep methods of variable order, Adams for non-stiff problems, BDF for stiff ones, both
+/// with Newton's method and a dense Jacobian by differences.
 std::unique_ptr<Integrator> cvode_adams(const AdaptiveSettings& settings);
 std::unique_ptr<Integrator> cvode_bdf(const AdaptiveSettings& settings);
 /// ARKODE's ERKStep: the explicit Runge-Kutta pair of order 4 that it takes by default.
