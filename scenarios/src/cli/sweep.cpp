@@ -14,6 +14,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/progress.hpp"
 #include "cli/sweep_mechanisms.hpp"
+#include "cli/sweep_split_pendulum.hpp"
 #include "output/conditions.hpp"
 #include "output/files.hpp"
 #include "tandem/error.hpp"
@@ -147,10 +148,12 @@ void add_sweep(CLI::App& app, Context& context) {
       app.add_subcommand("sweep", "Run a scene over its schemes and frequency ratios, and write the table");
   auto options = std::make_shared<Options>();
   command
-      ->add_option("scene", options->scene,
-                   "The scene: two_mass, or mechanisms (every formulation and integrator on every example)")
+      ->add_option(
+          "scene", options->scene,
+          "The scene: two_mass, split_pendulum, or mechanisms (every formulation and integrator on every "
+          "example)")
       ->required()
-      ->check(CLI::IsMember({"two_mass", "mechanisms"}));
+      ->check(CLI::IsMember({"two_mass", "split_pendulum", "mechanisms"}));
   command
       ->add_option("--output", options->output,
                    "Folder for the tables (default: results/SCENE, for mechanisms results/mbs)")
@@ -172,6 +175,8 @@ void add_sweep(CLI::App& app, Context& context) {
       options->output = fs::path("results") / (mechanisms ? "mbs" : options->scene);
     if (mechanisms)
       sweep_mechanisms({options->mechanisms, options->output, options->threads}, context);
+    else if (options->scene == "split_pendulum")
+      sweep_split_pendulum(options->output, options->threads, context);
     else
       Sweep(*options, context).make();
   });

@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "split_pendulum/sweep.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tandem::split_pendulum {
+namespace {
+
+/// A mean needs a source that is ahead of its reader.
+bool gives_mean(const std::string& schedule, const std::string& fast) {
+  return schedule == (fast == "lower" ? "fastest-first" : "slowest-first");
+}
+
+/// Schedules x displacement x force, by what is the same in all. A displacement of degree 0 or 1 has no
+/// acceleration that the lower rod could resist.
+std::vector<Scheme> schemes(const Scheme& like) {
+  std::vector<Scheme> all;
+  const auto add = [&](const std::string& schedule, const std::string& to_lower,
+                       const std::string& to_upper) {
+    all.push_back(like);
+    all.back().schedule = schedule, all.back().to_lower = to_lower, all.back().to_upper = to_upper;
+  };
+  for (const std::string schedule : {"slowest-first", "fastest-first", "parallel"})
+    for (const std::string to_lower : {"lagrange2", "lagrange3", "lagrange4", "hermite"}) {
+      for (const std::string to_upper : {"lagrange0", "lagrange1", "lagrange2", "lagrange3"})
+        add(schedule, to_lower, to_upper);
+      if (gives_mean(schedule, like.fast)) add(schedule, to_lower, "mean");
+    }
+  return all;
+}
+
+std::string one_cell(std::string sentence) {
+  std::replace(sentence.begin(), sentence.end(), ',', ';');
+  return sentence;
+}
+
+}  // namespace
+
+std::vector<Case> sweep_cases() {
+  std::vector<Case> cases;
+  const auto add = [&](const Scheme& like, const Rods& rods) {
+    for (const std::string fast : {"lower", "upper"}) {
+      Scheme scheme = like;
+      scheme.fast = fast;
+      for (const Scheme& s : schemes(scheme)) cases.push_back({s, rods});
+      scheme.schedule = "staggered", scheme.to_lower = scheme.to_upper = "matched_hold";
+      cases.push_back({scheme, rods});
+    }
+  };
+  for (const double lower_mass : {0.1, 1.0})
+    for (const std::string formulation : {"index3", "null_space"})
+      cases.push_back({{.schedule = "monolithic", .formulation = formulation, .ratio = 1.0}, {lower_mass}});
+  for (const double part : {0.0, 1.0}) add({.formulation = "index3"}, {0.1, part * 0.1});
+  for (const double part : {0.0, 0.25, 1.0}) add({}, {0.1, part * 0.1});
+  for (const double part : {0.0, 0.25, 1.0}) add({}, {1.0, part});
+  add({.ratio = 2.5}, {});
+  return cases;
+}
+
+std::string scheme_row(const Case& c) {
+  const Truth truth(c.rods, t_stop);
+  const Scheme& s = c.scheme;
+  std::string row =
+      fmt::format("{},{},{},{},{},{},{},{},", s.formulation, c.rods.carried_mass, c.rods.lower_mass,
+                  s.monolithic() ? "" : s.fast, s.ratio, s.schedule, s.to_lower, s.to_upper);
+  const Outcome outcome = run_case(c, truth);
+  if (!outcome.stable) return row + ",,,unstable," + one_cell(outcome.note);
+  Case finer = c;
+  finer.step /= 2.0;
+  const Outcome fine = run_case(finer, truth);
+  const std::string order =
+      fine.stable ? fmt::format("{:.2f}", std::log2(outcome.largest / fine.largest)) : "";
+  return row + fmt::format("{:.3e},{:.3e},{},stable,{}", outcome.largest, outcome.rms, order,
+                           fine.stable ? "" : "not with half the steps: " + one_cell(fine.note));
+}
+
+std::vector<Scheme> limit_schemes() {
+  std::vector<Scheme> all;
+  for (const std::string formulation : {"index3", "null_space"})
+    for (const std::string fast : {"lower", "upper"})
+      for (Scheme& s : schemes({.fast = fast, .formulation = formulation})) all.push_back(std::move(s));
+  return all;
+}
+
+std::string limit_row(const Scheme& s) {
+  return fmt::format("{},{},{},{},{},{},{:.3g}", s.formulation, s.fast, s.ratio, s.schedule, s.to_lower,
+                     s.to_upper, stable_mass_ratio(s));
+}
+
+}  // namespace tandem::split_pendulum
