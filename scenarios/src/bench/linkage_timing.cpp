@@ -2,6 +2,8 @@
 #include "bench/linkage_timing.hpp"
 
 #include <algorithm>
+#include <array>
+#include <numeric>
 
 #include "bench/heap.hpp"
 #include "four_bar/linkage.hpp"
@@ -11,7 +13,7 @@
 namespace tandem::bench {
 namespace {
 
-constexpr int enough_turns = 3;
+constexpr int enough_turns = 3, pieces = 20;
 constexpr double slow = 0.5;  // [s] of timing; then it has had its turns
 
 double heap() { return static_cast<double>(heap_bytes().value_or(0)); }
@@ -38,11 +40,14 @@ class Timing {
     guarded([&] {
       const long count = timed_steps(linkage_);
       run_->begin();
-      const double seconds = run_->steps(count);
-      spent_ += seconds;
+      for (long k = 0; k < pieces; ++k) {
+        const double seconds = run_->steps((k + 1) * count / pieces - k * count / pieces);
+        spent_ += seconds;
+        least_[k] = turns_ == 0 ? seconds : std::min(least_[k], seconds);
+      }
       ++turns_;
       outcome_.timed = true;
-      outcome_.seconds = std::min(outcome_.seconds, seconds / static_cast<double>(count));
+      outcome_.seconds = std::accumulate(least_.begin(), least_.end(), 0.0) / static_cast<double>(count);
       outcome_.iterations = run_->iterations();
     });
   }
@@ -61,6 +66,7 @@ class Timing {
   mbs::Mechanism& linkage_;
   LinkageOutcome& outcome_;
   std::unique_ptr<LinkageRun> run_;
+  std::array<double, pieces> least_{};  ///< of each piece of the steps: what interrupts one spoils no other
   double spent_ = 0.0;
   int turns_ = 0;
 };

@@ -11,7 +11,7 @@ namespace tandem::bench {
 
 /// What is found of a case.
 struct LinkageOutcome {
-  double seconds = 1e300, iterations = 0.0;  ///< of a step
+  double seconds = 0.0, iterations = 0.0;  ///< of a step
   double mechanism_bytes = 0.0, stepper_bytes = 0.0;
   bool timed = false, at_end = false;
   double x_error = 0.0, drift = 0.0;  ///< at the end
@@ -23,8 +23,8 @@ using LinkageOutcomes = std::map<LinkageCase, LinkageOutcome>;
 inline constexpr double timing_patience = 0.15;
 
 /// Times of a step of cases with the same linkage: the first steps of the motion, of small linkages over the
-/// first passage of the flat position. Solvers take turns; each keeps its least time. Bytes are what the heap
-/// holds more with the linkage and with the stepper after a step.
+/// first passage of the flat position. Solvers take turns; of each twentieth of the steps the least time
+/// counts. Bytes are what the heap holds more with the linkage and with the stepper after a step.
 void time_cases(const std::vector<LinkageCase>& cases, LinkageOutcomes& outcomes);
 
 }  // namespace tandem::bench
