@@ -13,6 +13,7 @@
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/progress.hpp"
+#include "cli/sweep_four_bar.hpp"
 #include "cli/sweep_mechanisms.hpp"
 #include "output/conditions.hpp"
 #include "output/files.hpp"
@@ -147,13 +148,15 @@ void add_sweep(CLI::App& app, Context& context) {
       app.add_subcommand("sweep", "Run a scene over its schemes and frequency ratios, and write the table");
   auto options = std::make_shared<Options>();
   command
-      ->add_option("scene", options->scene,
-                   "The scene: two_mass, or mechanisms (every formulation and integrator on every example)")
+      ->add_option(
+          "scene", options->scene,
+          "The scene: two_mass; mechanisms (every formulation and integrator on every example); or four_bar "
+          "(the N-fold four-bar linkage through its flat position)")
       ->required()
-      ->check(CLI::IsMember({"two_mass", "mechanisms"}));
+      ->check(CLI::IsMember({"two_mass", "mechanisms", "four_bar"}));
   command
       ->add_option("--output", options->output,
-                   "Folder for the tables (default: results/SCENE, for mechanisms results/mbs)")
+                   "Folder for the tables (default: results/two_mass, for the others results/mbs)")
       ->type_name("DIR");
   command
       ->add_option("--mechanisms", options->mechanisms,
@@ -167,11 +170,14 @@ void add_sweep(CLI::App& app, Context& context) {
   command->add_option("--threads", options->threads, "Number of threads (default: all cores)")
       ->check(CLI::Range(1U, 1024U));
   command->callback([options, &context] {
-    const bool mechanisms = options->scene == "mechanisms";
+    const std::string& scene = options->scene;
     if (options->output.empty())
-      options->output = fs::path("results") / (mechanisms ? "mbs" : options->scene);
-    if (mechanisms)
-      sweep_mechanisms({options->mechanisms, options->output, options->threads}, context);
+      options->output = fs::path("results") / (scene == "two_mass" ? scene : "mbs");
+    if (scene == "mechanisms")
+      sweep_mechanisms({options->mechanisms, options->output, options->threads, options->only_table},
+                       context);
+    else if (scene == "four_bar")
+      sweep_four_bar(options->output, options->threads, context);
     else
       Sweep(*options, context).make();
   });
