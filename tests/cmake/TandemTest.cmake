@@ -20,7 +20,7 @@ function(tandem_gtest label timeout)
   add_executable(${target} ${sources})
   target_link_libraries(${target} PRIVATE tandem_test_support GTest::gtest_main)
   # At the start of ctest, not of the build, so that a test program that can't start does not break the build.
-  gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
+  gtest_discover_tests(${target} NO_PRETTY_VALUES DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
     PROPERTIES LABELS ${label} TIMEOUT ${timeout})
 endfunction()
 

@@ -98,8 +98,8 @@ int Index3::step(State& s, double h, double t_end) {
     if (done || iteration <= settings_.multiplier_iterations) s.lambda += penalty_ * terms_.phi;
     if (!done) continue;
     terms_.refuse_vanishing(s);
-    project_velocities(s, weight_);
-    project_accelerations(s, weight_);
+    project_velocities(s, settings_.tolerance / h);
+    project_accelerations(s, settings_.tolerance / (h * h));
     return iteration;
   }
   throw Error(
@@ -176,21 +176,21 @@ void Index3::add_correction(State& s, double h) {
   });
 }
 
-void Index3::project_velocities(State& s, double weight) {
+void Index3::project_velocities(State& s, double tolerance) {
   const Timed timed(Task::velocity_projection);
   terms_.model.constraint_rates(s.q.data(), terms_.phi.data());
   terms_.violation(s.v, terms_.phi);
   const double before = terms_.error.norm();
-  for (int k = 0; k < settings_.projections; ++k) {
-    if (k > 0) terms_.violation(s.v, terms_.phi);
-    terms_.project(s.v, weight);
+  for (int k = 1; k <= settings_.projections; ++k) {
+    terms_.project(s.v, weight_);
+    if (terms_.correction.norm() < tolerance) return;
+    if (k < settings_.projections || settings_.beta < 0.25) terms_.violation(s.v, terms_.phi);
   }
   if (settings_.beta < 0.25) refuse_growth(s, before);
 }
 
 /// Below 1e-8 |Phi_q| |q'| it is rounding and the tolerance of Newton's iteration.
 void Index3::refuse_growth(const State& s, double before) {
-  terms_.violation(s.v, terms_.phi);
   const double left = terms_.error.norm(), grows = newmark_growth(settings_.beta),
                size = Eigen::Map<const Eigen::VectorXd>(terms_.matrices.jacobian.data(),
                                                         terms_.structure.jacobian.size())
@@ -204,14 +204,15 @@ void Index3::refuse_growth(const State& s, double before) {
                   settings_.beta, grows, left / before, settings_.projections, s.time, 1.0 / grows));
 }
 
-void Index3::project_accelerations(State& s, double weight) {
+void Index3::project_accelerations(State& s, double tolerance) {
   const Timed timed(Task::acceleration_projection);
   terms_.model.constraint_accelerations(s.q.data(), s.v.data(), terms_.gamma.data());
   terms_.violation(s.a, terms_.gamma);
-  for (int k = 0; k < settings_.projections; ++k) {
-    terms_.project(s.a, weight);
+  for (int k = 1; k <= settings_.projections; ++k) {
+    terms_.project(s.a, weight_);
     terms_.violation(s.a, terms_.gamma);
-    s.lambda += weight * terms_.error;
+    s.lambda += weight_ * terms_.error;
+    if (terms_.correction.norm() < tolerance) return;
   }
 }
 

@@ -36,8 +36,10 @@ class LinkageMethods {
   const std::vector<LinkageMethod>& all() const { return all_; }
 
  private:
-  void add_simbody(const std::string& closing, const simbody::Linkage& linkage,
-                   const std::string& integrator);
+  /// Names are the constraint that closes the linkage and the integrator, and what is appended: "held", the
+  /// constraints to 1e-10 m instead of a tenth of the accuracy; "fixed", steps of one length.
+  void add_by_accuracy(const std::string& name, const simbody::Linkage& linkage);
+  void add_by_steps(const std::string& name, const simbody::Linkage& linkage);
   void add_tandem(const std::string& name, const mbs::StepperSettings& settings);
 
   double end_;

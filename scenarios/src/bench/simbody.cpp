@@ -17,8 +17,8 @@ constexpr LinkageMotion motions[] = {{"upright", four_bar::Start::upright, 20.0}
                                      {"hanging", four_bar::Start::hanging, 20.0}};
 
 constexpr int samples = 400, repetitions = 5;
-constexpr double finest = 1e-5;    // [m] beyond that nothing is asked
-constexpr double patience = 3.0;   // [s] a run that takes longer is its method's last
+constexpr double finest = 1e-4;    // [m] beyond that nothing is asked
+constexpr double patience = 2.0;   // [s] a run that takes longer is its method's last
 constexpr double long_run = 0.25;  // [s] of these one repetition is enough
 
 struct Row {

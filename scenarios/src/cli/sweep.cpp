@@ -13,6 +13,7 @@
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/progress.hpp"
+#include "cli/sweep_four_bar.hpp"
 #include "cli/sweep_mechanisms.hpp"
 #include "cli/sweep_split_pendulum.hpp"
 #include "output/conditions.hpp"
@@ -150,13 +151,13 @@ void add_sweep(CLI::App& app, Context& context) {
   command
       ->add_option(
           "scene", options->scene,
-          "The scene: two_mass, split_pendulum, or mechanisms (every formulation and integrator on every "
-          "example)")
+          "The scene: two_mass; split_pendulum; mechanisms (every formulation and integrator on every "
+          "example); or four_bar (the N-fold four-bar linkage through its flat position)")
       ->required()
-      ->check(CLI::IsMember({"two_mass", "split_pendulum", "mechanisms"}));
+      ->check(CLI::IsMember({"two_mass", "split_pendulum", "mechanisms", "four_bar"}));
   command
       ->add_option("--output", options->output,
-                   "Folder for the tables (default: results/SCENE, for mechanisms results/mbs)")
+                   "Folder for the tables (default: results/SCENE; for mechanisms and four_bar results/mbs)")
       ->type_name("DIR");
   command
       ->add_option("--mechanisms", options->mechanisms,
@@ -170,12 +171,15 @@ void add_sweep(CLI::App& app, Context& context) {
   command->add_option("--threads", options->threads, "Number of threads (default: all cores)")
       ->check(CLI::Range(1U, 1024U));
   command->callback([options, &context] {
-    const bool mechanisms = options->scene == "mechanisms";
+    const std::string& scene = options->scene;
     if (options->output.empty())
-      options->output = fs::path("results") / (mechanisms ? "mbs" : options->scene);
-    if (mechanisms)
-      sweep_mechanisms({options->mechanisms, options->output, options->threads}, context);
-    else if (options->scene == "split_pendulum")
+      options->output = fs::path("results") / (scene == "mechanisms" || scene == "four_bar" ? "mbs" : scene);
+    if (scene == "mechanisms")
+      sweep_mechanisms({options->mechanisms, options->output, options->threads, options->only_table},
+                       context);
+    else if (scene == "four_bar")
+      sweep_four_bar(options->output, options->threads, context);
+    else if (scene == "split_pendulum")
       sweep_split_pendulum(options->output, options->threads, context);
     else
       Sweep(*options, context).make();

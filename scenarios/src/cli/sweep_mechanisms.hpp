@@ -9,10 +9,12 @@ namespace tandem::cli {
 struct MechanismSweep {
   std::filesystem::path mechanisms, output;
   unsigned threads;
+  bool only_table;  ///< without work.csv
 };
 
-/// Every formulation and integrator on every example mechanism: formulations.csv and errors.csv in the folder
-/// `output`. Throws Error if the examples' files are not there, RunFailed if it is interrupted.
+/// Every formulation and integrator on every example mechanism: formulations.csv, errors.csv and, for the
+/// chart, work.csv with work_conditions.json in the folder `output`. Throws Error if the examples' files are
+/// not there, RunFailed if it is interrupted.
 void sweep_mechanisms(const MechanismSweep& sweep, const Context& context);
 
 }  // namespace tandem::cli

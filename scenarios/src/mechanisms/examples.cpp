@@ -98,7 +98,7 @@ const std::vector<Example>& examples() {
                                            {"bricard", 1.0, 1000, bricard_error},
                                            {"rotor", 1.0, 1000, rotor_error},
                                            {"asymmetric_rotor", 1.0, 1000, asymmetric_rotor_error},
-                                           {"spatial_slider_crank", 1.0, 1000, spatial_slider_crank_error}};
+                                           {"spatial_slider_crank", 1.0, 2000, spatial_slider_crank_error}};
   return all;
 }
 

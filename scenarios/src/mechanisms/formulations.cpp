@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 
 #include "tandem/error.hpp"
 #include "tandem/mbs/mechanism/initial.hpp"
@@ -15,7 +16,7 @@ namespace tandem::mechanisms {
 namespace {
 
 struct Figures {
-  double error, drift;
+  double error, drift, seconds;  ///< seconds: of processor time
   mbs::Residuals residuals;
 };
 
@@ -39,11 +40,22 @@ Figures run(const FormulationCase& c, const std::filesystem::path& file, int ste
   stepper->start(s);
   const double h = c.example->end / steps, before = balance(m, s);
   double kinetic = m.kinetic(s.v.data());
+  const std::clock_t began = std::clock();
   for (int k = 1; k <= steps; ++k) {
     stepper->step(s, h, h * k);
     kinetic = std::max(kinetic, m.kinetic(s.v.data()));
   }
-  return {c.example->error(m, s), (balance(m, s) - before) / kinetic, mbs::residuals(m, s)};
+  const double seconds = static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC;
+  return {c.example->error(m, s), (balance(m, s) - before) / kinetic, seconds, mbs::residuals(m, s)};
+}
+
+std::filesystem::path file_of(const FormulationCase& c, const std::filesystem::path& mechanisms) {
+  return mechanisms / c.example->name / (c.example->name + ".toml");
+}
+
+std::string key_of(const FormulationCase& c, int steps) {
+  return fmt::format("{},{},{},{:.6g},", c.example->name, c.names.formulation, c.names.integrator,
+                     c.example->end / steps);
 }
 
 /// One cell: no commas.
@@ -63,9 +75,8 @@ std::vector<FormulationCase> formulation_cases() {
 }
 
 FormulationRow formulation_row(const FormulationCase& c, const std::filesystem::path& mechanisms) {
-  const auto file = mechanisms / c.example->name / (c.example->name + ".toml");
-  const std::string key = fmt::format("{},{},{},{:.6g},", c.example->name, c.names.formulation,
-                                      c.names.integrator, c.example->end / (2 * c.steps));
+  const auto file = file_of(c, mechanisms);
+  const std::string key = key_of(c, 2 * c.steps);
   try {
     const Figures coarse = run(c, file, c.steps), fine = run(c, file, 2 * c.steps);
     return {key + fmt::format("{:.2f},{:.2e},{:.1e},{:.1e},{:.1e},ok", std::log2(coarse.error / fine.error),
@@ -75,6 +86,32 @@ FormulationRow formulation_row(const FormulationCase& c, const std::filesystem::
   } catch (const Error& error) {
     if (error.code() != ErrorCode::numerical) throw;
     return {key + ",,,,,failed", key + "," + cell(error.what())};
+  }
+}
+
+std::vector<FormulationCase> work_cases() {
+  std::vector<FormulationCase> all;
+  for (const FormulationCase& c : formulation_cases())
+    for (const int steps : {c.steps / 4, c.steps / 2, c.steps, 2 * c.steps})
+      all.push_back({c.example, c.names, steps});
+  return all;
+}
+
+std::string work_row(const FormulationCase& c, const std::filesystem::path& mechanisms) {
+  constexpr double patience = 0.03;  // [s]
+  constexpr int most = 5;
+  try {
+    Figures best = run(c, file_of(c, mechanisms), c.steps);
+    double spent = best.seconds;
+    for (int k = 1; k < most && spent < patience; ++k) {
+      const Figures again = run(c, file_of(c, mechanisms), c.steps);
+      spent += again.seconds;
+      best.seconds = std::min(best.seconds, again.seconds);
+    }
+    return key_of(c, c.steps) + fmt::format("{:.3e},{:.3e},ok", best.error, best.seconds);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::numerical) throw;
+    return key_of(c, c.steps) + ",,failed";
   }
 }
 

@@ -32,4 +32,11 @@ inline constexpr const char* errors_header = "mechanism,formulation,integrator,s
 /// mechanisms: the folder that has the examples' folders.
 FormulationRow formulation_row(const FormulationCase& c, const std::filesystem::path& mechanisms);
 
+/// Every pair on every example with a quarter, half, once and twice its number of steps.
+std::vector<FormulationCase> work_cases();
+/// A row of results/mbs/work.csv: error as above; seconds: processor time of the steps, the least of several
+/// runs. It is that of the process, so one row is made at a time.
+inline constexpr const char* work_header = "mechanism,formulation,integrator,step,error,seconds,status";
+std::string work_row(const FormulationCase& c, const std::filesystem::path& mechanisms);
+
 }  // namespace tandem::mechanisms

@@ -14,7 +14,9 @@ struct Index3Settings {
   double tolerance = 1e-10;        ///< [m] Newton's iteration ends when |dq| (Euclidean) is below
   int most_iterations = 30;        ///< then it has failed
   int multiplier_iterations = 10;  ///< of these update the multipliers; the others keep them
-  int projections = 1;             ///< of velocities and of accelerations; each divides their error anew
+  /// of velocities and of accelerations at most; they end when a change is below tolerance / h, tolerance /
+  /// h^2
+  int projections = 10;
   bool carry_multipliers = false;  ///< a step begins with the multipliers of the one before, not with zero
   std::string solver = "auto";
   /// that share the loops over a large model's constraints, variables and matrix entries; the states are the
@@ -49,10 +51,10 @@ class Index3 final : public Stepper {
   void start(State& state) override;
   /// With beta below 1/4 a step is refused, Error(numerical), for two reasons. First, omega h is above
   /// 1/sqrt(1/4 - beta), omega the highest frequency of the motion that the constraints leave at the first
-  /// step. Second, the projections leave so much of the error of velocities that the next step makes it
-  /// larger than it was: Newmark's formulas multiply it by newmark_growth(beta) where Phi = 0 is held at both
-  /// ends, and a projection leaves 1/(1 + beta h^2 alpha sigma^2), sigma a singular value of Phi_q in the
-  /// metric of the mass. That is a limit for steps that are too short.
+  /// step. Second, all `projections` together leave so much of the error of velocities that the next step
+  /// makes it larger than it was: Newmark's formulas multiply it by newmark_growth(beta) where Phi = 0 is
+  /// held at both ends, and a projection leaves 1/(1 + beta h^2 alpha sigma^2), sigma a singular value of
+  /// Phi_q in the metric of the mass. That is a limit for steps that are too short.
   int step(State& state, double h, double t_end) override;
   /// As start(), but with the tangent of the last step as it is; if its multipliers have not settled after
   /// ten substitutions (the steps are too short for that), with one of its own.
@@ -69,9 +71,9 @@ class Index3 final : public Stepper {
   double correct(State& s, double h);
   void add_correction(State& s, double h);
   void refuse_unstable(const State& s, double h);
-  void project_velocities(State& s, double weight);
+  void project_velocities(State& s, double tolerance);
   void refuse_growth(const State& s, double before);
-  void project_accelerations(State& s, double weight);
+  void project_accelerations(State& s, double tolerance);
 
   Index3Settings settings_;
   Terms terms_;

@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "cli/chart_scenes.hpp"
+
+#include "charts/dense_chart.hpp"
+#include "charts/flat_position_chart.hpp"
+#include "charts/linkage_cost_chart.hpp"
+#include "charts/linkage_errors_chart.hpp"
+#include "charts/mechanisms_work_chart.hpp"
+#include "charts/simbody_chart.hpp"
+#include "charts/solver_map_chart.hpp"
+#include "charts/style.hpp"
+#include "charts/two_mass_best.hpp"
+#include "charts/two_mass_charts.hpp"
+
+namespace tandem::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using charts::conditions_caption;
+
+Drawing two_mass(const fs::path& folder) {
+  const auto caption = conditions_caption(folder / "conditions.json", 165);
+  const auto sweep = charts::read_sweep(folder / "sweep.csv");
+  const auto traces = charts::read_traces(folder / "traces.csv");
+  const auto work = charts::read_work(folder / "work.csv");
+  return {{charts::errors_chart(sweep, caption), charts::motion_fr90_chart(traces, caption),
+           charts::energy_fr30_chart(traces, caption), charts::motion_fr30_chart(traces, caption),
+           charts::work_precision_chart(work, caption), charts::best_scheme_chart(sweep, caption)},
+          charts::short_table(sweep)};
+}
+
+Drawing mechanisms(const fs::path& folder) {
+  const auto caption = conditions_caption(folder / "work_conditions.json", 180);
+  return {{charts::mechanisms_work_chart(charts::read_formulation_work(folder / "work.csv"), caption)}, ""};
+}
+
+Drawing four_bar(const fs::path& folder) {
+  const auto caption = conditions_caption(folder / "four_bar_conditions.json", 150);
+  return {{charts::linkage_errors_chart(charts::read_linkage_errors(folder / "four_bar.csv"), caption),
+           charts::flat_position_chart(charts::read_passages(folder / "four_bar_traces.csv"), caption)},
+          ""};
+}
+
+Drawing four_bar_cost(const fs::path& folder) {
+  const auto caption = conditions_caption(folder / "four_bar_conditions.json", 150);
+  return {{charts::linkage_cost_chart(charts::read_linkage_times(folder / "four_bar.csv"), caption)}, ""};
+}
+
+Drawing solvers(const fs::path& folder) {
+  const auto caption = conditions_caption(folder / "solvers_conditions.json", 140);
+  return {{charts::solver_map_chart(charts::read_solver_times(folder / "solvers.csv"), caption)}, ""};
+}
+
+Drawing dense(const fs::path& folder) {
+  const auto caption = conditions_caption(folder / "dense_conditions.json", 150);
+  return {{charts::dense_chart(charts::read_dense_times(folder / "dense.csv"), caption)}, ""};
+}
+
+Drawing simbody(const fs::path& folder) {
+  const auto caption = conditions_caption(folder / "simbody_conditions.json", 180);
+  const auto runs = charts::read_linkage_runs(folder / "simbody.csv");
+  return {{charts::simbody_chart(runs, caption)}, charts::ratios(runs)};
+}
+
+const ChartScene scenes[] = {
+    {"two_mass",
+     "results/two_mass",
+     "sweep two_mass --output {} --resume",
+     {"sweep.csv", "traces.csv", "work.csv", "conditions.json"},
+     two_mass},
+    {"mechanisms",
+     "results/mbs",
+     "sweep mechanisms --output {}",
+     {"work.csv", "work_conditions.json"},
+     mechanisms},
+    {"four_bar",
+     "results/mbs",
+     "sweep four_bar --output {}",
+     {"four_bar.csv", "four_bar_traces.csv", "four_bar_conditions.json"},
+     four_bar},
+    {"four_bar_cost",
+     "results/bench",
+     "bench four_bar --output {}",
+     {"four_bar.csv", "four_bar_conditions.json"},
+     four_bar_cost},
+    {"solvers",
+     "results/bench",
+     "bench solvers --output {}",
+     {"solvers.csv", "solvers_conditions.json"},
+     solvers},
+    {"dense", "results/bench", "bench dense --output {}", {"dense.csv", "dense_conditions.json"}, dense},
+    {"simbody",
+     "results/bench",
+     "bench simbody --output {}",
+     {"simbody.csv", "simbody_conditions.json"},
+     simbody}};
+
+}  // namespace
+
+std::span<const ChartScene> chart_scenes() { return scenes; }
+
+}  // namespace tandem::cli
