@@ -25,8 +25,7 @@ class EachStepper : public testing::TestWithParam<StepperNames> {
     StepperSettings settings;
     settings.formulation = GetParam().formulation;
     settings.integrator = GetParam().integrator;
-    if (settings.formulation == "index3")  // with one projection its remainder would hide the order
-      settings.index3 = {.tolerance = 1e-12, .projections = 3};
+    if (settings.formulation == "index3") settings.index3.tolerance = 1e-12;
     return make_stepper(model, settings);
   }
   static double order() { return GetParam().integrator == "rk4" ? 4.0 : 2.0; }
@@ -267,6 +266,17 @@ TEST_P(EachStepper, MovesWhatHasNoConstraints) {
   EXPECT_NEAR(s.q[0], 3.0, 1e-12);  // 1 + 4 t - 3/2 t^2
   EXPECT_NEAR(s.v[0], -2.0, 1e-12);
   EXPECT_NEAR(s.a[0], -3.0, 1e-12);
+}
+
+/// Nothing is projected, and nothing grows.
+TEST(Index3, MovesWhatHasNoConstraintsWithBetaBelowAQuarterToo) {
+  Thrown model;
+  Index3 stepper(model, {.beta = 1.0 / 12.0});
+  const Eigen::VectorXd one = Eigen::VectorXd::Ones(1);
+  State s{0.0, one, 4.0 * one, one, Eigen::VectorXd()};
+  stepper.start(s);
+  for (int k = 1; k <= 16; ++k) stepper.step(s, 0.125, 0.125 * k);
+  EXPECT_NEAR(s.q[0], 3.0, 1e-12);
 }
 
 TEST_P(EachStepper, RefusesAStepThatIsNotAboveZero) {

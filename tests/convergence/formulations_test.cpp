@@ -85,7 +85,6 @@ TEST(Formulations, AgreeOnAMechanismWithARedundantConstraint) {
   const auto find = [&](const char* formulation) {
     StepperSettings settings;
     settings.formulation = formulation;
-    if (settings.formulation == "index3") settings.index3.projections = 3;
     return run(*make_stepper(linkage, settings), linkage.described_state(), 0.4, 400);
   };
   const State expected = find("null_space");

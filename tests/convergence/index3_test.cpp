@@ -12,6 +12,7 @@
 #include "four_bar/linkage.hpp"
 #include "refusal.hpp"
 #include "standing_linkage.hpp"
+#include "tandem/mbs/mechanism/initial.hpp"
 #include "tandem/mbs/mechanism/mechanism.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
 #include "tandem/mbs/residuals.hpp"
@@ -36,7 +37,7 @@ TEST(Index3, IsOfOrderTwoInPositionsVelocitiesAccelerationsAndMultipliers) {
   Mechanism linkage(read_mechanism("linkage", four_bar::text(2)));
   const State exact = test::standing(linkage, four_bar::exact(2, end));
   const auto errors = [&](int steps) {
-    Index3 formulation(linkage, {.penalty = 1e8, .tolerance = 1e-12, .projections = 3});
+    Index3 formulation(linkage, {.penalty = 1e8, .tolerance = 1e-12});
     State s = linkage.described_state();
     formulation.start(s);
     for (int k = 1; k <= steps; ++k) formulation.step(s, end / steps, k * end / steps);
@@ -175,12 +176,61 @@ TEST(Index3, RefusesStepsInWhichProjectionsDoNotKeepUpWithABetaBelowAQuarter) {
 TEST(Index3, RefusesStepsBeyondTheStabilityLimitOfBetaBelowAQuarter) {
   test::DrivenPendulum pendulum({.spring = 1e6, .damper = 0.0, .amplitude = 0.0});
   State s = pendulum.at(0.0, 1.0, 0.0), again = s;
-  Index3 formulation(pendulum, {.beta = 1.0 / 12.0}), trapezoidal(pendulum, {});
+  Index3 formulation(pendulum, {.beta = 1.0 / 12.0}), trapezoidal(pendulum, {.multiplier_iterations = 30});
   formulation.start(s);
   EXPECT_TRUE(test::refuses(ErrorCode::numerical, {"omega h = 2.449", "highest frequency", "step below"},
                             [&] { formulation.step(s, 5e-3, 5e-3); }));
   trapezoidal.start(again);
   trapezoidal.step(again, 5e-3, 5e-3);
+}
+
+/// A spring between two points 0.5 m apart that is 2 m long when free: pushed together, it makes M + h^2/4 K
+/// indefinite across it, k (1 - 2/0.5) h^2/4 = -3 m. `auto` solves that as KLU does; then it swings out.
+TEST(Index3, StepsWithATangentThatIsNotPositiveDefinite) {
+  const std::string text =
+      "dimension = 2\n[points]\nO = { at = [0, 0], fixed = true }\nP = { at = [0.5, 0], velocity = [0, 0.1] "
+      "}\n"
+      "[masses]\nm = { point = 'P', mass = 1 }\n[springs]\ns = { points = ['O', 'P'], stiffness = 4e4, free "
+      "= 2 }\n";
+  const auto end = [&](const std::string& solver) {
+    Mechanism m(read_mechanism("spring", text));
+    Index3 formulation(m, {.solver = solver});
+    State s = initial_state(m, 0.0);
+    formulation.start(s);
+    for (int k = 1; k <= 40; ++k) formulation.step(s, 0.01, 0.01 * k);
+    return s;
+  };
+  const State automatic = end("auto"), klu = end("klu");
+  EXPECT_LT((automatic.q - klu.q).norm(), 1e-9);
+  EXPECT_GT(automatic.q.norm(), 1.0);
+  EXPECT_TRUE(test::refuses(ErrorCode::numerical, {"singular at t =", "or not positive definite"},
+                            [&] { end("lapack"); }));
+}
+
+/// With a penalty that holds nothing the iteration ends at once, and the rod grows longer.
+TEST(Index3, SaysThatAConstraintIsLost) {
+  test::DrivenPendulum pendulum({});
+  Index3 formulation(pendulum, {.penalty = 1.0});
+  State s = pendulum.at(0.0, 1.0, 0.5);
+  formulation.start(s);
+  EXPECT_TRUE(
+      test::refuses(ErrorCode::numerical, {"constraint 'rod' is lost at t = ", "off by", "0.01"}, [&] {
+        for (int k = 1; k <= 5000; ++k) formulation.step(s, 1e-4, 1e-4 * k);
+      }));
+  EXPECT_LT(s.time, 0.5);
+}
+
+/// Projections go on until a change of velocities is below 1e-11 m in 0.25 ms. Each leaves
+/// 1/(1 + beta h^2 alpha sigma^2) of an error, with sigma^2 up to 15 at least a quarter: the residual is then
+/// at most |Phi_q| = 2.8 times that change.
+TEST(Index3, ProjectsUntilVelocitiesAreAsExactAsPositions) {
+  Mechanism linkage(read_mechanism("linkage", four_bar::text(5)));
+  const auto left = [&](int projections) {
+    const Index3Settings settings{.penalty = 1e7, .tolerance = 1e-11, .projections = projections};
+    return residuals(linkage, run(linkage, settings, 2.5e-4, 0.5)).velocity;
+  };
+  EXPECT_GT(left(1), 2.8 * 4e-8);
+  EXPECT_LT(left(10), 2.8 * 4e-8);
 }
 
 TEST(Index3, SaysWhenItDoesNotConverge) {

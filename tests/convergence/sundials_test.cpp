@@ -101,7 +101,7 @@ class EachStepperAndIda : public testing::TestWithParam<StepperNames> {
     StepperSettings settings;
     settings.formulation = GetParam().formulation;
     settings.integrator = GetParam().integrator;
-    if (settings.formulation == "index3") settings.index3 = {.tolerance = 1e-12, .projections = 4};
+    if (settings.formulation == "index3") settings.index3 = {.tolerance = 1e-12};
     return make_stepper(model, settings);
   }
   /// Errors fall to a quarter at least when the step is halved, down to IDA's own.

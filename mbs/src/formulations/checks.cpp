@@ -13,6 +13,8 @@
 namespace tandem::mbs {
 namespace {
 
+constexpr double zero = 1e-12;
+
 [[noreturn]] void fail(const std::string& sentence) { throw Error(ErrorCode::numerical, sentence); }
 
 std::string constraints_of(const Structure& s, int variable) {
@@ -24,19 +26,34 @@ std::string constraints_of(const Structure& s, int variable) {
 
 }  // namespace
 
-void refuse_vanishing_row(const Structure& s, const double* jacobian, double time) {
-  constexpr double zero = 1e-12;
-  const ColumnSquares squares =
-      column_squares(s.jacobian, jacobian);  // in each step: no name is looked for yet
-  if (s.constraints == 0 || squares.least > zero * zero * squares.most) return;
+std::vector<double> most_off(const Structure& s) {
+  std::vector<double> most = s.constraint_sizes;
+  if (most.empty()) most.assign(static_cast<std::size_t>(s.constraints), 1.0);
+  for (double& size : most) size *= 0.01;
+  return most;
+}
+
+/// In each step: no name is looked for before something is wrong.
+void refuse_lost_constraint(const Structure& s, const Constraints& at, double time) {
+  const ColumnSquares squares = column_squares(s.jacobian, at.jacobian);
+  const double least = zero * zero * squares.most;
+  double excess = 0.0;
+  for (int c = 0; c < s.constraints; ++c) excess = std::max(excess, std::abs(at.phi[c]) - at.most[c]);
+  if (s.constraints == 0 || (squares.least > least && excess <= 0.0)) return;
   const int* const starts = s.jacobian.starts().data();
-  const auto square = [&](int c) {
-    return std::inner_product(jacobian + starts[c], jacobian + starts[c + 1], jacobian + starts[c], 0.0);
-  };
-  int at = 0;
-  while (square(at) > squares.least) ++at;
-  fail(fmt::format("the row of the Jacobian of constraint '{}' vanishes at t = {} s: it holds nothing there",
-                   s.constraint_names[at], time));
+  for (int c = 0; c < s.constraints; ++c) {
+    const double* const row = at.jacobian + starts[c];
+    const double square = std::inner_product(row, at.jacobian + starts[c + 1], row, 0.0);
+    if (square <= least)
+      fail(fmt::format(
+          "the row of the Jacobian of constraint '{}' vanishes at t = {} s: it holds nothing there",
+          s.constraint_names[c], time));
+    if (std::abs(at.phi[c]) > at.most[c])
+      fail(fmt::format(
+          "constraint '{}' is lost at t = {} s: it is off by {:.3g}, allowed is {:.3g}; a greater "
+          "penalty, more iterations or shorter steps hold it",
+          s.constraint_names[c], time, at.phi[c], at.most[c]));
+  }
 }
 
 void refuse_wrong_force(const Structure& s, const Eigen::VectorXd& force, double time) {
@@ -46,8 +63,10 @@ void refuse_wrong_force(const Structure& s, const Eigen::VectorXd& force, double
 }
 
 void refuse_singular(const Structure& s, const char* matrix, int variable, double time) {
-  fail(fmt::format("the {} is singular at t = {} s, at variable {}, which is {}", matrix, time,
-                   s.variable_names[variable], constraints_of(s, variable)));
+  fail(
+      fmt::format("the {} is singular at t = {} s (or not positive definite, if its solver needs that), at "
+                  "variable {}, which is {}",
+                  matrix, time, s.variable_names[variable], constraints_of(s, variable)));
 }
 
 void refuse_unsettled(int iterations, double time) {

@@ -18,6 +18,7 @@ constexpr double gamma = 0.5;           // any other value of Newmark's gamma le
 constexpr double settled = 1e-12;       // accelerations at the start: some thousand roundings
 constexpr double shortest = 1e-3;       // [s] step with the penalty as it is
 constexpr int most_substitutions = 10;  // about what a new factor costs
+constexpr int steps_between_checks = 50;
 
 const Index3Settings& checked(const Index3Settings& s) {
   const auto setting = [](const char* name, double value) {
@@ -60,14 +61,14 @@ double Index3::penalty(double h) const {
 
 void Index3::start(State& s) {
   const FlushDenormals scope;
-  frequency_ = -1.0;
+  steps_ = 0;
   settle(s);
 }
 
 void Index3::settle(State& s) {
   terms_.model.at_time(s.time);
   terms_.constraints(s);
-  terms_.refuse_vanishing(s);
+  terms_.refuse_lost(s);
   terms_.factorize(s, {0.0, 0.0, weight_ = penalty(shortest)});
   terms_.forces(s);
   terms_.model.constraint_accelerations(s.q.data(), s.v.data(), terms_.gamma.data());
@@ -97,9 +98,10 @@ int Index3::step(State& s, double h, double t_end) {
     terms_.constraints(s);
     if (done || iteration <= settings_.multiplier_iterations) s.lambda += penalty_ * terms_.phi;
     if (!done) continue;
-    terms_.refuse_vanishing(s);
+    terms_.refuse_lost(s);
     project_velocities(s, settings_.tolerance / h);
     project_accelerations(s, settings_.tolerance / (h * h));
+    if (!terms_.definite) weight_ = 0.0;
     return iteration;
   }
   throw Error(
@@ -110,7 +112,8 @@ int Index3::step(State& s, double h, double t_end) {
 }
 
 void Index3::refuse_unstable(const State& s, double h) {
-  if (frequency_ < 0.0) frequency_ = merged_frequency(terms_, s, weight_ = penalty_);
+  if (steps_ % steps_between_checks == 0) frequency_ = merged_frequency(terms_, s, weight_ = penalty_);
+  ++steps_;
   mbs::refuse_unstable("index-3 formulation", settings_.beta, frequency_, s.time, h);
 }
 
@@ -195,7 +198,7 @@ void Index3::refuse_growth(const State& s, double before) {
                size = Eigen::Map<const Eigen::VectorXd>(terms_.matrices.jacobian.data(),
                                                         terms_.structure.jacobian.size())
                           .norm();
-  if (left * grows < before || left < 1e-8 * size * s.v.norm()) return;
+  if (left * grows <= before || left <= 1e-8 * size * s.v.norm()) return;
   throw Error(
       ErrorCode::numerical,
       fmt::format("index-3 formulation: with beta = {:.4g} errors of constrained velocities grow by {:.4g} "

@@ -38,7 +38,7 @@ double merged_frequency(Terms& terms, const State& s, double penalty) {
   terms.factorize(s, {0.0, 0.0, penalty});
   return std::sqrt(spectral_radius(terms.structure.variables, [&](VectorXd& z) {
     multiply_stiffness(terms, s, z);
-    terms.tangent.solve(z.data());
+    terms.solve(z);
   }));
 }
 

@@ -30,6 +30,7 @@ NullSpace::NullSpace(Model& model, const NullSpaceSettings& s)
       structure_(model.structure()),
       settings_(s),
       jacobian_values_(static_cast<std::size_t>(structure_.jacobian_values())),
+      most_off_(most_off(structure_)),
       phi_(structure_.constraints),
       force_(structure_.variables) {
   Setting{"null-space formulation", "tolerance", s.tolerance}.positive();
@@ -144,14 +145,14 @@ bool NullSpace::begin(const State& s, Motion& motion) {
   at_ = s;
   model_.at_time(s.time);
   constraints();
-  refuse_vanishing_row(structure_, jacobian_values_.data(), s.time);
+  refuse_lost_constraint(structure_, {phi_.data(), most_off_.data(), jacobian_values_.data()}, s.time);
   const bool changed = choose();
   motion = {s.time, s.q(independent_), s.v(independent_), s.a(independent_)};
   return changed;
 }
 
 void NullSpace::finish(const Motion&, State& s) {
-  refuse_vanishing_row(structure_, jacobian_values_.data(), at_.time);
+  refuse_lost_constraint(structure_, {phi_.data(), most_off_.data(), jacobian_values_.data()}, at_.time);
   solve_multipliers();
   s = at_;
 }

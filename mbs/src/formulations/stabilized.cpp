@@ -44,7 +44,7 @@ void Stabilized::accelerations(double t, const double* y, const double* v, doubl
 void Stabilized::start(State& s) {
   s.lambda.setZero(terms_.structure.constraints);
   prepare(s);
-  terms_.refuse_vanishing(s);
+  terms_.refuse_lost(s);
   solve_at_start(s);
 }
 
@@ -59,7 +59,7 @@ bool Stabilized::begin(const State& s, Motion& motion) {
 }
 
 void Stabilized::finish(const Motion&, State& s) {
-  terms_.refuse_vanishing(at_);
+  terms_.refuse_lost(at_);
   s = at_;
 }
 

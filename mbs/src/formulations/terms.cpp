@@ -39,15 +39,18 @@ Terms::Terms(Model& of, const std::string& solver, MatrixKind kind)
       force(structure.variables),
       inertia(force),
       correction(force),
-      largest_mass(largest(structure.mass.values)) {}
+      largest_mass(largest(structure.mass.values)),
+      most_off_(mbs::most_off(structure)),
+      solver_(solver),
+      kind_(kind) {}
 
 void Terms::constraints(const State& s) {
   const Timed timed(Task::dynamic_terms);
   model.constraints(s.q.data(), phi.data(), matrices.jacobian.data());
 }
 
-void Terms::refuse_vanishing(const State& s) const {
-  refuse_vanishing_row(structure, matrices.jacobian.data(), s.time);
+void Terms::refuse_lost(const State& s) const {
+  refuse_lost_constraint(structure, {phi.data(), most_off_.data(), matrices.jacobian.data()}, s.time);
 }
 
 void Terms::forces(const State& s) {
@@ -65,9 +68,21 @@ void Terms::assemble(const State& s, const TangentFactors& factors) {
 void Terms::factorize(const State& s, const TangentFactors& factors) {
   assemble(s, factors);
   const Timed timed(Task::factorization);
-  if (const int bad = tangent.factorize(); bad >= 0)
-    refuse_singular(structure, "tangent matrix", bad, s.time);
+  int bad = tangent.factorize();
+  definite = bad < 0;
+  if (!definite && kind_ == MatrixKind::positive_definite && solver_ == "auto")
+    bad = factorize_indefinite(factors);
+  if (bad >= 0) refuse_singular(structure, "tangent matrix", bad, s.time);
 }
+
+int Terms::factorize_indefinite(const TangentFactors& factors) {
+  if (!indefinite_)
+    indefinite_ = std::make_unique<Tangent>(structure, make_solver(solver_, MatrixKind::symmetric));
+  indefinite_->assemble(matrices, factors);
+  return indefinite_->factorize();
+}
+
+void Terms::solve(Eigen::VectorXd& x) { (definite ? tangent : *indefinite_).solve(x.data()); }
 
 void Terms::residual(const State& s, const Eigen::VectorXd& by, double factor) {
   const Timed timed(Task::residual);
@@ -79,7 +94,7 @@ void Terms::residual(const State& s, const Eigen::VectorXd& by, double factor) {
 double Terms::correct(const State& s, const Eigen::VectorXd& by, double factor) {
   residual(s, by, factor);
   const Timed timed(Task::substitution);
-  tangent.solve(correction.data());
+  solve(correction);
   const double norm = correction.norm();
   if (std::isfinite(norm)) return norm;
   refuse_wrong_force(structure, force, s.time);
@@ -95,7 +110,7 @@ void Terms::violation(const Eigen::VectorXd& x, const Eigen::VectorXd& rhs) {
 void Terms::project(Eigen::VectorXd& x, double weight) {
   error *= -weight;
   jacobian_rows.multiply(matrices.jacobian.data(), error.data(), correction.data());
-  tangent.solve(correction.data());
+  solve(correction);
   x.head(structure.variables) += correction;
 }
 

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 // How a Mechanism is made of its description.
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -51,12 +52,20 @@ std::vector<ScalarProduct> all_products(const Description& in) {
 
 bool is_distance(const ScalarProduct& p) { return p.a == p.b && p.a.from >= 0; }
 
+void add_constraint(Structure& to, const std::string& name, double size) {
+  to.constraint_names.push_back(name);
+  to.constraint_sizes.push_back(size);
+}
+
 template <int Dimension>
 std::unique_ptr<ConstraintSet> distance_set(const std::vector<ScalarProduct>& products, const Numbering& at,
-                                            std::vector<std::string>& names) {
+                                            Structure& structure) {
   auto set = std::make_unique<DistanceSet<Dimension>>();
-  for (const ScalarProduct& p : products)
-    if (is_distance(p)) set->add(at.entity[p.a.from], at.entity[p.a.to], p.value), names.push_back(p.name);
+  for (const ScalarProduct& p : products) {
+    if (!is_distance(p)) continue;
+    set->add(at.entity[p.a.from], at.entity[p.a.to], p.value);
+    add_constraint(structure, p.name, std::sqrt(p.value));
+  }
   return set;
 }
 
@@ -79,8 +88,7 @@ std::vector<Quadratic> quadratics(const Description& in, const Numbering& at,
 }
 
 template <int Dimension>
-std::unique_ptr<ConstraintSet> angle_set(const Description& in, const Numbering& at,
-                                         std::vector<std::string>& names) {
+std::unique_ptr<ConstraintSet> angle_set(const Description& in, const Numbering& at, Structure& structure) {
   auto set = std::make_unique<AngleSet<Dimension>>();
   const auto edge = [&](const Edge& e) {
     return EdgeCoordinates{at.entity[e.to], e.from < 0 ? at.zero : at.entity[e.from]};
@@ -88,7 +96,7 @@ std::unique_ptr<ConstraintSet> angle_set(const Description& in, const Numbering&
   for (std::size_t r = 0; r < in.relatives.size(); ++r) {
     const Relative& angle = in.relatives[r];
     if (angle.kind != Relative::Kind::angle) continue;
-    names.push_back(angle.name);
+    add_constraint(structure, angle.name, 1.0);
     const Eigen::Vector3d a = drawn(in, angle.a), b = drawn(in, angle.b);
     const double size = std::max(a.norm(), b.norm());
     if (Dimension == 2) {
@@ -168,17 +176,19 @@ void Mechanism::add_masses() {
 
 void Mechanism::add_constraints() {
   const Description& in = description_;
-  auto& names = structure_.constraint_names;
+
   const bool plane = in.dimension == 2;
   const auto products = all_products(in);
-  sets_.push_back(plane ? distance_set<2>(products, numbering_, names)
-                        : distance_set<3>(products, numbering_, names));
-  sets_.push_back(plane ? angle_set<2>(in, numbering_, names) : angle_set<3>(in, numbering_, names));
+  sets_.push_back(plane ? distance_set<2>(products, numbering_, structure_)
+                        : distance_set<3>(products, numbering_, structure_));
+  sets_.push_back(plane ? angle_set<2>(in, numbering_, structure_)
+                        : angle_set<3>(in, numbering_, structure_));
   auto others = std::make_unique<QuadraticSet>(inputs_);
-  for (const Quadratic& q : quadratics(in, numbering_, products)) others->add(q), names.push_back(q.name);
+  for (const Quadratic& q : quadratics(in, numbering_, products))
+    others->add(q), add_constraint(structure_, q.name, q.size);
   sets_.push_back(std::move(others));
   std::erase_if(sets_, [](const auto& set) { return set->size() == 0; });
-  structure_.constraints = static_cast<int>(names.size());
+  structure_.constraints = static_cast<int>(structure_.constraint_names.size());
   first_drive_ = structure_.constraints - static_cast<int>(in.drives.size());
 }
 

@@ -139,6 +139,7 @@ Quadratic equation(const Description& in, const Numbering& at, const ScalarProdu
     refuse(p.where, "scalar product '" + p.name + "' is of two edges of length 0; allowed is one of them");
   const double scale = 1.0 / length;
   Quadratic e{p.name, -scale * p.value};
+  e.size = length;
   e.add_product(forms_of(in, at, p.a), forms_of(in, at, p.b), scale);
   return e;
 }
@@ -153,6 +154,7 @@ Quadratic equation(const Description& in, const Numbering& at, const FixedAngle&
   const Forms fa = forms_of(in, at, angle.a), fb = forms_of(in, at, angle.b);
   const double scale = 1.0 / std::max(a.norm(), b.norm());
   Quadratic e{angle.name};
+  e.size = std::min(a.norm(), b.norm());
   if (in.dimension == 2) {
     add_cross(e, fa, fb, scale * std::cos(phi));
     e.add_product(fa, fb, -scale * std::sin(phi));
@@ -180,7 +182,8 @@ Quadratic length_equation(const Description& in, const Numbering& at, int relati
   const Forms edge = forms_of(in, at, length.a);
   const int s = at.relative[relative];
   Quadratic e{length.name};
-  const double scale = 1.0 / drawn(in, length);
+  e.size = drawn(in, length);
+  const double scale = 1.0 / e.size;
   e.add_product(edge, edge, scale);
   e.products.push_back({-scale, s, s});
   return e;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "parts.hpp"
+
 namespace tandem::mbs {
 namespace {
 
@@ -16,22 +18,36 @@ bool is_motion(Kind kind) {
   return kind == Kind::position || kind == Kind::velocity || kind == Kind::acceleration;
 }
 
+bool is_residual(Kind kind) {
+  return kind == Kind::position_residual || kind == Kind::velocity_residual ||
+         kind == Kind::acceleration_residual;
+}
+
+bool depends_on_accelerations(Kind kind) {
+  return kind == Kind::acceleration || kind == Kind::drive_reaction || kind == Kind::reaction ||
+         kind == Kind::acceleration_residual;
+}
+
 }  // namespace
 
 Outputs::Outputs(const Mechanism& mechanism)
     : mechanism_(mechanism),
       outputs_(mechanism.description().outputs),
+      parts_(connected_parts(mechanism)),
       reactions_(std::any_of(outputs_.begin(), outputs_.end(),
                              [](const Output& o) { return o.kind == Kind::reaction; })),
       phi_(mechanism.structure().constraints),
       force_(mechanism.structure().coordinates),
-      jacobian_(static_cast<std::size_t>(mechanism.structure().jacobian_values())) {
+      jacobian_(static_cast<std::size_t>(mechanism.structure().jacobian_values())),
+      find_residuals_(mechanism.structure()) {
+  for (const Output& o : outputs_) has_residuals_ = has_residuals_ || is_residual(o.kind);
   for (const Output& o : outputs_) supports_.push_back(o.kind == Kind::reaction ? support(o) : Support{});
 }
 
 Outputs::Support Outputs::support(const Output& output) const {
   const Structure& structure = mechanism_.structure();
-  Support found{mechanism_.numbering().of(output.coordinate), {}, {}};
+  Support found{
+      mechanism_.numbering().of(output.coordinate), {}, {}, static_cast<std::size_t>(structure.constraints)};
   const int row = found.coordinate - structure.variables;
   const Matrix& mass = mechanism_.fixed_mass();
   const auto masses = mass.pattern.entries(), gradients = mechanism_.fixed_jacobian().entries();
@@ -59,6 +75,10 @@ std::string Outputs::unit(int output) const {
       return is_angle(in, c) ? "N m" : "N";
     case Kind::reaction:
       return "N";
+    case Kind::position_residual:
+    case Kind::velocity_residual:
+    case Kind::acceleration_residual:
+      return "";
     default:
       return "J";
   }
@@ -66,19 +86,48 @@ std::string Outputs::unit(int output) const {
 
 bool Outputs::depends(int output, int input) const {
   const Description& in = mechanism_.description();
-  const Kind kind = outputs_[static_cast<std::size_t>(output)].kind;
-  const bool at_once = kind == Kind::acceleration || kind == Kind::drive_reaction || kind == Kind::reaction;
-  const auto uses = [input](const auto& element) { return element.input == input; };
-  return std::any_of(in.drives.begin(), in.drives.end(), uses) ||
-         (at_once && std::any_of(in.forces.begin(), in.forces.end(), uses));
+  const Output& o = outputs_[static_cast<std::size_t>(output)];
+  for (const Drive& drive : in.drives)
+    if (drive.input == input && connected(output, parts_[mechanism_.numbering().of(drive.coordinate)]))
+      return true;
+  if (!depends_on_accelerations(o.kind)) return false;
+  for (const Force& force : in.forces)
+    for (const int place : places(mechanism_, force))
+      if (force.input == input && connected(output, parts_[place])) return true;
+  return false;
 }
 
+/// Energies and residuals are of all parts.
+bool Outputs::connected(int output, int part) const {
+  const Output& o = outputs_[static_cast<std::size_t>(output)];
+  const Numbering& at = mechanism_.numbering();
+  if (o.kind == Kind::drive_reaction)
+    return parts_[at.of(mechanism_.description().drives[static_cast<std::size_t>(o.drive)].coordinate)] ==
+           part;
+  if (is_motion(o.kind)) return parts_[at.of(o.coordinate)] == part;
+  return o.kind != Kind::reaction || supports_[static_cast<std::size_t>(output)].borne(parts_, part);
+}
+
+/// Something of that part, or what acts there itself.
+bool Outputs::Support::borne(const std::vector<int>& parts, int part) const {
+  const auto first = parts.size() - equations;
+  const auto in_part = [&](std::size_t number) { return parts[number] == part; };
+  return in_part(coordinate) ||
+         std::any_of(masses.begin(), masses.end(), [&](const auto& m) { return in_part(m.first); }) ||
+         std::any_of(gradients.begin(), gradients.end(),
+                     [&](const auto& g) { return in_part(first + g.first); });
+}
+
+void Outputs::start(const State& s) { energy_at_start_ = mechanism_.energy(s.q.data(), s.v.data()); }
+
 void Outputs::evaluate(const State& state, double* y) {
-  if (reactions_) prepare_reactions(state);
+  prepare(state);
   for (int k = 0; k < size(); ++k) *y++ = value(k, state);
 }
 
-void Outputs::prepare_reactions(const State& s) {
+void Outputs::prepare(const State& s) {
+  if (has_residuals_) residuals_ = find_residuals_(mechanism_, s);
+  if (!reactions_) return;
   mechanism_.constraints(s.q.data(), phi_.data(), jacobian_.data());
   mechanism_.all_forces(s.q.data(), s.v.data(), force_.data());
 }
@@ -101,6 +150,14 @@ double Outputs::value(int number, const State& s) const {
       return mechanism_.kinetic(s.v.data());
     case Kind::potential:
       return mechanism_.potential(s.q.data());
+    case Kind::drift:
+      return mechanism_.energy(s.q.data(), s.v.data()) - energy_at_start_;
+    case Kind::position_residual:
+      return residuals_.position;
+    case Kind::velocity_residual:
+      return residuals_.velocity;
+    case Kind::acceleration_residual:
+      return residuals_.acceleration;
     default:
       return mechanism_.energy(s.q.data(), s.v.data());
   }

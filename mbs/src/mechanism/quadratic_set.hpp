@@ -24,6 +24,7 @@ struct Quadratic {
   std::vector<Linear> linear = {};
   std::vector<Product> products = {};
   int input = -1;
+  double size = 1.0;  ///< as Structure::constraint_sizes
 
   void add(const Form& f, double factor);
   /// factor * a * b.

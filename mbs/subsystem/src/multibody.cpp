@@ -75,6 +75,7 @@ void Multibody::start(double t, std::span<const double> u0) {
   machine_->inputs.set_constants(values);
   state_ = initial_state(machine_->mechanism, t);
   machine_->stepper->start(state_);
+  machine_->outputs.start(state_);
   machine_->inputs.read(t, inputs_);
   kept_ = false;
   machine_->dumped = 0;

@@ -88,7 +88,7 @@ TEST(Outputs, DependAtOnceOnWhatTheyShould) {
                  "r = { reaction = 'O.x' }\n"));
   const Outputs o(m);
   for (int output = 0; output < 4; ++output) {
-    EXPECT_EQ(o.depends(output, 0), output >= 2);
+    EXPECT_EQ(o.depends(output, 0), output == 2);
     EXPECT_FALSE(o.depends(output, 1));
     EXPECT_EQ(o.derivatives(output), std::max(0, 2 - output));
   }
@@ -96,6 +96,54 @@ TEST(Outputs, DependAtOnceOnWhatTheyShould) {
   EXPECT_EQ(o.unit(1), "m/s");
   EXPECT_EQ(o.unit(2), "m/s^2");
   EXPECT_EQ(o.unit(3), "N");
+}
+
+/// Two pendulums on one point, and a drive: a force on one is felt by its own acceleration and by the pin, at
+/// once, and by nothing of the other.
+TEST(Outputs, DependOnForcesAndDrivesOfWhatTheyAreConnectedWith) {
+  Mechanism m(read_mechanism(
+      "m", rod + "P = { at = [1, 0] }\nQ = { at = [0, 1] }\n[vectors]\nX = { at = [1, 0], fixed = true }\n"
+                 "[rods]\np = { points = ['O', 'P'], mass = 1 }\nq = { points = ['O', 'Q'], mass = 1 }\n"
+                 "[angles]\nt = { from = 'X', to = ['O', 'Q'] }\n"
+                 "[inputs]\nF = { unit = 'N' }\nu = { unit = 'rad' }\n"
+                 "[forces]\nf = { point = 'P', direction = [1, 1], magnitude = 'F' }\n"
+                 "[drives]\nd = { coordinate = 't', motion = 'u' }\n[outputs]\n"
+                 "pa = { acceleration = 'P.x' }\nqa = { acceleration = 'Q.x' }\nqx = { position = 'Q.x' }\n"
+                 "px = { position = 'P.x' }\npin = { reaction = 'O.y' }\ndrive = { reaction = 'd' }\n"
+                 "energy = { energy = 'drift' }\nmiss = { residual = 'acceleration' }\n"));
+  const Outputs o(m);
+  const std::vector<bool> on_force = {true, false, false, false, true, false, false, true},
+                          on_drive = {false, true, true, false, true, true, true, true};
+  for (int k = 0; k < o.size(); ++k) {
+    EXPECT_EQ(o.depends(k, 0), on_force[static_cast<std::size_t>(k)]) << o.name(k);
+    EXPECT_EQ(o.depends(k, 1), on_drive[static_cast<std::size_t>(k)]) << o.name(k);
+  }
+}
+
+/// A rod of 2 m that has become 1 mm too long and stretches: (|d|^2 - l^2)/l and its derivatives, and the
+/// energy less that of the start.
+TEST(Outputs, HaveResidualsAndTheDriftOfEnergy) {
+  Mechanism m(read_mechanism("m", rod +
+                                      "P = { at = [2, 0], velocity = [0, 3] }\n[rods]\nr = { points = ['O', "
+                                      "'P'], mass = 3 }\n[outputs]\np = { residual = 'position' }\n"
+                                      "v = { residual = 'velocity' }\na = { residual = 'acceleration' }\n"
+                                      "d = { energy = 'drift' }\n"));
+  State s = initial_state(m, 0.0);
+  Index3(m, {}).start(s);
+  Outputs o(m);
+  o.start(s);
+  VectorXd y(4);
+  o.evaluate(s, y.data());
+  EXPECT_LT(y.lpNorm<Eigen::Infinity>(), 1e-9);
+  s.q[0] += 1e-3, s.v[0] += 0.5, s.a[0] += 0.25;
+  const double length = s.q[0], v2 = s.v[0] * s.v[0] + s.v[1] * s.v[1];
+  o.evaluate(s, y.data());
+  EXPECT_NEAR(y[0], 0.5 * (length * length - 4.0), 1e-12);
+  EXPECT_NEAR(y[1], length * s.v[0], 1e-12);
+  EXPECT_NEAR(y[2], std::abs(length * s.a[0] + v2), 1e-12);
+  EXPECT_NEAR(y[3], m.energy(s.q.data(), s.v.data()) - 0.5 * 9.0, 1e-12);
+  EXPECT_EQ(o.unit(0), "");
+  EXPECT_EQ(o.unit(3), "J");
 }
 
 }  // namespace

@@ -116,7 +116,7 @@ TEST(ReadMechanism, RefusesElementsWithWhatIsAllowed) {
       refused("[inputs]\nF = { unit = 'N', value = 2, polynomial = [1] }\n", {"has 2 of value, polynomial"}));
   EXPECT_TRUE(refused("[outputs]\no = { position = 'P.x', velocity = 'P.x' }\n", {"names 2 quantities"}));
   EXPECT_TRUE(refused("[outputs]\no = { reaction = 'P.x' }\n", {"a point that is not fixed"}));
-  EXPECT_TRUE(refused("[outputs]\no = { energy = 'all' }\n", {"'all'", "kinetic, potential or total"}));
+  EXPECT_TRUE(refused("[outputs]\no = { energy = 'all' }\n", {"'all'", "kinetic, potential, total, drift"}));
   EXPECT_TRUE(refused("[drives]\nd = { coordinate = 'O.x', motion = 'u' }\n", {"of a fixed point"}));
   EXPECT_TRUE(
       refused("[masses]\nm = { point = 'P', mass = -2 }\n", {"masses.m.mass is the number -2", "above 0"}));

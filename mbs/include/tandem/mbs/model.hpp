@@ -22,6 +22,9 @@ struct Structure {
   /// arrays of values.
   int jacobian_extra = 0, stiffness_extra = 0;
   std::vector<std::string> variable_names, constraint_names;
+  /// By constraint, in the unit of its Phi: a state that is off by a hundredth of it is no state of the
+  /// mechanism any more. All 1 if there are none.
+  std::vector<double> constraint_sizes = {};
 
   int jacobian_values() const { return jacobian.size() + jacobian_extra; }  ///< length of that array
   int stiffness_values() const { return stiffness.size() + stiffness_extra; }

@@ -11,6 +11,19 @@ struct Residuals {
   double acceleration = 0.0;  ///< of Phi_q q'' + gamma
 };
 
+/// Evaluates them again and again, without allocation.
+class ConstraintResiduals {
+ public:
+  explicit ConstraintResiduals(const Structure& structure);
+  /// The model has that structure and stands at the state's time.
+  Residuals operator()(const Model& model, const State& state);
+
+ private:
+  double largest(const Structure& structure, const Eigen::VectorXd& x);
+
+  Eigen::VectorXd phi_, extra_, jacobian_;
+};
+
 /// Puts the model at the state's time.
 Residuals residuals(Model& model, const State& state);
 

@@ -10,12 +10,31 @@ namespace {
 using Kind = Output::Kind;
 constexpr std::pair<const char*, Kind> motions[] = {
     {"position", Kind::position}, {"velocity", Kind::velocity}, {"acceleration", Kind::acceleration}};
-constexpr std::pair<const char*, Kind> energies[] = {
-    {"kinetic", Kind::kinetic}, {"potential", Kind::potential}, {"total", Kind::energy}};
+constexpr std::pair<const char*, Kind> energies[] = {{"kinetic", Kind::kinetic},
+                                                     {"potential", Kind::potential},
+                                                     {"total", Kind::energy},
+                                                     {"drift", Kind::drift}};
+constexpr std::pair<const char*, Kind> residuals[] = {{"position", Kind::position_residual},
+                                                      {"velocity", Kind::velocity_residual},
+                                                      {"acceleration", Kind::acceleration_residual}};
+
+/// What the key names, of those that are allowed.
+template <std::size_t N>
+bool read_word(text::Section& section, const std::string& key, const std::pair<const char*, Kind> (&words)[N],
+               Kind& kind) {
+  const auto word = section.text(key);
+  if (!word) return false;
+  std::vector<std::string> allowed;
+  for (const auto& [name, meant] : words) {
+    if (*word == name) return kind = meant, true;
+    allowed.emplace_back(name);
+  }
+  section.wrong(key, "'" + *word + "'", fmt::format("{}", fmt::join(allowed, ", ")));
+}
 
 }  // namespace
 
-/// Exactly one of the keys position, velocity, acceleration, reaction and energy.
+/// Exactly one of the keys position, velocity, acceleration, reaction, energy and residual.
 void Reader::read_output(const std::string& name, Section& section) {
   Output output{name, Kind::position};
   int given = 0;
@@ -29,18 +48,12 @@ void Reader::read_output(const std::string& name, Section& section) {
     read_reaction(section, *of, output);
     ++given;
   }
-  if (const auto energy = section.text("energy")) {
-    const auto found = std::find_if(std::begin(energies), std::end(energies),
-                                    [&](const auto& e) { return e.first == *energy; });
-    if (found == std::end(energies))
-      section.wrong("energy", "'" + *energy + "'", "kinetic, potential or total");
-    output.kind = found->second;
-    ++given;
-  }
+  given += read_word(section, "energy", energies, output.kind);
+  given += read_word(section, "residual", residuals, output.kind);
   if (given != 1)
     text::refuse(section.place(),
                  fmt::format("output '{}' names {} quantities; allowed is one of position, velocity, "
-                             "acceleration, reaction and energy",
+                             "acceleration, reaction, energy and residual",
                              name, given));
   to_.outputs.push_back(output);
 }

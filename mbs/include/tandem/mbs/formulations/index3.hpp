@@ -50,11 +50,11 @@ class Index3 final : public Stepper {
   /// By the augmented Lagrangian of index 1 (Terms::settle).
   void start(State& state) override;
   /// With beta below 1/4 a step is refused, Error(numerical), for two reasons. First, omega h is above
-  /// 1/sqrt(1/4 - beta), omega the highest frequency of the motion that the constraints leave at the first
-  /// step. Second, all `projections` together leave so much of the error of velocities that the next step
-  /// makes it larger than it was: Newmark's formulas multiply it by newmark_growth(beta) where Phi = 0 is
-  /// held at both ends, and a projection leaves 1/(1 + beta h^2 alpha sigma^2), sigma a singular value of
-  /// Phi_q in the metric of the mass. That is a limit for steps that are too short.
+  /// 1/sqrt(1/4 - beta), omega the highest frequency of the motion that the constraints leave, looked at
+  /// in every fiftieth step. Second, all `projections` together leave so much of the error of velocities that
+  /// the next step makes it larger than it was: Newmark's formulas multiply it by newmark_growth(beta) where
+  /// Phi = 0 is held at both ends, and a projection leaves 1/(1 + beta h^2 alpha sigma^2), sigma a singular
+  /// value of Phi_q in the metric of the mass. That is a limit for steps that are too short.
   int step(State& state, double h, double t_end) override;
   /// As start(), but with the tangent of the last step as it is; if its multipliers have not settled after
   /// ten substitutions (the steps are too short for that), with one of its own.
@@ -77,9 +77,10 @@ class Index3 final : public Stepper {
 
   Index3Settings settings_;
   Terms terms_;
-  double penalty_;           ///< of the last step
-  double weight_ = 0.0;      ///< of Phi_q^T Phi_q in the tangent at hand; 0: there is none yet
-  double frequency_ = -1.0;  ///< the highest, with beta below 1/4, from the first step on [rad/s]
+  double penalty_;          ///< of the last step
+  double weight_ = 0.0;     ///< of Phi_q^T Phi_q in the tangent at hand; 0: there is none of use
+  double frequency_ = 0.0;  ///< the highest when it was looked at last, with beta below 1/4 [rad/s]
+  long steps_ = 0;          ///< with beta below 1/4
 };
 
 }  // namespace tandem::mbs

@@ -52,6 +52,7 @@ class NullSpace final : public Formulation {
   std::vector<int> dependent_, independent_;
   std::vector<double> jacobian_values_;
   Eigen::MatrixXd mass_, jacobian_;
+  std::vector<double> most_off_;
   Eigen::VectorXd phi_, force_;
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> held_;  ///< of the columns of Phi_q of the dependent variables
 };

@@ -16,14 +16,18 @@ struct Terms {
 
   /// Phi and Phi_q^T.
   void constraints(const State& s);
-  /// Phi_q^T (after constraints()) must have no column that vanishes: Error(numerical) names the constraint
-  /// and the time. Zero is what is below 1e-12 of the largest column.
-  void refuse_vanishing(const State& s) const;
+  /// At the end of a step, after constraints(): Error(numerical) names the constraint and the time where
+  /// Phi_q^T has a column that vanishes (below 1e-12 of the largest), or a constraint is lost: |Phi| above a
+  /// hundredth of its size.
+  void refuse_lost(const State& s) const;
   /// Q.
   void forces(const State& s);
   /// Assembles T at a state, after constraints(). Error(numerical) names variable, constraints and time of a
-  /// T that is singular.
+  /// T that is singular, or not positive definite if the solver needs that. `auto` then takes a solver for
+  /// symmetric matrices, in this factorization only.
   void factorize(const State& s, const TangentFactors& factors);
+  /// x <- T^-1 x.
+  void solve(Eigen::VectorXd& x);
   /// correction <- factor T^-1 [Q - M a - Phi_q^T weights]; returns its Euclidean norm. Error(numerical)
   /// names a variable and the time where that is not finite.
   double correct(const State& s, const Eigen::VectorXd& weights, double factor);
@@ -49,11 +53,20 @@ struct Terms {
   Model& model;
   const Structure& structure;
   Tangent tangent;
+  bool definite = true;  ///< the last T: what `tangent` holds is of no use otherwise
   Rows jacobian_rows;
   ModelMatrices matrices;
   Eigen::VectorXd phi, gamma, error, weights;  ///< m
   Eigen::VectorXd force, inertia, correction;  ///< n; the second: M a
   double largest_mass;                         ///< the largest entry of M; 1 if there is none [kg]
+
+ private:
+  int factorize_indefinite(const TangentFactors& factors);
+
+  std::vector<double> most_off_;  ///< by constraint
+  std::string solver_;
+  MatrixKind kind_;
+  std::unique_ptr<Tangent> indefinite_;  ///< made when it is needed first
 };
 
 }  // namespace tandem::mbs

@@ -112,9 +112,23 @@ struct Force {
 };
 
 /// A quantity to be read of a mechanism. Reactions are those of the support on the mechanism: of a drive
-/// [N or N m], of a fixed point along an axis [N].
+/// [N or N m], of a fixed point along an axis [N]. drift: of the energy since the start [J]. Residuals: the
+/// largest of Phi, Phi_q q' + Phi_t, Phi_q q'' + gamma, in the units of the constraints.
 struct Output {
-  enum class Kind { position, velocity, acceleration, drive_reaction, reaction, kinetic, potential, energy };
+  enum class Kind {
+    position,
+    velocity,
+    acceleration,
+    drive_reaction,
+    reaction,
+    kinetic,
+    potential,
+    energy,
+    drift,
+    position_residual,
+    velocity_residual,
+    acceleration_residual
+  };
   std::string name;
   Kind kind;
   Coordinate coordinate = {};  ///< positions to accelerations, and reactions of fixed points

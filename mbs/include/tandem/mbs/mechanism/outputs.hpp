@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tandem/mbs/mechanism/mechanism.hpp"
+#include "tandem/mbs/residuals.hpp"
 
 namespace tandem::mbs {
 
@@ -18,9 +19,13 @@ class Outputs {
   const std::string& name(int output) const { return outputs_[static_cast<std::size_t>(output)].name; }
   /// "m", "rad/s", "N" and so on.
   std::string unit(int output) const;
-  /// Whether it depends on an input at the same instant: on a drive's all do; on a force's, accelerations and
-  /// reactions.
+  /// Whether it depends on an input at the same instant. On a force's: accelerations and reactions of what
+  /// the mass matrix and the constraints connect with the place where it acts, and residuals of
+  /// accelerations. On a drive's: all of what they connect with its coordinate, and energies and residuals.
   bool depends(int output, int input) const;
+
+  /// From this state on energies drift. Complete, as below.
+  void start(const State& state);
 
   /// y: one for each output. State: complete, at the time of the mechanism's last at_time(). Positions,
   /// velocities and accelerations are those of the state; reactions are computed from its multipliers.
@@ -36,18 +41,25 @@ class Outputs {
     int coordinate = -1;
     std::vector<std::pair<int, double>> masses = {};          ///< by coordinate
     std::vector<std::pair<int, std::size_t>> gradients = {};  ///< by equation: entry of the Jacobian
+    std::size_t equations = 0;                                ///< of the mechanism
+    bool borne(const std::vector<int>& parts, int part) const;
   };
   Support support(const Output& output) const;
-  void prepare_reactions(const State& state);
+  void prepare(const State& state);
   double value(int output, const State& state) const;
   double reaction(const Support& support, const State& state) const;
+  bool connected(int output, int part) const;
 
   const Mechanism& mechanism_;
   const std::vector<Output>& outputs_;
-  bool reactions_ = false;
+  std::vector<int> parts_;  ///< by coordinate, a number that connected ones share
+  bool reactions_ = false, has_residuals_ = false;
   std::vector<Support> supports_;  ///< by output; of reactions
   Eigen::VectorXd phi_, force_;
   std::vector<double> jacobian_;
+  ConstraintResiduals find_residuals_;
+  Residuals residuals_;
+  double energy_at_start_ = 0.0;
 };
 
 }  // namespace tandem::mbs
