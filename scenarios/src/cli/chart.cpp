@@ -70,7 +70,7 @@ void add_chart(CLI::App& app, Context& context) {
       ->add_option(
           "scene", options->scene,
           "A sweep: two_mass, mechanisms, four_bar; or a benchmark: four_bar_cost (of bench four_bar), "
-          "solvers, dense, simbody")
+          "solvers, dense, threads, simbody")
       ->required()
       ->check(CLI::IsMember(scene_names()));
   command

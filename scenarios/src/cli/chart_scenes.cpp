@@ -9,6 +9,7 @@
 #include "charts/simbody_chart.hpp"
 #include "charts/solver_map_chart.hpp"
 #include "charts/style.hpp"
+#include "charts/threads_chart.hpp"
 #include "charts/two_mass_best.hpp"
 #include "charts/two_mass_charts.hpp"
 
@@ -56,6 +57,11 @@ Drawing dense(const fs::path& folder) {
   return {{charts::dense_chart(charts::read_dense_times(folder / "dense.csv"), caption)}, ""};
 }
 
+Drawing threads(const fs::path& folder) {
+  const auto caption = conditions_caption(folder / "threads_conditions.json", 150);
+  return {{charts::threads_chart(charts::read_thread_times(folder / "threads.csv"), caption)}, ""};
+}
+
 Drawing simbody(const fs::path& folder) {
   const auto caption = conditions_caption(folder / "simbody_conditions.json", 180);
   const auto runs = charts::read_linkage_runs(folder / "simbody.csv");
@@ -89,6 +95,11 @@ const ChartScene scenes[] = {
      {"solvers.csv", "solvers_conditions.json"},
      solvers},
     {"dense", "results/bench", "bench dense --output {}", {"dense.csv", "dense_conditions.json"}, dense},
+    {"threads",
+     "results/bench",
+     "bench threads --output {}",
+     {"threads.csv", "threads_conditions.json"},
+     threads},
     {"simbody",
      "results/bench",
      "bench simbody --output {}",
