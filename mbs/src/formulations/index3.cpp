@@ -50,7 +50,8 @@ bool threads_are_built_in() { return Team::can_be_many; }
 Index3::Index3(Model& model, const Index3Settings& settings)
     : settings_(checked(settings)),
       terms_(model, settings.solver, kind_of_tangent(model.structure())),
-      penalty_(penalty(shortest)) {}
+      penalty_(penalty(shortest)),
+      left_(Eigen::VectorXd::Zero(terms_.structure.constraints)) {}
 
 /// What holds a constraint in a step is alpha h^2 beside the mass: by default it does not fall below that of
 /// a step of 1 ms.
@@ -62,30 +63,33 @@ double Index3::penalty(double h) const {
 void Index3::start(State& s) {
   const FlushDenormals scope;
   steps_ = 0;
-  settle(s);
-}
-
-void Index3::settle(State& s) {
+  left_.setZero();
   terms_.model.at_time(s.time);
   terms_.constraints(s);
   terms_.refuse_lost(s);
+  s.lambda.setZero(terms_.structure.constraints);
+  if (!settle_anew(s)) refuse_unsettled(settings_.most_iterations, s.time);
+}
+
+/// After constraints(), with M + alpha Phi_q^T Phi_q.
+bool Index3::settle_anew(State& s) {
   terms_.factorize(s, {0.0, 0.0, weight_ = penalty(shortest)});
+  return settle(s, settings_.most_iterations);
+}
+
+bool Index3::settle(State& s, int most) {
   terms_.forces(s);
   terms_.model.constraint_accelerations(s.q.data(), s.v.data(), terms_.gamma.data());
-  s.lambda.setZero(terms_.structure.constraints);
-  if (terms_.settle(s, terms_.gamma, weight_, settled, settings_.most_iterations) == 0)
-    refuse_unsettled(settings_.most_iterations, s.time);
+  terms_.gamma -= left_;
+  return terms_.settle(s, terms_.gamma, weight_, settled, most) > 0;
 }
 
 void Index3::refresh(State& s) {
   const FlushDenormals scope;
   const Team team(settings_.threads);
-  if (weight_ == 0.0) return settle(s);
   terms_.model.at_time(s.time);
   terms_.constraints(s);
-  terms_.forces(s);
-  terms_.model.constraint_accelerations(s.q.data(), s.v.data(), terms_.gamma.data());
-  if (terms_.settle(s, terms_.gamma, weight_, settled, most_substitutions) == 0) settle(s);
+  if (weight_ == 0.0 || !settle(s, most_substitutions)) settle_anew(s);
 }
 
 int Index3::step(State& s, double h, double t_end) {
@@ -117,16 +121,19 @@ void Index3::refuse_unstable(const State& s, double h) {
   mbs::refuse_unstable("index-3 formulation", settings_.beta, frequency_, s.time, h);
 }
 
-/// The tangent at hand, which refresh() uses, and its penalty.
+/// The tangent at hand, which refresh() uses, what the projection left, and the tangent's penalty.
 std::vector<double> Index3::memory() const {
   std::vector<double> all = terms_.tangent.values();
+  all.insert(all.end(), left_.begin(), left_.end());
   all.push_back(weight_);
   return all;
 }
 
 void Index3::recall(std::span<const double> memory) {
+  const auto values = memory.first(terms_.tangent.values().size());
+  std::copy_n(memory.begin() + values.size(), left_.size(), left_.begin());
   weight_ = memory.back();
-  terms_.tangent.recall(memory.first(memory.size() - 1));
+  terms_.tangent.recall(values);
 }
 
 void Index3::predict(State& s, double h, double t_end) {
@@ -215,8 +222,9 @@ void Index3::project_accelerations(State& s, double tolerance) {
     terms_.project(s.a, weight_);
     terms_.violation(s.a, terms_.gamma);
     s.lambda += weight_ * terms_.error;
-    if (terms_.correction.norm() < tolerance) return;
+    if (terms_.correction.norm() < tolerance) break;
   }
+  left_ = terms_.error;
 }
 
 }  // namespace tandem::mbs

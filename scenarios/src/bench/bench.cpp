@@ -93,7 +93,7 @@ const std::vector<Benchmark>& all() {
     {"integrators", "a step of 1 ms of oscillators as compiled diagrams, beside functions written by hand",
      one(integrators)},
 #if TANDEM_HAS_SIMBODY
-    {"simbody", "the linkage by tandem and by Simbody: error and processor time", one(against_simbody),
+    {"simbody", "the linkage by tandem and by Simbody: error and processor time", against_simbody,
      Measured{"exact motion", "rms of the first point's distance", "the least of 2 to 5"}},
 #endif
   };

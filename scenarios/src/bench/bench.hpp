@@ -63,6 +63,6 @@ Table dense_algebra();
 Table threads();
 Table profile();
 Table integrators();
-Table against_simbody();  ///< only with Simbody
+std::vector<Table> against_simbody(const Tick& tick);  ///< only with Simbody
 
 }  // namespace tandem::bench

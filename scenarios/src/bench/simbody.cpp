@@ -16,10 +16,10 @@ constexpr LinkageMotion motions[] = {{"upright", four_bar::Start::upright, 20.0}
                                      {"upright 0.5 s", four_bar::Start::upright, 0.5},
                                      {"hanging", four_bar::Start::hanging, 20.0}};
 
-constexpr int samples = 400, repetitions = 5;
-constexpr double finest = 1e-4;    // [m] beyond that nothing is asked
-constexpr double patience = 2.0;   // [s] a run that takes longer is its method's last
-constexpr double long_run = 0.25;  // [s] of these one repetition is enough
+constexpr int samples = 400, repetitions = 5, sizes[] = {1, 10, 40};
+constexpr double finest = 1e-4;   // [m] beyond that nothing is asked
+constexpr double patience = 1.0;  // [s] a run that takes longer is its method's last
+constexpr double long_run = 0.1;  // [s] of these one repetition is enough
 
 struct Row {
   const LinkageMethod* method;
@@ -61,16 +61,18 @@ void add(Table& table, const Row& row, const LinkageMotion& motion, int loops) {
 
 }  // namespace
 
-Table against_simbody() {
+std::vector<Table> against_simbody(const Tick& tick) {
   Table table({"code", "start", "loops", "method", "accuracy", "steps", "rms_error", "seconds", "status"});
+  double done = 0.0;
   for (const LinkageMotion& motion : motions)
-    for (const int loops : {1, 5, 10, 40}) {
+    for (const int loops : sizes) {
       const LinkageMethods methods(motion, loops);
       std::vector<Row> rows = first_runs(methods.all(), motion, loops);
       repeat(rows);
       for (const Row& row : rows) add(table, row, motion, loops);
+      tick(++done / static_cast<double>(std::size(motions) * std::size(sizes)));
     }
-  return table;
+  return {table};
 }
 
 }  // namespace tandem::bench

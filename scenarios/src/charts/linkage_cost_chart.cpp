@@ -106,10 +106,10 @@ Picture linkage_cost_chart(const Times& all, const std::vector<std::string>& cap
   curves.insert(curves.begin(), guide(times));
   picture.command(
       "set ylabel 'time of a step [us]'; set title 'dotted: in proportion to the variables' offset 0,-0.6");
-  picture.panel({0.065, 0.475, 0.17, 0.81});
+  picture.panel({0.095, 0.48, 0.17, 0.81});
   picture.plot(curves);
   picture.command("set ylabel 'time of a step and variable [ns]'; unset title");
-  picture.panel({0.57, 0.985, 0.17, 0.81});
+  picture.panel({0.585, 0.975, 0.17, 0.81});
   picture.plot(per_variable);
   return picture;
 }

@@ -57,7 +57,7 @@ Picture threads_chart(const Times& times, const std::vector<std::string>& captio
   picture.plot(speed_ups);
   picture.command("set ylabel 'time of a step and variable [ns]'; set yrange [20:200]");
   picture.command("set ytics (20, 30, 40, 50, 60, 80, 100, 150, 200)");
-  picture.panel({0.57, 0.985, 0.2, 0.84});
+  picture.panel({0.57, 0.965, 0.2, 0.84});
   picture.plot(curves_of(picture, times, &ThreadTime::ns));
   return picture;
 }

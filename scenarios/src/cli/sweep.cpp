@@ -13,6 +13,7 @@
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/progress.hpp"
+#include "cli/sweep_engine_linkage.hpp"
 #include "cli/sweep_four_bar.hpp"
 #include "cli/sweep_mechanisms.hpp"
 #include "cli/sweep_split_pendulum.hpp"
@@ -29,7 +30,7 @@ constexpr int work_repetitions = 5;
 
 struct Options {
   std::string scene;
-  fs::path output, mechanisms = "scenarios/mechanisms";
+  fs::path output, mechanisms = "scenarios/mechanisms", engine_linkage = "scenarios/engine_linkage";
   bool pairs = false, resume = false, only_table = false;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
 };
@@ -151,10 +152,11 @@ void add_sweep(CLI::App& app, Context& context) {
   command
       ->add_option(
           "scene", options->scene,
-          "The scene: two_mass; split_pendulum; mechanisms (every formulation and integrator on every "
+          "The scene: two_mass; split_pendulum; engine_linkage (the linkage driven by the engine, every "
+          "scheme); mechanisms (every formulation and integrator on every "
           "example); or four_bar (the N-fold four-bar linkage through its flat position)")
       ->required()
-      ->check(CLI::IsMember({"two_mass", "split_pendulum", "mechanisms", "four_bar"}));
+      ->check(CLI::IsMember({"two_mass", "split_pendulum", "engine_linkage", "mechanisms", "four_bar"}));
   command
       ->add_option("--output", options->output,
                    "Folder for the tables (default: results/SCENE; for mechanisms and four_bar results/mbs)")
@@ -162,6 +164,10 @@ void add_sweep(CLI::App& app, Context& context) {
   command
       ->add_option("--mechanisms", options->mechanisms,
                    "Folder of the example mechanisms (default: scenarios/mechanisms)")
+      ->type_name("DIR");
+  command
+      ->add_option("--engine-linkage", options->engine_linkage,
+                   "Folder of that scene (default: scenarios/engine_linkage)")
       ->type_name("DIR");
   command->add_flag("--pairs", options->pairs, "All 25 pairs of degrees, not only equal ones");
   command->add_flag("--resume", options->resume,
@@ -179,6 +185,9 @@ void add_sweep(CLI::App& app, Context& context) {
                        context);
     else if (scene == "four_bar")
       sweep_four_bar(options->output, options->threads, context);
+    else if (scene == "engine_linkage")
+      sweep_engine_linkage({options->engine_linkage, options->output, options->threads, options->only_table},
+                           context);
     else if (scene == "split_pendulum")
       sweep_split_pendulum(options->output, options->threads, context);
     else

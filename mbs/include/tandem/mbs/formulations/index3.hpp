@@ -56,8 +56,11 @@ class Index3 final : public Stepper {
   /// Phi = 0 is held at both ends, and a projection leaves 1/(1 + beta h^2 alpha sigma^2), sigma a singular
   /// value of Phi_q in the metric of the mass. That is a limit for steps that are too short.
   int step(State& state, double h, double t_end) override;
-  /// As start(), but with the tangent of the last step as it is; if its multipliers have not settled after
-  /// ten substitutions (the steps are too short for that), with one of its own.
+  /// Accelerations and multipliers change by what the forces do, and by gamma: what the projection has left
+  /// of the constraints stays left, as forcing it to zero where constraints hardly hold (a flat position)
+  /// would make accelerations without bound. As start(), but with the tangent of the last step; if that has
+  /// not settled after ten substitutions (the steps are too short for that), with one of its own. What has
+  /// not settled then, where constraints hardly hold, stays as it is.
   void refresh(State& state) override;
   TangentFactors tangent_factors(double h) const override;
   std::vector<double> memory() const override;
@@ -65,7 +68,8 @@ class Index3 final : public Stepper {
 
  private:
   double penalty(double h) const;
-  void settle(State& s);
+  bool settle_anew(State& s);
+  bool settle(State& s, int most);
   void predict(State& s, double h, double t_end);
   void extrapolate(State& s, double h);
   double correct(State& s, double h);
@@ -78,6 +82,7 @@ class Index3 final : public Stepper {
   Index3Settings settings_;
   Terms terms_;
   double penalty_;          ///< of the last step
+  Eigen::VectorXd left_;    ///< Phi_q q'' + gamma after the last projection
   double weight_ = 0.0;     ///< of Phi_q^T Phi_q in the tangent at hand; 0: there is none of use
   double frequency_ = 0.0;  ///< the highest when it was looked at last, with beta below 1/4 [rad/s]
   long steps_ = 0;          ///< with beta below 1/4

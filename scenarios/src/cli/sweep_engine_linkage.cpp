@@ -1,0 +1,113 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "cli/sweep_engine_linkage.hpp"
+
+#include <fmt/format.h>
+
+#include <functional>
+
+#include "cli/interrupt.hpp"
+#include "cli/progress.hpp"
+#include "engine_linkage/sweep.hpp"
+#include "output/conditions.hpp"
+#include "output/files.hpp"
+#include "output/parallel.hpp"
+#include "scenario/assembly.hpp"
+#include "tandem/engine/read.hpp"
+
+namespace tandem::cli {
+namespace {
+
+using engine_linkage::Case;
+using engine_linkage::Outcome;
+
+class Sweep {
+ public:
+  Sweep(const EngineLinkageSweep& settings, const Context& context)
+      : settings_(settings),
+        context_(context),
+        engine_(engine::read_diagram(settings.scene / "engine.toml")),
+        truth_(engine_, 1, engine_linkage::t_stop) {}
+
+  void make() {
+    output::make_folder(settings_.output);
+    run_scene();
+    write_schemes("equal_steps.csv", engine_linkage::equal_step_cases());
+    const auto cases = engine_linkage::sweep_cases();
+    const auto outcomes = write_schemes("schemes.csv", cases);
+    if (!settings_.only_table) write_times(cases, outcomes);
+  }
+
+ private:
+  /// results.csv, as `tandem run` writes it.
+  void run_scene() {
+    const auto scene = scenario::read(settings_.scene / "engine_linkage.toml", {});
+    scenario::Assembly assembly(scene, context_.builtins, false);
+    const auto recorder = assembly.recorder(settings_.output);
+    assembly.coordinator().observe(recorder.get());
+    assembly.initialize();
+    assembly.coordinator().run();
+    recorder->close();
+  }
+
+  std::vector<Outcome> write_schemes(const char* name, const std::vector<Case>& cases) {
+    std::vector<Outcome> outcomes(cases.size());
+    Progress progress("sweep", cases.size(), !context_.quiet);
+    output::for_each_in_parallel(
+        cases.size(), settings_.threads,
+        [&](std::size_t i) { outcomes[i] = engine_linkage::run_case(cases[i], engine_, truth_); },
+        [&](std::size_t done) {
+          progress.update(done);
+          return !InterruptGuard::interrupted();
+        });
+    stop_if_interrupted();
+    write(name, engine_linkage::schemes_header, cases.size(),
+          [&](std::size_t i) { return engine_linkage::scheme_row(cases[i], outcomes[i]); });
+    return outcomes;
+  }
+
+  /// One at a time.
+  void write_times(const std::vector<Case>& cases, const std::vector<Outcome>& outcomes) {
+    const auto sizes = engine_linkage::size_cases();
+    Progress progress("times", cases.size() + sizes.size(), !context_.quiet);
+    std::size_t done = 0;
+    const auto after = [&](std::string row) {
+      progress.update(++done);
+      return stop_if_interrupted(), row;
+    };
+    write("elapsed.csv", engine_linkage::elapsed_header, sizes.size(),
+          [&](std::size_t i) { return after(engine_linkage::elapsed_row(sizes[i], engine_)); });
+    write("work.csv", engine_linkage::work_header, cases.size(),
+          [&](std::size_t i) { return after(engine_linkage::work_row(cases[i], outcomes[i], engine_)); });
+    auto conditions =
+        output::conditions({"one degree of freedom, CVODE at 1e-10", "largest difference of the bar's speed",
+                            "the least of 2 (work), 3 (elapsed)"});
+    conditions["truth_seconds"] = truth_.seconds();
+    output::write_text(settings_.output / "conditions.json", conditions.dump(2) + "\n");
+  }
+
+  static void stop_if_interrupted() {
+    if (InterruptGuard::interrupted()) throw RunFailed("interrupted; nothing more is written");
+  }
+
+  void write(const std::string& name, const std::string& header, std::size_t rows,
+             const std::function<std::string(std::size_t)>& row) {
+    std::string text = header + "\n";
+    for (std::size_t i = 0; i < rows; ++i) text += row(i) + "\n";
+    output::write_text(settings_.output / name, text);
+    if (!context_.quiet) fmt::print("wrote {}\n", (settings_.output / name).string());
+  }
+
+  const EngineLinkageSweep& settings_;
+  const Context& context_;
+  engine::Description engine_;
+  engine_linkage::Truth truth_;
+};
+
+}  // namespace
+
+void sweep_engine_linkage(const EngineLinkageSweep& settings, const Context& context) {
+  const InterruptGuard guard;
+  Sweep(settings, context).make();
+}
+
+}  // namespace tandem::cli

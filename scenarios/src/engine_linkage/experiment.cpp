@@ -1,0 +1,108 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "engine_linkage/experiment.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#include "engine_linkage/linkage.hpp"
+#include "tandem/coordinator/coordinator.hpp"
+#include "tandem/engine/subsystem.hpp"
+#include "tandem/error.hpp"
+#include "tandem/mbs/mechanism/read.hpp"
+#include "tandem/mbs/subsystem.hpp"
+
+namespace tandem::engine_linkage {
+namespace {
+
+constexpr double lost = 10.0;  // [rad/s]
+
+/// Engine and linkage, connected; the linkage is the first, and named slow at equal steps.
+class Coupled {
+ public:
+  Coupled(const Case& c, const engine::Description& engine, double stop, bool profile) {
+    mbs::StepperSettings stepper;
+    stepper.index3.penalty = 1e10;
+    linkage_ = mbs::make_subsystem(mbs::read_mechanism("linkage", linkage_text(c.loops)),
+                                   {c.linkage_step(), stepper});
+    engine_ = engine::make_subsystem(engine, {c.engine_step});
+    topology_.add("linkage", linkage_->info());
+    topology_.add("engine", engine_->info());
+    topology_.connect({"linkage.speed", "engine.speed", Reconstruction::parse(c.scheme.to_fast)});
+    topology_.connect({"engine.torque", "linkage.torque", Reconstruction::parse(c.scheme.to_slow)});
+    topology_.set_start("linkage.torque", 0.0);
+    topology_.check();
+    Coordination coordination;
+    coordination.schedule = Schedule::parse(c.scheme.schedule);
+    coordination.order = {"linkage", "engine"};
+    coordination.profile = profile;
+    coordinator_.emplace(topology_, std::vector{linkage_.get(), engine_.get()}, coordination,
+                         TimeSpan{0.0, stop});
+  }
+  Coordinator& coordinator() { return *coordinator_; }
+  long exchanges() const { return coordinator_->effort(0).exchanges + coordinator_->effort(1).exchanges; }
+
+ private:
+  std::unique_ptr<Subsystem> linkage_, engine_;
+  Topology topology_;
+  std::optional<Coordinator> coordinator_;
+};
+
+/// Gathers the differences of the linkage's first output.
+class Difference final : public Observer {
+ public:
+  explicit Difference(const Truth& truth) : truth_(truth) {}
+  bool samples(int subsystem, const History& history, std::int64_t first, std::int64_t last) override {
+    for (std::int64_t k = first; k <= last && subsystem == 0 && largest_ <= lost; ++k) {
+      const double d = std::abs(history.values(k)[0] - truth_.speed(history.time(k)));
+      largest_ = d <= largest_ ? largest_ : d;
+      sum_ += d * d;
+      ++count_;
+      time_ = history.time(k);
+    }
+    return largest_ <= lost;
+  }
+  void tell(Outcome& outcome) const {
+    outcome.largest = largest_;
+    outcome.rms = std::sqrt(sum_ / static_cast<double>(count_));
+    if (!(largest_ <= lost)) outcome.note = "lost at " + std::to_string(time_) + " s";
+  }
+
+ private:
+  const Truth& truth_;
+  double largest_ = 0.0, sum_ = 0.0, time_ = 0.0;
+  std::int64_t count_ = 0;
+};
+
+}  // namespace
+
+Outcome run_case(const Case& c, const engine::Description& engine, const Truth& truth) {
+  Coupled run(c, engine, t_stop, false);
+  Difference difference(truth);
+  run.coordinator().observe(&difference);
+  Outcome outcome;
+  try {
+    run.coordinator().run();
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::numerical) throw;
+    outcome.note = error.what();
+  }
+  difference.tell(outcome);
+  outcome.stable = outcome.note.empty();
+  outcome.exchanges = run.exchanges();
+  return outcome;
+}
+
+Elapsed time_case(const Case& c, const engine::Description& engine, double duration) {
+  Coupled run(c, engine, duration, true);
+  Coordinator& coordinator = run.coordinator();
+  coordinator.initialize();
+  const auto began = std::chrono::steady_clock::now();
+  while (coordinator.round()) {
+  }
+  const double total = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  return {total, coordinator.effort(1).seconds, coordinator.effort(0).seconds, run.exchanges()};
+}
+
+}  // namespace tandem::engine_linkage
