@@ -49,14 +49,24 @@ std::vector<ScalarProduct> all_products(const Description& in) {
   return all;
 }
 
+/// A constraint's name, unit and place.
+void label(Structure& to, const std::string& name, const std::string& unit, const std::string& place) {
+  to.constraint_names.push_back(name);
+  to.constraint_units.push_back(unit);
+  to.constraint_places.push_back(place);
+}
+
 bool is_distance(const ScalarProduct& p) { return p.a == p.b && p.a.from >= 0; }
 
 template <int Dimension>
 std::unique_ptr<ConstraintSet> distance_set(const std::vector<ScalarProduct>& products, const Numbering& at,
-                                            std::vector<std::string>& names) {
+                                            Structure& structure) {
   auto set = std::make_unique<DistanceSet<Dimension>>();
-  for (const ScalarProduct& p : products)
-    if (is_distance(p)) set->add(at.entity[p.a.from], at.entity[p.a.to], p.value), names.push_back(p.name);
+  for (const ScalarProduct& p : products) {
+    if (!is_distance(p)) continue;
+    set->add(at.entity[p.a.from], at.entity[p.a.to], p.value);
+    label(structure, name_of(p), "m", p.where);
+  }
   return set;
 }
 
@@ -79,8 +89,7 @@ std::vector<Quadratic> quadratics(const Description& in, const Numbering& at,
 }
 
 template <int Dimension>
-std::unique_ptr<ConstraintSet> angle_set(const Description& in, const Numbering& at,
-                                         std::vector<std::string>& names) {
+std::unique_ptr<ConstraintSet> angle_set(const Description& in, const Numbering& at, Structure& structure) {
   auto set = std::make_unique<AngleSet<Dimension>>();
   const auto edge = [&](const Edge& e) {
     return EdgeCoordinates{at.entity[e.to], e.from < 0 ? at.zero : at.entity[e.from]};
@@ -88,7 +97,7 @@ std::unique_ptr<ConstraintSet> angle_set(const Description& in, const Numbering&
   for (std::size_t r = 0; r < in.relatives.size(); ++r) {
     const Relative& angle = in.relatives[r];
     if (angle.kind != Relative::Kind::angle) continue;
-    names.push_back(angle.name);
+    label(structure, "angle " + angle.name, "m", angle.where);
     const Eigen::Vector3d a = drawn(in, angle.a), b = drawn(in, angle.b);
     const double size = std::max(a.norm(), b.norm());
     if (Dimension == 2) {
@@ -168,17 +177,20 @@ void Mechanism::add_masses() {
 
 void Mechanism::add_constraints() {
   const Description& in = description_;
-  auto& names = structure_.constraint_names;
   const bool plane = in.dimension == 2;
   const auto products = all_products(in);
-  sets_.push_back(plane ? distance_set<2>(products, numbering_, names)
-                        : distance_set<3>(products, numbering_, names));
-  sets_.push_back(plane ? angle_set<2>(in, numbering_, names) : angle_set<3>(in, numbering_, names));
+  sets_.push_back(plane ? distance_set<2>(products, numbering_, structure_)
+                        : distance_set<3>(products, numbering_, structure_));
+  sets_.push_back(plane ? angle_set<2>(in, numbering_, structure_)
+                        : angle_set<3>(in, numbering_, structure_));
   auto others = std::make_unique<QuadraticSet>(inputs_);
-  for (const Quadratic& q : quadratics(in, numbering_, products)) others->add(q), names.push_back(q.name);
+  for (const Quadratic& q : quadratics(in, numbering_, products)) {
+    others->add(q);
+    label(structure_, q.name, q.unit, q.where);
+  }
   sets_.push_back(std::move(others));
   std::erase_if(sets_, [](const auto& set) { return set->size() == 0; });
-  structure_.constraints = static_cast<int>(names.size());
+  structure_.constraints = static_cast<int>(structure_.constraint_names.size());
   first_drive_ = structure_.constraints - static_cast<int>(in.drives.size());
 }
 

@@ -24,6 +24,7 @@ struct Quadratic {
   std::vector<Linear> linear = {};
   std::vector<Product> products = {};
   int input = -1;
+  std::string unit = "m", where = {};
 
   void add(const Form& f, double factor);
   /// factor * a * b.

@@ -39,7 +39,8 @@ TEST(ReadMechanism, TheMechanismOfTheDocumentIsOne) {
   Mechanism m(read_mechanism("mechanisms.md", text.substr(0, text.find("```"))));
   EXPECT_EQ(m.structure().variables, 6);
   EXPECT_EQ(m.structure().constraint_names,
-            (std::vector<std::string>{"arm: P . P", "plate: Q . Q", "crank", "slide: across 1", "reach"}));
+            (std::vector<std::string>{"body arm: P . P", "body plate: Q . Q", "angle crank",
+                                      "joint slide: across 1", "length reach"}));
   const State s = initial_state(m, 0.0);
   EXPECT_NEAR(s.v[m.numbering().relative[0]], 2.0, 1e-12);
 }

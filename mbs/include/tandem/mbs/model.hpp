@@ -22,6 +22,8 @@ struct Structure {
   /// arrays of values.
   int jacobian_extra = 0, stiffness_extra = 0;
   std::vector<std::string> variable_names, constraint_names;
+  /// For sentences that refuse; may be left empty: the unit of each Phi, and its place, "FILE:LINE".
+  std::vector<std::string> constraint_units, constraint_places;
 
   int jacobian_values() const { return jacobian.size() + jacobian_extra; }  ///< length of that array
   int stiffness_values() const { return stiffness.size() + stiffness_extra; }
