@@ -60,7 +60,7 @@ TEST(InfoCommand, ShowsWhatAMechanismHas) {
   const std::string file = std::string(TANDEM_SOURCE_DIR) + "/scenarios/mechanisms/four_bar/four_bar.toml";
   expect_words(tandem(folder, {"info", file}),
                {"four_bar_5: a mechanism in the plane", "12 variables: B0.x, B0.y",
-                "11 constraints: crank0: ", "1 degrees of freedom", "redundant equations: none",
+                "11 constraints: body crank0: ", "1 degrees of freedom", "redundant equations: none",
                 "tangent matrix: 64 entries"});
   const Said said = tandem(folder, {"info", file, "--set", "a=1"});
   EXPECT_EQ(said.status, 2);

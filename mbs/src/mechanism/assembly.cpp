@@ -50,12 +50,20 @@ std::vector<ScalarProduct> all_products(const Description& in) {
   return all;
 }
 
-bool is_distance(const ScalarProduct& p) { return p.a == p.b && p.a.from >= 0; }
+/// What Structure says of a constraint.
+struct Label {
+  std::string name, unit, place;
+  double size = 1.0;
+};
 
-void add_constraint(Structure& to, const std::string& name, double size) {
-  to.constraint_names.push_back(name);
-  to.constraint_sizes.push_back(size);
+void label(Structure& to, const Label& constraint) {
+  to.constraint_names.push_back(constraint.name);
+  to.constraint_units.push_back(constraint.unit);
+  to.constraint_places.push_back(constraint.place);
+  to.constraint_sizes.push_back(constraint.size);
 }
+
+bool is_distance(const ScalarProduct& p) { return p.a == p.b && p.a.from >= 0; }
 
 template <int Dimension>
 std::unique_ptr<ConstraintSet> distance_set(const std::vector<ScalarProduct>& products, const Numbering& at,
@@ -64,7 +72,7 @@ std::unique_ptr<ConstraintSet> distance_set(const std::vector<ScalarProduct>& pr
   for (const ScalarProduct& p : products) {
     if (!is_distance(p)) continue;
     set->add(at.entity[p.a.from], at.entity[p.a.to], p.value);
-    add_constraint(structure, p.name, std::sqrt(p.value));
+    label(structure, {name_of(p), "m", p.where, std::sqrt(p.value)});
   }
   return set;
 }
@@ -96,7 +104,7 @@ std::unique_ptr<ConstraintSet> angle_set(const Description& in, const Numbering&
   for (std::size_t r = 0; r < in.relatives.size(); ++r) {
     const Relative& angle = in.relatives[r];
     if (angle.kind != Relative::Kind::angle) continue;
-    add_constraint(structure, angle.name, 1.0);
+    label(structure, {"angle " + angle.name, "m", angle.where});
     const Eigen::Vector3d a = drawn(in, angle.a), b = drawn(in, angle.b);
     const double size = std::max(a.norm(), b.norm());
     if (Dimension == 2) {
@@ -176,7 +184,6 @@ void Mechanism::add_masses() {
 
 void Mechanism::add_constraints() {
   const Description& in = description_;
-
   const bool plane = in.dimension == 2;
   const auto products = all_products(in);
   sets_.push_back(plane ? distance_set<2>(products, numbering_, structure_)
@@ -184,8 +191,10 @@ void Mechanism::add_constraints() {
   sets_.push_back(plane ? angle_set<2>(in, numbering_, structure_)
                         : angle_set<3>(in, numbering_, structure_));
   auto others = std::make_unique<QuadraticSet>(inputs_);
-  for (const Quadratic& q : quadratics(in, numbering_, products))
-    others->add(q), add_constraint(structure_, q.name, q.size);
+  for (const Quadratic& q : quadratics(in, numbering_, products)) {
+    others->add(q);
+    label(structure_, {q.name, q.unit, q.where, q.size});
+  }
   sets_.push_back(std::move(others));
   std::erase_if(sets_, [](const auto& set) { return set->size() == 0; });
   structure_.constraints = static_cast<int>(structure_.constraint_names.size());

@@ -138,7 +138,7 @@ std::vector<ScalarProduct> rigid_conditions(const Description& in, const Body& b
       if (!fixed(*a) || !fixed(*b))
         conditions.push_back(
             {fmt::format("{}: {} . {}", body.name, in.entities[a->to].name, in.entities[b->to].name), *a, *b,
-             drawn(in, *a).dot(drawn(in, *b)), body.where});
+             drawn(in, *a).dot(drawn(in, *b)), body.where, "body"});
   return conditions;
 }
 

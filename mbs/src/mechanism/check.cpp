@@ -103,9 +103,18 @@ void check_relatives(const Description& in) {
   }
 }
 
+/// Without a variable there is nothing to assemble.
+void check_moving(const Description& in) {
+  const auto fixed = [](const Entity& e) { return e.fixed; };
+  if (std::all_of(in.entities.begin(), in.entities.end(), fixed))
+    refuse(in.entities.empty() ? "" : in.entities.back().where,
+           "every point and vector is fixed; allowed is a mechanism with one that moves");
+}
+
 }  // namespace
 
 void check(const Description& in) {
+  check_moving(in);
   check_masses(in);
   check_islands(in);
   check_relatives(in);

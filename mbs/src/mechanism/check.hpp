@@ -4,8 +4,8 @@
 
 namespace tandem::mbs {
 
-/// Throws Error for points without mass, angles and lengths that are not defined as drawn, and bodies that
-/// are connected to nothing while they don't say that they are free.
+/// Throws Error where nothing moves, for points without mass, angles and lengths that are not defined as
+/// drawn, and bodies that are connected to nothing while they don't say that they are free.
 void check(const Description& in);
 
 }  // namespace tandem::mbs

@@ -21,6 +21,10 @@ double drawn(const Description& in, const Relative& relative) {
   return std::atan2(n.dot(a.cross(b)), a.dot(b) - n.dot(a) * n.dot(b));
 }
 
+bool is_angle(const Description& in, const Coordinate& c) {
+  return c.relative >= 0 && in.relatives[static_cast<std::size_t>(c.relative)].kind == Relative::Kind::angle;
+}
+
 Body uniform_rod(const Description& in, std::string name, int a, int b, double mass) {
   const Eigen::Vector3d from = in.entities[a].at, along = in.entities[b].at - from;
   const Eigen::Matrix3d inertia =

@@ -61,7 +61,8 @@ class JointEquations {
 
  private:
   Quadratic& next(const std::string& what) {
-    equations_.push_back({joint_.name + ": " + what});
+    equations_.push_back({"joint " + joint_.name + ": " + what});
+    equations_.back().where = joint_.where;
     return equations_.back();
   }
   Forms between() const { return difference(first_.point(joint_.at), second_.point(joint_.at)); }
@@ -87,7 +88,10 @@ class JointEquations {
     product(first_.direction(across_[0]), second_.direction(turned), "turn");
   }
   /// Two directions stay at a right angle.
-  void product(const Forms& a, const Forms& b, const std::string& what) { next(what).add_product(a, b, 1.0); }
+  void product(const Forms& a, const Forms& b, const std::string& what) {
+    next(what).add_product(a, b, 1.0);
+    equations_.back().unit = "1";
+  }
 
   const Description& in_;
   const Joint& joint_;
@@ -125,7 +129,8 @@ std::vector<Quadratic> dependent_entities(const Description& in, const Numbering
                                                       ? frame.point(entity.at)
                                                       : frame.direction(entity.at);
     for (int k = 0; k < in.dimension; ++k) {
-      equations.push_back({fmt::format("{}: {}.{}", body.name, entity.name, axis_names[k])});
+      equations.push_back({fmt::format("body {}: {}.{}", body.name, entity.name, axis_names[k])});
+      equations.back().where = body.where;
       equations.back().add(own[k], 1.0);
       equations.back().add(from[k], -1.0);
     }
@@ -133,12 +138,15 @@ std::vector<Quadratic> dependent_entities(const Description& in, const Numbering
   return equations;
 }
 
+std::string name_of(const ScalarProduct& p) { return std::string(p.kind) + " " + p.name; }
+
 Quadratic equation(const Description& in, const Numbering& at, const ScalarProduct& p) {
   const double length = std::max(drawn(in, p.a).norm(), drawn(in, p.b).norm());
   if (!(length > 0.0))
     refuse(p.where, "scalar product '" + p.name + "' is of two edges of length 0; allowed is one of them");
   const double scale = 1.0 / length;
-  Quadratic e{p.name, -scale * p.value};
+  Quadratic e{name_of(p), -scale * p.value};
+  e.where = p.where;
   e.size = length;
   e.add_product(forms_of(in, at, p.a), forms_of(in, at, p.b), scale);
   return e;
@@ -153,7 +161,8 @@ Quadratic equation(const Description& in, const Numbering& at, const FixedAngle&
   const double phi = in.dimension == 2 ? std::atan2(cross[2], a.dot(b)) : std::atan2(cross.norm(), a.dot(b));
   const Forms fa = forms_of(in, at, angle.a), fb = forms_of(in, at, angle.b);
   const double scale = 1.0 / std::max(a.norm(), b.norm());
-  Quadratic e{angle.name};
+  Quadratic e{"fixed angle " + angle.name};
+  e.where = angle.where;
   e.size = std::min(a.norm(), b.norm());
   if (in.dimension == 2) {
     add_cross(e, fa, fb, scale * std::cos(phi));
@@ -170,8 +179,10 @@ Quadratic equation(const Description& in, const Numbering& at, const FixedAngle&
   return e;
 }
 
-Quadratic equation(const Description&, const Numbering& at, const Drive& drive) {
-  Quadratic e{drive.name};
+Quadratic equation(const Description& in, const Numbering& at, const Drive& drive) {
+  Quadratic e{"drive " + drive.name};
+  e.where = drive.where;
+  if (is_angle(in, drive.coordinate)) e.unit = "rad";
   e.linear.push_back({1.0, at.of(drive.coordinate)});
   e.input = drive.input;
   return e;
@@ -181,7 +192,8 @@ Quadratic length_equation(const Description& in, const Numbering& at, int relati
   const Relative& length = in.relatives[relative];
   const Forms edge = forms_of(in, at, length.a);
   const int s = at.relative[relative];
-  Quadratic e{length.name};
+  Quadratic e{"length " + length.name};
+  e.where = length.where;
   e.size = drawn(in, length);
   const double scale = 1.0 / e.size;
   e.add_product(edge, edge, scale);

@@ -12,6 +12,8 @@ namespace tandem::mbs {
 /// Points and vectors of a body beyond those that define it, as combinations of these.
 std::vector<Quadratic> dependent_entities(const Description& in, const Numbering& at, int body);
 
+/// "distance d", "body rod: P . P".
+std::string name_of(const ScalarProduct& product);
 Quadratic equation(const Description& in, const Numbering& at, const ScalarProduct& product);
 Quadratic equation(const Description& in, const Numbering& at, const FixedAngle& angle);
 Quadratic equation(const Description& in, const Numbering& at, const Drive& drive);

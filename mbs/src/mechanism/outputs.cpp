@@ -10,10 +10,6 @@ namespace {
 
 using Kind = Output::Kind;
 
-bool is_angle(const Description& in, const Coordinate& c) {
-  return c.relative >= 0 && in.relatives[static_cast<std::size_t>(c.relative)].kind == Relative::Kind::angle;
-}
-
 bool is_motion(Kind kind) {
   return kind == Kind::position || kind == Kind::velocity || kind == Kind::acceleration;
 }

@@ -25,6 +25,7 @@ struct Quadratic {
   std::vector<Product> products = {};
   int input = -1;
   double size = 1.0;  ///< as Structure::constraint_sizes
+  std::string unit = "m", where = {};
 
   void add(const Form& f, double factor);
   /// factor * a * b.

@@ -98,11 +98,13 @@ Elapsed time_case(const Case& c, const engine::Description& engine, double durat
   Coupled run(c, engine, duration, true);
   Coordinator& coordinator = run.coordinator();
   coordinator.initialize();
+  const double engine_start = coordinator.effort(1).seconds, linkage_start = coordinator.effort(0).seconds;
   const auto began = std::chrono::steady_clock::now();
   while (coordinator.round()) {
   }
   const double total = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  return {total, coordinator.effort(1).seconds, coordinator.effort(0).seconds, run.exchanges()};
+  return {total, coordinator.effort(1).seconds - engine_start, coordinator.effort(0).seconds - linkage_start,
+          run.exchanges()};
 }
 
 }  // namespace tandem::engine_linkage

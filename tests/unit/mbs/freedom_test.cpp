@@ -38,7 +38,7 @@ TEST(Freedom, NamesAConstraintThatIsThereTwice) {
   EXPECT_EQ(f.degrees, 4);
   ASSERT_EQ(f.redundant.size(), 1U);
   const std::string name = m.structure().constraint_names[f.redundant[0]];
-  EXPECT_TRUE(name == "again" || name == "b: Q . Q") << name;
+  EXPECT_TRUE(name == "distance again" || name == "body b: Q . Q") << name;
 }
 
 TEST(Freedom, OfABodyInSpaceIsSix) {

@@ -67,14 +67,87 @@ TEST(InitialState, SaysWhatCanNotBe) {
       initial_state(m, 0.0);
     });
   };
-  EXPECT_TRUE(refused(slider_crank("[initial]\npositions = { 'B.x' = 2.0 }\n"),
-                      {"can't be assembled with the given positions", "constraint '", "is off by"}));
+  EXPECT_TRUE(
+      refused(slider_crank("[initial]\npositions = { 'B.x' = 2.0 }\n"),
+              {"m:21: the mechanism can't be assembled with B.x = 2: constraint 'distance ", "is off by"}));
   EXPECT_TRUE(refused(slider_crank("[initial]\nvelocities = { 'B.y' = 1.0 }\n"),
-                      {"no velocities fit", "constraint 'slide: across 1' is off by"}));
+                      {"m:21: no velocities fit the constraints with B.y = 1: constraint 'joint slide: "
+                       "across 1' (m:13) is off by 1 m/s"}));
   EXPECT_TRUE(
       refused(slider_crank("[initial]\npositions = { 'C.x' = 2.0 }\n"), {"'C' is not there", "A, B, O, X"}));
   EXPECT_TRUE(refused(slider_crank("[initial]\npositions = { 'B.z' = 2.0 }\n"), {"the axis 'z'", "x or y"}));
   EXPECT_TRUE(refused(slider_crank("[initial]\npositions = { 'O.x' = 2.0 }\n"), {"of a fixed point"}));
+}
+
+std::string rod_at(const std::string& p, const std::string& more = "") {
+  return "dimension = 2\n[points]\nO = { at = [0, 0], fixed = true }\nP = { " + p +
+         " }\n[rods]\nrod = { points = ['O', 'P'], mass = 1 }\n" + more;
+}
+
+State started(const std::string& text) {
+  Mechanism m(read_mechanism("m", text));
+  return initial_state(m, 0.0);
+}
+
+testing::AssertionResult refused(const std::string& text, const std::string& says) {
+  return refuses(ErrorCode::invalid_argument, {says}, [&] { started(text); });
+}
+
+/// The rod's gradient by P.y is zero as drawn, or nearly so.
+TEST(InitialState, FindsItsWayFromADrawingThatHasNoGradient) {
+  for (const char* at : {"at = [1, 0]", "at = [1, 6e-17]", "at = [1, -6e-17]"})
+    for (const double x : {0.5, -0.5, 0.99}) {
+      const std::string text = rod_at(at, "[initial.positions]\n'P.x' = " + std::to_string(x) + "\n");
+      const State s = started(text);
+      EXPECT_EQ(s.q[0], x) << at;
+      EXPECT_NEAR(std::abs(s.q[1]), std::sqrt(1.0 - x * x), 1e-10) << at;
+      EXPECT_EQ(s.q, started(text).q) << "the same side in every run";
+    }
+}
+
+/// All that may move in an equation is given, or its gradient has no part along what is not.
+TEST(InitialState, RefusesGivenValuesThatLeaveAnEquationNothing) {
+  EXPECT_TRUE(
+      refused(rod_at("at = [1, 0]", "[initial.positions]\n'P.x' = 2\n"),
+              "m:8: the mechanism can't be assembled with P.x = 2: constraint 'body rod: P . P' (m:6) is "
+              "off by 3 m"));
+  EXPECT_TRUE(refused(rod_at("at = [1, 0]", "[initial.positions]\n'P.x' = 0.5\n'P.y' = 0.5\n"),
+                      "with P.x = 0.5, P.y = 0.5 (m:9): constraint 'body rod: P . P' (m:6) is off by 0.5 m"));
+  EXPECT_TRUE(
+      refused(rod_at("at = [1, 0], velocity = [1, 0]"),
+              "m:4: no velocities fit the constraints with P.x = 1, P.y = 0: constraint 'body rod: P . P' "
+              "(m:6) is off by 2 m/s"));
+  EXPECT_TRUE(
+      refused(rod_at("at = [1, 0]", "[initial.velocities]\n'P.x' = 1\n"), "with P.x = 1: constraint"));
+  EXPECT_TRUE(refused(rod_at("at = [1, 0]", "[distances]\nd = { points = ['O', 'P'], length = 2 }\n"),
+                      "the mechanism can't be assembled: constraint '"));
+}
+
+TEST(InitialState, RefusesAFourBarWhosePointsMoveApart) {
+  EXPECT_TRUE(refused(
+      "dimension = 2\n[points]\nO = { at = [0, 0], fixed = true }\nA = { at = [0, 1], velocity = [1, 0] }\n"
+      "B = { at = [1, 1], velocity = [2, 0] }\nC = { at = [1, 0], fixed = true }\n[rods]\n"
+      "r = { points = ['O', 'A'], mass = 1 }\ns = { points = ['A', 'B'], mass = 1 }\n"
+      "t = { points = ['B', 'C'], mass = 1 }\n",
+      "m:4: no velocities fit the constraints with A.x = 1, A.y = 0, B.x = 2 (m:5), B.y = 0 (m:5): "
+      "constraint "
+      "'body s: B . B' (m:9) is off by 2 m/s"));
+}
+
+/// Both equations are off where the assembly comes nearest, although neither is redundant by its gradient
+/// alone; one that is there twice contradicts nothing.
+TEST(InitialState, TellsContradictionsFromRedundantConstraints) {
+  const auto found = [](double length) {
+    Mechanism m(read_mechanism(
+        "m", rod_at("at = [1, 0]",
+                    "[distances]\nd = { points = ['O', 'P'], length = " + std::to_string(length) + " }\n")));
+    return assembled(m, 0.0).contradictions;
+  };
+  EXPECT_TRUE(found(1.0).empty());
+  const auto two = found(2.0);
+  ASSERT_EQ(two.size(), 2U);
+  EXPECT_GT(std::abs(two[0].off), 0.1);
+  EXPECT_GT(std::abs(two[1].off), 0.1);
 }
 
 /// A constraint that is there twice, and a motion that a drive prescribes.

@@ -39,7 +39,8 @@ TEST(ReadMechanism, TheMechanismOfTheDocumentIsOne) {
   Mechanism m(read_mechanism("mechanisms.md", text.substr(0, text.find("```"))));
   EXPECT_EQ(m.structure().variables, 6);
   EXPECT_EQ(m.structure().constraint_names,
-            (std::vector<std::string>{"arm: P . P", "plate: Q . Q", "crank", "slide: across 1", "reach"}));
+            (std::vector<std::string>{"body arm: P . P", "body plate: Q . Q", "angle crank",
+                                      "joint slide: across 1", "length reach"}));
   const State s = initial_state(m, 0.0);
   EXPECT_NEAR(s.v[m.numbering().relative[0]], 2.0, 1e-12);
 }
@@ -93,6 +94,16 @@ TEST(ReadMechanism, RefusesWithFileLineValueAndWhatIsAllowed) {
     EXPECT_TRUE(refuses(ErrorCode::invalid_argument, says, [&] { read_mechanism("p.toml", text); }))
         << bad.to;
   }
+}
+
+TEST(ReadMechanism, RefusesAMechanismInWhichNothingMoves) {
+  const std::string fixed = "dimension = 2\n[points]\nO = { at = [0, 0], fixed = true }\n";
+  for (const char* more :
+       {"P = { at = [1, 0], fixed = true }\n[rods]\nr = { points = ['O', 'P'], mass = 1 }\n",
+        "[masses]\nm = { point = 'O', mass = 1 }\n"})
+    EXPECT_TRUE(refuses(ErrorCode::invalid_argument,
+                        {"m:", "every point and vector is fixed", "one that moves"},
+                        [&] { Mechanism(read_mechanism("m", fixed + more)); }));
 }
 
 /// A pendulum with more: the elements' own sentences.

@@ -25,6 +25,8 @@ struct Structure {
   /// By constraint, in the unit of its Phi: a state that is off by a hundredth of it is no state of the
   /// mechanism any more. All 1 if there are none.
   std::vector<double> constraint_sizes = {};
+  /// For sentences that refuse; may be left empty: the unit of each Phi, and its place, "FILE:LINE".
+  std::vector<std::string> constraint_units, constraint_places;
 
   int jacobian_values() const { return jacobian.size() + jacobian_extra; }  ///< length of that array
   int stiffness_values() const { return stiffness.size() + stiffness_extra; }

@@ -17,7 +17,9 @@ void Reader::read_entity(const std::string& name, Section& section, Entity::Kind
     if (entity.fixed && velocity->norm() > 0.0)
       section.wrong("velocity", "not zero", "zero, as the point is fixed");
     for (int axis = 0; axis < to_.dimension && !entity.fixed; ++axis)
-      to_.velocities.push_back({{static_cast<int>(to_.entities.size()), axis}, (*velocity)[axis]});
+      to_.velocities.push_back({{static_cast<int>(to_.entities.size()), axis},
+                                (*velocity)[axis],
+                                section.place("velocity").text()});
   }
   to_.entities.push_back(entity);
 }

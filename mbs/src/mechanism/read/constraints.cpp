@@ -30,7 +30,7 @@ bool is_planar(Joint::Kind kind) {
 void Reader::read_distance(const std::string& name, Section& section) {
   const Edge edge = two_points(section, "points");
   const double l = section.positive("length").value_or(drawn(to_, edge).norm());
-  to_.products.push_back({name, edge, edge, l * l, section.place().text()});
+  to_.products.push_back({name, edge, edge, l * l, section.place().text(), "distance"});
 }
 
 void Reader::read_product(const std::string& name, Section& section) {
@@ -106,7 +106,7 @@ void Reader::read_length(const std::string& name, Section& section) {
 }
 
 void Reader::read_drive(const std::string& name, Section& section) {
-  Drive drive{name, required_coordinate(section, "coordinate"), -1};
+  Drive drive{name, required_coordinate(section, "coordinate"), -1, section.place().text()};
   if (drive.coordinate.entity >= 0 && to_.entities[drive.coordinate.entity].fixed)
     section.wrong("coordinate", "of a fixed point", "one that is not fixed");
   drive.input =

@@ -90,7 +90,8 @@ void Reader::read_given(Section& initial, const std::string& key, std::vector<Gi
     if (c.entity >= 0 && to_.entities[c.entity].fixed)
       initial.wrong(key, "'" + name + "', of a fixed point", "coordinates that are not fixed");
     std::erase_if(to, [&](const Given& g) { return g.coordinate == c; });
-    to.push_back({c, text::number_of(document_, *node, initial.name(key) + "." + name)});
+    to.push_back({c, text::number_of(document_, *node, initial.name(key) + "." + name),
+                  document_.place(*node).text()});
   }
 }
 

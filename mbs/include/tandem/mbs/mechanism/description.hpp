@@ -68,6 +68,9 @@ Eigen::Vector3d drawn(const Description& in, const Edge& edge);
 /// A relative coordinate as drawn [rad or m]; an angle from -pi to pi.
 double drawn(const Description& in, const Relative& relative);
 
+/// True for the coordinate of an angle.
+bool is_angle(const Description& in, const Coordinate& c);
+
 /// A uniform thin rod between two points.
 Body uniform_rod(const Description& in, std::string name, int a, int b, double mass);
 

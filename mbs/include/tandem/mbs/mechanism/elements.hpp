@@ -22,6 +22,7 @@ struct ScalarProduct {
   Edge a, b;
   double value;
   std::string where = {};
+  const char* kind = "product";  ///< what it is called besides its name: product, distance, body
 };
 
 /// The angle between two edges stays as drawn. In space it may not be 0 or pi, where its gradient vanishes.
@@ -86,6 +87,7 @@ struct Drive {
   std::string name;
   Coordinate coordinate;
   int input;
+  std::string where = {};
 };
 
 /// Between two points, along the edge, or on a relative coordinate: the force that pulls it back is
@@ -139,6 +141,7 @@ struct Output {
 struct Given {
   Coordinate coordinate;
   double value;
+  std::string where = {};
 };
 
 }  // namespace tandem::mbs
