@@ -1,8 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "tandem/engine/program.hpp"
 
-#include <span>
-
 #include "functions.hpp"
 
 namespace tandem::engine {
@@ -26,9 +24,10 @@ double side(double x, const double* limits) { return x < limits[0] ? -1.0 : x > 
 
 }  // namespace
 
-void Program::run(double* s, std::size_t count) const {
+void Program::run(double* s, int first, int last) const {
   using enum Operation::Code;
-  for (const Operation& o : std::span(operations).first(count)) {
+  for (const Operation *at = operations.data() + first, *end = operations.data() + last; at != end; ++at) {
+    const Operation& o = *at;
     const double* const p = parameters.data() + o.parameter;
     double& out = s[o.out];
     switch (o.code) {
@@ -58,6 +57,9 @@ void Program::run(double* s, std::size_t count) const {
         break;
       case curve:
         out = curves[static_cast<std::size_t>(o.b)](s[o.a]);
+        break;
+      case surface:
+        out = surfaces[static_cast<std::size_t>(o.more)](s[o.a], s[o.b]);
         break;
       case select:
         out = s[o.more] > 0.0 ? s[o.a] : s[o.b];

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "tandem/error.hpp"
@@ -24,7 +25,7 @@ void Simulation::start(double t) {
   system_.image() = system_.program().image;
   time_ = t;
   system_.evaluate(t);
-  before_ = system_.image();
+  remember();
   apply(system_.program().starts);
   settle();
   for (const Crossing& c : system_.program().crossings)
@@ -32,7 +33,14 @@ void Simulation::start(double t) {
   for (const Periodic& p : system_.program().periodics)
     system_.image()[p.count] = std::max(0.0, std::ceil((t - p.offset) / p.period));
   fire_periodics();
+  refuse_outside();
   integrator_->restart(system_, t);
+}
+
+/// All signals before an event.
+void Simulation::remember() {
+  system_.evaluate_updates();
+  before_ = system_.image();
 }
 
 /// Modes as the signals want them.
@@ -40,7 +48,7 @@ void Simulation::settle() {
   const Program& program = system_.program();
   for (int round = 0; round < most_settlings; ++round) {
     system_.evaluate(time_);
-    before_ = system_.image();
+    remember();
     apply(program.settled);
     if (before_ == system_.image()) return;
   }
@@ -50,12 +58,38 @@ void Simulation::settle() {
 }
 
 double Simulation::step(double t_end) {
+  begin_step();
+  return advance(t_end);
+}
+
+void Simulation::run(double t_end) {
+  begin_step();
+  while (time_ < t_end) advance(t_end);
+}
+
+/// What happens at the beginning of each own step, from the signals at the end of the last.
+void Simulation::begin_step() {
+  const auto& updates = system_.program().step_updates;
+  if (updates.empty()) return;
+  events_ = 0;
+  remember();
+  apply(updates);
+  system_.evaluate(time_);
+  if (system_.changed() >= 0) fire_crossings();
+  const auto& image = system_.image();
+  if (std::any_of(updates.begin(), updates.end(),
+                  [&](const Update& u) { return image[u.to] != before_[u.to]; }))
+    integrator_->restart(system_, time_);
+}
+
+double Simulation::advance(double t_end) {
   events_ = 0;
   while (time_ < t_end) {
     const double instant = next_instant(t_end);
     const double before = time_;
     time_ = integrator_->advance(system_, time_, instant);
     refuse_not_finite();
+    refuse_outside();
     const bool arrived = time_ >= instant;
     if (system_.changed() >= 0) fire_crossings();
     if (arrived) fire_periodics();
@@ -64,12 +98,14 @@ double Simulation::step(double t_end) {
   return time_;
 }
 
-/// Where a source has a kink or a periodic event is due, if that is before t_end.
+/// Where a source has a kink or a periodic event is due, if that is before t_end; a kink within the rounding
+/// of time is there already.
 double Simulation::next_instant(double t_end) const {
   const Program& program = system_.program();
   double next = t_end;
-  const auto kink = std::upper_bound(program.breaks.begin(), program.breaks.end(), time_);
-  if (kink != program.breaks.end()) next = std::min(next, *kink);
+  const double rounding = 8.0 * std::numeric_limits<double>::epsilon() * std::abs(t_end);
+  const auto kink = std::upper_bound(program.breaks.begin(), program.breaks.end(), time_ + rounding);
+  if (kink != program.breaks.end() && *kink < t_end - rounding) next = *kink;
   for (const Periodic& p : program.periodics)
     next = std::min(next, p.offset + system_.image()[p.count] * p.period);
   return next;
@@ -80,7 +116,7 @@ void Simulation::fire_periodics() {
   for (const Periodic& p : system_.program().periodics) {
     double& count = system_.image()[p.count];
     if (p.offset + count * p.period > time_) continue;
-    if (!std::exchange(fired, true)) before_ = system_.image();
+    if (!std::exchange(fired, true)) remember();
     count += 1.0;
     apply(p.updates);
     happened(p.name);
@@ -95,7 +131,7 @@ void Simulation::fire_periodics() {
 void Simulation::fire_crossings() {
   while (system_.changed() >= 0) {
     happened(system_.program().crossings[static_cast<std::size_t>(system_.changed())].name);
-    before_ = system_.image();
+    remember();
     for (int k = system_.changed(); k >= 0; k = system_.changed(k + 1)) {
       const Crossing& c = system_.program().crossings[static_cast<std::size_t>(k)];
       const bool rises = before_[c.signal] > 0.0;
@@ -138,6 +174,19 @@ void Simulation::refuse_not_finite() const {
     if (!std::isfinite(image[i]))
       throw Error(ErrorCode::numerical,
                   fmt::format("state '{}' is {} at t = {} s", name(i), image[i], time_));
+}
+
+void Simulation::refuse_outside() const {
+  for (const Range& r : system_.program().ranges) {
+    const double value = system_.image()[r.signal];
+    const double rounding =
+        4.0 * std::numeric_limits<double>::epsilon() * std::max(std::abs(r.low), std::abs(r.high));
+    if (value >= r.low - rounding && value <= r.high + rounding) continue;
+    throw Error(
+        ErrorCode::numerical,
+        fmt::format("{}: {} is {} at t = {} s; allowed is {} to {}, or another word at its key beyond",
+                    r.owner, r.what, value, time_, r.low, r.high));
+  }
 }
 
 const std::vector<double>& Simulation::keep() {

@@ -102,6 +102,11 @@ std::string Arguments::text(const std::string& key, const std::string& otherwise
   return *text;
 }
 
+std::string Arguments::required_text(const std::string& key, const std::string& allowed) {
+  required(key, allowed);
+  return text(key, "");
+}
+
 std::size_t Arguments::word(const std::string& key, const std::vector<std::string>& allowed) {
   const std::string found = text(key, allowed.front());
   const auto it = std::find(allowed.begin(), allowed.end(), found);

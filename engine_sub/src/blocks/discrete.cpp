@@ -14,15 +14,29 @@ void sample(Lowering& to, Arguments& a) {
   to.define("", held);
 }
 
-/// The input as it was at the sample before the last.
+/// The input as it was at the sample before the last. In a triggered diagram, which sees what is held before
+/// its event: at the event before.
 void unit_delay(Lowering& to, Arguments& a) {
-  const int last = to.held(), before = to.held();
+  const int last = to.held();
   to.start(last, a.wire("initial", 0.0));
+  if (to.scope().trigger >= 0) {
+    to.update(to.scope().trigger, last, a.wire("input"));
+    return to.define("", last);
+  }
+  const int before = to.held();
   to.start(before, a.wire("initial", 0.0));
   const int event = to.periodic(a.positive("period"), a.number("offset", 0.0));
   to.update(event, before, last);
   to.update(event, last, a.wire("input"));
   to.define("", before);
+}
+
+/// The input as it was at the end of the last own step: what it holds changes where the next one begins.
+void memory(Lowering& to, Arguments& a) {
+  const int held = to.held();
+  to.start(held, a.wire("initial", 0.0));
+  to.update(to.own_step(), held, a.wire("input"));
+  to.define("", held);
 }
 
 /// A signal that rises above 0 where the input passes the next multiple of `every`, and falls below it there
@@ -39,6 +53,6 @@ void passes(Lowering& to, Arguments& a) {
 }  // namespace
 
 const std::vector<BlockKind> discrete_blocks = {
-    {"sample", sample}, {"unit_delay", unit_delay}, {"passes", passes}};
+    {"sample", sample}, {"unit_delay", unit_delay}, {"memory", memory}, {"passes", passes}};
 
 }  // namespace tandem::engine

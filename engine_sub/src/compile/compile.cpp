@@ -14,40 +14,32 @@ namespace {
 
 std::vector<BlockKind> kinds() {
   std::vector<BlockKind> all;
-  for (const auto* list :
-       {&source_blocks, &algebraic_blocks, &nonlinear_blocks, &dynamic_blocks, &discrete_blocks})
+  for (const auto* list : {&source_blocks, &algebraic_blocks, &table_blocks, &nonlinear_blocks,
+                           &dynamic_blocks, &discrete_blocks, &nested_blocks})
     all.insert(all.end(), list->begin(), list->end());
   return all;
 }
 
-void lower(const Block& block, Lowering& to) {
-  for (const BlockKind& kind : kinds())
-    if (block.kind == kind.name) {
-      Arguments arguments(block, to);
-      to.begin(block);
-      kind.lower(to, arguments);
-      return arguments.refuse_unknown();
-    }
-  refuse(block.where, "block '" + block.name + "': " + unknown("kind", block.kind, block_kinds()));
+/// Names that are known in a scope.
+std::vector<std::string> known_signals(const Lowering& d, int scope) {
+  std::vector<std::string> known;
+  for (const Slot& s : d.signals)
+    if (!s.name.empty() && s.scope == scope && (s.kind != Slot::Kind::unknown || s.same_as >= 0))
+      known.push_back(s.name);
+  return known;
 }
 
 void refuse_unknown_signals(const Lowering& d) {
-  std::vector<std::string> known;
   for (const Slot& s : d.signals)
-    if (!s.name.empty() && (s.kind != Slot::Kind::unknown || s.same_as >= 0)) known.push_back(s.name);
-  for (const Slot& s : d.signals)
-    if (s.kind == Slot::Kind::unknown && s.same_as < 0) refuse(s.where, unknown("signal", s.name, known));
+    if (s.kind == Slot::Kind::unknown && s.same_as < 0)
+      refuse(s.where, unknown("signal", s.name, known_signals(d, s.scope)));
 }
 
 /// Gives slots their places in the image and writes the program.
 class Writer {
  public:
-  Writer(const Description& diagram, Lowering& lowered, const std::vector<int>& outputs)
-      : diagram_(diagram),
-        d_(lowered),
-        outputs_(outputs),
-        alive_(alive(d_, outputs)),
-        place_(d_.signals.size(), -1) {}
+  Writer(Lowering& lowered, const std::vector<int>& outputs)
+      : d_(lowered), outputs_(outputs), alive_(alive(d_, outputs)), place_(d_.signals.size(), -1) {}
 
   Program write() {
     for (const auto kind : {Slot::Kind::state, Slot::Kind::time, Slot::Kind::input, Slot::Kind::held,
@@ -61,6 +53,7 @@ class Writer {
     for (const int output : outputs_) program_.outputs.push_back(at(output));
     program_.parameters = d_.parameters;
     program_.curves = d_.curves;
+    program_.surfaces = d_.surfaces;
     program_.breaks = d_.breaks;
     std::sort(program_.breaks.begin(), program_.breaks.end());
     return std::move(program_);
@@ -91,17 +84,24 @@ class Writer {
     program_.states = static_cast<int>(program_.rates.size());
   }
 
-  /// First those that rates need.
+  /// First those that rates need, then what else is needed at each step, last what is needed at events.
   void write_operations() {
     std::vector<int> rates;
     for (std::size_t s = 0; s < d_.signals.size(); ++s)
       if (d_.signals[s].kind == Slot::Kind::state && alive_[s]) rates.push_back(d_.signals[s].rate);
-    const auto first = needed_at_once(d_, rates);
+    std::vector<int> seen = rates;
+    seen.insert(seen.end(), outputs_.begin(), outputs_.end());
+    for (const Event& e : d_.events)
+      if (e.signal >= 0 && alive_[d_.resolved(e.signal)]) seen.push_back(e.signal);
+    const auto first = needed_at_once(d_, rates), second = needed_at_once(d_, seen);
     const auto order = sorted_steps(d_, alive_);
-    for (const bool now : {true, false}) {
-      for (const int step : order)
-        if (first[d_.steps[step].out] == now) write(d_.steps[step]);
-      if (now) program_.rate_operations = static_cast<int>(program_.operations.size());
+    for (const int part : {0, 1, 2}) {
+      for (const int step : order) {
+        const int slot = d_.steps[step].out;
+        if (part == (first[slot] ? 0 : second[slot] ? 1 : 2)) write(d_.steps[step]);
+      }
+      if (part == 0) program_.rate_operations = static_cast<int>(program_.operations.size());
+      if (part == 1) program_.step_operations = static_cast<int>(program_.operations.size());
     }
   }
 
@@ -124,11 +124,16 @@ class Writer {
     for (const Event& e : d_.events) {
       auto updates = moved(e.updates);
       if (updates.empty()) continue;
-      if (e.kind == Event::Kind::crossing)
+      if (e.kind == Event::Kind::own_step)
+        program_.step_updates.insert(program_.step_updates.end(), updates.begin(), updates.end());
+      else if (e.kind == Event::Kind::crossing)
         program_.crossings.push_back({at(e.signal), at(e.sign), e.direction, std::move(updates), e.block});
       else
         program_.periodics.push_back({e.period, e.offset, at(e.sign), std::move(updates), e.block});
     }
+    for (const auto& [user, range] : d_.guards)
+      if (alive_[d_.resolved(user)])
+        program_.ranges.push_back(range), program_.ranges.back().signal = at(range.signal);
     program_.settled = moved(d_.settled);
     program_.starts = moved(d_.starts);
   }
@@ -148,13 +153,12 @@ class Writer {
     std::set<std::string> used;
     for (std::size_t s = 0; s < d_.signals.size(); ++s)
       if (alive_[s]) used.insert(d_.signals[s].block), used.insert(block_of(static_cast<int>(s)));
-    for (const Block& block : diagram_.blocks)
-      if (used.count(block.name) == 0)
-        program_.notices.push_back("block '" + block.name + "' feeds no output and is left out");
+    for (const std::string& block : d_.blocks)
+      if (used.count(block) == 0)
+        program_.notices.push_back("block '" + block + "' feeds no output and is left out");
   }
   std::string block_of(int slot) const { return d_.signals[d_.resolved(slot)].block; }
 
-  const Description& diagram_;
   Lowering& d_;
   std::vector<int> outputs_;
   std::vector<bool> alive_;
@@ -163,6 +167,18 @@ class Writer {
 };
 
 }  // namespace
+
+void lower(const Block& block, Lowering& to) {
+  for (const BlockKind& kind : kinds())
+    if (block.kind == kind.name) {
+      Arguments arguments(block, to);
+      to.begin(block);
+      kind.lower(to, arguments);
+      return arguments.refuse_unknown();
+    }
+  refuse(block.where,
+         "block '" + to.full_name(block.name) + "': " + unknown("kind", block.kind, block_kinds()));
+}
 
 std::vector<std::string> block_kinds() {
   std::vector<std::string> names;
@@ -179,8 +195,9 @@ Program compile(const Description& diagram) {
     outputs.push_back(name ? lowered.named(*name, output.where)
                            : lowered.constant(std::get<double>(output.from)));
   }
+  lowered.refuse_circles();
   refuse_unknown_signals(lowered);
-  return Writer(diagram, lowered, outputs).write();
+  return Writer(lowered, outputs).write();
 }
 
 }  // namespace tandem::engine

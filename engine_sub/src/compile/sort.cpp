@@ -126,7 +126,7 @@ std::vector<bool> alive(const Lowering& d, const std::vector<int>& outputs) {
       for (const Update& u : event.updates)
         if (needs.marked()[d.resolved(u.to)]) {
           needs.mark(u.from);
-          needs.mark(event.sign);
+          if (event.sign >= 0) needs.mark(event.sign);
           if (event.signal >= 0) needs.mark(event.signal);
         }
     for (const auto* updates : {&d.settled, &d.starts})

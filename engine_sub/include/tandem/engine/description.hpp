@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -14,12 +16,18 @@ using Wire = std::variant<std::string, double>;
 /// What stands at a key of a block: a number, a text (a signal's name or a word), true or false, an array.
 using Value = std::variant<double, std::string, bool, std::vector<Wire>>;
 
+struct Description;
+
 /// A block by its kind (docs/diagrams.md has all), with its ports' sources and its parameters by key.
 struct Block {
   std::string name, kind;
   std::map<std::string, Value> values = {};
   std::string where = {};                          ///< file and line, or nothing
   std::map<std::string, std::string> places = {};  ///< the same by key
+  /// Tables, and arrays of them, at a key: each like a block of its own.
+  std::map<std::string, std::vector<Block>> tables = {};
+  std::shared_ptr<const Description> diagram =
+      {};  ///< that stands in this block, of kind diagram or triggered
 };
 
 struct Parameter {
@@ -45,6 +53,7 @@ struct Description {
   std::vector<Input> inputs;
   std::vector<Block> blocks;
   std::vector<Output> outputs;
+  std::filesystem::path folder = {};  ///< that files are named from; empty: the working folder
 };
 
 }  // namespace tandem::engine

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tandem/engine/curve.hpp"
+#include "tandem/engine/surface.hpp"
 
 namespace tandem::engine {
 
@@ -21,6 +22,7 @@ struct Operation {
     function,    ///< out = functions[b](a)
     function2,   ///< out = functions2[more](a, b)
     curve,       ///< out = curves[b](a)
+    surface,     ///< out = surfaces[more](a, b)
     select,      ///< out = more > 0 ? a : b
     clamp,       ///< out = more < 0 ? p0 : more > 0 ? p1 : a
     dead_zone,   ///< out = more < 0 ? a - p0 : more > 0 ? a - p1 : 0
@@ -56,6 +58,13 @@ struct Periodic {
   std::string name;
 };
 
+/// A signal that has to stay between two values.
+struct Range {
+  int signal;
+  double low, high;
+  std::string owner, what;  ///< "block 'f' of kind table", "its input"
+};
+
 /// A diagram compiled: operations in the order of evaluation. All that changes during a run stands in one
 /// image of doubles: states first, then time, inputs, held values, signs, results of operations, constants.
 struct Program {
@@ -66,10 +75,14 @@ struct Program {
   std::vector<std::pair<int, int>> feedthrough;
   std::vector<Operation> operations;
   int rate_operations = 0;  ///< so many of them, the first, are all that derivatives need
+  int step_operations = 0;  ///< so many of them are all that is needed but at events
   std::vector<double> parameters;
   std::vector<Curve> curves;
+  std::vector<Surface> surfaces;
   std::vector<Crossing> crossings;
   std::vector<Periodic> periodics;
+  std::vector<Update> step_updates;  ///< at the beginning of each own step
+  std::vector<Range> ranges;
   std::vector<double> breaks;                          ///< [s] where sources have a kink, ascending
   std::vector<Update> starts;                          ///< values at the start that come from signals
   std::vector<Update> settled;                         ///< modes: repeated at the start until nothing changes
@@ -77,13 +90,16 @@ struct Program {
   std::vector<std::string> state_names, signal_names;  ///< the second by slot; empty: no name
   std::vector<std::string> notices;                    ///< what was left out, and why
 
-  /// Results of operations, from states, time, inputs and held values of an image: of all, or of those that
-  /// derivatives need.
-  void evaluate(double* signals) const { run(signals, operations.size()); }
-  void evaluate_rates(double* signals) const { run(signals, static_cast<std::size_t>(rate_operations)); }
+  /// Results of operations, from states, time, inputs and held values of an image: of those that derivatives
+  /// need; of all but those that are needed at events alone; then of these.
+  void evaluate_rates(double* signals) const { run(signals, 0, rate_operations); }
+  void evaluate(double* signals) const { run(signals, 0, step_operations); }
+  void evaluate_updates(double* signals) const {
+    run(signals, step_operations, static_cast<int>(operations.size()));
+  }
 
  private:
-  void run(double* signals, std::size_t count) const;
+  void run(double* signals, int first, int last) const;
 };
 
 }  // namespace tandem::engine

@@ -25,9 +25,11 @@ class Simulation {
              const SimulationSettings& settings = {});
 
   void start(double t);
-  /// To t_end, or, with an integrator that chooses its steps, to the end of one of them. Returns the time.
-  /// Throws Error(numerical) with the time and a block's name: a signal that is not finite, chattering, an
-  /// integrator that can't go on.
+  /// One own step: to t_end.
+  void run(double t_end);
+  /// One own step: to t_end, or, with an integrator that chooses its steps, to the end of one of them.
+  /// Returns the time. Both throw Error(numerical) with the time and a block's name: a signal that is not
+  /// finite, chattering, an integrator that can't go on.
   double step(double t_end);
 
   double time() const { return time_; }
@@ -42,13 +44,17 @@ class Simulation {
   void restore(double t, std::span<const double> state);
 
  private:
+  void remember();
   void settle();
+  void begin_step();
+  double advance(double t_end);
   double next_instant(double t_end) const;
   void fire_periodics();
   void fire_crossings();
   void apply(const std::vector<Update>& updates);
   void happened(const std::string& block);
   void refuse_not_finite() const;
+  void refuse_outside() const;
 
   System system_;
   std::unique_ptr<Integrator> integrator_;

@@ -37,11 +37,13 @@ class System {
   void read_rates(double* dx) const {
     for (const int slot : program_.rates) *dx++ = image_[static_cast<std::size_t>(slot)];
   }
-  /// Every signal at t.
+  /// Every signal at t, but for those that are needed at events alone.
   void evaluate(double t) {
     set_time(t);
     program_.evaluate(image_.data());
   }
+  /// These, after evaluate().
+  void evaluate_updates() { program_.evaluate_updates(image_.data()); }
   /// The same after evaluate(t) and changes of the inputs alone.
   void evaluate_again(double t) {
     if (inputs_) evaluate(t);
