@@ -2,6 +2,7 @@
 #include "tandem/engine/program.hpp"
 
 #include "functions.hpp"
+#include "past.hpp"
 
 namespace tandem::engine {
 namespace {
@@ -75,6 +76,13 @@ void Program::run(double* s, int first, int last) const {
         break;
       case compare:
         out = s[o.a] > s[o.b] ? 1.0 : 0.0;
+        break;
+      case delay:
+        out = Past(delays[static_cast<std::size_t>(o.b)], s + o.a).value(s[o.more] - p[0]);
+        break;
+      case call:
+        calls[static_cast<std::size_t>(o.more)](p, o.a < 0 ? nullptr : s + o.a, o.b < 0 ? nullptr : s + o.b,
+                                                &out);
         break;
       case leave:
         out = s[o.more] * s[o.a] < 0.0 ? 0.0 : s[o.more];

@@ -26,6 +26,9 @@ class Arguments {
   std::vector<double> numbers(const std::string& key);
   std::string text(const std::string& key, const std::string& otherwise);
   std::string required_text(const std::string& key, const std::string& allowed);
+  std::vector<std::string> texts(const std::string& key);
+  /// Tables at a key; none if it is not there.
+  const std::vector<Block>& tables(const std::string& key);
   /// The place of a word in a list, the first if the key is not there.
   std::size_t word(const std::string& key, const std::vector<std::string>& allowed);
   bool flag(const std::string& key, bool otherwise);

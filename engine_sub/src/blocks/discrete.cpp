@@ -1,4 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <cmath>
+
 #include "kinds.hpp"
 
 namespace tandem::engine {
@@ -39,6 +43,15 @@ void memory(Lowering& to, Arguments& a) {
   to.define("", held);
 }
 
+/// The input as it was `delay` seconds before; `initial` until there is one.
+void transport_delay(Lowering& to, Arguments& a) {
+  const double points = a.number("points", 1000.0);
+  if (points < 4.0 || points > 1e7 || points != std::floor(points))
+    a.refuse("points", fmt::format("{}", points), "a whole number from 4 to 1e7");
+  const int input = a.wire("input"), initial = a.wire("initial", 0.0);
+  to.define("", to.delay(input, initial, a.positive("delay"), static_cast<int>(points)));
+}
+
 /// A signal that rises above 0 where the input passes the next multiple of `every`, and falls below it there
 /// and then, as that multiple is the one that has been passed.
 void passes(Lowering& to, Arguments& a) {
@@ -52,7 +65,10 @@ void passes(Lowering& to, Arguments& a) {
 
 }  // namespace
 
-const std::vector<BlockKind> discrete_blocks = {
-    {"sample", sample}, {"unit_delay", unit_delay}, {"memory", memory}, {"passes", passes}};
+const std::vector<BlockKind> discrete_blocks = {{"sample", sample},
+                                                {"unit_delay", unit_delay},
+                                                {"memory", memory},
+                                                {"delay", transport_delay},
+                                                {"passes", passes}};
 
 }  // namespace tandem::engine

@@ -15,7 +15,7 @@ namespace {
 std::vector<BlockKind> kinds() {
   std::vector<BlockKind> all;
   for (const auto* list : {&source_blocks, &algebraic_blocks, &table_blocks, &nonlinear_blocks,
-                           &dynamic_blocks, &discrete_blocks, &nested_blocks})
+                           &dynamic_blocks, &discrete_blocks, &machine_blocks, &nested_blocks})
     all.insert(all.end(), list->begin(), list->end());
   return all;
 }
@@ -43,7 +43,7 @@ class Writer {
 
   Program write() {
     for (const auto kind : {Slot::Kind::state, Slot::Kind::time, Slot::Kind::input, Slot::Kind::held,
-                            Slot::Kind::result, Slot::Kind::constant})
+                            Slot::Kind::result, Slot::Kind::constant, Slot::Kind::past})
       place(kind);
     write_states();
     write_operations();
@@ -54,6 +54,8 @@ class Writer {
     program_.parameters = d_.parameters;
     program_.curves = d_.curves;
     program_.surfaces = d_.surfaces;
+    program_.calls = d_.calls;
+    write_delays();
     program_.breaks = d_.breaks;
     std::sort(program_.breaks.begin(), program_.breaks.end());
     return std::move(program_);
@@ -68,7 +70,8 @@ class Writer {
     for (std::size_t s = 0; s < d_.signals.size(); ++s)
       if (d_.signals[s].kind == kind && (always || alive_[s])) {
         place_[s] = static_cast<int>(program_.image.size());
-        program_.image.push_back(d_.signals[s].start);
+        program_.image.resize(program_.image.size() + static_cast<std::size_t>(d_.signals[s].size));
+        program_.image[place_[s]] = d_.signals[s].start;
         program_.signal_names.push_back(d_.signals[s].name);
       }
   }
@@ -93,6 +96,8 @@ class Writer {
     seen.insert(seen.end(), outputs_.begin(), outputs_.end());
     for (const Event& e : d_.events)
       if (e.signal >= 0 && alive_[d_.resolved(e.signal)]) seen.push_back(e.signal);
+    for (const Delay& delay : d_.delays)
+      if (alive_[delay.past]) seen.push_back(delay.from);
     const auto first = needed_at_once(d_, rates), second = needed_at_once(d_, seen);
     const auto order = sorted_steps(d_, alive_);
     for (const int part : {0, 1, 2}) {
@@ -127,7 +132,8 @@ class Writer {
       if (e.kind == Event::Kind::own_step)
         program_.step_updates.insert(program_.step_updates.end(), updates.begin(), updates.end());
       else if (e.kind == Event::Kind::crossing)
-        program_.crossings.push_back({at(e.signal), at(e.sign), e.direction, std::move(updates), e.block});
+        program_.crossings.push_back(
+            {at(e.signal), at(e.sign), e.direction, std::move(updates), e.block, e.sees_start});
       else
         program_.periodics.push_back({e.period, e.offset, at(e.sign), std::move(updates), e.block});
     }
@@ -136,6 +142,16 @@ class Writer {
         program_.ranges.push_back(range), program_.ranges.back().signal = at(range.signal);
     program_.settled = moved(d_.settled);
     program_.starts = moved(d_.starts);
+  }
+
+  /// Operations know them by their number among all; those that nothing reads take no part.
+  void write_delays() {
+    program_.delays = d_.delays;
+    for (Delay& delay : program_.delays) {
+      const bool is_alive = alive_[delay.past];
+      delay.past = is_alive ? place_[delay.past] : -1;
+      delay.from = is_alive ? at(delay.from) : -1;
+    }
   }
 
   void write_feedthrough() {
@@ -169,15 +185,17 @@ class Writer {
 }  // namespace
 
 void lower(const Block& block, Lowering& to) {
+  Arguments arguments(block, to);
+  std::vector<std::string> known = block_kinds();
+  for (const CompiledBlock& kind : to.kinds) known.push_back(kind.kind);
+  if (std::find(known.begin(), known.end(), block.kind) == known.end())
+    refuse(block.where, "block '" + to.full_name(block.name) + "': " + unknown("kind", block.kind, known));
+  to.begin(block);
   for (const BlockKind& kind : kinds())
-    if (block.kind == kind.name) {
-      Arguments arguments(block, to);
-      to.begin(block);
-      kind.lower(to, arguments);
-      return arguments.refuse_unknown();
-    }
-  refuse(block.where,
-         "block '" + to.full_name(block.name) + "': " + unknown("kind", block.kind, block_kinds()));
+    if (block.kind == kind.name) kind.lower(to, arguments);
+  for (const CompiledBlock& kind : to.kinds)
+    if (block.kind == kind.kind) lower_compiled(kind, to, arguments);
+  arguments.refuse_unknown();
 }
 
 std::vector<std::string> block_kinds() {

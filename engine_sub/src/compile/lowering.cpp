@@ -3,11 +3,12 @@
 
 #include <utility>
 
+#include "past.hpp"
 #include "refuse.hpp"
 
 namespace tandem::engine {
 
-Lowering::Lowering(const Description& diagram) : scopes_{{"", diagram.folder}} {
+Lowering::Lowering(const Description& diagram) : kinds(diagram.kinds), scopes_{{"", diagram.folder}} {
   add({Slot::Kind::time, 0.0, "time"});
   names_[{0, "time"}] = 0;
   for (const Input& input : diagram.inputs) {
@@ -87,11 +88,15 @@ void Lowering::start(int slot, int from) {
     starts.push_back({slot, from});
 }
 
+void Lowering::refuse_if_triggered(const std::string& what) const {
+  if (scope().trigger < 0) return;
+  refuse(block_->where, "block '" + full_name(block_->name) + "' of kind " + block_->kind + " has " + what +
+                            ", but stands in a triggered diagram; allowed there is what has neither events "
+                            "nor states");
+}
+
 int Lowering::state(int rate) {
-  if (scope().trigger >= 0)
-    refuse(block_->where, "block '" + full_name(block_->name) + "' of kind " + block_->kind +
-                              " has states, but stands in a triggered diagram; allowed there is what has "
-                              "neither events nor states");
+  refuse_if_triggered("states");
   Slot signal{Slot::Kind::state};
   signal.rate = rate;
   return add(signal);
@@ -131,11 +136,42 @@ void Lowering::range(int user, int signal, const Curve& over, const std::string&
     guards.push_back({user, {signal, over.x().front(), over.x().back(), owner, what}});
 }
 
+void Lowering::keep_together(const std::vector<int>& together) {
+  for (const int signal : together) {
+    signals[signal].first = together.front();
+    signals[signal].count = static_cast<int>(together.size());
+  }
+}
+
+int Lowering::gathered(const std::vector<int>& from) {
+  if (from.empty()) return -1;
+  std::vector<int> copies;
+  for (const int signal : from) copies.push_back(linear(0.0, 1.0, signal));
+  keep_together(copies);
+  return copies.front();
+}
+
+std::vector<int> Lowering::call(const Call& call, const std::vector<double>& p) {
+  calls.push_back(call.function);
+  std::vector<int> results = {
+      operation(Operation::Code::call, call.states, call.inputs, p, static_cast<int>(calls.size()) - 1)};
+  while (static_cast<int>(results.size()) < call.results) results.push_back(add({Slot::Kind::result}));
+  steps.back().count = call.results;
+  keep_together(results);
+  return results;
+}
+
+int Lowering::delay(int from, int initial, double time, int points) {
+  refuse_if_triggered("a past");
+  const int past = add({Slot::Kind::past});
+  signals[past].size = Past::size(points);
+  start(past, initial);
+  delays.push_back({past, points, from, time, full_name(block_->name)});
+  return operation(Operation::Code::delay, past, static_cast<int>(delays.size()) - 1, {time}, this->time());
+}
+
 int Lowering::event(Event::Kind kind, int signal) {
-  if (scope().trigger >= 0)
-    refuse(block_->where, "block '" + full_name(block_->name) + "' of kind " + block_->kind +
-                              " has events of its own, but stands in a triggered diagram; allowed there is "
-                              "what has neither events nor states");
+  refuse_if_triggered("events of its own");
   events.push_back({kind, signal, kind == Event::Kind::own_step ? -1 : held(0.0)});
   events.back().block = full_name(block_->name);
   return static_cast<int>(events.size()) - 1;

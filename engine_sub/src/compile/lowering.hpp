@@ -14,14 +14,16 @@ namespace tandem::engine {
 
 /// A signal while a diagram is compiled.
 struct Slot {
-  enum class Kind { unknown, state, time, input, held, result, constant } kind = Kind::unknown;
+  enum class Kind { unknown, state, time, input, held, result, constant, past } kind = Kind::unknown;
   double start = 0.0;
   std::string name = {};
-  std::string block = {};  ///< that makes it
-  std::string where = {};  ///< of a name that nobody has defined: where it is used
-  int same_as = -1;        ///< of a name: the signal that it stands for
-  int rate = -1;           ///< of a state: its derivative
-  int scope = 0;           ///< of a name
+  std::string block = {};     ///< that makes it
+  std::string where = {};     ///< of a name that nobody has defined: where it is used
+  int same_as = -1;           ///< of a name: the signal that it stands for
+  int rate = -1;              ///< of a state: its derivative
+  int scope = 0;              ///< of a name
+  int first = -1, count = 0;  ///< of those that it stands together with
+  int size = 1;               ///< slots in the image
 };
 
 /// The names of one diagram: of the whole, or of one that stands in a block.
@@ -36,6 +38,7 @@ struct Step {
   int out;
   std::vector<Operation> operations;
   std::string block;
+  int count = 1;  ///< signals from `out` on
 };
 
 struct Event {
@@ -45,6 +48,7 @@ struct Event {
   double period = 0.0, offset = 0.0;
   std::vector<Update> updates = {};
   std::string block = {};
+  bool sees_start = false;
 };
 
 /// Collects what blocks come down to: signals, operations, events. Numbers of signals are its own.
@@ -86,6 +90,19 @@ class Lowering {
   int sum(const std::vector<int>& signals, const std::vector<double>& factors);
   int curve(Curve curve, int a);
   int surface(Surface surface, int a, int b);
+  /// Signals made one after the other stay so, and all are there if one is.
+  void keep_together(const std::vector<int>& signals);
+  /// Copies of signals, together; -1 for none. Returns the first.
+  int gathered(const std::vector<int>& from);
+  struct Call {
+    CompiledBlock::Function function;
+    int states, inputs;  ///< the first; -1 for none
+    int results;
+  };
+  /// Its results, together.
+  std::vector<int> call(const Call& call, const std::vector<double>& parameters);
+  /// `from` as it was `time` seconds before; `initial` before the start.
+  int delay(int from, int initial, double time, int points);
   /// Refuses values of a signal beyond these, where something depends on `user`.
   void range(int user, int signal, const Curve& over, const std::string& owner, const std::string& what);
 
@@ -111,6 +128,9 @@ class Lowering {
   std::vector<double> parameters, breaks;
   std::vector<Curve> curves;
   std::vector<Surface> surfaces;
+  std::vector<CompiledBlock::Function> calls;
+  std::vector<Delay> delays;
+  const std::vector<CompiledBlock>& kinds;
   struct Guard {
     int user;
     Range range;
@@ -121,6 +141,7 @@ class Lowering {
  private:
   int add(Slot signal);
   int event(Event::Kind kind, int signal);
+  void refuse_if_triggered(const std::string& what) const;
   std::map<std::pair<int, std::string>, int> names_;
   std::vector<Scope> scopes_;
   int scope_ = 0;

@@ -14,7 +14,8 @@ using Code = Operation::Code;
 /// The step that makes each slot; -1 for none.
 std::vector<int> makers(const Lowering& d) {
   std::vector<int> of(d.signals.size(), -1);
-  for (std::size_t k = 0; k < d.steps.size(); ++k) of[d.steps[k].out] = static_cast<int>(k);
+  for (std::size_t k = 0; k < d.steps.size(); ++k)
+    for (int i = 0; i < d.steps[k].count; ++i) of[d.steps[k].out + i] = static_cast<int>(k);
   return of;
 }
 
@@ -27,6 +28,7 @@ class Needs {
     slot = d_.resolved(slot);
     if (marked_[slot]) return;
     marked_[slot] = true;
+    for (int i = 0; i < d_.signals[slot].count; ++i) mark(d_.signals[slot].first + i);
     if (maker_[slot] < 0) return;
     for (const Operation& o : d_.steps[maker_[slot]].operations)
       for (const int from : reads(o)) mark(from);
@@ -102,6 +104,14 @@ std::vector<int*> slots_of(Operation& o) {
     case Code::leave:
     case Code::dead_zone:
       return {&o.a, &o.more};
+    case Code::delay:
+      return {&o.a, &o.more};
+    case Code::call: {
+      std::vector<int*> slots;
+      for (int* const slot : {&o.a, &o.b})
+        if (*slot >= 0) slots.push_back(slot);
+      return slots;
+    }
     case Code::select:
       return {&o.a, &o.b, &o.more};
     default:
@@ -129,6 +139,8 @@ std::vector<bool> alive(const Lowering& d, const std::vector<int>& outputs) {
           if (event.sign >= 0) needs.mark(event.sign);
           if (event.signal >= 0) needs.mark(event.signal);
         }
+    for (const Delay& delay : d.delays)
+      if (needs.marked()[delay.past]) needs.mark(delay.from);
     for (const auto* updates : {&d.settled, &d.starts})
       for (const Update& u : *updates)
         if (needs.marked()[d.resolved(u.to)]) needs.mark(u.from);

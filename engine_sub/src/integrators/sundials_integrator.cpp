@@ -103,12 +103,12 @@ double SundialsIntegrator::advance(System& system, double t, double t_end) {
   if (system.changed() >= 0) return t;  // by an input that has jumped
   const bool moves = system.size() > 0;
   time_ = moves ? t : t_end;
-  bool root = false;
-  for (long steps = 0; time_ < t_end && !root; root = step(t_end))
-    if (++steps > settings_.most_steps)
-      throw Error(ErrorCode::numerical,
-                  fmt::format("integrator {} has taken {} steps at t = {} s, on the way to {} s",
-                              method_.name, settings_.most_steps, time_, t_end));
+  const bool root = moves && time_ < t_end && step(t_end);
+  steps_ = time_ < t_end ? steps_ + 1 : 0;
+  if (steps_ > settings_.most_steps)
+    throw Error(ErrorCode::numerical,
+                fmt::format("integrator {} has taken {} steps at t = {} s, on the way to {} s", method_.name,
+                            settings_.most_steps, time_, t_end));
   if (moves) std::copy_n(N_VGetArrayPointer(x_), system.size(), system.states());
   system.evaluate(time_);
   if (root) mark_roots();

@@ -63,6 +63,7 @@ class SundialsIntegrator final : public Integrator {
   void* memory_ = nullptr;
   System* system_ = nullptr;
   double time_ = 0.0;
+  long steps_ = 0;  ///< on the way to the time that it is asked for
   std::string message_;
   std::vector<int> directions_;  ///< of the roots, by crossing
 };

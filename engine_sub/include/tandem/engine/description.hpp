@@ -7,6 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "tandem/engine/compiled_block.hpp"
+
 namespace tandem::engine {
 
 /// Where a block's port gets its value: a signal by its name ("block", "block.port" or a diagram's input), or
@@ -53,7 +55,8 @@ struct Description {
   std::vector<Input> inputs;
   std::vector<Block> blocks;
   std::vector<Output> outputs;
-  std::filesystem::path folder = {};  ///< that files are named from; empty: the working folder
+  std::vector<CompiledBlock> kinds = {};  ///< of blocks, beside those that there are; of the whole diagram
+  std::filesystem::path folder = {};      ///< that files are named from; empty: the working folder
 };
 
 }  // namespace tandem::engine

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "tandem/engine/compiled_block.hpp"
 #include "tandem/engine/curve.hpp"
 #include "tandem/engine/surface.hpp"
 
@@ -28,6 +29,8 @@ struct Operation {
     dead_zone,   ///< out = more < 0 ? a - p0 : more > 0 ? a - p1 : 0
     beyond,      ///< out = a < p0 ? -1 : a > p1 ? 1 : 0
     compare,     ///< out = a > b ? 1 : 0
+    delay,       ///< out = a, what delays[b] remembers, at the time `more` - p0
+    call,        ///< out, out + 1, .. = calls[more](p, states from a on, inputs from b on); -1: none
     leave        ///< out = more, or 0 where a points from more to 0
   };
   Code code;
@@ -47,7 +50,8 @@ struct Crossing {
   int signal, sign;  ///< slots: of the signal, and of its sign as last seen (1 or -1)
   Direction direction;
   std::vector<Update> updates;
-  std::string name;  ///< of its block
+  std::string name;         ///< of its block
+  bool sees_start = false;  ///< a signal above 0 at the start has risen there
 };
 
 /// What happens at offset + k period, k = 0, 1, ..
@@ -58,6 +62,14 @@ struct Periodic {
   std::string name;
 };
 
+/// What a delay remembers stands in the image from `past` on (src/past.hpp).
+struct Delay {
+  int past, points;  ///< a slot; at most so many points
+  int from;          ///< the signal
+  double time;       ///< [s]
+  std::string name;  ///< of its block
+};
+
 /// A signal that has to stay between two values.
 struct Range {
   int signal;
@@ -66,7 +78,8 @@ struct Range {
 };
 
 /// A diagram compiled: operations in the order of evaluation. All that changes during a run stands in one
-/// image of doubles: states first, then time, inputs, held values, signs, results of operations, constants.
+/// image of doubles: states first, then time, inputs, held values, signs, results of operations, constants,
+/// and what delays remember.
 struct Program {
   int states = 0, time = 0;
   std::vector<int> inputs, outputs;  ///< slots
@@ -79,6 +92,8 @@ struct Program {
   std::vector<double> parameters;
   std::vector<Curve> curves;
   std::vector<Surface> surfaces;
+  std::vector<CompiledBlock::Function> calls;
+  std::vector<Delay> delays;
   std::vector<Crossing> crossings;
   std::vector<Periodic> periodics;
   std::vector<Update> step_updates;  ///< at the beginning of each own step

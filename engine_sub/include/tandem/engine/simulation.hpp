@@ -9,6 +9,8 @@
 
 namespace tandem::engine {
 
+class Past;
+
 struct SimulationSettings {
   /// Times within one own step at which something happens, an event that follows from another at the same
   /// time counted for itself; with more it chatters, and that is an error.
@@ -48,11 +50,17 @@ class Simulation {
   void settle();
   void begin_step();
   double advance(double t_end);
-  double next_instant(double t_end) const;
+  double rounding() const;
+  bool bends() const;
+  double next_instant(double t_end);
   void fire_periodics();
   void fire_crossings();
   void apply(const std::vector<Update>& updates);
   void happened(const std::string& block);
+  Past past(const Delay& delay);
+  void record(int level);
+  void note_jumps();
+  void turn_delays();
   void refuse_not_finite() const;
   void refuse_outside() const;
 
@@ -62,6 +70,7 @@ class Simulation {
   double time_ = 0.0;
   int events_ = 0;
   std::vector<double> before_;
+  std::vector<const Delay*> delays_;
 };
 
 }  // namespace tandem::engine
