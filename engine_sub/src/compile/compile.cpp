@@ -2,7 +2,9 @@
 #include "tandem/engine/compile.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "blocks/kinds.hpp"
 #include "refuse.hpp"
@@ -38,10 +40,16 @@ void refuse_unknown_signals(const Lowering& d) {
 /// Gives slots their places in the image and writes the program.
 class Writer {
  public:
-  Writer(Lowering& lowered, const std::vector<int>& outputs)
-      : d_(lowered), outputs_(outputs), alive_(alive(d_, outputs)), place_(d_.signals.size(), -1) {}
+  Writer(Lowering& lowered, const std::vector<int>& outputs, const LoopSettings& loops)
+      : d_(lowered),
+        loops_(loops),
+        outputs_(outputs),
+        alive_(alive(d_, outputs)),
+        place_(d_.signals.size(), -1) {}
 
   Program write() {
+    for (const auto& [name, value] : loops_.guess)
+      guesses_[d_.resolved(d_.named(name, loops_.where))] = value;
     for (const auto kind : {Slot::Kind::state, Slot::Kind::time, Slot::Kind::input, Slot::Kind::held,
                             Slot::Kind::result, Slot::Kind::constant, Slot::Kind::past})
       place(kind);
@@ -99,18 +107,48 @@ class Writer {
     for (const Delay& delay : d_.delays)
       if (alive_[delay.past]) seen.push_back(delay.from);
     const auto first = needed_at_once(d_, rates), second = needed_at_once(d_, seen);
-    const auto order = sorted_steps(d_, alive_);
+    const auto order = sorted_steps(d_, alive_, loops_);
     for (const int part : {0, 1, 2}) {
-      for (const int step : order) {
-        const int slot = d_.steps[step].out;
-        if (part == (first[slot] ? 0 : second[slot] ? 1 : 2)) write(d_.steps[step]);
+      for (const Sequence& sequence : order) {
+        const int slot = d_.steps[sequence.steps[0]].out;
+        if (part == (first[slot] ? 0 : second[slot] ? 1 : 2)) write(sequence);
       }
       if (part == 0) program_.rate_operations = static_cast<int>(program_.operations.size());
       if (part == 1) program_.step_operations = static_cast<int>(program_.operations.size());
     }
   }
 
-  void write(const Step& step) {
+  void write(const Sequence& sequence) {
+    const auto begin = static_cast<int>(program_.operations.size());
+    for (const int step : sequence.steps) write(d_.steps[step]);
+    if (sequence.cuts.empty()) return;
+    std::vector<int> cuts;
+    for (const int slot : sequence.cuts) {
+      cuts.push_back(at(slot));
+      const auto guess = guesses_.find(d_.resolved(slot));
+      if (guess != guesses_.end()) program_.image[cuts.back()] = guess->second;
+    }
+    program_.loops.push_back({begin, static_cast<int>(program_.operations.size()), std::move(cuts),
+                              listed(blocks_of(d_, sequence.steps)), loops_});
+  }
+
+  /// A sum that is one of its own terms reads itself before it is written.
+  void read_itself_first(Step& step) {
+    bool is_first = false;
+    for (std::size_t k = 1; k < step.operations.size(); ++k) {
+      Operation &o = step.operations[k], &first = step.operations[0];
+      if (o.code != Operation::Code::add || d_.resolved(o.a) != step.out) continue;
+      double &factor = d_.parameters[o.parameter], &own = d_.parameters[first.parameter];
+      if (!is_first)
+        std::swap(o.a, first.a), std::swap(factor, own);
+      else
+        own += std::exchange(factor, 0.0);
+      is_first = true;
+    }
+  }
+
+  void write(Step step) {
+    read_itself_first(step);
     for (Operation o : step.operations) {
       o.out = place_[step.out];
       for (int* const slot : slots_of(o)) *slot = at(*slot);
@@ -176,6 +214,8 @@ class Writer {
   std::string block_of(int slot) const { return d_.signals[d_.resolved(slot)].block; }
 
   Lowering& d_;
+  const LoopSettings& loops_;
+  std::map<int, double> guesses_;  ///< by resolved slot
   std::vector<int> outputs_;
   std::vector<bool> alive_;
   std::vector<int> place_;
@@ -213,9 +253,10 @@ Program compile(const Description& diagram) {
     outputs.push_back(name ? lowered.named(*name, output.where)
                            : lowered.constant(std::get<double>(output.from)));
   }
+  for (const auto& [name, value] : diagram.loops.guess) lowered.named(name, diagram.loops.where);
   lowered.refuse_circles();
   refuse_unknown_signals(lowered);
-  return Writer(lowered, outputs).write();
+  return Writer(lowered, outputs, diagram.loops).write();
 }
 
 }  // namespace tandem::engine

@@ -47,10 +47,28 @@ Description DiagramReader::read() {
   });
   each("blocks", [this](auto& name, Section& s) { read_block(name, s); });
   each("outputs", [this](auto& name, Section& s) { read_output(name, s); });
+  read_loops();
   root_.table("run");  // for whoever runs it
   root_.refuse_unknown();
   if (to_.blocks.empty()) root_.missing("blocks", "a table [blocks.NAME] for each block");
   return std::move(to_);
+}
+
+void DiagramReader::read_loops() {
+  const toml::table* table = root_.table("loops");
+  if (!table) return;
+  Section section(document(), *table, root_.name("loops"));
+  LoopSettings& loops = to_.loops;
+  loops.where = section.place().text();
+  loops.solve = section.flag("solve").value_or(loops.solve);
+  loops.tolerance = section.positive("tolerance").value_or(loops.tolerance);
+  const double most = section.positive("most_iterations").value_or(loops.most_iterations);
+  if (most < 1.0 || most > 1e6) section.wrong("most_iterations", fmt::format("{}", most), "1 to 1e6");
+  loops.most_iterations = static_cast<int>(most);
+  if (const toml::table* guesses = section.table("guess"))
+    for (const auto& [signal, node] : text::in_file_order(*guesses))
+      loops.guess[signal] = text::number_of(document(), *node, section.name("guess." + signal));
+  section.refuse_unknown();
 }
 
 /// Calls read(name, section) for each table below a key, in the order of the file.

@@ -38,6 +38,7 @@ class DiagramReader {
 
   template <class Read>
   void each(const std::string& key, const Read& read);
+  void read_loops();
   void read_parameter(const std::string& name, Section& section);
   void refuse_unknown_parameters() const;
   std::vector<std::string> known() const;

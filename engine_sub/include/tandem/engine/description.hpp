@@ -48,6 +48,16 @@ struct Output {
   std::string where = {};
 };
 
+/// What is done about algebraic loops, and how: KINSOL stops where each signal at which a loop is cut stays
+/// as it is to this tolerance, relative, or absolute where it is below 1.
+struct LoopSettings {
+  bool solve = false;  ///< if not, they are refused
+  double tolerance = 1e-12;
+  int most_iterations = 50;
+  std::map<std::string, double> guess = {};  ///< signals at which loops are cut, with where to begin
+  std::string where = {};
+};
+
 /// A block diagram as written down: nothing is sorted or checked yet. From a file: read_diagram().
 struct Description {
   std::string name;
@@ -56,6 +66,7 @@ struct Description {
   std::vector<Block> blocks;
   std::vector<Output> outputs;
   std::vector<CompiledBlock> kinds = {};  ///< of blocks, beside those that there are; of the whole diagram
+  LoopSettings loops = {};                ///< of the whole diagram, those in blocks with it
   std::filesystem::path folder = {};      ///< that files are named from; empty: the working folder
 };
 

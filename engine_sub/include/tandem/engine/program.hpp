@@ -7,6 +7,7 @@
 
 #include "tandem/engine/compiled_block.hpp"
 #include "tandem/engine/curve.hpp"
+#include "tandem/engine/description.hpp"
 #include "tandem/engine/surface.hpp"
 
 namespace tandem::engine {
@@ -70,6 +71,15 @@ struct Delay {
   std::string name;  ///< of its block
 };
 
+/// Operations that need their own results: from the values of signals at which the loop is cut they make new
+/// ones, and have to be repeated until they are the same.
+struct Loop {
+  int first, last;        ///< operations, the second past the end
+  std::vector<int> cuts;  ///< slots
+  std::string blocks;     ///< "a, b, c"
+  LoopSettings settings;
+};
+
 /// A signal that has to stay between two values.
 struct Range {
   int signal;
@@ -94,6 +104,7 @@ struct Program {
   std::vector<Surface> surfaces;
   std::vector<CompiledBlock::Function> calls;
   std::vector<Delay> delays;
+  std::vector<Loop> loops;  ///< in the order of their operations
   std::vector<Crossing> crossings;
   std::vector<Periodic> periodics;
   std::vector<Update> step_updates;  ///< at the beginning of each own step
@@ -105,15 +116,7 @@ struct Program {
   std::vector<std::string> state_names, signal_names;  ///< the second by slot; empty: no name
   std::vector<std::string> notices;                    ///< what was left out, and why
 
-  /// Results of operations, from states, time, inputs and held values of an image: of those that derivatives
-  /// need; of all but those that are needed at events alone; then of these.
-  void evaluate_rates(double* signals) const { run(signals, 0, rate_operations); }
-  void evaluate(double* signals) const { run(signals, 0, step_operations); }
-  void evaluate_updates(double* signals) const {
-    run(signals, step_operations, static_cast<int>(operations.size()));
-  }
-
- private:
+  /// Operations from `first` to before `last`, each once.
   void run(double* signals, int first, int last) const;
 };
 
