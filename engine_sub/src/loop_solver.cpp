@@ -90,10 +90,12 @@ double LoopSolver::largest(const double* f) const {
 void LoopSolver::refuse(double residual) const {
   throw Error(
       ErrorCode::numerical,
-      fmt::format("the algebraic loop through the blocks {} has no solution near the last one at t = {} s: "
-                  "its residual is {} after up to {} iterations; allowed is {}{}",
-                  loop_.blocks, image_[program_.time], residual, loop_.settings.most_iterations,
-                  loop_.settings.tolerance, message_.empty() ? "" : " (KINSOL: " + message_ + ")"));
+      fmt::format(
+          "the algebraic loop through the blocks {} has no solution near the last one at t = {} s: its "
+          "residual is {} after up to {} iterations; allowed is {}, and a guess in the table [loops] to "
+          "begin at{}",
+          loop_.blocks, image_[program_.time], residual, loop_.settings.most_iterations,
+          loop_.settings.tolerance, message_.empty() ? "" : " (KINSOL: " + message_ + ")"));
 }
 
 void LoopSolver::solve(double* image) {

@@ -24,6 +24,7 @@ Simulation::Simulation(const Program& program, InputSource* inputs, std::unique_
     : system_(program, inputs), integrator_(std::move(integrator)), settings_(settings) {
   for (const Delay& delay : program.delays)
     if (delay.past >= 0) delays_.push_back(&delay);
+  has_instants_ = !program.breaks.empty() || !program.periodics.empty() || !delays_.empty();
 }
 
 void Simulation::start(double t) {
@@ -95,16 +96,15 @@ double Simulation::advance(double t_end) {
   events_ = 0;
   if (!delays_.empty()) note_jumps();
   while (time_ < t_end) {
-    const double instant = next_instant(t_end);
+    const double instant = has_instants_ ? next_instant(t_end) : t_end;
     const double before = time_;
     time_ = integrator_->advance(system_, time_, instant);
     refuse_not_finite();
-    refuse_outside();
+    if (!system_.program().ranges.empty()) refuse_outside();
     const bool arrived = time_ >= instant;
-    record(smooth);
-    if (bends()) record(kink);
+    if (!delays_.empty()) record(bends() ? kink : smooth);
     if (system_.changed() >= 0) fire_crossings();
-    if (arrived) fire_periodics(), turn_delays();
+    if (arrived && has_instants_) fire_periodics(), turn_delays();
     if (!arrived && events_ == 0 && time_ > before) return time_;
   }
   return time_;
@@ -140,6 +140,7 @@ Past Simulation::past(const Delay& delay) { return {delay, system_.image().data(
 /// What delays remember of this time, and whether they still have what they give.
 void Simulation::record(int level) {
   for (const Delay* d : delays_) {
+    if (level == kink) past(*d).record(time_, system_.image()[d->from], smooth);
     past(*d).record(time_, system_.image()[d->from], level);
     if (!past(*d).reaches(time_ - d->time))
       throw Error(

@@ -71,6 +71,7 @@ class Simulation {
   int events_ = 0;
   std::vector<double> before_;
   std::vector<const Delay*> delays_;
+  bool has_instants_ = false;  ///< at which steps end, beside those of own steps
 };
 
 }  // namespace tandem::engine
