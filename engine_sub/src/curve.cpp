@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "cubic.hpp"
 #include "tandem/error.hpp"
 
 namespace tandem::engine {
@@ -18,13 +19,6 @@ std::vector<double> straight(const std::vector<double>& x, const std::vector<dou
   for (std::size_t k = 0; k + 1 < x.size(); ++k) slope.push_back((y[k + 1] - y[k]) / (x[k + 1] - x[k]));
   slope.push_back(slope.back());
   return slope;
-}
-
-/// The slope at a point between lines of slopes a and b over lengths h and k.
-double harmonic(double a, double h, double b, double k) {
-  if (a * b <= 0.0) return 0.0;
-  const double weight = (h + 2.0 * k) / (3.0 * (h + k));
-  return a * b / (weight * b + (1.0 - weight) * a);
 }
 
 std::vector<double> monotone(const std::vector<double>& x, const std::vector<double>& y) {
@@ -65,9 +59,8 @@ double Curve::operator()(double x) const {
   if (x >= x_.back()) return outside(x_.size() - 1, x);
   const auto k = static_cast<std::size_t>(std::upper_bound(x_.begin(), x_.end(), x) - x_.begin() - 1);
   if (between_ == Between::linear) return y_[k] + slope_[k] * (x - x_[k]);
-  const double h = x_[k + 1] - x_[k], s = (x - x_[k]) / h, r = 1.0 - s;
-  return r * r * ((1.0 + 2.0 * s) * y_[k] + s * h * slope_[k]) +
-         s * s * ((1.0 + 2.0 * r) * y_[k + 1] - r * h * slope_[k + 1]);
+  const double h = x_[k + 1] - x_[k];
+  return hermite({h, y_[k], slope_[k], y_[k + 1], slope_[k + 1]}, (x - x_[k]) / h);
 }
 
 }  // namespace tandem::engine

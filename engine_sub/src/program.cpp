@@ -1,9 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "tandem/engine/program.hpp"
 
-#include <span>
-
 #include "functions.hpp"
+#include "past.hpp"
 
 namespace tandem::engine {
 namespace {
@@ -26,9 +25,10 @@ double side(double x, const double* limits) { return x < limits[0] ? -1.0 : x > 
 
 }  // namespace
 
-void Program::run(double* s, std::size_t count) const {
+void Program::run(double* s, int first, int last) const {
   using enum Operation::Code;
-  for (const Operation& o : std::span(operations).first(count)) {
+  for (const Operation *at = operations.data() + first, *end = operations.data() + last; at != end; ++at) {
+    const Operation& o = *at;
     const double* const p = parameters.data() + o.parameter;
     double& out = s[o.out];
     switch (o.code) {
@@ -59,6 +59,9 @@ void Program::run(double* s, std::size_t count) const {
       case curve:
         out = curves[static_cast<std::size_t>(o.b)](s[o.a]);
         break;
+      case surface:
+        out = surfaces[static_cast<std::size_t>(o.more)](s[o.a], s[o.b]);
+        break;
       case select:
         out = s[o.more] > 0.0 ? s[o.a] : s[o.b];
         break;
@@ -73,6 +76,13 @@ void Program::run(double* s, std::size_t count) const {
         break;
       case compare:
         out = s[o.a] > s[o.b] ? 1.0 : 0.0;
+        break;
+      case delay:
+        out = Past(delays[static_cast<std::size_t>(o.b)], s + o.a).value(s[o.more] - p[0]);
+        break;
+      case call:
+        calls[static_cast<std::size_t>(o.more)](p, o.a < 0 ? nullptr : s + o.a, o.b < 0 ? nullptr : s + o.b,
+                                                &out);
         break;
       case leave:
         out = s[o.more] * s[o.a] < 0.0 ? 0.0 : s[o.more];

@@ -5,34 +5,51 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
+#include "past.hpp"
 #include "tandem/error.hpp"
 
 namespace tandem::engine {
 namespace {
 
 constexpr int most_settlings = 100;
+constexpr int smooth = 0, jump = 1, kink = 2;  // levels of Past::record
 
 }  // namespace
 
 Simulation::Simulation(const Program& program, InputSource* inputs, std::unique_ptr<Integrator> integrator,
                        const SimulationSettings& settings)
-    : system_(program, inputs), integrator_(std::move(integrator)), settings_(settings) {}
+    : system_(program, inputs), integrator_(std::move(integrator)), settings_(settings) {
+  for (const Delay& delay : program.delays)
+    if (delay.past >= 0) delays_.push_back(&delay);
+  has_instants_ = !program.breaks.empty() || !program.periodics.empty() || !delays_.empty();
+}
 
 void Simulation::start(double t) {
   system_.image() = system_.program().image;
   time_ = t;
+  for (const Delay* d : delays_) past(*d).clear();
   system_.evaluate(t);
-  before_ = system_.image();
+  remember();
   apply(system_.program().starts);
   settle();
   for (const Crossing& c : system_.program().crossings)
-    system_.image()[c.sign] = system_.image()[c.signal] > 0.0 ? 1.0 : -1.0;
+    system_.image()[c.sign] = system_.image()[c.signal] > 0.0 && !c.sees_start ? 1.0 : -1.0;
   for (const Periodic& p : system_.program().periodics)
     system_.image()[p.count] = std::max(0.0, std::ceil((t - p.offset) / p.period));
+  record(jump);
   fire_periodics();
+  if (system_.changed() >= 0) fire_crossings();
+  refuse_outside();
   integrator_->restart(system_, t);
+}
+
+/// All signals before an event.
+void Simulation::remember() {
+  system_.evaluate_updates();
+  before_ = system_.image();
 }
 
 /// Modes as the signals want them.
@@ -40,7 +57,7 @@ void Simulation::settle() {
   const Program& program = system_.program();
   for (int round = 0; round < most_settlings; ++round) {
     system_.evaluate(time_);
-    before_ = system_.image();
+    remember();
     apply(program.settled);
     if (before_ == system_.image()) return;
   }
@@ -50,29 +67,110 @@ void Simulation::settle() {
 }
 
 double Simulation::step(double t_end) {
+  begin_step();
+  return advance(t_end);
+}
+
+void Simulation::run(double t_end) {
+  begin_step();
+  while (time_ < t_end) advance(t_end);
+}
+
+/// What happens at the beginning of each own step, from the signals at the end of the last.
+void Simulation::begin_step() {
+  const auto& updates = system_.program().step_updates;
+  if (updates.empty()) return;
   events_ = 0;
+  remember();
+  apply(updates);
+  system_.evaluate(time_);
+  if (system_.changed() >= 0) fire_crossings();
+  const auto& image = system_.image();
+  const auto differs = [&](const Update& u) { return image[u.to] != before_[u.to]; };
+  if (std::none_of(updates.begin(), updates.end(), differs)) return;
+  record(jump);
+  integrator_->restart(system_, time_);
+}
+
+double Simulation::advance(double t_end) {
+  events_ = 0;
+  if (!delays_.empty()) note_jumps();
   while (time_ < t_end) {
-    const double instant = next_instant(t_end);
+    const double instant = has_instants_ ? next_instant(t_end) : t_end;
     const double before = time_;
     time_ = integrator_->advance(system_, time_, instant);
     refuse_not_finite();
+    if (!system_.program().ranges.empty()) refuse_outside();
     const bool arrived = time_ >= instant;
+    if (!delays_.empty()) record(bends() ? kink : smooth);
     if (system_.changed() >= 0) fire_crossings();
-    if (arrived) fire_periodics();
+    if (arrived && has_instants_) fire_periodics(), turn_delays();
     if (!arrived && events_ == 0 && time_ > before) return time_;
   }
   return time_;
 }
 
-/// Where a source has a kink or a periodic event is due, if that is before t_end.
-double Simulation::next_instant(double t_end) const {
+double Simulation::rounding() const { return 8.0 * std::numeric_limits<double>::epsilon() * std::abs(time_); }
+
+/// Where a source has a kink now, within the rounding of time.
+bool Simulation::bends() const {
+  const auto& breaks = system_.program().breaks;
+  const auto at = std::lower_bound(breaks.begin(), breaks.end(), time_ - rounding());
+  return at != breaks.end() && *at <= time_ + rounding();
+}
+
+/// Where a source has a kink or an event is due, if that is before t_end by more than the rounding of time.
+double Simulation::next_instant(double t_end) {
   const Program& program = system_.program();
   double next = t_end;
-  const auto kink = std::upper_bound(program.breaks.begin(), program.breaks.end(), time_);
-  if (kink != program.breaks.end()) next = std::min(next, *kink);
+  const auto earlier = [&](double t) {
+    if (t < t_end - rounding()) next = std::min(next, t);
+  };
+  const auto bend = std::upper_bound(program.breaks.begin(), program.breaks.end(), time_ + rounding());
+  if (bend != program.breaks.end()) earlier(*bend);
   for (const Periodic& p : program.periodics)
     next = std::min(next, p.offset + system_.image()[p.count] * p.period);
+  for (const Delay* d : delays_)
+    for (const double due : {past(*d).due(), time_ + d->time}) earlier(due);
   return next;
+}
+
+Past Simulation::past(const Delay& delay) { return {delay, system_.image().data() + delay.past}; }
+
+/// What delays remember of this time, and whether they still have what they give.
+void Simulation::record(int level) {
+  for (const Delay* d : delays_) {
+    if (level == kink) past(*d).record(time_, system_.image()[d->from], smooth);
+    past(*d).record(time_, system_.image()[d->from], level);
+    if (!past(*d).reaches(time_ - d->time))
+      throw Error(
+          ErrorCode::numerical,
+          fmt::format("block '{}' remembers {} points, which reach back less than its delay of {} s at "
+                      "t = {} s; allowed is more of them at its key points",
+                      d->name, d->points, d->time, time_));
+  }
+}
+
+/// Signals that have jumped with the inputs since they were recorded.
+void Simulation::note_jumps() {
+  system_.evaluate_again(time_);
+  for (const Delay* d : delays_) {
+    const double now = system_.image()[d->from], before = past(*d).newest();
+    if (std::abs(now - before) > 1e-12 * std::max(std::abs(now), std::abs(before)))
+      past(*d).record(time_, now, jump);
+  }
+}
+
+/// Where what a delay gives jumps or bends, it is another run that it gives from there on.
+void Simulation::turn_delays() {
+  int level = 0;
+  for (const Delay* d : delays_)
+    if (past(*d).due() <= time_ + rounding()) level = std::max(level, past(*d).turn() + 1);
+  if (level == 0) return;
+  system_.evaluate(time_);
+  if (level <= most_levels) record(level);
+  if (system_.changed() >= 0) fire_crossings();
+  integrator_->restart(system_, time_);
 }
 
 void Simulation::fire_periodics() {
@@ -80,7 +178,7 @@ void Simulation::fire_periodics() {
   for (const Periodic& p : system_.program().periodics) {
     double& count = system_.image()[p.count];
     if (p.offset + count * p.period > time_) continue;
-    if (!std::exchange(fired, true)) before_ = system_.image();
+    if (!std::exchange(fired, true)) remember();
     count += 1.0;
     apply(p.updates);
     happened(p.name);
@@ -95,7 +193,7 @@ void Simulation::fire_periodics() {
 void Simulation::fire_crossings() {
   while (system_.changed() >= 0) {
     happened(system_.program().crossings[static_cast<std::size_t>(system_.changed())].name);
-    before_ = system_.image();
+    remember();
     for (int k = system_.changed(); k >= 0; k = system_.changed(k + 1)) {
       const Crossing& c = system_.program().crossings[static_cast<std::size_t>(k)];
       const bool rises = before_[c.signal] > 0.0;
@@ -106,6 +204,7 @@ void Simulation::fire_crossings() {
     }
     system_.evaluate(time_);
   }
+  record(jump);
   integrator_->restart(system_, time_);
 }
 
@@ -138,6 +237,19 @@ void Simulation::refuse_not_finite() const {
     if (!std::isfinite(image[i]))
       throw Error(ErrorCode::numerical,
                   fmt::format("state '{}' is {} at t = {} s", name(i), image[i], time_));
+}
+
+void Simulation::refuse_outside() const {
+  for (const Range& r : system_.program().ranges) {
+    const double value = system_.image()[r.signal];
+    const double rounding =
+        4.0 * std::numeric_limits<double>::epsilon() * std::max(std::abs(r.low), std::abs(r.high));
+    if (value >= r.low - rounding && value <= r.high + rounding) continue;
+    throw Error(
+        ErrorCode::numerical,
+        fmt::format("{}: {} is {} at t = {} s; allowed is {} to {}, or another word at its key beyond",
+                    r.owner, r.what, value, time_, r.low, r.high));
+  }
 }
 
 const std::vector<double>& Simulation::keep() {

@@ -1,7 +1,27 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "tandem/engine/system.hpp"
 
+#include "loop_solver.hpp"
+
 namespace tandem::engine {
+
+System::System(const Program& program, InputSource* inputs)
+    : program_(program), inputs_(inputs), image_(program.image) {
+  for (const Loop& loop : program.loops) loops_.push_back(std::make_unique<LoopSolver>(program, loop));
+}
+
+System::~System() = default;
+
+void System::run_with_loops(int first, int last) {
+  for (const auto& solver : loops_) {
+    const Loop& loop = solver->loop();
+    if (loop.first < first || loop.first >= last) continue;
+    program_.run(image_.data(), first, loop.first);
+    solver->solve(image_.data());
+    first = loop.last;
+  }
+  program_.run(image_.data(), first, last);
+}
 
 double System::watched(int crossing) const {
   return image_[static_cast<std::size_t>(program_.crossings[static_cast<std::size_t>(crossing)].signal)];

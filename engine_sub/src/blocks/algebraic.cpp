@@ -61,16 +61,6 @@ void function(Lowering& to, Arguments& a) {
   to.define("", to.operation(Code::function, a.wire("input"), number));
 }
 
-/// A table of one variable.
-void table(Lowering& to, Arguments& a) {
-  const bool cubic = a.word("interpolation", {"linear", "cubic"}) == 1;
-  const bool extend = a.word("beyond", {"hold", "extend"}) == 1;
-  to.define("", to.curve({a.owner(), a.numbers("x"), a.numbers("y"),
-                          cubic ? Curve::Between::cubic : Curve::Between::linear,
-                          extend ? Curve::Beyond::extend : Curve::Beyond::hold},
-                         a.wire("input")));
-}
-
 }  // namespace
 
 const std::vector<BlockKind> algebraic_blocks = {{"gain", gain},
@@ -78,7 +68,6 @@ const std::vector<BlockKind> algebraic_blocks = {{"gain", gain},
                                                  {"product", product},
                                                  {"quotient", quotient},
                                                  {"polynomial", polynomial},
-                                                 {"function", function},
-                                                 {"table", table}};
+                                                 {"function", function}};
 
 }  // namespace tandem::engine

@@ -102,6 +102,33 @@ std::string Arguments::text(const std::string& key, const std::string& otherwise
   return *text;
 }
 
+std::vector<std::string> Arguments::texts(const std::string& key) {
+  const std::string allowed = "an array of names, each there once";
+  const Value& value = required(key, allowed);
+  const auto* list = std::get_if<std::vector<Wire>>(&value);
+  if (!list || list->empty()) refuse(key, described(value), allowed);
+  std::vector<std::string> all;
+  for (const Wire& item : *list) {
+    const auto* text = std::get_if<std::string>(&item);
+    if (!text || std::find(all.begin(), all.end(), *text) != all.end())
+      refuse(key, text ? "an array with '" + *text + "' twice" : "not made of names", allowed);
+    all.push_back(*text);
+  }
+  return all;
+}
+
+const std::vector<Block>& Arguments::tables(const std::string& key) {
+  static const std::vector<Block> none;
+  asked_.insert(key);
+  const auto it = block_.tables.find(key);
+  return it == block_.tables.end() ? none : it->second;
+}
+
+std::string Arguments::required_text(const std::string& key, const std::string& allowed) {
+  required(key, allowed);
+  return text(key, "");
+}
+
 std::size_t Arguments::word(const std::string& key, const std::vector<std::string>& allowed) {
   const std::string found = text(key, allowed.front());
   const auto it = std::find(allowed.begin(), allowed.end(), found);
@@ -120,6 +147,8 @@ bool Arguments::flag(const std::string& key, bool otherwise) {
 void Arguments::refuse_unknown() const {
   const std::vector<std::string> known(asked_.begin(), asked_.end());
   for (const auto& [key, value] : block_.values)
+    if (asked_.count(key) == 0) engine::refuse(place(key), owner() + ": " + unknown("key", key, known));
+  for (const auto& [key, tables] : block_.tables)
     if (asked_.count(key) == 0) engine::refuse(place(key), owner() + ": " + unknown("key", key, known));
 }
 

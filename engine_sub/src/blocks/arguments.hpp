@@ -25,6 +25,10 @@ class Arguments {
   double positive(const std::string& key);
   std::vector<double> numbers(const std::string& key);
   std::string text(const std::string& key, const std::string& otherwise);
+  std::string required_text(const std::string& key, const std::string& allowed);
+  std::vector<std::string> texts(const std::string& key);
+  /// Tables at a key; none if it is not there.
+  const std::vector<Block>& tables(const std::string& key);
   /// The place of a word in a list, the first if the key is not there.
   std::size_t word(const std::string& key, const std::vector<std::string>& allowed);
   bool flag(const std::string& key, bool otherwise);
@@ -32,7 +36,8 @@ class Arguments {
   [[noreturn]] void refuse(const std::string& key, const std::string& found,
                            const std::string& allowed) const;
   /// "block 'f' of kind polynomial"
-  std::string owner() const { return "block '" + block_.name + "' of kind " + block_.kind; }
+  std::string owner() const { return "block '" + to_.full_name(block_.name) + "' of kind " + block_.kind; }
+  const Block& block() const { return block_; }
   const std::string& where() const { return block_.where; }
   void refuse_unknown() const;
 

@@ -61,6 +61,19 @@ void lag(Lowering& to, Arguments& a) {
   to.define("", state);
 }
 
+/// state' = (input - state) / time within -falling and rising.
+void rate_limiter(Lowering& to, Arguments& a) {
+  const double pace = 1.0 / a.positive("time");
+  const std::vector<double> limits = {-a.positive("falling"), a.positive("rising")};
+  const int input = a.wire("input"), state = to.state(-1);
+  to.start(state, a.has("initial") ? a.wire("initial") : input);
+  const int free = to.sum({input, state}, {pace, -pace});
+  const int wanted = to.operation(Code::beyond, free, 0, limits);
+  const int mode = to.mode(wanted, {to.linear(-limits[0], 1.0, free), to.linear(-limits[1], 1.0, free)});
+  to.signals[state].rate = to.operation(Code::clamp, free, 0, limits, mode);
+  to.define("", state);
+}
+
 /// The sum of signals, each times the factor of a row from `first` on.
 int row(Lowering& to, const std::vector<int>& signals, const std::vector<double>& matrix, std::size_t first) {
   return to.sum(signals, {matrix.begin() + static_cast<std::ptrdiff_t>(first),
@@ -157,6 +170,7 @@ void pid(Lowering& to, Arguments& a) {
 
 const std::vector<BlockKind> dynamic_blocks = {{"integrator", integrator},
                                                {"lag", lag},
+                                               {"rate_limiter", rate_limiter},
                                                {"state_space", state_space},
                                                {"transfer_function", transfer_function},
                                                {"pid", pid}};

@@ -13,7 +13,11 @@ struct BlockKind {
 };
 
 // By theme, one file each.
-extern const std::vector<BlockKind> source_blocks, algebraic_blocks, nonlinear_blocks, dynamic_blocks,
-    discrete_blocks;
+extern const std::vector<BlockKind> source_blocks, algebraic_blocks, table_blocks, nonlinear_blocks,
+    dynamic_blocks, discrete_blocks, machine_blocks, nested_blocks;
+
+/// A block by its kind.
+void lower(const Block& block, Lowering& to);
+void lower_compiled(const CompiledBlock& kind, Lowering& to, Arguments& a);
 
 }  // namespace tandem::engine

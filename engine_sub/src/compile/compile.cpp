@@ -2,7 +2,9 @@
 #include "tandem/engine/compile.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "blocks/kinds.hpp"
 #include "refuse.hpp"
@@ -14,44 +16,42 @@ namespace {
 
 std::vector<BlockKind> kinds() {
   std::vector<BlockKind> all;
-  for (const auto* list :
-       {&source_blocks, &algebraic_blocks, &nonlinear_blocks, &dynamic_blocks, &discrete_blocks})
+  for (const auto* list : {&source_blocks, &algebraic_blocks, &table_blocks, &nonlinear_blocks,
+                           &dynamic_blocks, &discrete_blocks, &machine_blocks, &nested_blocks})
     all.insert(all.end(), list->begin(), list->end());
   return all;
 }
 
-void lower(const Block& block, Lowering& to) {
-  for (const BlockKind& kind : kinds())
-    if (block.kind == kind.name) {
-      Arguments arguments(block, to);
-      to.begin(block);
-      kind.lower(to, arguments);
-      return arguments.refuse_unknown();
-    }
-  refuse(block.where, "block '" + block.name + "': " + unknown("kind", block.kind, block_kinds()));
+/// Names that are known in a scope.
+std::vector<std::string> known_signals(const Lowering& d, int scope) {
+  std::vector<std::string> known;
+  for (const Slot& s : d.signals)
+    if (!s.name.empty() && s.scope == scope && (s.kind != Slot::Kind::unknown || s.same_as >= 0))
+      known.push_back(s.name);
+  return known;
 }
 
 void refuse_unknown_signals(const Lowering& d) {
-  std::vector<std::string> known;
   for (const Slot& s : d.signals)
-    if (!s.name.empty() && (s.kind != Slot::Kind::unknown || s.same_as >= 0)) known.push_back(s.name);
-  for (const Slot& s : d.signals)
-    if (s.kind == Slot::Kind::unknown && s.same_as < 0) refuse(s.where, unknown("signal", s.name, known));
+    if (s.kind == Slot::Kind::unknown && s.same_as < 0)
+      refuse(s.where, unknown("signal", s.name, known_signals(d, s.scope)));
 }
 
 /// Gives slots their places in the image and writes the program.
 class Writer {
  public:
-  Writer(const Description& diagram, Lowering& lowered, const std::vector<int>& outputs)
-      : diagram_(diagram),
-        d_(lowered),
+  Writer(Lowering& lowered, const std::vector<int>& outputs, const LoopSettings& loops)
+      : d_(lowered),
+        loops_(loops),
         outputs_(outputs),
         alive_(alive(d_, outputs)),
         place_(d_.signals.size(), -1) {}
 
   Program write() {
+    for (const auto& [name, value] : loops_.guess)
+      guesses_[d_.resolved(d_.named(name, loops_.where))] = value;
     for (const auto kind : {Slot::Kind::state, Slot::Kind::time, Slot::Kind::input, Slot::Kind::held,
-                            Slot::Kind::result, Slot::Kind::constant})
+                            Slot::Kind::result, Slot::Kind::constant, Slot::Kind::past})
       place(kind);
     write_states();
     write_operations();
@@ -61,6 +61,9 @@ class Writer {
     for (const int output : outputs_) program_.outputs.push_back(at(output));
     program_.parameters = d_.parameters;
     program_.curves = d_.curves;
+    program_.surfaces = d_.surfaces;
+    program_.calls = d_.calls;
+    write_delays();
     program_.breaks = d_.breaks;
     std::sort(program_.breaks.begin(), program_.breaks.end());
     return std::move(program_);
@@ -75,7 +78,8 @@ class Writer {
     for (std::size_t s = 0; s < d_.signals.size(); ++s)
       if (d_.signals[s].kind == kind && (always || alive_[s])) {
         place_[s] = static_cast<int>(program_.image.size());
-        program_.image.push_back(d_.signals[s].start);
+        program_.image.resize(program_.image.size() + static_cast<std::size_t>(d_.signals[s].size));
+        program_.image[place_[s]] = d_.signals[s].start;
         program_.signal_names.push_back(d_.signals[s].name);
       }
   }
@@ -91,21 +95,60 @@ class Writer {
     program_.states = static_cast<int>(program_.rates.size());
   }
 
-  /// First those that rates need.
+  /// First those that rates need, then what else is needed at each step, last what is needed at events.
   void write_operations() {
     std::vector<int> rates;
     for (std::size_t s = 0; s < d_.signals.size(); ++s)
       if (d_.signals[s].kind == Slot::Kind::state && alive_[s]) rates.push_back(d_.signals[s].rate);
-    const auto first = needed_at_once(d_, rates);
-    const auto order = sorted_steps(d_, alive_);
-    for (const bool now : {true, false}) {
-      for (const int step : order)
-        if (first[d_.steps[step].out] == now) write(d_.steps[step]);
-      if (now) program_.rate_operations = static_cast<int>(program_.operations.size());
+    std::vector<int> seen = rates;
+    seen.insert(seen.end(), outputs_.begin(), outputs_.end());
+    for (const Event& e : d_.events)
+      if (e.signal >= 0 && alive_[d_.resolved(e.signal)]) seen.push_back(e.signal);
+    for (const Delay& delay : d_.delays)
+      if (alive_[delay.past]) seen.push_back(delay.from);
+    const auto first = needed_at_once(d_, rates), second = needed_at_once(d_, seen);
+    const auto order = sorted_steps(d_, alive_, loops_);
+    for (const int part : {0, 1, 2}) {
+      for (const Sequence& sequence : order) {
+        const int slot = d_.steps[sequence.steps[0]].out;
+        if (part == (first[slot] ? 0 : second[slot] ? 1 : 2)) write(sequence);
+      }
+      if (part == 0) program_.rate_operations = static_cast<int>(program_.operations.size());
+      if (part == 1) program_.step_operations = static_cast<int>(program_.operations.size());
     }
   }
 
-  void write(const Step& step) {
+  void write(const Sequence& sequence) {
+    const auto begin = static_cast<int>(program_.operations.size());
+    for (const int step : sequence.steps) write(d_.steps[step]);
+    if (sequence.cuts.empty()) return;
+    std::vector<int> cuts;
+    for (const int slot : sequence.cuts) {
+      cuts.push_back(at(slot));
+      const auto guess = guesses_.find(d_.resolved(slot));
+      if (guess != guesses_.end()) program_.image[cuts.back()] = guess->second;
+    }
+    program_.loops.push_back({begin, static_cast<int>(program_.operations.size()), std::move(cuts),
+                              listed(blocks_of(d_, sequence.steps)), loops_});
+  }
+
+  /// A sum that is one of its own terms reads itself before it is written.
+  void read_itself_first(Step& step) {
+    bool is_first = false;
+    for (std::size_t k = 1; k < step.operations.size(); ++k) {
+      Operation &o = step.operations[k], &first = step.operations[0];
+      if (o.code != Operation::Code::add || d_.resolved(o.a) != step.out) continue;
+      double &factor = d_.parameters[o.parameter], &own = d_.parameters[first.parameter];
+      if (!is_first)
+        std::swap(o.a, first.a), std::swap(factor, own);
+      else
+        own += std::exchange(factor, 0.0);
+      is_first = true;
+    }
+  }
+
+  void write(Step step) {
+    read_itself_first(step);
     for (Operation o : step.operations) {
       o.out = place_[step.out];
       for (int* const slot : slots_of(o)) *slot = at(*slot);
@@ -124,13 +167,29 @@ class Writer {
     for (const Event& e : d_.events) {
       auto updates = moved(e.updates);
       if (updates.empty()) continue;
-      if (e.kind == Event::Kind::crossing)
-        program_.crossings.push_back({at(e.signal), at(e.sign), e.direction, std::move(updates), e.block});
+      if (e.kind == Event::Kind::own_step)
+        program_.step_updates.insert(program_.step_updates.end(), updates.begin(), updates.end());
+      else if (e.kind == Event::Kind::crossing)
+        program_.crossings.push_back(
+            {at(e.signal), at(e.sign), e.direction, std::move(updates), e.block, e.sees_start});
       else
         program_.periodics.push_back({e.period, e.offset, at(e.sign), std::move(updates), e.block});
     }
+    for (const auto& [user, range] : d_.guards)
+      if (alive_[d_.resolved(user)])
+        program_.ranges.push_back(range), program_.ranges.back().signal = at(range.signal);
     program_.settled = moved(d_.settled);
     program_.starts = moved(d_.starts);
+  }
+
+  /// Operations know them by their number among all; those that nothing reads take no part.
+  void write_delays() {
+    program_.delays = d_.delays;
+    for (Delay& delay : program_.delays) {
+      const bool is_alive = alive_[delay.past];
+      delay.past = is_alive ? place_[delay.past] : -1;
+      delay.from = is_alive ? at(delay.from) : -1;
+    }
   }
 
   void write_feedthrough() {
@@ -148,14 +207,15 @@ class Writer {
     std::set<std::string> used;
     for (std::size_t s = 0; s < d_.signals.size(); ++s)
       if (alive_[s]) used.insert(d_.signals[s].block), used.insert(block_of(static_cast<int>(s)));
-    for (const Block& block : diagram_.blocks)
-      if (used.count(block.name) == 0)
-        program_.notices.push_back("block '" + block.name + "' feeds no output and is left out");
+    for (const std::string& block : d_.blocks)
+      if (used.count(block) == 0)
+        program_.notices.push_back("block '" + block + "' feeds no output and is left out");
   }
   std::string block_of(int slot) const { return d_.signals[d_.resolved(slot)].block; }
 
-  const Description& diagram_;
   Lowering& d_;
+  const LoopSettings& loops_;
+  std::map<int, double> guesses_;  ///< by resolved slot
   std::vector<int> outputs_;
   std::vector<bool> alive_;
   std::vector<int> place_;
@@ -163,6 +223,20 @@ class Writer {
 };
 
 }  // namespace
+
+void lower(const Block& block, Lowering& to) {
+  Arguments arguments(block, to);
+  std::vector<std::string> known = block_kinds();
+  for (const CompiledBlock& kind : to.kinds) known.push_back(kind.kind);
+  if (std::find(known.begin(), known.end(), block.kind) == known.end())
+    refuse(block.where, "block '" + to.full_name(block.name) + "': " + unknown("kind", block.kind, known));
+  to.begin(block);
+  for (const BlockKind& kind : kinds())
+    if (block.kind == kind.name) kind.lower(to, arguments);
+  for (const CompiledBlock& kind : to.kinds)
+    if (block.kind == kind.kind) lower_compiled(kind, to, arguments);
+  arguments.refuse_unknown();
+}
 
 std::vector<std::string> block_kinds() {
   std::vector<std::string> names;
@@ -179,8 +253,10 @@ Program compile(const Description& diagram) {
     outputs.push_back(name ? lowered.named(*name, output.where)
                            : lowered.constant(std::get<double>(output.from)));
   }
+  for (const auto& [name, value] : diagram.loops.guess) lowered.named(name, diagram.loops.where);
+  lowered.refuse_circles();
   refuse_unknown_signals(lowered);
-  return Writer(diagram, lowered, outputs).write();
+  return Writer(lowered, outputs, diagram.loops).write();
 }
 
 }  // namespace tandem::engine

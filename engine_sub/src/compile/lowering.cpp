@@ -3,29 +3,54 @@
 
 #include <utility>
 
+#include "past.hpp"
 #include "refuse.hpp"
 
 namespace tandem::engine {
 
-Lowering::Lowering(const Description& diagram) {
+Lowering::Lowering(const Description& diagram) : kinds(diagram.kinds), scopes_{{"", diagram.folder}} {
   add({Slot::Kind::time, 0.0, "time"});
-  names_["time"] = 0;
+  names_[{0, "time"}] = 0;
   for (const Input& input : diagram.inputs) {
-    if (!names_.emplace(input.name, static_cast<int>(signals.size())).second)
-      refuse(input.where, "the name '" + input.name + "' is there twice; allowed is a name of its own");
+    alias(input, static_cast<int>(signals.size()));
     add({Slot::Kind::input, 0.0, input.name});
   }
 }
 
+void Lowering::begin(const Block& block) {
+  block_ = &block;
+  if (!block.diagram) blocks.push_back(full_name(block.name));
+}
+
+Lowering::Outside Lowering::enter(const std::string& block, const Description& diagram, int trigger) {
+  const Outside outside{scope_, block_};
+  const bool is_triggered = trigger >= 0;
+  scopes_.push_back({full_name(block) + ".", diagram.folder, is_triggered ? trigger : scope().trigger});
+  scope_ = static_cast<int>(scopes_.size()) - 1;
+  names_[{scope_, "time"}] = 0;
+  return outside;
+}
+
+void Lowering::leave(const Outside& outside) { scope_ = outside.scope, block_ = outside.block; }
+
+void Lowering::alias(const Input& input, int signal) {
+  if (!names_.emplace(std::pair(scope_, input.name), signal).second)
+    refuse(input.where,
+           "the name '" + full_name(input.name) + "' is there twice; allowed is a name of its own");
+}
+
 int Lowering::add(Slot signal) {
-  if (block_) signal.block = block_->name;
+  if (block_) signal.block = full_name(block_->name);
   signals.push_back(std::move(signal));
   return static_cast<int>(signals.size()) - 1;
 }
 
 int Lowering::named(const std::string& name, const std::string& where) {
-  const auto [it, is_new] = names_.emplace(name, static_cast<int>(signals.size()));
-  if (is_new) signals.push_back({Slot::Kind::unknown, 0.0, name, "", where});
+  const auto [it, is_new] = names_.emplace(std::pair(scope_, name), static_cast<int>(signals.size()));
+  if (is_new) {
+    signals.push_back({Slot::Kind::unknown, 0.0, full_name(name), "", where});
+    signals.back().scope = scope_;
+  }
   return it->second;
 }
 
@@ -33,14 +58,23 @@ void Lowering::define(const std::string& port, int signal) {
   const std::string name = port.empty() ? block_->name : block_->name + "." + port;
   Slot& entry = signals[named(name, "")];
   if (entry.kind != Slot::Kind::unknown || entry.same_as >= 0)
-    refuse(block_->where, "the name '" + name + "' is there twice; allowed is a name of its own");
+    refuse(block_->where, "the name '" + full_name(name) + "' is there twice; allowed is a name of its own");
   entry.same_as = signal;
-  if (signals[signal].name.empty()) signals[signal].name = name;
+  if (signals[signal].name.empty()) signals[signal].name = full_name(name);
 }
 
 int Lowering::resolved(int signal) const {
   while (signals[signal].same_as >= 0) signal = signals[signal].same_as;
   return signal;
+}
+
+void Lowering::refuse_circles() const {
+  for (const Slot& first : signals) {
+    std::size_t names = 0;
+    for (int next = first.same_as; next >= 0; next = signals[next].same_as)
+      if (++names > signals.size())
+        refuse("", "the signal '" + first.name + "' stands for itself; allowed is a block in between");
+  }
 }
 
 int Lowering::constant(double value) { return add({Slot::Kind::constant, value}); }
@@ -54,7 +88,15 @@ void Lowering::start(int slot, int from) {
     starts.push_back({slot, from});
 }
 
+void Lowering::refuse_if_triggered(const std::string& what) const {
+  if (scope().trigger < 0) return;
+  refuse(block_->where, "block '" + full_name(block_->name) + "' of kind " + block_->kind + " has " + what +
+                            ", but stands in a triggered diagram; allowed there is what has neither events "
+                            "nor states");
+}
+
 int Lowering::state(int rate) {
+  refuse_if_triggered("states");
   Slot signal{Slot::Kind::state};
   signal.rate = rate;
   return add(signal);
@@ -63,7 +105,7 @@ int Lowering::state(int rate) {
 int Lowering::operation(Operation::Code code, int a, int b, std::vector<double> p, int more) {
   const int out = add({Slot::Kind::result}), first = static_cast<int>(parameters.size());
   parameters.insert(parameters.end(), p.begin(), p.end());
-  steps.push_back({out, {{code, out, a, b, more, first}}, block_ ? block_->name : ""});
+  steps.push_back({out, {{code, out, a, b, more, first}}, block_ ? full_name(block_->name) : ""});
   return out;
 }
 
@@ -83,21 +125,75 @@ int Lowering::curve(Curve curve, int a) {
   return operation(Operation::Code::curve, a, static_cast<int>(curves.size()) - 1);
 }
 
-int Lowering::crossing(int signal, Crossing::Direction direction) {
-  events.push_back({Event::Kind::crossing, signal, held(0.0), direction});
-  events.back().block = block_->name;
+int Lowering::surface(Surface surface, int a, int b) {
+  surfaces.push_back(std::move(surface));
+  return operation(Operation::Code::surface, a, b, {}, static_cast<int>(surfaces.size()) - 1);
+}
+
+void Lowering::range(int user, int signal, const Curve& over, const std::string& owner,
+                     const std::string& what) {
+  if (over.beyond() == Curve::Beyond::refuse)
+    guards.push_back({user, {signal, over.x().front(), over.x().back(), owner, what}});
+}
+
+void Lowering::keep_together(const std::vector<int>& together) {
+  for (const int signal : together) {
+    signals[signal].first = together.front();
+    signals[signal].count = static_cast<int>(together.size());
+  }
+}
+
+int Lowering::gathered(const std::vector<int>& from) {
+  if (from.empty()) return -1;
+  std::vector<int> copies;
+  for (const int signal : from) copies.push_back(linear(0.0, 1.0, signal));
+  keep_together(copies);
+  return copies.front();
+}
+
+std::vector<int> Lowering::call(const Call& call, const std::vector<double>& p) {
+  calls.push_back(call.function);
+  std::vector<int> results = {
+      operation(Operation::Code::call, call.states, call.inputs, p, static_cast<int>(calls.size()) - 1)};
+  while (static_cast<int>(results.size()) < call.results) results.push_back(add({Slot::Kind::result}));
+  steps.back().count = call.results;
+  keep_together(results);
+  return results;
+}
+
+int Lowering::delay(int from, int initial, double time, int points) {
+  refuse_if_triggered("a past");
+  const int past = add({Slot::Kind::past});
+  signals[past].size = Past::size(points);
+  start(past, initial);
+  delays.push_back({past, points, from, time, full_name(block_->name)});
+  return operation(Operation::Code::delay, past, static_cast<int>(delays.size()) - 1, {time}, this->time());
+}
+
+int Lowering::event(Event::Kind kind, int signal) {
+  refuse_if_triggered("events of its own");
+  events.push_back({kind, signal, kind == Event::Kind::own_step ? -1 : held(0.0)});
+  events.back().block = full_name(block_->name);
   return static_cast<int>(events.size()) - 1;
+}
+
+int Lowering::crossing(int signal, Crossing::Direction direction) {
+  const int number = event(Event::Kind::crossing, signal);
+  events[number].direction = direction;
+  return number;
 }
 
 int Lowering::periodic(double period, double offset) {
-  events.push_back({Event::Kind::periodic, -1, held(0.0)});
-  events.back().period = period;
-  events.back().offset = offset;
-  events.back().block = block_->name;
-  return static_cast<int>(events.size()) - 1;
+  const int number = event(Event::Kind::periodic, -1);
+  events[number].period = period;
+  events[number].offset = offset;
+  return number;
 }
 
+int Lowering::own_step() { return event(Event::Kind::own_step, -1); }
+
 int Lowering::mode(int wanted, const std::vector<int>& crossed) {
+  if (scope().trigger >= 0) return wanted;
   const int mode = held(0.0);
   for (const int signal : crossed) update(crossing(signal, Crossing::Direction::both), mode, wanted);
   settled.push_back({mode, wanted});

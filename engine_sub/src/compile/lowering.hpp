@@ -1,8 +1,10 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tandem/engine/description.hpp"
@@ -12,13 +14,23 @@ namespace tandem::engine {
 
 /// A signal while a diagram is compiled.
 struct Slot {
-  enum class Kind { unknown, state, time, input, held, result, constant } kind = Kind::unknown;
+  enum class Kind { unknown, state, time, input, held, result, constant, past } kind = Kind::unknown;
   double start = 0.0;
   std::string name = {};
-  std::string block = {};  ///< that makes it
-  std::string where = {};  ///< of a name that nobody has defined: where it is used
-  int same_as = -1;        ///< of a name: the signal that it stands for
-  int rate = -1;           ///< of a state: its derivative
+  std::string block = {};     ///< that makes it
+  std::string where = {};     ///< of a name that nobody has defined: where it is used
+  int same_as = -1;           ///< of a name: the signal that it stands for
+  int rate = -1;              ///< of a state: its derivative
+  int scope = 0;              ///< of a name
+  int first = -1, count = 0;  ///< of those that it stands together with
+  int size = 1;               ///< slots in the image
+};
+
+/// The names of one diagram: of the whole, or of one that stands in a block.
+struct Scope {
+  std::string prefix = {};  ///< "gearbox.", before its blocks' names
+  std::filesystem::path folder = {};
+  int trigger = -1;  ///< the event at which alone it is evaluated; -1: always
 };
 
 /// Operations that make one signal, in their order.
@@ -26,15 +38,17 @@ struct Step {
   int out;
   std::vector<Operation> operations;
   std::string block;
+  int count = 1;  ///< signals from `out` on
 };
 
 struct Event {
-  enum class Kind { crossing, periodic } kind;
+  enum class Kind { crossing, periodic, own_step } kind;
   int signal = -1, sign = -1;  ///< the second of a periodic one: its count
   Crossing::Direction direction = Crossing::Direction::rising;
   double period = 0.0, offset = 0.0;
   std::vector<Update> updates = {};
   std::string block = {};
+  bool sees_start = false;
 };
 
 /// Collects what blocks come down to: signals, operations, events. Numbers of signals are its own.
@@ -43,7 +57,20 @@ class Lowering {
   explicit Lowering(const Description& diagram);
 
   /// Whose the signals and operations are that come next.
-  void begin(const Block& block) { block_ = &block; }
+  void begin(const Block& block);
+  /// The block's name with those of the diagrams around it: "gearbox.clutch".
+  std::string full_name(const std::string& block) const { return scopes_[scope_].prefix + block; }
+  /// From here on names are those of a diagram in that block, until leave().
+  struct Outside {
+    int scope;
+    const Block* block;
+  };
+  Outside enter(const std::string& block, const Description& diagram, int trigger);
+  void leave(const Outside& outside);
+  const Scope& scope() const { return scopes_[scope_]; }
+  /// An input of the diagram that has been entered is this signal.
+  void alias(const Input& input, int signal);
+
   /// The signal of that name, which may be defined later.
   int named(const std::string& name, const std::string& where);
   /// "block.port", or the block's own name where port is empty.
@@ -62,10 +89,28 @@ class Lowering {
   int difference(int a, int b) { return operation(Operation::Code::sum, a, b, {1.0, -1.0}); }
   int sum(const std::vector<int>& signals, const std::vector<double>& factors);
   int curve(Curve curve, int a);
+  int surface(Surface surface, int a, int b);
+  /// Signals made one after the other stay so, and all are there if one is.
+  void keep_together(const std::vector<int>& signals);
+  /// Copies of signals, together; -1 for none. Returns the first.
+  int gathered(const std::vector<int>& from);
+  struct Call {
+    CompiledBlock::Function function;
+    int states, inputs;  ///< the first; -1 for none
+    int results;
+  };
+  /// Its results, together.
+  std::vector<int> call(const Call& call, const std::vector<double>& parameters);
+  /// `from` as it was `time` seconds before; `initial` before the start.
+  int delay(int from, int initial, double time, int points);
+  /// Refuses values of a signal beyond these, where something depends on `user`.
+  void range(int user, int signal, const Curve& over, const std::string& owner, const std::string& what);
 
   /// The event when a signal changes its sign; of what it does the others can be added.
   int crossing(int signal, Crossing::Direction direction);
   int periodic(double period, double offset);
+  /// The beginning of each own step.
+  int own_step();
   void update(int event, int to, int from) { events[event].updates.push_back({to, from}); }
   /// A held mode that is `wanted` after an event of any of these signals' signs, and at the start.
   int mode(int wanted, const std::vector<int>& signals);
@@ -73,6 +118,8 @@ class Lowering {
 
   /// Follows names to what they stand for.
   int resolved(int signal) const;
+  /// Refuses names that stand for one another in a circle.
+  void refuse_circles() const;
 
   std::vector<Slot> signals;
   std::vector<Step> steps;
@@ -80,10 +127,24 @@ class Lowering {
   std::vector<Update> starts, settled;
   std::vector<double> parameters, breaks;
   std::vector<Curve> curves;
+  std::vector<Surface> surfaces;
+  std::vector<CompiledBlock::Function> calls;
+  std::vector<Delay> delays;
+  const std::vector<CompiledBlock>& kinds;
+  struct Guard {
+    int user;
+    Range range;
+  };
+  std::vector<Guard> guards;
+  std::vector<std::string> blocks;  ///< full names of those that have begun
 
  private:
   int add(Slot signal);
-  std::map<std::string, int> names_;
+  int event(Event::Kind kind, int signal);
+  void refuse_if_triggered(const std::string& what) const;
+  std::map<std::pair<int, std::string>, int> names_;
+  std::vector<Scope> scopes_;
+  int scope_ = 0;
   const Block* block_ = nullptr;
 };
 

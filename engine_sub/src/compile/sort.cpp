@@ -3,20 +3,10 @@
 
 #include <algorithm>
 
-#include "refuse.hpp"
-#include "tandem/nearest.hpp"
-
 namespace tandem::engine {
 namespace {
 
 using Code = Operation::Code;
-
-/// The step that makes each slot; -1 for none.
-std::vector<int> makers(const Lowering& d) {
-  std::vector<int> of(d.signals.size(), -1);
-  for (std::size_t k = 0; k < d.steps.size(); ++k) of[d.steps[k].out] = static_cast<int>(k);
-  return of;
-}
 
 /// Marks what a slot needs at once.
 class Needs {
@@ -27,6 +17,7 @@ class Needs {
     slot = d_.resolved(slot);
     if (marked_[slot]) return;
     marked_[slot] = true;
+    for (int i = 0; i < d_.signals[slot].count; ++i) mark(d_.signals[slot].first + i);
     if (maker_[slot] < 0) return;
     for (const Operation& o : d_.steps[maker_[slot]].operations)
       for (const int from : reads(o)) mark(from);
@@ -39,49 +30,14 @@ class Needs {
   std::vector<bool> marked_;
 };
 
-/// Visits steps in depth, so that each comes after what it reads.
-class Order {
- public:
-  explicit Order(const Lowering& d) : d_(d), maker_(makers(d)), seen_(d.steps.size(), Seen::no) {}
-
-  void visit(int slot) {
-    const int step = maker_[d_.resolved(slot)];
-    if (step < 0 || seen_[step] == Seen::done) return;
-    path_.push_back(step);
-    if (seen_[step] == Seen::open) refuse_loop();
-    seen_[step] = Seen::open;
-    for (const Operation& o : d_.steps[step].operations)
-      for (const int from : reads(o)) visit(from);
-    seen_[step] = Seen::done;
-    path_.pop_back();
-    order.push_back(step);
-  }
-
-  std::vector<int> order;
-
- private:
-  enum class Seen { no, open, done };
-
-  /// The blocks from the first time that the last step of the path was met.
-  [[noreturn]] void refuse_loop() const {
-    std::vector<std::string> blocks;
-    for (auto it = std::find(path_.begin(), path_.end(), path_.back()); it != path_.end(); ++it)
-      if (const std::string& block = d_.steps[*it].block; blocks.empty() || blocks.back() != block)
-        blocks.push_back(block);
-    if (blocks.size() > 1 && blocks.front() == blocks.back()) blocks.pop_back();
-    refuse("",
-           "an algebraic loop goes through the blocks " + listed(blocks) +
-               ": each depends on the one after it at once; allowed is a loop with an integrator, a lag or a "
-               "sample in it");
-  }
-
-  const Lowering& d_;
-  std::vector<int> maker_;
-  std::vector<Seen> seen_;
-  std::vector<int> path_;
-};
-
 }  // namespace
+
+std::vector<int> makers(const Lowering& d) {
+  std::vector<int> of(d.signals.size(), -1);
+  for (std::size_t k = 0; k < d.steps.size(); ++k)
+    for (int i = 0; i < d.steps[k].count; ++i) of[d.steps[k].out + i] = static_cast<int>(k);
+  return of;
+}
 
 std::vector<int> reads(Operation o) {
   std::vector<int> slots;
@@ -102,6 +58,14 @@ std::vector<int*> slots_of(Operation& o) {
     case Code::leave:
     case Code::dead_zone:
       return {&o.a, &o.more};
+    case Code::delay:
+      return {&o.a, &o.more};
+    case Code::call: {
+      std::vector<int*> slots;
+      for (int* const slot : {&o.a, &o.b})
+        if (*slot >= 0) slots.push_back(slot);
+      return slots;
+    }
     case Code::select:
       return {&o.a, &o.b, &o.more};
     default:
@@ -126,22 +90,17 @@ std::vector<bool> alive(const Lowering& d, const std::vector<int>& outputs) {
       for (const Update& u : event.updates)
         if (needs.marked()[d.resolved(u.to)]) {
           needs.mark(u.from);
-          needs.mark(event.sign);
+          if (event.sign >= 0) needs.mark(event.sign);
           if (event.signal >= 0) needs.mark(event.signal);
         }
+    for (const Delay& delay : d.delays)
+      if (needs.marked()[delay.past]) needs.mark(delay.from);
     for (const auto* updates : {&d.settled, &d.starts})
       for (const Update& u : *updates)
         if (needs.marked()[d.resolved(u.to)]) needs.mark(u.from);
     now = static_cast<std::size_t>(std::count(needs.marked().begin(), needs.marked().end(), true));
   }
   return needs.marked();
-}
-
-std::vector<int> sorted_steps(const Lowering& d, const std::vector<bool>& wanted) {
-  Order order(d);
-  for (const Step& step : d.steps)
-    if (wanted[step.out]) order.visit(step.out);
-  return order.order;
 }
 
 }  // namespace tandem::engine

@@ -10,14 +10,27 @@ namespace tandem::engine {
 std::vector<int*> slots_of(Operation& operation);
 std::vector<int> reads(Operation operation);
 
+/// The step that makes each slot; -1 for none.
+std::vector<int> makers(const Lowering& diagram);
+
 /// By slot whether outputs depend on it, at once or later.
 std::vector<bool> alive(const Lowering& diagram, const std::vector<int>& outputs);
 
 /// Slots whose values these need at once, themselves among them.
 std::vector<bool> needed_at_once(const Lowering& diagram, const std::vector<int>& slots);
 
-/// The numbers of those steps of `diagram` that make a slot in `wanted`, each after those it reads. Throws
-/// Error that names the blocks along an algebraic loop.
-std::vector<int> sorted_steps(const Lowering& diagram, const std::vector<bool>& wanted);
+/// Steps, by their numbers, in the order in which they are evaluated.
+struct Sequence {
+  std::vector<int> steps;
+  std::vector<int> cuts = {};  ///< of a loop: signals whose last values are read before they are made
+};
+
+/// Those steps of `diagram` that make a slot in `wanted`, one after the other, each after those it reads. An
+/// algebraic loop is one sequence if it is to be solved; else throws Error that names the blocks along it.
+std::vector<Sequence> sorted_steps(const Lowering& diagram, const std::vector<bool>& wanted,
+                                   const LoopSettings& loops);
+
+/// The blocks of steps, each once: "a, b".
+std::vector<std::string> blocks_of(const Lowering& diagram, const std::vector<int>& steps);
 
 }  // namespace tandem::engine

@@ -47,17 +47,19 @@ SundialsIntegrator::~SundialsIntegrator() {
 
 /// Where a derivative is not finite a shorter step is tried.
 int SundialsIntegrator::rates(double t, N_Vector x, N_Vector dx, void* self) {
-  System& system = *static_cast<SundialsIntegrator*>(self)->system_;
+  SundialsIntegrator& integrator = *static_cast<SundialsIntegrator*>(self);
+  System& system = *integrator.system_;
   std::copy_n(N_VGetArrayPointer(x), system.size(), system.states());
   double* const d = N_VGetArrayPointer(dx);
-  system.rates(t, d);
+  if (!integrator.survives([&] { system.rates(t, d); })) return 1;
   return std::all_of(d, d + system.size(), [](double rate) { return std::isfinite(rate); }) ? 0 : 1;
 }
 
 int SundialsIntegrator::watch(double t, N_Vector x, double* g, void* self) {
-  System& system = *static_cast<SundialsIntegrator*>(self)->system_;
+  SundialsIntegrator& integrator = *static_cast<SundialsIntegrator*>(self);
+  System& system = *integrator.system_;
   std::copy_n(N_VGetArrayPointer(x), system.size(), system.states());
-  system.evaluate(t);
+  if (!integrator.survives([&] { system.evaluate(t); })) return -1;
   for (int k = 0; k < static_cast<int>(system.program().crossings.size()); ++k) g[k] = system.watched(k);
   return 0;
 }
@@ -66,8 +68,21 @@ void SundialsIntegrator::take_message(int, const char*, const char* function, ch
   static_cast<SundialsIntegrator*>(self)->message_ = fmt::format("{}: {}", function, message);
 }
 
+/// No error goes through SUNDIALS, which is C: it is thrown again where SUNDIALS gives up.
+template <class Work>
+bool SundialsIntegrator::survives(const Work& work) {
+  try {
+    work();
+    return true;
+  } catch (const Error& error) {
+    failure_ = error.what();
+    return false;
+  }
+}
+
 void SundialsIntegrator::check(int flag) const {
   if (flag >= 0) return;
+  if (!failure_.empty()) throw Error(ErrorCode::numerical, failure_);
   throw Error(ErrorCode::numerical,
               fmt::format("integrator {} can't go on at t = {} s: {}", method_.name, time_,
                           message_.empty() ? fmt::format("error {}", flag) : message_));
@@ -103,12 +118,12 @@ double SundialsIntegrator::advance(System& system, double t, double t_end) {
   if (system.changed() >= 0) return t;  // by an input that has jumped
   const bool moves = system.size() > 0;
   time_ = moves ? t : t_end;
-  bool root = false;
-  for (long steps = 0; time_ < t_end && !root; root = step(t_end))
-    if (++steps > settings_.most_steps)
-      throw Error(ErrorCode::numerical,
-                  fmt::format("integrator {} has taken {} steps at t = {} s, on the way to {} s",
-                              method_.name, settings_.most_steps, time_, t_end));
+  const bool root = moves && time_ < t_end && step(t_end);
+  steps_ = time_ < t_end ? steps_ + 1 : 0;
+  if (steps_ > settings_.most_steps)
+    throw Error(ErrorCode::numerical,
+                fmt::format("integrator {} has taken {} steps at t = {} s, on the way to {} s", method_.name,
+                            settings_.most_steps, time_, t_end));
   if (moves) std::copy_n(N_VGetArrayPointer(x_), system.size(), system.states());
   system.evaluate(time_);
   if (root) mark_roots();
@@ -121,6 +136,7 @@ bool SundialsIntegrator::step(double t_end) {
   check(method_.set_stop_time(memory_, t_end));
   const int flag = method_.step(memory_, t_end, x_, &time_);
   check(flag);
+  failure_.clear();
   if (flag == CV_TSTOP_RETURN) time_ = t_end;
   return flag == CV_ROOT_RETURN;
 }

@@ -53,6 +53,8 @@ class SundialsIntegrator final : public Integrator {
   bool step(double t_end);
   void mark_roots();
   void check(int flag) const;
+  template <class Work>
+  bool survives(const Work& work);
 
   const SundialsMethod& method_;
   AdaptiveSettings settings_;
@@ -63,7 +65,8 @@ class SundialsIntegrator final : public Integrator {
   void* memory_ = nullptr;
   System* system_ = nullptr;
   double time_ = 0.0;
-  std::string message_;
+  long steps_ = 0;  ///< on the way to the time that it is asked for
+  std::string message_, failure_;
   std::vector<int> directions_;  ///< of the roots, by crossing
 };
 

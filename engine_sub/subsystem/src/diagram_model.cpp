@@ -82,7 +82,7 @@ void DiagramModel::step(const OwnStep& s, std::span<const Signal> u) {
   m.inputs.set(u);
   if (!kept_.empty()) m.simulation.restore(kept_time_, kept_), kept_.clear();
   std::fill(hidden_.begin(), hidden_.end(), false);
-  while (m.simulation.time() < s.end) m.simulation.step(s.end);
+  m.simulation.run(s.end);
 }
 
 void DiagramModel::outputs(double* y) const {

@@ -98,10 +98,32 @@ TEST(Blocks, SamplesAndDelaysHoldBetweenTheirTimes) {
   EXPECT_EQ(at(0.07, "y = { kind = 'unit_delay', input = 'time', period = 0.1, initial = 9 }"), 9.0);
 }
 
+/// On 2 t with a rate of at most 1: y' = 2 (1 - e^(-t / T)) up to 1 at t = T ln 2, then y' = 1; down with -3.
+TEST(Blocks, ARateLimiterFollowsWithinItsRates) {
+  const std::string up =
+      "u = { kind = 'ramp', slope = 2 }\n"
+      "y = { kind = 'rate_limiter', input = 'u', rising = 1, falling = 3, time = 0.1 }";
+  EXPECT_NEAR(at(1.0, up), 1.0 - 0.1 * (1.0 - std::log(2.0)), 1e-8);
+  const std::string limited = "y = { kind = 'rate_limiter', rising = 1, falling = 3, time = 0.1, ";
+  EXPECT_NEAR(at(0.5, limited + "input = -9, initial = 1 }"), -0.5, 1e-12);
+  EXPECT_EQ(at(0.5, limited + "input = 7 }"), 7.0);
+}
+
+/// At t it shows what was there one own step before, 5 ms.
+TEST(Blocks, AMemoryIsOneOwnStepBehind) {
+  EXPECT_NEAR(at(1.0, "y = { kind = 'memory', input = 'time', initial = 9 }"), 1.0 - 5e-3, 1e-15);
+  EXPECT_EQ(at(0.005, "y = { kind = 'memory', input = 'time', initial = 9 }"), 0.0);
+  EXPECT_EQ(at(0.01,
+               "g = { kind = 'gain', input = 'y', gain = 2, offset = 1 }\n"
+               "y = { kind = 'memory', input = 'g', initial = 3 }"),
+            15.0);
+}
+
 /// On above 0.5, off below -0.5: sin t is above 0.5 from 0.52, below -0.5 from 3.67.
 TEST(Blocks, ARelayRemembers) {
   const std::string blocks =
-      "s = { kind = 'function', function = 'sin', input = 'time' }\ny = { kind = 'relay', input = 's', low = "
+      "s = { kind = 'function', function = 'sin', input = 'time' }\ny = { kind = 'relay', input = 's', low "
+      "= "
       "-0.5, high = 0.5, on = 4 }";
   EXPECT_EQ(at(0.5, blocks), 0.0);
   EXPECT_EQ(at(0.6, blocks), 4.0);

@@ -11,8 +11,9 @@ namespace tandem::engine {
 class Curve {
  public:
   enum class Between { linear, cubic };
-  /// Outside the points: the last value, or the last slope.
-  enum class Beyond { hold, extend };
+  /// Outside the points: the last value, or the last slope. `refuse` is the last slope too, for a step that
+  /// tries times or states that it does not keep; whoever keeps one refuses it.
+  enum class Beyond { hold, extend, refuse };
 
   /// x: ascending, two or more, as many as y. Throws Error that names `owner` and what is wrong.
   Curve(const std::string& owner, std::vector<double> x, std::vector<double> y, Between between,
@@ -20,6 +21,7 @@ class Curve {
 
   double operator()(double x) const;
   const std::vector<double>& x() const { return x_; }
+  Beyond beyond() const { return beyond_; }
 
  private:
   double outside(std::size_t end, double x) const;

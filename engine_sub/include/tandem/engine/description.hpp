@@ -1,9 +1,13 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
+
+#include "tandem/engine/compiled_block.hpp"
 
 namespace tandem::engine {
 
@@ -14,12 +18,18 @@ using Wire = std::variant<std::string, double>;
 /// What stands at a key of a block: a number, a text (a signal's name or a word), true or false, an array.
 using Value = std::variant<double, std::string, bool, std::vector<Wire>>;
 
+struct Description;
+
 /// A block by its kind (docs/diagrams.md has all), with its ports' sources and its parameters by key.
 struct Block {
   std::string name, kind;
   std::map<std::string, Value> values = {};
   std::string where = {};                          ///< file and line, or nothing
   std::map<std::string, std::string> places = {};  ///< the same by key
+  /// Tables, and arrays of them, at a key: each like a block of its own.
+  std::map<std::string, std::vector<Block>> tables = {};
+  std::shared_ptr<const Description> diagram =
+      {};  ///< that stands in this block, of kind diagram or triggered
 };
 
 struct Parameter {
@@ -38,6 +48,16 @@ struct Output {
   std::string where = {};
 };
 
+/// What is done about algebraic loops, and how: KINSOL stops where each signal at which a loop is cut stays
+/// as it is to this tolerance, relative, or absolute where it is below 1.
+struct LoopSettings {
+  bool solve = false;  ///< if not, they are refused
+  double tolerance = 1e-12;
+  int most_iterations = 50;
+  std::map<std::string, double> guess = {};  ///< signals at which loops are cut, with where to begin
+  std::string where = {};
+};
+
 /// A block diagram as written down: nothing is sorted or checked yet. From a file: read_diagram().
 struct Description {
   std::string name;
@@ -45,6 +65,9 @@ struct Description {
   std::vector<Input> inputs;
   std::vector<Block> blocks;
   std::vector<Output> outputs;
+  std::vector<CompiledBlock> kinds = {};  ///< of blocks, beside those that there are; of the whole diagram
+  LoopSettings loops = {};                ///< of the whole diagram, those in blocks with it
+  std::filesystem::path folder = {};      ///< that files are named from; empty: the working folder
 };
 
 }  // namespace tandem::engine

@@ -5,7 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "tandem/engine/compiled_block.hpp"
 #include "tandem/engine/curve.hpp"
+#include "tandem/engine/description.hpp"
+#include "tandem/engine/surface.hpp"
 
 namespace tandem::engine {
 
@@ -21,11 +24,14 @@ struct Operation {
     function,    ///< out = functions[b](a)
     function2,   ///< out = functions2[more](a, b)
     curve,       ///< out = curves[b](a)
+    surface,     ///< out = surfaces[more](a, b)
     select,      ///< out = more > 0 ? a : b
     clamp,       ///< out = more < 0 ? p0 : more > 0 ? p1 : a
     dead_zone,   ///< out = more < 0 ? a - p0 : more > 0 ? a - p1 : 0
     beyond,      ///< out = a < p0 ? -1 : a > p1 ? 1 : 0
     compare,     ///< out = a > b ? 1 : 0
+    delay,       ///< out = a, what delays[b] remembers, at the time `more` - p0
+    call,        ///< out, out + 1, .. = calls[more](p, states from a on, inputs from b on); -1: none
     leave        ///< out = more, or 0 where a points from more to 0
   };
   Code code;
@@ -45,7 +51,8 @@ struct Crossing {
   int signal, sign;  ///< slots: of the signal, and of its sign as last seen (1 or -1)
   Direction direction;
   std::vector<Update> updates;
-  std::string name;  ///< of its block
+  std::string name;         ///< of its block
+  bool sees_start = false;  ///< a signal above 0 at the start has risen there
 };
 
 /// What happens at offset + k period, k = 0, 1, ..
@@ -56,8 +63,33 @@ struct Periodic {
   std::string name;
 };
 
+/// What a delay remembers stands in the image from `past` on (src/past.hpp).
+struct Delay {
+  int past, points;  ///< a slot; at most so many points
+  int from;          ///< the signal
+  double time;       ///< [s]
+  std::string name;  ///< of its block
+};
+
+/// Operations that need their own results: from the values of signals at which the loop is cut they make new
+/// ones, and have to be repeated until they are the same.
+struct Loop {
+  int first, last;        ///< operations, the second past the end
+  std::vector<int> cuts;  ///< slots
+  std::string blocks;     ///< "a, b, c"
+  LoopSettings settings;
+};
+
+/// A signal that has to stay between two values.
+struct Range {
+  int signal;
+  double low, high;
+  std::string owner, what;  ///< "block 'f' of kind table", "its input"
+};
+
 /// A diagram compiled: operations in the order of evaluation. All that changes during a run stands in one
-/// image of doubles: states first, then time, inputs, held values, signs, results of operations, constants.
+/// image of doubles: states first, then time, inputs, held values, signs, results of operations, constants,
+/// and what delays remember.
 struct Program {
   int states = 0, time = 0;
   std::vector<int> inputs, outputs;  ///< slots
@@ -66,10 +98,17 @@ struct Program {
   std::vector<std::pair<int, int>> feedthrough;
   std::vector<Operation> operations;
   int rate_operations = 0;  ///< so many of them, the first, are all that derivatives need
+  int step_operations = 0;  ///< so many of them are all that is needed but at events
   std::vector<double> parameters;
   std::vector<Curve> curves;
+  std::vector<Surface> surfaces;
+  std::vector<CompiledBlock::Function> calls;
+  std::vector<Delay> delays;
+  std::vector<Loop> loops;  ///< in the order of their operations
   std::vector<Crossing> crossings;
   std::vector<Periodic> periodics;
+  std::vector<Update> step_updates;  ///< at the beginning of each own step
+  std::vector<Range> ranges;
   std::vector<double> breaks;                          ///< [s] where sources have a kink, ascending
   std::vector<Update> starts;                          ///< values at the start that come from signals
   std::vector<Update> settled;                         ///< modes: repeated at the start until nothing changes
@@ -77,13 +116,8 @@ struct Program {
   std::vector<std::string> state_names, signal_names;  ///< the second by slot; empty: no name
   std::vector<std::string> notices;                    ///< what was left out, and why
 
-  /// Results of operations, from states, time, inputs and held values of an image: of all, or of those that
-  /// derivatives need.
-  void evaluate(double* signals) const { run(signals, operations.size()); }
-  void evaluate_rates(double* signals) const { run(signals, static_cast<std::size_t>(rate_operations)); }
-
- private:
-  void run(double* signals, std::size_t count) const;
+  /// Operations from `first` to before `last`, each once.
+  void run(double* signals, int first, int last) const;
 };
 
 }  // namespace tandem::engine

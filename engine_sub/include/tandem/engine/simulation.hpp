@@ -9,6 +9,8 @@
 
 namespace tandem::engine {
 
+class Past;
+
 struct SimulationSettings {
   /// Times within one own step at which something happens, an event that follows from another at the same
   /// time counted for itself; with more it chatters, and that is an error.
@@ -25,9 +27,11 @@ class Simulation {
              const SimulationSettings& settings = {});
 
   void start(double t);
-  /// To t_end, or, with an integrator that chooses its steps, to the end of one of them. Returns the time.
-  /// Throws Error(numerical) with the time and a block's name: a signal that is not finite, chattering, an
-  /// integrator that can't go on.
+  /// One own step: to t_end.
+  void run(double t_end);
+  /// One own step: to t_end, or, with an integrator that chooses its steps, to the end of one of them.
+  /// Returns the time. Both throw Error(numerical) with the time and a block's name: a signal that is not
+  /// finite, chattering, an integrator that can't go on.
   double step(double t_end);
 
   double time() const { return time_; }
@@ -42,13 +46,23 @@ class Simulation {
   void restore(double t, std::span<const double> state);
 
  private:
+  void remember();
   void settle();
-  double next_instant(double t_end) const;
+  void begin_step();
+  double advance(double t_end);
+  double rounding() const;
+  bool bends() const;
+  double next_instant(double t_end);
   void fire_periodics();
   void fire_crossings();
   void apply(const std::vector<Update>& updates);
   void happened(const std::string& block);
+  Past past(const Delay& delay);
+  void record(int level);
+  void note_jumps();
+  void turn_delays();
   void refuse_not_finite() const;
+  void refuse_outside() const;
 
   System system_;
   std::unique_ptr<Integrator> integrator_;
@@ -56,6 +70,8 @@ class Simulation {
   double time_ = 0.0;
   int events_ = 0;
   std::vector<double> before_;
+  std::vector<const Delay*> delays_;
+  bool has_instants_ = false;  ///< at which steps end, beside those of own steps
 };
 
 }  // namespace tandem::engine

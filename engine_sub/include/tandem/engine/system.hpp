@@ -1,10 +1,13 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <memory>
 #include <vector>
 
 #include "tandem/engine/program.hpp"
 
 namespace tandem::engine {
+
+class LoopSolver;
 
 /// Gives the inputs of a diagram as functions of time.
 class InputSource {
@@ -15,12 +18,15 @@ class InputSource {
 };
 
 /// A program with its image, as integrators see it: x' = f(t, x), and signals whose signs are watched. Held
-/// values stay as they are. The states stand in the image.
+/// values stay as they are. The states stand in the image. What evaluates throws Error(numerical) where an
+/// algebraic loop has no solution.
 class System {
  public:
   /// inputs: may be null where the program has none. Both must outlive the system.
-  System(const Program& program, InputSource* inputs)
-      : program_(program), inputs_(inputs), image_(program.image) {}
+  System(const Program& program, InputSource* inputs);
+  ~System();
+  System(const System&) = delete;
+  System& operator=(const System&) = delete;
 
   int size() const { return program_.states; }
   double* states() { return image_.data(); }
@@ -31,17 +37,19 @@ class System {
   /// Derivatives at t and the image's states.
   void rates(double t, double* dx) {
     set_time(t);
-    program_.evaluate_rates(image_.data());
+    run(0, program_.rate_operations);
     read_rates(dx);
   }
   void read_rates(double* dx) const {
     for (const int slot : program_.rates) *dx++ = image_[static_cast<std::size_t>(slot)];
   }
-  /// Every signal at t.
+  /// Every signal at t, but for those that are needed at events alone.
   void evaluate(double t) {
     set_time(t);
-    program_.evaluate(image_.data());
+    run(0, program_.step_operations);
   }
+  /// These, after evaluate().
+  void evaluate_updates() { run(program_.step_operations, static_cast<int>(program_.operations.size())); }
   /// The same after evaluate(t) and changes of the inputs alone.
   void evaluate_again(double t) {
     if (inputs_) evaluate(t);
@@ -53,6 +61,10 @@ class System {
   double watched(int crossing) const;
 
  private:
+  void run(int first, int last) {
+    loops_.empty() ? program_.run(image_.data(), first, last) : run_with_loops(first, last);
+  }
+  void run_with_loops(int first, int last);
   void set_time(double t) {
     image_[static_cast<std::size_t>(program_.time)] = t;
     if (inputs_) inputs_->at(t, image_.data() + program_.time + 1);
@@ -61,6 +73,7 @@ class System {
   const Program& program_;
   InputSource* inputs_;
   std::vector<double> image_;
+  std::vector<std::unique_ptr<LoopSolver>> loops_;
 };
 
 }  // namespace tandem::engine

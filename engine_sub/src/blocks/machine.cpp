@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "kinds.hpp"
+
+namespace tandem::engine {
+namespace {
+
+using Code = Operation::Code;
+using Direction = Crossing::Direction;
+
+constexpr double never = 1e300;  // [s]
+
+/// A machine while it is lowered: held values that its transitions share.
+class Machine {
+ public:
+  Machine(Lowering& to, Arguments& a)
+      : to_(to), a_(a), names_(a.texts("states")), start_(a.word("start", names_)) {
+    for (std::size_t k = 0; k < names_.size(); ++k) is_.push_back(to.held(k == start_ ? 1.0 : 0.0));
+    free_ = to.held(1.0);
+    entered_ = to.held();
+    to.start(entered_, a.has("entered") ? to.constant(a.number("entered")) : to.time());
+    unlocked_ = to.held(never);
+    lock_ = a.number("lockout", 0.0);
+    if (lock_ < 0.0) a.refuse("lockout", fmt::format("{}", lock_), "0 or more [s]");
+  }
+
+  void lower() {
+    outputs();
+    auto transitions = a_.tables("transitions");
+    if (transitions.empty()) a_.refuse("transitions", "not there", "an array of tables, one for each");
+    // Of two at once the first in the file has the last word.
+    std::reverse(transitions.begin(), transitions.end());
+    for (const Block& block : transitions) {
+      Arguments part(block, to_);
+      transition(part);
+      part.refuse_unknown();
+    }
+    if (lock_ > 0.0) to_.update(rises(to_.difference(to_.time(), unlocked_)), free_, to_.constant(1.0));
+  }
+
+ private:
+  struct Output {
+    int now, before;
+    std::vector<int> of;  ///< by state
+  };
+
+  void outputs() {
+    std::vector<double> numbers;
+    for (std::size_t k = 0; k < names_.size(); ++k) numbers.push_back(static_cast<double>(k + 1));
+    to_.define("", output(numbers).now);
+    to_.define("entered", entered_);
+    for (const Block& block : a_.tables("outputs"))
+      for (const auto& [name, value] : block.values) {
+        Arguments part(block, to_);
+        const auto values = part.numbers(name);
+        if (values.size() != names_.size())
+          part.refuse(name, fmt::format("an array of {}", values.size()),
+                      fmt::format("one of {}, a number for each state", names_.size()));
+        const Output& made = output(values);
+        to_.define(name, made.now);
+        to_.define(name + "_before", made.before);
+      }
+  }
+
+  const Output& output(const std::vector<double>& values) {
+    Output made{to_.held(values[start_]), to_.held(values[start_]), {}};
+    for (const double value : values) made.of.push_back(to_.constant(value));
+    return outputs_.emplace_back(std::move(made));
+  }
+
+  /// Where a signal rises above 0, or is above it at the start.
+  int rises(int signal) {
+    const int event = to_.crossing(signal, Direction::rising);
+    to_.events[event].sees_start = true;
+    return event;
+  }
+
+  void transition(Arguments& t) {
+    const std::size_t from = state(t, "from"), next = state(t, "to");
+    const double dwell = t.number("dwell", 0.0);
+    if (dwell < 0.0) t.refuse("dwell", fmt::format("{}", dwell), "0 or more [s]");
+    const int enabled = to_.operation(Code::product, is_[from], free_);
+    const int armed = to_.operation(Code::select, condition(t), to_.constant(-1.0), {}, enabled);
+    if (dwell == 0.0) return take(rises(armed), next);
+    const int due = to_.held(never);
+    to_.update(rises(armed), due, to_.linear(dwell, 1.0, to_.time()));
+    to_.update(to_.crossing(armed, Direction::falling), due, to_.constant(never));
+    take(rises(to_.difference(to_.time(), due)), next);
+  }
+
+  std::size_t state(Arguments& t, const std::string& key) {
+    const std::string name = t.required_text(key, "the name of a state");
+    const auto it = std::find(names_.begin(), names_.end(), name);
+    if (it == names_.end())
+      t.refuse(key, "'" + name + "'", "one of the states " + fmt::format("{}", fmt::join(names_, ", ")));
+    return static_cast<std::size_t>(it - names_.begin());
+  }
+
+  /// A signal that is above 0 where the transition may begin.
+  int condition(Arguments& t) {
+    const int input = t.wire("input");
+    if (t.has("above") == t.has("below"))
+      t.refuse("input", "given with both or none of above and below", "one of them, a threshold");
+    return t.has("above") ? to_.difference(input, t.wire("above")) : to_.difference(t.wire("below"), input);
+  }
+
+  void take(int event, std::size_t next) {
+    for (std::size_t k = 0; k < is_.size(); ++k)
+      to_.update(event, is_[k], to_.constant(k == next ? 1.0 : 0.0));
+    for (const Output& output : outputs_) {
+      to_.update(event, output.before, output.now);
+      to_.update(event, output.now, output.of[next]);
+    }
+    to_.update(event, entered_, to_.time());
+    if (lock_ == 0.0) return;
+    to_.update(event, free_, to_.constant(0.0));
+    to_.update(event, unlocked_, to_.linear(lock_, 1.0, to_.time()));
+  }
+
+  Lowering& to_;
+  Arguments& a_;
+  std::vector<std::string> names_;
+  std::size_t start_;
+  std::vector<int> is_;  ///< 1 of the state that it is in, 0 of the others
+  int free_, entered_, unlocked_;
+  double lock_;
+  std::vector<Output> outputs_;
+};
+
+void machine(Lowering& to, Arguments& a) { Machine(to, a).lower(); }
+
+}  // namespace
+
+const std::vector<BlockKind> machine_blocks = {{"machine", machine}};
+
+}  // namespace tandem::engine

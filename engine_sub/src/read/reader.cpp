@@ -1,0 +1,213 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "read/reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "tandem/nearest.hpp"
+
+namespace tandem::engine {
+
+namespace fs = std::filesystem;
+
+const text::Document& DiagramFiles::document(const fs::path& file) {
+  auto& document = documents_[fs::weakly_canonical(file)];
+  if (!document) document = std::make_unique<text::Document>(file);
+  return *document;
+}
+
+Description DiagramFiles::read(const fs::path& file, const ParameterValues& parameters) {
+  const text::Document& found = document(file);
+  const fs::path path = fs::weakly_canonical(file);
+  const auto first = std::find(open_.begin(), open_.end(), path);
+  if (first != open_.end()) {
+    std::vector<std::string> chain;
+    for (auto it = first; it != open_.end(); ++it) chain.push_back(it->filename().string());
+    chain.push_back(path.filename().string());
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("diagram {} contains itself: {}; allowed are diagrams without a circle",
+                            found.file(), fmt::join(chain, " > ")));
+  }
+  open_.push_back(path);
+  Description all = DiagramReader({found, found.table(), ""}, parameters, *this).read();
+  open_.pop_back();
+  all.folder = file.parent_path();
+  return all;
+}
+
+Description DiagramReader::read() {
+  to_.name = root_.text("name").value_or(document().file());
+  to_.folder = fs::path(document().file()).parent_path();
+  root_.text("description");
+  each("parameters", [this](auto& name, Section& s) { read_parameter(name, s); });
+  refuse_unknown_parameters();
+  each("inputs", [this](auto& name, Section& s) {
+    to_.inputs.push_back({name, s.required_text("unit", "its unit, \"N\""), s.place().text()});
+  });
+  each("blocks", [this](auto& name, Section& s) { read_block(name, s); });
+  each("outputs", [this](auto& name, Section& s) { read_output(name, s); });
+  read_loops();
+  root_.table("run");  // for whoever runs it
+  root_.refuse_unknown();
+  if (to_.blocks.empty()) root_.missing("blocks", "a table [blocks.NAME] for each block");
+  return std::move(to_);
+}
+
+void DiagramReader::read_loops() {
+  const toml::table* table = root_.table("loops");
+  if (!table) return;
+  Section section(document(), *table, root_.name("loops"));
+  LoopSettings& loops = to_.loops;
+  loops.where = section.place().text();
+  loops.solve = section.flag("solve").value_or(loops.solve);
+  loops.tolerance = section.positive("tolerance").value_or(loops.tolerance);
+  const double most = section.positive("most_iterations").value_or(loops.most_iterations);
+  if (most < 1.0 || most > 1e6) section.wrong("most_iterations", fmt::format("{}", most), "1 to 1e6");
+  loops.most_iterations = static_cast<int>(most);
+  if (const toml::table* guesses = section.table("guess"))
+    for (const auto& [signal, node] : text::in_file_order(*guesses))
+      loops.guess[signal] = text::number_of(document(), *node, section.name("guess." + signal));
+  section.refuse_unknown();
+}
+
+/// Calls read(name, section) for each table below a key, in the order of the file.
+template <class Read>
+void DiagramReader::each(const std::string& key, const Read& read) {
+  const toml::table* table = root_.table(key);
+  if (!table) return;
+  for (const auto& [name, node] : text::in_file_order(*table)) {
+    const std::string path = root_.name(key) + "." + name;
+    if (!node->is_table())
+      text::refuse(document().place(*node), path + " is " + text::described(*node) + "; allowed is a table");
+    Section section(document(), *node->as_table(), path);
+    read(name, section);
+    section.refuse_unknown();
+  }
+}
+
+void DiagramReader::read_parameter(const std::string& name, Section& section) {
+  const auto value = section.number("value");
+  if (!value) section.missing("value", "a number");
+  const auto it = given_.find(name);
+  parameters_[name] = it == given_.end() ? *value : it->second;
+  to_.parameters.push_back({name, section.required_text("unit", "its unit, \"kg m^2\""), parameters_[name]});
+}
+
+void DiagramReader::refuse_unknown_parameters() const {
+  for (const auto& [name, value] : given_)
+    if (parameters_.count(name) == 0)
+      throw Error(ErrorCode::invalid_argument,
+                  document().file() + ": " + unknown("parameter", name, known()));
+}
+
+std::vector<std::string> DiagramReader::known() const {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : parameters_) names.push_back(name);
+  return names;
+}
+
+/// A number, "$NAME" for that of a parameter, or a text.
+Wire DiagramReader::wire(const toml::node& node, const std::string& key) const {
+  const auto text = node.value<std::string>();
+  if (!node.is_string()) return text::number_of(document(), node, key);
+  if (!text->starts_with("$")) return *text;
+  const auto it = parameters_.find(text->substr(1));
+  if (it == parameters_.end())
+    text::refuse(document().place(node), key + ": " + unknown("parameter", text->substr(1), known()));
+  return it->second;
+}
+
+Value DiagramReader::value(const toml::node& node, const std::string& key) const {
+  if (const auto* flag = node.as_boolean()) return flag->get();
+  if (const toml::array* array = node.as_array()) {
+    std::vector<Wire> all;
+    for (const toml::node& item : *array) all.push_back(wire(item, fmt::format("{}[{}]", key, all.size())));
+    return all;
+  }
+  const Wire one = wire(node, key);
+  if (const auto* number = std::get_if<double>(&one)) return *number;
+  return std::get<std::string>(one);
+}
+
+void DiagramReader::read_block(const std::string& name, Section& section) {
+  Block block{name, section.required_text("kind", "the kind of the block"), {}, section.place().text()};
+  if (block.kind == "diagram" || block.kind == "triggered")
+    read_nested(block, section);
+  else
+    read_values(block, section, {"kind"});
+  to_.blocks.push_back(std::move(block));
+}
+
+void DiagramReader::read_values(Block& block, Section& section, const std::vector<std::string>& besides) {
+  for (const auto& [key, node] : text::in_file_order(section.table())) {
+    if (std::find(besides.begin(), besides.end(), key) != besides.end()) continue;
+    section.node(key);
+    block.places.emplace(key, document().place(*node).text());
+    if (!read_tables(block, key, *node, section)) block.values.emplace(key, value(*node, section.name(key)));
+  }
+}
+
+/// Whether it is a table or an array of tables.
+bool DiagramReader::read_tables(Block& block, const std::string& key, const toml::node& node,
+                                const Section& section) {
+  std::vector<const toml::table*> tables;
+  if (node.is_table()) tables.push_back(node.as_table());
+  if (node.is_array_of_tables())
+    for (const toml::node& item : *node.as_array()) tables.push_back(item.as_table());
+  for (const toml::table* table : tables) {
+    const std::string name = node.is_table() ? key : fmt::format("{}[{}]", key, block.tables[key].size());
+    Section inner(document(), *table, section.name(name));
+    Block part{block.name + "." + name, block.kind, {}, inner.place().text()};
+    read_values(part, inner, {});
+    block.tables[key].push_back(std::move(part));
+  }
+  return !tables.empty();
+}
+
+/// Keys are those of the block and of the diagram in it: values of its parameters, and sources of its inputs.
+void DiagramReader::read_nested(Block& block, Section& section) {
+  const auto file = section.text("file");
+  const toml::table* table = section.table("diagram");
+  if (file && table) section.wrong("diagram", "a table beside file", "one of them");
+  if (!file && !table) section.missing("file", "the name of a diagram's file, or a table diagram");
+  text::located(section.place(file ? "file" : "diagram"), [&] {
+    const fs::path path = to_.folder / file.value_or("");
+    const auto given = given_to(file ? files_.document(path).table() : *table, block, section);
+    Description inner =
+        file ? files_.read(path, given)
+             : DiagramReader({document(), *table, section.name("diagram")}, given, files_).read();
+    block.diagram = std::make_shared<const Description>(std::move(inner));
+  });
+  std::vector<std::string> besides = {"kind", "file", "diagram"};
+  for (const Parameter& parameter : block.diagram->parameters) besides.push_back(parameter.name);
+  for (const std::string& name : besides) section.node(name);
+  read_values(block, section, besides);
+}
+
+ParameterValues DiagramReader::given_to(const toml::table& inner, Block& block,
+                                        const Section& section) const {
+  ParameterValues values;
+  const toml::table* parameters = inner["parameters"].as_table();
+  if (!parameters) return values;
+  for (const auto& [name, node] : *parameters) {
+    const std::string key(name.str());
+    const toml::node* given = section.table().get(key);
+    if (!given) continue;
+    const Wire number = wire(*given, section.name(key));
+    if (!std::holds_alternative<double>(number))
+      text::refuse(document().place(*given),
+                   fmt::format("block '{}': {} is {}; allowed for a parameter is a number", block.name, key,
+                               text::described(*given)));
+    values[key] = std::get<double>(number);
+  }
+  return values;
+}
+
+void DiagramReader::read_output(const std::string& name, Section& section) {
+  Output output{name, section.required_text("unit", "its unit, \"rad/s\""), name, section.place().text()};
+  if (const toml::node* from = section.node("from")) output.from = wire(*from, section.name("from"));
+  to_.outputs.push_back(std::move(output));
+}
+
+}  // namespace tandem::engine
