@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "linearized.hpp"
@@ -48,13 +49,14 @@ void find_velocities(Model& model, State& s, const Known& known) {
   at.evaluate(s.q);
   VectorXd motion(at.phi.size()), error;
   model.constraint_rates(s.q.data(), motion.data());
+  const double limit = tolerable(std::max(largest(s.v), largest(motion)));
   for (int k = 0; k < 4; ++k) {
     error = at.rate(s.v) + motion;
-    if (largest(error) <= 1e-3 * tolerable(largest(s.v))) return;
+    if (largest(error) <= 1e-3 * limit) return;
     s.v.head(at.variables()) += at.step(error);
   }
   error = at.rate(s.v) + motion;
-  if (!(largest(error) <= tolerable(largest(s.v))))
+  if (!(largest(error) <= limit))
     impossible(model, "no velocities fit the constraints", known.velocities, error, "/s");
 }
 
@@ -110,7 +112,7 @@ Assembled assembled(Mechanism& mechanism, double t) {
   Linearized at(mechanism, positions);
   if (assemble(at, result.state.q, positions)) return result;
   for (int k = 0; k < at.phi.size(); ++k)
-    if (!(std::abs(at.phi[k]) <= tolerable(largest(result.state.q))))
+    if (!(std::abs(at.phi[k]) <= at.limit))
       result.contradictions.push_back({k, at.phi[k]});
   return result;
 }

@@ -37,13 +37,13 @@ bool take(Linearized& at, VectorXd& q, const VectorXd& step) {
 /// given has no gradient by the y that may move.
 bool close(Linearized& at, VectorXd& q) {
   at.evaluate(q);
-  if (largest(at.phi) <= 1e-3 * tolerable(largest(q))) return true;
+  if (largest(at.phi) <= 1e-3 * at.limit) return true;
   double before = at.phi.norm(), least = before;
   VectorXd nearest = q;
   for (int k = 0, pushes = 0; k < most_iterations; ++k) {
     const bool better = take(at, q, at.step(at.phi));
     const double now = at.phi.norm();
-    if (!(now < 0.5 * before) && largest(at.phi) <= tolerable(largest(q))) return true;
+    if (!(now < 0.5 * before) && largest(at.phi) <= at.limit) return true;
     if (now < least) least = now, nearest = q;
     const bool stuck = !better || !(now < 0.99 * before);
     before = now;
@@ -105,6 +105,7 @@ void Linearized::push(VectorXd& q, double most) const {
 /// solution half a turn away.
 bool assemble(Linearized& at, VectorXd& q, const std::vector<Known::Value>& known) {
   const VectorXd from = q;
+  at.limit = tolerable(largest(q));
   double way = 0.0;
   for (const auto& k : known) way = std::max(way, std::abs(k.value - from[k.coordinate]));
   const int parts = static_cast<int>(std::clamp(std::ceil(4.0 * way), 1.0, 200.0));

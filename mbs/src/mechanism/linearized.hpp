@@ -23,6 +23,7 @@ class Linearized {
   int variables() const { return model_.structure().variables; }
 
   Eigen::VectorXd phi;
+  double limit = 0.0;  ///< of |Phi|: assemble() takes it from the size of what is drawn
 
  private:
   Model& model_;

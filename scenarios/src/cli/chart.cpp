@@ -67,10 +67,10 @@ void add_chart(CLI::App& app, Context& context) {
       "simbody the times at 1 mm");
   auto options = std::make_shared<Options>();
   command
-      ->add_option(
-          "scene", options->scene,
-          "A sweep: two_mass, mechanisms, four_bar; or a benchmark: four_bar_cost (of bench four_bar), "
-          "solvers, dense, threads, simbody")
+      ->add_option("scene", options->scene,
+                   "A sweep: two_mass, engine_linkage, mechanisms, four_bar; or a benchmark: four_bar_cost "
+                   "(of bench four_bar), "
+                   "solvers, dense, threads, simbody")
       ->required()
       ->check(CLI::IsMember(scene_names()));
   command

@@ -2,6 +2,7 @@
 #include "cli/chart_scenes.hpp"
 
 #include "charts/dense_chart.hpp"
+#include "charts/engine_linkage_charts.hpp"
 #include "charts/flat_position_chart.hpp"
 #include "charts/linkage_cost_chart.hpp"
 #include "charts/linkage_errors_chart.hpp"
@@ -47,6 +48,18 @@ Drawing four_bar_cost(const fs::path& folder) {
   return {{charts::linkage_cost_chart(charts::read_linkage_times(folder / "four_bar.csv"), caption)}, ""};
 }
 
+Drawing engine_linkage(const fs::path& folder) {
+  const auto caption = conditions_caption(folder / "conditions.json", 150);
+  const auto work = charts::read_engine_linkage_work(folder / "work.csv");
+  const auto motion = charts::read_engine_linkage_motion(folder / "results.csv");
+  const auto elapsed = charts::read_engine_linkage_elapsed(folder / "elapsed.csv");
+  return {
+      {charts::engine_linkage_motion_chart(motion, caption),
+       charts::engine_linkage_errors_chart(work, caption), charts::engine_linkage_work_chart(work, caption),
+       charts::engine_linkage_elapsed_chart(elapsed, caption)},
+      ""};
+}
+
 Drawing solvers(const fs::path& folder) {
   const auto caption = conditions_caption(folder / "solvers_conditions.json", 140);
   return {{charts::solver_map_chart(charts::read_solver_times(folder / "solvers.csv"), caption)}, ""};
@@ -89,6 +102,11 @@ const ChartScene scenes[] = {
      "bench four_bar --output {}",
      {"four_bar.csv", "four_bar_conditions.json"},
      four_bar_cost},
+    {"engine_linkage",
+     "results/engine_linkage",
+     "sweep engine_linkage --output {}",
+     {"results.csv", "work.csv", "elapsed.csv", "conditions.json"},
+     engine_linkage},
     {"solvers",
      "results/bench",
      "bench solvers --output {}",
