@@ -17,6 +17,7 @@ constexpr std::pair<const char*, Kind> energies[] = {
 
 /// Exactly one of the keys position, velocity, acceleration, reaction and energy.
 void Reader::read_output(const std::string& name, Section& section) {
+  port_name(section, name);
   Output output{name, Kind::position};
   int given = 0;
   for (const auto& [key, kind] : motions)
