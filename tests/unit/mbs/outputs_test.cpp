@@ -97,5 +97,17 @@ TEST(Outputs, DependAtOnceOnWhatTheyShould) {
   EXPECT_EQ(o.unit(3), "N");
 }
 
+TEST(Outputs, TheReactionOnAFixedVectorIsACouple) {
+  Mechanism m(read_mechanism("m",
+                             "dimension = 3\n[points]\nO = { at = [0, 0, 0], fixed = true }\n[vectors]\na = "
+                             "{ at = [1, 0, 0], fixed = true }\n"
+                             "b = { at = [0, 1, 0] }\nc = { at = [0, 0, 1] }\n[bodies.B]\npoints = "
+                             "['O']\nvectors = ['a', 'b', 'c']\n"
+                             "mass = 1\ncentre = [0, 0, 0]\ninertia = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
+                             "[outputs]\nr = { reaction = 'a.x' }\ns = { reaction = 'O.x' }\n"));
+  EXPECT_EQ(Outputs(m).unit(0), "N m");
+  EXPECT_EQ(Outputs(m).unit(1), "N");
+}
+
 }  // namespace
 }  // namespace tandem::mbs

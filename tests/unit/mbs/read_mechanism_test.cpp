@@ -112,6 +112,15 @@ testing::AssertionResult refused(const std::string& more, const std::vector<std:
                  [&] { Mechanism(read_mechanism("p.toml", pendulum + more)); });
 }
 
+testing::AssertionResult taken(const std::string& more) {
+  try {
+    Mechanism(read_mechanism("p.toml", pendulum + more));
+  } catch (const Error& e) {
+    return testing::AssertionFailure() << e.what();
+  }
+  return testing::AssertionSuccess();
+}
+
 /// The elements' own sentences.
 TEST(ReadMechanism, RefusesElementsWithWhatIsAllowed) {
   EXPECT_TRUE(
@@ -175,6 +184,10 @@ TEST(ReadMechanism, RefusesNamesThatStandInTheWay) {
   EXPECT_TRUE(refused("[bodies.b]\npoints = ['O', 'P', 'P']\n", {"p.toml:14: bodies.b.points is 'P' twice"}));
   EXPECT_TRUE(refused("[bodies.b]\npoints = ['O']\nvectors = ['P']\n",
                       {"p.toml:15: bodies.b.vectors is the point 'P'; allowed is the names of vectors"}));
+  EXPECT_TRUE(
+      refused("[outputs]\n'P.x' = { position = 'P.y' }\n", {"p.toml:14: output 'P.x' is not the position"}));
+  EXPECT_TRUE(refused("[outputs]\n'O.x' = { energy = 'total' }\n", {"p.toml:14", "another name"}));
+  EXPECT_TRUE(taken("[outputs]\n'P.x' = { position = 'P.x' }\n'P.z' = { energy = 'total' }\n"));
   EXPECT_TRUE(refused("[outputs]\no = { position = 'P.x', unit = 'm' }\n",
                       {"Allowed are: position, velocity, acceleration, reaction, energy"}));
 }

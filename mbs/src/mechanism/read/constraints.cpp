@@ -117,6 +117,12 @@ void Reader::read_drive(const std::string& name, Section& section) {
     section.wrong("coordinate", "of a fixed point", "one that is not fixed");
   drive.input =
       find(inputs_, section, "motion", "input", section.required_text("motion", "the name of an input"));
+  const Coordinate& c = drive.coordinate;
+  const bool vector = c.entity >= 0 && to_.entities[c.entity].kind == Entity::Kind::vector;
+  unit(section, "motion", drive.input,
+       is_angle(to_, c) ? std::vector<std::string>{"rad"}
+       : vector         ? std::vector<std::string>{"1", "m"}
+                        : std::vector<std::string>{"m"});
   this->name(drives_, section, name, to_.drives.size());
   to_.drives.push_back(drive);
 }

@@ -5,6 +5,7 @@
 
 #include "reader.hpp"
 #include "tandem/mbs/mechanism/motions.hpp"
+#include "tandem/nearest.hpp"
 #include "tandem/text/time_table.hpp"
 
 namespace tandem::mbs {
@@ -12,6 +13,7 @@ namespace tandem::mbs {
 void Reader::read_input(const std::string& name, Section& section) {
   port_name(section, name);
   Input input{name, section.required_text("unit", "its unit, \"N\"")};
+  if (input.unit.empty()) section.wrong("unit", "empty", "its unit, \"N\"; \"1\" for a ratio");
   if (const auto value = section.number("value")) input.value = *value;
   read_function(section, input);
   this->name(inputs_, section, name, to_.inputs.size());
@@ -114,8 +116,19 @@ void Reader::read_force(const std::string& name, Section& section) {
     force.index = c.relative;
   }
   force.input = magnitude(section, name);
-  force.gain = section.number("gain").value_or(1.0);
+  const bool torque = force.kind == Force::Kind::relative && is_angle(to_, {-1, 0, force.index});
+  if (const auto gain = section.number("gain"))
+    force.gain = *gain;
+  else if (section.node("magnitude")->is_string())
+    unit(section, "magnitude", force.input, {torque ? "N m" : "N"});
   to_.forces.push_back(force);
+}
+
+void Reader::unit(Section& section, const std::string& key, int input,
+                  const std::vector<std::string>& allowed) const {
+  const Input& i = to_.inputs[input];
+  if (std::find(allowed.begin(), allowed.end(), i.unit) == allowed.end())
+    section.wrong(key, "'" + i.name + "' in " + i.unit, "an input in " + listed(allowed));
 }
 
 void Reader::refuse_unused_inputs(Section& root) const {

@@ -79,11 +79,15 @@ class Reader {
   void read_force(const std::string& name, Section& section);
   /// An input's name, or a number, which becomes an input of its own.
   int magnitude(Section& section, const std::string& name);
+  /// Refuses an input whose unit is not one of those that its use allows.
+  void unit(Section& section, const std::string& key, int input,
+            const std::vector<std::string>& allowed) const;
   void refuse_unused_inputs(Section& root) const;
 
   // outputs.cpp
   void read_output(const std::string& name, Section& section);
   void read_reaction(Section& section, const std::string& of, Output& output) const;
+  void check_column(const Section& section, const Output& output) const;
   void read_initial(Section& root);
   void read_given(Section& initial, const std::string& key, std::vector<Given>& to);
 

@@ -114,7 +114,7 @@ struct Force {
 };
 
 /// A quantity to be read of a mechanism. Reactions are those of the support on the mechanism: of a drive
-/// [N or N m], of a fixed point along an axis [N].
+/// [N or N m], of a fixed point along an axis [N], of a fixed vector [N m].
 struct Output {
   enum class Kind { position, velocity, acceleration, drive_reaction, reaction, kinetic, potential, energy };
   std::string name;
