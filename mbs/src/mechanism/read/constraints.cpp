@@ -123,6 +123,10 @@ void Reader::read_drive(const std::string& name, Section& section) {
        is_angle(to_, c) ? std::vector<std::string>{"rad"}
        : vector         ? std::vector<std::string>{"1", "m"}
                         : std::vector<std::string>{"m"});
+  if (const Input& motion = to_.inputs[drive.input]; !motion.smooth)
+    section.wrong(
+        "motion", "'" + motion.name + "', data joined by straight lines, which have no acceleration",
+        "a function with one: data with interpolation = \"spline\", a polynomial or a sine, or a port");
   this->name(drives_, section, name, to_.drives.size());
   to_.drives.push_back(drive);
 }

@@ -68,8 +68,15 @@ void Reader::read_data(Section& section, const std::string& file, Input& input) 
                     "one with a number in each row");
   const std::string how = section.text("interpolation").value_or("linear");
   if (how != "linear" && how != "spline") section.wrong("interpolation", "'" + how + "'", "linear or spline");
+  input.smooth = how == "spline";
+  const auto twice = std::adjacent_find(table.times.begin(), table.times.end());
+  if (input.smooth && twice != table.times.end())
+    text::refuse(place,
+                 fmt::format("{}:{}: the time {} s is there twice, which is a jump; allowed for a spline "
+                             "are times that rise",
+                             table.file.string(), twice - table.times.begin() + 3, *twice));
   input.function = text::located(place, [&] {
-    return interpolated(table.times, values, how == "spline" ? Interpolation::spline : Interpolation::linear,
+    return interpolated(table.times, values, input.smooth ? Interpolation::spline : Interpolation::linear,
                         "column '" + column + "' of " + table.file.string());
   });
 }

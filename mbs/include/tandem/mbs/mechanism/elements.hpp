@@ -80,6 +80,7 @@ struct Input {
   std::string name, unit;
   double value = std::numeric_limits<double>::quiet_NaN();  ///< until something else is given
   std::function<InputValue(double)> function = {};          ///< of time [s]; empty: given from outside
+  bool smooth = true;  ///< its value, rate and acceleration are continuous, as a drive needs them
 };
 
 /// A coordinate follows an input: prescribed motion.
