@@ -96,16 +96,6 @@ TEST(ReadMechanism, RefusesWithFileLineValueAndWhatIsAllowed) {
   }
 }
 
-TEST(ReadMechanism, RefusesAMechanismInWhichNothingMoves) {
-  const std::string fixed = "dimension = 2\n[points]\nO = { at = [0, 0], fixed = true }\n";
-  for (const char* more :
-       {"P = { at = [1, 0], fixed = true }\n[rods]\nr = { points = ['O', 'P'], mass = 1 }\n",
-        "[masses]\nm = { point = 'O', mass = 1 }\n"})
-    EXPECT_TRUE(refuses(ErrorCode::invalid_argument,
-                        {"m:", "every point and vector is fixed", "one that moves"},
-                        [&] { Mechanism(read_mechanism("m", fixed + more)); }));
-}
-
 /// The pendulum with more.
 testing::AssertionResult refused(const std::string& more, const std::vector<std::string>& says) {
   return refuses(ErrorCode::invalid_argument, says,

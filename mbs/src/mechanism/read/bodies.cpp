@@ -65,7 +65,8 @@ void Reader::add_entity(Section& section, const std::string& key, int entity, Bo
 
 void Reader::read_mass(const std::string& name, Section& section) {
   const int p = point(section, "point", section.required_text("point", "the name of a point"));
-  to_.masses.push_back({name, p, required_positive(section, "mass", "kg"), section.place().text()});
+  to_.masses.push_back({name, p, required_positive(section, "mass", "kg"), section.place().text(),
+                        section.flag("free").value_or(false)});
 }
 
 /// In the plane a number; in space three rows of three.
