@@ -13,7 +13,7 @@ Section::Section(const Document& document, const toml::table& table, std::string
     : document_(document), table_(table), path_(std::move(path)) {}
 
 const toml::node* Section::node(const std::string& key) {
-  asked_.push_back(key);
+  if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) asked_.push_back(key);
   return table_.get(key);
 }
 

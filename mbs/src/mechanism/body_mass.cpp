@@ -5,6 +5,8 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "refuse.hpp"
 
@@ -20,40 +22,43 @@ using Eigen::VectorXd;
 
 bool is_point(const Description& in, int entity) { return in.entities[entity].kind == Entity::Kind::point; }
 
-/// Integral of (1, x)(1, x)^T dm. In the plane only the polar moment counts: it is shared out evenly.
-MatrixXd pseudo_inertia(const Description& in, const Body& body) {
-  const int d = in.dimension;
+/// Integral of x x^T dm about the centre. In the plane only the polar moment counts: it is shared out evenly.
+MatrixXd second_moments(const Description& in, const Body& body) {
+  if (in.dimension == 2) return 0.5 * body.inertia(2, 2) * MatrixXd::Identity(2, 2);
+  return 0.5 * body.inertia.trace() * MatrixXd::Identity(3, 3) - body.inertia;
+}
+
+void check_mass(const Description& in, const Body& body) {
   if (!(body.mass > 0.0)) refuse(body, fmt::format("has a mass of {} kg; allowed is above 0", body.mass));
-  MatrixXd second = d == 3 ? MatrixXd(0.5 * body.inertia.trace() * MatrixXd::Identity(3, 3) - body.inertia)
-                           : MatrixXd(0.5 * body.inertia(2, 2) * MatrixXd::Identity(2, 2));
+  const MatrixXd second = second_moments(in, body);
   const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(second);
   if (const double least = solver.eigenvalues()[0]; least < -1e-9 * std::abs(second.trace()))
     refuse(body, fmt::format("has an inertia tensor that no body has: a second moment is {} kg m^2", least));
-  const VectorXd centre = body.centre.head(d);
-  MatrixXd j(d + 1, d + 1);
-  j(0, 0) = body.mass;
-  j.block(1, 0, d, 1) = body.mass * centre;
-  j.block(0, 1, 1, d) = body.mass * centre.transpose();
-  j.block(1, 1, d, d) = second + body.mass * centre * centre.transpose();
+}
+
+/// Integral of (1, x)(1, x)^T dm in the body's coordinates.
+MatrixXd pseudo_inertia(const Description& in, const Body& body, const BodyCoordinates& at) {
+  const int d = in.dimension;
+  const VectorXd centre = at.point(body.centre);
+  MatrixXd j = body.mass * centre * centre.transpose();
+  j.bottomRightCorner(d, d) += second_moments(in, body) / at.size() / at.size();
   return j;
 }
 
-MatrixXd basis_of(const Description& in, const std::vector<int>& entities) {
-  MatrixXd basis(in.dimension + 1, static_cast<Eigen::Index>(entities.size()));
-  for (std::size_t k = 0; k < entities.size(); ++k)
-    basis.col(static_cast<Eigen::Index>(k)) = homogeneous(in, entities[k]);
-  return basis;
-}
-
 /// M = C x identity with J = B C B^T, B the entities in homogeneous coordinates.
-void spanned(const Description& in, const Body& body, const MatrixXd& j, BodyMass& to) {
-  const MatrixXd basis = basis_of(in, to.entities);
-  const Eigen::ColPivHouseholderQR<MatrixXd> qr(basis);
-  const MatrixXd half = qr.solve(j), c = qr.solve(half.transpose());
-  const double off = (basis * c * basis.transpose() - j).norm();
-  if (off > 1e-9 * j.norm())
-    refuse(body, "has inertia off the line or plane of its points and vectors; give it one more of them");
+void spanned(const Description& in, const Body& body, BodyMass& to) {
+  const BodyCoordinates at(in, body);
   const int d = in.dimension, k = static_cast<int>(to.entities.size());
+  MatrixXd basis(d + 1, k);
+  VectorXd factor(k);
+  for (int e = 0; e < k; ++e) basis.col(e) = at.of(to.entities[e]), factor[e] = at.factor(to.entities[e]);
+  const MatrixXd j = pseudo_inertia(in, body, at);
+  const Eigen::ColPivHouseholderQR<MatrixXd> qr(basis);
+  MatrixXd half = qr.solve(j), c = qr.solve(half.transpose());
+  if (!((basis * c * basis.transpose() - j).norm() <= at.rounding() * j.norm()))
+    refuse(body, "has inertia off the line or plane of its points and vectors; give it one more of them");
+  half = factor.cwiseInverse().asDiagonal() * half;
+  c = (factor.cwiseInverse().asDiagonal() * c * factor.cwiseInverse().asDiagonal()).eval();
   to.mass.setZero(d * k, d * k);
   to.weight.setZero(d * k, d);
   for (int r = 0; r < k; ++r) {
@@ -64,15 +69,14 @@ void spanned(const Description& in, const Body& body, const MatrixXd& j, BodyMas
 
 /// A point i and an edge u in the plane: r = r_i + w u with a complex w, so blocks are [re -im; im re]. With
 /// a second point j in place of u: u = r_j - r_i.
-void planar_pair(const Description& in, const Body& body, const MatrixXd& j, BodyMass& to) {
+void planar_pair(const Description& in, const Body& body, BodyMass& to) {
   const bool points = is_point(in, to.entities[1]);
   const Eigen::Vector2d i = in.entities[to.entities[0]].at.head(2),
                         u = drawn(in, {to.entities[1], points ? to.entities[0] : -1}).head(2),
                         across(-u[1], u[0]), centre = body.centre.head(2) - i;
   const double square = u.squaredNorm(), m = body.mass, re = m * centre.dot(u) / square,
                im = m * centre.dot(across) / square,
-               moment = j(1, 1) + j(2, 2) - m * body.centre.head(2).squaredNorm(),
-               polar = (moment + m * centre.squaredNorm()) / square;
+               polar = (body.inertia(2, 2) + m * centre.squaredNorm()) / square;
   Eigen::Matrix2d turn;
   turn << 0.0, -1.0, 1.0, 0.0;
   const Eigen::Matrix2d one = Eigen::Matrix2d::Identity(), cross = re * one + im * turn;
@@ -89,23 +93,61 @@ void planar_pair(const Description& in, const Body& body, const MatrixXd& j, Bod
 
 }  // namespace
 
-VectorXd homogeneous(const Description& in, int entity) {
-  const Entity& e = in.entities[entity];
-  VectorXd h(in.dimension + 1);
-  h[0] = e.kind == Entity::Kind::point ? 1.0 : 0.0;
-  h.tail(in.dimension) = e.at.head(in.dimension);
+BodyCoordinates::BodyCoordinates(const Description& in, const Body& body) : in_(in) {
+  const auto first =
+      std::find_if(body.entities.begin(), body.entities.end(), [&](int e) { return is_point(in, e); });
+  if (first == body.entities.end()) refuse(body, "has no point");
+  origin_ = in.entities[*first].at;
+  double size = 0.0;
+  for (const int e : body.entities)
+    if (is_point(in, e)) size = std::max(size, (in.entities[e].at - origin_).stableNorm());
+  measure(size > 0.0 ? size
+                     : std::max((body.centre - origin_).stableNorm(),
+                                std::sqrt(std::abs(second_moments(in, body).trace()) / body.mass)));
+  if (!can_be_squared(size_))
+    refuse(body, fmt::format("has a size of {} m; allowed is 1e-100 to 1e100 m", size_));
+}
+
+BodyCoordinates::BodyCoordinates(const Description& in, int point) : in_(in), origin_(in.entities[point].at) {
+  measure(origin_.stableNorm());
+}
+
+void BodyCoordinates::measure(double size) {
+  size_ = size > 0.0 ? size : 1.0;
+  rounding_ = 1e-9 + 64.0 * std::numeric_limits<double>::epsilon() * origin_.stableNorm() / size_;
+}
+
+VectorXd BodyCoordinates::point(const Eigen::Vector3d& at) const {
+  VectorXd h(in_.dimension + 1);
+  h << 1.0, ((at - origin_) / size_).head(in_.dimension);
   return h;
+}
+
+VectorXd BodyCoordinates::direction(const Eigen::Vector3d& along) const {
+  VectorXd h(in_.dimension + 1);
+  h << 0.0, along.stableNormalized().head(in_.dimension);
+  return h;
+}
+
+VectorXd BodyCoordinates::of(int entity) const {
+  const Eigen::Vector3d& at = in_.entities[entity].at;
+  return is_point(in_, entity) ? point(at) : direction(at);
+}
+
+double BodyCoordinates::factor(int entity) const {
+  return is_point(in_, entity) ? 1.0 : in_.entities[entity].at.stableNorm() / size_;
 }
 
 std::vector<int> defining_entities(const Description& in, const Body& body) {
   std::vector<int> chosen, candidates = body.entities;
   std::stable_partition(candidates.begin(), candidates.end(), [&](int e) { return is_point(in, e); });
+  const BodyCoordinates at(in, body);
   MatrixXd basis(in.dimension + 1, 0);
   for (const int entity : candidates) {
     MatrixXd more(in.dimension + 1, basis.cols() + 1);
-    more << basis, homogeneous(in, entity);
+    more << basis, at.of(entity);
     Eigen::ColPivHouseholderQR<MatrixXd> qr(more);
-    qr.setThreshold(1e-9);
+    qr.setThreshold(at.rounding());
     if (qr.rank() < more.cols()) continue;
     basis = more;
     chosen.push_back(entity);
@@ -114,18 +156,17 @@ std::vector<int> defining_entities(const Description& in, const Body& body) {
 }
 
 BodyMass body_mass(const Description& in, const Body& body) {
-  const MatrixXd j = pseudo_inertia(in, body);
+  check_mass(in, body);
   BodyMass result;
   result.entities = defining_entities(in, body);
   const bool two_points = in.dimension == 2 && result.entities.size() == 2;
   if (result.entities.size() < 2) refuse(body, "has no two points apart from each other");
-  two_points ? planar_pair(in, body, j, result) : spanned(in, body, j, result);
+  two_points ? planar_pair(in, body, result) : spanned(in, body, result);
   return result;
 }
 
 std::vector<ScalarProduct> rigid_conditions(const Description& in, const Body& body) {
   const auto defining = defining_entities(in, body);
-  if (defining.empty() || !is_point(in, defining[0])) refuse(body, "has no point");
   std::vector<Edge> edges;
   for (std::size_t k = 1; k < defining.size(); ++k)
     edges.push_back({defining[k], is_point(in, defining[k]) ? defining[0] : -1});

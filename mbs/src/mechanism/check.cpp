@@ -6,51 +6,88 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <numeric>
+#include <set>
 
 #include "refuse.hpp"
 
 namespace tandem::mbs {
 namespace {
 
-/// Which points and vectors hang together: sets that are joined (union-find), the ground the last of them.
+bool is_point(const Description& in, int e) {
+  return e >= 0 && in.entities[static_cast<std::size_t>(e)].kind == Entity::Kind::point;
+}
+
+bool acts(const Spring& s) {
+  const auto any = [](const std::vector<double>& c) {
+    return std::any_of(c.begin(), c.end(), [](double k) { return k != 0.0; });
+  };
+  return any(s.stiffness) || any(s.damping);
+}
+
+bool acts(const Description& in, const Force& f) {
+  const Input& input = in.inputs[static_cast<std::size_t>(f.input)];
+  return f.gain != 0.0 && !(input.function && input.value == 0.0);  // the latter: a number for a magnitude
+}
+
+/// Which points hang together: sets that are joined (union-find), the ground the last of them. Two points are
+/// joined by what depends on where one stands from the other, and holds, drives or loads them so. Products
+/// and angles leave the way between their edges free.
 class Islands {
  public:
   explicit Islands(const Description& in) : in_(in), parent_(in.entities.size() + 1) {
     std::iota(parent_.begin(), parent_.end(), 0);
     for (int e = 0; e < ground(); ++e)
       if (in.entities[e].fixed) join(e, ground());
+    join_bodies();
+    join_constraints();
+    join_loads();
   }
   int ground() const { return static_cast<int>(parent_.size()) - 1; }
   int find(int e) {
     while (parent_[e] != e) e = parent_[e] = parent_[parent_[e]];
     return e;
   }
-  void join(int a, int b) {
-    if (a >= 0 && b >= 0) parent_[find(a)] = find(b);
-  }
-  void join(const Edge& a, const Edge& b) {
-    join(a.to, a.from);
-    join(a.to, b.to);
-    join(b.to, b.from);
-  }
-  void join_all() {
-    for (const Body& body : in_.bodies)
-      for (const int e : body.entities) join(body.entities[0], e);
-    for (const ScalarProduct& p : in_.products) join(p.a, p.b);
-    for (const FixedAngle& a : in_.fixed_angles) join(a.a, a.b);
-    for (const Joint& j : in_.joints) join(of(j.first), of(j.second));
-    for (const Relative& r : in_.relatives) join(r.a, r.b);
-    for (const Spring& s : in_.springs)
-      if (s.relative < 0) join(s.points, s.points);
-    for (const Force& f : in_.forces)
-      if (f.kind == Force::Kind::line) join(f.points, f.points);
+  int of(const Body& body) const {
+    return *std::find_if(body.entities.begin(), body.entities.end(), [&](int e) { return is_point(in_, e); });
   }
 
  private:
+  void join(int a, int b) {
+    const auto is_place = [&](int e) { return e == ground() || is_point(in_, e); };
+    if (is_place(a) && is_place(b)) parent_[find(a)] = find(b);
+  }
+  void join(const Edge& edge) { join(edge.to, edge.from); }
+  void join(const Edge& a, const Edge& b) { join(a), join(b); }
+  void join_relative(int r) {
+    if (r >= 0) join(in_.relatives[r].a, in_.relatives[r].b);
+  }
   int of(const Carrier& c) const {
     if (c.kind == Carrier::Kind::ground) return ground();
-    return c.kind == Carrier::Kind::body ? in_.bodies[c.index].entities[0] : c.index;
+    return c.kind == Carrier::Kind::body ? of(in_.bodies[c.index]) : c.index;
   }
+  void join_bodies() {
+    for (const Body& body : in_.bodies)
+      for (const int e : body.entities) join(of(body), e);
+  }
+  void join_constraints() {
+    for (const ScalarProduct& p : in_.products) join(p.a, p.b);
+    for (const FixedAngle& a : in_.fixed_angles) join(a.a, a.b);
+    for (const Joint& j : in_.joints) join(of(j.first), of(j.second));
+    for (const Drive& d : in_.drives) {
+      join(d.coordinate.entity, ground());
+      join_relative(d.coordinate.relative);
+    }
+  }
+  void join_loads() {
+    for (const Spring& s : in_.springs)
+      if (acts(s)) s.relative < 0 ? join(s.points) : join_relative(s.relative);
+    for (const Force& f : in_.forces) {
+      if (!acts(in_, f)) continue;
+      if (f.kind == Force::Kind::line) join(f.points);
+      if (f.kind == Force::Kind::relative) join_relative(f.index);
+    }
+  }
+
   const Description& in_;
   std::vector<int> parent_;
 };
@@ -73,21 +110,42 @@ void check_masses(const Description& in) {
                       in.entities[e].kind == Entity::Kind::point ? "point" : "vector", in.entities[e].name));
 }
 
+void check_points(const Description& in) {
+  for (const Body& b : in.bodies)
+    if (std::none_of(b.entities.begin(), b.entities.end(), [&](int e) { return is_point(in, e); }))
+      refuse(b.where, "body '" + b.name + "' has no point; allowed is one or more");
+}
+
+/// A body or a mass that something is to hold.
+struct Carried {
+  std::string name;
+  int point;
+  bool free;
+  const std::string& where;
+};
+
+std::vector<Carried> carried(const Description& in, const Islands& islands) {
+  std::vector<Carried> all;
+  for (const Body& b : in.bodies) all.push_back({"body '" + b.name + "'", islands.of(b), b.free, b.where});
+  for (const PointMass& m : in.masses) all.push_back({"mass '" + m.name + "'", m.point, m.free, m.where});
+  return all;
+}
+
 /// One island may float as a whole; of several each hangs on the ground or is free.
 void check_islands(const Description& in) {
   Islands islands(in);
-  islands.join_all();
-  const auto grounded = [&](const Body& b) {
-    return islands.find(b.entities[0]) == islands.find(islands.ground());
-  };
-  const bool floating = std::none_of(in.bodies.begin(), in.bodies.end(), grounded);
-  for (const Body& body : in.bodies)
-    if (!body.free && !grounded(body) &&
-        !(floating && islands.find(body.entities[0]) == islands.find(in.bodies[0].entities[0])))
-      refuse(body.where,
-             fmt::format("body '{}' is connected to nothing that is fixed{}; allowed is a shared point, a "
-                         "joint, a distance, a spring, or free = true",
-                         body.name, floating ? ", nor to body '" + in.bodies[0].name + "'" : ""));
+  const auto all = carried(in, islands);
+  std::set<int> held = {islands.find(islands.ground())};
+  const bool floating = std::none_of(all.begin(), all.end(),
+                                     [&](const Carried& c) { return held.count(islands.find(c.point)); });
+  for (const Carried& c : all)
+    if (c.free || (floating && &c == &all[0])) held.insert(islands.find(c.point));
+  for (const Carried& c : all)
+    if (!held.count(islands.find(c.point)))
+      refuse(c.where,
+             fmt::format("{} is connected to nothing that is fixed{}; allowed is a shared point, a joint, "
+                         "a distance, a spring or force between two points, a drive, or free = true",
+                         c.name, floating ? ", nor to " + all[0].name : ""));
 }
 
 void check_relatives(const Description& in) {
@@ -115,6 +173,7 @@ void check_moving(const Description& in) {
 
 void check(const Description& in) {
   check_moving(in);
+  check_points(in);
   check_masses(in);
   check_islands(in);
   check_relatives(in);

@@ -44,7 +44,7 @@ std::string Frame::name() const {
                                               : "point '" + in_.entities[carrier_.index].name + "'";
 }
 
-/// The combination of the entities that has the drawn place: in homogeneous coordinates B c = (1, at), or
+/// The combination of the entities that has the drawn place, B c = (1, at) in homogeneous coordinates, or
 /// (0, along) for a direction.
 Forms Frame::forms(const Eigen::Vector3d& at, bool is_point) const {
   const int d = in_.dimension;
@@ -54,16 +54,19 @@ Forms Frame::forms(const Eigen::Vector3d& at, bool is_point) const {
     return result;
   }
   if (d == 2 && entities_.size() == 2) return turned_pair(at, is_point);
+  const BodyCoordinates local = carrier_.kind == Carrier::Kind::body
+                                    ? BodyCoordinates(in_, in_.bodies[carrier_.index])
+                                    : BodyCoordinates(in_, carrier_.index);
   Eigen::MatrixXd basis(d + 1, static_cast<int>(entities_.size()));
-  for (std::size_t e = 0; e < entities_.size(); ++e)
-    basis.col(static_cast<int>(e)) = homogeneous(in_, entities_[e]);
-  Eigen::VectorXd target(d + 1);
-  target << (is_point ? 1.0 : 0.0), at.head(d);
-  const Eigen::VectorXd c = basis.colPivHouseholderQr().solve(target);
-  if (!((basis * c - target).norm() <= 1e-9 * (1.0 + at.norm())))
+  for (std::size_t e = 0; e < entities_.size(); ++e) basis.col(static_cast<int>(e)) = local.of(entities_[e]);
+  const Eigen::VectorXd target = is_point ? local.point(at) : local.direction(at);
+  Eigen::VectorXd c = basis.colPivHouseholderQr().solve(target);
+  if (!((basis * c - target).norm() <= local.rounding() * (1.0 + target.norm())))
     refuse(where_, fmt::format("{} has no {} ({}, {}, {}): its points and vectors don't span it; give it one "
                                "more of them",
                                name(), is_point ? "place" : "direction", at[0], at[1], at[2]));
+  for (std::size_t e = 0; e < entities_.size(); ++e)
+    c[static_cast<int>(e)] *= (is_point ? 1.0 : at.norm() / local.size()) / local.factor(entities_[e]);
   for (std::size_t e = 0; e < entities_.size(); ++e) {
     const Forms own = forms_of(in_, at_, entities_[e]);
     for (int k = 0; k < d; ++k) result[k].add(own[k], c[static_cast<int>(e)]);

@@ -70,7 +70,7 @@ std::string Outputs::unit(int output) const {
     case Kind::drive_reaction:
       return is_angle(in, c) ? "N m" : "N";
     case Kind::reaction:
-      return "N";
+      return in.entities[static_cast<std::size_t>(c.entity)].kind == Entity::Kind::vector ? "N m" : "N";
     case Kind::position_residual:
     case Kind::velocity_residual:
     case Kind::acceleration_residual:

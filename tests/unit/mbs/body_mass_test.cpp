@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <array>
 #include <random>
 
 #include "refusal.hpp"
@@ -97,6 +98,66 @@ TEST(BodyMass, ALaminaIsSpannedByThreePointsAndABoxIsNot) {
   const Body plate{"plate", {0, 1, 2}, 1.0, {0.3, 0.3, 0}, Vector3d(0.1, 0.2, 0.3).asDiagonal()};
   expect_rigid_motion(in, plate, {1, 2, 3}, {0.4, 0.5, 0.6});
   const Body box{"box", {0, 1, 2}, 1.0, {0.3, 0.3, 0}, Vector3d(0.2, 0.2, 0.2).asDiagonal()};
+  EXPECT_TRUE(
+      refuses(ErrorCode::invalid_argument, {"'box'", "off the line or plane"}, [&] { body_mass(in, box); }));
+}
+
+/// Coefficients of points do not change where all lengths are s times as large and the body stands elsewhere.
+/// A drawing has 16 digits, so that a body of 0.1 m that stands 1000 km away is known to 1e-9 of it.
+TEST(BodyMass, IsTheSameOfABodyOfAnySizeAndPlace) {
+  struct Case {
+    double size;
+    Vector3d place;
+    double tolerance;
+  };
+  std::array<Eigen::MatrixXd, 2> all;  // as they are at the origin, by dimension
+  const Vector3d away(1e6, -2e6, 0);
+  for (const Case& c : {Case{1.0, Vector3d::Zero(), 0.0},
+                        {1e-9, Vector3d::Zero(), 1e-12},
+                        {1e90, Vector3d::Zero(), 1e-12},
+                        {0.1, away, 1e-7}})
+    for (const int dimension : {2, 3}) {
+      Description in;
+      in.dimension = dimension;
+      for (const Vector3d& at :
+           {Vector3d(0, 0, 0), Vector3d(1, 0.2, 0), Vector3d(0.3, 1, 0), Vector3d(0, 0.1, 1)})
+        in.entities.push_back({"P", Entity::Kind::point, false, c.place + c.size * at});
+      Body body{"b",
+                {0, 1},
+                2.0,
+                c.place + c.size * Vector3d(0.2, 0.3, 0),
+                c.size * c.size * Vector3d(0.4, 0.5, 0.6).asDiagonal().toDenseMatrix()};
+      if (dimension == 3) body.entities = {0, 1, 2, 3};
+      const BodyMass m = body_mass(in, body);
+      Eigen::MatrixXd& expected = all[static_cast<std::size_t>(dimension - 2)];
+      if (c.tolerance == 0.0) expected = m.mass;
+      ASSERT_EQ(m.mass.rows(), expected.rows()) << c.size;
+      EXPECT_LE((m.mass - expected).norm(), c.tolerance * m.mass.norm()) << c.size;
+    }
+}
+
+TEST(BodyMass, OfASizeThatCanNotBeSquaredIsRefused) {
+  Description in;
+  in.dimension = 2;
+  in.entities = {{"P", Entity::Kind::point, false, {0, 0, 0}},
+                 {"Q", Entity::Kind::point, false, {1e200, 0, 0}}};
+  Body body{"b", {0, 1}, 1.0, Vector3d::Zero(), Matrix3d::Identity()};
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'b'", "1e+200 m", "1e-100 to 1e100 m"},
+                      [&] { body_mass(in, body); }));
+}
+
+/// The threshold is of the body, not of one metre.
+TEST(BodyMass, SmallInertiaOffThePlaneOfASmallPlateIsRefused) {
+  Description in;
+  const double s = 1e-6;
+  in.entities = {{"P", Entity::Kind::point, false, {0, 0, 0}},
+                 {"Q", Entity::Kind::point, false, {s, 0, 0}},
+                 {"R", Entity::Kind::point, false, {0, s, 0}}};
+  const Body box{"box",
+                 {0, 1, 2},
+                 1.0,
+                 {0.3 * s, 0.3 * s, 0},
+                 s * s * Vector3d(0.2, 0.2, 0.2).asDiagonal().toDenseMatrix()};
   EXPECT_TRUE(
       refuses(ErrorCode::invalid_argument, {"'box'", "off the line or plane"}, [&] { body_mass(in, box); }));
 }

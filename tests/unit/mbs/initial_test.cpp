@@ -103,6 +103,8 @@ TEST(InitialState, FindsItsWayFromADrawingThatHasNoGradient) {
       EXPECT_NEAR(std::abs(s.q[1]), std::sqrt(1.0 - x * x), 1e-10) << at;
       EXPECT_EQ(s.q, started(text).q) << "the same side in every run";
     }
+  EXPECT_NEAR(std::abs(started(rod_at("at = [0, 1e-9]", "[initial.positions]\n'P.y' = 5e-10\n")).q[0]),
+              std::sqrt(0.75) * 1e-9, 1e-18);
 }
 
 /// All that may move in an equation is given, or its gradient has no part along what is not.

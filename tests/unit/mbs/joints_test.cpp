@@ -118,6 +118,11 @@ TEST(Joint, RefusesWhatHasNoMeaning) {
               "r = { points = ['A', 'B'], mass = 1 }\n" +
                   joint("spherical", "between = ['r', 'ground']\nat = [0, 1, 0]\n"),
               {"'r'", "(0, 1, 0)", "one more"}));
+  EXPECT_TRUE(
+      refused("dimension = 3\n[points]\nA = { at = [1e-9, 0, 0] }\nB = { at = [2e-9, 0, 0] }\n[rods]\n"
+              "r = { points = ['A', 'B'], mass = 1 }\n" +
+                  joint("spherical", "between = ['r', 'ground']\nat = [0, 1e-10, 0]\n"),
+              {"'r'", "(0, 1e-10, 0)", "one more"}));
 }
 
 }  // namespace

@@ -82,14 +82,13 @@ TEST(Outputs, DependAtOnceOnWhatTheyShould) {
       "m", rod + "P = { at = [1.5, 0] }\nQ = { at = [1, 1] }\n[masses]\nm = { point = 'P', mass = 2 }\n"
                  "[rods]\nr = { points = ['O', 'Q'], mass = 1 }\n[springs]\ns = { points = ['P', 'Q'], "
                  "stiffness = 1 }\n"
-                 "[inputs]\nF = { unit = 'N' }\nidle = { unit = 'N' }\n"
+                 "[inputs]\nF = { unit = 'N' }\n"
                  "[forces]\nf = { point = 'P', direction = [1, 1], magnitude = 'F' }\n[outputs]\n"
                  "x = { position = 'P.x' }\nv = { velocity = 'P.x' }\na = { acceleration = 'P.x' }\n"
                  "r = { reaction = 'O.x' }\n"));
   const Outputs o(m);
   for (int output = 0; output < 4; ++output) {
     EXPECT_EQ(o.depends(output, 0), output == 2);
-    EXPECT_FALSE(o.depends(output, 1));
     EXPECT_EQ(o.derivatives(output), std::max(0, 2 - output));
   }
   EXPECT_EQ(o.unit(0), "m");
@@ -144,6 +143,18 @@ TEST(Outputs, HaveResidualsAndTheDriftOfEnergy) {
   EXPECT_NEAR(y[3], m.energy(s.q.data(), s.v.data()) - 0.5 * 9.0, 1e-12);
   EXPECT_EQ(o.unit(0), "");
   EXPECT_EQ(o.unit(3), "J");
+}
+
+TEST(Outputs, TheReactionOnAFixedVectorIsACouple) {
+  Mechanism m(read_mechanism("m",
+                             "dimension = 3\n[points]\nO = { at = [0, 0, 0], fixed = true }\n[vectors]\na = "
+                             "{ at = [1, 0, 0], fixed = true }\n"
+                             "b = { at = [0, 1, 0] }\nc = { at = [0, 0, 1] }\n[bodies.B]\npoints = "
+                             "['O']\nvectors = ['a', 'b', 'c']\n"
+                             "mass = 1\ncentre = [0, 0, 0]\ninertia = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
+                             "[outputs]\nr = { reaction = 'a.x' }\ns = { reaction = 'O.x' }\n"));
+  EXPECT_EQ(Outputs(m).unit(0), "N m");
+  EXPECT_EQ(Outputs(m).unit(1), "N");
 }
 
 }  // namespace

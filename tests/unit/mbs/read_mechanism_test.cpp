@@ -96,22 +96,23 @@ TEST(ReadMechanism, RefusesWithFileLineValueAndWhatIsAllowed) {
   }
 }
 
-TEST(ReadMechanism, RefusesAMechanismInWhichNothingMoves) {
-  const std::string fixed = "dimension = 2\n[points]\nO = { at = [0, 0], fixed = true }\n";
-  for (const char* more :
-       {"P = { at = [1, 0], fixed = true }\n[rods]\nr = { points = ['O', 'P'], mass = 1 }\n",
-        "[masses]\nm = { point = 'O', mass = 1 }\n"})
-    EXPECT_TRUE(refuses(ErrorCode::invalid_argument,
-                        {"m:", "every point and vector is fixed", "one that moves"},
-                        [&] { Mechanism(read_mechanism("m", fixed + more)); }));
+/// The pendulum with more.
+testing::AssertionResult refused(const std::string& more, const std::vector<std::string>& says) {
+  return refuses(ErrorCode::invalid_argument, says,
+                 [&] { Mechanism(read_mechanism("p.toml", pendulum + more)); });
 }
 
-/// A pendulum with more: the elements' own sentences.
+testing::AssertionResult taken(const std::string& more) {
+  try {
+    Mechanism(read_mechanism("p.toml", pendulum + more));
+  } catch (const Error& e) {
+    return testing::AssertionFailure() << e.what();
+  }
+  return testing::AssertionSuccess();
+}
+
+/// The elements' own sentences.
 TEST(ReadMechanism, RefusesElementsWithWhatIsAllowed) {
-  const auto refused = [](const std::string& more, const std::vector<std::string>& says) {
-    return refuses(ErrorCode::invalid_argument, says,
-                   [&] { Mechanism(read_mechanism("p.toml", pendulum + more)); });
-  };
   EXPECT_TRUE(
       refused("[springs]\ns = { points = ['O', 'P'] }\n", {"p.toml:14", "springs.s.stiffness is missing"}));
   EXPECT_TRUE(refused("[springs]\ns = { coordinate = 'P.x', stiffness = 1 }\n",
@@ -138,6 +139,66 @@ TEST(ReadMechanism, RefusesElementsWithWhatIsAllowed) {
       {"p.toml:17", "body 'loose' is connected to nothing that is fixed"}));
   EXPECT_TRUE(refused("[fixed_angles]\na = { edges = ['u', ['O', 'P']] }\n", {"vector 'u' is not there"}));
   EXPECT_TRUE(refused("[fixed_angles]\na = { edges = [['O', 'P']] }\n", {"two edges"}));
+}
+
+TEST(ReadMechanism, RefusesWhatSaysNothing) {
+  const std::string square = "allowed is a number above 0";
+  EXPECT_TRUE(refused("[products]\np = { edges = [['O', 'P'], ['O', 'P']], value = 0 }\n",
+                      {"p.toml:14: products.p.value is 0 m^2 of an edge with itself", square}));
+  EXPECT_TRUE(refused("[products]\np = { edges = [['O', 'P'], ['P', 'O']], value = 1 }\n",
+                      {"p.toml:14", "itself turned round", "below 0"}));
+  EXPECT_TRUE(
+      refused("[products]\np = { edges = [['P', 'P'], ['O', 'P']] }\n", {"p.toml:14", "from 'P' to itself"}));
+  EXPECT_TRUE(refused("[distances]\nd = { points = ['O', 'P'], length = 1e-200 }\n",
+                      {"p.toml:14: distances.d.length is 1e-200 m", "1e-100 to 1e100 m"}));
+  EXPECT_TRUE(refused("[forces]\nf = { point = 'O', direction = [0, 1], magnitude = 1 }\n",
+                      {"p.toml:14: forces.f.point is 'O', which is fixed"}));
+  EXPECT_TRUE(refused("[forces]\nf = { point = 'P', direction = [0, 0], magnitude = 1 }\n",
+                      {"p.toml:14: forces.f.direction is zero; allowed is a direction"}));
+  EXPECT_TRUE(
+      refused("[forces]\nf = { point = 'P', between = ['O', 'P'], direction = [0, 1], magnitude = 1 }\n",
+              {"p.toml:14: force 'f' has point, between; allowed is one of point, between, coordinate"}));
+  EXPECT_TRUE(
+      refused("[forces]\nf = { magnitude = 1 }\n", {"p.toml:14", "one of point, between, coordinate"}));
+  EXPECT_TRUE(refused("[inputs]\nF = { unit = 'N', value = 1 }\n",
+                      {"p.toml:14: input 'F' is used by no force and no drive"}));
+  EXPECT_TRUE(refused("[inputs]\nF = { unit = 'N', polynomial = [] }\n",
+                      {"p.toml:14: inputs.F.polynomial is an empty array"}));
+  EXPECT_TRUE(refused("[springs]\ns = { points = ['O', 'P'], stiffness = [] }\n",
+                      {"p.toml:14: springs.s.stiffness is an empty array"}));
+}
+
+TEST(ReadMechanism, RefusesNamesThatStandInTheWay) {
+  EXPECT_TRUE(refused("[points.'']\nat = [0, 1]\n", {"p.toml:13: points has a name of no letters"}));
+  EXPECT_TRUE(refused("[points.'a,b']\nat = [0, 1]\n", {"p.toml:13: the name 'a,b' is no port's", "blanks"}));
+  EXPECT_TRUE(refused("[bodies.b]\npoints = ['O', 'P', 'P']\n", {"p.toml:14: bodies.b.points is 'P' twice"}));
+  EXPECT_TRUE(refused("[bodies.b]\npoints = ['O']\nvectors = ['P']\n",
+                      {"p.toml:15: bodies.b.vectors is the point 'P'; allowed is the names of vectors"}));
+  EXPECT_TRUE(
+      refused("[outputs]\n'P.x' = { position = 'P.y' }\n", {"p.toml:14: output 'P.x' is not the position"}));
+  EXPECT_TRUE(refused("[outputs]\n'O.x' = { energy = 'total' }\n", {"p.toml:14", "another name"}));
+  EXPECT_TRUE(taken("[outputs]\n'P.x' = { position = 'P.x' }\n'P.z' = { energy = 'total' }\n"));
+  EXPECT_TRUE(refused("[outputs]\no = { position = 'P.x', unit = 'm' }\n",
+                      {"Allowed are: position, velocity, acceleration, reaction, energy"}));
+}
+
+TEST(ReadMechanism, RefusesAnInertiaThatIsZeroOrNotSymmetric) {
+  const auto text = [](const std::string& inertia) {
+    return "dimension = 3\n[points]\nO = { at = [0, 0, 0], fixed = true }\n[vectors]\na = { at = [1, 0, 0] "
+           "}\n"
+           "b = { at = [0, 1, 0] }\nc = { at = [0, 0, 1] }\n[bodies.B]\npoints = ['O']\nvectors = ['a', 'b', "
+           "'c']\n"
+           "mass = 1\ncentre = [0, 0, 0]\ninertia = " +
+           inertia + "\n";
+  };
+  const auto says = [&](const std::string& inertia, const std::string& words) {
+    return refuses(ErrorCode::invalid_argument, {words}, [&] { read_mechanism("m", text(inertia)); });
+  };
+  EXPECT_TRUE(
+      says("[[0, 0, 0], [0, 0, 0], [0, 0, 0]]", "m:13: bodies.B.inertia is zero; allowed is that of a body"));
+  EXPECT_TRUE(says("[[1, 0.1, 0], [0.2, 1, 0], [0, 0, 1]]",
+                   "m:13: bodies.B.inertia is 0.1 in row 1, column 2, and 0.2 in row 2, column 1"));
+  EXPECT_NO_THROW(read_mechanism("m", text("[[1, 0.1000000000000001, 0], [0.1, 1, 0], [0, 0, 1]]")));
 }
 
 }  // namespace

@@ -1,12 +1,16 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "reader.hpp"
 
 namespace tandem::mbs {
 
 void Reader::read_entity(const std::string& name, Section& section, Entity::Kind kind) {
   Entity entity{name, kind};
+  if (kind == Entity::Kind::point) port_name(section, name);
   entity.at = required_vector(section, "at", fmt::format("its {} coordinates as drawn [m]", to_.dimension));
   entity.fixed = section.flag("fixed").value_or(false);
   entity.where = section.place().text();
@@ -36,10 +40,14 @@ void Reader::read_rod(const std::string& name, Section& section) {
 void Reader::read_body(const std::string& name, Section& section) {
   Body body{name, {}};
   for (const std::string& entity : section.texts("points"))
-    body.entities.push_back(point(section, "points", entity));
+    add_entity(section, "points", point(section, "points", entity), body);
   if (body.entities.empty()) section.missing("points", "the names of one point or more");
-  for (const std::string& entity : section.texts("vectors"))
-    body.entities.push_back(find(entities_, section, "vectors", "vector", entity));
+  for (const std::string& entity : section.texts("vectors")) {
+    const int e = find(entities_, section, "vectors", "vector", entity);
+    if (to_.entities[e].kind != Entity::Kind::vector)
+      section.wrong("vectors", "the point '" + entity + "'", "the names of vectors");
+    add_entity(section, "vectors", e, body);
+  }
   body.mass = required_positive(section, "mass", "kg");
   body.centre = required_vector(section, "centre", "the centre of mass as drawn [m]");
   body.inertia = inertia(section);
@@ -49,9 +57,16 @@ void Reader::read_body(const std::string& name, Section& section) {
   to_.bodies.push_back(std::move(body));
 }
 
+void Reader::add_entity(Section& section, const std::string& key, int entity, Body& body) const {
+  if (std::find(body.entities.begin(), body.entities.end(), entity) != body.entities.end())
+    section.wrong(key, "'" + to_.entities[entity].name + "' twice", "names that are each there once");
+  body.entities.push_back(entity);
+}
+
 void Reader::read_mass(const std::string& name, Section& section) {
   const int p = point(section, "point", section.required_text("point", "the name of a point"));
-  to_.masses.push_back({name, p, required_positive(section, "mass", "kg"), section.place().text()});
+  to_.masses.push_back({name, p, required_positive(section, "mass", "kg"), section.place().text(),
+                        section.flag("free").value_or(false)});
 }
 
 /// In the plane a number; in space three rows of three.
@@ -71,8 +86,18 @@ Eigen::Matrix3d Reader::inertia(Section& section) const {
     for (int c = 0; c < 3; ++c)
       tensor(r, c) = text::number_of(document_, *row->get(c), section.name("inertia"));
   }
-  if (tensor != tensor.transpose()) section.wrong("inertia", "not symmetric", allowed);
-  return tensor;
+  const double largest = tensor.cwiseAbs().maxCoeff();
+  if (!(largest > 0.0))
+    section.wrong("inertia", "zero",
+                  "that of a body with an extent (the mass of a point belongs in [masses])");
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < r; ++c)
+      if (std::abs(tensor(r, c) - tensor(c, r)) > 1e-12 * largest)
+        section.wrong("inertia",
+                      fmt::format("{} in row {}, column {}, and {} in row {}, column {}", tensor(c, r), c + 1,
+                                  r + 1, tensor(r, c), r + 1, c + 1),
+                      allowed);
+  return 0.5 * (tensor + tensor.transpose());
 }
 
 }  // namespace tandem::mbs

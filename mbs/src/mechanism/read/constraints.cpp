@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "reader.hpp"
+#include "tandem/mbs/mechanism/body_mass.hpp"
 #include "tandem/nearest.hpp"
 
 namespace tandem::mbs {
@@ -30,12 +31,17 @@ bool is_planar(Joint::Kind kind) {
 void Reader::read_distance(const std::string& name, Section& section) {
   const Edge edge = two_points(section, "points");
   const double l = section.positive("length").value_or(drawn(to_, edge).norm());
+  if (!can_be_squared(l)) section.wrong("length", fmt::format("{} m", l), "1e-100 to 1e100 m");
   to_.products.push_back({name, edge, edge, l * l, section.place().text(), "distance"});
 }
 
 void Reader::read_product(const std::string& name, Section& section) {
   const auto [a, b] = two_edges(section, "edges");
   const double value = section.number("value").value_or(drawn(to_, a).dot(drawn(to_, b)));
+  const bool back = a.from >= 0 && a.from == b.to && a.to == b.from;
+  if ((a == b && !(value > 0.0)) || (back && !(value < 0.0)))
+    section.wrong("value", fmt::format("{} m^2 of an edge with itself{}", value, back ? " turned round" : ""),
+                  back ? "a number below 0" : "a number above 0");
   to_.products.push_back({name, a, b, value, section.place().text()});
 }
 
@@ -111,6 +117,16 @@ void Reader::read_drive(const std::string& name, Section& section) {
     section.wrong("coordinate", "of a fixed point", "one that is not fixed");
   drive.input =
       find(inputs_, section, "motion", "input", section.required_text("motion", "the name of an input"));
+  const Coordinate& c = drive.coordinate;
+  const bool vector = c.entity >= 0 && to_.entities[c.entity].kind == Entity::Kind::vector;
+  unit(section, "motion", drive.input,
+       is_angle(to_, c) ? std::vector<std::string>{"rad"}
+       : vector         ? std::vector<std::string>{"1", "m"}
+                        : std::vector<std::string>{"m"});
+  if (const Input& motion = to_.inputs[drive.input]; !motion.smooth)
+    section.wrong(
+        "motion", "'" + motion.name + "', data joined by straight lines, which have no acceleration",
+        "a function with one: data with interpolation = \"spline\", a polynomial or a sine, or a port");
   this->name(drives_, section, name, to_.drives.size());
   to_.drives.push_back(drive);
 }

@@ -1,14 +1,19 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "reader.hpp"
 #include "tandem/mbs/mechanism/motions.hpp"
+#include "tandem/nearest.hpp"
 #include "tandem/text/time_table.hpp"
 
 namespace tandem::mbs {
 
 void Reader::read_input(const std::string& name, Section& section) {
+  port_name(section, name);
   Input input{name, section.required_text("unit", "its unit, \"N\"")};
+  if (input.unit.empty()) section.wrong("unit", "empty", "its unit, \"N\"; \"1\" for a ratio");
   if (const auto value = section.number("value")) input.value = *value;
   read_function(section, input);
   this->name(inputs_, section, name, to_.inputs.size());
@@ -27,7 +32,7 @@ void Reader::read_function(Section& section, Input& input) const {
     ++given;
   }
   if (const auto file = section.text("file")) {
-    input.function = data(section, *file);
+    read_data(section, *file, input);
     ++given;
   }
   if (given > 1)
@@ -47,8 +52,10 @@ std::function<InputValue(double)> Reader::sine_of(Section& section, const toml::
   return result;
 }
 
-std::function<InputValue(double)> Reader::data(Section& section, const std::string& file) const {
-  const text::TimeTable table = text::TimeTable::read(folder_ / file);
+/// A table's row k stands in line k + 2 of its file, below the names.
+void Reader::read_data(Section& section, const std::string& file, Input& input) const {
+  const text::Place place = section.place("file");
+  const auto table = text::located(place, [&] { return text::TimeTable::read(folder_ / file); });
   const std::string column = section.required_text("column", "a column of the file");
   Names columns;
   for (std::size_t k = 0; k < table.names.size(); ++k) columns.emplace(table.names[k], static_cast<int>(k));
@@ -56,12 +63,20 @@ std::function<InputValue(double)> Reader::data(Section& section, const std::stri
       table.columns[static_cast<std::size_t>(find(columns, section, "column", "column", column))];
   for (std::size_t k = 0; k < values.size(); ++k)
     if (!(values[k] == values[k]))
-      section.wrong("column", fmt::format("'{}' with an empty cell at {} s", column, table.times[k]),
+      section.wrong("column",
+                    fmt::format("'{}' with an empty cell in {}:{}", column, table.file.string(), k + 2),
                     "one with a number in each row");
   const std::string how = section.text("interpolation").value_or("linear");
   if (how != "linear" && how != "spline") section.wrong("interpolation", "'" + how + "'", "linear or spline");
-  return text::located(section.place("file"), [&] {
-    return interpolated(table.times, values, how == "spline" ? Interpolation::spline : Interpolation::linear,
+  input.smooth = how == "spline";
+  const auto twice = std::adjacent_find(table.times.begin(), table.times.end());
+  if (input.smooth && twice != table.times.end())
+    text::refuse(place,
+                 fmt::format("{}:{}: the time {} s is there twice, which is a jump; allowed for a spline "
+                             "are times that rise",
+                             table.file.string(), twice - table.times.begin() + 3, *twice));
+  input.function = text::located(place, [&] {
+    return interpolated(table.times, values, input.smooth ? Interpolation::spline : Interpolation::linear,
                         "column '" + column + "' of " + table.file.string());
   });
 }
@@ -69,6 +84,7 @@ std::function<InputValue(double)> Reader::data(Section& section, const std::stri
 void Reader::read_spring(const std::string& name, Section& section) {
   Spring spring;
   spring.name = name;
+  only_one(section, "spring '" + name + "'", {"points", "coordinate"});
   const bool between = section.node("points") != nullptr;
   if (between) {
     spring.points = two_points(section, "points");
@@ -88,21 +104,50 @@ void Reader::read_spring(const std::string& name, Section& section) {
 
 void Reader::read_force(const std::string& name, Section& section) {
   Force force{name, Force::Kind::relative};
+  only_one(section, "force '" + name + "'", {"point", "between", "coordinate"});
   if (const auto on = section.text("point")) {
     force.kind = Force::Kind::point;
     force.index = point(section, "point", *on);
+    if (to_.entities[force.index].fixed)
+      section.wrong("point", "'" + *on + "', which is fixed", "a point that is not");
     force.direction = required_vector(section, "direction", "the direction that it acts in");
+    if (!(force.direction.norm() > 0.0)) section.wrong("direction", "zero", "a direction");
   } else if (section.node("between")) {
     force.kind = Force::Kind::line;
     force.points = two_points(section, "between");
+    if (to_.entities[force.points.to].fixed && to_.entities[force.points.from].fixed)
+      section.wrong("between", "two fixed points", "two points of which one is not");
   } else {
     const Coordinate c = required_coordinate(section, "coordinate");
     if (c.relative < 0) section.wrong("coordinate", "one of a point", "an angle or a length");
     force.index = c.relative;
   }
   force.input = magnitude(section, name);
-  force.gain = section.number("gain").value_or(1.0);
+  const bool torque = force.kind == Force::Kind::relative && is_angle(to_, {-1, 0, force.index});
+  if (const auto gain = section.number("gain"))
+    force.gain = *gain;
+  else if (section.node("magnitude")->is_string())
+    unit(section, "magnitude", force.input, {torque ? "N m" : "N"});
   to_.forces.push_back(force);
+}
+
+void Reader::unit(Section& section, const std::string& key, int input,
+                  const std::vector<std::string>& allowed) const {
+  const Input& i = to_.inputs[input];
+  if (std::find(allowed.begin(), allowed.end(), i.unit) == allowed.end())
+    section.wrong(key, "'" + i.name + "' in " + i.unit, "an input in " + listed(allowed));
+}
+
+void Reader::refuse_unused_inputs(Section& root) const {
+  const auto used = [&](int input) {
+    const auto uses = [input](const auto& element) { return element.input == input; };
+    return std::any_of(to_.forces.begin(), to_.forces.end(), uses) ||
+           std::any_of(to_.drives.begin(), to_.drives.end(), uses);
+  };
+  for (const auto& [name, index] : inputs_)
+    if (!used(index))
+      text::refuse(document_.place(*root.table("inputs")->get(name)),
+                   "input '" + name + "' is used by no force and no drive; allowed is one that is");
 }
 
 int Reader::magnitude(Section& section, const std::string& name) {

@@ -36,6 +36,7 @@ bool read_word(text::Section& section, const std::string& key, const std::pair<c
 
 /// Exactly one of the keys position, velocity, acceleration, reaction, energy and residual.
 void Reader::read_output(const std::string& name, Section& section) {
+  port_name(section, name);
   Output output{name, Kind::position};
   int given = 0;
   for (const auto& [key, kind] : motions)
@@ -55,7 +56,23 @@ void Reader::read_output(const std::string& name, Section& section) {
                  fmt::format("output '{}' names {} quantities; allowed is one of position, velocity, "
                              "acceleration, reaction, energy and residual",
                              name, given));
+  check_column(section, output);
   to_.outputs.push_back(output);
+}
+
+/// Where a mechanism runs alone, "P.x" is the column of that coordinate of a point.
+void Reader::check_column(const Section& section, const Output& output) const {
+  const auto dot = output.name.rfind('.');
+  const auto it = dot == std::string::npos ? entities_.end() : entities_.find(output.name.substr(0, dot));
+  if (it == entities_.end() || to_.entities[it->second].kind != Entity::Kind::point) return;
+  const std::string axis = output.name.substr(dot + 1);
+  const auto number = std::string("xyz").substr(0, static_cast<std::size_t>(to_.dimension)).find(axis);
+  if (axis.size() != 1 || number == std::string::npos) return;
+  const Coordinate own{it->second, static_cast<int>(number)};
+  if (output.kind != Kind::position || !(output.coordinate == own))
+    text::refuse(section.place(), "output '" + output.name +
+                                      "' is not the position that is called so where a "
+                                      "mechanism runs alone; allowed is another name");
 }
 
 /// Of a drive, or of a fixed point along an axis.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "reader.hpp"
+#include "tandem/mbs/mechanism/body_mass.hpp"
 #include "tandem/nearest.hpp"
 
 namespace tandem::mbs {
@@ -32,6 +33,7 @@ Description Reader::read() {
   read_initial(root);
   root.table("run");  // for whoever runs it
   root.refuse_unknown();
+  refuse_unused_inputs(root);
   if (to_.bodies.empty() && to_.masses.empty())
     root.missing("rods", "a table [rods.NAME], [bodies.NAME] or [masses.NAME] for each body");
   return std::move(to_);
@@ -54,6 +56,8 @@ void Reader::each(Section& root, const std::string& key, const Read& read) {
     if (!node->is_table())
       refuse(document_.place(*node),
              key + "." + name + " is " + text::described(*node) + "; allowed is a table");
+    if (name.empty())
+      refuse(document_.place(*node), key + " has a name of no letters; allowed is one letter or more");
     Section section(document_, *node->as_table(), key + "." + name);
     read(name, section);
     section.refuse_unknown();
@@ -92,6 +96,7 @@ std::vector<double> Reader::numbers(Section& section, const std::string& key) co
   if (!node) return {};
   const toml::array* array = node->as_array();
   if (!array) return {text::number_of(document_, *node, section.name(key))};
+  if (array->empty()) section.wrong(key, "an empty array", "a number, or an array of one or more");
   std::vector<double> all;
   for (const toml::node& item : *array)
     all.push_back(text::number_of(document_, item, fmt::format("{}[{}]", section.name(key), all.size())));
@@ -101,6 +106,12 @@ std::vector<double> Reader::numbers(Section& section, const std::string& key) co
 void Reader::name(Names& names, const Section& section, const std::string& name, std::size_t index) const {
   if (!names.emplace(name, static_cast<int>(index)).second)
     refuse(section.place(), "the name '" + name + "' is there twice; allowed is a name of its own");
+}
+
+void Reader::port_name(const Section& section, const std::string& name) const {
+  if (name.find_first_of("[],\" \t\r\n") != std::string::npos)
+    refuse(section.place(),
+           "the name '" + name + "' is no port's; allowed are names without [ ] , \" and blanks");
 }
 
 int Reader::find(const Names& names, const Section& section, const std::string& key, const std::string& kind,
@@ -125,10 +136,24 @@ Edge Reader::two_points(Section& section, const std::string& key) const {
   if (names.size() != 2) section.wrong(key, fmt::format("{} names", names.size()), allowed);
   const Edge edge{point(section, key, names[1]), point(section, key, names[0])};
   if (edge.to == edge.from) section.wrong(key, "'" + names[0] + "' twice", allowed);
-  if (!(drawn(to_, edge).norm() > 0.0))
+  const double apart = drawn(to_, edge).stableNorm();
+  if (!(apart > 0.0))
     refuse(section.place(key),
            section.name(key) + " are drawn at one place; allowed is a distance above 0 m");
+  if (!can_be_squared(apart))
+    refuse(section.place(key),
+           fmt::format("{} are drawn {} m apart; allowed are 1e-100 to 1e100 m", section.name(key), apart));
   return edge;
+}
+
+void Reader::only_one(Section& section, const std::string& owner,
+                      const std::vector<std::string>& keys) const {
+  std::vector<std::string> given;
+  for (const std::string& key : keys)
+    if (section.node(key)) given.push_back(key);
+  if (given.empty()) section.missing(keys[0], "one of " + listed(keys));
+  if (given.size() > 1)
+    refuse(section.place(), owner + " has " + listed(given) + "; allowed is one of " + listed(keys));
 }
 
 Edge Reader::edge(Section& section, const std::string& key, const toml::node* node) const {
@@ -143,8 +168,11 @@ Edge Reader::edge(Section& section, const std::string& key, const toml::node* no
   }
   if (!array || array->size() != 2 || !array->get(0)->is_string() || !array->get(1)->is_string())
     section.wrong(key, text::described(*node), allowed);
-  return {point(section, key, *array->get(1)->value<std::string>()),
-          point(section, key, *array->get(0)->value<std::string>())};
+  const Edge edge{point(section, key, *array->get(1)->value<std::string>()),
+                  point(section, key, *array->get(0)->value<std::string>())};
+  if (edge.to == edge.from)
+    section.wrong(key, "from '" + to_.entities[edge.to].name + "' to itself", allowed);
+  return edge;
 }
 
 std::pair<Edge, Edge> Reader::two_edges(Section& section, const std::string& key) const {

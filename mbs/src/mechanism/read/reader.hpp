@@ -33,15 +33,20 @@ class Reader {
   double required_positive(Section& section, const std::string& key, const std::string& unit) const;
   /// A number or an array of numbers; empty if it is not there.
   std::vector<double> numbers(Section& section, const std::string& key) const;
+  /// Refuses a name that is there twice.
   void name(Names& names, const Section& section, const std::string& name, std::size_t index) const;
   int find(const Names& names, const Section& section, const std::string& key, const std::string& kind,
            const std::string& name) const;
+  /// Refuses a name that a port can't have.
+  void port_name(const Section& section, const std::string& name) const;
   int point(Section& section, const std::string& key, const std::string& name) const;
   /// The two points of a key, apart from each other as drawn.
   Edge two_points(Section& section, const std::string& key) const;
   /// A vector's name, or an array of two points.
   Edge edge(Section& section, const std::string& key, const toml::node* node) const;
   std::pair<Edge, Edge> two_edges(Section& section, const std::string& key) const;
+  /// Exactly one of the keys is to be there; `owner` is "force 'f'".
+  void only_one(Section& section, const std::string& owner, const std::vector<std::string>& keys) const;
   /// "P.x" or the name of a relative coordinate.
   Coordinate coordinate(const Section& section, const std::string& key, const std::string& text) const;
   Coordinate required_coordinate(Section& section, const std::string& key) const;
@@ -51,6 +56,7 @@ class Reader {
   void read_rod(const std::string& name, Section& section);
   void read_body(const std::string& name, Section& section);
   void read_mass(const std::string& name, Section& section);
+  void add_entity(Section& section, const std::string& key, int entity, Body& body) const;
   Eigen::Matrix3d inertia(Section& section) const;
 
   // constraints.cpp
@@ -68,15 +74,20 @@ class Reader {
   void read_input(const std::string& name, Section& section);
   void read_function(Section& section, Input& input) const;
   std::function<InputValue(double)> sine_of(Section& section, const toml::table& table) const;
-  std::function<InputValue(double)> data(Section& section, const std::string& file) const;
+  void read_data(Section& section, const std::string& file, Input& input) const;
   void read_spring(const std::string& name, Section& section);
   void read_force(const std::string& name, Section& section);
   /// An input's name, or a number, which becomes an input of its own.
   int magnitude(Section& section, const std::string& name);
+  /// Refuses an input whose unit is not one of those that its use allows.
+  void unit(Section& section, const std::string& key, int input,
+            const std::vector<std::string>& allowed) const;
+  void refuse_unused_inputs(Section& root) const;
 
   // outputs.cpp
   void read_output(const std::string& name, Section& section);
   void read_reaction(Section& section, const std::string& of, Output& output) const;
+  void check_column(const Section& section, const Output& output) const;
   void read_initial(Section& root);
   void read_given(Section& initial, const std::string& key, std::vector<Given>& to);
 

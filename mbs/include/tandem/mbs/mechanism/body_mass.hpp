@@ -16,12 +16,42 @@ struct BodyMass {
   Eigen::MatrixXd weight;     ///< dim k x dim: times gravity it gives the forces on the entities [kg]
 };
 
-/// Throws Error with the body's name for a mass that is not positive, an inertia that no body has, points and
-/// vectors that don't span where its mass is, and a body with no two of them apart.
+/// Throws Error with the body's name for a mass that is not positive, a size that can't be squared, an
+/// inertia that no body has, points and vectors that don't span where its mass is, and a body with no two of
+/// them apart.
 BodyMass body_mass(const Description& in, const Body& body);
 
-/// (1, at) of a point, (0, at) of a vector; as many numbers as there are dimensions, and one.
-Eigen::VectorXd homogeneous(const Description& in, int entity);
+/// True for lengths [m] whose squares and inverse squares are numbers of full precision: 1e-100 to 1e100.
+inline bool can_be_squared(double length) { return length >= 1e-100 && length <= 1e100; }
+
+/// Homogeneous coordinates about a body's first point in units of its size, so that a threshold means the
+/// same for a small body, a large one, and one far from the origin.
+class BodyCoordinates {
+ public:
+  /// Size: the largest distance of the body's points from the first; with one point, that of its mass.
+  BodyCoordinates(const Description& in, const Body& body);
+  /// Of a single point: its distance from the origin.
+  BodyCoordinates(const Description& in, int point);
+
+  double size() const { return size_; }                      ///< [m]
+  const Eigen::Vector3d& origin() const { return origin_; }  ///< [m]
+  /// What rounding and a drawing's last digits may make of a zero.
+  double rounding() const { return rounding_; }
+  /// (1, place) and (0, direction of length 1); as many numbers as there are dimensions, and one.
+  Eigen::VectorXd point(const Eigen::Vector3d& at) const;
+  Eigen::VectorXd direction(const Eigen::Vector3d& along) const;
+  Eigen::VectorXd of(int entity) const;
+  /// What multiplies of(entity) in a linear combination of points and vectors: 1, or a vector's length by the
+  /// size.
+  double factor(int entity) const;
+
+ private:
+  void measure(double size);
+
+  const Description& in_;
+  Eigen::Vector3d origin_;
+  double size_, rounding_;
+};
 
 /// Of the entities of a body, points before vectors, the first that are independent of those before them:
 /// they define it.

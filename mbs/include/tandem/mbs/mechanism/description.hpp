@@ -38,6 +38,7 @@ struct PointMass {
   int point;
   double mass;
   std::string where = {};
+  bool free = false;  ///< may be connected to nothing else
 };
 
 /// A mechanism before it is assembled. Names are unique among their kind. Indices are of the lists here,

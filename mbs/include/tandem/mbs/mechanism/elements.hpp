@@ -80,6 +80,7 @@ struct Input {
   std::string name, unit;
   double value = std::numeric_limits<double>::quiet_NaN();  ///< until something else is given
   std::function<InputValue(double)> function = {};          ///< of time [s]; empty: given from outside
+  bool smooth = true;  ///< its value, rate and acceleration are continuous, as a drive needs them
 };
 
 /// A coordinate follows an input: prescribed motion.
@@ -114,8 +115,9 @@ struct Force {
 };
 
 /// A quantity to be read of a mechanism. Reactions are those of the support on the mechanism: of a drive
-/// [N or N m], of a fixed point along an axis [N]. drift: of the energy since the start [J]. Residuals: the
-/// largest of Phi, Phi_q q' + Phi_t, Phi_q q'' + gamma, in the units of the constraints.
+/// [N or N m], of a fixed point along an axis [N], of a fixed vector [N m]. drift: of the energy since the
+/// start [J]. Residuals: the largest of Phi, Phi_q q' + Phi_t, Phi_q q'' + gamma, in the units of the
+/// constraints.
 struct Output {
   enum class Kind {
     position,
