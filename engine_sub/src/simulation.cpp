@@ -132,8 +132,7 @@ double Simulation::next_instant(double t_end) {
   const auto bend = std::upper_bound(program.breaks.begin(), program.breaks.end(), time_ + rounding());
   if (bend != program.breaks.end()) earlier(*bend);
   if (follows_courses_) earlier(course_end_);
-  for (const Periodic& p : program.periodics)
-    next = std::min(next, p.offset + system_.image()[p.count] * p.period);
+  for (const Periodic& p : program.periodics) earlier(p.offset + system_.image()[p.count] * p.period);
   for (const Delay* d : delays_)
     for (const double due : {past(*d).due(), time_ + d->time}) earlier(due);
   return next;
@@ -195,7 +194,7 @@ void Simulation::fire_periodics() {
   bool fired = false;
   for (const Periodic& p : system_.program().periodics) {
     double& count = system_.image()[p.count];
-    if (p.offset + count * p.period > time_) continue;
+    if (p.offset + count * p.period > time_ + rounding()) continue;
     if (!std::exchange(fired, true)) remember();
     count += 1.0;
     apply(p.updates);

@@ -79,6 +79,21 @@ TEST_P(Adaptive, NeverAsksBeyondTheTimeThatItIsAskedFor) {
   }
 }
 
+/// Samples each 0.06 s and jumps each 0.3 s are due at the same times, rounding apart; a first step of that
+/// length is none that SUNDIALS takes.
+TEST_P(Adaptive, TakesEventsWithinTheRoundingOfTimeTogether) {
+  const Program sampled = compile(
+      read_diagram("d",
+                   "[inputs]\nu = { unit = '1' }\n[blocks]\nx = { kind = 'lag', input = 'u', time = 1 }\n"
+                   "y = { kind = 'sample', input = 'x', period = 0.06 }\n[outputs]\ny = { unit = '1' }\n"));
+  Stretches inputs(0);
+  Simulation s(sampled, &inputs, make_integrator(settings));
+  s.start(0.0);
+  EXPECT_NO_THROW({
+    for (int k = 1; k <= 3000; ++k) s.run(0.01 * k);
+  });
+}
+
 TEST_P(Adaptive, CountsWhatItDoes) {
   Stretches inputs(1);
   Simulation s(program, &inputs, make_integrator(settings));
