@@ -12,8 +12,11 @@ struct Entry {
   const char* name;
   std::unique_ptr<Integrator> (*make)(const AdaptiveSettings&);
 };
-constexpr Entry adaptive[] = {
-    {"cvode_adams", cvode_adams}, {"cvode_bdf", cvode_bdf}, {"erkstep", erkstep}, {"arkstep", arkstep}};
+constexpr Entry adaptive[] = {{"cvode_adams", cvode_adams},
+                              {"cvode_bdf", cvode_bdf},
+                              {"erkstep", erkstep},
+                              {"erkstep_fixed", erkstep_fixed},
+                              {"arkstep", arkstep}};
 
 [[noreturn]] void refuse(const std::string& sentence) { throw Error(ErrorCode::invalid_argument, sentence); }
 
@@ -26,11 +29,11 @@ std::vector<std::string> integrator_names() {
 }
 
 std::unique_ptr<Integrator> make_integrator(const IntegratorSettings& settings) {
+  const bool has_fixed_steps = settings.name == "rk4" || settings.name == "erkstep_fixed";
+  if (has_fixed_steps && settings.adaptive != AdaptiveSettings{})
+    refuse("tolerances and limits of an adaptive integrator are given, but " + settings.name +
+           " is chosen; allowed is to leave them out");
   if (settings.name == "rk4") {
-    if (settings.adaptive != AdaptiveSettings{})
-      refuse(
-          "tolerances and limits of an adaptive integrator are given, but rk4 is chosen; allowed is to leave "
-          "them out");
     return std::make_unique<RungeKutta4>(settings.locate_events);
   }
   for (const Entry& entry : adaptive)

@@ -24,6 +24,7 @@ Simulation::Simulation(const Program& program, InputSource* inputs, std::unique_
     : system_(program, inputs), integrator_(std::move(integrator)), settings_(settings) {
   for (const Delay& delay : program.delays)
     if (delay.past >= 0) delays_.push_back(&delay);
+  follows_courses_ = inputs && integrator_->chooses_steps();
   has_instants_ = !program.breaks.empty() || !program.periodics.empty() || !delays_.empty();
 }
 
@@ -43,7 +44,7 @@ void Simulation::start(double t) {
   fire_periodics();
   if (system_.changed() >= 0) fire_crossings();
   refuse_outside();
-  integrator_->restart(system_, t);
+  integrator_->restart(system_, t, Restart::state);
 }
 
 /// All signals before an event.
@@ -89,14 +90,16 @@ void Simulation::begin_step() {
   const auto differs = [&](const Update& u) { return image[u.to] != before_[u.to]; };
   if (std::none_of(updates.begin(), updates.end(), differs)) return;
   record(jump);
-  integrator_->restart(system_, time_);
+  integrator_->restart(system_, time_, Restart::event);
 }
 
 double Simulation::advance(double t_end) {
   events_ = 0;
   if (!delays_.empty()) note_jumps();
+  course_end_ = time_;
   while (time_ < t_end) {
-    const double instant = has_instants_ ? next_instant(t_end) : t_end;
+    if (follows_courses_ && time_ >= course_end_) begin_course();
+    const double instant = has_instants_ || follows_courses_ ? next_instant(t_end) : t_end;
     const double before = time_;
     time_ = integrator_->advance(system_, time_, instant);
     refuse_not_finite();
@@ -128,14 +131,28 @@ double Simulation::next_instant(double t_end) {
   };
   const auto bend = std::upper_bound(program.breaks.begin(), program.breaks.end(), time_ + rounding());
   if (bend != program.breaks.end()) earlier(*bend);
-  for (const Periodic& p : program.periodics)
-    next = std::min(next, p.offset + system_.image()[p.count] * p.period);
+  if (follows_courses_) earlier(course_end_);
+  for (const Periodic& p : program.periodics) earlier(p.offset + system_.image()[p.count] * p.period);
   for (const Delay* d : delays_)
     for (const double due : {past(*d).due(), time_ + d->time}) earlier(due);
   return next;
 }
 
 Past Simulation::past(const Delay& delay) { return {delay, system_.image().data() + delay.past}; }
+
+/// Inputs take another course from here on; where one jumps with that, the integrator begins anew.
+void Simulation::begin_course() {
+  const auto first = system_.image().begin() + system_.program().time + 1;
+  const auto count = static_cast<std::ptrdiff_t>(system_.program().inputs.size());
+  before_.assign(first, first + count);
+  course_end_ = system_.begin_course(time_);
+  system_.evaluate(time_);
+  const auto same = [](double a, double b) {
+    return std::abs(a - b) <= 1e-12 * std::max(std::abs(a), std::abs(b));
+  };
+  if (!std::equal(before_.begin(), before_.end(), first, same))
+    integrator_->restart(system_, time_, Restart::event);
+}
 
 /// What delays remember of this time, and whether they still have what they give.
 void Simulation::record(int level) {
@@ -170,14 +187,14 @@ void Simulation::turn_delays() {
   system_.evaluate(time_);
   if (level <= most_levels) record(level);
   if (system_.changed() >= 0) fire_crossings();
-  integrator_->restart(system_, time_);
+  integrator_->restart(system_, time_, Restart::event);
 }
 
 void Simulation::fire_periodics() {
   bool fired = false;
   for (const Periodic& p : system_.program().periodics) {
     double& count = system_.image()[p.count];
-    if (p.offset + count * p.period > time_) continue;
+    if (p.offset + count * p.period > time_ + rounding()) continue;
     if (!std::exchange(fired, true)) remember();
     count += 1.0;
     apply(p.updates);
@@ -205,7 +222,7 @@ void Simulation::fire_crossings() {
     system_.evaluate(time_);
   }
   record(jump);
-  integrator_->restart(system_, time_);
+  integrator_->restart(system_, time_, Restart::event);
 }
 
 void Simulation::apply(const std::vector<Update>& updates) {
@@ -253,14 +270,14 @@ void Simulation::refuse_outside() const {
 }
 
 const std::vector<double>& Simulation::keep() {
-  integrator_->restart(system_, time_);
+  integrator_->restart(system_, time_, Restart::state);
   return system_.image();
 }
 
 void Simulation::restore(double t, std::span<const double> state) {
   std::copy(state.begin(), state.end(), system_.image().begin());
   time_ = t;
-  integrator_->restart(system_, t);
+  integrator_->restart(system_, t, Restart::state);
 }
 
 }  // namespace tandem::engine

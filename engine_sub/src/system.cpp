@@ -1,9 +1,13 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "tandem/engine/system.hpp"
 
+#include <limits>
+
 #include "loop_solver.hpp"
 
 namespace tandem::engine {
+
+double InputSource::begin_course(double) { return std::numeric_limits<double>::infinity(); }
 
 System::System(const Program& program, InputSource* inputs)
     : program_(program), inputs_(inputs), image_(program.image) {

@@ -244,7 +244,7 @@ TEST(NoAllocation, InAMechanismAsASubsystem) {
 /// The same of a diagram, with events. Not by those with Newton's method: SUNDIALS allocates in each Jacobian
 /// by differences.
 TEST(NoAllocation, InADiagramAsASubsystem) {
-  for (const char* integrator : {"rk4", "erkstep"}) {
+  for (const char* integrator : {"rk4", "erkstep", "erkstep_fixed", "cvode_adams"}) {
     const auto mass =
         engine::make_subsystem(engine::read_diagram("pushed_mass", pushed_mass),
                                {.step = 0.01, .integrator = {.name = integrator}, .simulation = {}});

@@ -33,7 +33,8 @@ struct Bracket {
 
 }  // namespace
 
-void RungeKutta4::restart(System& system, double) {
+void RungeKutta4::restart(System& system, double, Restart) {
+  ++statistics_.restarts;
   for (auto* list : {&start_, &rate_, &sum_, &first_}) list->resize(static_cast<std::size_t>(system.size()));
 }
 
@@ -49,6 +50,7 @@ double RungeKutta4::advance(System& system, double t, double t_end) {
 
 /// From start_ with its rates first_.
 void RungeKutta4::step(System& system, double t, double h) {
+  ++statistics_.steps, statistics_.rate_evaluations += 4;
   const int n = system.size();
   double* const x = system.states();
   const double *const start = start_.data(), *const first = first_.data();

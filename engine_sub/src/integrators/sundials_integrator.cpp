@@ -39,6 +39,7 @@ SundialsIntegrator::SundialsIntegrator(const SundialsMethod& method, const Adapt
 
 SundialsIntegrator::~SundialsIntegrator() {
   if (memory_) method_.free(&memory_);
+  if (iteration_) SUNNonlinSolFree(iteration_);
   if (solver_) SUNLinSolFree(solver_);
   if (matrix_) SUNMatDestroy(matrix_);
   if (x_) N_VDestroy(x_);
@@ -51,6 +52,7 @@ int SundialsIntegrator::rates(double t, N_Vector x, N_Vector dx, void* self) {
   System& system = *integrator.system_;
   std::copy_n(N_VGetArrayPointer(x), system.size(), system.states());
   double* const d = N_VGetArrayPointer(dx);
+  ++integrator.statistics_.rate_evaluations;
   if (!integrator.survives([&] { system.rates(t, d); })) return 1;
   return std::all_of(d, d + system.size(), [](double rate) { return std::isfinite(rate); }) ? 0 : 1;
 }
@@ -59,6 +61,7 @@ int SundialsIntegrator::watch(double t, N_Vector x, double* g, void* self) {
   SundialsIntegrator& integrator = *static_cast<SundialsIntegrator*>(self);
   System& system = *integrator.system_;
   std::copy_n(N_VGetArrayPointer(x), system.size(), system.states());
+  ++integrator.statistics_.root_evaluations;
   if (!integrator.survives([&] { system.evaluate(t); })) return -1;
   for (int k = 0; k < static_cast<int>(system.program().crossings.size()); ++k) g[k] = system.watched(k);
   return 0;
@@ -88,13 +91,34 @@ void SundialsIntegrator::check(int flag) const {
                           message_.empty() ? fmt::format("error {}", flag) : message_));
 }
 
-void SundialsIntegrator::restart(System& system, double t) {
+Statistics SundialsIntegrator::statistics() const {
+  Statistics all = statistics_;
+  long failed = 0, iterations = 0;
+  if (memory_ && method_.failed_error_tests) method_.failed_error_tests(memory_, &failed);
+  if (memory_ && method_.nonlinear_iterations) method_.nonlinear_iterations(memory_, &iterations);
+  all.failed_error_tests += failed;
+  all.nonlinear_iterations += iterations;
+  return all;
+}
+
+/// After an event as long as after the one before, which saves the evaluations of a search.
+double SundialsIntegrator::first_step(Restart why) const {
+  double step = 0.0;
+  if (memory_ && why == Restart::event && method_.first_step) method_.first_step(memory_, &step);
+  return step;
+}
+
+void SundialsIntegrator::restart(System& system, double t, Restart why) {
   system_ = &system;
   time_ = t;
   if (system.size() == 0) return;
   if (!x_) x_ = N_VNew_Serial(system.size(), context_);
   std::copy_n(system.states(), system.size(), N_VGetArrayPointer(x_));
+  const double first = first_step(why);
+  statistics_ = statistics();
+  ++statistics_.restarts;
   memory_ ? check(method_.start_anew(memory_, rates, t, x_)) : create(t);
+  if (method_.set_first_step) check(method_.set_first_step(memory_, first));
 }
 
 void SundialsIntegrator::create(double t) {
@@ -106,6 +130,10 @@ void SundialsIntegrator::create(double t) {
     matrix_ = SUNDenseMatrix(system_->size(), system_->size(), context_);
     solver_ = SUNLinSol_Dense(x_, matrix_, context_);
     check(method_.set_linear_solver(memory_, solver_, matrix_));
+  }
+  if (method_.set_nonlinear_solver) {
+    iteration_ = SUNNonlinSol_FixedPoint(x_, 0, context_);
+    check(method_.set_nonlinear_solver(memory_, iteration_));
   }
   check(method_.set_longest_step(memory_, settings_.longest_step));
   directions_.resize(system_->program().crossings.size());
@@ -133,7 +161,9 @@ double SundialsIntegrator::advance(System& system, double t, double t_end) {
 /// One of its steps, not past t_end. Whether it ended at a root.
 bool SundialsIntegrator::step(double t_end) {
   static_assert(CV_TSTOP_RETURN == 1 && CV_ROOT_RETURN == 2, "as in ARKODE");
+  if (method_.set_fixed_step) check(method_.set_fixed_step(memory_, t_end - time_));
   check(method_.set_stop_time(memory_, t_end));
+  ++statistics_.steps;
   const int flag = method_.step(memory_, t_end, x_, &time_);
   check(flag);
   failure_.clear();

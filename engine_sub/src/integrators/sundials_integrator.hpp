@@ -4,6 +4,7 @@
 #include <sundials/sundials_context.h>
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
+#include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
 #include <string>
 #include <vector>
@@ -24,14 +25,24 @@ struct SundialsMethod {
   int (*set_messages)(void* memory, Messages take, void* self);
   int (*set_self)(void* memory, void* self);
   int (*set_tolerances)(void* memory, double relative, double absolute);
-  int (*set_linear_solver)(void* memory, SUNLinearSolver solver, SUNMatrix matrix);  ///< null: explicit
+  /// Of Newton's method; null: none. Else that of a fixed-point iteration; null: explicit.
+  int (*set_linear_solver)(void* memory, SUNLinearSolver solver, SUNMatrix matrix);
+  int (*set_nonlinear_solver)(void* memory, SUNNonlinearSolver solver);
   int (*set_longest_step)(void* memory, double step);
   int (*set_roots)(void* memory, int count, Roots watch);
   int (*set_no_warning)(void* memory);
   int (*start_anew)(void* memory, Rates rates, double t, N_Vector x);
+  /// Of a multistep method, to which the first step after the last restart is a good guess; null: it always
+  /// finds one. 0: it finds one.
+  int (*set_first_step)(void* memory, double step);
+  int (*first_step)(void* memory, double* step);     ///< that it took
+  int (*set_fixed_step)(void* memory, double step);  ///< null: adaptive
   int (*set_stop_time)(void* memory, double t);
   int (*step)(void* memory, double t_end, N_Vector x, double* t);
   int (*roots)(void* memory, int* directions);
+  /// Since it was started anew; null: there are none.
+  int (*failed_error_tests)(void* memory, long* count);
+  int (*nonlinear_iterations)(void* memory, long* count);
 };
 
 class SundialsIntegrator final : public Integrator {
@@ -41,8 +52,10 @@ class SundialsIntegrator final : public Integrator {
   SundialsIntegrator(const SundialsIntegrator&) = delete;
   SundialsIntegrator& operator=(const SundialsIntegrator&) = delete;
 
-  void restart(System& system, double t) override;
+  void restart(System& system, double t, Restart why) override;
   double advance(System& system, double t, double t_end) override;
+  bool chooses_steps() const override { return true; }
+  Statistics statistics() const override;
 
  private:
   static int rates(double t, N_Vector x, N_Vector dx, void* self);
@@ -50,6 +63,7 @@ class SundialsIntegrator final : public Integrator {
   static void take_message(int code, const char* module, const char* function, char* message, void* self);
 
   void create(double t);
+  double first_step(Restart why) const;
   bool step(double t_end);
   void mark_roots();
   void check(int flag) const;
@@ -62,11 +76,13 @@ class SundialsIntegrator final : public Integrator {
   N_Vector x_ = nullptr;
   SUNMatrix matrix_ = nullptr;
   SUNLinearSolver solver_ = nullptr;
+  SUNNonlinearSolver iteration_ = nullptr;
   void* memory_ = nullptr;
   System* system_ = nullptr;
   double time_ = 0.0;
   long steps_ = 0;  ///< on the way to the time that it is asked for
   std::string message_, failure_;
+  Statistics statistics_;        ///< of its counts up to the last restart
   std::vector<int> directions_;  ///< of the roots, by crossing
 };
 

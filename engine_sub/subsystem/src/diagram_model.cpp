@@ -17,7 +17,22 @@ void SignalInputs::at(double t, double* values) {
   if (signals_.empty())
     std::copy(constants_.begin(), constants_.end(), values);
   else
-    for (const Signal& signal : signals_) *values++ = signal.value(t);
+    for (const Signal& signal : courses_.empty() ? signals_ : courses_) *values++ = signal.value(t);
+}
+
+/// The segment of each signal after t.
+double SignalInputs::begin_course(double t) {
+  double end = std::numeric_limits<double>::infinity();
+  courses_.clear();
+  const double now = t + 8.0 * std::numeric_limits<double>::epsilon() * std::abs(t);
+  for (const Signal& signal : signals_) {
+    const auto segments = signal.segments();
+    std::size_t k = 0;
+    while (k + 1 < segments.size() && segments[k].end <= now) ++k;
+    courses_.emplace_back(&segments[k], 1, signal.degree());
+    if (k + 1 < segments.size()) end = std::min(end, segments[k].end);
+  }
+  return end;
 }
 
 DiagramModel::Machine::Machine(const Description& of, const SubsystemSettings& settings)

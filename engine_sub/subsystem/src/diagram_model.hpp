@@ -12,14 +12,16 @@ namespace tandem::engine {
 /// Inputs of a diagram from the signals of a call, or constants.
 class SignalInputs final : public InputSource {
  public:
-  void set(std::span<const Signal> signals) { signals_ = signals; }
+  void set(std::span<const Signal> signals) { signals_ = signals, courses_.clear(); }
   void set_constants(std::span<const double> values) {
-    constants_.assign(values.begin(), values.end()), signals_ = {};
+    constants_.assign(values.begin(), values.end()), signals_ = {}, courses_.clear();
   }
   void at(double t, double* values) override;
+  double begin_course(double t) override;
 
  private:
   std::span<const Signal> signals_;
+  std::vector<Signal> courses_;  ///< the segment of each that is followed
   std::vector<double> constants_;
 };
 

@@ -10,7 +10,7 @@ namespace tandem::engine {
 
 /// An integrator by its name, and its settings; those of what is not chosen must be as they are here.
 struct IntegratorSettings {
-  std::string name = "rk4";        ///< rk4, cvode_adams, cvode_bdf, erkstep, arkstep
+  std::string name = "rk4";        ///< rk4, cvode_adams, cvode_bdf, erkstep, erkstep_fixed, arkstep
   bool locate_events = true;       ///< of rk4; if not, they are seen at the end of a step
   AdaptiveSettings adaptive = {};  ///< of the others
 };

@@ -35,6 +35,7 @@ class Simulation {
   double step(double t_end);
 
   double time() const { return time_; }
+  Statistics statistics() const { return integrator_->statistics(); }
   double output(int k) const {
     return system_.image()[static_cast<std::size_t>(system_.program().outputs[k])];
   }
@@ -57,6 +58,7 @@ class Simulation {
   void fire_crossings();
   void apply(const std::vector<Update>& updates);
   void happened(const std::string& block);
+  void begin_course();
   Past past(const Delay& delay);
   void record(int level);
   void note_jumps();
@@ -71,6 +73,8 @@ class Simulation {
   int events_ = 0;
   std::vector<double> before_;
   std::vector<const Delay*> delays_;
+  bool follows_courses_ = false;  ///< an adaptive integrator stops where inputs jump or bend
+  double course_end_ = 0.0;
   bool has_instants_ = false;  ///< at which steps end, beside those of own steps
 };
 

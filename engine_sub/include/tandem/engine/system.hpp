@@ -15,6 +15,11 @@ class InputSource {
   virtual ~InputSource() = default;
   /// One value for each input, in the order of the diagram.
   virtual void at(double t, double* values) = 0;
+
+  /// From t on values are those of one course, smooth up to and with the time that is returned (infinity: for
+  /// ever): at() gives that course until the next call, also a little beyond it. Of an integrator that
+  /// chooses its steps; without a call at() gives each value as it is.
+  virtual double begin_course(double t);
 };
 
 /// A program with its image, as integrators see it: x' = f(t, x), and signals whose signs are watched. Held
@@ -43,6 +48,7 @@ class System {
   void read_rates(double* dx) const {
     for (const int slot : program_.rates) *dx++ = image_[static_cast<std::size_t>(slot)];
   }
+  double begin_course(double t) { return inputs_->begin_course(t); }
   /// Every signal at t, but for those that are needed at events alone.
   void evaluate(double t) {
     set_time(t);

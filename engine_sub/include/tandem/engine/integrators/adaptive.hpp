@@ -20,12 +20,15 @@ struct AdaptiveSettings {
 // al., ibid. 49 (2023) 19). They locate changes of sign by their own root finding on their interpolant, and
 // stop at the time that they are asked for. Their messages become Error(numerical) with the time.
 
-/// CVODE: linear multistep methods of variable order, Adams for non-stiff problems, BDF for stiff ones, both
-/// with Newton's method and a dense Jacobian by differences.
+/// CVODE: linear multistep methods of variable order, Adams for non-stiff problems with a fixed-point
+/// iteration, BDF for stiff ones with Newton's method and a dense Jacobian by differences.
 std::unique_ptr<Integrator> cvode_adams(const AdaptiveSettings& settings);
 std::unique_ptr<Integrator> cvode_bdf(const AdaptiveSettings& settings);
 /// ARKODE's ERKStep: the explicit Runge-Kutta pair of order 4 that it takes by default.
 std::unique_ptr<Integrator> erkstep(const AdaptiveSettings& settings);
+/// The same with steps as long as it is asked for, without error control; tolerances and most_steps must be
+/// as they are by default. Events are located on its interpolant of order 3.
+std::unique_ptr<Integrator> erkstep_fixed(const AdaptiveSettings& settings);
 /// ARKODE's ARKStep with the diagonally implicit pair of order 4 that it takes by default, and Newton's
 /// method.
 std::unique_ptr<Integrator> arkstep(const AdaptiveSettings& settings);

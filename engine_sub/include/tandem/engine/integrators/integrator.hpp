@@ -4,19 +4,33 @@
 
 namespace tandem::engine {
 
+/// What an integrator has done since it was made.
+struct Statistics {
+  long steps = 0, rate_evaluations = 0, root_evaluations = 0;
+  long failed_error_tests = 0, nonlinear_iterations = 0, restarts = 0;
+};
+
+/// Why an integrator begins anew. At an event, or where an input jumps, it may use what it knows of the
+/// lengths of its steps; where a state is set it may not, so that what follows depends on the state alone.
+enum class Restart { event, state };
+
 /// Moves the states of a system.
 class Integrator {
  public:
   virtual ~Integrator() = default;
 
   /// Before the first step, and after states, held values or the inputs' course have changed at once.
-  virtual void restart(System& system, double t) = 0;
+  virtual void restart(System& system, double t, Restart why) = 0;
 
   /// From t to t_end, or to the first change of a watched sign on the way, just past it; adaptive integrators
   /// may stop earlier, at the end of one of their steps. Every signal of the system is as at t, but for what
   /// follows from inputs that have jumped since, and is left as at the time that it returns. Throws
   /// Error(numerical) if it can't.
   virtual double advance(System& system, double t, double t_end) = 0;
+
+  /// Whether its steps are its own, so that it has to stop where an input jumps or bends.
+  virtual bool chooses_steps() const { return false; }
+  virtual Statistics statistics() const = 0;
 };
 
 }  // namespace tandem::engine

@@ -13,8 +13,9 @@ namespace tandem::engine {
 class RungeKutta4 final : public Integrator {
  public:
   explicit RungeKutta4(bool locate_events = true) : locate_events_(locate_events) {}
-  void restart(System& system, double t) override;
+  void restart(System& system, double t, Restart why) override;
   double advance(System& system, double t, double t_end) override;
+  Statistics statistics() const override { return statistics_; }
 
  private:
   void step(System& system, double t, double h);
@@ -22,6 +23,7 @@ class RungeKutta4 final : public Integrator {
   void try_step(System& system, double t, double h);
 
   bool locate_events_;
+  Statistics statistics_;
   std::vector<double> start_, rate_, sum_, first_;
 };
 
