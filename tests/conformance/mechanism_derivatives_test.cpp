@@ -20,7 +20,7 @@ const std::string plane =
     "}\n"
     "B = { at = [1.5, 1] }\nC = { at = [0.4, 0.9] }\n[bodies.bar]\npoints = ['A', 'B']\nmass = 2\ncentre = "
     "[1.2, 0.7]\n"
-    "inertia = 0.3\n[masses]\nm = { point = 'C', mass = 0.5 }\n[rods]\nr = { points = ['O', 'A'], mass = 1 "
+    "inertia = 0.3\n[masses]\nm = { point = 'C', mass = 0.5, free = true }\n[rods]\nr = { points = ['O', 'A'], mass = 1 "
     "}\n";
 const std::string space =
     "dimension = 3\ngravity = [1, 2, -9.81]\n[points]\nO = { at = [0, 0, 0], fixed = true }\nA = { at = [1, "
