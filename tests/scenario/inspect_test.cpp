@@ -67,6 +67,58 @@ TEST(InfoCommand, ShowsWhatAMechanismHas) {
   EXPECT_NE(said.err.find("is a mechanism"), std::string::npos) << said.err;
 }
 
+const std::string rod =
+    "dimension = 2\n[points]\nO = { at = [0, 0], fixed = true }\nP = { at = [1, 0] }\n"
+    "[rods]\na = { points = ['O', 'P'], mass = 1 }\n";
+
+TEST(InfoCommand, TellsContradictoryEquationsFromRedundantOnes) {
+  const Scratch folder;
+  folder.write("twice.toml", rod + "[distances]\na = { points = ['O', 'P'] }\n");
+  const Said twice = tandem(folder, {"info", "twice.toml"});
+  expect_words(twice, {"2 constraints: body a: P . P, distance a", "1 degrees of freedom as assembled",
+                       "redundant equations: "});
+  EXPECT_EQ(twice.out.find("redundant equations: none"), std::string::npos);
+  EXPECT_EQ(twice.out.find("contradictory"), std::string::npos);
+  folder.write("against.toml", rod + "[distances]\na = { points = ['O', 'P'], length = 2 }\n");
+  const Said against = tandem(folder, {"info", "against.toml"});
+  EXPECT_EQ(against.status, 2);
+  EXPECT_NE(against.out.find("redundant equations: none"), std::string::npos) << against.out;
+  EXPECT_NE(against.out.find("contradictory equations: body a: P . P (off by "), std::string::npos)
+      << against.out;
+  EXPECT_NE(against.out.find("distance a (off by "), std::string::npos) << against.out;
+  EXPECT_NE(against.err.find("the mechanism can't be assembled: constraint '"), std::string::npos)
+      << against.err;
+}
+
+/// What `tandem run` would refuse, in its words; a part without a stop needs none.
+TEST(InfoCommand, ChecksHowAMechanismIsToRun) {
+  const Scratch folder;
+  const std::vector<std::pair<std::string, std::string>> list = {
+      {"stop = 1\nstep = 0.1\nstpo = 1\n",
+       "m.toml:10: source 'mechanism:m.toml': parameter 'stpo' is not there"},
+      {"stop = 1\nstep = 0.1\nbeta = 3\n", "m.toml:10: index-3 formulation: beta is 3"},
+      {"stop = 1\nstep = 2\n", "m.toml:9: run.step is the number 2; allowed is up to 1 s"},
+      {"stop = 1\n", "has no own step"},
+      {"beta = 3\n", "m.toml:7: index-3 formulation: beta is 3"}};
+  for (const auto& [run, words] : list) {
+    folder.write("m.toml", rod + "[run]\n" + run);
+    const Said said = tandem(folder, {"info", "m.toml"});
+    EXPECT_EQ(said.status, 2) << run;
+    EXPECT_NE(said.err.find(words), std::string::npos) << said.err;
+  }
+  folder.write("late.csv", "time,F\n1,0\n2,0\n");
+  folder.write("m.toml",
+               rod +
+                   "[inputs]\nx = { unit = 'm', file = 'late.csv', column = 'F', interpolation = 'spline' }\n"
+                   "[drives]\nd = { coordinate = 'P.x', motion = 'x' }\n");
+  const Said late = tandem(folder, {"info", "m.toml"});
+  EXPECT_EQ(late.status, 2);
+  EXPECT_NE(late.err.find("m.toml: column 'F' of late.csv is asked for at t = 0 s"), std::string::npos)
+      << late.err;
+  folder.write("m.toml", rod + "[run]\nbeta = 0.2\n");
+  expect_words(tandem(folder, {"info", "m.toml"}), {"1 degrees of freedom"});
+}
+
 TEST(Help, EveryCommandExplainsItsOptions) {
   const Scratch folder;
   expect_words(tandem(folder, {"run", "--help"}),

@@ -98,14 +98,19 @@ struct Bad {
 
 TEST(RunCommand, RefusesWhatAMechanismCanNotDo) {
   const Scratch folder;
-  const Bad list[] = {{{"--set", "run.formulation=index4"}, {"'index4'", "index3"}},
-                      {{"--set", "run.integrator=rk4"}, {"index3 has Newmark's method merged in"}},
-                      {{"--set", "run.step=-1"}, {"step is -1 s", "above 0"}},
-                      {{"--set", "run.solver=cluck"}, {"'cluck'", "klu"}},
-                      {{"--set", "run.penality=1"}, {"'penality'", "did you mean 'penalty'?"}},
-                      {{"--set", "run.most_iterations=2.5"}, {"'most_iterations' is 2.5", "whole number"}},
-                      {{"--set", "gravity=3"}, {"run.KEY"}},
-                      {{"--set", "run.stop=-3"}, {"run.stop", "-3"}}};
+  const Bad list[] = {
+      {{"--set", "run.formulation=index4"}, {"'index4'", "index3"}},
+      {{"--set", "run.integrator=rk4"}, {"index3 has Newmark's method merged in"}},
+      {{"--set", "run.step=-1"}, {"step is -1 s", "above 0"}},
+      {{"--set", "run.solver=cluck"}, {"'cluck'", "klu"}},
+      {{"--set", "run.penality=1"}, {"'penality'", "did you mean 'penalty'?"}},
+      {{"--set", "run.most_iterations=2.5"}, {"'most_iterations' is 2.5", "whole number"}},
+      {{"--set", "run.most_iterations=3000000000"}, {"3000000000", "from 1 to 1000000000"}},
+      {{"--set", "run.threads=257"}, {"'threads' is 257", "from 1 to 256"}},
+      {{"--set", "run.penalty=0"}, {"'penalty' is 0", "above 0, or to leave it out"}},
+      {{"--set", "run.step=1000"}, {"run.step is the number 1000", "from run.start to run.stop"}},
+      {{"--set", "gravity=3"}, {"run.KEY"}},
+      {{"--set", "run.stop=-3"}, {"run.stop", "-3"}}};
   for (const Bad& bad : list) {
     std::vector<std::string> arguments = {"run", mechanism_file("pendulum")};
     arguments.insert(arguments.end(), bad.arguments.begin(), bad.arguments.end());
@@ -114,6 +119,16 @@ TEST(RunCommand, RefusesWhatAMechanismCanNotDo) {
     for (const std::string& word : bad.words)
       EXPECT_NE(said.err.find(word), std::string::npos) << word << " in: " << said.err;
   }
+}
+
+TEST(RunCommand, AMechanismWithoutAStopIsToldOfIt) {
+  const Scratch folder;
+  folder.write("m.toml",
+               "dimension = 2\n[points]\nP = { at = [0, 0] }\n[masses]\nm = { point = 'P', mass = 2 }\n"
+               "[run]\nstep = 0.1\n");
+  const Said said = tandem(folder, {"run", "m.toml"});
+  EXPECT_EQ(said.status, 2);
+  EXPECT_NE(said.err.find("m.toml:6: run.stop is missing"), std::string::npos) << said.err;
 }
 
 TEST(RunCommand, AMechanismInAScenarioIsLookedForBesideIt) {

@@ -150,7 +150,7 @@ void add_info(CLI::App& app, Context& context) {
     if (!options->overrides.empty())
       throw Error(ErrorCode::invalid_argument, "--set belongs to a scenario; " + options->what + " is a " +
                                                    (mechanism ? "mechanism" : "diagram"));
-    if (mechanism) return print_mechanism(options->what);
+    if (mechanism) return print_mechanism(options->what, context.builtins);
     options->dot ? print_dot(options->what) : print_diagram(options->what);
   });
 }

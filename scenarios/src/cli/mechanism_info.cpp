@@ -3,7 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "scenario/assembly.hpp"
 #include "tandem/mbs/mechanism/freedom.hpp"
+#include "tandem/mbs/mechanism/initial.hpp"
 #include "tandem/mbs/mechanism/mechanism.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
 #include "tandem/mbs/sparse/tangent.hpp"
@@ -11,28 +16,92 @@
 #include "tandem/text/document.hpp"
 
 namespace tandem::cli {
+namespace {
+
+/// As a run does where nothing is connected yet. Names of the inputs.
+std::vector<std::string> set_unknown(mbs::Description& description) {
+  std::vector<std::string> names;
+  for (mbs::Input& input : description.inputs) {
+    if (input.function || !std::isnan(input.value)) continue;
+    input.value = 0.0;
+    names.push_back(input.name);
+  }
+  return names;
+}
+
+double start_of(const std::filesystem::path& file) {
+  return text::Document(file).table()["run"]["start"].value<double>().value_or(0.0);
+}
+
+void print_size(const mbs::Mechanism& mechanism) {
+  const mbs::Description& in = mechanism.description();
+  const mbs::Structure& s = mechanism.structure();
+  fmt::print("{}: a mechanism in {}\n", in.name, in.dimension == 2 ? "the plane" : "space");
+  fmt::print("  {} bodies, {} points and vectors\n", in.bodies.size(), in.entities.size());
+  fmt::print("  {} variables: {}\n", s.variables, listed(s.variable_names));
+  fmt::print("  {} constraints: {}\n", s.constraints, listed(s.constraint_names));
+}
+
+/// An equation that is off where the assembly comes nearest is not redundant, whatever its gradient.
+void print_freedom(mbs::Mechanism& mechanism, const mbs::Assembled& found) {
+  const mbs::Structure& s = mechanism.structure();
+  const mbs::Freedom freedom = mbs::freedom(mechanism, found.state);
+  const auto name = [&](int c) { return s.constraint_names[static_cast<std::size_t>(c)]; };
+  std::vector<std::string> redundant, contradictory;
+  for (const mbs::Contradiction& c : found.contradictions)
+    contradictory.push_back(fmt::format("{} (off by {:.3g} {})", name(c.constraint), std::abs(c.off),
+                                        s.constraint_units[static_cast<std::size_t>(c.constraint)]));
+  for (const int c : freedom.redundant)
+    if (std::none_of(found.contradictions.begin(), found.contradictions.end(),
+                     [c](const mbs::Contradiction& other) { return other.constraint == c; }))
+      redundant.push_back(name(c));
+  fmt::print("  {} degrees of freedom {}\n", freedom.degrees,
+             contradictory.empty() ? "as assembled" : "where the assembly comes nearest");
+  fmt::print("  redundant equations: {}\n", listed(redundant));
+  if (!contradictory.empty()) fmt::print("  contradictory equations: {}\n", listed(contradictory));
+}
+
+void print_tangent(const mbs::Structure& s) {
+  const mbs::Tangent tangent(s, mbs::make_solver("auto", mbs::MatrixKind::positive_definite));
+  const double n = s.variables;
+  fmt::print("  tangent matrix: {} entries, {:.3g} % of it, {:.3g} a row\n", tangent.pattern().size(),
+             100.0 * tangent.pattern().size() / (n * n), tangent.pattern().size() / n);
+}
+
+/// Without a stop the mechanism is a part of a scenario, which may give the step.
+void check_run(const std::filesystem::path& file, const Builtins& builtins) {
+  const text::Document document(file);
+  const toml::table* run = document.table()["run"].as_table();
+  if (!run) return;
+  if (run->contains("stop")) {
+    scenario::Assembly::opened(scenario::read(file).subsystems[0], builtins);
+    return;
+  }
+  Opening opening{{}, file.parent_path()};
+  if (!run->contains("step")) opening.parameters.set("step", 1.0);
+  text::located(document.place(*run),
+                [&] { open("mechanism:" + file.filename().string(), builtins, std::move(opening)); });
+}
+
+}  // namespace
 
 bool is_mechanism(const std::filesystem::path& file) {
   return text::Document(file).table().contains("dimension");
 }
 
-void print_mechanism(const std::filesystem::path& file) {
-  const mbs::Description description = mbs::read_mechanism(file);
+void print_mechanism(const std::filesystem::path& file, const Builtins& builtins) {
+  mbs::Description description = mbs::read_mechanism(file);
+  const auto unknown = set_unknown(description);
   mbs::Mechanism mechanism(description);
-  const mbs::Structure& s = mechanism.structure();
-  const mbs::Freedom freedom = mbs::freedom(mechanism, mechanism.described_state());
-  const mbs::Tangent tangent(s, mbs::make_solver("auto", mbs::MatrixKind::positive_definite));
-  std::vector<std::string> redundant;
-  for (const int c : freedom.redundant) redundant.push_back(s.constraint_names[c]);
-  fmt::print("{}: a mechanism in {}\n", description.name, description.dimension == 2 ? "the plane" : "space");
-  fmt::print("  {} bodies, {} points and vectors\n", description.bodies.size(), description.entities.size());
-  fmt::print("  {} variables: {}\n", s.variables, listed(s.variable_names));
-  fmt::print("  {} constraints: {}\n", s.constraints, listed(s.constraint_names));
-  fmt::print("  {} degrees of freedom as drawn\n", freedom.degrees);
-  fmt::print("  redundant equations: {}\n", listed(redundant));
-  const double n = s.variables;
-  fmt::print("  tangent matrix: {} entries, {:.3g} % of it, {:.3g} a row\n", tangent.pattern().size(),
-             100.0 * tangent.pattern().size() / (n * n), tangent.pattern().size() / n);
+  const double start = start_of(file);
+  const text::Place whole{file.string()};
+  const auto found = text::located(whole, [&] { return mbs::assembled(mechanism, start); });
+  print_size(mechanism);
+  if (!unknown.empty()) fmt::print("  inputs that are not known are taken as 0: {}\n", listed(unknown));
+  print_freedom(mechanism, found);
+  print_tangent(mechanism.structure());
+  text::located(whole, [&] { mbs::initial_state(mechanism, start); });
+  check_run(file, builtins);
 }
 
 }  // namespace tandem::cli

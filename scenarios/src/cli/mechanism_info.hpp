@@ -2,12 +2,16 @@
 #pragma once
 #include <filesystem>
 
+#include "tandem/transports/open.hpp"
+
 namespace tandem::cli {
 
 /// True for a TOML file that has a dimension, as only mechanisms do.
 bool is_mechanism(const std::filesystem::path& file);
 
-/// Prints variables, constraints, degrees of freedom, redundant equations and the filling of the tangent.
-void print_mechanism(const std::filesystem::path& file);
+/// Prints variables, constraints, degrees of freedom, redundant and contradictory equations and the filling
+/// of the tangent. Then throws Error for what a run of it would refuse: a start that can't be, and what its
+/// table [run] says.
+void print_mechanism(const std::filesystem::path& file, const Builtins& builtins);
 
 }  // namespace tandem::cli

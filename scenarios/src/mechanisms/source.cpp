@@ -16,15 +16,28 @@
 namespace tandem::mechanisms {
 namespace {
 
-int whole(Parameters& p, const std::string& name, int otherwise) {
-  const double value = p.number(name, otherwise);
-  if (value == std::floor(value) && std::abs(value) < 1e9) return static_cast<int>(value);
+[[noreturn]] void refuse(const std::string& name, double value, const std::string& allowed) {
   throw Error(ErrorCode::invalid_argument,
-              fmt::format("parameter '{}' is {}; allowed is a whole number", name, value));
+              fmt::format("parameter '{}' is {}; allowed is {}", name, value, allowed));
+}
+
+/// A count.
+int whole(Parameters& p, const std::string& name, int otherwise, int most = 1000000000) {
+  const double value = p.number(name, otherwise);
+  if (value == std::floor(value) && value >= 1.0 && value <= most) return static_cast<int>(value);
+  refuse(name, value, fmt::format("a whole number from 1 to {}", most));
+}
+
+/// Among the settings 0 stands for the default.
+double penalty(Parameters& p, double otherwise) {
+  const bool given = p.has("penalty");
+  const double value = p.number("penalty", otherwise);
+  if (given && !(value > 0.0)) refuse("penalty", value, "a number above 0, or to leave it out");
+  return value;
 }
 
 void take(Parameters& p, mbs::Index3Settings& s) {
-  s.penalty = p.number("penalty", s.penalty);
+  s.penalty = penalty(p, s.penalty);
   s.beta = p.number("beta", s.beta);
   s.tolerance = p.number("tolerance", s.tolerance);
   s.most_iterations = whole(p, "most_iterations", s.most_iterations);
@@ -32,12 +45,12 @@ void take(Parameters& p, mbs::Index3Settings& s) {
   s.projections = whole(p, "projections", s.projections);
   s.carry_multipliers = p.flag("carry_multipliers", s.carry_multipliers);
   s.solver = p.text("solver", s.solver);
-  s.threads = whole(p, "threads", s.threads);
+  s.threads = whole(p, "threads", s.threads, 256);
 }
 
 template <class Stabilized>
 void take_stabilized(Parameters& p, Stabilized& s) {
-  s.penalty = p.number("penalty", s.penalty);
+  s.penalty = penalty(p, s.penalty);
   s.xi = p.number("xi", s.xi);
   s.omega = p.number("omega", s.omega);
   s.solver = p.text("solver", s.solver);

@@ -27,8 +27,10 @@ class Assembly {
   /// Coordinator::initialize.
   void initialize();
 
- private:
+  /// One subsystem alone; throws Error that names the place of what is to blame.
   static std::unique_ptr<Subsystem> opened(const SubsystemEntry& entry, const Builtins& builtins);
+
+ private:
   void check_judge() const;
 
   const Scenario& scenario_;

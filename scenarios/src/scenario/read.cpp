@@ -1,4 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "scenario/scenario.hpp"
@@ -43,11 +45,14 @@ class Reader {
                          parameters(*table, "run"), {},
                          document_.place(*table),   document_.place(*table)};
     Section run(document_, *table, "run");
-    const auto stop = run.number("stop");
+    const auto start = run.number("start"), step = run.number("step"), stop = run.number("stop");
     if (!stop) run.missing("stop", "the time of its end [s]");
-    to_.start = run.number("start").value_or(0.0);
+    to_.start = start.value_or(0.0);
     to_.stop = *stop;
     if (to_.stop <= to_.start) run.wrong("stop", described(*run.node("stop")), "a time in s after run.start");
+    if (step && *step > to_.stop - to_.start)
+      run.wrong("step", described(*run.node("step")),
+                fmt::format("up to {} s, the time from run.start to run.stop", to_.stop - to_.start));
     const auto taken = [](const Parameter& p) { return p.name == "start" || p.name == "stop"; };
     std::erase_if(entry.parameters, taken);
     if (!run.node("animate")) entry.parameters.push_back({"animate", true, entry.place});
