@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "refuse.hpp"
 #include "tandem/mbs/mechanism/body_mass.hpp"
@@ -139,6 +140,17 @@ std::vector<Quadratic> dependent_entities(const Description& in, const Numbering
 }
 
 std::string name_of(const ScalarProduct& p) { return std::string(p.kind) + " " + p.name; }
+
+std::vector<int> own_equations(const Description& in, const Structure& s, const Numbering& at, int body) {
+  std::set<std::string> names;
+  for (const ScalarProduct& p : rigid_conditions(in, in.bodies[static_cast<std::size_t>(body)]))
+    names.insert(name_of(p));
+  for (const Quadratic& q : dependent_entities(in, at, body)) names.insert(q.name);
+  std::vector<int> numbers;
+  for (int e = 0; e < s.constraints; ++e)
+    if (names.contains(s.constraint_names[static_cast<std::size_t>(e)])) numbers.push_back(e);
+  return numbers;
+}
 
 Quadratic equation(const Description& in, const Numbering& at, const ScalarProduct& p) {
   const double length = std::max(drawn(in, p.a).norm(), drawn(in, p.b).norm());

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "quadratic_set.hpp"
+#include "tandem/mbs/model.hpp"
 
 namespace tandem::mbs {
 
@@ -14,6 +15,9 @@ std::vector<Quadratic> dependent_entities(const Description& in, const Numbering
 
 /// "distance d", "body rod: P . P".
 std::string name_of(const ScalarProduct& product);
+/// Numbers of the equations that keep a body rigid. One that two bodies share is of the first of them.
+std::vector<int> own_equations(const Description& in, const Structure& structure, const Numbering& at,
+                               int body);
 Quadratic equation(const Description& in, const Numbering& at, const ScalarProduct& product);
 Quadratic equation(const Description& in, const Numbering& at, const FixedAngle& angle);
 Quadratic equation(const Description& in, const Numbering& at, const Drive& drive);

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "equations.hpp"
 #include "parts.hpp"
+#include "tandem/mbs/mechanism/body_mass.hpp"
 
 namespace tandem::mbs {
 namespace {
@@ -37,7 +39,38 @@ Outputs::Outputs(const Mechanism& mechanism)
       jacobian_(static_cast<std::size_t>(mechanism.structure().jacobian_values())),
       find_residuals_(mechanism.structure()) {
   for (const Output& o : outputs_) has_residuals_ = has_residuals_ || is_residual(o.kind);
-  for (const Output& o : outputs_) supports_.push_back(o.kind == Kind::reaction ? support(o) : Support{});
+  for (const Output& o : outputs_)
+    supports_.push_back(o.kind != Kind::reaction ? Support{} : o.body >= 0 ? body_support(o) : support(o));
+}
+
+/// The rows of the body's own mass matrix, weight and equations.
+Outputs::Support Outputs::body_support(const Output& output) const {
+  const Description& in = mechanism_.description();
+  const Structure& structure = mechanism_.structure();
+  const Body& body = in.bodies[static_cast<std::size_t>(output.body)];
+  Support found{mechanism_.numbering().of(output.coordinate),
+                {},
+                {},
+                static_cast<std::size_t>(structure.constraints),
+                true};
+  const BodyMass share = body_mass(in, body);
+  const Eigen::VectorXd weight = share.weight * in.gravity.head(in.dimension);
+  const auto coordinate = [&](int k) {
+    return mechanism_.coordinate(share.entities[static_cast<std::size_t>(k / in.dimension)]) +
+           k % in.dimension;
+  };
+  for (int r = 0; r < weight.size(); ++r) {
+    if (coordinate(r) != found.coordinate) continue;
+    found.weight = weight[r];
+    for (int c = 0; c < weight.size(); ++c) found.masses.emplace_back(coordinate(c), share.mass(r, c));
+  }
+  const int n = structure.variables, row = found.coordinate;
+  for (const int e : own_equations(in, structure, mechanism_.numbering(), output.body)) {
+    const int entry =
+        row < n ? structure.jacobian.find(row, e) : mechanism_.fixed_jacobian().find(row - n, e);
+    if (entry >= 0) found.gradients.emplace_back(e, entry + (row < n ? 0 : structure.jacobian.size()));
+  }
+  return found;
 }
 
 Outputs::Support Outputs::support(const Output& output) const {
@@ -159,9 +192,10 @@ double Outputs::value(int number, const State& s) const {
   }
 }
 
-/// The equation of motion of a coordinate that does not move, M q'' + Phi_q^T lambda = Q + R.
+/// The equation of motion of a coordinate that does not move, M q'' + Phi_q^T lambda = Q + R; of a body with
+/// what is its own alone: its mass, weight and rigidity.
 double Outputs::reaction(const Support& support, const State& s) const {
-  double sum = -force_[support.coordinate];
+  double sum = support.of_body ? -support.weight : -force_[support.coordinate];
   for (const auto& [column, mass] : support.masses) sum += mass * s.a[column];
   for (const auto& [equation, entry] : support.gradients) sum += jacobian_[entry] * s.lambda[equation];
   return sum;

@@ -77,6 +77,28 @@ TEST(Outputs, OfAMassBetweenASpringAndAForce) {
   EXPECT_NEAR(y[3], 50.0 * 0.25 + 40.0 / 3.0 * 0.125, 1e-12);
 }
 
+/// Two rods of 1 m and 1 kg let go level: the first pushes the second with (0, -g/14) at the elbow, and is
+/// pushed by as much; at the pin it bears what the support does.
+TEST(Outputs, HaveWhatJointsDoToABody) {
+  const VectorXd y =
+      outputs(rod +
+              "A = { at = [1, 0] }\nB = { at = [2, 0] }\n[rods]\nupper = { points = ['O', 'A'], mass = 1 }\n"
+              "lower = { points = ['A', 'B'], mass = 1 }\n[outputs]\n"
+              "x = { reaction = 'A.x', body = 'lower' }\ny = { reaction = 'A.y', body = 'lower' }\n"
+              "up = { reaction = 'A.y', body = 'upper' }\nend = { reaction = 'B.y', body = 'lower' }\n"
+              "pin = { reaction = 'O.y' }\nborne = { reaction = 'O.y', body = 'upper' }\n");
+  EXPECT_NEAR(y[0], 0.0, 1e-9);
+  EXPECT_NEAR(y[1], -9.81 / 14.0, 1e-9);
+  EXPECT_NEAR(y[2], 9.81 / 14.0, 1e-9);
+  EXPECT_NEAR(y[3], 0.0, 1e-9);
+  EXPECT_NEAR(y[4], y[5], 1e-9);
+  EXPECT_TRUE(test::refuses(ErrorCode::invalid_argument, {"reaction", "body 'r'"}, [] {
+    outputs(rod +
+            "P = { at = [1, 0] }\nQ = { at = [1, 1] }\n[rods]\nr = { points = ['O', 'P'], mass = 1 }\n"
+            "s = { points = ['O', 'Q'], mass = 1 }\n[outputs]\no = { reaction = 'Q.x', body = 'r' }\n");
+  }));
+}
+
 TEST(Outputs, DependAtOnceOnWhatTheyShould) {
   Mechanism m(read_mechanism(
       "m", rod + "P = { at = [1.5, 0] }\nQ = { at = [1, 1] }\n[masses]\nm = { point = 'P', mass = 2 }\n"

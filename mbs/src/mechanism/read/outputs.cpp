@@ -75,7 +75,7 @@ void Reader::check_column(const Section& section, const Output& output) const {
                                       "mechanism runs alone; allowed is another name");
 }
 
-/// Of a drive, or of a fixed point along an axis.
+/// Of a drive, of a fixed point along an axis, or on a body at one of its points.
 void Reader::read_reaction(Section& section, const std::string& of, Output& output) const {
   if (const auto it = drives_.find(of); it != drives_.end()) {
     output.kind = Kind::drive_reaction;
@@ -85,8 +85,19 @@ void Reader::read_reaction(Section& section, const std::string& of, Output& outp
   output.kind = Kind::reaction;
   if (of.rfind('.') == std::string::npos) find(drives_, section, "reaction", "drive", of);
   output.coordinate = coordinate(section, "reaction", of);
+  if (const auto body = section.text("body")) return read_body_of_reaction(section, *body, output);
   if (!to_.entities[output.coordinate.entity].fixed)
-    section.wrong("reaction", "'" + of + "', a point that is not fixed", "a drive, or a fixed point's axis");
+    section.wrong(
+        "reaction", "'" + of + "', a point that is not fixed",
+        "a drive, or a fixed point's axis; of another point the body that the reaction is on, body = NAME");
+}
+
+void Reader::read_body_of_reaction(Section& section, const std::string& name, Output& output) const {
+  output.body = find(bodies_, section, "body", "body", name);
+  const Body& body = to_.bodies[static_cast<std::size_t>(output.body)];
+  if (output.coordinate.entity < 0 ||
+      std::find(body.entities.begin(), body.entities.end(), output.coordinate.entity) == body.entities.end())
+    section.wrong("reaction", "of no point or vector of body '" + name + "'", "one of those that it names");
 }
 
 void Reader::read_initial(Section& root) {

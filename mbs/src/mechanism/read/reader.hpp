@@ -87,6 +87,7 @@ class Reader {
   // outputs.cpp
   void read_output(const std::string& name, Section& section);
   void read_reaction(Section& section, const std::string& of, Output& output) const;
+  void read_body_of_reaction(Section& section, const std::string& name, Output& output) const;
   void check_column(const Section& section, const Output& output) const;
   void read_initial(Section& root);
   void read_given(Section& initial, const std::string& key, std::vector<Given>& to);

@@ -115,9 +115,10 @@ struct Force {
 };
 
 /// A quantity to be read of a mechanism. Reactions are those of the support on the mechanism: of a drive
-/// [N or N m], of a fixed point along an axis [N], of a fixed vector [N m]. drift: of the energy since the
-/// start [J]. Residuals: the largest of Phi, Phi_q q' + Phi_t, Phi_q q'' + gamma, in the units of the
-/// constraints.
+/// [N or N m], of a fixed point along an axis [N], of a fixed vector [N m]; or,
+/// of a body, what joints, springs and forces do to it at one of its points or vectors. drift: of the energy
+/// since the start [J]. Residuals: the largest of Phi, Phi_q q' + Phi_t, Phi_q q'' + gamma, in the units of
+/// the constraints.
 struct Output {
   enum class Kind {
     position,
@@ -135,8 +136,9 @@ struct Output {
   };
   std::string name;
   Kind kind;
-  Coordinate coordinate = {};  ///< positions to accelerations, and reactions of fixed points
+  Coordinate coordinate = {};  ///< positions to accelerations, and reactions
   int drive = -1;
+  int body = -1;  ///< of a reaction on it; -1: on the whole mechanism
 };
 
 /// A coordinate's value that is known at the start.

@@ -36,15 +36,18 @@ class Outputs {
   void derivatives(const State& state, int order, double* dy) const;
 
  private:
-  /// A coordinate that does not move, and what of M and of Phi_q belongs to it.
+  /// A coordinate that does not move, or a body's, and what of M and of Phi_q belongs to it there.
   struct Support {
     int coordinate = -1;
     std::vector<std::pair<int, double>> masses = {};          ///< by coordinate
     std::vector<std::pair<int, std::size_t>> gradients = {};  ///< by equation: entry of the Jacobian
     std::size_t equations = 0;                                ///< of the mechanism
+    bool of_body = false;
+    double weight = 0.0;  ///< of a body
     bool borne(const std::vector<int>& parts, int part) const;
   };
   Support support(const Output& output) const;
+  Support body_support(const Output& output) const;
   void prepare(const State& state);
   double value(int output, const State& state) const;
   double reaction(const Support& support, const State& state) const;
