@@ -5,9 +5,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <numeric>
 #include <set>
 
+#include "groups.hpp"
 #include "refuse.hpp"
 
 namespace tandem::mbs {
@@ -34,19 +34,15 @@ bool acts(const Description& in, const Force& f) {
 /// and angles leave the way between their edges free.
 class Islands {
  public:
-  explicit Islands(const Description& in) : in_(in), parent_(in.entities.size() + 1) {
-    std::iota(parent_.begin(), parent_.end(), 0);
+  explicit Islands(const Description& in) : in_(in), groups_(ground() + 1) {
     for (int e = 0; e < ground(); ++e)
       if (in.entities[e].fixed) join(e, ground());
     join_bodies();
     join_constraints();
     join_loads();
   }
-  int ground() const { return static_cast<int>(parent_.size()) - 1; }
-  int find(int e) {
-    while (parent_[e] != e) e = parent_[e] = parent_[parent_[e]];
-    return e;
-  }
+  int ground() const { return static_cast<int>(in_.entities.size()); }
+  int find(int e) { return groups_.find(e); }
   int of(const Body& body) const {
     return *std::find_if(body.entities.begin(), body.entities.end(), [&](int e) { return is_point(in_, e); });
   }
@@ -54,7 +50,7 @@ class Islands {
  private:
   void join(int a, int b) {
     const auto is_place = [&](int e) { return e == ground() || is_point(in_, e); };
-    if (is_place(a) && is_place(b)) parent_[find(a)] = find(b);
+    if (is_place(a) && is_place(b)) groups_.join(a, b);
   }
   void join(const Edge& edge) { join(edge.to, edge.from); }
   void join(const Edge& a, const Edge& b) { join(a), join(b); }
@@ -89,7 +85,7 @@ class Islands {
   }
 
   const Description& in_;
-  std::vector<int> parent_;
+  Groups groups_;
 };
 
 void check_masses(const Description& in) {
