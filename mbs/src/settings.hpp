@@ -29,7 +29,7 @@ struct Setting {
 
 inline void check_beta(const char* owner, double beta) {
   const Setting setting{owner, "beta", beta};
-  if (!(beta >= 1.0 / 12.0 - 1e-15 && beta <= 0.25)) setting.refuse("1/12 to 1/4");
+  if (!(beta >= 0.0833 && beta <= 0.25)) setting.refuse("1/12 to 1/4 (from 0.0833 on)");
 }
 
 }  // namespace tandem::mbs

@@ -89,6 +89,10 @@ TEST(RunCommand, DumpsTheMatricesOfAMechanism) {
       tandem(folder, {"run", mechanism_file("spring_pendulum"), "--dump-matrices", "m", "--dump-at", "x"});
   EXPECT_EQ(wrong.status, 2);
   EXPECT_NE(wrong.err.find("'matrices_at' is the text 'x'"), std::string::npos) << wrong.err;
+  const Said beyond = tandem(
+      folder, {"run", mechanism_file("spring_pendulum"), "--dump-matrices", "m", "--dump-at", "0,1e9"});
+  EXPECT_EQ(beyond.status, 2);
+  EXPECT_NE(beyond.err.find("--dump-at: 1000000000 s is outside the run"), std::string::npos) << beyond.err;
 }
 
 /// Arguments after the file, and words of the sentence.

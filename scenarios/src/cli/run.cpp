@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <sstream>
 
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
@@ -39,9 +40,23 @@ double slowest_time(const Coordinator& run) {
   return time;
 }
 
+/// What is not a number is refused where the mechanism reads it.
+void check_times(const std::string& times, const Scenario& scenario) {
+  std::istringstream list(times);
+  for (std::string word; std::getline(list, word, ',');) {
+    std::istringstream number(word);
+    double t = scenario.start;
+    if (number >> t && !(t >= scenario.start && t <= scenario.stop))
+      throw Error(ErrorCode::invalid_argument,
+                  fmt::format("--dump-at: {} s is outside the run; allowed is {} to {} s", t, scenario.start,
+                              scenario.stop));
+  }
+}
+
 /// The scenario with the matrices asked for of each mechanism, in a folder of its name.
 Scenario with_matrices(Scenario scenario, const Matrices& matrices) {
   if (matrices.folder.empty()) return scenario;
+  check_times(matrices.times, scenario);
   bool found = false;
   for (auto& entry : scenario.subsystems) {
     if (!entry.source.starts_with("mechanism:")) continue;
