@@ -108,6 +108,10 @@ bool right_angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 
 void check(const Description& in, const Joint& joint) {
   using enum Joint::Kind;
+  if (joint.first.kind == joint.second.kind && joint.first.index == joint.second.index)
+    refuse(joint.where,
+           "joint '" + joint.name +
+               "' joins a carrier with itself; allowed are two bodies, or a body and the ground");
   const bool needs_axis = joint.kind != spherical && (in.dimension == 3 || joint.kind != revolute);
   if (needs_axis && !(joint.axes[0].norm() > 0.0))
     refuse(joint.where, "joint '" + joint.name + "' has an axis of length 0; allowed is a direction");

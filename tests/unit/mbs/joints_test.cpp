@@ -109,6 +109,8 @@ TEST(Joint, RefusesWhatHasNoMeaning) {
   EXPECT_TRUE(refused(box + joint("revolute", rest + "axis = [0, 0, 0]\n"), {"'j'", "length 0"}));
   EXPECT_TRUE(refused(box + joint("universal", rest + "axis = [1, 0, 0]\nsecond_axis = [1, 1, 0]\n"),
                       {"not at a right angle"}));
+  EXPECT_TRUE(refused(bar + joint("revolute", "between = ['bar', 'bar']\nat = [1, 0]\n"),
+                      {"joins a carrier with itself", "allowed are two bodies"}));
   EXPECT_TRUE(refused(box + joint("spherical", "between = ['bxo', 'ground']\nat = [0, 0, 0]\n"),
                       {"'bxo'", "did you mean 'box'?"}));
   EXPECT_TRUE(
