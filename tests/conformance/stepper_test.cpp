@@ -9,6 +9,7 @@
 
 #include "driven_pendulum.hpp"
 #include "refusal.hpp"
+#include "small_models.hpp"
 #include "standing_linkage.hpp"
 #include "tandem/mbs/make_stepper.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
@@ -18,6 +19,8 @@ namespace tandem::mbs {
 namespace {
 
 using test::DrivenPendulum;
+using test::Fading;
+using test::Thrown;
 
 class EachStepper : public testing::TestWithParam<StepperNames> {
  protected:
@@ -195,36 +198,6 @@ TEST_P(EachStepper, NamesVariableConstraintAndTimeOfASingularTangent) {
   EXPECT_TRUE(test::refuses(ErrorCode::numerical, says, [&] { make(massless)->start(s); }));
 }
 
-/// A mass that x = 0 holds, and (1 - t) y = 0 until t = 1 s.
-class Fading final : public Model {
- public:
-  Fading() {
-    structure_.coordinates = structure_.variables = structure_.constraints = 2;
-    structure_.mass = {Pattern(2, 2, {{0, 0}, {1, 1}}), {1.0, 1.0}};
-    structure_.jacobian = Pattern(2, 2, {{0, 0}, {1, 1}});
-    structure_.stiffness = Pattern(2, 2, {});
-    structure_.variable_names = {"x", "y"};
-    structure_.constraint_names = {"wall", "fading"};
-  }
-  const Structure& structure() const override { return structure_; }
-  void at_time(double t) override { left_ = 1.0 - t; }
-  void constraints(const double* q, double* phi, double* jacobian) const override {
-    phi[0] = q[0], phi[1] = left_ * q[1];
-    jacobian[0] = 1.0, jacobian[1] = left_;
-  }
-  void constraint_rates(const double* q, double* phi_t) const override { phi_t[0] = 0.0, phi_t[1] = -q[1]; }
-  void constraint_accelerations(const double*, const double* v, double* gamma) const override {
-    gamma[0] = 0.0, gamma[1] = -2.0 * v[1];
-  }
-  void forces(const double*, const double*, double* force) const override { force[0] = force[1] = 0.0; }
-  void force_derivatives(const double*, const double*, double*, double*) const override {}
-  double energy(const double*, const double* v) const override { return 0.5 * (v[0] * v[0] + v[1] * v[1]); }
-
- private:
-  Structure structure_;
-  double left_ = 1.0;
-};
-
 TEST_P(EachStepper, NamesTheConstraintAndTheTimeWhereARowOfTheJacobianVanishes) {
   Fading model;
   State s{0.0, Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero(),
@@ -235,29 +208,6 @@ TEST_P(EachStepper, NamesTheConstraintAndTheTimeWhereARowOfTheJacobianVanishes) 
   EXPECT_TRUE(
       test::refuses(ErrorCode::numerical, {"'fading'", "t = 1 s"}, [&] { stepper->step(s, 0.125, 1.0); }));
 }
-
-/// Free fall: no constraint at all. Second-order methods are exact for constant forces.
-class Thrown final : public Model {
- public:
-  Thrown() {
-    structure_.coordinates = structure_.variables = 1;
-    structure_.mass = {Pattern(1, 1, {{0, 0}}), {2.0}};
-    structure_.jacobian = Pattern(1, 0, {});
-    structure_.stiffness = Pattern(1, 1, {});
-    structure_.variable_names = {"height"};
-  }
-  const Structure& structure() const override { return structure_; }
-  void at_time(double) override {}
-  void constraints(const double*, double*, double*) const override {}
-  void constraint_rates(const double*, double*) const override {}
-  void constraint_accelerations(const double*, const double*, double*) const override {}
-  void forces(const double*, const double*, double* force) const override { force[0] = -6.0; }
-  void force_derivatives(const double*, const double*, double*, double*) const override {}
-  double energy(const double* q, const double* v) const override { return v[0] * v[0] + 6.0 * q[0]; }
-
- private:
-  Structure structure_;
-};
 
 TEST_P(EachStepper, MovesWhatHasNoConstraints) {
   Thrown model;

@@ -237,6 +237,42 @@ TEST(Index3, StepsWithATangentThatIsNotPositiveDefinite) {
                             [&] { end("lapack"); }));
 }
 
+/// What is put back goes on as it would have, whatever kind of tangent came in between.
+TEST(Index3, ForgetsATangentThatIsNotPositiveDefiniteWhereAnotherIsPutBack) {
+  struct Source final : InputSource {
+    void at(double, std::span<InputValue> values) override { values[0] = {force}; }
+    double force = 0.0;
+  } source;
+  Mechanism m(read_mechanism(
+      "spring",
+      "dimension = 2\n[points]\nO = { at = [0, 0], fixed = true }\nP = { at = [3, 0], velocity = [0, 0.1] }\n"
+      "[masses]\nm = { point = 'P', mass = 1 }\n[springs]\ns = { points = ['O', 'P'], stiffness = 4e4, free "
+      "= "
+      "2 }\n[inputs]\nF = { unit = 'N' }\n[forces]\nf = { point = 'P', direction = [1, 1], magnitude = 'F' "
+      "}\n"));
+  m.set_inputs(&source);
+  Index3 formulation(m, {});
+  State stretched = initial_state(m, 0.0), pushed = stretched;
+  pushed.q[0] = 1.2,
+  pushed.v[0] = -150.0;  // with 8000 m/s^2 to 0.95 m: k (1 - 2/0.95) h^2/4 = -1.1 kg across
+  formulation.start(stretched);
+  formulation.step(stretched, 0.01, 0.01);
+  const auto memory = formulation.memory();
+  State expected = stretched;
+  source.force = 1.0;
+  formulation.refresh(expected);
+  formulation.recall(memory);
+  source.force = 0.0;
+  pushed.a.setZero();
+  pushed.a[0] = 8000.0;
+  formulation.step(pushed, 0.01, 0.01);
+  ASSERT_EQ(formulation.memory().back(), 0.0);  // no tangent of use
+  formulation.recall(memory);
+  source.force = 1.0;
+  formulation.refresh(stretched);
+  EXPECT_EQ(stretched.a, expected.a);
+}
+
 /// With a penalty that holds nothing the iteration ends at once, and the rod grows longer.
 TEST(Index3, SaysThatAConstraintIsLost) {
   test::DrivenPendulum pendulum({});

@@ -56,8 +56,7 @@ class Lowering {
  public:
   explicit Lowering(const Description& diagram);
 
-  /// Whose the signals and operations are that come next.
-  void begin(const Block& block);
+  void begin(const Block& block);  ///< whose the signals and operations are that come next
   /// The block's name with those of the diagrams around it: "gearbox.clutch".
   std::string full_name(const std::string& block) const { return scopes_[scope_].prefix + block; }
   /// From here on names are those of a diagram in that block, until leave().

@@ -133,7 +133,7 @@ void Index3::recall(std::span<const double> memory) {
   const auto values = memory.first(terms_.tangent.values().size());
   std::copy_n(memory.begin() + values.size(), left_.size(), left_.begin());
   weight_ = memory.back();
-  terms_.tangent.recall(values);
+  terms_.recall(values);
 }
 
 void Index3::predict(State& s, double h, double t_end) {

@@ -82,6 +82,11 @@ int Terms::factorize_indefinite(const TangentFactors& factors) {
   return indefinite_->factorize();
 }
 
+void Terms::recall(std::span<const double> values) {
+  tangent.recall(values);
+  definite = true;
+}
+
 void Terms::solve(Eigen::VectorXd& x) { (definite ? tangent : *indefinite_).solve(x.data()); }
 
 void Terms::residual(const State& s, const Eigen::VectorXd& by, double factor) {

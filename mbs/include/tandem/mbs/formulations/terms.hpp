@@ -28,6 +28,8 @@ struct Terms {
   void factorize(const State& s, const TangentFactors& factors);
   /// x <- T^-1 x.
   void solve(Eigen::VectorXd& x);
+  /// T is that of tangent.values() at another time, which was definite if it is of use.
+  void recall(std::span<const double> values);
   /// correction <- factor T^-1 [Q - M a - Phi_q^T weights]; returns its Euclidean norm. Error(numerical)
   /// names a variable and the time where that is not finite.
   double correct(const State& s, const Eigen::VectorXd& weights, double factor);
