@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "tandem/engine/system.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "loop_solver.hpp"
@@ -29,6 +30,11 @@ void System::run_with_loops(int first, int last) {
 
 double System::watched(int crossing) const {
   return image_[static_cast<std::size_t>(program_.crossings[static_cast<std::size_t>(crossing)].signal)];
+}
+
+bool System::stands_at_zero() const {
+  return std::any_of(program_.crossings.begin(), program_.crossings.end(),
+                     [&](const Crossing& c) { return image_[static_cast<std::size_t>(c.signal)] == 0.0; });
 }
 
 int System::changed(int first) const {

@@ -3,6 +3,7 @@
 
 #include <type_traits>
 
+#include "tandem/check_info.hpp"
 #include "tandem/error.hpp"
 
 namespace tandem {
@@ -51,10 +52,22 @@ SubsystemInfo info_from(const tandem_info* c) {
                 "the subsystem '" + info.name + "' gives no list of its feedthrough");
   for (int32_t i = 0; i < c->feedthrough_count; ++i)
     info.feedthrough.push_back({c->feedthrough[i].output, c->feedthrough[i].input});
-  const auto has = [c](unsigned bit) { return (c->abilities & bit) != 0; };
-  info.abilities = {has(TANDEM_CHOOSES_STEP), has(TANDEM_LANDS), has(TANDEM_SAVES_STATE),
-                    has(TANDEM_RESTARTS), has(TANDEM_REACTIVE_INPUTS)};
+  info.abilities = abilities_from(c->abilities);
+  check_info(info.name, info);
   return info;
+}
+
+/// C functions don't throw; what a library in C++ lets pass all the same becomes an error with its name.
+template <class Call>
+auto guarded(const std::string& name, const char* call, const Call& make) {
+  try {
+    return make();
+  } catch (const std::exception& error) {
+    throw Error(ErrorCode::internal,
+                "subsystem '" + name + "', " + call + ": threw through its C function: " + error.what());
+  } catch (...) {
+    throw Error(ErrorCode::internal, "subsystem '" + name + "', " + call + ": threw through its C function");
+  }
 }
 
 }  // namespace
@@ -62,8 +75,8 @@ SubsystemInfo info_from(const tandem_info* c) {
 CSubsystem::CSubsystem(const tandem_subsystem_api* api, const std::string& parameters) : api_(api) {
   check_table(api);
   try {
-    check(api->create(parameters.c_str(), &self_), "create");
-    info_ = info_from(api->info(self_));
+    check(guarded("", "create", [&] { return api->create(parameters.c_str(), &self_); }), "create");
+    info_ = info_from(guarded("", "info", [&] { return api->info(self_); }));
     if (info_.abilities.saves_state && !(api->save_state && api->restore_state && api->release_state))
       throw Error(ErrorCode::invalid_argument,
                   "subsystem '" + info_.name + "' says that it saves its state, but has not the functions");
@@ -108,7 +121,9 @@ void CSubsystem::take_rows(const tandem_samples& rows, Samples& y) const {
 Clock CSubsystem::initialize(double t_start, double t_stop, std::span<const double> u0, Samples& y) {
   tandem_clock clock{};
   tandem_samples rows = y.c_view();
-  check(api_->initialize(self_, t_start, t_stop, u0.data(), &rows, &clock), "initialize");
+  check(guarded(info_.name, "initialize",
+                [&] { return api_->initialize(self_, t_start, t_stop, u0.data(), &rows, &clock); }),
+        "initialize");
   take_rows(rows, y);
   return clock_from(clock);
 }
@@ -117,7 +132,9 @@ Clock CSubsystem::advance(double t_limit, bool land, std::span<const Signal> u, 
   tandem_clock clock{};
   const auto* signals = reinterpret_cast<const tandem_signal*>(u.data());  // same layout: see signal.hpp
   tandem_samples rows = y.c_view();
-  const tandem_status status = api_->advance(self_, t_limit, land ? 1 : 0, signals, &rows, &clock);
+  const tandem_status status = guarded(info_.name, "advance", [&] {
+    return api_->advance(self_, t_limit, land ? 1 : 0, signals, &rows, &clock);
+  });
   if (status == TANDEM_OK || has_rows(rows, y)) take_rows(rows, y);
   check(status, "advance");
   return clock_from(clock);
@@ -131,20 +148,22 @@ void CSubsystem::require_saving() const {
 StateId CSubsystem::save_state() {
   require_saving();
   StateId id = 0;
-  check(api_->save_state(self_, &id), "save_state");
+  check(guarded(info_.name, "save_state", [&] { return api_->save_state(self_, &id); }), "save_state");
   return id;
 }
 
 Clock CSubsystem::restore_state(StateId id) {
   require_saving();
   tandem_clock clock{};
-  check(api_->restore_state(self_, id, &clock), "restore_state");
+  check(guarded(info_.name, "restore_state", [&] { return api_->restore_state(self_, id, &clock); }),
+        "restore_state");
   return clock_from(clock);
 }
 
 void CSubsystem::release_state(StateId id) {
   require_saving();
-  check(api_->release_state(self_, id), "release_state");
+  check(guarded(info_.name, "release_state", [&] { return api_->release_state(self_, id); }),
+        "release_state");
 }
 
 }  // namespace tandem

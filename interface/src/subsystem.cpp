@@ -10,6 +10,23 @@ namespace {
 }
 }  // namespace
 
+std::uint32_t to_bits(const Abilities& a) {
+  std::uint32_t bits = 0;
+  const auto add = [&](bool has, std::uint32_t bit) { bits |= has ? bit : 0U; };
+  add(a.chooses_step, TANDEM_CHOOSES_STEP);
+  add(a.lands, TANDEM_LANDS);
+  add(a.saves_state, TANDEM_SAVES_STATE);
+  add(a.restarts, TANDEM_RESTARTS);
+  add(a.reactive_inputs, TANDEM_REACTIVE_INPUTS);
+  return bits;
+}
+
+Abilities abilities_from(std::uint32_t bits) {
+  const auto has = [bits](std::uint32_t bit) { return (bits & bit) != 0; };
+  return {has(TANDEM_CHOOSES_STEP), has(TANDEM_LANDS), has(TANDEM_SAVES_STATE), has(TANDEM_RESTARTS),
+          has(TANDEM_REACTIVE_INPUTS)};
+}
+
 std::string Scalar::name() const {
   return port->size == 1 ? port->name : port->name + "[" + std::to_string(element) + "]";
 }
@@ -18,6 +35,12 @@ Scalar scalar_at(const std::vector<Port>& ports, int index) {
   auto port = ports.begin();
   for (; index >= port->size; ++port) index -= port->size;
   return {&*port, index};
+}
+
+bool Subsystem::start_advance(double, bool, std::span<const Signal>, const Samples&) { return false; }
+
+Clock Subsystem::finish_advance(Samples&) {
+  throw Error(ErrorCode::wrong_state, "subsystem '" + info().name + "' has no advance under way to finish");
 }
 
 StateId Subsystem::save_state() { refuse(info()); }

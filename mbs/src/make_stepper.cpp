@@ -11,7 +11,9 @@
 namespace tandem::mbs {
 namespace {
 
-[[noreturn]] void refuse(const std::string& sentence) { throw Error(ErrorCode::invalid_argument, sentence); }
+[[noreturn]] void refuse_choice(const std::string& sentence) {
+  throw Error(ErrorCode::invalid_argument, sentence);
+}
 
 struct FormulationEntry {
   std::string name;
@@ -53,15 +55,15 @@ const Entry& find(const std::string& kind, const std::string& name, const std::v
   for (const Entry& entry : entries)
     if (entry.name == name) return entry;
   for (const Entry& entry : entries) known.push_back(entry.name);
-  refuse(unknown(kind, name, known));
+  refuse_choice(unknown(kind, name, known));
 }
 
 /// Settings of what is not chosen would be lost in silence.
 template <class Settings>
 void refuse_unused(const Settings& settings, const char* name, bool used) {
   if (!used && settings != Settings{})
-    refuse(std::string("settings of ") + name +
-           " are given, which is not chosen; allowed is to leave them out");
+    refuse_choice(std::string("settings of ") + name +
+                  " are given, which is not chosen; allowed is to leave them out");
 }
 
 void refuse_unused(const StepperSettings& s) {
@@ -72,7 +74,7 @@ void refuse_unused(const StepperSettings& s) {
   refuse_unused(s.null_space, "null_space", s.formulation == "null_space");
   refuse_unused(s.generalized_alpha, "generalized_alpha", s.integrator == "generalized_alpha");
   if (merged && s.newmark != NewmarkSettings{})
-    refuse(
+    refuse_choice(
         "settings of newmark are given, which index3 has merged in; allowed is index3.beta and "
         "index3.tolerance");
   refuse_unused(s.newmark, "newmark", s.integrator == "newmark");
@@ -93,8 +95,9 @@ std::unique_ptr<Stepper> make_stepper(Model& model, const StepperSettings& s) {
       merged ? nullptr : &find("formulation", s.formulation, formulations(), {"index3"});
   const auto& integrator = find("integrator", s.integrator, integrators());
   if (merged && s.integrator != "newmark")
-    refuse("formulation index3 has Newmark's method merged in and does not go with integrator '" +
-           s.integrator + "'; allowed is newmark, or formulation penalty, index1 or null_space with it");
+    refuse_choice("formulation index3 has Newmark's method merged in and does not go with integrator '" +
+                  s.integrator +
+                  "'; allowed is newmark, or formulation penalty, index1 or null_space with it");
   refuse_unused(s);
   if (merged) return std::make_unique<Index3>(model, s.index3);
   return std::make_unique<Unmerged>(formulation->make(model, s), integrator.make(s));

@@ -33,14 +33,14 @@ const std::array<double, task_count>& profile() { return seconds; }
 void clear_profile() { seconds.fill(0.0); }
 #else
 namespace {
-[[noreturn]] void refuse() {
+[[noreturn]] void refuse_without_profile() {
   throw Error(ErrorCode::not_supported,
               "this tandem was built without -DTANDEM_PROFILE=ON, so steps are not timed");
 }
 }  // namespace
 
-const std::array<double, task_count>& profile() { refuse(); }
-void clear_profile() { refuse(); }
+const std::array<double, task_count>& profile() { refuse_without_profile(); }
+void clear_profile() { refuse_without_profile(); }
 #endif
 
 }  // namespace tandem::mbs

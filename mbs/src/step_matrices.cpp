@@ -14,7 +14,7 @@ namespace tandem::mbs {
 namespace {
 
 /// A matrix from entries that add up where they coincide.
-class Sum {
+class WeightedSum {
  public:
   void add(const Matrix& a, double factor) {
     const auto entries = a.pattern.entries();
@@ -69,7 +69,7 @@ StepMatrices step_matrices(Model& model, const State& at, const TangentFactors& 
                       on(s.stiffness, values.stiffness),
                       on(s.stiffness, values.damping),
                       {}};
-  Sum sum;
+  WeightedSum sum;
   sum.add(result.mass, 1.0);
   sum.add(result.damping, factors.damping);
   sum.add(result.stiffness, factors.stiffness);

@@ -5,8 +5,11 @@
 #include <spdlog/spdlog.h>
 
 #include "cli/commands.hpp"
+#include "cli/transports.hpp"
+#include "kart/builtins.hpp"
 #include "mechanisms/source.hpp"
 #include "sources/diagram.hpp"
+#include "sources/functions.hpp"
 #include "tandem/error.hpp"
 #include "tandem/nearest.hpp"
 #include "two_mass/masses.hpp"
@@ -50,21 +53,35 @@ int run(int argc, char** argv) {
   app.fallthrough();
   tandem::cli::Context context;
   tandem::two_mass::add_builtins(context.builtins);
+  tandem::kart::add_builtins(context.builtins);
   tandem::mechanisms::add_sources(context.builtins);
-  tandem::diagrams::add_sources(context.builtins);
+  tandem::diagrams::add_sources(context.builtins, [](const std::string& what) { spdlog::warn("{}", what); });
+  tandem::functions::add_sources(context.builtins);
   std::string log_file;
   auto* quiet = app.add_flag("--quiet", context.quiet, "Print results and errors only");
   app.add_flag("--verbose", context.verbose, "Print more of what is done")->excludes(quiet);
   app.add_option("--log", log_file, "Write all messages to this file too")->type_name("FILE");
-  app.parse_complete_callback([&] { set_up_log(context, log_file); });
+  app.add_flag("--allow-plaintext", context.allow_plaintext,
+               "Let tcp:// and zmq: without keys go beyond this machine, in plain text");
+  app.parse_complete_callback([&] {
+    set_up_log(context, log_file);
+    tandem::cli::add_transports(context);
+  });
   tandem::cli::add_run(app, context);
   tandem::cli::add_sweep(app, context);
   tandem::cli::add_chart(app, context);
   tandem::cli::add_compare(app, context);
   tandem::cli::add_info(app, context);
   tandem::cli::add_validate(app, context);
+  tandem::cli::add_check(app, context);
+  tandem::cli::add_modes(app, context);
   tandem::cli::add_list(app, context);
+  tandem::cli::add_serve(app, context);
+#if TANDEM_HAS_ZEROMQ
+  tandem::cli::add_keys(app, context);
+#endif
   tandem::cli::add_bench(app, context);
+  tandem::cli::add_view(app, context);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& done) {

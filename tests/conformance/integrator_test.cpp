@@ -78,6 +78,21 @@ TEST_P(EachIntegrator, SwitchesWhereTheSignChanges) {
   EXPECT_NEAR(run.simulation.output(0), 2.0 - 1.5 * std::exp(-1.7), close);
 }
 
+/// A signal that is zero where an own step ends, and gets its sign in the next one: 1 up to 0.5 s, then 3;
+/// and a state that comes to a limit there.
+TEST_P(EachIntegrator, SeesEventsAtTheEndOfAStep) {
+  DiagramRun run(
+      "[blocks]\nrate = { kind = 'step', time = 0.5, before = 1, after = 3 }\n"
+      "x = { kind = 'integrator', input = 'rate' }\ny = { kind = 'integrator', input = 'bent' }\n"
+      "bent = { kind = 'saturation', input = 'x', low = -1, high = 0.5 }\n[outputs]\nx = { unit = '1' }\ny = "
+      "{ unit "
+      "= '1' }\n",
+      tight(GetParam()));
+  run.run(1.0, 10);
+  EXPECT_NEAR(run.simulation.output(0), 0.5 + 1.5, close);
+  EXPECT_NEAR(run.simulation.output(1), 0.125 + 0.25, close);
+}
+
 /// A diagram without states, too.
 TEST_P(EachIntegrator, TakesSamplesAtTheirTimes) {
   DiagramRun run(
@@ -115,6 +130,16 @@ TEST_P(EachIntegrator, TellsWhatIsNotFinite) {
       "[outputs]\nx = { unit = '1' }\n",
       tight(GetParam()));
   EXPECT_TRUE(test::refuses(ErrorCode::numerical, {"t = "}, [&] { run.run(1.5, 15); }));
+}
+
+/// By the block that made it, if it is still there to see.
+TEST_P(EachIntegrator, TellsWhichBlockGivesWhatIsNotFinite) {
+  DiagramRun run(
+      "[blocks]\nroot = { kind = 'function', function = 'sqrt', input = 'left' }\n"
+      "left = { kind = 'gain', input = 'time', gain = -1, offset = 0.5 }\n[outputs]\nroot = { unit = '1' }\n",
+      tight(GetParam()));
+  EXPECT_TRUE(test::refuses(ErrorCode::numerical, {"block 'root' gives", "nan at t = 0.6"},
+                            [&] { run.run(1.0, 10); }));
 }
 
 TEST_P(EachIntegrator, EndsChatteringWithASentence) {

@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 using test::pattern_of;
 using test::SolverBench;
 
-struct Case {
+struct KindCase {
   std::string name;
   MatrixKind kind;
 };
@@ -27,16 +27,16 @@ std::string kind_name(MatrixKind kind) {
                                                : "unsymmetric";
 }
 
-void PrintTo(const Case& c, std::ostream* out) { *out << c.name << ", " << kind_name(c.kind); }
+void PrintTo(const KindCase& c, std::ostream* out) { *out << c.name << ", " << kind_name(c.kind); }
 
-std::vector<Case> cases(const std::vector<MatrixKind>& kinds) {
-  std::vector<Case> all;
+std::vector<KindCase> kind_cases(const std::vector<MatrixKind>& kinds) {
+  std::vector<KindCase> all;
   for (const MatrixKind kind : kinds)
     for (const std::string& name : solver_names(kind)) all.push_back({name, kind});
   return all;
 }
 
-class EachKind : public testing::TestWithParam<Case> {
+class EachKind : public testing::TestWithParam<KindCase> {
  protected:
   SolverBench make(const Pattern& pattern) const { return {GetParam().name, GetParam().kind, pattern}; }
 };
@@ -44,8 +44,9 @@ class WithPivots : public EachKind {};
 using enum MatrixKind;
 const auto name_of = [](const auto& p) { return p.param.name + "_" + kind_name(p.param.kind); };
 INSTANTIATE_TEST_SUITE_P(Solvers, EachKind,
-                         testing::ValuesIn(cases({positive_definite, symmetric, unsymmetric})), name_of);
-INSTANTIATE_TEST_SUITE_P(Solvers, WithPivots, testing::ValuesIn(cases({symmetric, unsymmetric})), name_of);
+                         testing::ValuesIn(kind_cases({positive_definite, symmetric, unsymmetric})), name_of);
+INSTANTIATE_TEST_SUITE_P(Solvers, WithPivots, testing::ValuesIn(kind_cases({symmetric, unsymmetric})),
+                         name_of);
 
 /// Sparse, about three entries a row beside the diagonal. Positive definite: by its diagonal. Else the signs
 /// of the diagonal alternate, and some of it is zero, with a large entry beside it so that the matrix is not

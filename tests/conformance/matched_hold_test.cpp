@@ -50,7 +50,7 @@ double energy_change(const std::string& schedule, const std::string& how, double
   return watch.change();
 }
 
-const double ratios[] = {1.0, 2.0, 2.5, 3.0, 7.0, 30.7, 5.0 * std::numbers::sqrt2, 100.0};
+const double hold_ratios[] = {1.0, 2.0, 2.5, 3.0, 7.0, 30.7, 5.0 * std::numbers::sqrt2, 100.0};
 
 // w = 10 rad/s at the most (the spring hardens), so 20 s of small steps lose 1e4 (10 * 0.002)^6 / 144 * 2 =
 // 1e-8 at most.
@@ -62,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(Schedules, MatchedHold,
                          [](const auto& p) { return word(p.param); });
 
 TEST_P(MatchedHold, KeepsTheEnergyOfANonlinearSpringAtAnyRatio) {
-  for (const double ratio : ratios)
+  for (const double ratio : hold_ratios)
     for (const double h : {0.05, 0.013})
       EXPECT_LT(energy_change(GetParam(), "matched_hold", h, ratio), integrators) << ratio;
 }

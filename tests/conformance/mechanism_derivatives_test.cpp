@@ -20,7 +20,8 @@ const std::string plane =
     "}\n"
     "B = { at = [1.5, 1] }\nC = { at = [0.4, 0.9] }\n[bodies.bar]\npoints = ['A', 'B']\nmass = 2\ncentre = "
     "[1.2, 0.7]\n"
-    "inertia = 0.3\n[masses]\nm = { point = 'C', mass = 0.5, free = true }\n[rods]\nr = { points = ['O', 'A'], mass = 1 "
+    "inertia = 0.3\n[masses]\nm = { point = 'C', mass = 0.5, free = true }\n[rods]\nr = { points = ['O', "
+    "'A'], mass = 1 "
     "}\n";
 const std::string space =
     "dimension = 3\ngravity = [1, 2, -9.81]\n[points]\nO = { at = [0, 0, 0], fixed = true }\nA = { at = [1, "
@@ -32,13 +33,13 @@ const std::string space =
     "0.2, 2]]\nfree = true\n"
     "[rods]\nr = { points = ['O', 'P'], mass = 1 }\n";
 
-struct Case {
+struct ElementCase {
   const char* name;
   std::string text;
 };
 
-std::vector<Case> cases() {
-  std::vector<Case> all = {
+std::vector<ElementCase> element_cases() {
+  std::vector<ElementCase> all = {
       {"distance", plane + "[distances]\nd = { points = ['A', 'C'], length = 1.3 }\n"},
       {"product", plane + "[products]\np = { edges = [['A', 'C'], ['O', 'B']], value = 0.3 }\n"},
       {"fixed_angle", plane + "[fixed_angles]\np = { edges = [['A', 'C'], ['C', 'B']] }\n"},
@@ -82,7 +83,7 @@ std::vector<Case> cases() {
   return all;
 }
 
-class Element : public testing::TestWithParam<Case> {
+class Element : public testing::TestWithParam<ElementCase> {
  protected:
   Element() : m_(read_mechanism(GetParam().name, GetParam().text)), s_(m_.structure()) {
     std::mt19937 random(7);
@@ -189,7 +190,7 @@ TEST_P(Element, ForcesAreTheSlopeOfThePotential) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, Element, testing::ValuesIn(cases()), [](const auto& p) {
+INSTANTIATE_TEST_SUITE_P(Each, Element, testing::ValuesIn(element_cases()), [](const auto& p) {
   return std::string(p.param.name) + "_" + std::to_string(p.index);
 });
 

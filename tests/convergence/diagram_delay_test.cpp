@@ -19,7 +19,7 @@ double error(const std::string& text, double t, double exact, int steps) {
 }
 
 /// The observed order between so many steps and twice as many.
-double order(const std::string& text, double t, double exact, int steps) {
+double delay_order(const std::string& text, double t, double exact, int steps) {
   return std::log2(error(text, t, exact, steps) / error(text, t, exact, 2 * steps));
 }
 
@@ -33,7 +33,7 @@ TEST(DelayOrder, IsFourOfASmoothSignal) {
       "= 0.4 }\nx = { kind = 'integrator', input = 'd' }\n" +
       output;
   const double w = 2.0 * std::numbers::pi;
-  EXPECT_NEAR(order(text, 2.3, (1.0 - std::cos(w * 1.9)) / w, 60), 4.0, 0.2);
+  EXPECT_NEAR(delay_order(text, 2.3, (1.0 - std::cos(w * 1.9)) / w, 60), 4.0, 0.2);
 }
 
 /// x' = -3 x(t - 1), x = 1 up to t = 0, by the method of steps: x = sum over k of (-3)^k (t - k + 1)^k / k!
@@ -47,7 +47,7 @@ TEST(DelayOrder, IsFourOfADelayedFeedback) {
   const double t = 8.7;
   double exact = 0.0, factorial = 1.0;
   for (int k = 0; t - k + 1 > 0.0; factorial *= ++k) exact += std::pow(-3.0 * (t - k + 1), k) / factorial;
-  EXPECT_NEAR(order(text, t, exact, 61), 4.0, 0.2);
+  EXPECT_NEAR(delay_order(text, t, exact, 61), 4.0, 0.2);
 }
 
 /// A jump at 0.31 comes 0.5 later, where a step ends: straight lines are exact.

@@ -106,6 +106,34 @@ TEST(Newmark, RefusesStepsBeyondItsStabilityLimit) {
   trapezoidal.step(problem, m, 0.0199, 0.049);  // the iteration's own limit is omega h = 2
 }
 
+/// A spring that is four times as stiff from 1 s on.
+class StiffeningSpring final : public SecondOrder {
+ public:
+  int size() const override { return 1; }
+  void accelerations(double t, const double* y, const double*, double* a) override {
+    a[0] = (t < 1.0 ? -1e4 : -4e4) * y[0];
+  }
+};
+
+/// omega h = 1.6 at first, 3.2 then: beyond the limit of 2.449 before the iteration's own, 3.46.
+TEST(Newmark, SeesWithinFiftyStepsThatItsLimitIsPassed) {
+  StiffeningSpring problem;
+  Motion m{0.0, Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1)};
+  NewmarkFamily newmark(NewmarkSettings{.beta = 1.0 / 12.0}), restored(NewmarkSettings{.beta = 1.0 / 12.0});
+  newmark.start(problem, m);
+  int k = 1;
+  for (; k <= 90; ++k) newmark.step(problem, m, 0.016, k * 0.016);
+  restored.start(problem, m);
+  restored.recall(newmark.memory());
+  const auto more = [&](NewmarkFamily& method) {
+    Motion last = m;
+    for (; k <= 101; ++k) method.step(problem, last, 0.016, k * 0.016);
+  };
+  EXPECT_TRUE(test::refuses(ErrorCode::numerical, {"t = 1.6 s", "200 rad/s", "3.2"}, [&] { more(newmark); }));
+  k = 91;
+  EXPECT_TRUE(test::refuses(ErrorCode::numerical, {"t = 1.6 s", "200 rad/s"}, [&] { more(restored); }));
+}
+
 /// Just below the limit the motion stays as it began, just above it grows: the limit is where it says. The
 /// method's recurrence is y+ - (2 - x/(1 + beta x)) y + y- = 0.
 TEST(Newmark, IsStableUpToTheLimit) {

@@ -34,4 +34,8 @@ inline std::string two_mass_file(const std::string& name) {
   return std::string(TANDEM_SOURCE_DIR) + "/scenarios/two_mass/" + name;
 }
 
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
 }  // namespace tandem::test

@@ -2,27 +2,28 @@
 // Diagrams from the command line.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "command.hpp"
 
 namespace tandem {
 namespace {
 
+using test::contains;
 using test::Said;
 using test::Scratch;
 using test::tandem;
 
 const std::string engine = TANDEM_SOURCE_DIR "/scenarios/engine/engine.toml";
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 TEST(InfoCommand, ShowsWhatADiagramHas) {
   const Scratch folder;
   const Said said = tandem(folder, {"info", engine});
   EXPECT_EQ(said.status, 0) << said.err;
-  for (const char* part : {"order 4: P, angle, M, N", "parameter J = 0.14 kg m^2", "input throttle [deg]",
-                           "output torque [N m], follows at once: none", "6 signals watched for events"})
+  for (const char* part :
+       {"order 4: manifold.P, charges.angle, charges.M, crank.N", "parameter J = 0.14 kg m^2",
+        "input throttle [deg]", "output torque [N m], follows at once: none", "parameter stall = 'stop'",
+        "13 signals watched for events"})
     EXPECT_TRUE(contains(said.out, part)) << part << " is not in:\n" << said.out;
 }
 
@@ -31,7 +32,10 @@ TEST(InfoCommand, DrawsTheGraphOfADiagram) {
   const Said said = tandem(folder, {"info", engine, "--dot"});
   EXPECT_EQ(said.status, 0) << said.err;
   EXPECT_TRUE(contains(said.out, "digraph \"engine\" {")) << said.out;
-  EXPECT_TRUE(contains(said.out, "\"throttle\" -> \"opening\" [label=\"input\"];")) << said.out;
+  for (const char* part :
+       {"subgraph \"cluster manifold\" {", "\"throttle\" -> \"manifold.opening\" [label=\"input\"];",
+        "\"charges.burnt\" -> \"crank.torque\"", "\"crank.N\" -> \"limit crank.stall\""})
+    EXPECT_TRUE(contains(said.out, part)) << part << " is not in:\n" << said.out;
   EXPECT_EQ(tandem(folder, {"info", test::two_mass_file("two_mass.toml"), "--dot"}).status, 2);
 }
 
@@ -82,6 +86,54 @@ TEST(RunCommand, RefusesWhatADiagramCanNotDo) {
     const Said said = run(folder, bad.blocks, bad.parameters);
     EXPECT_EQ(said.status, bad.status) << bad.parameters << ": " << said.err;
     EXPECT_TRUE(contains(said.err, bad.words)) << bad.words << " is not in: " << said.err;
+  }
+}
+
+const std::string lagging =
+    "[parameters]\nT = { value = 0.5, unit = 's' }\n[inputs]\nu = { unit = '1' }\n[blocks]\n"
+    "x = { kind = 'integrator', input = 'r' }\nd = { kind = 'sum', inputs = ['u', 'x'], gains = [1, -1] }\n"
+    "r = { kind = 'quotient', numerator = 'd', denominator = '$T' }\n[outputs]\nx = { unit = '1' }\n[run]\n"
+    "stop = 1.0\nstep = 0.01\n";
+
+/// x = 3 (1 - exp(-t / T)); on a ramp t: t - T (1 - exp(-t / T)).
+TEST(RunCommand, RunsADiagramAlone) {
+  const Scratch folder;
+  folder.write("d.toml", lagging + "inputs = { u = 3.0 }\n");
+  ASSERT_EQ(tandem(folder, {"run", "d.toml", "--output", "o"}).status, 0);
+  EXPECT_TRUE(contains(test::read_text(folder.path() / "o" / "results.csv"), "\n1,2.59399"));
+  ASSERT_EQ(tandem(folder, {"run", "d.toml", "--set", "run.T=1", "--output", "o"}).status, 0);
+  EXPECT_TRUE(contains(test::read_text(folder.path() / "o" / "results.csv"), "\n1,1.89636"));
+  const std::string figures = test::read_text(folder.path() / "o" / "machine.json");
+  EXPECT_TRUE(contains(figures, "\"rate_evaluations\": 400")) << figures;
+  folder.write("ramp.csv", "time,u,w\n0,0,0\n1,1,2\n");
+  folder.write("e.toml", lagging + "inputs = { u = 'ramp.csv:w' }\n");
+  ASSERT_EQ(tandem(folder, {"run", "e.toml", "--output", "o"}).status, 0);
+  EXPECT_TRUE(contains(test::read_text(folder.path() / "o" / "results.csv"), "\n1,1.13533"));
+}
+
+TEST(RunCommand, RefusesToRunADiagramAloneWithoutWhatItTakes) {
+  const Scratch folder;
+  folder.write("d.toml", lagging);
+  EXPECT_TRUE(contains(tandem(folder, {"run", "d.toml"}).err, "d.u"));
+  folder.write("d.toml", lagging + "inputs = { w = 1 }\n");
+  EXPECT_TRUE(contains(tandem(folder, {"run", "d.toml"}).err, "d.toml:14"))
+      << tandem(folder, {"run", "d.toml"}).err;
+  folder.write("d.toml", lagging + "inputs = { u = 'none.csv' }\n");
+  EXPECT_TRUE(contains(tandem(folder, {"run", "d.toml"}).err, "none.csv"));
+  EXPECT_EQ(tandem(folder, {"run", "d.toml", "--set", "blocks.x.input=3"}).status, 2);
+}
+
+/// What SUNDIALS says goes into the one sentence of the error.
+TEST(RunCommand, MessagesOfSundialsComeWithTheSubsystemsNameAndNeverAlone) {
+  const Scratch folder;
+  for (const char* integrator : {"cvode_adams", "cvode_bdf", "erkstep", "arkstep"}) {
+    const Said said = run(folder,
+                          "x = { kind = 'integrator', input = 'r', initial = 1 }\n"
+                          "r = { kind = 'product', inputs = ['x', 'x', 'x'] }",
+                          "step = 0.01, integrator = '" + std::string(integrator) + "'");
+    EXPECT_EQ(said.status, 1);
+    EXPECT_EQ(std::count(said.err.begin(), said.err.end(), '\n'), 1) << said.err;
+    EXPECT_TRUE(contains(said.err, "subsystem 'd': ")) << said.err;
   }
 }
 

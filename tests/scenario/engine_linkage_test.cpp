@@ -16,12 +16,12 @@
 namespace tandem {
 namespace {
 
-const std::filesystem::path folder = TANDEM_SOURCE_DIR "/scenarios/engine_linkage";
+const std::filesystem::path scene_folder = TANDEM_SOURCE_DIR "/scenarios/engine_linkage";
 
 /// The bar's speed at times that ascend, by CVODE at 1e-10 on the equation of one degree of freedom.
 std::vector<double> exact_speed(const std::vector<double>& times) {
   const auto program =
-      engine::compile(engine_linkage::monolithic(engine::read_diagram(folder / "engine.toml"), 1));
+      engine::compile(engine_linkage::monolithic(engine::read_diagram(scene_folder / "engine.toml"), 1));
   engine::Simulation run(
       program, nullptr,
       engine::make_integrator(
@@ -45,7 +45,7 @@ TEST(EngineLinkage, TheOneDegreeOfFreedomRunsAtThePrintedSpeeds) {
 TEST(EngineLinkage, CoupledItStaysNearTheTruth) {
   const test::Scratch scratch;
   const auto said =
-      test::tandem(scratch, {"run", (folder / "engine_linkage.toml").string(), "--output", "o"});
+      test::tandem(scratch, {"run", (scene_folder / "engine_linkage.toml").string(), "--output", "o"});
   ASSERT_EQ(said.status, 0) << said.err;
   const auto table = text::TimeTable::read(scratch.path() / "o");
   const auto column =

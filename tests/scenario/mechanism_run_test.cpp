@@ -96,13 +96,13 @@ TEST(RunCommand, DumpsTheMatricesOfAMechanism) {
 }
 
 /// Arguments after the file, and words of the sentence.
-struct Bad {
+struct BadArguments {
   std::vector<std::string> arguments, words;
 };
 
 TEST(RunCommand, RefusesWhatAMechanismCanNotDo) {
   const Scratch folder;
-  const Bad list[] = {
+  const BadArguments list[] = {
       {{"--set", "run.formulation=index4"}, {"'index4'", "index3"}},
       {{"--set", "run.integrator=rk4"}, {"index3 has Newmark's method merged in"}},
       {{"--set", "run.step=-1"}, {"step is -1 s", "above 0"}},
@@ -115,7 +115,7 @@ TEST(RunCommand, RefusesWhatAMechanismCanNotDo) {
       {{"--set", "run.step=1000"}, {"run.step is the number 1000", "from run.start to run.stop"}},
       {{"--set", "gravity=3"}, {"run.KEY"}},
       {{"--set", "run.stop=-3"}, {"run.stop", "-3"}}};
-  for (const Bad& bad : list) {
+  for (const BadArguments& bad : list) {
     std::vector<std::string> arguments = {"run", mechanism_file("pendulum")};
     arguments.insert(arguments.end(), bad.arguments.begin(), bad.arguments.end());
     const Said said = tandem(folder, arguments);

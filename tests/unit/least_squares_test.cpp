@@ -45,7 +45,7 @@ double by_node_rule(const std::vector<double>& nodes, int degree, int extra, dou
 // Beyond the newest node by up to a step, a fit of degree 4 through 6 points magnifies rounding by its
 // Lebesgue function, below 100; the values are about 1 and the weights take some 20 operations: 20 eps 100 =
 // 4e-13, taken 10 times.
-constexpr double rounding = 4e-12;
+constexpr double fit_rounding = 4e-12;
 
 TEST(LeastSquaresLink, IsThePlainFitOfTheNewestSamplesOfEachSegment) {
   const std::vector<double> nodes = uneven_nodes();
@@ -55,7 +55,7 @@ TEST(LeastSquaresLink, IsThePlainFitOfTheNewestSamplesOfEachSegment) {
       bench.give_all(nodes, noisy);
       const Signal signal = bench.read(0.0, 4.0);
       for (double t = 0.01; t < nodes.back() + 0.1; t += 0.0537)
-        ASSERT_NEAR(signal.value(t), by_node_rule(nodes, degree, extra, t), rounding)
+        ASSERT_NEAR(signal.value(t), by_node_rule(nodes, degree, extra, t), fit_rounding)
             << degree << "_" << extra << " at " << t;
     }
 }
@@ -69,7 +69,7 @@ TEST(LeastSquaresLink, IsExactForPolynomialsOfItsDegree) {
       bench.give_all(nodes, p);
       const Signal signal = bench.read(0.0, 4.0);
       for (double t = nodes[static_cast<std::size_t>(degree)]; t < nodes.back() + 0.1; t += 0.0537)
-        ASSERT_NEAR(signal.value(t), p(t), 300.0 * rounding)
+        ASSERT_NEAR(signal.value(t), p(t), 300.0 * fit_rounding)
             << degree << "_" << extra << " at " << t;  // |p| < 300 up to 3.2
     }
 }
@@ -96,7 +96,7 @@ TEST(LeastSquaresLink, FitsNothingAcrossAJump) {
     }
     const Signal signal = bench.read(0.0, 4.0);
     for (double t = nodes[jump] + 0.01; t < nodes.back() + 0.1; t += 0.0537)
-      ASSERT_NEAR(signal.value(t), by_node_rule(nodes, degree, 4, t, jump), rounding)
+      ASSERT_NEAR(signal.value(t), by_node_rule(nodes, degree, 4, t, jump), fit_rounding)
           << degree << " at " << t;
   }
 }

@@ -20,7 +20,7 @@ void give(LinkBench& bench, const Polynomial& p, double t, bool jump = false) {
 
 // |p| < 100 and |p'| < 100 up to t = 3; beyond the last step of 0.2 the cubic is evaluated at up to 6.5
 // steps, which magnifies a rounding error by up to 6.5^3 * 10: below 1e-10.
-constexpr double rounding = 1e-10;
+constexpr double hermite_rounding = 1e-10;
 
 TEST(HermiteLink, IsExactForCubicsBetweenAndBeyondTheSamples) {
   const Polynomial p = Polynomial::of_degree(3);
@@ -28,9 +28,9 @@ TEST(HermiteLink, IsExactForCubicsBetweenAndBeyondTheSamples) {
   for (const double t : nodes) give(bench, p, t);
   const Signal a = bench.read(0.0, 3.0, 0), b = bench.read(0.0, 3.0, 1);
   for (double t = 0.0; t < 3.0; t += 1.0 / 64.0) {
-    EXPECT_NEAR(a.value(t), p(t), rounding) << t;
-    EXPECT_NEAR(b.value(t), 2.0 * p(t), 2.0 * rounding) << t;
-    EXPECT_NEAR(a.derivative(t), p.derivative()(t), 30.0 * rounding) << t;
+    EXPECT_NEAR(a.value(t), p(t), hermite_rounding) << t;
+    EXPECT_NEAR(b.value(t), 2.0 * p(t), 2.0 * hermite_rounding) << t;
+    EXPECT_NEAR(a.derivative(t), p.derivative()(t), 30.0 * hermite_rounding) << t;
   }
 }
 
@@ -61,13 +61,13 @@ TEST(HermiteLink, StartsAgainWithTheTangentAfterAJump) {
   for (const double t : {0.0, 0.3, 0.4}) give(bench, before, t);
   give(bench, after, 0.4, true);
   const double tangent = after(0.4) + 0.1 * after.derivative()(0.4);
-  EXPECT_NEAR(bench.read(0.4, 0.5).value(0.5), tangent, rounding);
+  EXPECT_NEAR(bench.read(0.4, 0.5).value(0.5), tangent, hermite_rounding);
   for (const double t : {0.8, 1.5}) give(bench, after, t);
   const Signal signal = bench.read(0.0, 1.5);
-  for (double t = 0.01; t < 0.4; t += 0.1) EXPECT_NEAR(signal.value(t), before(t), rounding) << t;
-  EXPECT_NEAR(signal.value(0.4), before(0.4), rounding)
+  for (double t = 0.01; t < 0.4; t += 0.1) EXPECT_NEAR(signal.value(t), before(t), hermite_rounding) << t;
+  EXPECT_NEAR(signal.value(0.4), before(0.4), hermite_rounding)
       << "the jump's own time belongs to what was before it";
-  for (double t = 0.41; t < 2.0; t += 0.1) EXPECT_NEAR(signal.value(t), after(t), rounding) << t;
+  for (double t = 0.41; t < 2.0; t += 0.1) EXPECT_NEAR(signal.value(t), after(t), hermite_rounding) << t;
 }
 
 }  // namespace

@@ -8,8 +8,6 @@
 namespace tandem {
 namespace {
 
-using Kind = Reconstruction::Kind;
-
 TEST(Reconstruction, NamesAreReadAndWrittenAlike) {
   std::vector<std::string> names = {"hermite", "mean", "matched_hold"};
   for (int d = 0; d <= 4; ++d) {
@@ -21,10 +19,11 @@ TEST(Reconstruction, NamesAreReadAndWrittenAlike) {
 }
 
 TEST(Reconstruction, ANameSaysKindDegreeAndExtraSamples) {
-  EXPECT_EQ(Reconstruction::parse("lagrange3"), (Reconstruction{Kind::lagrange, 3, 0}));
-  EXPECT_EQ(Reconstruction::parse("least_squares2_4"), (Reconstruction{Kind::least_squares, 2, 4}));
+  EXPECT_EQ(Reconstruction::parse("lagrange3"), (Reconstruction{Reconstruction::Kind::lagrange, 3, 0}));
+  EXPECT_EQ(Reconstruction::parse("least_squares2_4"),
+            (Reconstruction{Reconstruction::Kind::least_squares, 2, 4}));
   EXPECT_EQ(Reconstruction::parse("least_squares1_16").extra, 16);
-  EXPECT_EQ(Reconstruction::parse("matched_hold"), Reconstruction{Kind::matched_hold});
+  EXPECT_EQ(Reconstruction::parse("matched_hold"), Reconstruction{Reconstruction::Kind::matched_hold});
 }
 
 TEST(Reconstruction, AnyOtherNameIsRefusedWithTheListOfThem) {

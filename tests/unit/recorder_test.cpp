@@ -20,7 +20,7 @@ using test::Scratch;
 using test::Scripted;
 using text::TimeTable;
 
-double cubic(double t) { return 1.0 - 2.0 * t + 0.5 * t * t * t; }
+double cubic_of_time(double t) { return 1.0 - 2.0 * t + 0.5 * t * t * t; }
 double slope(double t) { return -2.0 + 1.5 * t * t; }
 double line(double t) { return 3.0 - 7.0 * t; }
 
@@ -28,15 +28,15 @@ double line(double t) { return 3.0 - 7.0 * t; }
 Scripted shapes(double own_step) {
   SubsystemInfo info{"shapes", {}, {{"c", "m", 1, 1}, {"l", "N"}, {"a", "1", 2}}, {}, {}};
   return {info, own_step, [](double t, const std::vector<double>&, double* y) {
-            const double row[] = {cubic(t), line(t), 2.0 * t, std::sin(t), slope(t), 0.0, 0.0, 0.0};
+            const double row[] = {cubic_of_time(t), line(t), 2.0 * t, std::sin(t), slope(t), 0.0, 0.0, 0.0};
             std::copy(std::begin(row), std::end(row), y);
           }};
 }
 
 /// A run of shapes, one for each own step, named "a", "b", ... and not connected.
-struct Bench {
-  explicit Bench(const std::vector<double>& own_steps, double t_stop = 2.0,
-                 const Coordination& coordination = {}) {
+struct RecorderBench {
+  explicit RecorderBench(const std::vector<double>& own_steps, double t_stop = 2.0,
+                         const Coordination& coordination = {}) {
     for (const double h : own_steps) subsystems.push_back(std::make_unique<Scripted>(shapes(h)));
     std::vector<Subsystem*> all;
     for (std::size_t i = 0; i < subsystems.size(); ++i) {
@@ -67,7 +67,7 @@ const std::vector<double>& column(const TimeTable& table, const std::string& nam
 
 TEST(Recorder, RowsStandAtTheOwnStepsOfTheSmallestStep) {
   const Scratch folder;
-  Bench({0.25, 0.1}).record({folder.path(), "", false, {}});
+  RecorderBench({0.25, 0.1}).record({folder.path(), "", false, {}});
   const TimeTable table = TimeTable::read(folder.path());
   ASSERT_EQ(table.times.size(), 21U);
   for (std::size_t k = 0; k < table.times.size(); ++k)
@@ -76,14 +76,14 @@ TEST(Recorder, RowsStandAtTheOwnStepsOfTheSmallestStep) {
             (std::vector<std::string>{"a.c", "a.l", "a.a[0]", "a.a[1]", "b.c", "b.l", "b.a[0]", "b.a[1]"}));
 }
 
-/// Hermite is exact for the cubic, linear interpolation for the line: errors are rounding, below 1e-14 at
-/// values below 12.
+/// Hermite is exact for the cubic, linear interpolation for the line: errors are rounding, below
+/// 1e-14 at values below 12.
 TEST(Recorder, OtherOutputsAreInterpolatedByHermiteOrLinearly) {
   const Scratch folder;
-  const auto recorder = Bench({0.25, 0.1}).record({folder.path(), "", false, {}});
+  const auto recorder = RecorderBench({0.25, 0.1}).record({folder.path(), "", false, {}});
   const TimeTable table = TimeTable::read(folder.path());
   for (std::size_t k = 0; k < table.times.size(); ++k) {
-    EXPECT_NEAR(column(table, "a.c")[k], cubic(table.times[k]), 1e-14);
+    EXPECT_NEAR(column(table, "a.c")[k], cubic_of_time(table.times[k]), 1e-14);
     EXPECT_NEAR(column(table, "a.l")[k], line(table.times[k]), 1e-14);
   }
   EXPECT_EQ(recorder->columns()[0].fill, Recorder::Fill::hermite);
@@ -95,46 +95,46 @@ TEST(Recorder, OtherOutputsAreInterpolatedByHermiteOrLinearly) {
 
 TEST(Recorder, NumbersReadBackTheSameToTheLastBit) {
   const Scratch folder;
-  Bench bench({0.1});
+  RecorderBench bench({0.1});
   bench.record({folder.path(), "", false, {}});
   const TimeTable table = TimeTable::read(folder.path());
   for (std::size_t k = 0; k < table.times.size(); ++k) {
     EXPECT_EQ(column(table, "a.a[1]")[k], std::sin(static_cast<double>(k) * 0.1));
-    EXPECT_EQ(column(table, "a.c")[k], cubic(static_cast<double>(k) * 0.1));
+    EXPECT_EQ(column(table, "a.c")[k], cubic_of_time(static_cast<double>(k) * 0.1));
   }
 }
 
 TEST(Recorder, AnyInstanceCanBeTheClock) {
   const Scratch folder;
-  Bench({0.25, 0.1}).record({folder.path(), "a", false, {}});
+  RecorderBench({0.25, 0.1}).record({folder.path(), "a", false, {}});
   const TimeTable table = TimeTable::read(folder.path());
   EXPECT_EQ(table.times.size(), 9U);
-  EXPECT_EQ(column(table, "a.c")[3], cubic(0.75));
-  EXPECT_NEAR(column(table, "b.c")[3], cubic(0.75), 1e-14);
+  EXPECT_EQ(column(table, "a.c")[3], cubic_of_time(0.75));
+  EXPECT_NEAR(column(table, "b.c")[3], cubic_of_time(0.75), 1e-14);
 }
 
 TEST(Recorder, OwnModeWritesAFileForEachSubsystem) {
   const Scratch folder;
-  const auto recorder = Bench({0.25, 0.1}).record({folder.path(), "", true, {}});
+  const auto recorder = RecorderBench({0.25, 0.1}).record({folder.path(), "", true, {}});
   EXPECT_EQ(recorder->files().size(), 2U);
   const TimeTable a = TimeTable::read(folder.path() / "results.a.csv"),
                   b = TimeTable::read(folder.path() / "results.b.csv");
   EXPECT_EQ(a.times.size(), 9U);
   EXPECT_EQ(b.times.size(), 21U);
   EXPECT_EQ(a.names, (std::vector<std::string>{"a.c", "a.l", "a.a[0]", "a.a[1]"}));
-  EXPECT_EQ(column(b, "b.c")[7], cubic(7.0 * 0.1));
+  EXPECT_EQ(column(b, "b.c")[7], cubic_of_time(7.0 * 0.1));
   EXPECT_EQ(recorder->columns()[0].fill, Recorder::Fill::own);
 }
 
 TEST(Recorder, WritesOnlyThePortsThatAreNamed) {
   const Scratch folder;
-  Bench({0.25, 0.1}).record({folder.path(), "", false, {"b.a", "a.a[1]", "b.l"}});
+  RecorderBench({0.25, 0.1}).record({folder.path(), "", false, {"b.a", "a.a[1]", "b.l"}});
   EXPECT_EQ(TimeTable::read(folder.path()).names,
             (std::vector<std::string>{"a.a[1]", "b.l", "b.a[0]", "b.a[1]"}));
 }
 
 TEST(Recorder, RefusesPortsAndClocksThatAreNotThere) {
-  const Bench bench({0.25, 0.1});
+  const RecorderBench bench({0.25, 0.1});
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'a.x'", "a.a[1]"}, [&] {
     Recorder(*bench.run, {".", "", false, {"a.x"}});
   }));
@@ -146,12 +146,12 @@ TEST(Recorder, RefusesPortsAndClocksThatAreNotThere) {
 /// The slow side can't land: its last node is 1.8, so from 1.9 on it has no sample.
 TEST(Recorder, LeavesCellsEmptyAfterASubsystemsLastSample) {
   const Scratch folder;
-  const auto recorder = Bench({0.6, 0.1}).record({folder.path(), "", false, {"a.c", "b.c"}});
+  const auto recorder = RecorderBench({0.6, 0.1}).record({folder.path(), "", false, {"a.c", "b.c"}});
   const TimeTable table = TimeTable::read(folder.path());
   ASSERT_EQ(table.times.size(), 21U);
-  EXPECT_NEAR(column(table, "a.c")[18], cubic(1.8), 1e-14);
+  EXPECT_NEAR(column(table, "a.c")[18], cubic_of_time(1.8), 1e-14);
   EXPECT_TRUE(std::isnan(column(table, "a.c")[19]));
-  EXPECT_EQ(column(table, "b.c")[20], cubic(2.0));
+  EXPECT_EQ(column(table, "b.c")[20], cubic_of_time(2.0));
   ASSERT_EQ(recorder->notes().size(), 1U);
   EXPECT_NE(recorder->notes()[0].find("'a' are empty after t = 1.7999999999999998 s"), std::string::npos)
       << recorder->notes()[0];
@@ -160,7 +160,7 @@ TEST(Recorder, LeavesCellsEmptyAfterASubsystemsLastSample) {
 /// A million numbers, far more than the memory that is reserved, and a clock that leads by up to 300 rows.
 TEST(Recorder, LongRunsAreWrittenInPieces) {
   const Scratch folder;
-  Bench({0.3, 0.001}, 60.0).record({folder.path(), "", false, {}});
+  RecorderBench({0.3, 0.001}, 60.0).record({folder.path(), "", false, {}});
   const TimeTable table = TimeTable::read(folder.path());
   ASSERT_EQ(table.times.size(), 60001U);
   for (std::size_t k = 0; k < table.times.size(); k += 7) {
@@ -171,7 +171,7 @@ TEST(Recorder, LongRunsAreWrittenInPieces) {
 
 TEST(Recorder, ARunThatFailsKeepsWhatWasRecorded) {
   const Scratch folder;
-  Bench bench({0.25, 0.1});
+  RecorderBench bench({0.25, 0.1});
   Scripted& fast = *bench.subsystems[1];
   fast.instead_of_advance = [&](double limit, bool, std::span<const Signal> u, Samples& y) {
     if (limit > 1.2) throw Error(ErrorCode::numerical, "it broke");
@@ -195,7 +195,7 @@ TEST(Recorder, ACallThatFailsKeepsTheStepsThatItTook) {
       const Scratch folder;
       Coordination coordination;
       coordination.schedule = schedule;
-      Bench bench({1.0, 0.1}, 2.0, coordination);
+      RecorderBench bench({1.0, 0.1}, 2.0, coordination);
       Scripted& fast = *bench.subsystems[1];
       fast.instead_of_advance = [&](double limit, bool, std::span<const Signal> u, Samples& y) {
         while (fast.grid().fits(limit)) {
@@ -216,7 +216,7 @@ TEST(Recorder, ACallThatFailsKeepsTheStepsThatItTook) {
 }
 
 TEST(Recorder, NamesAFolderThatCannotBeWrittenTo) {
-  Bench bench({0.25});
+  RecorderBench bench({0.25});
   Recorder recorder(*bench.run, {"/dev/null/folder", "", false, {}});
   bench.run->observe(&recorder);
   EXPECT_TRUE(refuses(ErrorCode::input_output, {"'/dev/null/folder'", "Not a directory"},
@@ -226,7 +226,7 @@ TEST(Recorder, NamesAFolderThatCannotBeWrittenTo) {
 TEST(Recorder, ARunThatCannotBeginLeavesEarlierResults) {
   const Scratch folder;
   folder.write("results.csv", "earlier");
-  Bench bench({0.25});
+  RecorderBench bench({0.25});
   bench.subsystems[0]->instead_of_initialize = [](double, std::span<const double>, Samples&) -> Clock {
     throw Error(ErrorCode::numerical, "no start");
   };
@@ -240,7 +240,7 @@ TEST(Recorder, ARunThatCannotBeginLeavesEarlierResults) {
 TEST(Recorder, AFullDiskIsAnErrorOnceAndNotInTheDestructor) {
   const Scratch folder;
   std::filesystem::create_symlink("/dev/full", folder.path() / "results.csv");
-  Bench bench({0.25});
+  RecorderBench bench({0.25});
   Recorder recorder(*bench.run, {folder.path(), "", false, {}});
   bench.run->observe(&recorder);
   bench.run->run();

@@ -44,6 +44,25 @@ TEST(Schedule, FastestFirstAtRatioTwoAndAHalfGoesPastTheSlowSidesNode) {
             "F2 F3 S2.5 F5 S5 F7 F8 S7.5 F10 S10");
 }
 
+/// S reads A and B, and both read S.
+std::string star(Kind kind, std::vector<int> order) {
+  const std::vector<Walker> walkers = {{'S', 3.0}, {'A', 1.0}, {'B', 1.0}};
+  Schedule schedule(kind, std::move(order), {0.0, 3.0}, 3.0);
+  schedule.set_reads({0, 1, 1, 1, 0, 0, 1, 0, 0});
+  return ScheduleBench(walkers, 0.0, 3.0).run(std::move(schedule));
+}
+
+TEST(Schedule, TurnsThatComeNextInAnyCaseShareARoundIfNeitherReadsTheOther) {
+  EXPECT_EQ(star(Kind::slowest_first, {0, 1, 2}), "S3 (A1 B1) (A2 B2) (A3 B3)");
+  EXPECT_EQ(star(Kind::fastest_first, {1, 2, 0}), "(A1 B1) (A2 B2) (A3 B3) S3");
+}
+
+TEST(Schedule, ARoundHasAtMostOneTurnForEach) {
+  Schedule schedule(Kind::slowest_first, {0, 1}, {0.0, 2.0}, 1.0);
+  schedule.set_reads({0, 0, 0, 0});
+  EXPECT_EQ(ScheduleBench({{'A', 1.0}, {'B', 1.0}}, 0.0, 2.0).run(std::move(schedule)), "(A1 B1) (A2 B2)");
+}
+
 TEST(Schedule, RolesMayBeSwappedByOrder) {
   EXPECT_EQ(turns(Kind::slowest_first, {{'F', 1.0}, {'S', 2.5}}, {0, 1}, 5.0), "F2 F3 S2.5 F5 S5");
 }

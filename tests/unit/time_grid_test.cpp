@@ -11,7 +11,7 @@ namespace tandem {
 namespace {
 
 using test::refuses;
-constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr double grid_eps = std::numeric_limits<double>::epsilon();
 constexpr std::int64_t ten_million = 10'000'000;
 
 TEST(TimeGrid, TenMillionStepsOfATenthEndAtAMillion) {
@@ -40,8 +40,9 @@ TEST(TimeGrid, NodesAreMultipliedForStepsOfAnySizeAndStart) {
     }
 }
 
-/// n h2 = k h1 with h1 a decimal and h2 = h1 m / q. The bounds are derived in time_grid.hpp: 2 eps |t| from
-/// t_start = 0, else 5 eps max(|t|, |t_start|) (3.998 were found in 6e7 random cases with t near -t_start).
+/// n h2 = k h1 with h1 a decimal and h2 = h1 m / q. The bounds are derived in time_grid.hpp: 2 eps |t|
+/// from t_start = 0, else 5 eps max(|t|, |t_start|) (3.998 were found in 6e7 random cases with t near
+/// -t_start).
 void meet_at_common_nodes(double t_start, double largest) {
   std::mt19937_64 random(1);
   const TimeTolerance tolerance(t_start);
@@ -57,7 +58,8 @@ void meet_at_common_nodes(double t_start, double largest) {
       rounds = std::clamp<std::int64_t>(std::llround(-t_start / (h2 * static_cast<double>(q))), 1, round);
     const double t1 = t_start + static_cast<double>(rounds * m) * h1,
                  t2 = t_start + static_cast<double>(rounds * q) * h2;
-    ASSERT_LE(std::abs(t1 - t2), largest * eps * std::max({std::abs(t1), std::abs(t2), std::abs(t_start)}));
+    ASSERT_LE(std::abs(t1 - t2),
+              largest * grid_eps * std::max({std::abs(t1), std::abs(t2), std::abs(t_start)}));
     ASSERT_FALSE(tolerance.before(t1, t2) || tolerance.before(t2, t1)) << h1 << " " << h2 << " " << rounds;
   }
 }
@@ -69,11 +71,11 @@ TEST(TimeTolerance, GridsThatMeetByDefinitionMeetFromAnyStart) {
 
 TEST(TimeTolerance, TellsNeighbouringTimesApart) {
   const TimeTolerance tolerance(0.0);
-  EXPECT_TRUE(tolerance.before(1e6, 1e6 + 2e-9));  // the width is 6 eps 1e6 = 1.4e-9
+  EXPECT_TRUE(tolerance.before(1e6, 1e6 + 2e-9));  // the width is 6 grid_eps 1e6 = 1.4e-9
   EXPECT_TRUE(tolerance.before(0.0, 1e-300));
   EXPECT_FALSE(tolerance.before(1.0, 1.0));
-  EXPECT_FALSE(tolerance.before(1.0 + eps, 1.0));
-  EXPECT_FALSE(tolerance.before(1.0, 1.0 + eps));
+  EXPECT_FALSE(tolerance.before(1.0 + grid_eps, 1.0));
+  EXPECT_FALSE(tolerance.before(1.0, 1.0 + grid_eps));
 }
 
 TEST(TimeGrid, ACutLeavesTheGridAsItWas) {

@@ -17,16 +17,8 @@ namespace {
 void take_query(const std::string& uri, std::string& text, Parameters& parameters) {
   const auto mark = text.find('?');
   if (mark == std::string::npos) return;
-  std::string query = text.substr(mark + 1) + "&";
+  parameters.read(text.substr(mark + 1), "source '" + uri + "'");
   text.resize(mark);
-  for (std::size_t begin = 0, end; (end = query.find('&', begin)) != std::string::npos; begin = end + 1) {
-    const std::string pair = query.substr(begin, end - begin);
-    const auto equals = pair.find('=');
-    if (equals == std::string::npos || equals == 0)
-      refuse(uri, "has '" + pair + "' where key=value is allowed");
-    if (parameters.has(pair.substr(0, equals))) refuse(uri, "gives '" + pair.substr(0, equals) + "' twice");
-    parameters.set(pair.substr(0, equals), pair.substr(equals + 1));
-  }
 }
 
 template <class Builders>
@@ -41,6 +33,7 @@ const typename Builders::mapped_type& find(const Builders& builders, const std::
 std::string schemes(const Builtins& builtins) {
   std::string text = "builtin:NAME";
   for (const auto& [scheme, builder] : builtins.files) text += ", " + scheme + ":FILE";
+  for (const auto& [scheme, builder] : builtins.addresses) text += ", " + scheme + ":...";
   return text;
 }
 
@@ -50,13 +43,18 @@ std::unique_ptr<Subsystem> open(const std::string& uri, const Builtins& builtins
   const auto colon = uri.find(':');
   const std::string scheme = uri.substr(0, colon);
   const auto file = builtins.files.find(scheme);
-  if (colon == std::string::npos || (scheme != "builtin" && file == builtins.files.end()))
+  const auto address = builtins.addresses.find(scheme);
+  const bool known =
+      scheme == "builtin" || file != builtins.files.end() || address != builtins.addresses.end();
+  if (colon == std::string::npos || !known)
     refuse(uri, "has a scheme that is not known; allowed is " + schemes(builtins));
   std::string name = uri.substr(colon + 1);
   Parameters& parameters = opening.parameters;
   take_query(uri, name, parameters);
   auto subsystem = scheme == "builtin" ? find(builtins.models, name)(parameters)
-                                       : file->second(opening.folder / name, parameters);
+                   : file != builtins.files.end()
+                       ? file->second(opening.folder / name, parameters)
+                       : address->second({uri, scheme, name, opening.folder}, parameters);
   parameters.refuse_unused("source '" + uri + "'");
   return subsystem;
 }

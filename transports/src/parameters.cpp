@@ -19,7 +19,45 @@ namespace {
               "parameter '" + name + "' is " + found + "; " + wanted + " is allowed");
 }
 
+std::string text_of(const Parameters::Value& value) {
+  if (const bool* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
+  if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  char digits[32];
+  return {digits, std::to_chars(digits, digits + sizeof digits, std::get<double>(value)).ptr};
+}
+
+[[noreturn]] void refuse(const std::string& name, double value, const std::string& allowed) {
+  throw Error(ErrorCode::invalid_argument,
+              "parameter '" + name + "' is " + text_of(value) + "; allowed is a number " + allowed);
+}
+
 }  // namespace
+
+void Parameters::read(const std::string& pairs, const std::string& owner) {
+  const std::string all = pairs + "&";
+  for (std::size_t begin = 0, end; (end = all.find('&', begin)) != std::string::npos; begin = end + 1) {
+    const std::string pair = all.substr(begin, end - begin);
+    const auto equals = pair.find('=');
+    if (equals == std::string::npos || equals == 0)
+      throw Error(ErrorCode::invalid_argument, owner + " has '" + pair + "' where key=value is allowed");
+    if (has(pair.substr(0, equals)))
+      throw Error(ErrorCode::invalid_argument, owner + " gives '" + pair.substr(0, equals) + "' twice");
+    set(pair.substr(0, equals), pair.substr(equals + 1));
+  }
+}
+
+std::string Parameters::rest() {
+  std::string pairs;
+  for (const auto& [name, value] : values_) {
+    if (!asked_.insert(name).second) continue;
+    const std::string text = text_of(value);
+    if (text.find('&') != std::string::npos)
+      throw Error(ErrorCode::invalid_argument,
+                  "parameter '" + name + "' is the text '" + text + "'; a text without '&' is allowed here");
+    pairs += (pairs.empty() ? "" : "&") + name + "=" + text;
+  }
+  return pairs;
+}
 
 const Parameters::Value* Parameters::find(const std::string& name) {
   asked_.insert(name);
@@ -61,6 +99,18 @@ void Parameters::refuse_unused(const std::string& owner) const {
     if (asked_.count(name)) continue;
     throw Error(ErrorCode::invalid_argument, unknown(owner + ": parameter", name, known));
   }
+}
+
+double positive(Parameters& parameters, const std::string& name, double otherwise) {
+  const double value = parameters.number(name, otherwise);
+  if (!(value > 0.0)) refuse(name, value, "above 0");
+  return value;
+}
+
+double not_negative(Parameters& parameters, const std::string& name, double otherwise) {
+  const double value = parameters.number(name, otherwise);
+  if (!(value >= 0.0)) refuse(name, value, "from 0");
+  return value;
 }
 
 }  // namespace tandem

@@ -18,6 +18,8 @@ extern const std::vector<BlockKind> source_blocks, algebraic_blocks, table_block
 
 /// A block by its kind.
 void lower(const Block& block, Lowering& to);
+/// What stands in a diagram: its blocks and limits.
+void lower_contents(const Description& diagram, Lowering& to);
 void lower_compiled(const CompiledBlock& kind, Lowering& to, Arguments& a);
 
 }  // namespace tandem::engine

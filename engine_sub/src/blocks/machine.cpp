@@ -38,6 +38,7 @@ class Machine {
       transition(part);
       part.refuse_unknown();
     }
+    keep_apart();
     if (lock_ > 0.0) to_.update(rises(to_.difference(to_.time(), unlocked_)), free_, to_.constant(1.0));
   }
 
@@ -45,6 +46,14 @@ class Machine {
   struct Output {
     int now, before;
     std::vector<int> of;  ///< by state
+  };
+
+  /// Of a transition, what the one back has to agree with.
+  struct Way {
+    std::size_t from, next;
+    int input, threshold;
+    bool above;
+    std::string where;
   };
 
   void outputs() {
@@ -84,11 +93,24 @@ class Machine {
     if (dwell < 0.0) t.refuse("dwell", fmt::format("{}", dwell), "0 or more [s]");
     const int enabled = to_.operation(Code::product, is_[from], free_);
     const int armed = to_.operation(Code::select, condition(t), to_.constant(-1.0), {}, enabled);
+    const bool above = t.has("above");
+    ways_.push_back({from, next, t.wire("input"), t.wire(above ? "above" : "below"), above, t.where()});
     if (dwell == 0.0) return take(rises(armed), next);
     const int due = to_.held(never);
     to_.update(rises(armed), due, to_.linear(dwell, 1.0, to_.time()));
     to_.update(to_.crossing(armed, Direction::falling), due, to_.constant(never));
     take(rises(to_.difference(to_.time(), due)), next);
+  }
+
+  /// A way up and the way back down on the same input: with thresholds in the wrong order it would go to and
+  /// fro.
+  void keep_apart() {
+    for (const Way& up : ways_)
+      for (const Way& down : ways_)
+        if (up.above && !down.above && up.from == down.next && up.next == down.from && up.input == down.input)
+          to_.orders.push_back(
+              {up.threshold, down.threshold, up.where, a_.owner(),
+               fmt::format("the threshold from '{}' to '{}'", names_[up.from], names_[up.next])});
   }
 
   std::size_t state(Arguments& t, const std::string& key) {
@@ -128,6 +150,7 @@ class Machine {
   int free_, entered_, unlocked_;
   double lock_;
   std::vector<Output> outputs_;
+  std::vector<Way> ways_;
 };
 
 void machine(Lowering& to, Arguments& a) { Machine(to, a).lower(); }

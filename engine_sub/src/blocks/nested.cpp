@@ -12,10 +12,14 @@ std::vector<int> contents(Lowering& to, Arguments& a, int trigger) {
     refuse(a.where(),
            a.owner() + " has no diagram; allowed is file, the name of its file, or diagram, a table");
   std::vector<int> inputs, outputs;
-  for (const Input& input : inner->inputs) inputs.push_back(a.wire(input.name));
+  for (const Input& input : inner->inputs) {
+    inputs.push_back(a.wire(input.name));
+    to.port_units.push_back(
+        {inputs.back(), input.unit, a.owner() + ": input '" + input.name + "'", a.where()});
+  }
   const auto outside = to.enter(a.block().name, *inner, trigger);
   for (std::size_t k = 0; k < inputs.size(); ++k) to.alias(inner->inputs[k], inputs[k]);
-  for (const Block& block : inner->blocks) lower(block, to);
+  lower_contents(*inner, to);
   for (const Output& output : inner->outputs) {
     const auto* name = std::get_if<std::string>(&output.from);
     outputs.push_back(name ? to.named(*name, output.where) : to.constant(std::get<double>(output.from)));
@@ -25,14 +29,20 @@ std::vector<int> contents(Lowering& to, Arguments& a, int trigger) {
 }
 
 /// "BLOCK.output" for each, and the block's own name where there is one.
-void define(Lowering& to, const Description& inner, const std::vector<int>& outputs) {
-  for (std::size_t k = 0; k < outputs.size(); ++k) to.define(inner.outputs[k].name, outputs[k]);
+void define(Lowering& to, const Arguments& a, const std::vector<int>& outputs) {
+  const Description& inner = *a.block().diagram;
+  for (std::size_t k = 0; k < outputs.size(); ++k) {
+    const Output& output = inner.outputs[k];
+    to.define(output.name, outputs[k]);
+    to.port_units.push_back(
+        {outputs[k], output.unit, a.owner() + ": output '" + output.name + "'", output.where});
+  }
   if (outputs.size() == 1) to.define("", outputs[0]);
 }
 
 void diagram(Lowering& to, Arguments& a) {
   const auto outputs = contents(to, a, -1);
-  define(to, *a.block().diagram, outputs);
+  define(to, a, outputs);
 }
 
 /// Its outputs are held from event to event; before the first they are what the diagram gives at the start.
@@ -45,7 +55,7 @@ void triggered(Lowering& to, Arguments& a) {
     to.start(held.back(), output);
     to.update(event, held.back(), output);
   }
-  define(to, *a.block().diagram, held);
+  define(to, a, held);
 }
 
 }  // namespace

@@ -1,5 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "kinds.hpp"
@@ -38,10 +41,20 @@ void sine(Lowering& to, Arguments& a) {
   to.define("", to.linear(a.number("mean", 0.0), a.number("amplitude"), wave));
 }
 
+/// Values at their key must be within `low` and `high`, if these are given.
+void check_values(Arguments& a, const std::vector<double>& values) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  const double low = a.number("low", -none), high = a.number("high", none);
+  for (const double value : values)
+    if (!(value >= low && value <= high))
+      a.refuse("values", fmt::format("an array with {}", value), fmt::format("{} to {}", low, high));
+}
+
 /// Straight lines through points of time; before the first and after the last its value.
 void piecewise_linear(Lowering& to, Arguments& a) {
   Curve curve(a.owner(), a.numbers("times"), a.numbers("values"), Curve::Between::linear,
               Curve::Beyond::hold);
+  check_values(a, a.numbers("values"));
   for (const double t : curve.x()) to.kink(t);
   to.define("", to.curve(std::move(curve), to.time()));
 }

@@ -7,9 +7,11 @@
 #include <utility>
 
 #include "blocks/kinds.hpp"
+#include "order.hpp"
 #include "refuse.hpp"
 #include "sort.hpp"
 #include "tandem/nearest.hpp"
+#include "units.hpp"
 
 namespace tandem::engine {
 namespace {
@@ -81,6 +83,8 @@ class Writer {
         program_.image.resize(program_.image.size() + static_cast<std::size_t>(d_.signals[s].size));
         program_.image[place_[s]] = d_.signals[s].start;
         program_.signal_names.push_back(d_.signals[s].name);
+        program_.signal_names.resize(program_.image.size());
+        program_.signal_blocks.resize(program_.image.size(), d_.signals[s].block);
       }
   }
 
@@ -166,18 +170,19 @@ class Writer {
   void write_events() {
     for (const Event& e : d_.events) {
       auto updates = moved(e.updates);
-      if (updates.empty()) continue;
+      if (updates.empty() && e.bound < 0) continue;
       if (e.kind == Event::Kind::own_step)
         program_.step_updates.insert(program_.step_updates.end(), updates.begin(), updates.end());
       else if (e.kind == Event::Kind::crossing)
         program_.crossings.push_back(
-            {at(e.signal), at(e.sign), e.direction, std::move(updates), e.block, e.sees_start});
+            {at(e.signal), at(e.sign), e.direction, std::move(updates), e.block, e.sees_start, e.bound});
       else
         program_.periodics.push_back({e.period, e.offset, at(e.sign), std::move(updates), e.block});
     }
     for (const auto& [user, range] : d_.guards)
       if (alive_[d_.resolved(user)])
         program_.ranges.push_back(range), program_.ranges.back().signal = at(range.signal);
+    program_.bounds = d_.bounds;
     program_.settled = moved(d_.settled);
     program_.starts = moved(d_.starts);
   }
@@ -236,6 +241,12 @@ void lower(const Block& block, Lowering& to) {
   for (const CompiledBlock& kind : to.kinds)
     if (block.kind == kind.kind) lower_compiled(kind, to, arguments);
   arguments.refuse_unknown();
+  keep_units(block, to);
+}
+
+void lower_contents(const Description& diagram, Lowering& to) {
+  for (const Block& block : diagram.blocks) lower(block, to);
+  for (const Limit& limit : diagram.limits) to.watch(limit);
 }
 
 std::vector<std::string> block_kinds() {
@@ -246,16 +257,19 @@ std::vector<std::string> block_kinds() {
 
 Program compile(const Description& diagram) {
   Lowering lowered(diagram);
-  for (const Block& block : diagram.blocks) lower(block, lowered);
+  lower_contents(diagram, lowered);
   std::vector<int> outputs;
   for (const Output& output : diagram.outputs) {
     const auto* name = std::get_if<std::string>(&output.from);
     outputs.push_back(name ? lowered.named(*name, output.where)
                            : lowered.constant(std::get<double>(output.from)));
+    lowered.port_units.push_back({outputs.back(), output.unit, "output '" + output.name + "'", output.where});
   }
   for (const auto& [name, value] : diagram.loops.guess) lowered.named(name, diagram.loops.where);
   lowered.refuse_circles();
   refuse_unknown_signals(lowered);
+  refuse_mixed_units(lowered);
+  refuse_disorder(lowered);
   return Writer(lowered, outputs, diagram.loops).write();
 }
 

@@ -1,6 +1,9 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "lowering.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <utility>
 
 #include "past.hpp"
@@ -13,7 +16,8 @@ Lowering::Lowering(const Description& diagram) : kinds(diagram.kinds), scopes_{{
   names_[{0, "time"}] = 0;
   for (const Input& input : diagram.inputs) {
     alias(input, static_cast<int>(signals.size()));
-    add({Slot::Kind::input, 0.0, input.name});
+    port_units.push_back(
+        {add({Slot::Kind::input, 0.0, input.name}), input.unit, "input '" + input.name + "'", input.where});
   }
 }
 
@@ -188,6 +192,34 @@ int Lowering::periodic(double period, double offset) {
   events[number].period = period;
   events[number].offset = offset;
   return number;
+}
+
+/// Two events: below and above.
+void Lowering::watch(const Limit& limit) {
+  if (!(limit.low < limit.high))
+    refuse(limit.where, fmt::format("limit '{}': low is {}; allowed is below high, {}", full_name(limit.name),
+                                    limit.low, limit.high));
+  if (scope().trigger >= 0)
+    refuse(limit.where, "limit '" + full_name(limit.name) +
+                            "' stands in a triggered diagram; allowed is one in the diagram around it");
+  if (limit.on_leaving == Limit::OnLeaving::ignore) return;
+  const Block* const block = std::exchange(block_, nullptr);
+  const auto* name = std::get_if<std::string>(&limit.signal);
+  const int x = name ? named(*name, limit.where) : constant(std::get<double>(limit.signal));
+  const std::string what =
+      fmt::format("limit '{}': signal '{}' is ", full_name(limit.name), name ? full_name(*name) : "a number");
+  if (std::isfinite(limit.low))
+    bound(limit, linear(limit.low, -1.0, x), what + fmt::format("below {}", limit.low));
+  if (std::isfinite(limit.high))
+    bound(limit, linear(-limit.high, 1.0, x), what + fmt::format("above {}", limit.high));
+  block_ = block;
+}
+
+void Lowering::bound(const Limit& limit, int beyond, const std::string& what) {
+  events.push_back({Event::Kind::crossing, beyond, held(0.0)});
+  events.back().block = full_name(limit.name);
+  events.back().bound = static_cast<int>(bounds.size());
+  bounds.push_back({what, limit.sentence, limit.on_leaving == Limit::OnLeaving::stop});
 }
 
 int Lowering::own_step() { return event(Event::Kind::own_step, -1); }

@@ -49,6 +49,7 @@ struct Event {
   std::vector<Update> updates = {};
   std::string block = {};
   bool sees_start = false;
+  int bound = -1;
 };
 
 /// Collects what blocks come down to: signals, operations, events. Numbers of signals are its own.
@@ -108,6 +109,7 @@ class Lowering {
   /// The event when a signal changes its sign; of what it does the others can be added.
   int crossing(int signal, Crossing::Direction direction);
   int periodic(double period, double offset);
+  void watch(const Limit& limit);
   /// The beginning of each own step.
   int own_step();
   void update(int event, int to, int from) { events[event].updates.push_back({to, from}); }
@@ -135,11 +137,26 @@ class Lowering {
     Range range;
   };
   std::vector<Guard> guards;
-  std::vector<std::string> blocks;  ///< full names of those that have begun
+  std::vector<Bound> bounds;
+  /// A signal that must be above another one wherever that can be seen before a run.
+  struct Order {
+    int above, below;
+    std::string where, owner, sentence;
+  };
+  std::vector<Order> orders;
+  /// A port that says the unit of its signal.
+  struct PortUnit {
+    int signal;
+    std::string unit, name, where;
+  };
+  std::vector<PortUnit> port_units;
+  std::vector<std::pair<int, int>> same_units;  ///< of signals, whichever it is
+  std::vector<std::string> blocks;              ///< full names of those that have begun
 
  private:
   int add(Slot signal);
   int event(Event::Kind kind, int signal);
+  void bound(const Limit& limit, int beyond, const std::string& what);
   void refuse_if_triggered(const std::string& what) const;
   std::map<std::pair<int, std::string>, int> names_;
   std::vector<Scope> scopes_;

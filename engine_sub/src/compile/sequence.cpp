@@ -26,8 +26,7 @@ class Cutter {
   void visit(int step) {
     if (state_[step] != State::unseen) return;
     state_[step] = State::open;
-    for (const Operation& o : d_.steps[step].operations)
-      for (const int from : reads(o)) read(d_.resolved(from));
+    for (const int from : needed_by(d_, d_.steps[step])) read(from);
     state_[step] = State::done;
     sequence.steps.push_back(step);
   }
@@ -60,12 +59,11 @@ class Groups {
     number_[step] = low_[step] = ++count_;
     stack_.push_back(step);
     bool reads_itself = false;
-    for (const Operation& o : d_.steps[step].operations)
-      for (const int from : reads(o)) {
-        const int next = maker_[d_.resolved(from)];
-        reads_itself = reads_itself || next == step;
-        if (next >= 0) follow(step, next);
-      }
+    for (const int from : needed_by(d_, d_.steps[step])) {
+      const int next = maker_[from];
+      reads_itself = reads_itself || next == step;
+      if (next >= 0) follow(step, next);
+    }
     if (low_[step] == number_[step]) close(step, reads_itself);
   }
 
@@ -102,11 +100,10 @@ std::vector<int> circle(const Lowering& d, const std::vector<int>& maker, const 
   std::vector<int> path = {members.front()};
   while (true) {
     int next = -1;
-    for (const Operation& o : d.steps[path.back()].operations)
-      for (const int from : reads(o)) {
-        const int step = maker[d.resolved(from)];
-        if (next < 0 && std::find(members.begin(), members.end(), step) != members.end()) next = step;
-      }
+    for (const int from : needed_by(d, d.steps[path.back()])) {
+      const int step = maker[from];
+      if (next < 0 && std::find(members.begin(), members.end(), step) != members.end()) next = step;
+    }
     const auto seen = std::find(path.begin(), path.end(), next);
     if (seen != path.end()) return {seen, path.end()};
     path.push_back(next);

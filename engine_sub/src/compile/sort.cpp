@@ -45,6 +45,17 @@ std::vector<int> reads(Operation o) {
   return slots;
 }
 
+std::vector<int> needed_by(const Lowering& d, const Step& step) {
+  std::vector<int> slots;
+  for (const Operation& o : step.operations)
+    for (const int from : reads(o)) {
+      const int slot = d.resolved(from);
+      slots.push_back(slot);
+      for (int i = 0; i < d.signals[slot].count; ++i) slots.push_back(d.resolved(d.signals[slot].first + i));
+    }
+  return slots;
+}
+
 std::vector<int*> slots_of(Operation& o) {
   switch (o.code) {
     case Code::linear:
@@ -82,6 +93,8 @@ std::vector<bool> needed_at_once(const Lowering& d, const std::vector<int>& slot
 std::vector<bool> alive(const Lowering& d, const std::vector<int>& outputs) {
   Needs needs(d);
   for (const int slot : outputs) needs.mark(slot);
+  for (const Event& event : d.events)
+    if (event.bound >= 0) needs.mark(event.signal), needs.mark(event.sign);
   for (std::size_t before = 0, now = 1; before != now;) {
     before = now;
     for (std::size_t s = 0; s < d.signals.size(); ++s)

@@ -13,6 +13,9 @@ std::vector<int> reads(Operation operation);
 /// The step that makes each slot; -1 for none.
 std::vector<int> makers(const Lowering& diagram);
 
+/// What a step needs before it, resolved: what its operations read, and what stands together with that.
+std::vector<int> needed_by(const Lowering& diagram, const Step& step);
+
 /// By slot whether outputs depend on it, at once or later.
 std::vector<bool> alive(const Lowering& diagram, const std::vector<int>& outputs);
 

@@ -136,8 +136,7 @@ void SundialsIntegrator::create(double t) {
     check(method_.set_nonlinear_solver(memory_, iteration_));
   }
   check(method_.set_longest_step(memory_, settings_.longest_step));
-  directions_.resize(system_->program().crossings.size());
-  check(method_.set_roots(memory_, static_cast<int>(directions_.size()), watch));
+  check(method_.set_roots(memory_, static_cast<int>(system_->program().crossings.size()), watch));
   check(method_.set_no_warning(memory_));
 }
 
@@ -145,8 +144,9 @@ double SundialsIntegrator::advance(System& system, double t, double t_end) {
   system.evaluate_again(t);
   if (system.changed() >= 0) return t;  // by an input that has jumped
   const bool moves = system.size() > 0;
+  if (moves && system.stands_at_zero() && leaves_zero(system, t, t_end)) return time_;
   time_ = moves ? t : t_end;
-  const bool root = moves && time_ < t_end && step(t_end);
+  if (moves && time_ < t_end) step(t_end);
   steps_ = time_ < t_end ? steps_ + 1 : 0;
   if (steps_ > settings_.most_steps)
     throw Error(ErrorCode::numerical,
@@ -154,13 +154,12 @@ double SundialsIntegrator::advance(System& system, double t, double t_end) {
                             settings_.most_steps, time_, t_end));
   if (moves) std::copy_n(N_VGetArrayPointer(x_), system.size(), system.states());
   system.evaluate(time_);
-  if (root) mark_roots();
   return time_;
 }
 
-/// One of its steps, not past t_end. Whether it ended at a root.
-bool SundialsIntegrator::step(double t_end) {
-  static_assert(CV_TSTOP_RETURN == 1 && CV_ROOT_RETURN == 2, "as in ARKODE");
+/// One of its steps, not past t_end; it ends at a root.
+void SundialsIntegrator::step(double t_end) {
+  static_assert(CV_TSTOP_RETURN == 1, "as in ARKODE");
   if (method_.set_fixed_step) check(method_.set_fixed_step(memory_, t_end - time_));
   check(method_.set_stop_time(memory_, t_end));
   ++statistics_.steps;
@@ -168,16 +167,24 @@ bool SundialsIntegrator::step(double t_end) {
   check(flag);
   failure_.clear();
   if (flag == CV_TSTOP_RETURN) time_ = t_end;
-  return flag == CV_ROOT_RETURN;
 }
 
-/// At a root a signal may be zero, which has no sign: it gets that of its way.
-void SundialsIntegrator::mark_roots() {
-  check(method_.roots(memory_, directions_.data()));
-  for (std::size_t k = 0; k < directions_.size(); ++k) {
-    double& signal = system_->image()[static_cast<std::size_t>(system_->program().crossings[k].signal)];
-    if (directions_[k] != 0 && signal == 0.0) signal = directions_[k] * std::numeric_limits<double>::min();
+/// A signal that is zero has no sign, and where SUNDIALS begins it finds no root of it: a little later, by
+/// Euler's method, it may have got one. Whether it is another than before.
+bool SundialsIntegrator::leaves_zero(System& system, double t, double t_end) {
+  const auto n = static_cast<std::size_t>(system.size());
+  start_.assign(system.states(), system.states() + n);
+  rate_.resize(n);
+  system.read_rates(rate_.data());
+  for (const double h : {64.0 * std::numeric_limits<double>::epsilon() * std::abs(t), 1e-10 * (t_end - t)}) {
+    time_ = std::min(t + h, t_end);
+    for (std::size_t i = 0; i < n; ++i) system.states()[i] = start_[i] + (time_ - t) * rate_[i];
+    system.evaluate(time_);
+    if (system.changed() >= 0) return true;
   }
+  std::copy(start_.begin(), start_.end(), system.states());
+  system.evaluate(t);
+  return false;
 }
 
 }  // namespace tandem::engine

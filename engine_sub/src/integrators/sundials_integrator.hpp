@@ -39,7 +39,6 @@ struct SundialsMethod {
   int (*set_fixed_step)(void* memory, double step);  ///< null: adaptive
   int (*set_stop_time)(void* memory, double t);
   int (*step)(void* memory, double t_end, N_Vector x, double* t);
-  int (*roots)(void* memory, int* directions);
   /// Since it was started anew; null: there are none.
   int (*failed_error_tests)(void* memory, long* count);
   int (*nonlinear_iterations)(void* memory, long* count);
@@ -64,8 +63,8 @@ class SundialsIntegrator final : public Integrator {
 
   void create(double t);
   double first_step(Restart why) const;
-  bool step(double t_end);
-  void mark_roots();
+  void step(double t_end);
+  bool leaves_zero(System& system, double t, double t_end);
   void check(int flag) const;
   template <class Work>
   bool survives(const Work& work);
@@ -82,8 +81,8 @@ class SundialsIntegrator final : public Integrator {
   double time_ = 0.0;
   long steps_ = 0;  ///< on the way to the time that it is asked for
   std::string message_, failure_;
-  Statistics statistics_;        ///< of its counts up to the last restart
-  std::vector<int> directions_;  ///< of the roots, by crossing
+  Statistics statistics_;  ///< of its counts up to the last restart
+  std::vector<double> start_, rate_;
 };
 
 }  // namespace tandem::engine

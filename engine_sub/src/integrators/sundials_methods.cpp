@@ -36,7 +36,6 @@ constexpr SundialsMethod cvode(const char* name) {
   all.first_step = CVodeGetActualInitStep;
   all.set_stop_time = CVodeSetStopTime;
   all.step = [](void* m, double t_end, N_Vector x, double* t) { return CVode(m, t_end, x, t, CV_ONE_STEP); };
-  all.roots = CVodeGetRootInfo;
   all.failed_error_tests = CVodeGetNumErrTestFails;
   all.nonlinear_iterations = CVodeGetNumNonlinSolvIters;
   return all;
@@ -59,7 +58,6 @@ constexpr SundialsMethod erkstep_method(const char* name, bool fixed) {
   all.step = [](void* m, double t_end, N_Vector x, double* t) {
     return ERKStepEvolve(m, t_end, x, t, ARK_ONE_STEP);
   };
-  all.roots = ERKStepGetRootInfo;
   all.failed_error_tests = ERKStepGetNumErrTestFails;
   return all;
 }
@@ -86,12 +84,10 @@ constexpr SundialsMethod arkstep_method() {
   all.start_anew = [](void* m, SundialsMethod::Rates rates, double t, N_Vector x) {
     return ARKStepReInit(m, nullptr, rates, t, x);
   };
-
   all.set_stop_time = ARKStepSetStopTime;
   all.step = [](void* m, double t_end, N_Vector x, double* t) {
     return ARKStepEvolve(m, t_end, x, t, ARK_ONE_STEP);
   };
-  all.roots = ARKStepGetRootInfo;
   all.failed_error_tests = ARKStepGetNumErrTestFails;
   all.nonlinear_iterations = ARKStepGetNumNonlinSolvIters;
   return all;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "tandem/nearest.hpp"
 
@@ -47,6 +48,7 @@ Description DiagramReader::read() {
   });
   each("blocks", [this](auto& name, Section& s) { read_block(name, s); });
   each("outputs", [this](auto& name, Section& s) { read_output(name, s); });
+  each("limits", [this](auto& name, Section& s) { read_limit(name, s); });
   read_loops();
   root_.table("run");  // for whoever runs it
   root_.refuse_unknown();
@@ -87,11 +89,32 @@ void DiagramReader::each(const std::string& key, const Read& read) {
 }
 
 void DiagramReader::read_parameter(const std::string& name, Section& section) {
-  const auto value = section.number("value");
-  if (!value) section.missing("value", "a number");
+  const toml::node* value = section.node("value");
+  if (!value) section.missing("value", "a number or a text");
+  std::string unit;
+  if (value->is_string()) {
+    parameters_[name] = given_or(name, *section.text("value"), section);
+    const auto words = section.texts("allowed");
+    const auto& word = std::get<std::string>(parameters_[name]);
+    if (!words.empty() && std::find(words.begin(), words.end(), word) == words.end())
+      text::refuse(section.place(),
+                   fmt::format("parameter '{}' is '{}'; allowed is {}", name, word, listed(words)));
+  } else {
+    parameters_[name] = given_or(name, *section.number("value"), section);
+    unit = section.required_text("unit", "its unit, \"kg m^2\"");
+  }
+  to_.parameters.push_back({name, unit, parameters_[name]});
+}
+
+/// What is given must be of the type that stands in the file.
+ParameterValue DiagramReader::given_or(const std::string& name, const ParameterValue& value,
+                                       Section& section) const {
   const auto it = given_.find(name);
-  parameters_[name] = it == given_.end() ? *value : it->second;
-  to_.parameters.push_back({name, section.required_text("unit", "its unit, \"kg m^2\""), parameters_[name]});
+  if (it == given_.end()) return value;
+  if (it->second.index() == value.index()) return it->second;
+  text::refuse(section.place(), fmt::format("parameter '{}' is {}; allowed is {}", name,
+                                            value.index() == 0 ? "given as a text" : "given as a number",
+                                            value.index() == 0 ? "a number" : "a text"));
 }
 
 void DiagramReader::refuse_unknown_parameters() const {
@@ -115,7 +138,16 @@ Wire DiagramReader::wire(const toml::node& node, const std::string& key) const {
   const auto it = parameters_.find(text->substr(1));
   if (it == parameters_.end())
     text::refuse(document().place(node), key + ": " + unknown("parameter", text->substr(1), known()));
-  return it->second;
+  if (const auto* number = std::get_if<double>(&it->second)) return *number;
+  return std::get<std::string>(it->second);
+}
+
+std::optional<std::string> DiagramReader::text(Section& section, const std::string& key) const {
+  auto found = section.text(key);
+  if (!found || !found->starts_with("$")) return found;
+  const Wire value = wire(*section.node(key), section.name(key));
+  if (const auto* word = std::get_if<std::string>(&value)) return *word;
+  section.wrong(key, "'" + *found + "', a number", "a parameter with a text");
 }
 
 Value DiagramReader::value(const toml::node& node, const std::string& key) const {
@@ -167,7 +199,7 @@ bool DiagramReader::read_tables(Block& block, const std::string& key, const toml
 
 /// Keys are those of the block and of the diagram in it: values of its parameters, and sources of its inputs.
 void DiagramReader::read_nested(Block& block, Section& section) {
-  const auto file = section.text("file");
+  const auto file = text(section, "file");
   const toml::table* table = section.table("diagram");
   if (file && table) section.wrong("diagram", "a table beside file", "one of them");
   if (!file && !table) section.missing("file", "the name of a diagram's file, or a table diagram");
@@ -194,14 +226,54 @@ ParameterValues DiagramReader::given_to(const toml::table& inner, Block& block,
     const std::string key(name.str());
     const toml::node* given = section.table().get(key);
     if (!given) continue;
-    const Wire number = wire(*given, section.name(key));
-    if (!std::holds_alternative<double>(number))
+    const toml::table* own = node.as_table();
+    const bool takes_text = own && own->contains("value") && own->get("value")->is_string();
+    const Wire value = wire(*given, section.name(key));
+    if (std::holds_alternative<std::string>(value) != takes_text)
       text::refuse(document().place(*given),
-                   fmt::format("block '{}': {} is {}; allowed for a parameter is a number", block.name, key,
-                               text::described(*given)));
-    values[key] = std::get<double>(number);
+                   fmt::format("block '{}': {} is {}; allowed for that parameter is a {}", block.name, key,
+                               text::described(*given), takes_text ? "text" : "number"));
+    if (takes_text) {
+      values[key] = std::get<std::string>(value);
+      continue;
+    }
+    values[key] = std::get<double>(value);
+    refuse_other_unit(*given, own ? (*own)["unit"].value_or(std::string()) : "", section.name(key));
   }
   return values;
+}
+
+/// A parameter that is handed on to one of a diagram in a block has the unit of that one.
+void DiagramReader::refuse_other_unit(const toml::node& given, const std::string& unit,
+                                      const std::string& key) const {
+  const auto word = given.value<std::string>();
+  for (const Parameter& parameter : to_.parameters)
+    if (word && *word == "$" + parameter.name && parameter.unit != unit)
+      text::refuse(document().place(given),
+                   fmt::format("{}: parameter '{}' is in '{}'; allowed is one in '{}'", key, parameter.name,
+                               parameter.unit, unit));
+}
+
+double DiagramReader::limit(Section& section, const std::string& key, double otherwise) const {
+  const toml::node* node = section.node(key);
+  if (!node) return otherwise;
+  const Wire value = wire(*node, section.name(key));
+  if (const auto* number = std::get_if<double>(&value)) return *number;
+  section.wrong(key, text::described(*node), "a number");
+}
+
+void DiagramReader::read_limit(const std::string& name, Section& section) {
+  static const std::vector<std::string> words = {"ignore", "warn", "stop"};
+  const double none = HUGE_VAL, low = limit(section, "low", -none), high = limit(section, "high", none);
+  if (low == -none && high == none) section.missing("low", "a number at low, at high, or at both");
+  const toml::node* signal = section.node("signal");
+  if (!signal) section.missing("signal", "the name of a signal");
+  const std::string word = text(section, "on_leaving").value_or("warn");
+  const auto it = std::find(words.begin(), words.end(), word);
+  if (it == words.end()) section.wrong("on_leaving", "'" + word + "'", listed(words));
+  to_.limits.push_back({name, wire(*signal, section.name("signal")), low, high,
+                        section.required_text("sentence", "why, a text"),
+                        static_cast<Limit::OnLeaving>(it - words.begin()), section.place().text()});
 }
 
 void DiagramReader::read_output(const std::string& name, Section& section) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,7 @@ class DiagramReader {
   void each(const std::string& key, const Read& read);
   void read_loops();
   void read_parameter(const std::string& name, Section& section);
+  ParameterValue given_or(const std::string& name, const ParameterValue& value, Section& section) const;
   void refuse_unknown_parameters() const;
   std::vector<std::string> known() const;
 
@@ -51,7 +53,12 @@ class DiagramReader {
   bool read_tables(Block& block, const std::string& key, const toml::node& node, const Section& section);
   void read_nested(Block& block, Section& section);
   ParameterValues given_to(const toml::table& inner, Block& block, const Section& section) const;
+  void refuse_other_unit(const toml::node& given, const std::string& unit, const std::string& key) const;
   void read_output(const std::string& name, Section& section);
+  void read_limit(const std::string& name, Section& section);
+  double limit(Section& section, const std::string& key, double otherwise) const;
+  /// A text, or "$NAME" for that of a parameter.
+  std::optional<std::string> text(Section& section, const std::string& key) const;
 
   Section root_;
   ParameterValues given_, parameters_;

@@ -111,8 +111,4 @@ void DiagramModel::outputs(double* y) const {
   }
 }
 
-std::unique_ptr<Subsystem> make_subsystem(const Description& diagram, const SubsystemSettings& settings) {
-  return std::make_unique<FixedStep<DiagramModel>>(DiagramModel(diagram, settings));
-}
-
 }  // namespace tandem::engine

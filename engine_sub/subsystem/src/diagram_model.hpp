@@ -37,6 +37,7 @@ class DiagramModel {
   void start(double t, std::span<const double> u0);
   void step(const OwnStep& s, std::span<const Signal> u);
   void outputs(double* y) const;
+  Statistics statistics() const { return machine_->simulation.statistics(); }
 
  private:
   struct Machine {

@@ -8,8 +8,8 @@
 namespace tandem {
 
 /// A subsystem behind the C table of subsystem.h. A status other than TANDEM_OK is thrown as Error with the
-/// same code and the subsystem's own sentence.
-class CSubsystem final : public Subsystem {
+/// same code and the subsystem's own sentence; an exception that a library lets pass is Error(internal).
+class CSubsystem : public Subsystem {
  public:
   /// A new instance of what `api` makes from `parameters` ("key=value&key=value"). `api` must outlive it.
   /// Throws Error for another ABI version, a table too small, a missing function, or ports that make no

@@ -43,6 +43,9 @@ struct Abilities {
   bool restarts = false;  ///< may be initialized again after an advance
   bool reactive_inputs = false;
 };
+/// The same as bits of subsystem.h (TANDEM_LANDS, ...); bits that are not known are left out.
+std::uint32_t to_bits(const Abilities& abilities);
+Abilities abilities_from(std::uint32_t bits);
 
 struct SubsystemInfo {
   std::string name;
@@ -108,6 +111,13 @@ class Subsystem {
   /// t_limit]. May stop early, never passes t_limit. land: the last step is cut so that it ends at t_limit
   /// (only with the ability `lands`); the grid of own steps stays as it was.
   virtual Clock advance(double t_limit, bool land, std::span<const Signal> u, Samples& y) = 0;
+
+  /// `advance` in two halves, so that several subsystems can be at work at the same time (one behind a socket
+  /// sends its request in the first and awaits the reply in the second). True: the call is under way; no
+  /// other call may come before finish_advance, and u and y's rows stay as they are until then. False: it is
+  /// not; call advance. The base class says false, and is never asked to finish.
+  virtual bool start_advance(double t_limit, bool land, std::span<const Signal> u, const Samples& y);
+  virtual Clock finish_advance(Samples& y);
 
   /// With the ability `saves_state`: a copy of the whole state, valid until released. The base class refuses
   /// all three with Error(not_supported); an id that is not saved is Error(invalid_argument).

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "../number_text.hpp"
+#include "named.hpp"
 #include "run_start.hpp"
 #include "tandem/error.hpp"
 
@@ -69,6 +70,7 @@ bool Coordinator::round() {
   try {
     make(turns);
   } catch (...) {
+    finish_all(turns);
     for (const Turn& turn : turns) keep(turn);
     throw;
   }
@@ -76,13 +78,33 @@ bool Coordinator::round() {
 }
 
 void Coordinator::make(std::span<const Turn> turns) {
-  if (schedule_->kind() == Schedule::Kind::parallel) {
-    for (const Turn& turn : turns) take_all(turn);
-    for (const Turn& turn : turns) commit(turn.who, turn.limit);
-  } else {
-    take(turns[0], *exchange_);
-    commit(turns[0].who, turns[0].limit);
-  }
+  if (turns.size() > 1 || schedule_->kind() == Schedule::Kind::parallel) return make_together(turns);
+  take(turns[0], *exchange_);
+  commit(turns[0].who, turns[0].limit);
+}
+
+/// None of them reads what another gives in this round. All that can be are set to work before the first is
+/// waited for; the others work meanwhile.
+void Coordinator::make_together(std::span<const Turn> turns) {
+  const auto under_way = [this](const Turn& turn) {
+    return seats_[static_cast<std::size_t>(turn.who)].under_way;
+  };
+  for (const Turn& turn : turns) start(turn);
+  for (const Turn& turn : turns)
+    if (!under_way(turn)) go(turn);
+  for (const Turn& turn : turns)
+    if (under_way(turn)) go(turn);
+  for (const Turn& turn : turns) commit(turn.who, turn.limit);
+}
+
+/// After an error: what the others are at work on is awaited, for their samples. The error is the one to be
+/// heard of.
+void Coordinator::finish_all(std::span<const Turn> turns) {
+  for (const Turn& turn : turns)
+    if (seats_[static_cast<std::size_t>(turn.who)].under_way) try {
+        advance(turn, {}, exchange_->history(turn.who).room());
+      } catch (const std::exception&) {
+      }
 }
 
 /// Tells what a subsystem gave before an error, as far as it is sound. The error is the one to be heard of,
@@ -98,25 +120,46 @@ void Coordinator::keep(const Turn& turn) {
     }
 }
 
-/// In parallel: as many calls as it takes to come past the communication point. A node that lies beside that
-/// point by rounding is the limit itself, for subsystems that compare strictly.
-void Coordinator::take_all(const Turn& turn) {
-  const Member& member = members_[static_cast<std::size_t>(turn.who)];
-  do take({turn.who, std::max(turn.limit, member.next), turn.land}, *exchange_);
-  while (!tolerance_.before(turn.limit, member.next));
+/// A node that lies beside the point of communication by rounding is the limit itself, for subsystems that
+/// compare strictly.
+Turn Coordinator::next_call(const Turn& turn) const {
+  if (schedule_->kind() != Schedule::Kind::parallel) return turn;
+  return {turn.who, std::max(turn.limit, members_[static_cast<std::size_t>(turn.who)].next), turn.land};
 }
 
-/// One call, on the signals of `inputs`.
+void Coordinator::start(const Turn& turn) {
+  Seat& seat = seats_[static_cast<std::size_t>(turn.who)];
+  const auto u = prepare(turn.who, *exchange_);
+  const Turn first = next_call(turn);
+  seat.under_way = named(topology_.name(turn.who), [&] {
+    return seat.subsystem->start_advance(first.limit, first.land, u, exchange_->history(turn.who).room());
+  });
+}
+
+/// In parallel: as many calls as it takes to come past the communication point.
+void Coordinator::go(const Turn& turn) {
+  const Member& member = members_[static_cast<std::size_t>(turn.who)];
+  do take(next_call(turn), *exchange_);
+  while (schedule_->kind() == Schedule::Kind::parallel && !tolerance_.before(turn.limit, member.next));
+}
+
+/// Room for its rows, and its inputs from where it stands.
+std::span<const Signal> Coordinator::prepare(int who, Exchange& inputs) {
+  const Seat& seat = seats_[static_cast<std::size_t>(who)];
+  if (!exchange_->history(who).has_room(seat.batch)) exchange_->make_room(who, seat.batch);
+  return inputs.inputs(who, seat.time, members_[static_cast<std::size_t>(who)].next);
+}
+
+/// One call, on the signals of `inputs`; or the end of the one that was started.
 void Coordinator::take(const Turn& turn, Exchange& inputs) {
   const int who = turn.who;
   Seat& seat = seats_[static_cast<std::size_t>(who)];
   Member& member = members_[static_cast<std::size_t>(who)];
-  History& history = exchange_->history(who);
-  if (!history.has_room(seat.batch)) exchange_->make_room(who, seat.batch);
-  Samples& y = history.room();
+  std::span<const Signal> u;
+  if (!seat.under_way) u = prepare(who, inputs);
+  Samples& y = exchange_->history(who).room();
   const std::int64_t rows = y.size();
   const double before = seat.time;
-  const auto u = inputs.inputs(who, before, member.next);
   if (coordination_.profile) seat.effort.seconds -= seconds_now();
   const Clock clock = advance(turn, u, y);
   if (coordination_.profile) seat.effort.seconds += seconds_now();
@@ -131,16 +174,13 @@ void Coordinator::take(const Turn& turn, Exchange& inputs) {
   stand(seat, member, clock);
 }
 
-/// The subsystem's call; its error names it.
+/// The subsystem's call, or the second half of one that was started; its error names it.
 Clock Coordinator::advance(const Turn& turn, std::span<const Signal> u, Samples& y) {
-  const std::string& name = topology_.name(turn.who);
-  try {
-    return seats_[static_cast<std::size_t>(turn.who)].subsystem->advance(turn.limit, turn.land, u, y);
-  } catch (const Error& error) {
-    const std::string sentence = error.what();
-    if (sentence.find("'" + name + "'") != std::string::npos) throw;
-    throw Error(error.code(), "subsystem '" + name + "': " + sentence);
-  }
+  Seat& seat = seats_[static_cast<std::size_t>(turn.who)];
+  return named(topology_.name(turn.who), [&] {
+    return std::exchange(seat.under_way, false) ? seat.subsystem->finish_advance(y)
+                                                : seat.subsystem->advance(turn.limit, turn.land, u, y);
+  });
 }
 
 void Coordinator::commit(int who, double limit) {

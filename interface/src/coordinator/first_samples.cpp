@@ -4,12 +4,13 @@
 #include <limits>
 
 #include "../number_text.hpp"
+#include "named.hpp"
 #include "run_start.hpp"
 #include "tandem/error.hpp"
 
 namespace tandem {
 namespace {
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 }
 
 /// Subsystems need each other's first outputs as inputs. Each is initialized with what is known, NaN
@@ -72,7 +73,7 @@ class FirstSamples {
     double sum = 0.0;
     for (const Line& line : topology_.lines()) {
       if (line.reader != reader || line.input != input) continue;
-      if (!known(line.source, line.output)) return unknown;
+      if (!known(line.source, line.output)) return not_known;
       sum += line.gain * rows_[static_cast<std::size_t>(line.source)][static_cast<std::size_t>(line.output)] +
              line.offset;
     }
@@ -125,7 +126,7 @@ class FirstSamples {
 void RunStart::first_samples() {
   for (int i = 0; i < topology_.size(); ++i) {
     const auto& start = topology_.start(i);
-    auto& u0 = u0_.emplace_back(start.size(), unknown);
+    auto& u0 = u0_.emplace_back(start.size(), not_known);
     for (std::size_t k = 0; k < start.size(); ++k)
       if (topology_.lines_to(i, static_cast<int>(k)) == 0) u0[k] = start[k];
     rows_.emplace_back(static_cast<std::size_t>(topology_.info(i).row_size() - Samples::header));
@@ -135,7 +136,9 @@ void RunStart::first_samples() {
     const auto k = static_cast<std::size_t>(i);
     std::vector<double> memory(static_cast<std::size_t>(topology_.info(i).row_size()));
     Samples y(memory.data(), topology_.info(i).row_size(), 1);
-    clocks_[k] = run_.seats_[k].subsystem->initialize(run_.t_start_, run_.t_stop_, u0_[k], y);
+    clocks_[k] = named(topology_.name(i), [&] {
+      return run_.seats_[k].subsystem->initialize(run_.t_start_, run_.t_stop_, u0_[k], y);
+    });
     const auto fail = [&](const std::string& found) {
       throw Error(ErrorCode::numerical,
                   "subsystem '" + topology_.name(i) + "' " + found +

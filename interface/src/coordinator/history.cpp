@@ -13,7 +13,7 @@
 namespace tandem {
 namespace {
 
-[[noreturn]] void fail(const std::string& name, const std::string& what) {
+[[noreturn]] void fail_sample(const std::string& name, const std::string& what) {
   throw Error(ErrorCode::numerical, "subsystem '" + name + "' " + what);
 }
 
@@ -41,15 +41,16 @@ void History::check(std::int64_t row, double t_limit, const TimeTolerance& toler
     const auto column = static_cast<int>(bad - y.begin());
     const std::string value =
         bad == y.end() ? "a time that is" : scalar_at(info_->outputs, column % outputs_).name();
-    fail(name_, "gave " + value + (column >= outputs_ ? " (a derivative)" : "") +
-                    " not finite at t = " + number_text(t) + " s");
+    fail_sample(name_, "gave " + value + (column >= outputs_ ? " (a derivative)" : "") +
+                           " not finite at t = " + number_text(t) + " s");
   }
   if (tolerance.before(t_limit, t))
-    fail(name_,
-         "gave a sample at t = " + number_text(t) + " s, past its limit " + number_text(t_limit) + " s");
+    fail_sample(name_, "gave a sample at t = " + number_text(t) + " s, past its limit " +
+                           number_text(t_limit) + " s");
   if (row == base_ || t > time(row - 1) || (jump(row) && t == time(row - 1))) return;
-  fail(name_, "gave a sample at t = " + number_text(t) +
-                  " s that does not come after the one before it, at " + number_text(time(row - 1)) + " s");
+  fail_sample(name_, "gave a sample at t = " + number_text(t) +
+                         " s that does not come after the one before it, at " + number_text(time(row - 1)) +
+                         " s");
 }
 
 /// Column c = m outputs + i, the m-th derivative of output i, at the time s after the sample:

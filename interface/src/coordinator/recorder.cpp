@@ -16,8 +16,8 @@ constexpr std::size_t doubles_reserved = std::size_t{1} << 16;  // by subsystem
 /// "x" of "x[2]": what names all elements of an array port.
 std::string whole_port(const std::string& scalar) { return scalar.substr(0, scalar.find('[')); }
 
-[[noreturn]] void refuse(const std::string& what, const std::string& found,
-                         const std::vector<std::string>& known) {
+[[noreturn]] void refuse_column(const std::string& what, const std::string& found,
+                                const std::vector<std::string>& known) {
   throw Error(ErrorCode::invalid_argument, unknown(what, found, known));
 }
 
@@ -27,7 +27,7 @@ Recorder::Recorder(const Coordinator& run, Recording what) : run_(run), what_(st
   std::vector<std::string> instances;
   for (int i = 0; i < run.topology().size(); ++i) instances.push_back(run.topology().name(i));
   const auto it = std::find(instances.begin(), instances.end(), what_.clock);
-  if (!what_.clock.empty() && it == instances.end()) refuse("clock", what_.clock, instances);
+  if (!what_.clock.empty() && it == instances.end()) refuse_column("clock", what_.clock, instances);
   if (!what_.clock.empty()) clock_ = static_cast<int>(it - instances.begin());
   check_ports();
   choose_columns();
@@ -52,7 +52,7 @@ void Recorder::check_ports() const {
   for (const std::string& port : what_.ports)
     if (std::none_of(known.begin(), known.end(),
                      [&](const std::string& k) { return port == k || port == whole_port(k); }))
-      refuse("recorded output", port, known);
+      refuse_column("recorded output", port, known);
 }
 
 bool Recorder::wanted(const std::string& scalar) const {

@@ -33,6 +33,7 @@ void RunStart::make() {
                 "communication_step is " + number_text(h) + " s; it must be finite and above 0");
   run_.schedule_.emplace(run_.coordination_.schedule, std::move(order), TimeSpan{run_.t_start_, run_.t_stop_},
                          h);
+  run_.schedule_->set_reads(reads());
   for (std::size_t i = 0; i < clocks_.size(); ++i) run_.stand(run_.seats_[i], run_.members_[i], clocks_[i]);
   lags_ = {run_.own_steps_, h};
   measure_batches();
@@ -41,6 +42,15 @@ void RunStart::make() {
   run_.start_ = choose();
   if (run_.start_ == StartKind::derivatives) seed();
   if (run_.start_ == StartKind::repeat) repeat();
+}
+
+/// i * n + j: subsystem i reads subsystem j.
+std::vector<char> RunStart::reads() const {
+  const auto n = static_cast<std::size_t>(topology_.size());
+  std::vector<char> table(n * n);
+  for (const Line& line : topology_.lines())
+    table[static_cast<std::size_t>(line.reader) * n + static_cast<std::size_t>(line.source)] = 1;
+  return table;
 }
 
 /// Settings that are there and change nothing.

@@ -16,6 +16,7 @@ class RunStart {
  private:
   void first_samples();
   void note_steps();
+  std::vector<char> reads() const;
   void lend_steps();
   std::vector<int> leaders_first() const;
   void check_named_order() const;

@@ -64,6 +64,48 @@ inline void Schedule::take_turns(std::span<const Member> members) {
   add(order_[due], at(due), at(due).reads_mean ? at(due).next : limit);
 }
 
+void Schedule::set_reads(std::vector<char> reads) {
+  const std::size_t n = order_.size();
+  linked_.assign(n * n, 0);
+  foreseen_.resize(n);
+  bool all = true;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      linked_[i * n + j] = i == j || reads[i * n + j] || reads[j * n + i];
+      all = all && linked_[i * n + j];
+    }
+  if (all) linked_.clear();
+}
+
+/// It follows all others of the round, and neither reads nor is read by any of them.
+bool Schedule::is_free(int who, std::size_t count) const {
+  const auto place = std::find(order_.begin(), order_.end(), who);
+  for (std::size_t k = 0; k < count; ++k)
+    if (std::find(place, order_.end(), round_[k].who) != order_.end() ||
+        linked_[static_cast<std::size_t>(who) * order_.size() + static_cast<std::size_t>(round_[k].who)])
+      return false;
+  return true;
+}
+
+/// A turn of one own step, which ends at its limit, leaves its member there; where its next step ends is not
+/// known yet, only that it is later. Who is due by then is due in any case.
+void Schedule::take_more_turns(std::span<const Member> members) {
+  std::copy(members.begin(), members.end(), foreseen_.begin());
+  double earliest = t_stop_;
+  for (std::size_t count = 1; count_ == count && count < order_.size(); ++count) {
+    const Turn last = round_[count - 1];
+    Member& m = foreseen_[static_cast<std::size_t>(last.who)];
+    if (m.next != last.limit) return;
+    earliest = std::min(earliest, last.limit);
+    stand(m, last.limit, last.limit + 2.0 * tolerance_.width(last.limit, last.limit));
+    take_turns(foreseen_);
+    if (count_ == count) return;
+    const int next = round_[count].who;
+    if (tolerance_.before(earliest, foreseen_[static_cast<std::size_t>(next)].next) || !is_free(next, count))
+      count_ = count;
+  }
+}
+
 /// The slow side steps when the fast side stands in the middle of that step.
 void Schedule::stagger(std::span<const Member> members) {
   assert(order_.size() == 2);
@@ -95,6 +137,7 @@ std::span<const Turn> Schedule::next_round(std::span<const Member> members) {
     case Kind::slowest_first:
     case Kind::fastest_first:
       take_turns(members);
+      if (!linked_.empty()) take_more_turns(members);
       break;
     case Kind::staggered:
       stagger(members);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "named.hpp"
 #include "run_start.hpp"
 #include "tandem/error.hpp"
 
@@ -112,7 +113,9 @@ void RunStart::pass(int who, Exchange& before, double until) {
   Samples first(memory.data(), topology_.info(who).row_size(), 1);
   Member& member = run_.members_[i];
   Subsystem* const subsystem = run_.seats_[i].subsystem;
-  run_.stand(run_.seats_[i], member, subsystem->initialize(run_.t_start_, run_.t_stop_, u0_[i], first));
+  const Clock start = named(
+      topology_.name(who), [&] { return subsystem->initialize(run_.t_start_, run_.t_stop_, u0_[i], first); });
+  run_.stand(run_.seats_[i], member, start);
   while (!run_.tolerance_.before(until, member.next)) {
     const bool land = member.lands && !run_.tolerance_.before(member.next, run_.t_stop_);
     run_.take({who, member.next, land}, before);

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "tandem/check_info.hpp"
 #include "tandem/coordinator/units.hpp"
 #include "tandem/error.hpp"
 #include "tandem/nearest.hpp"
@@ -12,39 +13,17 @@
 namespace tandem {
 namespace {
 
-[[noreturn]] void refuse(const std::string& sentence) { throw Error(ErrorCode::invalid_argument, sentence); }
-
-void check_unique(const std::string& name, const std::vector<Port>& ports) {
-  for (auto port = ports.begin(); port != ports.end(); ++port)
-    if (std::any_of(ports.begin(), port, [&](const Port& other) { return other.name == port->name; }))
-      refuse("subsystem '" + name + "': port '" + port->name +
-             "' is there twice among its inputs or outputs");
-}
-
-void check_info(const std::string& name, const SubsystemInfo& info) {
-  check_unique(name, info.inputs);
-  check_unique(name, info.outputs);
-  for (const auto* ports : {&info.inputs, &info.outputs})
-    for (const Port& port : *ports)
-      if (port.name.empty() || port.name.find_first_of("[] \t\n\",") != std::string::npos || port.size < 1 ||
-          port.derivatives < 0 || port.derivatives > 3)
-        refuse("subsystem '" + name + "': port '" + port.name + "' has size " + std::to_string(port.size) +
-               " and " + std::to_string(port.derivatives) +
-               " derivatives; allowed are a name without [ ] , \" and blanks, a size from 1, 0 to 3 "
-               "derivatives");
-  for (const Feedthrough& f : info.feedthrough)
-    if (f.input < 0 || f.input >= info.input_size() || f.output < 0 || f.output >= info.output_size())
-      refuse("subsystem '" + name + "': feedthrough from input " + std::to_string(f.input) + " to output " +
-             std::to_string(f.output) + " names a port that is not there");
+[[noreturn]] void refuse_topology(const std::string& sentence) {
+  throw Error(ErrorCode::invalid_argument, sentence);
 }
 
 }  // namespace
 
 int Topology::add(const std::string& name, const SubsystemInfo& info) {
   if (name.empty() || name.find_first_of(".[] \t\n\",/\\") != std::string::npos)
-    refuse("instance name '" + name + "' is empty or holds one of . [ ] , \" / \\ or a blank");
+    refuse_topology("instance name '" + name + "' is empty or holds one of . [ ] , \" / \\ or a blank");
   for (const Instance& i : instances_)
-    if (i.name == name) refuse("instance name '" + name + "' is used twice");
+    if (i.name == name) refuse_topology("instance name '" + name + "' is used twice");
   check_info(name, info);
   Instance instance{name, &info, {}, std::vector<char>(static_cast<std::size_t>(info.input_size()))};
   for (const Port& port : info.inputs)
@@ -56,7 +35,7 @@ int Topology::add(const std::string& name, const SubsystemInfo& info) {
 Topology::Place Topology::find(std::string_view text, bool output) const {
   const auto dot = text.find('.');
   if (dot == std::string_view::npos)
-    refuse("port '" + std::string(text) + "' is not of the form instance.port");
+    refuse_topology("port '" + std::string(text) + "' is not of the form instance.port");
   const std::string instance_name(text.substr(0, dot));
   std::string port_name(text.substr(dot + 1));
   int element = -1;
@@ -66,7 +45,8 @@ Topology::Place Topology::find(std::string_view text, bool output) const {
                                                                 1));  // "x[" ends at its bracket
     const auto [end, code] = std::from_chars(first, last, element);
     if (code != std::errc{} || end != last || *last != ']' || element < 0)
-      refuse("port '" + std::string(text) + "' has an index that is not a whole number from 0 in brackets");
+      refuse_topology("port '" + std::string(text) +
+                      "' has an index that is not a whole number from 0 in brackets");
     port_name.resize(bracket);
   }
   std::vector<std::string> names;
@@ -79,35 +59,38 @@ Topology::Place Topology::find(std::string_view text, bool output) const {
       port_names.push_back(port.name);
       if (port.name == port_name) {
         if (element >= port.size)
-          refuse("port '" + std::string(text) + "' has no element " + std::to_string(element) +
-                 "; allowed are 0 to " + std::to_string(port.size - 1));
+          refuse_topology("port '" + std::string(text) + "' has no element " + std::to_string(element) +
+                          "; allowed are 0 to " + std::to_string(port.size - 1));
         return {i, &port, first + std::max(element, 0), element < 0 ? port.size : 1};
       }
       first += port.size;
     }
-    refuse(unknown("subsystem '" + instance_name + "': " + (output ? "output" : "input"), port_name,
-                   port_names));
+    refuse_topology(unknown("subsystem '" + instance_name + "': " + (output ? "output" : "input"), port_name,
+                            port_names));
   }
-  refuse(unknown("subsystem", instance_name, names));
+  refuse_topology(unknown("subsystem", instance_name, names));
 }
 
 void Topology::connect(const Connection& c) {
   const Place from = find(c.from, true), to = find(c.to, false);
   const std::string what = "connection from " + c.from + " to " + c.to;
   if (!std::isfinite(c.gain) || !std::isfinite(c.offset))
-    refuse(what + " has a gain or offset that is not finite");
+    refuse_topology(what + " has a gain or offset that is not finite");
   if (from.count != to.count)
-    refuse(what + " joins " + std::to_string(from.count) + " scalars to " + std::to_string(to.count));
+    refuse_topology(what + " joins " + std::to_string(from.count) + " scalars to " +
+                    std::to_string(to.count));
   if (c.lag != Lag::none && !c.how.follows_samples())
-    refuse(what + " has a memory or delay together with " + c.how.name() + ", which has none");
+    refuse_topology(what + " has a memory or delay together with " + c.how.name() + ", which has none");
   if (from.port->derivatives < c.how.derivatives_read())
-    refuse(what + " is to be reconstructed by " + c.how.name() + ", but " + c.from + " gives no derivative");
+    refuse_topology(what + " is to be reconstructed by " + c.how.name() + ", but " + c.from +
+                    " gives no derivative");
   UnitConversion unit{1.0, 0.0};
   if (from.port->unit != to.port->unit) {
     const auto conversion = convert_unit(from.port->unit, to.port->unit);
     const std::string units = "'" + from.port->unit + "' to '" + to.port->unit + "'";
-    if (!conversion) refuse(what + " goes from unit " + units + ", which can't be converted");
-    if (!c.convert) refuse(what + " goes from unit " + units + "; say convert = true, or make them agree");
+    if (!conversion) refuse_topology(what + " goes from unit " + units + ", which can't be converted");
+    if (!c.convert)
+      refuse_topology(what + " goes from unit " + units + "; say convert = true, or make them agree");
     unit = *conversion;
   }
   connect_scalars(c, from, to, c.gain * unit.factor, c.gain * unit.shift + c.offset);
@@ -119,8 +102,8 @@ void Topology::connect_scalars(const Connection& c, const Place& from, const Pla
   for (int k = 0; k < to.count; ++k) {
     char& shared = reader.shared[static_cast<std::size_t>(to.first + k)];
     if (lines_to(to.instance, to.first + k) > 0 && !(shared && c.add))
-      refuse("input " + input_name(to.instance, to.first + k) +
-             " is connected twice; to sum connections, each of them says add = true");
+      refuse_topology("input " + input_name(to.instance, to.first + k) +
+                      " is connected twice; to sum connections, each of them says add = true");
     shared = c.add;
   }
   for (int k = 0; k < to.count; ++k)
@@ -128,7 +111,7 @@ void Topology::connect_scalars(const Connection& c, const Place& from, const Pla
 }
 
 void Topology::set_start(std::string_view port, double value) {
-  if (!std::isfinite(value)) refuse("start value of " + std::string(port) + " is not finite");
+  if (!std::isfinite(value)) refuse_topology("start value of " + std::string(port) + " is not finite");
   const Place place = find(port, false);
   auto& start = instances_[static_cast<std::size_t>(place.instance)].start;
   for (int k = 0; k < place.count; ++k) start[static_cast<std::size_t>(place.first + k)] = value;
@@ -144,7 +127,7 @@ void Topology::check() const {
   for (int i = 0; i < size(); ++i)
     for (int k = 0; k < info(i).input_size(); ++k)
       if (lines_to(i, k) == 0 && std::isnan(start(i)[static_cast<std::size_t>(k)]))
-        refuse("input " + input_name(i, k) + " is not connected and has no start value");
+        refuse_topology("input " + input_name(i, k) + " is not connected and has no start value");
   check_loops();
 }
 

@@ -18,7 +18,7 @@ constexpr double gamma = 0.5;           // any other value of Newmark's gamma le
 constexpr double settled = 1e-12;       // accelerations at the start: some thousand roundings
 constexpr double shortest = 1e-3;       // [s] step with the penalty as it is
 constexpr int most_substitutions = 10;  // about what a new factor costs
-constexpr int steps_between_checks = 50;
+
 
 const Index3Settings& checked(const Index3Settings& s) {
   const auto setting = [](const char* name, double value) {

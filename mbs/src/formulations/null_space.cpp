@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "../dense.hpp"
 #include "checks.hpp"
 #include "settings.hpp"
 
@@ -19,7 +20,7 @@ void fill(MatrixXd& dense, const Pattern& pattern, const double* values) {
   for (std::size_t k = 0; k < entries.size(); ++k) dense(entries[k].first, entries[k].second) = values[k];
 }
 
-double last_pivot(const Eigen::ColPivHouseholderQR<MatrixXd>& qr, int rank) {
+double last_pivot(const dense::Qr& qr, int rank) {
   return rank == 0 ? 1.0 : std::abs(qr.matrixR()(rank - 1, rank - 1));
 }
 
@@ -48,7 +49,7 @@ void NullSpace::constraints() {
 
 /// True: other dependent variables than before. Precondition: constraints().
 bool NullSpace::choose() {
-  Eigen::ColPivHouseholderQR<MatrixXd> fresh(MatrixXd::Zero(1, structure_.variables));  // Eigen's need a row
+  dense::Qr fresh(MatrixXd::Zero(1, structure_.variables));  // Eigen's need a row
   fresh.setThreshold(1e-9);
   if (structure_.constraints > 0) fresh.compute(jacobian_);
   const int rank = static_cast<int>(fresh.rank()), before = static_cast<int>(dependent_.size());
@@ -83,7 +84,7 @@ void NullSpace::solve_positions() {
     constraints();
     if (dependent_.empty()) return;
     held_.compute(jacobian_(Eigen::all, dependent_));
-    const VectorXd change = held_.solve(phi_);
+    const VectorXd change = dense::solve(held_, phi_);
     at_.q(dependent_) -= change;
     if (change.norm() < settings_.tolerance) return;
   }
@@ -99,14 +100,14 @@ void NullSpace::solve_velocities() {
   VectorXd rate(structure_.constraints);
   model_.constraint_rates(at_.q.data(), rate.data());
   rate += jacobian_(Eigen::all, independent_) * at_.v(independent_);
-  at_.v(dependent_) = -held_.solve(rate);
+  at_.v(dependent_) = -dense::solve(held_, rate);
 }
 
 void NullSpace::solve_accelerations() {
   const int n = structure_.variables, free = size();
   VectorXd gamma(structure_.constraints), c = VectorXd::Zero(n);
   model_.constraint_accelerations(at_.q.data(), at_.v.data(), gamma.data());
-  if (!dependent_.empty()) c(dependent_) = -held_.solve(gamma);
+  if (!dependent_.empty()) c(dependent_) = -dense::solve(held_, gamma);
   model_.forces(at_.q.data(), at_.v.data(), force_.data());
   refuse_wrong_force(structure_, force_, at_.time);
   at_.a.head(n) = c;
@@ -114,19 +115,19 @@ void NullSpace::solve_accelerations() {
   MatrixXd r = MatrixXd::Zero(n, free);
   r(independent_, Eigen::all) = MatrixXd::Identity(free, free);
   if (!dependent_.empty())
-    r(dependent_, Eigen::all) = -held_.solve(MatrixXd(jacobian_(Eigen::all, independent_)));
-  const Eigen::ColPivHouseholderQR<MatrixXd> reduced(r.transpose() * mass_ * r);
+    r(dependent_, Eigen::all) = -dense::solve(held_, MatrixXd(jacobian_(Eigen::all, independent_)));
+  const dense::Qr reduced(dense::reduced(mass_, r));
   if (reduced.rank() < free)
     refuse_singular(structure_, "reduced mass matrix",
                     independent_[reduced.colsPermutation().indices()[reduced.rank()]], at_.time);
-  at_.a.head(n) = r * reduced.solve(r.transpose() * (force_ - mass_ * c)) + c;
+  at_.a.head(n) = r * dense::solve(reduced, VectorXd(r.transpose() * (force_ - mass_ * c))) + c;
 }
 
 void NullSpace::solve_multipliers() {
   at_.lambda.setZero(structure_.constraints);
   if (structure_.constraints == 0) return;
   const VectorXd rest = force_ - mass_ * at_.a.head(structure_.variables);
-  at_.lambda = Eigen::CompleteOrthogonalDecomposition<MatrixXd>(jacobian_.transpose()).solve(rest);
+  at_.lambda = dense::shortest_solution(jacobian_.transpose(), rest);
 }
 
 void NullSpace::accelerations(double t, const double* y, const double* v, double* a) {

@@ -13,7 +13,7 @@
 namespace tandem::mbs {
 namespace {
 
-double largest(const std::vector<double>& values) {
+double largest_value(const std::vector<double>& values) {
   return values.empty() ? 1.0 : *std::max_element(values.begin(), values.end());
 }
 
@@ -39,7 +39,7 @@ Terms::Terms(Model& of, const std::string& solver, MatrixKind kind)
       force(structure.variables),
       inertia(force),
       correction(force),
-      largest_mass(largest(structure.mass.values)),
+      largest_mass(largest_value(structure.mass.values)),
       most_off_(mbs::most_off(structure)),
       solver_(solver),
       kind_(kind) {}

@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "tandem/mbs/integrators/newmark.hpp"
 
+#include <algorithm>
+
 #include "settings.hpp"
 #include "tandem/mbs/integrators/frequency.hpp"
 
@@ -30,7 +32,27 @@ void NewmarkFamily::start(SecondOrder& problem, const Motion& motion) {
   lag_.setZero(problem.size());
   end_ = motion;
   w_ = w_end_ = change_ = lag_;
-  if (beta_ < 0.25) frequency_ = highest_frequency(problem, motion);
+  steps_ = 0;
+}
+
+/// The lag, how many steps ago the highest frequency was looked at, and that.
+std::vector<double> NewmarkFamily::memory() const {
+  std::vector<double> all(lag_.begin(), lag_.end());
+  all.insert(all.end(), {static_cast<double>(steps_), frequency_});
+  return all;
+}
+
+void NewmarkFamily::recall(std::span<const double> memory) {
+  std::copy_n(memory.begin(), lag_.size(), lag_.begin());
+  steps_ = static_cast<int>(memory[memory.size() - 2]);
+  frequency_ = memory.back();
+}
+
+void NewmarkFamily::refuse_unstable(SecondOrder& problem, const Motion& motion, double h) {
+  if (beta_ >= 0.25) return;
+  if (steps_ == 0) frequency_ = highest_frequency(problem, motion);
+  steps_ = (steps_ + 1) % steps_between_checks;
+  mbs::refuse_unstable("Newmark's method", beta_, frequency_, motion.time, h);
 }
 
 /// y+, v+ and w+ from f+ in to.a.
@@ -41,7 +63,7 @@ void NewmarkFamily::advance(const Motion& from, Motion& to, double h) {
 }
 
 int NewmarkFamily::step(SecondOrder& problem, Motion& motion, double h, double t_end) {
-  refuse_unstable("Newmark's method", beta_, frequency_, motion.time, h);
+  refuse_unstable(problem, motion, h);
   w_ = motion.a + lag_;
   end_.time = t_end;
   end_.a = motion.a;

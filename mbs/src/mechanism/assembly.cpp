@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "angle_set.hpp"
-#include "central_set.hpp"
 #include "check.hpp"
-#include "coordinate_forces.hpp"
+#include "constraint_set.hpp"
 #include "distance_set.hpp"
 #include "equations.hpp"
+#include "force_set.hpp"
 #include "tandem/mbs/mechanism/body_mass.hpp"
 #include "tandem/mbs/mechanism/mechanism.hpp"
 
@@ -91,6 +91,9 @@ std::vector<Quadratic> quadratics(const Description& in, const Numbering& at,
   for (const Joint& joint : in.joints) append(equations(in, at, joint));
   for (int r = 0; r < static_cast<int>(in.relatives.size()); ++r)
     if (in.relatives[r].kind == Relative::Kind::length) all.push_back(length_equation(in, at, r));
+  for (const Link& link : in.links) all.push_back(equation(in, at, link));
+  for (const Relation& relation : in.relations) all.push_back(equation(in, at, relation));
+  for (const Slide& slide : in.slides) append(equations(in, at, slide));
   for (const Drive& drive : in.drives) all.push_back(equation(in, at, drive));
   return all;
 }
@@ -119,23 +122,6 @@ std::unique_ptr<ConstraintSet> angle_set(const Description& in, const Numbering&
   return set;
 }
 
-template <class Set>
-void add_if_used(std::unique_ptr<Set> set, std::vector<std::unique_ptr<ForceSet>>& sets) {
-  if (!set->empty()) sets.push_back(std::move(set));
-}
-
-template <int Dimension>
-std::unique_ptr<CentralSet<Dimension>> central_set(const Description& in, const Numbering& at,
-                                                   const std::vector<InputValue>& inputs) {
-  auto set = std::make_unique<CentralSet<Dimension>>(inputs);
-  for (const Spring& s : in.springs)
-    if (s.relative < 0) set->add({at.entity[s.points.from], at.entity[s.points.to], SpringLaw(s), -1, 0.0});
-  for (const Force& f : in.forces)
-    if (f.kind == Force::Kind::line)
-      set->add({at.entity[f.points.from], at.entity[f.points.to], SpringLaw(Spring{}), f.input, f.gain});
-  return set;
-}
-
 }  // namespace
 
 Mechanism::Mechanism(Description description)
@@ -148,7 +134,11 @@ Mechanism::Mechanism(Description description)
   add_constraints();
   place_constraints();
   add_forces();
+  add_elements();
   place_forces();
+  for (std::size_t r = 0; r < description_.relatives.size(); ++r)
+    if (description_.relatives[r].kind == Relative::Kind::state)
+      structure_.states.push_back(numbering_.relative[r]);
 }
 
 Mechanism::~Mechanism() = default;
@@ -178,6 +168,7 @@ void Mechanism::add_masses() {
       weight_[first + k] += m.mass * in.gravity[k];
       add(first + k, first + k, m.mass);
     }
+  for (const Inertia& i : in.inertias) add(numbering_.of(i.coordinate), numbering_.of(i.coordinate), i.value);
   structure_.mass = variable.matrix(n, n);
   fixed_mass_ = fixed.matrix(structure_.coordinates - n, n);
 }
@@ -221,42 +212,6 @@ void Mechanism::place_constraints() {
         to.push_back(c < n ? structure_.jacobian.find(c, first + e)
                            : structure_.jacobian.size() + fixed_jacobian_.find(c - n, first + e));
     set->place(std::exchange(first, first + set->size()), std::move(to));
-  }
-}
-
-void Mechanism::add_forces() {
-  const Description& in = description_;
-  in.dimension == 2 ? add_if_used(central_set<2>(in, numbering_, inputs_), force_sets_)
-                    : add_if_used(central_set<3>(in, numbering_, inputs_), force_sets_);
-  auto springs = std::make_unique<RelativeSpringSet>();
-  for (const Spring& s : in.springs)
-    if (s.relative >= 0) springs->add(numbering_.relative[s.relative], SpringLaw(s));
-  add_if_used(std::move(springs), force_sets_);
-  auto loads = std::make_unique<LoadSet>(inputs_);
-  for (const Force& f : in.forces) {
-    if (f.kind == Force::Kind::relative) loads->add(numbering_.relative[f.index], f.input, f.gain);
-    for (int k = 0; k < in.dimension && f.kind == Force::Kind::point; ++k)
-      loads->add(numbering_.entity[f.index] + k, f.input, f.gain * f.direction[k]);
-  }
-  add_if_used(std::move(loads), force_sets_);
-}
-
-/// Entries of fixed coordinates are written behind the pattern's, where nobody reads.
-void Mechanism::place_forces() {
-  const int n = structure_.variables;
-  const auto is_variable = [n](const auto& entry) { return entry.first < n && entry.second < n; };
-  std::vector<std::pair<int, int>> entries;
-  for (const auto& set : force_sets_)
-    for (const auto& entry : set->entries())
-      if (is_variable(entry)) entries.push_back(entry);
-  structure_.stiffness = Pattern(n, n, std::move(entries));
-  structure_.stiffness_extra = 1;
-  for (const auto& set : force_sets_) {
-    std::vector<int> to;
-    for (const auto& entry : set->entries())
-      to.push_back(is_variable(entry) ? structure_.stiffness.find(entry.first, entry.second)
-                                      : structure_.stiffness.size());
-    set->place(std::move(to));
   }
 }
 

@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "../dense.hpp"
 #include "refuse.hpp"
 
 namespace tandem::mbs {
@@ -16,11 +16,9 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-[[noreturn]] void refuse(const Body& body, const std::string& what) {
+[[noreturn]] void refuse_body(const Body& body, const std::string& what) {
   mbs::refuse(body.where, fmt::format("body '{}' {}", body.name, what));
 }
-
-bool is_point(const Description& in, int entity) { return in.entities[entity].kind == Entity::Kind::point; }
 
 /// Integral of x x^T dm about the centre. In the plane only the polar moment counts: it is shared out evenly.
 MatrixXd second_moments(const Description& in, const Body& body) {
@@ -29,11 +27,12 @@ MatrixXd second_moments(const Description& in, const Body& body) {
 }
 
 void check_mass(const Description& in, const Body& body) {
-  if (!(body.mass > 0.0)) refuse(body, fmt::format("has a mass of {} kg; allowed is above 0", body.mass));
+  if (!(body.mass > 0.0))
+    refuse_body(body, fmt::format("has a mass of {} kg; allowed is above 0", body.mass));
   const MatrixXd second = second_moments(in, body);
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(second);
-  if (const double least = solver.eigenvalues()[0]; least < -1e-9 * std::abs(second.trace()))
-    refuse(body, fmt::format("has an inertia tensor that no body has: a second moment is {} kg m^2", least));
+  if (const double least = dense::symmetric_eigenvalues(second)[0]; least < -1e-9 * std::abs(second.trace()))
+    refuse_body(body,
+                fmt::format("has an inertia tensor that no body has: a second moment is {} kg m^2", least));
 }
 
 /// Integral of (1, x)(1, x)^T dm in the body's coordinates.
@@ -53,10 +52,11 @@ void spanned(const Description& in, const Body& body, BodyMass& to) {
   VectorXd factor(k);
   for (int e = 0; e < k; ++e) basis.col(e) = at.of(to.entities[e]), factor[e] = at.factor(to.entities[e]);
   const MatrixXd j = pseudo_inertia(in, body, at);
-  const Eigen::ColPivHouseholderQR<MatrixXd> qr(basis);
-  MatrixXd half = qr.solve(j), c = qr.solve(half.transpose());
-  if (!((basis * c * basis.transpose() - j).norm() <= at.rounding() * j.norm()))
-    refuse(body, "has inertia off the line or plane of its points and vectors; give it one more of them");
+  const dense::Qr qr(basis);
+  MatrixXd half = dense::solve(qr, j), c = dense::solve(qr, MatrixXd(half.transpose()));
+  if (!((dense::reduced(c, basis.transpose()) - j).norm() <= at.rounding() * j.norm()))
+    refuse_body(body,
+                "has inertia off the line or plane of its points and vectors; give it one more of them");
   half = factor.cwiseInverse().asDiagonal() * half;
   c = (factor.cwiseInverse().asDiagonal() * c * factor.cwiseInverse().asDiagonal()).eval();
   to.mass.setZero(d * k, d * k);
@@ -96,7 +96,7 @@ void planar_pair(const Description& in, const Body& body, BodyMass& to) {
 BodyCoordinates::BodyCoordinates(const Description& in, const Body& body) : in_(in) {
   const auto first =
       std::find_if(body.entities.begin(), body.entities.end(), [&](int e) { return is_point(in, e); });
-  if (first == body.entities.end()) refuse(body, "has no point");
+  if (first == body.entities.end()) refuse_body(body, "has no point");
   origin_ = in.entities[*first].at;
   double size = 0.0;
   for (const int e : body.entities)
@@ -105,7 +105,7 @@ BodyCoordinates::BodyCoordinates(const Description& in, const Body& body) : in_(
                      : std::max((body.centre - origin_).stableNorm(),
                                 std::sqrt(std::abs(second_moments(in, body).trace()) / body.mass)));
   if (!can_be_squared(size_))
-    refuse(body, fmt::format("has a size of {} m; allowed is 1e-100 to 1e100 m", size_));
+    refuse_body(body, fmt::format("has a size of {} m; allowed is 1e-100 to 1e100 m", size_));
 }
 
 BodyCoordinates::BodyCoordinates(const Description& in, int point) : in_(in), origin_(in.entities[point].at) {
@@ -139,19 +139,22 @@ double BodyCoordinates::factor(int entity) const {
 }
 
 std::vector<int> defining_entities(const Description& in, const Body& body) {
-  std::vector<int> chosen, candidates = body.entities;
+  std::vector<int> chosen, candidates = body.basis.empty() ? body.entities : body.basis;
   std::stable_partition(candidates.begin(), candidates.end(), [&](int e) { return is_point(in, e); });
   const BodyCoordinates at(in, body);
   MatrixXd basis(in.dimension + 1, 0);
   for (const int entity : candidates) {
     MatrixXd more(in.dimension + 1, basis.cols() + 1);
     more << basis, at.of(entity);
-    Eigen::ColPivHouseholderQR<MatrixXd> qr(more);
+    dense::Qr qr(more);
     qr.setThreshold(at.rounding());
     if (qr.rank() < more.cols()) continue;
     basis = more;
     chosen.push_back(entity);
   }
+  if (!body.basis.empty() && chosen.size() != body.basis.size())
+    refuse_body(body,
+                "has a basis of which one depends on the others; allowed are independent points and vectors");
   return chosen;
 }
 
@@ -160,7 +163,7 @@ BodyMass body_mass(const Description& in, const Body& body) {
   BodyMass result;
   result.entities = defining_entities(in, body);
   const bool two_points = in.dimension == 2 && result.entities.size() == 2;
-  if (result.entities.size() < 2) refuse(body, "has no two points apart from each other");
+  if (result.entities.size() < 2) refuse_body(body, "has no two points apart from each other");
   two_points ? planar_pair(in, body, result) : spanned(in, body, result);
   return result;
 }

@@ -13,10 +13,6 @@
 namespace tandem::mbs {
 namespace {
 
-bool is_point(const Description& in, int e) {
-  return e >= 0 && in.entities[static_cast<std::size_t>(e)].kind == Entity::Kind::point;
-}
-
 bool acts(const Spring& s) {
   const auto any = [](const std::vector<double>& c) {
     return std::any_of(c.begin(), c.end(), [](double k) { return k != 0.0; });
@@ -55,10 +51,15 @@ class Islands {
   void join(const Edge& edge) { join(edge.to, edge.from); }
   void join(const Edge& a, const Edge& b) { join(a), join(b); }
   void join_relative(int r) {
-    if (r >= 0) join(in_.relatives[r].a, in_.relatives[r].b);
+    if (r < 0) return;
+    const Relative& relative = in_.relatives[r];
+    if (relative.a.to >= 0) return join(relative.a, relative.b);
+    if (relative.kind == Relative::Kind::length)
+      join(of(relative.ends.carriers[0]), of(relative.ends.carriers[1]));
   }
   int of(const Carrier& c) const {
     if (c.kind == Carrier::Kind::ground) return ground();
+    if (c.kind == Carrier::Kind::combination) return c.entities[0];
     return c.kind == Carrier::Kind::body ? of(in_.bodies[c.index]) : c.index;
   }
   void join_bodies() {
@@ -69,6 +70,10 @@ class Islands {
     for (const ScalarProduct& p : in_.products) join(p.a, p.b);
     for (const FixedAngle& a : in_.fixed_angles) join(a.a, a.b);
     for (const Joint& j : in_.joints) join(of(j.first), of(j.second));
+    for (const Link& l : in_.links) join(of(l.ends.carriers[0]), of(l.ends.carriers[1]));
+    for (const Relation& r : in_.relations)
+      for (const auto& p : r.products) join(p.a, p.b);
+    for (const Slide& s : in_.slides) join(s.point, of(s.carrier));
     for (const Drive& d : in_.drives) {
       join(d.coordinate.entity, ground());
       join_relative(d.coordinate.relative);
@@ -98,12 +103,12 @@ void check_masses(const Description& in) {
       refuse(m.where, fmt::format("mass '{}' is {} kg; allowed is above 0", m.name, m.mass));
   }
   for (std::size_t e = 0; e < owned.size(); ++e)
-    if (!owned[e] && !in.entities[e].fixed)
+    if (!owned[e] && !in.entities[e].fixed && !in.entities[e].massless)
       refuse(
           in.entities[e].where,
           fmt::format("{} '{}' belongs to no body and has no mass; allowed is a point of a body, one with a "
-                      "mass, or a fixed one",
-                      in.entities[e].kind == Entity::Kind::point ? "point" : "vector", in.entities[e].name));
+                      "mass, a fixed one, or massless = true",
+                      is_point(in, static_cast<int>(e)) ? "point" : "vector", in.entities[e].name));
 }
 
 void check_points(const Description& in) {
@@ -144,8 +149,21 @@ void check_islands(const Description& in) {
                          c.name, floating ? ", nor to " + all[0].name : ""));
 }
 
+void check_drives(const Description& in) {
+  for (auto d = in.drives.begin(); d != in.drives.end(); ++d)
+    for (auto before = in.drives.begin(); before != d; ++before)
+      if (before->coordinate == d->coordinate)
+        refuse(d->where, "drive '" + d->name + "' moves what drive '" + before->name +
+                             "' moves already; allowed is one drive of a coordinate");
+}
+
 void check_relatives(const Description& in) {
   for (const Relative& r : in.relatives) {
+    if (r.a.to < 0) {
+      continue;
+    }
+    if (r.kind == Relative::Kind::angle && r.a == r.b)
+      refuse(r.where, "angle '" + r.name + "' lies between an edge and itself; allowed are two edges");
     const auto across = [&](const Edge& e) {
       const Eigen::Vector3d way = drawn(in, e);
       return r.axis < 0 ? way : Eigen::Vector3d(way.cross(in.entities[r.axis].at));
@@ -173,6 +191,7 @@ void check(const Description& in) {
   check_masses(in);
   check_islands(in);
   check_relatives(in);
+  check_drives(in);
 }
 
 }  // namespace tandem::mbs

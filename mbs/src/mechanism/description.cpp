@@ -12,7 +12,12 @@ Eigen::Vector3d drawn(const Description& in, const Edge& edge) {
   return edge.from < 0 ? to : Eigen::Vector3d(to - in.entities[edge.from].at);
 }
 
+double drawn(const Ends& ends) { return (ends.places[1] - ends.places[0]).norm(); }
+
 double drawn(const Description& in, const Relative& relative) {
+  using enum Relative::Kind;
+  if (relative.kind == free || relative.kind == state) return relative.at;
+  if (relative.kind == length && relative.a.to < 0) return drawn(relative.ends);
   const Eigen::Vector3d a = drawn(in, relative.a);
   if (relative.kind == Relative::Kind::length) return a.norm();
   const Eigen::Vector3d b = drawn(in, relative.b),
@@ -22,7 +27,9 @@ double drawn(const Description& in, const Relative& relative) {
 }
 
 bool is_angle(const Description& in, const Coordinate& c) {
-  return c.relative >= 0 && in.relatives[static_cast<std::size_t>(c.relative)].kind == Relative::Kind::angle;
+  if (c.relative < 0) return false;
+  const Relative& relative = in.relatives[static_cast<std::size_t>(c.relative)];
+  return relative.kind == Relative::Kind::angle || relative.turns;
 }
 
 Body uniform_rod(const Description& in, std::string name, int a, int b, double mass) {

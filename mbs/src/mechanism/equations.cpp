@@ -102,6 +102,13 @@ class JointEquations {
   std::vector<Quadratic> equations_;
 };
 
+Forms way(const Description& in, const Numbering& at, const Ends& ends, const std::string& where) {
+  const auto place = [&](std::size_t k) {
+    return Frame(in, at, ends.carriers[k], where).point(ends.places[k]);
+  };
+  return difference(place(1), place(0));
+}
+
 bool right_angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::abs(a.dot(b)) <= 1e-9 * a.norm() * b.norm();
 }
@@ -206,7 +213,7 @@ Quadratic equation(const Description& in, const Numbering& at, const Drive& driv
 
 Quadratic length_equation(const Description& in, const Numbering& at, int relative) {
   const Relative& length = in.relatives[relative];
-  const Forms edge = forms_of(in, at, length.a);
+  const Forms edge = length.a.to >= 0 ? forms_of(in, at, length.a) : way(in, at, length.ends, length.where);
   const int s = at.relative[relative];
   Quadratic e{"length " + length.name};
   e.where = length.where;
@@ -215,6 +222,44 @@ Quadratic length_equation(const Description& in, const Numbering& at, int relati
   e.add_product(edge, edge, scale);
   e.products.push_back({-scale, s, s});
   return e;
+}
+
+Quadratic equation(const Description& in, const Numbering& at, const Link& link) {
+  const double length = drawn(link.ends);
+  const Forms edge = way(in, at, link.ends, link.where);
+  Quadratic e{"distance " + link.name, -length};
+  e.where = link.where;
+  e.size = length;
+  e.add_product(edge, edge, 1.0 / length);
+  return e;
+}
+
+Quadratic equation(const Description& in, const Numbering& at, const Relation& relation) {
+  Quadratic e{"relation " + relation.name, -relation.value};
+  e.where = relation.where;
+  for (const auto& term : relation.terms) {
+    if (is_angle(in, term.coordinate)) e.unit = "rad";
+    e.linear.push_back({term.factor, at.of(term.coordinate)});
+  }
+  for (const auto& p : relation.products)
+    e.add_product(forms_of(in, at, p.a), forms_of(in, at, p.b), p.factor);
+  return e;
+}
+
+std::vector<Quadratic> equations(const Description& in, const Numbering& at, const Slide& slide) {
+  const Frame frame(in, at, slide.carrier, slide.where);
+  const Forms gap = difference(forms_of(in, at, slide.point), frame.point(in.entities[slide.point].at)),
+              along = frame.direction(slide.along);
+  const Form way{-in.relatives[slide.relative].at, {{at.relative[slide.relative], 1.0}}};
+  std::vector<Quadratic> all;
+  for (int k = 0; k < in.dimension; ++k) {
+    Quadratic e{"slide " + slide.name + ": " + axis_names[k]};
+    e.where = slide.where;
+    e.add(gap[k], 1.0);
+    e.add_product(way, along[k], -1.0);
+    all.push_back(std::move(e));
+  }
+  return all;
 }
 
 std::vector<Quadratic> equations(const Description& in, const Numbering& at, const Joint& joint) {

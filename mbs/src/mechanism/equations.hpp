@@ -28,4 +28,9 @@ Quadratic length_equation(const Description& in, const Numbering& at, int relati
 /// universal and cylindrical 4, point_on_line 2, point_on_plane 1.
 std::vector<Quadratic> equations(const Description& in, const Numbering& at, const Joint& joint);
 
+Quadratic equation(const Description& in, const Numbering& at, const Link& link);
+Quadratic equation(const Description& in, const Numbering& at, const Relation& relation);
+/// One for each axis.
+std::vector<Quadratic> equations(const Description& in, const Numbering& at, const Slide& slide);
+
 }  // namespace tandem::mbs

@@ -3,8 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
-
+#include "../dense.hpp"
 #include "refuse.hpp"
 #include "tandem/mbs/mechanism/body_mass.hpp"
 
@@ -34,14 +33,22 @@ Frame::Frame(const Description& in, const Numbering& at, const Carrier& carrier,
     : in_(in), at_(at), carrier_(carrier), where_(std::move(where)) {
   if (carrier.kind == Carrier::Kind::body) entities_ = defining_entities(in, in.bodies[carrier.index]);
   if (carrier.kind == Carrier::Kind::point) entities_ = {carrier.index};
+  if (carrier.kind == Carrier::Kind::combination)
+    entities_ = defining_entities(in, Body{"", carrier.entities});
 }
 
 Forms Frame::point(const Eigen::Vector3d& at) const { return forms(at, true); }
 Forms Frame::direction(const Eigen::Vector3d& along) const { return forms(along, false); }
 
 std::string Frame::name() const {
-  return carrier_.kind == Carrier::Kind::body ? "body '" + in_.bodies[carrier_.index].name + "'"
-                                              : "point '" + in_.entities[carrier_.index].name + "'";
+  switch (carrier_.kind) {
+    case Carrier::Kind::body:
+      return "body '" + in_.bodies[carrier_.index].name + "'";
+    case Carrier::Kind::point:
+      return "point '" + in_.entities[carrier_.index].name + "'";
+    default:
+      return "what '" + in_.entities[entities_[0]].name + "' and others span";
+  }
 }
 
 /// The combination of the entities that has the drawn place, B c = (1, at) in homogeneous coordinates, or
@@ -54,13 +61,14 @@ Forms Frame::forms(const Eigen::Vector3d& at, bool is_point) const {
     return result;
   }
   if (d == 2 && entities_.size() == 2) return turned_pair(at, is_point);
-  const BodyCoordinates local = carrier_.kind == Carrier::Kind::body
+  const BodyCoordinates local = carrier_.kind == Carrier::Kind::point ? BodyCoordinates(in_, carrier_.index)
+                                : carrier_.kind == Carrier::Kind::body
                                     ? BodyCoordinates(in_, in_.bodies[carrier_.index])
-                                    : BodyCoordinates(in_, carrier_.index);
+                                    : BodyCoordinates(in_, Body{"", entities_});
   Eigen::MatrixXd basis(d + 1, static_cast<int>(entities_.size()));
   for (std::size_t e = 0; e < entities_.size(); ++e) basis.col(static_cast<int>(e)) = local.of(entities_[e]);
   const Eigen::VectorXd target = is_point ? local.point(at) : local.direction(at);
-  Eigen::VectorXd c = basis.colPivHouseholderQr().solve(target);
+  Eigen::VectorXd c = dense::solve(dense::Qr(basis), target);
   if (!((basis * c - target).norm() <= local.rounding() * (1.0 + target.norm())))
     refuse(where_, fmt::format("{} has no {} ({}, {}, {}): its points and vectors don't span it; give it one "
                                "more of them",
@@ -76,8 +84,7 @@ Forms Frame::forms(const Eigen::Vector3d& at, bool is_point) const {
 
 /// In the plane two points suffice: p = i + (re + im turn)(j - i), turn a quarter turn counterclockwise.
 Forms Frame::turned_pair(const Eigen::Vector3d& at, bool is_point) const {
-  const Edge edge = in_.entities[entities_[1]].kind == Entity::Kind::point ? Edge{entities_[1], entities_[0]}
-                                                                           : Edge{entities_[1]};
+  const Edge edge = mbs::is_point(in_, entities_[1]) ? Edge{entities_[1], entities_[0]} : Edge{entities_[1]};
   const Eigen::Vector2d along = drawn(in_, edge).head(2), across(-along[1], along[0]),
                         way = is_point ? Eigen::Vector2d(at.head(2) - in_.entities[entities_[0]].at.head(2))
                                        : Eigen::Vector2d(at.head(2));

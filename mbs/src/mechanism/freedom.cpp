@@ -10,7 +10,9 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-/// Phi_q^T with columns of length 1, so that one threshold serves them all.
+constexpr double rounding = 1e-12;  ///< of the longest column: what an equation that holds nothing leaves
+
+/// Phi_q^T with columns of length 1, so that one threshold serves them all, or of nothing.
 Sparse gradients(Model& model, const State& s) {
   const Structure& structure = model.structure();
   std::vector<double> phi(static_cast<std::size_t>(structure.constraints)),
@@ -20,8 +22,12 @@ Sparse gradients(Model& model, const State& s) {
   const Pattern& p = structure.jacobian;
   Sparse a = Eigen::Map<const Sparse>(p.rows(), p.columns(), p.size(), p.starts().data(), p.indices().data(),
                                       jacobian.data());
-  for (int c = 0; c < a.cols(); ++c)
-    if (const double length = a.col(c).norm(); length > 0.0) a.col(c) /= length;
+  double longest = 0.0;
+  for (int c = 0; c < a.cols(); ++c) longest = std::max(longest, a.col(c).norm());
+  for (int c = 0; c < a.cols(); ++c) {
+    const double length = a.col(c).norm();
+    a.col(c) *= length > rounding * longest ? 1.0 / length : 0.0;
+  }
   a.makeCompressed();
   return a;
 }

@@ -8,6 +8,7 @@
 
 #include "linearized.hpp"
 #include "refuse.hpp"
+#include "tandem/mbs/mechanism/equilibrium.hpp"
 
 namespace tandem::mbs {
 namespace {
@@ -83,6 +84,19 @@ std::vector<Known::Value> known(const Mechanism& mechanism, const std::vector<Gi
   return values;
 }
 
+/// What drives the mechanism later has no part in where it stands before.
+void balance(Mechanism& mechanism, State& s, const Known& given) {
+  InputSource* const source = mechanism.source();
+  mechanism.set_inputs(nullptr);
+  mechanism.reset_inputs();
+  const Eigen::VectorXd v = s.v;
+  s = equilibrium(mechanism, std::move(s), given);
+  s.v = v;
+  mechanism.set_inputs(source);
+  mechanism.at_time(s.time);
+  find_velocities(mechanism, s, given);
+}
+
 }  // namespace
 
 State consistent_state(Model& model, State s, const Known& known) {
@@ -98,8 +112,9 @@ State initial_state(Mechanism& mechanism, double t) {
   const Description& in = mechanism.description();
   State s = mechanism.described_state();
   s.time = t;
-  s = consistent_state(mechanism, std::move(s),
-                       {known(mechanism, in.positions), known(mechanism, in.velocities)});
+  const Known given{known(mechanism, in.positions), known(mechanism, in.velocities)};
+  s = consistent_state(mechanism, std::move(s), given);
+  if (in.equilibrium) balance(mechanism, s, given);
   check_angles(mechanism, s);
   return s;
 }
@@ -112,8 +127,7 @@ Assembled assembled(Mechanism& mechanism, double t) {
   Linearized at(mechanism, positions);
   if (assemble(at, result.state.q, positions)) return result;
   for (int k = 0; k < at.phi.size(); ++k)
-    if (!(std::abs(at.phi[k]) <= at.limit))
-      result.contradictions.push_back({k, at.phi[k]});
+    if (!(std::abs(at.phi[k]) <= at.limit)) result.contradictions.push_back({k, at.phi[k]});
   return result;
 }
 

@@ -12,7 +12,7 @@ namespace {
 using Eigen::VectorXd;
 using Sparse = Eigen::SparseMatrix<double>;
 
-constexpr int most_iterations = 100, most_pushes = 3;
+constexpr int most_closing_steps = 100, most_pushes = 3;
 
 Eigen::Map<const Sparse> transposed(const Model& model, const std::vector<double>& values) {
   const Pattern& p = model.structure().jacobian;
@@ -40,7 +40,7 @@ bool close(Linearized& at, VectorXd& q) {
   if (largest(at.phi) <= 1e-3 * at.limit) return true;
   double before = at.phi.norm(), least = before;
   VectorXd nearest = q;
-  for (int k = 0, pushes = 0; k < most_iterations; ++k) {
+  for (int k = 0, pushes = 0; k < most_closing_steps; ++k) {
     const bool better = take(at, q, at.step(at.phi));
     const double now = at.phi.norm();
     if (!(now < 0.5 * before) && largest(at.phi) <= at.limit) return true;

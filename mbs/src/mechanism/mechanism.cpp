@@ -2,6 +2,7 @@
 #include "tandem/mbs/mechanism/mechanism.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "constraint_set.hpp"
@@ -30,6 +31,15 @@ void Mechanism::at_time(double t) {
   for (std::size_t i = 0; i < inputs_.size(); ++i)
     if (const auto& function = description_.inputs[i].function) inputs_[i] = function(t);
   if (source_) source_->at(t, inputs_);
+}
+
+void Mechanism::reset_inputs() {
+  for (std::size_t i = 0; i < inputs_.size(); ++i) {
+    const auto follows = [i](const Drive& d) { return d.input == static_cast<int>(i); };
+    if (std::any_of(description_.drives.begin(), description_.drives.end(), follows)) continue;
+    const double value = description_.inputs[i].value;
+    inputs_[i] = {std::isnan(value) ? 0.0 : value};
+  }
 }
 
 void Mechanism::constraints(const double* q, double* phi, double* jacobian) const {
@@ -71,6 +81,7 @@ double Mechanism::kinetic(const double* v) const {
   for (int column = 0; column < p.columns(); ++column)
     for (int k = p.starts()[column]; k < p.starts()[column + 1]; ++k)
       sum += structure_.mass.values[k] * v[p.indices()[k]] * v[column];
+  for (const int i : structure_.states) sum -= v[i] * v[i];
   return 0.5 * sum;
 }
 

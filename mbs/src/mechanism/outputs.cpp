@@ -2,7 +2,9 @@
 #include "tandem/mbs/mechanism/outputs.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "element_set.hpp"
 #include "equations.hpp"
 #include "parts.hpp"
 #include "tandem/mbs/mechanism/body_mass.hpp"
@@ -19,6 +21,13 @@ bool is_motion(Kind kind) {
 bool is_residual(Kind kind) {
   return kind == Kind::position_residual || kind == Kind::velocity_residual ||
          kind == Kind::acceleration_residual;
+}
+
+bool is_angle(Kind kind) { return kind == Kind::elevation || kind == Kind::heading; }
+
+bool has_input(const ForceElement& element, int input) {
+  const auto& all = element.inputs();
+  return std::find(all.begin(), all.end(), input) != all.end();
 }
 
 bool depends_on_accelerations(Kind kind) {
@@ -107,7 +116,12 @@ std::string Outputs::unit(int output) const {
     case Kind::position_residual:
     case Kind::velocity_residual:
     case Kind::acceleration_residual:
-      return "";
+      return "1";  // of lengths and angles
+    case Kind::elevation:
+    case Kind::heading:
+      return "rad";
+    case Kind::quantity:
+      return quantity(o).unit;
     default:
       return "J";
   }
@@ -119,11 +133,23 @@ bool Outputs::depends(int output, int input) const {
   for (const Drive& drive : in.drives)
     if (drive.input == input && connected(output, parts_[mechanism_.numbering().of(drive.coordinate)]))
       return true;
+  if (o.kind == Kind::quantity) return quantity(o).follows_inputs && has_input(element(o), input);
   if (!depends_on_accelerations(o.kind)) return false;
+  for (const NamedElement& e : in.elements)
+    for (const Coordinate& c : e.force->coordinates())
+      if (has_input(*e.force, input) && connected(output, parts_[mechanism_.numbering().of(c)])) return true;
   for (const Force& force : in.forces)
     for (const int place : places(mechanism_, force))
       if (force.input == input && connected(output, parts_[place])) return true;
   return false;
+}
+
+const ForceElement& Outputs::element(const Output& o) const {
+  return *mechanism_.description().elements[static_cast<std::size_t>(o.element)].force;
+}
+
+ForceElement::Quantity Outputs::quantity(const Output& o) const {
+  return element(o).quantities()[static_cast<std::size_t>(o.quantity)];
 }
 
 /// Energies and residuals are of all parts.
@@ -134,6 +160,7 @@ bool Outputs::connected(int output, int part) const {
     return parts_[at.of(mechanism_.description().drives[static_cast<std::size_t>(o.drive)].coordinate)] ==
            part;
   if (is_motion(o.kind)) return parts_[at.of(o.coordinate)] == part;
+  if (is_angle(o.kind)) return parts_[mechanism_.coordinate(o.edge.to)] == part;
   return o.kind != Kind::reaction || supports_[static_cast<std::size_t>(output)].borne(parts_, part);
 }
 
@@ -151,7 +178,7 @@ void Outputs::start(const State& s) { energy_at_start_ = mechanism_.energy(s.q.d
 
 void Outputs::evaluate(const State& state, double* y) {
   prepare(state);
-  for (int k = 0; k < size(); ++k) *y++ = value(k, state);
+  for (int k = 0; k < size(); ++k) *y++ = outputs_[static_cast<std::size_t>(k)].gain * value(k, state);
 }
 
 void Outputs::prepare(const State& s) {
@@ -171,6 +198,11 @@ double Outputs::value(int number, const State& s) const {
       return s.v[i];
     case Kind::acceleration:
       return s.a[i];
+    case Kind::elevation:
+    case Kind::heading:
+      return angle(output, s);
+    case Kind::quantity:
+      return measured(number, s.q.data(), s.v.data());
     case Kind::drive_reaction:
       return -s.lambda[mechanism_.drive_equation(output.drive)];
     case Kind::reaction:
@@ -201,17 +233,49 @@ double Outputs::reaction(const Support& support, const State& s) const {
   return sum;
 }
 
+double Outputs::angle(const Output& output, const State& s) const {
+  const int d = mechanism_.description().dimension;
+  Eigen::Vector3d way = Eigen::Vector3d::Zero();
+  way.head(d) = s.q.segment(mechanism_.coordinate(output.edge.to), d);
+  if (output.edge.from >= 0) way.head(d) -= s.q.segment(mechanism_.coordinate(output.edge.from), d);
+  const bool level = d == 2 || output.kind == Kind::heading;
+  return level ? std::atan2(way[1], way[0]) : std::atan2(way[2], std::hypot(way[0], way[1]));
+}
+
+double Outputs::measured(int number, const double* q, const double* v) const {
+  const Output& output = outputs_[static_cast<std::size_t>(number)];
+  GatheredElement at(element(output), mechanism_.numbering());
+  std::vector<double> values(element(output).quantities().size());
+  element(output).measure(at.gather(q, v, mechanism_.inputs()), values.data());
+  return values[static_cast<std::size_t>(output.quantity)];
+}
+
+/// By a central difference along the motion, in which inputs stay as they are.
+double Outputs::measured_rate(int number, const State& s) const {
+  constexpr double by = 1e-5;  // [s]
+  const auto at = [&](double t) {
+    const Eigen::VectorXd q = s.q + t * s.v + 0.5 * t * t * s.a, v = s.v + t * s.a;
+    return measured(number, q.data(), v.data());
+  };
+  return (at(by) - at(-by)) / (2.0 * by);
+}
+
 int Outputs::derivatives(int output) const {
-  const Kind kind = outputs_[static_cast<std::size_t>(output)].kind;
-  return kind == Kind::position ? 2 : kind == Kind::velocity ? 1 : 0;
+  const Output& o = outputs_[static_cast<std::size_t>(output)];
+  if (o.kind == Kind::quantity) return quantity(o).follows_inputs ? 0 : 1;
+  return o.kind == Kind::position ? 2 : o.kind == Kind::velocity ? 1 : 0;
 }
 
 void Outputs::derivatives(const State& s, int order, double* dy) const {
   for (int k = 0; k < size(); ++k) {
     const Output& output = outputs_[static_cast<std::size_t>(k)];
+    if (output.kind == Kind::quantity && derivatives(k) >= order) {
+      *dy++ = output.gain * measured_rate(k, s);
+      continue;
+    }
     *dy++ = derivatives(k) < order    ? 0.0
-            : derivatives(k) == order ? s.a[mechanism_.numbering().of(output.coordinate)]
-                                      : s.v[mechanism_.numbering().of(output.coordinate)];
+            : derivatives(k) == order ? output.gain * s.a[mechanism_.numbering().of(output.coordinate)]
+                                      : output.gain * s.v[mechanism_.numbering().of(output.coordinate)];
   }
 }
 

@@ -16,7 +16,7 @@ enum class Shape { sparse, band, dense };
 ///   sparse: start + row n + entry |L| + operation ops;  band: start + row n + entry n w + operation n w^2;
 ///   dense: start + row n + entry n^2 + operation n^3.
 /// Solvers that are nowhere the best, or by little, are not here.
-struct Model {
+struct TimeModel {
   MatrixKind kind;
   const char* solver;
   Shape shape;
@@ -25,7 +25,7 @@ struct Model {
 
 using enum MatrixKind;
 using enum Shape;
-constexpr Model models[] = {
+constexpr TimeModel time_models[] = {
     {positive_definite, "band", band, 0, 0, 4.513, 0.0709},
     {positive_definite, "prepared", sparse, 0, 11.2, 7.197, 0.3951},
     {positive_definite, "lapack_band", band, 0, 67.49, 6.898, 0.005191},
@@ -43,7 +43,7 @@ constexpr Model models[] = {
     {unsymmetric, "mumps", sparse, 2.254e5, 1460, 31.78, 0.259},
 };
 
-double expected(const Model& m, const EliminationCost& cost) {
+double expected(const TimeModel& m, const EliminationCost& cost) {
   const double n = cost.columns, w = cost.band_width;
   switch (m.shape) {
     case sparse:
@@ -69,8 +69,8 @@ EliminationCost elimination_cost(const Pattern& pattern) {
 std::string solver_choice(MatrixKind kind, const Pattern& pattern) {
   const EliminationCost cost = elimination_cost(pattern);
   const auto there = solver_names(kind);
-  const Model* best = nullptr;
-  for (const Model& m : models)
+  const TimeModel* best = nullptr;
+  for (const TimeModel& m : time_models)
     if (m.kind == kind && std::find(there.begin(), there.end(), m.solver) != there.end())
       if (!best || expected(m, cost) < expected(*best, cost)) best = &m;
   return best->solver;

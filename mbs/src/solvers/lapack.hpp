@@ -24,3 +24,9 @@ void dgbtrf_(const int* m, const int* n, const int* kl, const int* ku, double* a
 void dgbtrs_(const char* trans, const int* n, const int* kl, const int* ku, const int* nrhs, const double* ab,
              const int* ldab, const int* ipiv, double* b, const int* ldb, int* info, std::size_t);
 }
+
+namespace tandem::mbs::solvers {
+
+inline constexpr int one_right_side = 1;  ///< nrhs
+
+}  // namespace tandem::mbs::solvers

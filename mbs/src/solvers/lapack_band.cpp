@@ -10,8 +10,6 @@
 namespace tandem::mbs::solvers {
 namespace {
 
-constexpr int one_side = 1;
-
 /// LAPACK's band matrices in an order that makes the band narrow: Cholesky's factorization of a positive
 /// definite matrix, else LU with row interchanges.
 class LapackBand final : public LinearSolver {
@@ -59,9 +57,10 @@ class LapackBand final : public LinearSolver {
     int info = 0;
     for (int k = 0; k < n_; ++k) x_[k] = b[order_[k]];
     if (definite_)
-      dpbtrs_("L", &n_, &width_, &one_side, a_, &height_, x_.data(), &n_, &info, 1);
+      dpbtrs_("L", &n_, &width_, &one_right_side, a_, &height_, x_.data(), &n_, &info, 1);
     else
-      dgbtrs_("N", &n_, &width_, &width_, &one_side, a_, &height_, pivots_.data(), x_.data(), &n_, &info, 1);
+      dgbtrs_("N", &n_, &width_, &width_, &one_right_side, a_, &height_, pivots_.data(), x_.data(), &n_,
+              &info, 1);
     for (int k = 0; k < n_; ++k) b[order_[k]] = x_[k];
   }
 

@@ -10,8 +10,6 @@
 namespace tandem::mbs::solvers {
 namespace {
 
-constexpr int one_side = 1;
-
 /// All entries of the matrix, column by column; of a symmetric one the upper triangle stays empty.
 Layout dense_layout(int n, bool lower) {
   Layout all;
@@ -42,7 +40,7 @@ class DenseCholesky final : public Dense {
   void solve(double* b) override {
     const OneBlasThread one;
     int info = 0;
-    dpotrs_("L", &n_, &one_side, a_, &n_, b, &n_, &info, 1);
+    dpotrs_("L", &n_, &one_right_side, a_, &n_, b, &n_, &info, 1);
   }
 };
 
@@ -65,7 +63,7 @@ class DenseSymmetric final : public Dense {
   void solve(double* b) override {
     const OneBlasThread one;
     int info = 0;
-    dsytrs_("L", &n_, &one_side, a_, &n_, pivots_.data(), b, &n_, &info, 1);
+    dsytrs_("L", &n_, &one_right_side, a_, &n_, pivots_.data(), b, &n_, &info, 1);
   }
 
  private:
@@ -104,7 +102,7 @@ class DenseLu final : public Dense {
   void solve(double* b) override {
     const OneBlasThread one;
     int info = 0;
-    dgetrs_("N", &n_, &one_side, a_, &n_, pivots_.data(), b, &n_, &info, 1);
+    dgetrs_("N", &n_, &one_right_side, a_, &n_, pivots_.data(), b, &n_, &info, 1);
   }
 
  private:

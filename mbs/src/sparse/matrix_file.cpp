@@ -44,17 +44,17 @@ bool read_header(NumberFile& in) {
   return symmetry == "symmetric";
 }
 
-struct Entry {
+struct FileEntry {
   int row, column;
   double value;
 };
 
-Matrix sum_of(int rows, int columns, const std::vector<Entry>& entries) {
+Matrix sum_of(int rows, int columns, const std::vector<FileEntry>& entries) {
   std::vector<std::pair<int, int>> places;
-  for (const Entry& e : entries) places.emplace_back(e.row, e.column);
+  for (const FileEntry& e : entries) places.emplace_back(e.row, e.column);
   Matrix matrix{Pattern(rows, columns, std::move(places)), {}};
   matrix.values.assign(static_cast<std::size_t>(matrix.pattern.size()), 0.0);
-  for (const Entry& e : entries) matrix.values[matrix.pattern.find(e.row, e.column)] += e.value;
+  for (const FileEntry& e : entries) matrix.values[matrix.pattern.find(e.row, e.column)] += e.value;
   return matrix;
 }
 
@@ -77,7 +77,7 @@ Matrix read_matrix_market(const std::filesystem::path& file) {
             columns = in.integer("the number of columns", 0, most),
             count = in.integer("the number of entries", 0, most);
   if (symmetric && rows != columns) in.refuse("a symmetric matrix that is not square");
-  std::vector<Entry> entries;
+  std::vector<FileEntry> entries;
   for (int k = 0; k < count; ++k) {
     const int row = in.integer("a row", 1, rows) - 1, column = in.integer("a column", 1, columns) - 1;
     entries.push_back({row, column, in.number("a value")});

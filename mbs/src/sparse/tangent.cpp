@@ -23,9 +23,18 @@ Pattern diagonal(int size) {
   return {size, size, std::move(entries)};
 }
 
+bool couples_state(const Structure& s, int row, int column) {
+  return std::any_of(s.states.begin(), s.states.end(), [&](int i) { return i == row || i == column; });
+}
+
 Pattern tangent_pattern(const Structure& s) {
   const Pattern forces = unite(s.mass.pattern, s.stiffness);
-  return unite(unite(forces, outer_products(s.jacobian)), diagonal(s.variables));
+  const Pattern all = unite(unite(forces, outer_products(s.jacobian)), diagonal(s.variables));
+  if (s.states.empty()) return all;
+  auto entries = all.entries();
+  std::erase_if(entries,
+                [&](const auto& e) { return e.first != e.second && couples_state(s, e.first, e.second); });
+  return {s.variables, s.variables, std::move(entries)};
 }
 
 Layout prepared_layout(LinearSolver& solver, const Pattern& pattern) {
@@ -40,12 +49,14 @@ Tangent::Tangent(const Structure& structure, std::unique_ptr<LinearSolver> solve
       pattern_(tangent_pattern(structure)),
       layout_(prepared_layout(*solver_, pattern_)),
       update_(structure.jacobian, layout_),
+      states_(structure, layout_),
       mass_(layout_.size()),
-      values_(layout_.size()) {
+      values_(layout_.size() + states_.size()) {
   for (std::size_t e = 0; e < layout_.size(); ++e) {
     const auto [row, column] = layout_[e];
     if (row < 0) continue;
     if (const int k = structure.mass.pattern.find(row, column); k >= 0) mass_[e] = structure.mass.values[k];
+    if (row != column && couples_state(structure, row, column)) continue;  // a band has room for it
     if (const int k = structure.stiffness.find(row, column); k >= 0)
       from_.push_back(k), to_.push_back(static_cast<int>(e));
   }
@@ -63,7 +74,14 @@ void Tangent::assemble(const ModelMatrices& at, const TangentFactors& factors) {
     for (std::size_t k = 0; k < to_.size(); ++k)
       base_[to_[k]] += factors.stiffness * at.stiffness[from_[k]] + factors.damping * at.damping[from_[k]];
   }
+  states_.assemble(at, factors, base_.data(), values_.data() + layout_.size());
   update_.run(at.jacobian.data(), factors.penalty, base_.data(), values_.data());
+}
+
+void Tangent::solve(double* b) {
+  states_.reduce(values_.data() + layout_.size(), b);
+  solver_->solve(b);
+  states_.expand(values_.data() + layout_.size(), b);
 }
 
 }  // namespace tandem::mbs

@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "check_step.hpp"
 #include "tandem/mbs/mechanism/initial.hpp"
 
 namespace tandem::mbs {
@@ -25,24 +26,9 @@ Multibody::Machine::Machine(Description description, const SubsystemSettings& se
 Multibody::Multibody(Description description, const SubsystemSettings& settings)
     : machine_(std::make_shared<Machine>(std::move(description), settings)),
       step_(settings.step),
+      moving_(machine_->stepper),
       inputs_(machine_->inputs.ports().size()) {
-  if (!(step_ > 0.0) || !std::isfinite(step_))
-    throw Error(ErrorCode::invalid_argument,
-                fmt::format("mechanism '{}': step is {} s; allowed is a finite number above 0",
-                            machine_->mechanism.description().name, step_));
-}
-
-Multibody::Multibody(const Multibody& other) { *this = other; }
-
-Multibody& Multibody::operator=(const Multibody& other) {
-  memory_ = other.memory();
-  kept_ = true;
-  machine_ = other.machine_;
-  step_ = other.step_;
-  state_ = other.state_;
-  inputs_ = other.inputs_;
-  unknown_ = other.unknown_;
-  return *this;
+  check_step("mechanism '" + machine_->mechanism.description().name + "'", step_);
 }
 
 SubsystemInfo Multibody::info() const {
@@ -73,24 +59,21 @@ void Multibody::start(double t, std::span<const double> u0) {
       unknown_.push_back(machine_->inputs.ports()[port]);
     }
   machine_->inputs.set_constants(values);
-  state_ = initial_state(machine_->mechanism, t);
-  machine_->stepper->start(state_);
-  machine_->outputs.start(state_);
+  moving_.start(initial_state(machine_->mechanism, t));
+  machine_->outputs.start(moving_.state());
   machine_->inputs.read(t, inputs_);
-  kept_ = false;
   machine_->dumped = 0;
   dump_matrices();
 }
 
 void Multibody::step(const OwnStep& s, std::span<const Signal> u) {
-  if (std::exchange(kept_, false)) machine_->stepper->recall(memory_);
   unknown_.clear();
   machine_->inputs.set(u);
   if (machine_->inputs.read(s.begin, inputs_)) {
     machine_->mechanism.at_time(s.begin);
-    machine_->stepper->refresh(state_);
+    moving_.refresh();
   }
-  machine_->stepper->step(state_, s.length, s.end);
+  moving_.step(s.length, s.end);
   machine_->inputs.read(s.end, inputs_);
   dump_matrices();
 }
@@ -98,18 +81,20 @@ void Multibody::step(const OwnStep& s, std::span<const Signal> u) {
 /// Where the state has got to the next of the times.
 void Multibody::dump_matrices() const {
   Machine& m = *machine_;
-  const auto due = [&] { return m.dumped < m.dump.times.size() && state_.time >= m.dump.times[m.dumped]; };
+  const auto due = [&] {
+    return m.dumped < m.dump.times.size() && moving_.state().time >= m.dump.times[m.dumped];
+  };
   if (m.dump.folder.empty() || !due()) return;
   while (due()) ++m.dumped;
-  write(step_matrices(m.mechanism, state_, m.stepper->tangent_factors(step_)), m.dump.folder,
-        fmt::format("{}", state_.time), m.dump.format);
+  write(step_matrices(m.mechanism, moving_.state(), m.stepper->tangent_factors(step_)), m.dump.folder,
+        fmt::format("{}", moving_.state().time), m.dump.format);
 }
 
 void Multibody::outputs(double* y) const {
   Outputs& outputs = machine_->outputs;
-  outputs.evaluate(state_, y);
+  outputs.evaluate(moving_.state(), y);
   for (int order = 1; order <= machine_->derivatives; ++order)
-    outputs.derivatives(state_, order, y + order * outputs.size());
+    outputs.derivatives(moving_.state(), order, y + order * outputs.size());
   if (!unknown_.empty()) hide_unknown(y);
 }
 

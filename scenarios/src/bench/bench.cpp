@@ -92,6 +92,13 @@ const std::vector<Benchmark>& all() {
      one(profile)},
     {"integrators", "a step of 1 ms of oscillators as compiled diagrams, beside functions written by hand",
      one(integrators)},
+    {"functions",
+     "10 s of the double pendulum with its terms evaluated in C++, by Octave through a pipe, in a shared "
+     "library, "
+     "and from Octave (MEX)",
+     one(function_evaluation)},
+    {"engine", "a step of 0.1 ms of the models of scenarios/engine, of listed blocks and with blocks in C++",
+     one(engine_models)},
 #if TANDEM_HAS_SIMBODY
     {"simbody", "the linkage by tandem and by Simbody: error and processor time", against_simbody,
      Measured{"exact motion", "rms of the first point's distance", "the least of 2 to 5"}},

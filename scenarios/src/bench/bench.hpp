@@ -63,6 +63,8 @@ Table dense_algebra();
 Table threads();
 Table profile();
 Table integrators();
+Table function_evaluation();
+Table engine_models();
 std::vector<Table> against_simbody(const Tick& tick);  ///< only with Simbody
 
 }  // namespace tandem::bench

@@ -93,8 +93,8 @@ class Blas {
 };
 
 /// What is timed at one size.
-struct Case {
-  explicit Case(int size)
+struct DenseCase {
+  explicit DenseCase(int size)
       : n(size), a(MatrixXd::Random(n, n)), spd(a * a.transpose()), c(n, n), x(VectorXd::Ones(n)) {
     spd.diagonal().array() += n;
   }
@@ -103,7 +103,7 @@ struct Case {
   VectorXd x;
 };
 
-using Work = std::function<void(Case&)>;
+using Work = std::function<void(DenseCase&)>;
 
 struct Entry {
   std::string blas, operation;
@@ -111,15 +111,15 @@ struct Entry {
 };
 
 std::vector<Entry> entries_of(const std::string& name, const std::shared_ptr<Blas>& blas) {
-  std::vector<Entry> list = {{name, "product", [blas](Case& k) { blas->multiply(k.a, k.spd, k.c); }},
-                             {name, "cholesky", [blas](Case& k) {
+  std::vector<Entry> list = {{name, "product", [blas](DenseCase& k) { blas->multiply(k.a, k.spd, k.c); }},
+                             {name, "cholesky", [blas](DenseCase& k) {
                                 k.c = k.spd;
                                 k.x.setOnes();
                                 blas->cholesky(k.c.data(), k.n, k.n);
                                 blas->solve(k.c.data(), k.n, k.x.data());
                               }}};
   if (blas->has_cholesky())
-    list.push_back({name + " (its own dpotrf)", "cholesky", [blas](Case& k) {
+    list.push_back({name + " (its own dpotrf)", "cholesky", [blas](DenseCase& k) {
                       k.c = k.spd;
                       k.x.setOnes();
                       blas->own_cholesky(k.c.data(), k.n);
@@ -130,8 +130,8 @@ std::vector<Entry> entries_of(const std::string& name, const std::shared_ptr<Bla
 
 std::vector<Entry> eigen_entries() {
   const auto llt = std::make_shared<Eigen::LLT<MatrixXd>>();
-  return {{"Eigen", "product", [](Case& k) { k.c.noalias() = k.a * k.spd; }},
-          {"Eigen", "cholesky", [llt](Case& k) {
+  return {{"Eigen", "product", [](DenseCase& k) { k.c.noalias() = k.a * k.spd; }},
+          {"Eigen", "cholesky", [llt](DenseCase& k) {
              k.x.setOnes();
              llt->compute(k.spd);
              llt->solveInPlace(k.x);
@@ -158,7 +158,7 @@ Table dense_algebra() {
   std::vector<Timing> timings;
   for (int n = 4; n <= 42; n += 2)
     for (const Entry& e : entries) {
-      const auto input = std::make_shared<Case>(n);
+      const auto input = std::make_shared<DenseCase>(n);
       timings.push_back(
           {fmt::format("{}/{}/{}", e.blas, e.operation, n), [input, work = e.work](auto& state) {
              for ([[maybe_unused]] auto _ : state) work(*input);

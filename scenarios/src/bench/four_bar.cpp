@@ -18,18 +18,17 @@
 namespace tandem::bench {
 namespace {
 
-using Case = LinkageCase;
 using Cases = std::vector<LinkageCase>;
 
 constexpr double end = 20.0;     // [s]
 constexpr int most_dense = 100;  // loops, for dense solvers
 constexpr int most_whole = 20;   // loops, for runs to the end by others than `auto`
 
-int variables(const Case& c) { return 2 * c.loops + 2; }
-bool runs_to_end(const Case& c) { return c.solver == "auto" || c.loops <= most_whole; }
+int variables(const LinkageCase& c) { return 2 * c.loops + 2; }
+bool runs_to_end(const LinkageCase& c) { return c.solver == "auto" || c.loops <= most_whole; }
 
 /// Of a run to the end, roughly, on one core [s].
-double time_to_end(const Case& c) {
+double time_to_end(const LinkageCase& c) {
   const double ns = (c.tolerance < 1e-6 ? 400.0 : 60.0) * (c.solver == "auto" ? 1.0 : 4.0);
   return 1e-9 * ns * end / c.step * variables(c);
 }
@@ -51,15 +50,15 @@ Cases all_cases() {
   return all;
 }
 
-Cases only(Cases cases, bool (*wanted)(const Case&)) {
-  std::erase_if(cases, [&](const Case& c) { return !wanted(c); });
+Cases only(Cases cases, bool (*wanted)(const LinkageCase&)) {
+  std::erase_if(cases, [&](const LinkageCase& c) { return !wanted(c); });
   return cases;
 }
 
 class LinkageBench {
  public:
   explicit LinkageBench(const Tick& tick) : tick_(tick), meter_(cost()) {
-    for (const Case& c : cases_) outcomes_[c];
+    for (const LinkageCase& c : cases_) outcomes_[c];
   }
   /// On all cores, as nothing is timed; the longest first.
   void run_to_end();
@@ -70,7 +69,7 @@ class LinkageBench {
 
  private:
   double cost() const;
-  void run_to_end(const Case& c);
+  void run_to_end(const LinkageCase& c);
 
   const Tick& tick_;
   const Cases cases_ = all_cases();
@@ -81,14 +80,15 @@ class LinkageBench {
 
 double LinkageBench::cost() const {
   double total = timing_patience * static_cast<double>(cases_.size());
-  for (const Case& c : only(cases_, runs_to_end)) total += time_to_end(c) / threads_;
+  for (const LinkageCase& c : only(cases_, runs_to_end)) total += time_to_end(c) / threads_;
   return total;
 }
 
 void LinkageBench::run_to_end() {
   Cases cases = only(cases_, runs_to_end);
-  std::stable_sort(cases.begin(), cases.end(),
-                   [](const Case& a, const Case& b) { return time_to_end(a) > time_to_end(b); });
+  std::stable_sort(cases.begin(), cases.end(), [](const LinkageCase& a, const LinkageCase& b) {
+    return time_to_end(a) > time_to_end(b);
+  });
   output::for_each_in_parallel(
       cases.size(), threads_, [&](std::size_t i) { run_to_end(cases[i]); },
       [&](std::size_t) {
@@ -97,7 +97,7 @@ void LinkageBench::run_to_end() {
       });
 }
 
-void LinkageBench::run_to_end(const Case& c) {
+void LinkageBench::run_to_end(const LinkageCase& c) {
   constexpr int parts = 20;
   LinkageOutcome& outcome = outcomes_.at(c);
   try {
@@ -118,7 +118,7 @@ void LinkageBench::run_to_end(const Case& c) {
 
 void LinkageBench::time() {
   for (auto first = cases_.begin(); first != cases_.end();) {
-    const auto next = std::find_if(first, cases_.end(), [&](const Case& c) {
+    const auto next = std::find_if(first, cases_.end(), [&](const LinkageCase& c) {
       return c.loops != first->loops || c.step != first->step || c.tolerance != first->tolerance;
     });
     time_cases({first, next}, outcomes_);
@@ -138,7 +138,7 @@ std::string status(const LinkageOutcome& o) {
 Table LinkageBench::times() const {
   Table table({"solver", "loops", "variables", "step", "newton_tolerance", "iterations_per_step",
                "ns_per_step_variable", "x_error", "energy_drift", "status"});
-  for (const Case& c : cases_) {
+  for (const LinkageCase& c : cases_) {
     const LinkageOutcome& o = outcomes_.at(c);
     const int n = variables(c);
     table.add({c.solver, std::to_string(c.loops), std::to_string(n), fmt::format("{}", c.step),
@@ -153,7 +153,7 @@ Table LinkageBench::times() const {
 /// In bytes a variable.
 Table LinkageBench::memory() const {
   Table table({"solver", "loops", "variables", "mechanism", "stepper", "bytes_per_variable"}, "memory");
-  for (const Case& c : cases_) {
+  for (const LinkageCase& c : cases_) {
     const LinkageOutcome& o = outcomes_.at(c);
     if (!heap_bytes() || !o.timed || c.step < 1.25e-3 || c.tolerance < 1e-5) continue;
     const double mechanism = o.mechanism_bytes / variables(c), stepper = o.stepper_bytes / variables(c);

@@ -15,8 +15,8 @@
 namespace tandem::bench {
 namespace {
 
-constexpr int repetitions = 300;
-constexpr double h = 1.25e-3;
+constexpr int most_repetitions = 300;
+constexpr double hand_step = 1.25e-3;
 
 /// The linkage in one form, where it starts.
 struct Form {
@@ -25,7 +25,7 @@ struct Form {
 };
 
 /// So many that they take about a millisecond.
-int steps(const Form& f) { return std::clamp(20'000 / f.model.structure().variables, 20, 400); }
+int steps_of(const Form& f) { return std::clamp(20'000 / f.model.structure().variables, 20, 400); }
 
 template <class Work>
 double seconds_of(int count, const Work& work) {
@@ -42,7 +42,7 @@ class Steps {
   double seconds() {
     mbs::State s = form_.first;
     stepper_.start(s);
-    return seconds_of(steps(form_), [&](int k) { stepper_.step(s, h, h * k); });
+    return seconds_of(steps_of(form_), [&](int k) { stepper_.step(s, hand_step, hand_step * k); });
   }
 
  private:
@@ -60,7 +60,7 @@ class Terms {
         force_(form.model.structure().variables) {}
   double seconds() {
     const mbs::State& s = form_.first;
-    return seconds_of(10 * steps(form_), [&](int) {
+    return seconds_of(10 * steps_of(form_), [&](int) {
       form_.model.constraints(s.q.data(), phi_.data(), jacobian_.data());
       form_.model.forces(s.q.data(), s.v.data(), force_.data());
       benchmark::ClobberMemory();
@@ -75,9 +75,9 @@ class Terms {
 /// The least times of both, taken in turn: what else runs on the machine slows both, and some pieces not at
 /// all.
 template <class Timed>
-void add(Table& table, const std::string& what, Timed general, Timed own, int variables) {
+void add_forms(Table& table, const std::string& what, Timed general, Timed own, int variables) {
   double least = 1e300, least_own = 1e300;
-  for (int r = 0; r < repetitions; ++r) {
+  for (int r = 0; r < most_repetitions; ++r) {
     least = std::min(least, general.seconds());
     least_own = std::min(least_own, own.seconds());
   }
@@ -96,8 +96,8 @@ Table hand_written_linkage() {
     const Form general{mechanism, mechanism.described_state()}, own{hand_written, hand_written.first_state()};
     const int variables = mechanism.structure().variables;
     for (const std::string solver : {"auto", "klu"})
-      add(table, "step with " + solver, Steps(general, solver), Steps(own, solver), variables);
-    add(table, "terms", Terms(general), Terms(own), variables);
+      add_forms(table, "step with " + solver, Steps(general, solver), Steps(own, solver), variables);
+    add_forms(table, "terms", Terms(general), Terms(own), variables);
   }
   return table;
 }

@@ -15,7 +15,7 @@
 namespace tandem::bench {
 namespace {
 
-constexpr double h = 1e-3;
+constexpr double pendulum_step = 1e-3;
 constexpr int most_states = 100;
 
 /// So many oscillators x'' = -x; state 2k is the k-th x, 2k + 1 its velocity.
@@ -45,13 +45,13 @@ struct BareRk4 {
   void step() {
     std::array<double, most_states> k1, k2, k3, k4, y;
     f(n, x.data(), k1.data());
-    for (int i = 0; i < n; ++i) y[i] = x[i] + 0.5 * h * k1[i];
+    for (int i = 0; i < n; ++i) y[i] = x[i] + 0.5 * pendulum_step * k1[i];
     f(n, y.data(), k2.data());
-    for (int i = 0; i < n; ++i) y[i] = x[i] + 0.5 * h * k2[i];
+    for (int i = 0; i < n; ++i) y[i] = x[i] + 0.5 * pendulum_step * k2[i];
     f(n, y.data(), k3.data());
-    for (int i = 0; i < n; ++i) y[i] = x[i] + h * k3[i];
+    for (int i = 0; i < n; ++i) y[i] = x[i] + pendulum_step * k3[i];
     f(n, y.data(), k4.data());
-    for (int i = 0; i < n; ++i) x[i] += h / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]);
+    for (int i = 0; i < n; ++i) x[i] += pendulum_step / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]);
   }
   int n;
   Rates volatile f = rates;  // volatile: not known to the compiler, as an integrator knows no function
@@ -80,7 +80,7 @@ class BareErkStep {
 
   void step() {
     double t = 0.0;
-    const double end = static_cast<double>(++steps_) * h;
+    const double end = static_cast<double>(++steps_) * pendulum_step;
     ERKStepSetStopTime(memory_, end);
     ERKStepEvolve(memory_, end, x_, &t, ARK_NORMAL);
   }
@@ -97,15 +97,15 @@ class BareErkStep {
 };
 
 /// A diagram by one of tandem's integrators.
-class Diagram {
+class DiagramSteps {
  public:
-  Diagram(int states, const std::string& integrator)
+  DiagramSteps(int states, const std::string& integrator)
       : program_(engine::compile(oscillators(states))),
         simulation_(program_, nullptr, engine::make_integrator({.name = integrator})) {
     simulation_.start(0.0);
   }
   void step() {
-    const double end = static_cast<double>(++steps_) * h;
+    const double end = static_cast<double>(++steps_) * pendulum_step;
     while (simulation_.time() < end) simulation_.step(end);
   }
 
@@ -116,7 +116,7 @@ class Diagram {
 };
 
 template <class Stepper, class... Arguments>
-Timing timing(const std::string& name, const Arguments&... arguments) {
+Timing timing_of(const std::string& name, const Arguments&... arguments) {
   const auto stepper = std::make_shared<Stepper>(arguments...);
   return {name, [stepper](benchmark::State& state) {
             for ([[maybe_unused]] auto _ : state) stepper->step();
@@ -130,10 +130,10 @@ Table integrators() {
   const auto name = [](const std::string& what, int states) { return fmt::format("{}/{}", what, states); };
   std::vector<Timing> timings;
   for (const int n : sizes) {
-    timings.push_back(timing<BareRk4>(name("bare_rk4", n), n));
-    timings.push_back(timing<BareErkStep>(name("bare_erkstep", n), n));
+    timings.push_back(timing_of<BareRk4>(name("bare_rk4", n), n));
+    timings.push_back(timing_of<BareErkStep>(name("bare_erkstep", n), n));
     for (const auto& integrator : engine::integrator_names())
-      timings.push_back(timing<Diagram>(name(integrator, n), n, integrator));
+      timings.push_back(timing_of<DiagramSteps>(name(integrator, n), n, integrator));
   }
   auto seconds = measure(timings, 20, 0.01);
   Table table({"integrator", "states", "ns_per_step", "bare_ns", "ratio"});

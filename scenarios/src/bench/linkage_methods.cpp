@@ -14,7 +14,7 @@ constexpr double held = 1e-10;  // [m] tolerance of constraints with which Simbo
 const std::vector<double> accuracies = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8};
 
 /// From 0.1 s on; a whole number of them to the end.
-std::vector<double> steps(double end) {
+std::vector<double> step_sizes(double end) {
   std::vector<double> all;
   for (double count = std::round(end / 0.1); count < 1e5; count = std::round(1.5 * count))
     all.push_back(end / count);
@@ -71,13 +71,13 @@ void LinkageMethods::add_by_accuracy(const std::string& name, const simbody::Lin
 
 void LinkageMethods::add_by_steps(const std::string& name, const simbody::Linkage& linkage) {
   all_.push_back(
-      {"simbody", name + " fixed", steps(end_), [=, &linkage, end = end_](double step, double patience) {
+      {"simbody", name + " fixed", step_sizes(end_), [=, &linkage, end = end_](double step, double patience) {
          return linkage.run({second_word(name), 1e-3, held, step, patience}, end);
        }});
 }
 
 void LinkageMethods::add_tandem(const std::string& name, const mbs::StepperSettings& settings) {
-  all_.push_back({"tandem", name, steps(end_), [this, settings](double step, double) {
+  all_.push_back({"tandem", name, step_sizes(end_), [this, settings](double step, double) {
                     const auto stepper = mbs::make_stepper(mechanism_, settings);
                     return four_bar::integrate(mechanism_, *stepper, end_, std::lround(end_ / step));
                   }});

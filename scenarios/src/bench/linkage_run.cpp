@@ -11,12 +11,12 @@
 namespace tandem::bench {
 namespace {
 
-constexpr double alpha = 1e8;
+constexpr double penalty_factor = 1e8;
 
 std::unique_ptr<mbs::Stepper> stepper(const LinkageCase& c, mbs::Mechanism& linkage) {
-  if (c.solver == "generic") return std::make_unique<GenericIndex3>(linkage, alpha, c.tolerance);
+  if (c.solver == "generic") return std::make_unique<GenericIndex3>(linkage, penalty_factor, c.tolerance);
   mbs::Index3Settings settings;
-  settings.penalty = alpha;
+  settings.penalty = penalty_factor;
   settings.tolerance = c.tolerance;
   settings.solver = c.solver;
   return std::make_unique<mbs::Index3>(linkage, settings);

@@ -23,9 +23,9 @@ long timed_steps(const mbs::Mechanism& linkage) {
 }
 
 /// One solver's turns.
-class Timing {
+class LinkageTiming {
  public:
-  Timing(const LinkageCase& c, mbs::Mechanism& linkage, LinkageOutcome& outcome)
+  LinkageTiming(const LinkageCase& c, mbs::Mechanism& linkage, LinkageOutcome& outcome)
       : linkage_(linkage), outcome_(outcome) {
     guarded([&] {
       const double before = heap();
@@ -77,14 +77,14 @@ void time_cases(const std::vector<LinkageCase>& cases, LinkageOutcomes& outcomes
   const double before = heap();
   mbs::Mechanism linkage(mbs::read_mechanism("four_bar", four_bar::text(cases.front().loops)));
   const double bytes = heap() - before;
-  std::vector<Timing> timings;
+  std::vector<LinkageTiming> timings;
   for (const LinkageCase& c : cases) {
     outcomes[c].mechanism_bytes = bytes;
     timings.emplace_back(c, linkage, outcomes[c]);
   }
   for (bool more = true; more;) {
     more = false;
-    for (Timing& timing : timings)
+    for (LinkageTiming& timing : timings)
       if (timing.wants_more()) {
         timing.take_turn();
         more = true;

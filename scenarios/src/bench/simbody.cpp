@@ -16,12 +16,12 @@ constexpr LinkageMotion motions[] = {{"upright", four_bar::Start::upright, 20.0}
                                      {"upright 0.5 s", four_bar::Start::upright, 0.5},
                                      {"hanging", four_bar::Start::hanging, 20.0}};
 
-constexpr int samples = 400, repetitions = 5, sizes[] = {1, 10, 40};
+constexpr int simbody_samples = 400, simbody_repetitions = 5, sizes[] = {1, 10, 40};
 constexpr double finest = 1e-4;   // [m] beyond that nothing is asked
 constexpr double patience = 1.0;  // [s] a run that takes longer is its method's last
 constexpr double long_run = 0.1;  // [s] of these one repetition is enough
 
-struct Row {
+struct SimbodyRow {
   const LinkageMethod* method;
   double setting, seconds, error;
   std::size_t steps;
@@ -29,11 +29,11 @@ struct Row {
 };
 
 /// All methods from coarse to fine, once.
-std::vector<Row> first_runs(const std::vector<LinkageMethod>& methods, const LinkageMotion& motion,
-                            int loops) {
-  const double interval = motion.end / samples;
-  const auto exact = four_bar::exact_path(loops, motion.start, interval, samples);
-  std::vector<Row> rows;
+std::vector<SimbodyRow> first_runs(const std::vector<LinkageMethod>& methods, const LinkageMotion& motion,
+                                   int loops) {
+  const double interval = motion.end / simbody_samples;
+  const auto exact = four_bar::exact_path(loops, motion.start, interval, simbody_samples);
+  std::vector<SimbodyRow> rows;
   for (const LinkageMethod& method : methods)
     for (const double setting : method.settings) {
       const Course course = method.run(setting, 2.0 * patience);
@@ -45,14 +45,14 @@ std::vector<Row> first_runs(const std::vector<LinkageMethod>& methods, const Lin
 }
 
 /// In turn, so that what else the machine does meets all methods alike.
-void repeat(std::vector<Row>& rows) {
-  for (int r = 1; r < repetitions; ++r)
-    for (Row& row : rows)
+void repeat(std::vector<SimbodyRow>& rows) {
+  for (int r = 1; r < simbody_repetitions; ++r)
+    for (SimbodyRow& row : rows)
       if (row.status == "ok" && (r == 1 || row.seconds < long_run))
         row.seconds = std::min(row.seconds, row.method->run(row.setting, 2.0 * patience).seconds);
 }
 
-void add(Table& table, const Row& row, const LinkageMotion& motion, int loops) {
+void add_simbody(Table& table, const SimbodyRow& row, const LinkageMotion& motion, int loops) {
   table.add({row.method->code, motion.name, std::to_string(loops), row.method->name,
              fmt::format("{:.4g}", row.setting), std::to_string(row.steps),
              std::isfinite(row.error) ? fmt::format("{:.3e}", row.error) : "",
@@ -67,9 +67,9 @@ std::vector<Table> against_simbody(const Tick& tick) {
   for (const LinkageMotion& motion : motions)
     for (const int loops : sizes) {
       const LinkageMethods methods(motion, loops);
-      std::vector<Row> rows = first_runs(methods.all(), motion, loops);
+      std::vector<SimbodyRow> rows = first_runs(methods.all(), motion, loops);
       repeat(rows);
-      for (const Row& row : rows) add(table, row, motion, loops);
+      for (const SimbodyRow& row : rows) add_simbody(table, row, motion, loops);
       tick(++done / static_cast<double>(std::size(motions) * std::size(sizes)));
     }
   return {table};

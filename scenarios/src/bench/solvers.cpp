@@ -18,12 +18,12 @@ namespace {
 using mbs::MatrixKind;
 using Clock = std::chrono::steady_clock;
 
-constexpr int repetitions = 5, solutions = 2;
+constexpr int solver_repetitions = 5, solutions_each = 2;
 constexpr double batch = 1e-4;           ///< [s] the least time of a repetition
 constexpr double not_close = 10.0;       ///< times the best: measured once only
 constexpr double well_measured = 20.0;   ///< times the best: counts for the fit
-constexpr double hopeless = 30.0;        ///< times the best, and slow: not tried at larger sizes
-constexpr double slow = 1e-2;            ///< [s]
+constexpr double hopeless = 30.0;        ///< times the best, and slow_solution: not tried at larger sizes
+constexpr double slow_solution = 1e-2;   ///< [s]
 constexpr double most_operations = 2e8;  ///< of a factorization
 constexpr std::size_t most_values = 6'000'000;
 
@@ -53,7 +53,8 @@ class Runner {
     storage_.resize(layout.size());
     b_.resize(static_cast<std::size_t>(problem.pattern.columns()));
     seconds_ = time_of(1);
-    if (seconds_ < slow) seconds_ = time_of(4);  // the first is another: pages, caches, KLU's full factors
+    if (seconds_ < slow_solution)
+      seconds_ = time_of(4);  // the first is another: pages, caches, KLU's full factors
     rounds_ = std::max(1, static_cast<int>(batch / seconds_));
   }
 
@@ -68,7 +69,7 @@ class Runner {
       next_ = (next_ + 1) % sets_.size();
       std::copy(sets_[next_].begin(), sets_[next_].end(), storage_.begin());
       if (solver_->factorize(storage_.data()) >= 0) throw Error(ErrorCode::numerical, "singular");
-      for (int s = 0; s < solutions; ++s) {
+      for (int s = 0; s < solutions_each; ++s) {
         std::fill(b_.begin(), b_.end(), 1.0);
         solver_->solve(b_.data());
       }
@@ -100,7 +101,7 @@ class Row {
         runners.emplace_back(name, kind_.kind, problem);
       } catch (const Error&) {  // too large for it, and so for what comes after
       }
-    for (int r = 0; r < repetitions; ++r) {
+    for (int r = 0; r < solver_repetitions; ++r) {
       const double limit = not_close * least(runners, "");
       for (Runner& runner : runners)
         if (runner.seconds() <= limit) runner.repeat();
@@ -133,7 +134,7 @@ class Row {
                  fmt::format("{:.0f}", cost.operations), r.name(), r.name() == "auto" ? choice : "",
                  fmt::format("{:.4g}", 1e6 * r.seconds()), fmt::format("{:.2f}", r.seconds() / smooth),
                  refactors ? "" : fmt::format("{:.2f}", r.seconds() / rough)});
-      if (r.seconds() < std::max(slow, hopeless * smooth)) names_.push_back(r.name());
+      if (r.seconds() < std::max(slow_solution, hopeless * smooth)) names_.push_back(r.name());
     }
   }
 

@@ -40,8 +40,8 @@ std::vector<double> on_pattern(const mbs::Matrix& a, const mbs::Pattern& whole) 
 }
 
 /// The matrices of the linkage in its first position, here and as Eigen's, there Phi_q itself.
-struct Case {
-  explicit Case(int loops)
+struct SparseCase {
+  explicit SparseCase(int loops)
       : linkage(mbs::read_mechanism("four_bar", four_bar::text(loops))),
         mass{linkage.structure().mass},
         jacobian{linkage.structure().jacobian,
@@ -69,7 +69,7 @@ struct Pair {
 
 /// alpha Phi_q^T Phi_q where a tangent has it: in both triangles for LU, in the lower one for Cholesky. With
 /// the mass it is the tangent of the linkage.
-std::vector<Pair> rank_updates(const Case& c) {
+std::vector<Pair> rank_updates(const SparseCase& c) {
   std::vector<Pair> pairs;
   const Sparse& j = c.jacobian_eigen;  // Phi_q
   const mbs::Pattern whole = mbs::unite(c.mass.pattern, c.update.pattern);
@@ -93,7 +93,7 @@ std::vector<Pair> rank_updates(const Case& c) {
   return pairs;
 }
 
-Pair sum(const Case& c) {
+Pair sum(const SparseCase& c) {
   const mbs::Pattern pattern = mbs::unite(c.mass.pattern, c.update.pattern);
   const auto a = std::make_shared<std::vector<double>>(on_pattern(c.mass, pattern)),
              b = std::make_shared<std::vector<double>>(on_pattern(c.update, pattern)),
@@ -108,7 +108,7 @@ Pair sum(const Case& c) {
 }
 
 /// The entries, at hand constraint by constraint, to where they belong.
-Pair jacobian(const Case& c) {
+Pair jacobian(const SparseCase& c) {
   const auto entries = std::make_shared<std::vector<std::pair<int, int>>>(c.jacobian.pattern.entries());
   const auto to = std::make_shared<std::vector<int>>(entries->size());
   std::iota(to->begin(), to->end(), 0);
@@ -126,7 +126,7 @@ Pair jacobian(const Case& c) {
           }};
 }
 
-std::vector<Pair> products(const Case& c) {
+std::vector<Pair> products(const SparseCase& c) {
   const auto x = std::make_shared<VectorXd>(VectorXd::LinSpaced(c.mass.pattern.columns(), -1.0, 2.0)),
              lambda =
                  std::make_shared<VectorXd>(VectorXd::LinSpaced(c.jacobian.pattern.columns(), -1.0, 2.0)),
@@ -153,7 +153,7 @@ std::vector<Pair> products(const Case& c) {
            [=, &c] { *of_mass = c.jacobian_eigen.transpose() * *lambda; }}};
 }
 
-Pair permutation(const Case& c) {
+Pair permutation(const SparseCase& c) {
   std::vector<int> order(static_cast<std::size_t>(c.update.pattern.columns()));
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<int>(order.size() - 1 - k);
   const auto prepared = std::make_shared<mbs::Permuted>(mbs::permuted(c.update.pattern, order));
@@ -169,14 +169,14 @@ Pair permutation(const Case& c) {
           [=, &c] { *eigens = c.update_eigen.twistedBy(p); }};
 }
 
-Timing timing(const std::string& name, const std::function<void()>& run) {
+Timing pair_timing(const std::string& name, const std::function<void()>& run) {
   return {name, [run](benchmark::State& state) {
             for ([[maybe_unused]] auto _ : state) run();
           }};
 }
 
 void add_rows(Table& table, int loops) {
-  const Case c(loops);
+  const SparseCase c(loops);
   std::vector<Pair> pairs = rank_updates(c);
   pairs.push_back(sum(c));
   pairs.push_back(jacobian(c));
@@ -184,8 +184,8 @@ void add_rows(Table& table, int loops) {
   pairs.push_back(permutation(c));
   std::vector<Timing> timings;
   for (const Pair& pair : pairs) {
-    timings.push_back(timing(pair.operation + "/ours", pair.ours));
-    timings.push_back(timing(pair.operation + "/eigen", pair.eigens));
+    timings.push_back(pair_timing(pair.operation + "/ours", pair.ours));
+    timings.push_back(pair_timing(pair.operation + "/eigen", pair.eigens));
   }
   auto seconds = measure(timings, 40, 0.002);
   for (const Pair& pair : pairs) {

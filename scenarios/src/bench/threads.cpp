@@ -12,7 +12,7 @@ namespace {
 
 std::string name(int loops, int threads) { return fmt::format("{}/{}", loops, threads); }
 
-Timing timing(int loops, int threads) {
+Timing thread_timing(int loops, int threads) {
   const auto linkage = std::make_shared<LinkageSteps>(loops, threads);
   return {name(loops, threads), [linkage](benchmark::State& state) {
             for ([[maybe_unused]] auto _ : state) linkage->step();
@@ -27,7 +27,7 @@ Table threads() {
   for (int k = 1; k <= static_cast<int>(std::thread::hardware_concurrency()); k *= 2) counts.push_back(k);
   std::vector<Timing> timings;
   for (const int loops : sizes)
-    for (const int count : counts) timings.push_back(timing(loops, count));
+    for (const int count : counts) timings.push_back(thread_timing(loops, count));
   auto seconds = measure(timings, 15, 0.02);
   Table table({"loops", "variables", "threads", "ns_per_step_variable", "speed_up"});
   for (const int loops : sizes)

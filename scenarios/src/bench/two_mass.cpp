@@ -9,11 +9,10 @@
 namespace tandem::bench {
 namespace {
 
-using two_mass::Case;
 using two_mass::Scheme;
 
-std::vector<Case> cases() {
-  std::vector<Case> list;
+std::vector<two_mass::Case> cases() {
+  std::vector<two_mass::Case> list;
   for (const double ratio : {30.0, 100.0})
     for (const Scheme& s :
          {Scheme{"slowest-first", "lagrange3", "lagrange3"},
@@ -32,8 +31,8 @@ Table two_mass() {
   Table table({"schedule", "to_fast", "to_slow", "frequency_ratio", "ms", "ms_profiled", "fast_share",
                "slow_share", "coordinator_share", "over_monolithic"});
   for (const double ratio : {30.0, 100.0}) {
-    std::vector<Case> group;
-    for (const Case& c : cases())
+    std::vector<two_mass::Case> group;
+    for (const two_mass::Case& c : cases())
       if (c.frequency_ratio == ratio) group.push_back(c);
     std::vector<double> least(group.size(), 1e9);
     std::vector<two_mass::Profile> profiles(group.size(), {1e9, 0.0, 0.0});

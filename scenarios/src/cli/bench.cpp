@@ -11,7 +11,8 @@
 namespace tandem::cli {
 namespace {
 
-void run(const bench::Benchmark& benchmark, const std::filesystem::path& folder, const Context& context) {
+void run_benchmark(const bench::Benchmark& benchmark, const std::filesystem::path& folder,
+                   const Context& context) {
   if (!context.quiet) fmt::print("{}; {}, {}\n", benchmark.about, output::processor_model(), TANDEM_COMPILER);
   output::make_folder(folder);
   std::vector<bench::Table> tables;
@@ -49,7 +50,7 @@ void add_bench(CLI::App& app, Context& context) {
       ->capture_default_str();
   command->callback([name, folder, &context] {
     for (const auto& b : bench::all())
-      if (b.name == *name) run(b, *folder, context);
+      if (b.name == *name) run_benchmark(b, *folder, context);
   });
 }
 

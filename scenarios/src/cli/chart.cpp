@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct ChartOptions {
   std::string scene;
   fs::path results;
   bool png = false;
@@ -39,7 +39,7 @@ std::string draw(const std::vector<charts::Picture>& pictures, const fs::path& f
   return files;
 }
 
-void chart(const Options& options, const Context& context) {
+void chart(const ChartOptions& options, const Context& context) {
   const auto scenes = chart_scenes();
   const auto scene = std::find_if(scenes.begin(), scenes.end(),
                                   [&](const ChartScene& s) { return options.scene == s.name; });
@@ -65,12 +65,13 @@ void add_chart(CLI::App& app, Context& context) {
       "chart",
       "Draw the charts of a sweep or a benchmark; of two_mass print which scheme is best at which ratio, of "
       "simbody the times at 1 mm");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ChartOptions>();
   command
-      ->add_option("scene", options->scene,
-                   "A sweep: two_mass, engine_linkage, mechanisms, four_bar; or a benchmark: four_bar_cost "
-                   "(of bench four_bar), "
-                   "solvers, dense, threads, simbody")
+      ->add_option(
+          "scene", options->scene,
+          "A sweep: two_mass, engine, engine_linkage, mechanisms, four_bar; or a benchmark: four_bar_cost "
+          "(of bench four_bar), "
+          "solvers, dense, threads, simbody")
       ->required()
       ->check(CLI::IsMember(scene_names()));
   command

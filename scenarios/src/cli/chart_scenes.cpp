@@ -2,6 +2,7 @@
 #include "cli/chart_scenes.hpp"
 
 #include "charts/dense_chart.hpp"
+#include "charts/engine_charts.hpp"
 #include "charts/engine_linkage_charts.hpp"
 #include "charts/flat_position_chart.hpp"
 #include "charts/linkage_cost_chart.hpp"
@@ -60,6 +61,14 @@ Drawing engine_linkage(const fs::path& folder) {
       ""};
 }
 
+Drawing engine(const fs::path& folder) {
+  const auto caption = conditions_caption(folder / "conditions.json", 150);
+  return {{charts::engine_torque_map_chart(charts::read_torque_map(folder / "torque_map.csv"), caption),
+           charts::engine_step_chart(charts::read_engine_step(folder / "step_response.csv"), caption),
+           charts::engine_gears_chart(charts::read_manoeuvre(folder / "manoeuvre.csv"), caption)},
+          ""};
+}
+
 Drawing solvers(const fs::path& folder) {
   const auto caption = conditions_caption(folder / "solvers_conditions.json", 140);
   return {{charts::solver_map_chart(charts::read_solver_times(folder / "solvers.csv"), caption)}, ""};
@@ -102,6 +111,11 @@ const ChartScene scenes[] = {
      "bench four_bar --output {}",
      {"four_bar.csv", "four_bar_conditions.json"},
      four_bar_cost},
+    {"engine",
+     "results/engine",
+     "sweep engine --output {}",
+     {"torque_map.csv", "step_response.csv", "manoeuvre.csv", "conditions.json"},
+     engine},
     {"engine_linkage",
      "results/engine_linkage",
      "sweep engine_linkage --output {}",

@@ -17,6 +17,7 @@ class RunFailed : public std::runtime_error {
 struct Context {
   bool quiet = false;  ///< results and errors only
   bool verbose = false;
+  bool allow_plaintext = false;  ///< also beyond the loopback interface
   Builtins builtins;  ///< what "builtin:NAME" can name
 };
 
@@ -24,11 +25,16 @@ struct Context {
 // callback.
 void add_run(CLI::App& app, Context& context);
 void add_validate(CLI::App& app, Context& context);
+void add_check(CLI::App& app, Context& context);
 void add_info(CLI::App& app, Context& context);
+void add_modes(CLI::App& app, Context& context);
 void add_list(CLI::App& app, Context& context);
 void add_compare(CLI::App& app, Context& context);
 void add_sweep(CLI::App& app, Context& context);
 void add_chart(CLI::App& app, Context& context);
+void add_keys(CLI::App& app, Context& context);  // with ZeroMQ only
+void add_serve(CLI::App& app, Context& context);
 void add_bench(CLI::App& app, Context& context);
+void add_view(CLI::App& app, Context& context);
 
 }  // namespace tandem::cli

@@ -15,7 +15,7 @@
 namespace tandem::cli {
 namespace {
 
-struct Options {
+struct CompareOptions {
   std::string a, b;
   double tolerance = 0.0;
   std::vector<std::string> columns;
@@ -36,7 +36,7 @@ std::vector<std::string> files_in(const fs::path& place) {
 }
 
 /// The pairs of files that belong together.
-std::vector<std::pair<fs::path, fs::path>> pairs_of(const Options& options) {
+std::vector<std::pair<fs::path, fs::path>> pairs_of(const CompareOptions& options) {
   const auto in_a = files_in(options.a), in_b = files_in(options.b);
   const auto one = [](const std::string& place, const std::vector<std::string>& files) {
     return files.empty() ? fs::path(place) : fs::path(place) / files[0];
@@ -51,7 +51,7 @@ std::vector<std::pair<fs::path, fs::path>> pairs_of(const Options& options) {
   return pairs;
 }
 
-void compare(const Options& options, const Context& context) {
+void compare(const CompareOptions& options, const Context& context) {
   std::string worst;
   for (const auto& [file_a, file_b] : pairs_of(options)) {
     const auto a = text::TimeTable::read(file_a), b = text::TimeTable::read(file_b);
@@ -76,7 +76,7 @@ std::string non_negative(const std::string& text) {
 
 void add_compare(CLI::App& app, Context& context) {
   auto* command = app.add_subcommand("compare", "Tell where and by how much two results differ most");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CompareOptions>();
   command->add_option("A", options->a, "Results: a CSV file, or the folder of a run")->required();
   command->add_option("B", options->b, "What to compare with, likewise")->required();
   command

@@ -112,7 +112,7 @@ bool is_source(const std::string& text) {
   return letters > 1 && letters < text.size() && text[letters] == ':';
 }
 
-struct Options {
+struct InfoOptions {
   std::string what;
   std::vector<std::string> overrides;
   bool dot = false;
@@ -124,7 +124,7 @@ void add_info(CLI::App& app, Context& context) {
   auto* command = app.add_subcommand("info",
                                      "Show ports, units, abilities and start values of a source or a "
                                      "scenario, or what a mechanism or a diagram has");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<InfoOptions>();
   command
       ->add_option("what", options->what,
                    "A source such as builtin:NAME or builtin:NAME?KEY=VALUE&KEY=VALUE, a scenario, a "

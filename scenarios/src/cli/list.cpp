@@ -24,7 +24,7 @@ std::vector<fs::path> toml_files(const fs::path& folder) {
 }
 
 /// A scenario is a TOML file with subsystems; its name and description, as far as they can be read.
-void print_scenario(const fs::path& file) {
+void print_line_of(const fs::path& file) {
   try {
     const text::Document document(file);
     if (!document.table().contains("subsystems")) return;
@@ -37,7 +37,7 @@ void print_scenario(const fs::path& file) {
 void print_scenarios(const fs::path& folder, bool asked) {
   if (fs::is_directory(folder)) {
     fmt::print("scenarios in {}:\n", folder.string());
-    for (const fs::path& file : toml_files(folder)) print_scenario(file);
+    for (const fs::path& file : toml_files(folder)) print_line_of(file);
     return;
   }
   if (asked) throw Error(ErrorCode::input_output, "folder '" + folder.string() + "' is not there");
@@ -48,6 +48,7 @@ void print_words(const Context& context) {
   fmt::print("sources:\n");
   for (const auto& [name, builder] : context.builtins.models) fmt::print("  builtin:{}\n", name);
   for (const auto& [scheme, builder] : context.builtins.files) fmt::print("  {}:FILE\n", scheme);
+  for (const auto& [scheme, builder] : context.builtins.addresses) fmt::print("  {}:...\n", scheme);
   fmt::print("schedules:");
   for (const auto kind : {Schedule::Kind::slowest_first, Schedule::Kind::fastest_first,
                           Schedule::Kind::staggered, Schedule::Kind::parallel})

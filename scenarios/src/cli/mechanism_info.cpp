@@ -6,10 +6,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mechanisms/view_table.hpp"
 #include "scenario/assembly.hpp"
+#include "scenario/scenario.hpp"
+#include "sources/elements.hpp"
 #include "tandem/mbs/mechanism/freedom.hpp"
 #include "tandem/mbs/mechanism/initial.hpp"
 #include "tandem/mbs/mechanism/mechanism.hpp"
+#include "tandem/mbs/mechanism/outputs.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
 #include "tandem/mbs/sparse/tangent.hpp"
 #include "tandem/nearest.hpp"
@@ -27,10 +31,6 @@ std::vector<std::string> set_unknown(mbs::Description& description) {
     names.push_back(input.name);
   }
   return names;
-}
-
-double start_of(const std::filesystem::path& file) {
-  return text::Document(file).table()["run"]["start"].value<double>().value_or(0.0);
 }
 
 void print_size(const mbs::Mechanism& mechanism) {
@@ -68,6 +68,24 @@ void print_tangent(const mbs::Structure& s) {
              100.0 * tangent.pattern().size() / (n * n), tangent.pattern().size() / n);
 }
 
+/// What stands or pulls where it starts: lengths, and outputs but for those that need accelerations.
+void print_start(mbs::Mechanism& mechanism, double start) {
+  const mbs::State s = mbs::initial_state(mechanism, start);
+  const mbs::Description& in = mechanism.description();
+  if (!in.equilibrium) return;
+  fmt::print("  in equilibrium at the start:\n");
+  for (std::size_t r = 0; r < in.relatives.size(); ++r)
+    if (in.relatives[r].kind == mbs::Relative::Kind::length)
+      fmt::print("    length {} = {:.6g} m\n", in.relatives[r].name, s.q[mechanism.numbering().relative[r]]);
+  mbs::Outputs outputs(mechanism);
+  std::vector<double> values(static_cast<std::size_t>(outputs.size()));
+  outputs.evaluate(s, values.data());
+  for (int k = 0; k < outputs.size(); ++k)
+    if (in.outputs[static_cast<std::size_t>(k)].kind == mbs::Output::Kind::quantity)
+      fmt::print("    {} = {:.6g} {}\n", outputs.name(k), values[static_cast<std::size_t>(k)],
+                 outputs.unit(k));
+}
+
 /// Without a stop the mechanism is a part of a scenario, which may give the step.
 void check_run(const std::filesystem::path& file, const Builtins& builtins) {
   const text::Document document(file);
@@ -85,12 +103,15 @@ void check_run(const std::filesystem::path& file, const Builtins& builtins) {
 
 }  // namespace
 
-bool is_mechanism(const std::filesystem::path& file) {
-  return text::Document(file).table().contains("dimension");
+double start_of(const std::filesystem::path& file) {
+  return text::Document(file).table()["run"]["start"].value<double>().value_or(0.0);
 }
 
+bool is_mechanism(const std::filesystem::path& file) { return scenario::kind_alone(file) == "mechanism"; }
+
 void print_mechanism(const std::filesystem::path& file, const Builtins& builtins) {
-  mbs::Description description = mbs::read_mechanism(file);
+  mbs::Description description = mbs::read_mechanism(file, element_kinds());
+  mechanisms::read_view(text::Document(file), description);
   const auto unknown = set_unknown(description);
   mbs::Mechanism mechanism(description);
   const double start = start_of(file);
@@ -100,7 +121,7 @@ void print_mechanism(const std::filesystem::path& file, const Builtins& builtins
   if (!unknown.empty()) fmt::print("  inputs that are not known are taken as 0: {}\n", listed(unknown));
   print_freedom(mechanism, found);
   print_tangent(mechanism.structure());
-  text::located(whole, [&] { mbs::initial_state(mechanism, start); });
+  text::located(whole, [&] { print_start(mechanism, start); });
   check_run(file, builtins);
 }
 

@@ -6,8 +6,11 @@
 
 namespace tandem::cli {
 
-/// True for a TOML file that has a dimension, as only mechanisms do.
+/// True for a TOML file with the tables of a mechanism.
 bool is_mechanism(const std::filesystem::path& file);
+
+/// [s]: of the table [run].
+double start_of(const std::filesystem::path& file);
 
 /// Prints variables, constraints, degrees of freedom, redundant and contradictory equations and the filling
 /// of the tangent. Then throws Error for what a run of it would refuse: a start that can't be, and what its

@@ -27,7 +27,7 @@ struct Matrices {
   std::string folder, times, format = "mtx";
 };
 
-struct Options {
+struct RunOptions {
   fs::path file, output;
   std::vector<std::string> overrides;
   Matrices matrices;
@@ -78,7 +78,7 @@ Scenario with_matrices(Scenario scenario, const Matrices& matrices) {
 /// One run of a scenario, from its file to its results.
 class Run {
  public:
-  Run(const Options& options, const Context& context)
+  Run(const RunOptions& options, const Context& context)
       : options_(options),
         context_(context),
         scenario_(with_matrices(scenario::read(options.file, options.overrides), options.matrices)),
@@ -145,7 +145,7 @@ class Run {
       if (InterruptGuard::interrupted())
         fail("interrupted", fmt::format("interrupted at t = {} s", slowest_time(run)));
     } catch (const std::exception& error) {
-      fail("failed", error.what());
+      fail("failed", scenario::with_address(scenario_, context_.builtins, error.what()));
     }
     end_.seconds = progress.seconds();
   }
@@ -228,7 +228,7 @@ class Run {
                                   scenario_.reference->place.text(), fmt::join(outside_, "; ")));
   }
 
-  const Options& options_;
+  const RunOptions& options_;
   const Context& context_;
   Scenario scenario_;
   Assembly assembly_;
@@ -258,7 +258,7 @@ results until then kept; 2 for an error before the run.)";
 
 void add_run(CLI::App& app, Context& context) {
   auto* command = app.add_subcommand("run", "Run a scenario and write its results");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RunOptions>();
   command->add_option("scenario", options->file, "The scenario, a TOML file")->required()->type_name("FILE");
   command->add_option("--set", options->overrides, "Set a value of the scenario (repeatable)")
       ->type_name("KEY=VALUE")

@@ -13,8 +13,11 @@
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/progress.hpp"
+#include "cli/sweep_engine.hpp"
 #include "cli/sweep_engine_linkage.hpp"
 #include "cli/sweep_four_bar.hpp"
+#include "cli/sweep_kart.hpp"
+#include "cli/sweep_kart_drive.hpp"
 #include "cli/sweep_mechanisms.hpp"
 #include "cli/sweep_split_pendulum.hpp"
 #include "output/conditions.hpp"
@@ -28,14 +31,15 @@ namespace fs = std::filesystem;
 
 constexpr int work_repetitions = 5;
 
-struct Options {
+struct SweepOptions {
   std::string scene;
-  fs::path output, mechanisms = "scenarios/mechanisms", engine_linkage = "scenarios/engine_linkage";
+  fs::path output, mechanisms = "scenarios/mechanisms", engine_linkage = "scenarios/engine_linkage",
+                   engine = "scenarios/engine", kart = "scenarios/kart";
   bool pairs = false, resume = false, only_table = false;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
 };
 
-std::vector<two_mass::Case> cases_of(const Options& options) {
+std::vector<two_mass::Case> cases_of(const SweepOptions& options) {
   std::vector<two_mass::Case> cases;
   for (const double ratio : two_mass::sweep_ratios())
     for (const auto& scheme : two_mass::sweep_schemes(options.pairs)) cases.push_back({scheme, ratio});
@@ -54,9 +58,9 @@ std::string settings() {
 
 /// A sweep from its folder to its tables. sweep.json says what made them; conditions.json stands there when
 /// all are complete.
-class Sweep {
+class TwoMassSweep {
  public:
-  Sweep(const Options& options, const Context& context) : options_(options), context_(context) {
+  TwoMassSweep(const SweepOptions& options, const Context& context) : options_(options), context_(context) {
     output::make_folder(options.output);
     if (!options.resume || !made_alike())
       for (const char* name : {"sweep.csv", "sweep_timings.csv", "work.csv", "traces.csv"})
@@ -139,7 +143,7 @@ class Sweep {
   }
 
   const InterruptGuard guard_;  // from before the first file is written
-  const Options& options_;
+  const SweepOptions& options_;
   const Context& context_;
 };
 
@@ -148,15 +152,20 @@ class Sweep {
 void add_sweep(CLI::App& app, Context& context) {
   auto* command =
       app.add_subcommand("sweep", "Run a scene over its schemes and frequency ratios, and write the table");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SweepOptions>();
   command
       ->add_option(
           "scene", options->scene,
-          "The scene: two_mass; split_pendulum; engine_linkage (the linkage driven by the engine, every "
-          "scheme); mechanisms (every formulation and integrator on every "
-          "example); or four_bar (the N-fold four-bar linkage through its flat position)")
+          "The scene: two_mass; split_pendulum; engine (torque map, step response, changes of gear); "
+          "engine_linkage (the linkage driven by the engine, every scheme); kart (with its engine, every "
+          "level, step and scheme); kart_drive (the torque of its engine over the manoeuvre, from level ii "
+          "as "
+          "one system: drive.csv); mechanisms (every formulation and integrator on every example); or "
+          "four_bar "
+          "(the N-fold four-bar linkage through its flat position)")
       ->required()
-      ->check(CLI::IsMember({"two_mass", "split_pendulum", "engine_linkage", "mechanisms", "four_bar"}));
+      ->check(CLI::IsMember({"two_mass", "split_pendulum", "engine", "engine_linkage", "kart", "kart_drive",
+                             "mechanisms", "four_bar"}));
   command
       ->add_option("--output", options->output,
                    "Folder for the tables (default: results/SCENE; for mechanisms and four_bar results/mbs)")
@@ -169,6 +178,11 @@ void add_sweep(CLI::App& app, Context& context) {
       ->add_option("--engine-linkage", options->engine_linkage,
                    "Folder of that scene (default: scenarios/engine_linkage)")
       ->type_name("DIR");
+  command->add_option("--kart", options->kart, "Folder of that scene (default: scenarios/kart)")
+      ->type_name("DIR");
+  command
+      ->add_option("--engine", options->engine, "Folder of the engine's diagrams (default: scenarios/engine)")
+      ->type_name("DIR");
   command->add_flag("--pairs", options->pairs, "All 25 pairs of degrees, not only equal ones");
   command->add_flag("--resume", options->resume,
                     "Keep the rows that are there from a sweep that was stopped, if the same code made them");
@@ -179,19 +193,27 @@ void add_sweep(CLI::App& app, Context& context) {
   command->callback([options, &context] {
     const std::string& scene = options->scene;
     if (options->output.empty())
-      options->output = fs::path("results") / (scene == "mechanisms" || scene == "four_bar" ? "mbs" : scene);
+      options->output = fs::path("results") / (scene == "mechanisms" || scene == "four_bar" ? "mbs"
+                                               : scene == "kart_drive"                      ? "kart"
+                                                                                            : scene);
     if (scene == "mechanisms")
       sweep_mechanisms({options->mechanisms, options->output, options->threads, options->only_table},
                        context);
     else if (scene == "four_bar")
       sweep_four_bar(options->output, options->threads, context);
+    else if (scene == "kart_drive")
+      sweep_kart_drive(options->output, context);
+    else if (scene == "engine")
+      sweep_engine(options->engine, options->output, context);
     else if (scene == "engine_linkage")
       sweep_engine_linkage({options->engine_linkage, options->output, options->threads, options->only_table},
                            context);
+    else if (scene == "kart")
+      sweep_kart({options->kart, options->output}, context);
     else if (scene == "split_pendulum")
       sweep_split_pendulum(options->output, options->threads, context);
     else
-      Sweep(*options, context).make();
+      TwoMassSweep(*options, context).make();
   });
 }
 

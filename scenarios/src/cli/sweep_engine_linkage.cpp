@@ -20,9 +20,9 @@ namespace {
 using engine_linkage::Case;
 using engine_linkage::Outcome;
 
-class Sweep {
+class EngineLinkageRuns {
  public:
-  Sweep(const EngineLinkageSweep& settings, const Context& context)
+  EngineLinkageRuns(const EngineLinkageSweep& settings, const Context& context)
       : settings_(settings),
         context_(context),
         engine_(engine::read_diagram(settings.scene / "engine.toml")),
@@ -107,7 +107,7 @@ class Sweep {
 
 void sweep_engine_linkage(const EngineLinkageSweep& settings, const Context& context) {
   const InterruptGuard guard;
-  Sweep(settings, context).make();
+  EngineLinkageRuns(settings, context).make();
 }
 
 }  // namespace tandem::cli

@@ -17,7 +17,12 @@
 namespace tandem::cli {
 namespace {
 
-std::vector<four_bar::Result> run(const std::vector<four_bar::Case>& cases, unsigned threads, bool shown) {
+void stop_if_interrupted(const four_bar::Place&) {
+  if (InterruptGuard::interrupted()) throw RunFailed("interrupted; nothing is written");
+}
+
+std::vector<four_bar::Result> run_cases(const std::vector<four_bar::Case>& cases, unsigned threads,
+                                        bool shown) {
   std::vector<std::size_t> order(cases.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto cost = [&](std::size_t i) { return four_bar::sweep_cost(cases[i]); };
@@ -28,7 +33,7 @@ std::vector<four_bar::Result> run(const std::vector<four_bar::Case>& cases, unsi
   output::for_each_in_parallel(
       cases.size(), threads,
       [&](std::size_t i) {
-        results[order[i]] = four_bar::run(cases[order[i]], four_bar::sweep_end);
+        results[order[i]] = four_bar::run(cases[order[i]], four_bar::sweep_end, stop_if_interrupted);
         meter.add(cost(order[i]));
       },
       [&](std::size_t) {
@@ -44,11 +49,12 @@ void sweep_four_bar(const std::filesystem::path& folder, unsigned threads, const
   const InterruptGuard guard;
   output::make_folder(folder);
   const auto cases = four_bar::sweep_cases();
-  const auto results = run(cases, threads, !context.quiet);
+  const auto results = run_cases(cases, threads, !context.quiet);
   if (InterruptGuard::interrupted()) throw RunFailed("interrupted; nothing is written");
   output::write_text(folder / "four_bar.csv", four_bar::sweep_table(cases, results));
   four_bar::write_traces(folder / "four_bar_traces.csv");
-  const output::Measured measured{"exact motion", "x of the first moving point at 20 s", "none, no times"};
+  const output::Measured measured{
+      "exact motion", "x of the first moving point at 20 s (errors); tilt (motion)", "none, no times"};
   output::write_text(folder / "four_bar_conditions.json", output::conditions(measured).dump(2) + "\n");
   if (!context.quiet) fmt::print("wrote {}\n", (folder / "four_bar.csv").string());
 }

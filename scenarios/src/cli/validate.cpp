@@ -8,12 +8,12 @@
 namespace tandem::cli {
 namespace {
 
-struct Options {
+struct ValidateOptions {
   std::string file;
   std::vector<std::string> overrides;
 };
 
-void validate(const Options& options, const Context& context) {
+void validate(const ValidateOptions& options, const Context& context) {
   const auto scenario = scenario::read(options.file, options.overrides);
   scenario::Assembly assembly(scenario, context.builtins);
   const auto recorder = assembly.recorder(".");
@@ -29,7 +29,7 @@ void validate(const Options& options, const Context& context) {
 
 void add_validate(CLI::App& app, Context& context) {
   auto* command = app.add_subcommand("validate", "Check a scenario up to its first step, and advise");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ValidateOptions>();
   command->add_option("scenario", options->file, "The scenario, a TOML file")->required()->type_name("FILE");
   command->add_option("--set", options->overrides, "Set a value of the scenario, as in run (repeatable)")
       ->type_name("KEY=VALUE")

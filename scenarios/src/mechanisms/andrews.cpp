@@ -9,7 +9,7 @@
 namespace tandem::mechanisms {
 namespace {
 
-constexpr AndrewsParameters p;
+constexpr AndrewsParameters data;
 
 Vector2 to_the_left(const Vector2& a) { return {-a[1], a[0]}; }
 
@@ -27,45 +27,45 @@ PlanePath meeting(const PlanePath& a, Real from_a, const PlanePath& b, Real from
 }
 
 /// The moving joints and, of each body, the unit vector whose angle is counted.
-struct Paths {
+struct AndrewsPaths {
   PlanePath F, E, G, H, D;
   std::array<PlanePath, 7> along;
 };
 
-Paths paths(Real beta) {
-  const PlanePath A = fixed(Vector2(p.xa, p.ya)), B = fixed(Vector2(p.xb, p.yb));
+AndrewsPaths andrews_paths(Real beta) {
+  const PlanePath A = fixed(Vector2(data.xa, data.ya)), B = fixed(Vector2(data.xb, data.yb));
   const Number c = cos(coordinate(beta)), s = sin(coordinate(beta));
   const PlanePath crank{{c.value, s.value}, {c.first, s.first}, {c.second, s.second}};
-  const PlanePath F = p.rr * crank, E = meeting(F, p.d, B, p.ss, 1);
-  const PlanePath G = meeting(A, p.zt, E, p.e, 1), H = meeting(A, p.u, E, p.zf, -1);
-  const PlanePath arm = 1 / p.ss * (E - B), D = B + p.sc * arm + p.sd * to_the_left(arm);
+  const PlanePath F = data.rr * crank, E = meeting(F, data.d, B, data.ss, 1);
+  const PlanePath G = meeting(A, data.zt, E, data.e, 1), H = meeting(A, data.u, E, data.zf, -1);
+  const PlanePath arm = 1 / data.ss * (E - B), D = B + data.sc * arm + data.sd * to_the_left(arm);
   return {F,
           E,
           G,
           H,
           D,
-          {crank, 1 / p.d * (F - E), arm, 1 / p.e * (E - G), 1 / p.zt * (G - A), 1 / p.zf * (E - H),
-           1 / p.u * (H - A)}};
+          {crank, 1 / data.d * (F - E), arm, 1 / data.e * (E - G), 1 / data.zt * (G - A),
+           1 / data.zf * (E - H), 1 / data.u * (H - A)}};
 }
 
-OneDegree coefficients(Real beta) {
-  const Paths at = paths(beta);
+OneDegree andrews_coefficients(Real beta) {
+  const AndrewsPaths at = andrews_paths(beta);
   OneDegree sum;
   const auto add = [&](int body, const PlanePath& centre) {
-    sum.add_product(centre, centre, p.mass[body]);
-    sum.add_product(at.along[body], at.along[body], p.inertia[body]);
+    sum.add_product(centre, centre, data.mass[body]);
+    sum.add_product(at.along[body], at.along[body], data.inertia[body]);
   };
   const auto& along = at.along;
-  add(0, p.ra * along[0]);
-  add(1, at.F - p.da * along[1]);
-  add(2, p.sa * along[2] + p.sb * to_the_left(along[2]));
-  add(3, at.G + (p.e - p.ea) * along[3]);
-  add(4, p.ta * along[4] + p.tb * to_the_left(along[4]));
-  add(5, at.H + (p.zf - p.fa) * along[5]);
-  add(6, p.ua * along[6] - p.ub * to_the_left(along[6]));
-  const Vector2 spring = at.D.value - Vector2(p.xc, p.yc);
-  const Real pull = p.stiffness * (1 - p.free_length / spring.norm());
-  sum.force = p.torque - pull * spring.dot(at.D.first);
+  add(0, data.ra * along[0]);
+  add(1, at.F - data.da * along[1]);
+  add(2, data.sa * along[2] + data.sb * to_the_left(along[2]));
+  add(3, at.G + (data.e - data.ea) * along[3]);
+  add(4, data.ta * along[4] + data.tb * to_the_left(along[4]));
+  add(5, at.H + (data.zf - data.fa) * along[5]);
+  add(6, data.ua * along[6] - data.ub * to_the_left(along[6]));
+  const Vector2 spring = at.D.value - Vector2(data.xc, data.yc);
+  const Real pull = data.stiffness * (1 - data.free_length / spring.norm());
+  sum.force = data.torque - pull * spring.dot(at.D.first);
   return sum;
 }
 
@@ -77,7 +77,7 @@ std::array<Real, 3> turned(const PlanePath& along, Real rate, Real acceleration)
           slope * acceleration + curvature * rate * rate};
 }
 
-AndrewsState::Joints joints(const Paths& at, Vector2 PlanePath::*part, Real factor) {
+AndrewsState::Joints joints(const AndrewsPaths& at, Vector2 PlanePath::*part, Real factor) {
   const auto of = [&](const PlanePath& path) -> Eigen::Vector2d {
     return (factor * path.*part).cast<double>();
   };
@@ -87,9 +87,10 @@ AndrewsState::Joints joints(const Paths& at, Vector2 PlanePath::*part, Real fact
 }  // namespace
 
 AndrewsState andrews(double t) {
-  const auto [beta, rate] = advance_one_degree({-0.0617138900142764496358948458001L, 0}, t, coefficients);
-  const Paths at = paths(beta);
-  const Real acceleration = coefficients(beta).acceleration(rate);
+  const auto [beta, rate] =
+      advance_one_degree({-0.0617138900142764496358948458001L, 0}, t, andrews_coefficients);
+  const AndrewsPaths at = andrews_paths(beta);
+  const Real acceleration = andrews_coefficients(beta).acceleration(rate);
   AndrewsState state{{}, {}, {}, joints(at, &PlanePath::value, 1), joints(at, &PlanePath::first, rate)};
   std::array<std::array<Real, 3>, 7> turn;
   for (int body = 0; body < 7; ++body) turn[body] = turned(at.along[body], rate, acceleration);

@@ -45,7 +45,7 @@ Points points(Real s) {
   return from_p0;
 }
 
-OneDegree coefficients(Real s) {
+OneDegree bricard_coefficients(Real s) {
   const Points p = points(s);
   OneDegree sum;
   for (int i = 0; i < 5; ++i) sum.add_rod(p[i], p[i + 1], 1);
@@ -55,7 +55,7 @@ OneDegree coefficients(Real s) {
 }  // namespace
 
 BricardState bricard(double t) {
-  const auto [s, rate] = advance_one_degree({std::numbers::pi_v<Real> / 2, 0}, t, coefficients);
+  const auto [s, rate] = advance_one_degree({std::numbers::pi_v<Real> / 2, 0}, t, bricard_coefficients);
   const Points p = points(s);
   BricardState state;
   state.axes[0] = {0, 1, 0};

@@ -10,9 +10,9 @@
 namespace tandem::mechanisms {
 namespace {
 
-using Angles = std::array<Real, 4>;  // a, b, a', b'
+using TwoAngles = std::array<Real, 4>;  // a, b, a', b'
 
-Vector2 accelerations(const Angles& y) {
+Vector2 accelerations(const TwoAngles& y) {
   const Real c = std::cos(y[0] - y[1]) / 2, s = std::sin(y[0] - y[1]) / 2;
   Eigen::Matrix<Real, 2, 2> mass;
   mass << 4.0L / 3, c, c, 1.0L / 3;
@@ -21,7 +21,7 @@ Vector2 accelerations(const Angles& y) {
   return mass.inverse() * force;
 }
 
-Angles rates(const Angles& y) {
+TwoAngles double_rates(const TwoAngles& y) {
   const Vector2 acceleration = accelerations(y);
   return {y[2], y[3], acceleration[0], acceleration[1]};
 }
@@ -30,7 +30,7 @@ Angles rates(const Angles& y) {
 
 DoublePendulumState double_pendulum(double t) {
   constexpr Real level = std::numbers::pi_v<Real> / 2;
-  const Angles y = advance(Angles{level, level, 0, 0}, t, rates);
+  const TwoAngles y = advance(TwoAngles{level, level, 0, 0}, t, double_rates);
   const Vector2 acceleration = accelerations(y);
   const Vector2 along_a(std::sin(y[0]), -std::cos(y[0])), across_a(std::cos(y[0]), std::sin(y[0]));
   const Vector2 along_b(std::sin(y[1]), -std::cos(y[1])), across_b(std::cos(y[1]), std::sin(y[1]));

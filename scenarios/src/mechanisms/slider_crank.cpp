@@ -18,7 +18,7 @@ std::array<Real, 3> slider(Real angle) {
   return {x + level, -y + slope, -x - (x * x - y * y + slope * slope) / level};
 }
 
-OneDegree coefficients(Real angle) {
+OneDegree slider_coefficients(Real angle) {
   const auto [place, d1, d2] = slider(angle);
   const Real y = crank * std::sin(angle), x = crank * std::cos(angle);
   return {crank_mass * crank * crank / 3 + rod_mass / 3 * (crank * crank - y * d1 + d1 * d1) +
@@ -30,7 +30,7 @@ OneDegree coefficients(Real angle) {
 }  // namespace
 
 SliderCrankState slider_crank(double t) {
-  const auto [angle, rate] = advance_one_degree({std::numbers::pi_v<Real> / 4, 10}, t, coefficients);
+  const auto [angle, rate] = advance_one_degree({std::numbers::pi_v<Real> / 4, 10}, t, slider_coefficients);
   const auto [place, slope, curvature] = slider(angle);
   const Vector2 crank_end(crank * std::cos(angle), crank * std::sin(angle));
   const Vector2 velocity(-rate * crank_end[1], rate * crank_end[0]);

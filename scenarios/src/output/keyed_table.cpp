@@ -36,6 +36,10 @@ bool is_right(const std::string& cell, std::string_view column) {
 
 }  // namespace
 
+std::string cell(const std::optional<double>& value) {
+  return value ? fmt::format("{}", *value) : std::string();
+}
+
 void KeyedTable::read(const std::filesystem::path& file) {
   std::ifstream in(file);
   std::string line;

@@ -3,10 +3,14 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace tandem::output {
+
+/// Empty for no value.
+std::string cell(const std::optional<double>& value);
 
 /// The rows of a CSV file by their first cells, so that a long work that was stopped can go on. Cells hold no
 /// commas. The cells under schedule, to_fast, to_slow and note are texts, those under status are ok or

@@ -3,9 +3,28 @@
 
 #include <algorithm>
 
+#include "tandem/error.hpp"
 #include "tandem/nearest.hpp"
 
 namespace tandem::scenario {
+namespace {
+
+bool is_elsewhere(const SubsystemEntry& entry, const Builtins& builtins) {
+  return builtins.addresses.count(entry.source.substr(0, entry.source.find(':'))) != 0;
+}
+
+/// An error of opening a subsystem that lives elsewhere names it: the address alone may serve several.
+template <class Open>
+auto far_named(const SubsystemEntry& entry, const Builtins& builtins, const Open& opening) {
+  try {
+    return opening();
+  } catch (const Error& error) {
+    if (!is_elsewhere(entry, builtins)) throw;
+    throw Error(error.code(), "subsystem '" + entry.name + "': " + error.what());
+  }
+}
+
+}  // namespace
 
 Assembly::Assembly(const Scenario& scenario, const Builtins& builtins, bool profile) : scenario_(scenario) {
   std::vector<Subsystem*> subsystems;
@@ -21,6 +40,7 @@ Assembly::Assembly(const Scenario& scenario, const Builtins& builtins, bool prof
     located([&](const std::string& sentence) { return entry.place_named_in(sentence); },
             [&] { topology_.connect(entry.connection); });
   if (scenario.judge) check_judge();
+  check_plots();
   const auto place_of = [&](const std::string& sentence) { return scenario_.place_named_in(sentence); };
   located(place_of, [&] { topology_.check(); });
   Coordination coordination = scenario.coordination;
@@ -35,21 +55,46 @@ std::unique_ptr<Subsystem> Assembly::opened(const SubsystemEntry& entry, const B
   Opening opening{{}, std::filesystem::path(entry.place.file).parent_path()};
   for (const Parameter& p : entry.parameters) opening.parameters.set(p.name, p.value);
   return located([&](const std::string& sentence) { return entry.place_named_in(sentence); },
-                 [&] { return open(entry.source, builtins, std::move(opening)); });
+                 [&] {
+                   return far_named(entry, builtins,
+                                    [&] { return open(entry.source, builtins, std::move(opening)); });
+                 });
+}
+
+std::vector<std::string> Assembly::outputs() const {
+  std::vector<std::string> names;
+  for (int i = 0; i < topology_.size(); ++i)
+    for (int k = 0; k < topology_.info(i).output_size(); ++k) names.push_back(topology_.output_name(i, k));
+  return names;
 }
 
 void Assembly::check_judge() const {
-  std::vector<std::string> outputs;
-  for (int i = 0; i < topology_.size(); ++i)
-    for (int k = 0; k < topology_.info(i).output_size(); ++k) outputs.push_back(topology_.output_name(i, k));
+  const auto known = outputs();
   const JudgeEntry& judge = *scenario_.judge;
-  if (std::find(outputs.begin(), outputs.end(), judge.quantity) == outputs.end())
-    refuse(judge.place, unknown("judge.quantity: output", judge.quantity, outputs));
+  if (std::find(known.begin(), known.end(), judge.quantity) == known.end())
+    refuse(judge.place, unknown("judge.quantity: output", judge.quantity, known));
+}
+
+void Assembly::check_plots() const {
+  const auto known = outputs();
+  for (const std::string& name : scenario_.plots)
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      refuse(scenario_.place("view.plots"), unknown("view.plots: output", name, known));
+}
+
+/// "INSTANCE.POINT.x": outputs of a mechanism with one more dot than its own have.
+void Assembly::add_positions(std::vector<std::string>& ports) const {
+  for (const std::string& name : outputs()) {
+    const bool position = name.size() > 2 && name[name.size() - 2] == '.' && name.back() >= 'x' &&
+                          name.back() <= 'z' && std::count(name.begin(), name.end(), '.') > 1;
+    if (position && std::find(ports.begin(), ports.end(), name) == ports.end()) ports.push_back(name);
+  }
 }
 
 std::unique_ptr<Recorder> Assembly::recorder(const std::filesystem::path& directory) const {
   Recording recording = scenario_.recording;
   recording.directory = directory;
+  if (scenario_.animate && !recording.ports.empty()) add_positions(recording.ports);
   return located(scenario_.place("record.ports"),
                  [&] { return std::make_unique<Recorder>(*coordinator_, recording); });
 }
@@ -57,6 +102,16 @@ std::unique_ptr<Recorder> Assembly::recorder(const std::filesystem::path& direct
 void Assembly::initialize() {
   located([&](const std::string& sentence) { return scenario_.place_named_in(sentence); },
           [&] { coordinator_->initialize(); });
+}
+
+std::string with_address(const Scenario& scenario, const Builtins& builtins, std::string sentence) {
+  for (const SubsystemEntry& entry : scenario.subsystems) {
+    const std::string address = entry.source.substr(0, entry.source.find('?'));
+    if (is_elsewhere(entry, builtins) && sentence.find("'" + entry.name + "'") != std::string::npos &&
+        sentence.find(address) == std::string::npos)
+      sentence += " (" + entry.name + " is at " + address + ")";
+  }
+  return sentence;
 }
 
 }  // namespace tandem::scenario

@@ -32,12 +32,18 @@ class Assembly {
 
  private:
   void check_judge() const;
+  void check_plots() const;
+  void add_positions(std::vector<std::string>& ports) const;
+  std::vector<std::string> outputs() const;
 
   const Scenario& scenario_;
   std::vector<std::unique_ptr<Subsystem>> subsystems_;
   Topology topology_;
   std::unique_ptr<Coordinator> coordinator_;
 };
+
+/// A sentence about a subsystem that lives elsewhere, with its address if that is not in it yet.
+std::string with_address(const Scenario& scenario, const Builtins& builtins, std::string sentence);
 
 /// What `validate` tells of a run that is initialized, beyond its notes: a force that depends on the
 /// partner's state at once belongs to the follower.

@@ -34,17 +34,29 @@ class Reader {
     root.refuse_unknown();
   }
 
-  /// A mechanism alone: its file is the source, its table [run] says how long and how.
-  void read_mechanism() {
+  /// A mechanism or a diagram alone: its file is the source, its table [run] says how long and how.
+  void read_alone(const std::string& kind) {
     Section root(document_, document_.table(), "");
     to_.name = root.text("name").value_or(to_.file.stem().string());
     to_.description = root.text("description").value_or("");
     const toml::table* table = root.table("run");
-    if (!table) root.missing("run", "a table [run] with stop and step in s, to run the mechanism alone");
-    SubsystemEntry entry{to_.file.stem().string(),  "mechanism:" + to_.file.filename().string(),
-                         parameters(*table, "run"), {},
-                         document_.place(*table),   document_.place(*table)};
+    if (!table) root.missing("run", "a table [run] with stop and step in s, to run the " + kind + " alone");
+    SubsystemEntry entry{
+        to_.file.stem().string(), kind + ":" + to_.file.filename().string(), {}, {}, document_.place(*table),
+        document_.place(*table)};
     Section run(document_, *table, "run");
+    read_span(run);
+    for (Parameter& p : parameters(*table, "run", kind == "diagram" ? "inputs" : ""))
+      if (p.name != "start" && p.name != "stop") entry.parameters.push_back(std::move(p));
+    if (kind == "diagram")
+      read_inputs(run, entry);
+    else if (!run.node("animate"))
+      entry.parameters.push_back({"animate", true, entry.place});
+    to_.subsystems.push_back(std::move(entry));
+  }
+
+ private:
+  void read_span(Section& run) {
     const auto start = run.number("start"), step = run.number("step"), stop = run.number("stop");
     if (!stop) run.missing("stop", "the time of its end [s]");
     to_.start = start.value_or(0.0);
@@ -53,16 +65,24 @@ class Reader {
     if (step && *step > to_.stop - to_.start)
       run.wrong("step", described(*run.node("step")),
                 fmt::format("up to {} s, the time from run.start to run.stop", to_.stop - to_.start));
-    const auto taken = [](const Parameter& p) { return p.name == "start" || p.name == "stop"; };
-    std::erase_if(entry.parameters, taken);
-    if (!run.node("animate")) entry.parameters.push_back({"animate", true, entry.place});
-    to_.subsystems.push_back(std::move(entry));
   }
 
- private:
-  std::vector<Parameter> parameters(const toml::table& table, const std::string& path) const {
+  /// Of a diagram alone: a number, or a CSV file.
+  void read_inputs(Section& run, SubsystemEntry& entry) const {
+    const toml::table* table = run.table("inputs");
+    if (!table) return;
+    for (const auto& [port, node] : in_file_order(*table))
+      if (const auto* file = node->as_string())
+        entry.parameters.push_back({"data." + port, file->get(), document_.place(*node)});
+      else
+        read_start(entry, port, *node, "run.inputs." + port);
+  }
+
+  std::vector<Parameter> parameters(const toml::table& table, const std::string& path,
+                                    const std::string& but = "") const {
     std::vector<Parameter> all;
     for (const auto& [key, node] : in_file_order(table)) {
+      if (key == but) continue;
       const Place place = document_.place(*node);
       if (const auto* text = node->as_string())
         all.push_back({key, text->get(), place});
@@ -79,7 +99,9 @@ class Reader {
 
   void read_subsystems(Section& root) {
     const toml::table* table = root.table("subsystems");
-    if (!table || table->empty()) root.missing("subsystems", "a table [subsystems.NAME] for each");
+    if (!table || table->empty())
+      root.missing("subsystems",
+                   "a table [subsystems.NAME] for each; a mechanism has points, a diagram blocks");
     for (const auto& [name, node] : in_file_order(*table)) {
       const std::string path = "subsystems." + name;
       if (!node->is_table())
@@ -155,21 +177,29 @@ class Reader {
   std::vector<Parameter> shared_;
 };
 
+std::string kind_of(const toml::table& table) {
+  for (const char* key : {"dimension", "points", "vectors", "bodies", "rods"})
+    if (table.contains(key)) return "mechanism";
+  return table.contains("blocks") ? "diagram" : "";
+}
+
 }  // namespace
+
+std::string kind_alone(const std::filesystem::path& file) { return kind_of(Document(file).table()); }
 
 Scenario read(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   Document document(file);
-  const bool mechanism = document.table().contains("dimension");
+  const std::string alone = kind_of(document.table());
   for (const std::string& text : overrides) {
     const Place place{file.string(), 0, text::set_prefix + text};
-    if (mechanism && !text.starts_with("run."))
-      refuse(place, "of a mechanism's file only run.KEY can be set; the rest is what it is made of");
+    if (!alone.empty() && !text.starts_with("run."))
+      refuse(place, "of a " + alone + "'s file only run.KEY can be set; the rest is what it is made of");
     located(place, [&] { set(document.table(), text); });
   }
   Scenario scenario;
   scenario.file = file;
   Reader reader(document, scenario);
-  mechanism ? reader.read_mechanism() : reader.read();
+  alone.empty() ? reader.read() : reader.read_alone(alone);
   scenario.overrides = overrides;
   scenario.document = to_json(document.table());
   return scenario;

@@ -3,6 +3,7 @@
 
 #include "output/conditions.hpp"
 #include "output/files.hpp"
+#include "tandem/engine/subsystem.hpp"
 
 namespace tandem::scenario {
 namespace {
@@ -31,6 +32,15 @@ Json reached(const Assembly& assembly) {
   for (int i = 0; i < assembly.topology().size(); ++i)
     times[assembly.topology().name(i)] = assembly.coordinator().time(i);
   return times;
+}
+
+Json integrator_figures(const engine::Statistics& s) {
+  return {{"steps", s.steps},
+          {"rate_evaluations", s.rate_evaluations},
+          {"root_evaluations", s.root_evaluations},
+          {"failed_error_tests", s.failed_error_tests},
+          {"nonlinear_iterations", s.nonlinear_iterations},
+          {"restarts", s.restarts}};
 }
 
 }  // namespace
@@ -66,6 +76,8 @@ Json machine_figures(const Assembly& assembly, const RunEnd& end, bool profiled,
     Json& figures = subsystems[assembly.topology().name(i)];
     figures = {{"steps", effort.steps}, {"exchanges", effort.exchanges}};
     if (profiled) figures["seconds"] = effort.seconds;
+    if (const auto s = engine::statistics_of(assembly.subsystem(i)))
+      figures["integrator"] = integrator_figures(*s);
     inside += effort.seconds;
   }
   Json json{{"processor", output::processor_model()},

@@ -75,6 +75,8 @@ struct Scenario {
   Recording recording;             ///< without its directory
   std::optional<ReferenceEntry> reference;
   std::optional<JudgeEntry> judge;
+  bool animate = false;            ///< where the mechanisms' points are is recorded
+  std::vector<std::string> plots;  ///< outputs that `tandem view` plots at first
 
   std::vector<std::string> overrides;  ///< "KEY=VALUE"
   nlohmann::ordered_json document;     ///< the file with the overrides in it
@@ -86,6 +88,10 @@ struct Scenario {
   /// file.
   Place place_named_in(const std::string& sentence) const;
 };
+
+/// "mechanism" of a file with a dimension, points, bodies, ..., "diagram" of one with blocks, "" else: of a
+/// scenario.
+std::string kind_alone(const std::filesystem::path& file);
 
 /// Reads a scenario with the overrides of the command line. Throws Error with file, line, the value found and
 /// what is allowed.

@@ -13,7 +13,9 @@ namespace {
 using text::described;
 using text::keys;
 
-[[noreturn]] void fail(const std::string& sentence) { throw Error(ErrorCode::invalid_argument, sentence); }
+[[noreturn]] void refuse_setting(const std::string& sentence) {
+  throw Error(ErrorCode::invalid_argument, sentence);
+}
 
 /// A key, or what stands in brackets.
 struct Step {
@@ -28,7 +30,7 @@ Steps split(const std::string& path) {
   while (i < path.size()) {
     if (path[i] == '[') {
       const auto end = path.find(']', i);
-      if (end == std::string::npos) fail("'" + path + "' has a '[' without ']'");
+      if (end == std::string::npos) refuse_setting("'" + path + "' has a '[' without ']'");
       steps.push_back({path.substr(i + 1, end - i - 1), true});
       i = end + 1;
     } else {
@@ -37,11 +39,12 @@ Steps split(const std::string& path) {
       i = end;
     }
     if (steps.back().text.empty())
-      fail("'" + path + "' has an empty part; allowed is a path like coordination.schedule");
-    if (i < path.size() && path[i] == '.' && ++i == path.size()) fail("'" + path + "' ends with a '.'");
+      refuse_setting("'" + path + "' has an empty part; allowed is a path like coordination.schedule");
+    if (i < path.size() && path[i] == '.' && ++i == path.size())
+      refuse_setting("'" + path + "' ends with a '.'");
   }
   if (steps.empty() || steps[0].bracket)
-    fail("'" + path + "' names no key; allowed is a path like coordination.schedule");
+    refuse_setting("'" + path + "' names no key; allowed is a path like coordination.schedule");
   return steps;
 }
 
@@ -59,7 +62,8 @@ class Override {
  public:
   explicit Override(const std::string& text) : source_(text::set_prefix + text) {
     const auto equals = text.find('=');
-    if (equals == std::string::npos || equals == 0) fail("'" + text + "' is not of the form KEY=VALUE");
+    if (equals == std::string::npos || equals == 0)
+      refuse_setting("'" + text + "' is not of the form KEY=VALUE");
     steps_ = split(text.substr(0, equals));
     value_ = text.substr(equals + 1);
     try {
@@ -76,13 +80,14 @@ class Override {
   toml::table parsed(std::size_t first) const {
     std::string key;
     for (std::size_t i = first; i < steps_.size(); ++i) {
-      if (steps_[i].bracket) fail("'" + written(i) + "' is not there, so it has no [" + steps_[i].text + "]");
+      if (steps_[i].bracket)
+        refuse_setting("'" + written(i) + "' is not there, so it has no [" + steps_[i].text + "]");
       key += (i > first ? "." : "") + in_quotes(steps_[i].text);
     }
     try {
       return toml::parse(std::string_view(key + " = " + value_), std::string_view(source_));
     } catch (const toml::parse_error& error) {
-      fail("not TOML: " + std::string(error.description()));
+      refuse_setting("not TOML: " + std::string(error.description()));
     }
   }
 
@@ -96,9 +101,10 @@ class Override {
 
   void at_table(toml::table& table, std::size_t i) {
     const Step& step = steps_[i];
-    if (step.bracket) fail("'" + written(i) + "' is a table; it has no [" + step.text + "]");
+    if (step.bracket) refuse_setting("'" + written(i) + "' is a table; it has no [" + step.text + "]");
     toml::node* node = table.get(step.text);
-    if (!node && i == 1 && steps_[0].text == "subsystems") fail(unknown("subsystem", step.text, keys(table)));
+    if (!node && i == 1 && steps_[0].text == "subsystems")
+      refuse_setting(unknown("subsystem", step.text, keys(table)));
     if (node && i + 1 < steps_.size()) return go_on(*node, i + 1);
     toml::table made = parsed(i);
     made.get(step.text)->visit([&](auto& value) { table.insert_or_assign(step.text, std::move(value)); });
@@ -108,14 +114,15 @@ class Override {
     if (auto* table = node.as_table()) return at_table(*table, i);
     if (auto* array = node.as_array())
       return array->is_array_of_tables() ? at_tables(*array, i) : at_values(*array, i);
-    fail("'" + written(i) + "' is " + described(node) + "; it has no '" + steps_[i].text + "'");
+    refuse_setting("'" + written(i) + "' is " + described(node) + "; it has no '" + steps_[i].text + "'");
   }
 
   void at_tables(toml::array& array, std::size_t i) {
     const bool all = !steps_[i].bracket;
     const std::size_t next = all ? i : i + 1;
     if (next == steps_.size())
-      fail("'" + written(i + 1) + "' is a table; name one of its keys, as in " + written(i + 1) + ".KEY");
+      refuse_setting("'" + written(i + 1) + "' is a table; name one of its keys, as in " + written(i + 1) +
+                     ".KEY");
     std::vector<std::string> names;
     bool found = false;
     for (std::size_t k = 0; k < array.size(); ++k) {
@@ -133,8 +140,9 @@ class Override {
     for (std::size_t k = 0; k < names.size(); ++k)
       numbered.push_back(std::to_string(k) + " (" + names[k] + ")");
     const std::string near = nearest(steps_[i].text, names);
-    fail("'" + written(i) + "' has no [" + steps_[i].text + "]" +
-         (near.empty() ? "." : "; did you mean [" + near + "]?") + " There are: " + listed(numbered));
+    refuse_setting("'" + written(i) + "' has no [" + steps_[i].text + "]" +
+                   (near.empty() ? "." : "; did you mean [" + near + "]?") +
+                   " There are: " + listed(numbered));
   }
 
   void at_values(toml::array& array, std::size_t i) {
@@ -142,8 +150,8 @@ class Override {
     const std::string& text = steps_[i].text;
     std::from_chars(text.data(), text.data() + text.size(), index);
     if (!steps_[i].bracket || std::to_string(index) != text || index >= array.size() || i + 1 < steps_.size())
-      fail("'" + written(i) + "' is an array of " + std::to_string(array.size()) + "; '" + text +
-           "' is not one of its elements, which are named like " + written(i) + "[0]");
+      refuse_setting("'" + written(i) + "' is an array of " + std::to_string(array.size()) + "; '" + text +
+                     "' is not one of its elements, which are named like " + written(i) + "[0]");
     toml::table made = toml::parse(std::string_view("v = " + value_), std::string_view(source_));
     made.get("v")->visit([&](auto& value) {
       array.replace(array.cbegin() + static_cast<std::ptrdiff_t>(index), std::move(value));

@@ -80,8 +80,25 @@ void read_span(Section section, Scenario& to) {
                   "a time in s after span.start, which is " + (start ? described(*start) : "0"));
 }
 
+/// Each mechanism is asked for where its points are, unless its own parameters say whether.
+void read_animate(Section& section, Scenario& to) {
+  to.animate = section.flag("animate").value_or(false);
+  if (!to.animate) return;
+  bool found = false;
+  for (SubsystemEntry& entry : to.subsystems) {
+    if (!entry.source.starts_with("mechanism:")) continue;
+    found = true;
+    const bool there = std::any_of(entry.parameters.begin(), entry.parameters.end(),
+                                   [](const Parameter& p) { return p.name == "animate"; });
+    if (!there) entry.parameters.push_back({"animate", true, section.place("animate")});
+  }
+  if (!found)
+    section.wrong("animate", "true, but no subsystem has the source mechanism:FILE", "to leave it out");
+}
+
 void read_record(Section section, Scenario& to) {
   note_places(section, {"clock", "ports"}, to);
+  read_animate(section, to);
   const std::string clock = section.text("clock").value_or("");
   to.recording.own = clock == "own";
   if (!to.recording.own) to.recording.clock = clock;
@@ -112,15 +129,18 @@ void read_judge(Section section, Scenario& to) {
   section.refuse_unknown();
 }
 
+void read_view(Section section, Scenario& to) {
+  note_places(section, {"plots"}, to);
+  to.plots = section.texts("plots");
+  section.refuse_unknown();
+}
+
 }  // namespace
 
 const std::vector<std::pair<std::string, std::function<void(Section, Scenario&)>>>& settings() {
   static const std::vector<std::pair<std::string, std::function<void(Section, Scenario&)>>> all{
-      {"coordination", read_coordination},
-      {"span", read_span},
-      {"record", read_record},
-      {"reference", read_reference},
-      {"judge", read_judge}};
+      {"coordination", read_coordination}, {"span", read_span},   {"record", read_record},
+      {"reference", read_reference},       {"judge", read_judge}, {"view", read_view}};
   return all;
 }
 

@@ -9,7 +9,7 @@ void take_run_table(const text::Document& document, Parameters& to) {
   const toml::table* run = document.table()["run"].as_table();
   if (!run) return;
   for (const auto& [name, node] : text::in_file_order(*run)) {
-    if (name == "start" || name == "stop" || to.has(name)) continue;
+    if (name == "start" || name == "stop" || node->is_table() || to.has(name)) continue;
     if (const auto* text = node->as_string())
       to.set(name, text->get());
     else if (const auto* flag = node->as_boolean())

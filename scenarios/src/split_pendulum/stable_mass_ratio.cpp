@@ -10,7 +10,7 @@
 namespace tandem::split_pendulum {
 namespace {
 
-constexpr double step = 1e-3, t_stop = 1.0, amplitude = 0.2, square_frequency = 40.0;
+constexpr double step = 1e-3, last_time = 1.0, amplitude = 0.2, square_frequency = 40.0;
 constexpr double least = 1e-3, most = 10.0, precision = 1.01;
 
 /// Ends the run where x leaves its exact motion by half its amplitude.
@@ -51,7 +51,7 @@ bool stable(const Scheme& s, double mass) {
        {"giver.R", "taker.F", Reconstruction::parse(s.to_upper), -1.0}},
       s.formulation,
       s.schedule,
-      t_stop};
+      last_time};
   Leaving leaving;
   return run(pair, leaving).empty() && !leaving.left();
 }

@@ -9,14 +9,6 @@
 #include "output/parallel.hpp"
 
 namespace tandem::two_mass {
-namespace {
-
-std::string cell(const std::optional<double>& value) {
-  return value ? fmt::format("{}", *value) : std::string();
-}
-
-}  // namespace
-
 output::KeyedTable sweep_table() {
   return {
       "schedule,to_fast,to_slow,frequency_ratio,position_error,energy_error,exchange_energy_error,"
@@ -32,9 +24,10 @@ std::string sweep_key(const Case& c) {
 
 std::string sweep_cells(const Outcome& o) {
   const Figures& f = o.figures;
-  return fmt::format("{},{},{},{},{},{},{},{},{}", cell(f.position_error), cell(f.energy_error),
-                     cell(f.exchange_energy_error), cell(f.amplitude_error), cell(f.phase_error), o.exchanges,
-                     o.evaluations, f.failed ? "failed" : "ok", f.note);
+  return fmt::format("{},{},{},{},{},{},{},{},{}", output::cell(f.position_error),
+                     output::cell(f.energy_error), output::cell(f.exchange_energy_error),
+                     output::cell(f.amplitude_error), output::cell(f.phase_error), o.exchanges, o.evaluations,
+                     f.failed ? "failed" : "ok", f.note);
 }
 
 void run_sweep(const SweepWork& work, const std::function<bool(std::size_t)>& tick) {

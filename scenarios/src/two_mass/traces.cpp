@@ -29,10 +29,6 @@ std::string least_time(const Case& c, int repetitions) {
   return fmt::format("{}", least);
 }
 
-std::string cell(const std::optional<double>& value) {
-  return value ? fmt::format("{}", *value) : std::string();
-}
-
 }  // namespace
 
 void write_traces(const std::filesystem::path& file) {
@@ -70,8 +66,9 @@ std::string work_key(const Case& c) { return fmt::format("{},{}", sweep_key(c), 
 
 std::string work_cells(const Case& c, int repetitions) {
   const Outcome o = run_case(c);
-  return fmt::format("{},{},{},{},{},{},{},{}", cell(o.figures.position_error),
-                     cell(o.figures.amplitude_error), cell(o.figures.phase_error), o.exchanges, o.evaluations,
+  return fmt::format("{},{},{},{},{},{},{},{}", output::cell(o.figures.position_error),
+                     output::cell(o.figures.amplitude_error), output::cell(o.figures.phase_error),
+                     o.exchanges, o.evaluations,
                      o.figures.failed ? std::string() : least_time(c, repetitions), repetitions,
                      o.figures.failed ? "failed" : "ok");
 }

@@ -70,6 +70,21 @@ TEST(CompiledBlock, HasSeveralOutputsAndFeedthrough) {
   EXPECT_EQ(s.output(1), 2.0);
 }
 
+/// Its second input comes from blocks after it in the file, which stand behind held values.
+TEST(CompiledBlock, ComesAfterAllOfItsInputs) {
+  const Program p = compiled(
+      "[blocks]\nr = { kind = 'ratio', a = 7, b = 'late' }\n"
+      "late = { kind = 'switch', control = 'r.quotient', threshold = 5, above = 2, below = 'twice' }\n"
+      "twice = { kind = 'gain', input = 'time', gain = 2 }\n[outputs]\nrest = { unit = '1', from = "
+      "'r.remainder' }\n",
+      {ratio()});
+  Simulation s(p, nullptr, make_integrator({}));
+  s.start(2.0);
+  EXPECT_EQ(s.output(0), 3.0);
+  s.run(3.25);
+  EXPECT_EQ(s.output(0), 0.5);
+}
+
 /// Its outputs need no inputs, so it may stand in a loop.
 TEST(CompiledBlock, WithoutFeedthroughMakesNoLoop) {
   const std::string loop =

@@ -15,7 +15,7 @@ using test::DiagramRun;
 using test::refuses;
 
 /// A lag with a gain, as a diagram.
-const std::string lag =
+const std::string lag_text =
     "[parameters]\nT = { value = 1, unit = 's' }\n[inputs]\nu = { unit = '1' }\n[blocks]\n"
     "rest = { kind = 'sum', inputs = ['u', 'y'], gains = [1, -1] }\n"
     "rate = { kind = 'quotient', numerator = 'rest', denominator = '$T' }\n"
@@ -30,7 +30,7 @@ class Nested : public testing::Test {
 };
 
 TEST_F(Nested, HaveParametersInputsAndOutputsOfTheirOwn) {
-  folder.write("lag.toml", lag);
+  folder.write("lag.toml", lag_text);
   const Program p = compiled(
       "[parameters]\nslow = { value = 2, unit = 's' }\n[blocks]\n"
       "first = { kind = 'diagram', file = 'lag.toml', u = 3 }\n"
@@ -55,7 +55,7 @@ TEST_F(Nested, StandInTheFileItself) {
 }
 
 TEST_F(Nested, AreNamedWithTheirBlockInMessages) {
-  folder.write("lag.toml", lag);
+  folder.write("lag.toml", lag_text);
   const auto code = ErrorCode::invalid_argument;
   const auto refused = [&](const std::string& keys, const std::vector<std::string>& words) {
     return refuses(code, words, [&] {

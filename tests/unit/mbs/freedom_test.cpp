@@ -53,5 +53,23 @@ TEST(Freedom, OfABodyInSpaceIsSix) {
   EXPECT_EQ(freedom(m, m.described_state()).degrees, 6);
 }
 
+/// Two bodies share P; a joint there holds nothing, but for what rounding leaves of it.
+TEST(Freedom, IsNotTakenByAJointWhereThereIsOneAlready) {
+  const std::string body = "mass = 1\ninertia = [[0.1, 0, 0], [0, 0.1, 0], [0, 0, 0.1]]\n";
+  const std::string text =
+      "dimension = 3\n"
+      "[points]\nO = { at = [0, 0, 0], fixed = true }\nP = { at = [1, 0, 0] }\nQ = { at = [2, 0, 0] }\n"
+      "[vectors]\na = { at = [0, 1, 0] }\nb = { at = [0, 0, 1] }\nc = { at = [0, 1, 0] }\nd = { at = [0, 0, "
+      "1] }\n"
+      "[bodies.A]\npoints = ['O', 'P']\nvectors = ['a', 'b']\ncentre = [0.5, 0, 0]\n" +
+      body + "[bodies.B]\npoints = ['P', 'Q']\nvectors = ['c', 'd']\ncentre = [1.5, 0, 0]\n" + body +
+      "[joints.j]\nkind = 'spherical'\nbetween = ['A', 'B']\nat = [1, 0, 0]\n";
+  Mechanism m(read_mechanism("two", text));
+  const Freedom f = freedom(m, m.described_state());
+  EXPECT_EQ(f.degrees, 6);
+  ASSERT_EQ(f.redundant.size(), 3U);
+  for (const int c : f.redundant) EXPECT_EQ(m.structure().constraint_names[c].substr(0, 7), "joint j");
+}
+
 }  // namespace
 }  // namespace tandem::mbs

@@ -17,7 +17,7 @@ const std::string turned_rod =
     "rod = { points = ['O', 'P'], mass = 1 }\n[vectors]\ne = { at = [1, 0], fixed = true }\n[angles]\n"
     "t = { from = 'e', to = ['O', 'P'] }\n";
 
-testing::AssertionResult refused(const std::string& text, const std::vector<std::string>& says) {
+testing::AssertionResult inputs_refused(const std::string& text, const std::vector<std::string>& says) {
   return refuses(ErrorCode::invalid_argument, says, [&] { read_mechanism("m", text); });
 }
 
@@ -30,12 +30,13 @@ TEST(ReadInputs, RefusesAUnitThatTheirUseHasNot) {
                     torque = "[forces]\nf = { coordinate = 't', magnitude = 'F' }\n",
                     motor = "[drives]\nf = { coordinate = 't', motion = 'F' }\n",
                     slide = "[drives]\nf = { coordinate = 'P.x', motion = 'F' }\n";
-  EXPECT_TRUE(refused(input("m", push), {"m:14: forces.f.magnitude is 'F' in m; allowed is an input in N"}));
-  EXPECT_TRUE(refused(input("N", torque), {"m:14", "'F' in N; allowed is an input in N m"}));
   EXPECT_TRUE(
-      refused(input("deg", motor), {"m:14: drives.f.motion is 'F' in deg; allowed is an input in rad"}));
-  EXPECT_TRUE(refused(input("rad", slide), {"m:14", "'F' in rad; allowed is an input in m"}));
-  EXPECT_TRUE(refused(input("", push), {"m:12: inputs.F.unit is empty"}));
+      inputs_refused(input("m", push), {"m:14: forces.f.magnitude is 'F' in m; allowed is an input in N"}));
+  EXPECT_TRUE(inputs_refused(input("N", torque), {"m:14", "'F' in N; allowed is an input in N m"}));
+  EXPECT_TRUE(inputs_refused(input("deg", motor),
+                             {"m:14: drives.f.motion is 'F' in deg; allowed is an input in rad"}));
+  EXPECT_TRUE(inputs_refused(input("rad", slide), {"m:14", "'F' in rad; allowed is an input in m"}));
+  EXPECT_TRUE(inputs_refused(input("", push), {"m:12: inputs.F.unit is empty"}));
   EXPECT_NO_THROW(read_mechanism("m", input("N", push)));
   EXPECT_NO_THROW(read_mechanism("m", input("N m", torque)));
   EXPECT_NO_THROW(read_mechanism("m", input("rad", motor)));

@@ -131,6 +131,12 @@ TEST(ReadMechanism, RefusesElementsWithWhatIsAllowed) {
   EXPECT_TRUE(refused("[outputs]\no = { energy = 'all' }\n", {"'all'", "kinetic, potential, total, drift"}));
   EXPECT_TRUE(refused("[drives]\nd = { coordinate = 'O.x', motion = 'u' }\n", {"of a fixed point"}));
   EXPECT_TRUE(
+      refused("[inputs]\nu = { unit = 'm', value = 1 }\n[drives]\nd = { coordinate = 'P.x', motion = 'u' }\n"
+              "again = { coordinate = 'P.x', motion = 'u' }\n",
+              {"drive 'again' moves what drive 'd' moves already", "one drive of a coordinate"}));
+  EXPECT_TRUE(refused("[angles]\nt = { from = ['O', 'P'], to = ['O', 'P'] }\n",
+                      {"angle 't' lies between an edge and itself", "two edges"}));
+  EXPECT_TRUE(
       refused("[masses]\nm = { point = 'P', mass = -2 }\n", {"masses.m.mass is the number -2", "above 0"}));
   EXPECT_TRUE(
       refused("[points.Q]\nat = [1, 1]\n", {"p.toml:13", "point 'Q' belongs to no body and has no mass"}));
@@ -161,7 +167,7 @@ TEST(ReadMechanism, RefusesWhatSaysNothing) {
   EXPECT_TRUE(
       refused("[forces]\nf = { magnitude = 1 }\n", {"p.toml:14", "one of point, between, coordinate"}));
   EXPECT_TRUE(refused("[inputs]\nF = { unit = 'N', value = 1 }\n",
-                      {"p.toml:14: input 'F' is used by no force and no drive"}));
+                      {"p.toml:14: input 'F' is used by no force, drive or element"}));
   EXPECT_TRUE(refused("[inputs]\nF = { unit = 'N', polynomial = [] }\n",
                       {"p.toml:14: inputs.F.polynomial is an empty array"}));
   EXPECT_TRUE(refused("[springs]\ns = { points = ['O', 'P'], stiffness = [] }\n",
@@ -170,6 +176,10 @@ TEST(ReadMechanism, RefusesWhatSaysNothing) {
 
 TEST(ReadMechanism, RefusesNamesThatStandInTheWay) {
   EXPECT_TRUE(refused("[points.'']\nat = [0, 1]\n", {"p.toml:13: points has a name of no letters"}));
+  EXPECT_TRUE(test::refuses(ErrorCode::invalid_argument, {"p.toml:1", "name", "''", "one letter or more"},
+                            [] { read_mechanism("p.toml", "name = ''\ndimension = 2\n"); }));
+  EXPECT_TRUE(test::refuses(ErrorCode::invalid_argument, {"p.toml:1", "'a b'", "blanks"},
+                            [] { read_mechanism("p.toml", "name = 'a b'\ndimension = 2\n"); }));
   EXPECT_TRUE(refused("[points.'a,b']\nat = [0, 1]\n", {"p.toml:13: the name 'a,b' is no port's", "blanks"}));
   EXPECT_TRUE(refused("[bodies.b]\npoints = ['O', 'P', 'P']\n", {"p.toml:14: bodies.b.points is 'P' twice"}));
   EXPECT_TRUE(refused("[bodies.b]\npoints = ['O']\nvectors = ['P']\n",

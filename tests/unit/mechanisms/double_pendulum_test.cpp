@@ -14,14 +14,14 @@ namespace tandem::mechanisms {
 namespace {
 
 using Real = long double;
-using State = std::vector<Real>;  // elbow, tip, their velocities
-using Vector = Eigen::Matrix<Real, 2, 1>;
+using PendulumFour = std::vector<Real>;  // elbow, tip, their velocities
+using PendulumVector = Eigen::Matrix<Real, 2, 1>;
 using Matrix = Eigen::Matrix<Real, 6, 6>;
 
 /// Both rods by the Cartesian coordinates of elbow and tip, with multipliers for their lengths: the mass
 /// matrix of a rod by its ends is m/6 [2 1; 1 2], and each end carries half the weight.
-void cartesian_rates(const State& y, State& rate, Real) {
-  const Vector elbow(y[0], y[1]), rod(y[2] - y[0], y[3] - y[1]), v(y[4], y[5]),
+void cartesian_rates(const PendulumFour& y, PendulumFour& rate, Real) {
+  const PendulumVector elbow(y[0], y[1]), rod(y[2] - y[0], y[3] - y[1]), v(y[4], y[5]),
       turn(y[6] - y[4], y[7] - y[5]);
   Matrix left = Matrix::Zero();
   for (int i = 0; i < 2; ++i) {
@@ -56,10 +56,10 @@ TEST(DoublePendulumReference, KeepsItsLengthsAndEnergy) {
 /// Other coordinates and another method: of Gragg, Bulirsch and Stoer. Its steps err by 1e-18, some hundreds
 /// of them, the lengths drift, and the motion makes that 2e3 times larger in ten seconds.
 TEST(DoublePendulumReference, AgreesWithTheMotionInCartesianCoordinates) {
-  State y{1, 0, 2, 0, 0, 0, 0, 0};
+  PendulumFour y{1, 0, 2, 0, 0, 0, 0, 0};
   Real reached = 0;
   for (const double t : {1.0, 3.0, 10.0}) {
-    boost::numeric::odeint::bulirsch_stoer<State, Real> method(1e-18L, 1e-18L);
+    boost::numeric::odeint::bulirsch_stoer<PendulumFour, Real> method(1e-18L, 1e-18L);
     boost::numeric::odeint::integrate_adaptive(method, cartesian_rates, y, reached, Real{t}, Real{1e-3L});
     reached = t;
     const DoublePendulumState s = double_pendulum(t);

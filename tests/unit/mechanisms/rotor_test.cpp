@@ -14,17 +14,18 @@ namespace tandem::mechanisms {
 namespace {
 
 using Real = long double;
-using State = std::vector<Real>;  // quaternion w, x, y, z; angular velocity along the principal axes
-using Vector = Eigen::Matrix<Real, 3, 1>;
+using RotorSix = std::vector<Real>;  // quaternion w, x, y, z; angular velocity along the principal axes
+using RotorVector = Eigen::Matrix<Real, 3, 1>;
 
 /// Euler's equations with the quaternion's, q' = q (0, omega) / 2, by the method of Gragg, Bulirsch and
 /// Stoer.
-RotorState integrated(const Vector& inertia, Real tilt, double t) {
-  const Eigen::Quaternion<Real> start(Eigen::AngleAxis<Real>(tilt, Vector::UnitY()));
-  State y{start.w(), 0, start.y(), 0, -2 * std::sin(tilt) / inertia[0], 0, 2 * std::cos(tilt) / inertia[2]};
-  const auto rates = [&](const State& s, State& rate, Real) {
-    const Vector omega(s[4], s[5], s[6]);
-    const Vector moment = Vector(inertia.cwiseProduct(omega)).cross(omega);
+RotorState integrated(const RotorVector& inertia, Real tilt, double t) {
+  const Eigen::Quaternion<Real> start(Eigen::AngleAxis<Real>(tilt, RotorVector::UnitY()));
+  RotorSix y{
+      start.w(), 0, start.y(), 0, -2 * std::sin(tilt) / inertia[0], 0, 2 * std::cos(tilt) / inertia[2]};
+  const auto rates = [&](const RotorSix& s, RotorSix& rate, Real) {
+    const RotorVector omega(s[4], s[5], s[6]);
+    const RotorVector moment = RotorVector(inertia.cwiseProduct(omega)).cross(omega);
     const Eigen::Quaternion<Real> turned = Eigen::Quaternion<Real>(s[0], s[1], s[2], s[3]) *
                                            Eigen::Quaternion<Real>(0, s[4] / 2, s[5] / 2, s[6] / 2);
     rate = {turned.w(),
@@ -35,10 +36,10 @@ RotorState integrated(const Vector& inertia, Real tilt, double t) {
             moment[1] / inertia[1],
             moment[2] / inertia[2]};
   };
-  boost::numeric::odeint::bulirsch_stoer<State, Real> method(1e-17L, 1e-17L);
+  boost::numeric::odeint::bulirsch_stoer<RotorSix, Real> method(1e-17L, 1e-17L);
   boost::numeric::odeint::integrate_adaptive(method, rates, y, Real{0}, Real{t}, Real{1e-3L});
   const auto axes = Eigen::Quaternion<Real>(y[0], y[1], y[2], y[3]).toRotationMatrix();
-  return {axes.cast<double>(), (axes * Vector(y[4], y[5], y[6])).cast<double>()};
+  return {axes.cast<double>(), (axes * RotorVector(y[4], y[5], y[6])).cast<double>()};
 }
 
 void expect_near(const RotorState& a, const RotorState& b, double tolerance) {

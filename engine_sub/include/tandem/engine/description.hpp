@@ -32,9 +32,12 @@ struct Block {
       {};  ///< that stands in this block, of kind diagram or triggered
 };
 
+/// A number, or a text: a word of a block, the file of a diagram in one.
+using ParameterValue = std::variant<double, std::string>;
+
 struct Parameter {
-  std::string name, unit;
-  double value;
+  std::string name, unit;  ///< a text has no unit
+  ParameterValue value;
 };
 
 struct Input {
@@ -45,6 +48,18 @@ struct Input {
 struct Output {
   std::string name, unit;
   Wire from;
+  std::string where = {};
+};
+
+/// Values of a signal between which a diagram is believed, and what happens where the signal leaves them,
+/// which is located as an event: the run ends with the sentence, or it is told once and the run goes on.
+struct Limit {
+  enum class OnLeaving { ignore, warn, stop };
+  std::string name;
+  Wire signal;
+  double low, high;      ///< low < high; one of them may be infinite
+  std::string sentence;  ///< why: "the torque is no measured one there"
+  OnLeaving on_leaving = OnLeaving::warn;
   std::string where = {};
 };
 
@@ -65,6 +80,7 @@ struct Description {
   std::vector<Input> inputs;
   std::vector<Block> blocks;
   std::vector<Output> outputs;
+  std::vector<Limit> limits = {};
   std::vector<CompiledBlock> kinds = {};  ///< of blocks, beside those that there are; of the whole diagram
   LoopSettings loops = {};                ///< of the whole diagram, those in blocks with it
   std::filesystem::path folder = {};      ///< that files are named from; empty: the working folder

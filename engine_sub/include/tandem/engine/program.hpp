@@ -53,6 +53,7 @@ struct Crossing {
   std::vector<Update> updates;
   std::string name;         ///< of its block
   bool sees_start = false;  ///< a signal above 0 at the start has risen there
+  int bound = -1;           ///< of a signal that leaves its limits: which of Program::bounds
 };
 
 /// What happens at offset + k period, k = 0, 1, ..
@@ -87,6 +88,12 @@ struct Range {
   std::string owner, what;  ///< "block 'f' of kind table", "its input"
 };
 
+/// What is said where a signal passes a limit.
+struct Bound {
+  std::string what, sentence;  ///< "limit 'range': signal 'N' is below 83.8"
+  bool stops;                  ///< the run ends
+};
+
 /// A diagram compiled: operations in the order of evaluation. All that changes during a run stands in one
 /// image of doubles: states first, then time, inputs, held values, signs, results of operations, constants,
 /// and what delays remember.
@@ -109,11 +116,13 @@ struct Program {
   std::vector<Periodic> periodics;
   std::vector<Update> step_updates;  ///< at the beginning of each own step
   std::vector<Range> ranges;
+  std::vector<Bound> bounds;
   std::vector<double> breaks;                          ///< [s] where sources have a kink, ascending
-  std::vector<Update> starts;                          ///< values at the start that come from signals
-  std::vector<Update> settled;                         ///< modes: repeated at the start until nothing changes
+  std::vector<Update> starts;   ///< values at the start that come from signals
+  std::vector<Update> settled;  ///< modes; at the start both are repeated until nothing changes
   std::vector<double> image;                           ///< at the start
   std::vector<std::string> state_names, signal_names;  ///< the second by slot; empty: no name
+  std::vector<std::string> signal_blocks;              ///< by slot: the block that makes it
   std::vector<std::string> notices;                    ///< what was left out, and why
 
   /// Operations from `first` to before `last`, each once.

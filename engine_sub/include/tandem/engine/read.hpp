@@ -9,7 +9,7 @@
 namespace tandem::engine {
 
 /// Values of a diagram's parameters by name, in place of those in its file.
-using ParameterValues = std::map<std::string, double>;
+using ParameterValues = std::map<std::string, ParameterValue>;
 
 /// A diagram from its TOML file (docs/diagrams.md has the form). Throws Error that names file, line, the
 /// value found and the values allowed.

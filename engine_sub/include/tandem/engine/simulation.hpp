@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -15,6 +16,8 @@ struct SimulationSettings {
   /// Times within one own step at which something happens, an event that follows from another at the same
   /// time counted for itself; with more it chatters, and that is an error.
   int most_events = 1000;
+  /// Takes what is told once and does not end a run: a signal that has left its limits. Null: nobody.
+  std::function<void(const std::string&)> tell = {};
 };
 
 /// A compiled diagram that moves: steps between instants, and what happens at events. At an event all its
@@ -58,6 +61,8 @@ class Simulation {
   void fire_crossings();
   void apply(const std::vector<Update>& updates);
   void happened(const std::string& block);
+  void look_at_bounds();
+  void leave(const Crossing& crossing);
   void begin_course();
   Past past(const Delay& delay);
   void record(int level);
@@ -71,6 +76,8 @@ class Simulation {
   SimulationSettings settings_;
   double time_ = 0.0;
   int events_ = 0;
+  bool begun_ = false;          ///< a step has been asked for since the start
+  std::vector<bool> was_told_;  ///< by bound
   std::vector<double> before_;
   std::vector<const Delay*> delays_;
   bool follows_courses_ = false;  ///< an adaptive integrator stops where inputs jump or bend

@@ -65,6 +65,8 @@ class System {
   /// was last seen with; -1 for none. A signal that is zero keeps its sign.
   int changed(int first = 0) const;
   double watched(int crossing) const;
+  /// Whether the signal of a crossing is zero.
+  bool stands_at_zero() const;
 
  private:
   void run(int first, int last) {

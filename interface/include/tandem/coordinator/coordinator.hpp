@@ -98,12 +98,16 @@ class Coordinator {
     double time = 0.0;       ///< where the subsystem stands
     std::int64_t batch = 0;  ///< own steps that a call may take
     int idle_calls = 0;      ///< since it last moved
+    bool under_way = false;  ///< a call was started and has yet to be finished
     std::int64_t told = 0;   ///< last row that the observer knows
     Effort effort = {};
   };
   void take(const Turn& turn, Exchange& inputs);
-  void take_all(const Turn& turn);
+  std::span<const Signal> prepare(int who, Exchange& inputs);
+  void start(const Turn& turn);
+  void go(const Turn& turn);
   Clock advance(const Turn& turn, std::span<const Signal> u, Samples& y);
+  Turn next_call(const Turn& turn) const;
   void check_clock(const Turn& turn, double before, std::int64_t rows, const Clock& after);
   void stand(Seat& seat, Member& member, const Clock& clock) {
     seat.time = clock.time;
@@ -112,6 +116,8 @@ class Coordinator {
   void commit(int who, double limit);
   void tell(int who);
   void make(std::span<const Turn> turns);
+  void make_together(std::span<const Turn> turns);
+  void finish_all(std::span<const Turn> turns);
   void keep(const Turn& turn);
   bool end();
 

@@ -43,6 +43,11 @@ class Schedule {
   /// order: indices of the subsystems, leader first. communication_step [s]: of parallel only.
   Schedule(Kind kind, std::vector<int> order, TimeSpan span, double communication_step);
 
+  /// reads[i * n + j]: subsystem i reads subsystem j. In turns (slowest-first, fastest-first) a round then
+  /// takes in further turns that would come next in any case, of subsystems that neither read nor are read by
+  /// the others of the round. Without this call all are taken to read all, so a round is one turn.
+  void set_reads(std::vector<char> reads);
+
   Kind kind() const { return kind_; }
   std::span<const int> order() const { return order_; }
 
@@ -63,6 +68,8 @@ class Schedule {
 
  private:
   void take_turns(std::span<const Member> members);
+  void take_more_turns(std::span<const Member> members);
+  bool is_free(int who, std::size_t count) const;
   void stagger(std::span<const Member> members);
   void all_at_once(std::span<const Member> members);
   void add(int who, const Member& m, double limit);
@@ -72,6 +79,8 @@ class Schedule {
   double t_start_, t_stop_, communication_step_;
   TimeTolerance tolerance_;
   double earliest_stop_, latest_stop_;  ///< t_stop, give and take the tolerance
+  std::vector<char> linked_;            ///< i * n + j: one of the two reads the other; empty: all do
+  std::vector<Member> foreseen_;        ///< members as they will stand after the turns of this round
   std::vector<Turn> round_;
   std::size_t count_ = 0;  ///< turns of the present round
 };

@@ -16,7 +16,11 @@ struct Structure {
   Matrix mass;          ///< M, n x n, both triangles, constant
   Pattern jacobian;     ///< of Phi_q^T, n x m: a column for each constraint
   Pattern stiffness;    ///< of K and C, n x n; no entries if forces depend on neither q nor q'
-  /// K and C are symmetric. If not, say so: a tangent with both triangles of them is factorized by LU.
+  /// States of first order, each the rate of a variable that neither constraints nor masses connect with
+  /// others: a tangent is factorized without them (sparse/condensed_states.hpp).
+  std::vector<int> states = {};
+  /// K and C are symmetric, but for rows and columns of states. If not, say so: a tangent with both triangles
+  /// of them is factorized by LU.
   bool symmetric_forces = true;
   /// Entries that a model writes behind those of the pattern (derivatives by fixed coordinates), in the
   /// arrays of values.

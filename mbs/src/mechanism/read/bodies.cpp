@@ -10,9 +10,10 @@ namespace tandem::mbs {
 
 void Reader::read_entity(const std::string& name, Section& section, Entity::Kind kind) {
   Entity entity{name, kind};
-  if (kind == Entity::Kind::point) port_name(section, name);
+  port_name(section, name);
   entity.at = required_vector(section, "at", fmt::format("its {} coordinates as drawn [m]", to_.dimension));
   entity.fixed = section.flag("fixed").value_or(false);
+  entity.massless = section.flag("massless").value_or(false);
   entity.where = section.place().text();
   if (kind == Entity::Kind::vector && !(entity.at.norm() > 0.0)) section.wrong("at", "zero", "a direction");
   this->name(entities_, section, name, to_.entities.size());
@@ -47,6 +48,12 @@ void Reader::read_body(const std::string& name, Section& section) {
     if (to_.entities[e].kind != Entity::Kind::vector)
       section.wrong("vectors", "the point '" + entity + "'", "the names of vectors");
     add_entity(section, "vectors", e, body);
+  }
+  for (const std::string& entity : section.texts("basis")) {
+    const int e = find(entities_, section, "basis", "point or vector", entity);
+    if (std::find(body.entities.begin(), body.entities.end(), e) == body.entities.end())
+      section.wrong("basis", "'" + entity + "', which is none of the body's", "its own points and vectors");
+    body.basis.push_back(e);
   }
   body.mass = required_positive(section, "mass", "kg");
   body.centre = required_vector(section, "centre", "the centre of mass as drawn [m]");

@@ -29,6 +29,11 @@ bool is_planar(Joint::Kind kind) {
 }  // namespace
 
 void Reader::read_distance(const std::string& name, Section& section) {
+  only_one(section, "distance '" + name + "'", {"points", "between"});
+  if (section.node("between")) {
+    to_.links.push_back({name, ends(section), section.place().text()});
+    return;
+  }
   const Edge edge = two_points(section, "points");
   const double l = section.positive("length").value_or(drawn(to_, edge).norm());
   if (!can_be_squared(l)) section.wrong("length", fmt::format("{} m", l), "1e-100 to 1e100 m");
@@ -94,7 +99,7 @@ Carrier Reader::carrier(Section& section, const std::string& name) const {
 }
 
 void Reader::read_angle(const std::string& name, Section& section) {
-  Relative angle{name, Relative::Kind::angle, {}, {}};
+  Relative angle{name, Relative::Kind::angle};
   angle.a = edge(section, "from", section.node("from"));
   angle.b = edge(section, "to", section.node("to"));
   angle.where = section.place().text();
@@ -106,9 +111,12 @@ void Reader::read_angle(const std::string& name, Section& section) {
 }
 
 void Reader::read_length(const std::string& name, Section& section) {
-  const Edge edge = two_points(section, "points");
+  only_one(section, "length '" + name + "'", {"points", "between"});
+  Relative length{name, Relative::Kind::length};
+  length.where = section.place().text();
+  section.node("points") ? void(length.a = two_points(section, "points")) : void(length.ends = ends(section));
   this->name(relatives_, section, name, to_.relatives.size());
-  to_.relatives.push_back({name, Relative::Kind::length, edge, {}, -1, section.place().text()});
+  to_.relatives.push_back(std::move(length));
 }
 
 void Reader::read_drive(const std::string& name, Section& section) {

@@ -141,13 +141,18 @@ void Reader::unit(Section& section, const std::string& key, int input,
 void Reader::refuse_unused_inputs(Section& root) const {
   const auto used = [&](int input) {
     const auto uses = [input](const auto& element) { return element.input == input; };
+    const auto acts_by = [input](const NamedElement& e) {
+      const auto& inputs = e.force->inputs();
+      return std::find(inputs.begin(), inputs.end(), input) != inputs.end();
+    };
     return std::any_of(to_.forces.begin(), to_.forces.end(), uses) ||
+           std::any_of(to_.elements.begin(), to_.elements.end(), acts_by) ||
            std::any_of(to_.drives.begin(), to_.drives.end(), uses);
   };
   for (const auto& [name, index] : inputs_)
     if (!used(index))
       text::refuse(document_.place(*root.table("inputs")->get(name)),
-                   "input '" + name + "' is used by no force and no drive; allowed is one that is");
+                   "input '" + name + "' is used by no force, drive or element; allowed is one that is");
 }
 
 int Reader::magnitude(Section& section, const std::string& name) {

@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "reader.hpp"
 #include "tandem/nearest.hpp"
 
@@ -10,13 +12,15 @@ namespace {
 using Kind = Output::Kind;
 constexpr std::pair<const char*, Kind> motions[] = {
     {"position", Kind::position}, {"velocity", Kind::velocity}, {"acceleration", Kind::acceleration}};
-constexpr std::pair<const char*, Kind> energies[] = {{"kinetic", Kind::kinetic},
-                                                     {"potential", Kind::potential},
-                                                     {"total", Kind::energy},
-                                                     {"drift", Kind::drift}};
-constexpr std::pair<const char*, Kind> residuals[] = {{"position", Kind::position_residual},
-                                                      {"velocity", Kind::velocity_residual},
-                                                      {"acceleration", Kind::acceleration_residual}};
+constexpr std::pair<const char*, Kind> energy_words[] = {{"kinetic", Kind::kinetic},
+                                                         {"potential", Kind::potential},
+                                                         {"total", Kind::energy},
+                                                         {"drift", Kind::drift}};
+constexpr std::pair<const char*, Kind> angles[] = {{"elevation", Kind::elevation},
+                                                   {"heading", Kind::heading}};
+constexpr std::pair<const char*, Kind> residual_words[] = {{"position", Kind::position_residual},
+                                                           {"velocity", Kind::velocity_residual},
+                                                           {"acceleration", Kind::acceleration_residual}};
 
 /// What the key names, of those that are allowed.
 template <std::size_t N>
@@ -34,7 +38,8 @@ bool read_word(text::Section& section, const std::string& key, const std::pair<c
 
 }  // namespace
 
-/// Exactly one of the keys position, velocity, acceleration, reaction, energy and residual.
+/// Exactly one of the keys position, velocity, acceleration, reaction, energy, residual, elevation, heading
+/// and element.
 void Reader::read_output(const std::string& name, Section& section) {
   port_name(section, name);
   Output output{name, Kind::position};
@@ -49,30 +54,55 @@ void Reader::read_output(const std::string& name, Section& section) {
     read_reaction(section, *of, output);
     ++given;
   }
-  given += read_word(section, "energy", energies, output.kind);
-  given += read_word(section, "residual", residuals, output.kind);
+  given += read_word(section, "energy", energy_words, output.kind);
+  given += read_word(section, "residual", residual_words, output.kind);
+  for (const auto& [key, kind] : angles)
+    if (section.node(key)) {
+      output.kind = kind;
+      output.edge = edge(section, key, section.node(key));
+      ++given;
+    }
+  if (const auto element = section.text("element")) {
+    read_element_quantity(section, *element, output);
+    ++given;
+  }
+  output.gain = section.number("gain").value_or(1.0);
   if (given != 1)
     text::refuse(section.place(),
                  fmt::format("output '{}' names {} quantities; allowed is one of position, velocity, "
-                             "acceleration, reaction, energy and residual",
+                             "acceleration, reaction, energy, residual, elevation, heading and element",
                              name, given));
   check_column(section, output);
   to_.outputs.push_back(output);
 }
 
-/// Where a mechanism runs alone, "P.x" is the column of that coordinate of a point.
+/// Where points are recorded, "P.x" is the column of that coordinate of a point or vector.
 void Reader::check_column(const Section& section, const Output& output) const {
   const auto dot = output.name.rfind('.');
   const auto it = dot == std::string::npos ? entities_.end() : entities_.find(output.name.substr(0, dot));
-  if (it == entities_.end() || to_.entities[it->second].kind != Entity::Kind::point) return;
+  if (it == entities_.end()) return;
   const std::string axis = output.name.substr(dot + 1);
   const auto number = std::string("xyz").substr(0, static_cast<std::size_t>(to_.dimension)).find(axis);
   if (axis.size() != 1 || number == std::string::npos) return;
   const Coordinate own{it->second, static_cast<int>(number)};
   if (output.kind != Kind::position || !(output.coordinate == own))
     text::refuse(section.place(), "output '" + output.name +
-                                      "' is not the position that is called so where a "
-                                      "mechanism runs alone; allowed is another name");
+                                      "' is not the position that is called so where "
+                                      "points are recorded; allowed is another name");
+}
+
+void Reader::read_element_quantity(Section& section, const std::string& element, Output& output) const {
+  output.kind = Kind::quantity;
+  output.element = find(elements_, section, "element", "element", element);
+  const auto all = to_.elements[static_cast<std::size_t>(output.element)].force->quantities();
+  const std::string name = section.required_text("quantity", "one of the element's quantities");
+  std::vector<std::string> known;
+  for (const auto& quantity : all) known.push_back(quantity.name);
+  const auto at = std::find(known.begin(), known.end(), name);
+  if (at == known.end())
+    text::refuse(section.place("quantity"),
+                 section.name("quantity") + ": " + unknown("quantity", name, known));
+  output.quantity = static_cast<int>(at - known.begin());
 }
 
 /// Of a drive, of a fixed point along an axis, or on a body at one of its points.
@@ -106,6 +136,7 @@ void Reader::read_initial(Section& root) {
   Section initial(document_, *table, "initial");
   read_given(initial, "positions", to_.positions);
   read_given(initial, "velocities", to_.velocities);
+  to_.equilibrium = initial.flag("equilibrium").value_or(false);
   initial.refuse_unknown();
 }
 

@@ -11,9 +11,11 @@ namespace tandem::mbs {
 
 using text::refuse;
 
+static constexpr const char* not_in_names = "[],\" \t\r\n";  // of ports, which are columns of results
+
 Description Reader::read() {
   Section root(document_, document_.table(), "");
-  to_.name = root.text("name").value_or(document_.file());
+  read_name(root);
   root.text("description");
   read_dimension(root);
   to_.gravity = vector(root, "gravity").value_or(Eigen::Vector3d::Zero());
@@ -21,22 +23,32 @@ Description Reader::read() {
   each(root, "points", [this](auto& name, Section& s) { read_entity(name, s, Entity::Kind::point); });
   each(root, "vectors", [this](auto& name, Section& s) { read_entity(name, s, Entity::Kind::vector); });
   const std::pair<const char*, Read> tables[] = {
-      {"rods", &Reader::read_rod},         {"bodies", &Reader::read_body},
-      {"masses", &Reader::read_mass},      {"distances", &Reader::read_distance},
-      {"products", &Reader::read_product}, {"fixed_angles", &Reader::read_fixed_angle},
-      {"joints", &Reader::read_joint},     {"angles", &Reader::read_angle},
-      {"lengths", &Reader::read_length},   {"inputs", &Reader::read_input},
-      {"drives", &Reader::read_drive},     {"springs", &Reader::read_spring},
-      {"forces", &Reader::read_force},     {"outputs", &Reader::read_output}};
+      {"rods", &Reader::read_rod},           {"bodies", &Reader::read_body},
+      {"masses", &Reader::read_mass},        {"distances", &Reader::read_distance},
+      {"products", &Reader::read_product},   {"fixed_angles", &Reader::read_fixed_angle},
+      {"joints", &Reader::read_joint},       {"angles", &Reader::read_angle},
+      {"lengths", &Reader::read_length},     {"coordinates", &Reader::read_coordinate},
+      {"relations", &Reader::read_relation}, {"slides", &Reader::read_slide},
+      {"inputs", &Reader::read_input},       {"drives", &Reader::read_drive},
+      {"springs", &Reader::read_spring},     {"forces", &Reader::read_force},
+      {"elements", &Reader::read_element},   {"outputs", &Reader::read_output}};
   for (const auto& [key, read] : tables)
     each(root, key, [this, read = read](auto& name, Section& s) { (this->*read)(name, s); });
   read_initial(root);
-  root.table("run");  // for whoever runs it
+  root.table("run");   // for whoever runs it
+  root.table("view");  // for whoever draws it
   root.refuse_unknown();
   refuse_unused_inputs(root);
   if (to_.bodies.empty() && to_.masses.empty())
     root.missing("rods", "a table [rods.NAME], [bodies.NAME] or [masses.NAME] for each body");
   return std::move(to_);
+}
+
+void Reader::read_name(Section& root) {
+  const auto name = root.text("name");
+  to_.name = name.value_or(document_.file());
+  if (name && (name->empty() || name->find_first_of(not_in_names) != std::string::npos))
+    root.wrong("name", "'" + *name + "'", "one letter or more, without [ ] , \" and blanks");
 }
 
 void Reader::read_dimension(Section& root) {
@@ -109,7 +121,7 @@ void Reader::name(Names& names, const Section& section, const std::string& name,
 }
 
 void Reader::port_name(const Section& section, const std::string& name) const {
-  if (name.find_first_of("[],\" \t\r\n") != std::string::npos)
+  if (name.find_first_of(not_in_names) != std::string::npos)
     refuse(section.place(),
            "the name '" + name + "' is no port's; allowed are names without [ ] , \" and blanks");
 }
@@ -124,8 +136,7 @@ int Reader::find(const Names& names, const Section& section, const std::string& 
 
 int Reader::point(Section& section, const std::string& key, const std::string& name) const {
   const int e = find(entities_, section, key, "point", name);
-  if (to_.entities[e].kind != Entity::Kind::point)
-    section.wrong(key, "the vector '" + name + "'", "the name of a point");
+  if (!is_point(to_, e)) section.wrong(key, "the vector '" + name + "'", "the name of a point");
   return e;
 }
 
@@ -201,14 +212,14 @@ Coordinate Reader::required_coordinate(Section& section, const std::string& key)
       section.required_text(key, "a point and an axis, \"P.x\", or the name of an angle or length"));
 }
 
-Description read_mechanism(const std::filesystem::path& file) {
+Description read_mechanism(const std::filesystem::path& file, const ElementKinds& kinds) {
   const text::Document document(file);
-  return Reader(document, file.parent_path()).read();
+  return Reader(document, file.parent_path(), kinds).read();
 }
 
-Description read_mechanism(const std::string& name, const std::string& text) {
+Description read_mechanism(const std::string& name, const std::string& text, const ElementKinds& kinds) {
   const text::Document document(name, text);
-  return Reader(document, "").read();
+  return Reader(document, "", kinds).read();
 }
 
 }  // namespace tandem::mbs

@@ -15,9 +15,9 @@ namespace tandem::mbs {
 /// Fills a Description, table by table. What one table names stands in a table read before it.
 class Reader {
  public:
-  /// folder: where data files are looked for.
-  Reader(const text::Document& document, std::filesystem::path folder)
-      : document_(document), folder_(std::move(folder)) {}
+  /// folder: where data files are looked for. kinds: of elements, which must outlive it.
+  Reader(const text::Document& document, std::filesystem::path folder, const ElementKinds& kinds)
+      : document_(document), folder_(std::move(folder)), kinds_(kinds) {}
   Description read();
 
  private:
@@ -25,6 +25,7 @@ class Reader {
   using Names = std::map<std::string, int>;  ///< index by name
 
   // read.cpp: the root, and what the others read by
+  void read_name(Section& root);
   void read_dimension(Section& root);
   template <class Read>
   void each(Section& root, const std::string& key, const Read& read);
@@ -70,6 +71,16 @@ class Reader {
   void read_length(const std::string& name, Section& section);
   void read_drive(const std::string& name, Section& section);
 
+  // coordinates.cpp
+  void read_coordinate(const std::string& name, Section& section);
+  void read_relation(const std::string& name, Section& section);
+  void read_products(Section& section, Relation& relation) const;
+  void read_slide(const std::string& name, Section& section);
+  /// Of a length or a distance: keys between and ends.
+  Ends ends(Section& section) const;
+  Carrier length_carrier(Section& section, const toml::node& node) const;
+  int relative(Section& section, const std::string& key) const;
+
   // forces.cpp
   void read_input(const std::string& name, Section& section);
   void read_function(Section& section, Input& input) const;
@@ -84,8 +95,13 @@ class Reader {
             const std::vector<std::string>& allowed) const;
   void refuse_unused_inputs(Section& root) const;
 
+  // elements.cpp
+  class Keys;
+  void read_element(const std::string& name, Section& section);
+
   // outputs.cpp
   void read_output(const std::string& name, Section& section);
+  void read_element_quantity(Section& section, const std::string& element, Output& output) const;
   void read_reaction(Section& section, const std::string& of, Output& output) const;
   void read_body_of_reaction(Section& section, const std::string& name, Output& output) const;
   void check_column(const Section& section, const Output& output) const;
@@ -95,7 +111,8 @@ class Reader {
   const text::Document& document_;
   std::filesystem::path folder_;
   Description to_;
-  Names entities_, bodies_, relatives_, inputs_, drives_;
+  const ElementKinds& kinds_;
+  Names entities_, bodies_, relatives_, inputs_, drives_, elements_;
 };
 
 }  // namespace tandem::mbs

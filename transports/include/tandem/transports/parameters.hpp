@@ -23,6 +23,13 @@ class Parameters {
   bool flag(const std::string& name, bool otherwise);
   std::string text(const std::string& name, const std::string& otherwise);
 
+  /// Adds what "key=value&key=value" says, as texts. Throws Error beginning with `owner` for what is no pair
+  /// and for a key that is there already.
+  void read(const std::string& pairs, const std::string& owner);
+  /// What nobody asked for, as "key=value&key=value"; it counts as asked for from now on. Numbers are written
+  /// so that they read back as the same. Throws Error for a text that holds '&'.
+  std::string rest();
+
   /// Throws Error that names a value nobody asked for, and the names that were asked for.
   void refuse_unused(const std::string& owner) const;
 
@@ -31,5 +38,10 @@ class Parameters {
   std::map<std::string, Value> values_;
   std::set<std::string> asked_;
 };
+
+/// The number of that name, or `otherwise`. Throws Error that names it unless it is above 0.
+double positive(Parameters& parameters, const std::string& name, double otherwise);
+/// Likewise; 0 is allowed too.
+double not_negative(Parameters& parameters, const std::string& name, double otherwise);
 
 }  // namespace tandem

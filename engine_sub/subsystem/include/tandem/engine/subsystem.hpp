@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <memory>
+#include <optional>
 
 #include "tandem/engine/description.hpp"
 #include "tandem/engine/make_integrator.hpp"
@@ -15,9 +16,13 @@ struct SubsystemSettings {
   SimulationSettings simulation = {};
 };
 
-/// A diagram that integrates itself with a fixed own step. Inputs are read wherever the integrator evaluates.
-/// Feedthrough is what the diagram says. An output that is a state comes with its derivative by time. Throws
-/// Error for a step that is not finite and above 0, and for what compile() and make_integrator() refuse.
+/// A diagram that integrates itself with a fixed own step. Inputs are read
+/// wherever the integrator evaluates. Feedthrough is what the diagram says. An output that is a state comes
+/// with its derivative by time. Throws Error for a step that is not finite and above 0, and for what
+/// compile() and make_integrator() refuse.
 std::unique_ptr<Subsystem> make_subsystem(const Description& diagram, const SubsystemSettings& settings);
+
+/// What the integrator of a subsystem that make_subsystem() made has done; nothing of another one.
+std::optional<Statistics> statistics_of(const Subsystem& subsystem);
 
 }  // namespace tandem::engine

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <Eigen/Dense>
+#include <Eigen/QR>
 #include <vector>
 
 #include "tandem/mbs/formulations/formulation.hpp"

@@ -30,6 +30,9 @@ double highest_frequency(SecondOrder& problem, const Motion& motion);
 /// (T. Hughes, The Finite Element Method, 1987, sect. 9.1). Infinite for beta = 1/4.
 double newmark_limit(double beta);
 
+/// So many steps apart the highest frequency is looked at.
+constexpr int steps_between_checks = 50;
+
 /// Throws Error(numerical) for a step beyond that, which names limit and found; `owner` begins the sentence.
 void refuse_unstable(const char* owner, double beta, double frequency, double t, double h);
 

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <algorithm>
+
 
 #include "tandem/mbs/integrators/integrator.hpp"
 
@@ -34,9 +34,9 @@ struct GeneralizedAlphaSettings {
 /// f+ comes from fixed-point iteration, from f on, until gamma h |df| <= tolerance
 /// (Euclidean, absolute: forces that balance leave rounding); it converges for beta (omega h)^2 < 1
 /// (Newmark). With beta < 1/4 Newmark's method is stable for omega h < 1/sqrt(1/4 - beta), whatever the
-/// damping (T. Hughes, The Finite Element Method, 1987, sect. 9.1): start() then finds the spectral radius
-/// omega^2 of df/dy by power iteration with differences, in 100 evaluations, and a step beyond the limit is
-/// refused.
+/// damping (T. Hughes, The Finite Element Method, 1987, sect. 9.1): every fiftieth step, the first of them, begins with
+/// the spectral radius omega^2 of df/dy by power iteration with differences, in 100 evaluations, and a step beyond
+/// the limit is refused.
 class NewmarkFamily final : public Integrator {
  public:
   /// Throw Error for a setting that is not allowed.
@@ -45,15 +45,17 @@ class NewmarkFamily final : public Integrator {
 
   void start(SecondOrder& problem, const Motion& motion) override;
   int step(SecondOrder& problem, Motion& motion, double h, double t_end) override;
-  std::vector<double> memory() const override { return {lag_.begin(), lag_.end()}; }
-  void recall(std::span<const double> memory) override { std::copy(memory.begin(), memory.end(), lag_.begin()); }
+  std::vector<double> memory() const override;
+  void recall(std::span<const double> memory) override;
 
  private:
+  void refuse_unstable(SecondOrder& problem, const Motion& motion, double h);
   void advance(const Motion& from, Motion& to, double h);
 
   double alpha_m_ = 0.0, alpha_f_ = 0.0, beta_, gamma_ = 0.5, tolerance_;
   int most_iterations_;
   double frequency_ = 0.0;  ///< the highest, if there is a limit [rad/s]
+  int steps_ = 0;           ///< since that was looked at
   Motion end_;
   Eigen::VectorXd lag_, w_, w_end_, change_;  ///< lag: w - f
 };

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tandem/mbs/mechanism/elements.hpp"
+#include "tandem/mbs/mechanism/force_element.hpp"
 
 namespace tandem::mbs {
 
@@ -17,6 +18,7 @@ struct Entity {
   Eigen::Vector3d at = Eigen::Vector3d::Zero();
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< at the start [m/s]
   std::string where = {};
+  bool massless = false;  ///< belongs to no body and has no mass: equations hold it
 };
 
 /// A rigid body and the points and vectors that belong to it, as drawn: its centre and inertia are given in
@@ -30,6 +32,7 @@ struct Body {
       Eigen::Matrix3d::Zero();  ///< about the centre [kg m^2]; in the plane (2, 2) counts
   bool free = false;            ///< may be connected to nothing else
   std::string where = {};
+  std::vector<int> basis = {};  ///< of the entities those that define it; empty: the first that can
 };
 
 /// A mass added at a point [kg].
@@ -55,16 +58,30 @@ struct Description {
   std::vector<FixedAngle> fixed_angles;
   std::vector<Joint> joints;
   std::vector<Relative> relatives;
+  std::vector<Link> links;
+  std::vector<Relation> relations;
+  std::vector<Slide> slides;
+  std::vector<Inertia> inertias;
   std::vector<Input> inputs;
   std::vector<Drive> drives;
   std::vector<Spring> springs;
   std::vector<Force> forces;
+  std::vector<NamedElement> elements;
   std::vector<Output> outputs;
   std::vector<Given> positions, velocities;  ///< that the assembly and the initial velocity problem keep
+  bool equilibrium = false;                  ///< it starts where its forces balance at rest
 };
+
+/// False of a vector, and of no entity (a number below 0).
+inline bool is_point(const Description& in, int entity) {
+  return entity >= 0 && in.entities[static_cast<std::size_t>(entity)].kind == Entity::Kind::point;
+}
 
 /// An edge as drawn [m].
 Eigen::Vector3d drawn(const Description& in, const Edge& edge);
+
+/// How far two ends are apart as drawn [m].
+double drawn(const Ends& ends);
 
 /// A relative coordinate as drawn [rad or m]; an angle from -pi to pi.
 double drawn(const Description& in, const Relative& relative);

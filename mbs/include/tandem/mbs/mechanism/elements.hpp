@@ -32,10 +32,12 @@ struct FixedAngle {
   std::string where = {};
 };
 
-/// What a joint holds: a body by its number, a single point, or the ground.
+/// What a joint holds: a body by its number, a single point, the ground, or what moves as a constant
+/// combination of points and vectors.
 struct Carrier {
-  enum class Kind { ground, body, point } kind = Kind::ground;
+  enum class Kind { ground, body, point, combination } kind = Kind::ground;
   int index = -1;
+  std::vector<int> entities = {};  ///< of a combination
 };
 
 /// Two carriers joined at a place of the drawing. Bodies that share a point (and in space a vector for the
@@ -52,21 +54,74 @@ struct Joint {
   std::string where = {};
 };
 
+/// Places of two carriers, as drawn.
+struct Ends {
+  std::array<Carrier, 2> carriers = {};
+  std::array<Eigen::Vector3d, 2> places = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+};
+
+/// Two places stay as far apart as drawn: a massless rod.
+struct Link {
+  std::string name;
+  Ends ends;
+  std::string where = {};
+};
+
 /// A coordinate more: the angle from edge a to edge b [rad], counterclockwise about `axis` (a vector, in
-/// space), which may turn over and over; or the distance of two points [m], a alone.
+/// space), which may turn over and over; the distance of two points [m], a alone, or of two places of
+/// carriers; a free one, which nothing defines but the equations and forces that name it; or a state, whose
+/// rate is a quantity of first order and which has mass 1: the force on it is that rate's derivative.
 struct Relative {
-  enum class Kind { angle, length };
+  enum class Kind { angle, length, free, state };
   std::string name;
   Kind kind;
-  Edge a, b;
+  Edge a = {}, b = {};
   int axis = -1;
   std::string where = {};
+  Ends ends = {};      ///< of a length without edge
+  bool turns = false;  ///< of a free one: in rad, else in m
+  double at = 0.0;     ///< of a free one as drawn [rad or m]
 };
 
 /// Names one coordinate: axis 0 to 2 of a point or vector, or (entity -1) a relative one.
 struct Coordinate {
   int entity = -1, axis = 0, relative = -1;
   bool operator==(const Coordinate&) const = default;
+};
+
+/// sum of factors times coordinates and times scalar products of edges = value.
+struct Relation {
+  struct Term {
+    double factor;
+    Coordinate coordinate;
+  };
+  struct Product {
+    double factor;
+    Edge a, b;
+  };
+  std::string name;
+  std::vector<Term> terms;
+  std::vector<Product> products;
+  double value = 0.0;
+  std::string where = {};
+};
+
+/// A point stands on a carrier where it is drawn, moved along a direction of the carrier by what a coordinate
+/// is more than as drawn [m].
+struct Slide {
+  std::string name;
+  int point;
+  Carrier carrier;
+  Eigen::Vector3d along;  ///< as drawn, of length 1
+  int relative;
+  std::string where = {};
+};
+
+/// A coordinate's share in the diagonal of the mass matrix, besides that of bodies: [kg], [kg m^2] on an
+/// angle and on a vector of length 1 each of whose coordinates has it.
+struct Inertia {
+  Coordinate coordinate;
+  double value;
 };
 
 /// A function of time where it stands, with its derivatives by time.
@@ -131,13 +186,19 @@ struct Output {
     drift,
     position_residual,
     velocity_residual,
-    acceleration_residual
+    acceleration_residual,
+    elevation,  ///< of an edge over the plane of the first two axes (in the plane: over the first) [rad]
+    heading,    ///< of an edge in that plane, from the first axis, -pi to pi [rad]
+    quantity    ///< of an element
   };
   std::string name;
   Kind kind;
   Coordinate coordinate = {};  ///< positions to accelerations, and reactions
   int drive = -1;
-  int body = -1;  ///< of a reaction on it; -1: on the whole mechanism
+  int body = -1;      ///< of a reaction on it; -1: on the whole mechanism
+  Edge edge = {};     ///< of elevation and heading
+  double gain = 1.0;  ///< the output is the quantity times this
+  int element = -1, quantity = -1;
 };
 
 /// A coordinate's value that is known at the start.

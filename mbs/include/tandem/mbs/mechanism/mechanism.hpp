@@ -46,6 +46,10 @@ class Mechanism final : public Model {
   /// Inputs without a function keep their value of the description until a source is given, which must
   /// outlive its use.
   void set_inputs(InputSource* source) { source_ = source; }
+  InputSource* source() const { return source_; }  ///< none: null
+  /// Inputs that no drive follows get the value that the description has for them, 0 where it has none, until
+  /// the next at_time().
+  void reset_inputs();
   /// Inputs as of the last at_time().
   std::span<const InputValue> inputs() const { return inputs_; }
 
@@ -69,6 +73,7 @@ class Mechanism final : public Model {
   void add_constraints();
   void place_constraints();
   void add_forces();
+  void add_elements();
   void place_forces();
 
   Description description_;

@@ -30,7 +30,8 @@ class Outputs {
   /// y: one for each output. State: complete, at the time of the mechanism's last at_time(). Positions,
   /// velocities and accelerations are those of the state; reactions are computed from its multipliers.
   void evaluate(const State& state, double* y);
-  /// Derivatives by time that a state has: two of positions, one of velocities, none of the others.
+  /// Derivatives by time that a state has: two of positions, one of velocities and of elements' quantities
+  /// that don't follow an input at once, none of the others.
   int derivatives(int output) const;
   /// Those of one order, 1 or 2; 0 where there are none.
   void derivatives(const State& state, int order, double* dy) const;
@@ -52,6 +53,11 @@ class Outputs {
   double value(int output, const State& state) const;
   double reaction(const Support& support, const State& state) const;
   bool connected(int output, int part) const;
+  const ForceElement& element(const Output& output) const;
+  ForceElement::Quantity quantity(const Output& output) const;
+  double angle(const Output& output, const State& state) const;
+  double measured(int output, const double* q, const double* v) const;
+  double measured_rate(int output, const State& state) const;
 
   const Mechanism& mechanism_;
   const std::vector<Output>& outputs_;

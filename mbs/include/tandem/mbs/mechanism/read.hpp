@@ -7,11 +7,11 @@
 
 namespace tandem::mbs {
 
-/// A mechanism from its TOML file (docs/mechanisms.md has the form). Throws Error that names file, line, the
-/// value found and the values allowed.
-Description read_mechanism(const std::filesystem::path& file);
+/// A mechanism from its TOML file (docs/mechanisms.md has the form). kinds: of elements, besides those that
+/// are built in. Throws Error that names file, line, the value found and the values allowed.
+Description read_mechanism(const std::filesystem::path& file, const ElementKinds& kinds = {});
 
 /// The same from a text; `name` is what errors call it.
-Description read_mechanism(const std::string& name, const std::string& text);
+Description read_mechanism(const std::string& name, const std::string& text, const ElementKinds& kinds = {});
 
 }  // namespace tandem::mbs

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tandem/mbs/model.hpp"
+#include "tandem/mbs/sparse/condensed_states.hpp"
 #include "tandem/mbs/sparse/linear_solver.hpp"
 #include "tandem/mbs/sparse/rank_update.hpp"
 
@@ -38,7 +39,7 @@ class Tangent {
   const std::vector<double>& values() const { return values_; }
   void recall(std::span<const double> values);
   /// b becomes T^-1 b.
-  void solve(double* b) { solver_->solve(b); }
+  void solve(double* b);
 
   /// The union of the patterns, both triangles.
   const Pattern& pattern() const { return pattern_; }
@@ -48,7 +49,8 @@ class Tangent {
   Pattern pattern_;
   Layout layout_;
   RankUpdate update_;
-  std::vector<double> mass_, base_, values_;  ///< by position of the solver's layout
+  CondensedStates states_;
+  std::vector<double> mass_, base_, values_;  ///< by position of the solver's layout; what states keep
   std::vector<int> from_, to_;                ///< positions of K and C that the layout has, and theirs in it
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "tandem/mbs/make_stepper.hpp"
@@ -34,5 +35,18 @@ struct SubsystemSettings {
 /// computed anew first (a held input would ruin the trapezoidal rule otherwise). A step may be cut (lands).
 /// Throws Error for a step that is not finite and above 0, and for what Mechanism and make_stepper() refuse.
 std::unique_ptr<Subsystem> make_subsystem(Description description, const SubsystemSettings& settings);
+
+/// A model that is no mechanism, and how it begins.
+struct NamedModel {
+  std::string name;
+  std::shared_ptr<Model> model;
+  State start;                     ///< its time is put by initialize()
+  std::vector<std::string> units;  ///< of the variables
+};
+
+/// The same of any model. It has no inputs; its outputs are the variables, NAME, with two derivatives, their
+/// rates, NAME_rate, with one, and the energy if the model gives one. Throws Error as above, and for
+/// settings.dump, which is for mechanisms.
+std::unique_ptr<Subsystem> make_subsystem(NamedModel model, const SubsystemSettings& settings);
 
 }  // namespace tandem::mbs

@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "compile/sort.hpp"
+#include "tandem/engine/simulation.hpp"
+#include "tandem/error.hpp"
+
+// What a run refuses to go on with, or tells.
+namespace tandem::engine {
+
+/// A signal may be beyond its limits from the start on, which the inputs of the first step tell.
+void Simulation::look_at_bounds() {
+  if (was_told_.empty()) return;
+  system_.evaluate_again(time_);
+  for (const Crossing& c : system_.program().crossings)
+    if (c.bound >= 0 && system_.image()[c.signal] > 0.0) leave(c);
+}
+
+void Simulation::leave(const Crossing& crossing) {
+  const Bound& bound = system_.program().bounds[static_cast<std::size_t>(crossing.bound)];
+  const auto text = fmt::format("{} from t = {} s on: {}", bound.what, time_, bound.sentence);
+  if (bound.stops) throw Error(ErrorCode::numerical, text);
+  if (was_told_[static_cast<std::size_t>(crossing.bound)]) return;
+  was_told_[static_cast<std::size_t>(crossing.bound)] = true;
+  if (settings_.tell) settings_.tell(text);
+}
+
+/// The first block that makes what is not finite out of what is; else the first state that is not.
+void Simulation::refuse_not_finite() const {
+  const Program& program = system_.program();
+  const auto& image = system_.image();
+  double zero = 0.0;
+  for (int i = 0; i < program.states; ++i) zero += image[i] - image[i];
+  for (const int slot : program.outputs) zero += image[slot] - image[slot];
+  if (zero == 0.0) return;
+  const auto refuse = [&](const std::string& what, int slot) {
+    throw Error(ErrorCode::numerical,
+                fmt::format("{} '{}' {} {} at t = {} s", what, program.signal_blocks[slot],
+                            what == "block" ? "gives" : "is", image[slot], time_));
+  };
+  const auto is_finite = [&](int slot) { return std::isfinite(image[slot]); };
+  for (const Operation& o : program.operations) {
+    const auto from = reads(o);
+    if (!is_finite(o.out) && std::all_of(from.begin(), from.end(), is_finite)) refuse("block", o.out);
+  }
+  for (int i = 0; i < program.states; ++i)
+    if (!is_finite(i)) refuse("the state of block", i);
+}
+
+void Simulation::refuse_outside() const {
+  for (const Range& r : system_.program().ranges) {
+    const double value = system_.image()[r.signal];
+    const double rounding =
+        4.0 * std::numeric_limits<double>::epsilon() * std::max(std::abs(r.low), std::abs(r.high));
+    if (value >= r.low - rounding && value <= r.high + rounding) continue;
+    throw Error(
+        ErrorCode::numerical,
+        fmt::format("{}: {} is {} at t = {} s; allowed is {} to {}, or another word at its key beyond",
+                    r.owner, r.what, value, time_, r.low, r.high));
+  }
+}
+
+}  // namespace tandem::engine

@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "checks.hpp"
+#include "number_text.hpp"
+#include "tandem/error.hpp"
+
+namespace tandem::checks {
+namespace {
+
+template <class Call>
+void require_refusal(ErrorCode code, const std::string& what, const Call& call) {
+  try {
+    call();
+  } catch (const Error& error) {
+    require(error.code() == code, what + " was refused with the code " +
+                                      std::to_string(static_cast<int>(error.code())) + " (" + error.what() +
+                                      "); allowed is " + std::to_string(static_cast<int>(code)));
+    return;
+  }
+  throw Broken(what + " was done; allowed is to refuse it");
+}
+
+void refuse_states(Subsystem& s) {
+  const std::string what = " without the ability to save states";
+  require_refusal(ErrorCode::not_supported, "save_state" + what, [&] { s.save_state(); });
+  require_refusal(ErrorCode::not_supported, "restore_state" + what, [&] { s.restore_state(0); });
+  require_refusal(ErrorCode::not_supported, "release_state" + what, [&] { s.release_state(0); });
+}
+
+void go_on_from_a_state(const Subject& of) {
+  Instance it(of);
+  Subsystem& s = *it.subsystem;
+  if (!it.can().saves_state) return refuse_states(s);
+  const bool lands = it.can().lands;
+  it.advance(it.ahead(3.5));
+  const Clock saved_at = it.clock;
+  const std::size_t rows_then = it.rows.size();
+  const StateId first = s.save_state();
+  const double end = it.ahead(9.37);
+  it.advance(end, lands);
+  const Rows expected = it.rows;
+  const StateId second = s.save_state();
+  for (int again = 0; again < 2; ++again) {
+    it.clock = s.restore_state(first);
+    require(it.clock.time == saved_at.time && it.clock.next_time == saved_at.next_time,
+            "the state saved at t = " + number_text(saved_at.time) + " s came back at " +
+                number_text(it.clock.time) + " s, next " + number_text(it.clock.next_time) +
+                " s; allowed is the same, next " + number_text(saved_at.next_time) + " s");
+    it.rows.resize(rows_then);
+    it.advance(end, lands);
+    require_same(it.rows, expected, "from a state that was saved");
+  }
+  s.release_state(first);
+  require(s.restore_state(second).time == expected.back()[0], "a second saved state was lost with the first");
+  s.release_state(second);
+}
+
+void know_its_states(const Subject& of) {
+  Instance it(of);
+  if (!it.can().saves_state) throw LeftOut("it does not say that it saves its state");
+  Subsystem& s = *it.subsystem;
+  const StateId id = s.save_state();
+  const auto code = ErrorCode::invalid_argument;
+  require_refusal(code, "restoring a state that was never saved", [&] { s.restore_state(id + 1); });
+  s.release_state(id);
+  require_refusal(code, "restoring a state that was released", [&] { s.restore_state(id); });
+  require_refusal(code, "releasing a state that was released", [&] { s.release_state(id); });
+}
+
+void be_independent(const Subject& of) {
+  Instance it(of), other(of);
+  const double end = it.ahead(12.5);
+  for (int step = 0; it.clock.next_time < end && step < 100; ++step) {
+    it.advance(it.clock.next_time);
+    other.advance(other.clock.next_time);
+  }
+  require_same(it.rows, in_one_call(of, end), "beside another instance");
+  require_same(other.rows, it.rows, "of two instances in turns");
+}
+
+}  // namespace
+
+const std::vector<Check> states = {
+    {"a restored state goes on with the same bits", go_on_from_a_state},
+    {"a state that is released or was never saved is refused", know_its_states},
+    {"instances are independent", be_independent}};
+
+}  // namespace tandem::checks

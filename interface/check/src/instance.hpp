@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <stdexcept>
+
+#include "tandem/check.hpp"
+#include "tandem/time_grid.hpp"
+
+namespace tandem::checks {
+
+/// The contract is broken. what() says how.
+struct Broken : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+/// The check does not apply. what() says why.
+struct LeftOut : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+inline void require(bool holds, const std::string& sentence) {
+  if (!holds) throw Broken(sentence);
+}
+
+/// Rows of samples, one after another.
+using Rows = std::vector<std::vector<double>>;
+
+/// Throws Broken, with the first difference, where two lists are not the same to the last bit.
+void require_same(const Rows& found, const Rows& expected, const std::string& what);
+
+/// What is checked.
+struct Subject {
+  const Opener& open;
+  const CheckSettings& settings;
+};
+
+/// One instance, driven call by call, with all the rows that it gave. Each call is checked: rows within the
+/// room given, the clock at the newest of them, numbers finite. Each input is a parabola over a span, a cubic
+/// after it.
+class Instance {
+ public:
+  explicit Instance(const Subject& of);
+
+  /// Starts, with a new list of rows.
+  Clock initialize(const std::vector<double>& u0);
+  Clock initialize() { return initialize(u0_); }
+  /// One call with room for so many rows.
+  Clock advance(double t_limit, bool land = false, std::int64_t room = 1'000);
+  /// As many calls as it takes to get there, each with that much room.
+  void go_to(double t_limit, bool land = false, std::int64_t room = 1'000);
+
+  const Abilities& can() const { return subsystem->info().abilities; }
+  double step() const { return clock.next_time - clock.time; }
+  /// A time some steps ahead that is no node.
+  double ahead(double steps) const { return clock.time + steps * step(); }
+  const TimeTolerance& tolerance() const { return tolerance_; }
+
+  std::unique_ptr<Subsystem> subsystem;
+  Clock clock{};
+  Rows rows;
+
+ private:
+  template <class Call>
+  Clock call(std::int64_t room, const Call& make);
+  void take(const std::vector<double>& memory, const Samples& y, std::int64_t first);
+  void make_signals(const std::vector<double>& inputs);
+
+  double t_start_;
+  TimeTolerance tolerance_;
+  std::vector<std::vector<Segment>> pieces_;
+  std::vector<Signal> signals_;
+  std::vector<double> u0_;
+};
+
+/// All rows up to t in one call of another instance.
+Rows in_one_call(const Subject& of, double t, bool land = false);
+
+}  // namespace tandem::checks

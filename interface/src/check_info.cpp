@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/check_info.hpp"
+
+#include <string_view>
+#include <unordered_set>
+
+#include "tandem/error.hpp"
+
+namespace tandem {
+namespace {
+
+[[noreturn]] void refuse(const std::string& name, const std::string& what) {
+  throw Error(ErrorCode::invalid_argument, "subsystem '" + name + "': " + what);
+}
+
+void check_unique(const std::string& name, const std::vector<Port>& ports) {
+  std::unordered_set<std::string_view> seen;
+  for (const Port& port : ports)
+    if (!seen.insert(port.name).second)
+      refuse(name, "port '" + port.name + "' is there twice among its inputs or outputs");
+}
+
+void check_port(const std::string& name, const Port& port) {
+  if (port.name.empty() || port.name.find_first_of("[] \t\n\",") != std::string::npos || port.size < 1 ||
+      port.derivatives < 0 || port.derivatives > 3)
+    refuse(name, "port '" + port.name + "' has size " + std::to_string(port.size) + " and " +
+                     std::to_string(port.derivatives) +
+                     " derivatives; allowed are a name without [ ] , \" and blanks, a size from 1, 0 to 3 "
+                     "derivatives");
+}
+
+void check_ports(const std::string& name, const std::vector<Port>& ports) {
+  check_unique(name, ports);
+  long long scalars = 0;
+  for (const Port& port : ports) {
+    check_port(name, port);
+    scalars += port.size;
+    if (scalars > most_scalars)
+      refuse(name, "port '" + port.name + "' of size " + std::to_string(port.size) + " brings its ports to " +
+                       std::to_string(scalars) + " scalars; allowed are up to " +
+                       std::to_string(most_scalars));
+  }
+}
+
+}  // namespace
+
+void check_info(const std::string& name, const SubsystemInfo& info) {
+  check_ports(name, info.inputs);
+  check_ports(name, info.outputs);
+  const int inputs = info.input_size(), outputs = info.output_size();
+  for (const Feedthrough& f : info.feedthrough)
+    if (f.input < 0 || f.input >= inputs || f.output < 0 || f.output >= outputs)
+      refuse(name, "feedthrough from input " + std::to_string(f.input) + " to output " +
+                       std::to_string(f.output) + " names a port that is not there");
+}
+
+}  // namespace tandem

@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
+#include "own_elements.hpp"
+#include "tandem/error.hpp"
+
+namespace tandem::mbs {
+namespace {
+
+/// On a point, against its velocity or one component of it: -c |v| v, c in N s^2/m^2 (in air density times
+/// C_d A / 2).
+class Drag final : public ForceElement {
+ public:
+  Drag(std::vector<Coordinate> point, double coefficient)
+      : ForceElement(std::move(point), {}), coefficient_(coefficient) {}
+
+  void add(const ElementState& at, double* force) const override {
+    const auto v = velocity(at);
+    Eigen::Map<Eigen::VectorXd>(force, v.size()) -= coefficient_ * v.norm() * v;
+  }
+  /// C = c (|v| + v v^T / |v|).
+  void add_derivatives(const ElementState& at, Eigen::Ref<Eigen::MatrixXd>,
+                       Eigen::Ref<Eigen::MatrixXd> c) const override {
+    const auto v = velocity(at);
+    const double speed = v.norm();
+    c.diagonal().array() += coefficient_ * speed;
+    if (speed > 0.0) c += coefficient_ / speed * v * v.transpose();
+  }
+  bool symmetric() const override { return true; }
+  std::vector<Quantity> quantities() const override { return {{"power", "W"}}; }
+  void measure(const ElementState& at, double* values) const override {
+    *values = -coefficient_ * std::pow(velocity(at).norm(), 3);
+  }
+
+ private:
+  Eigen::Map<const Eigen::VectorXd> velocity(const ElementState& at) const {
+    return {at.v, static_cast<Eigen::Index>(coordinates().size())};
+  }
+  double coefficient_;
+};
+
+}  // namespace
+
+std::unique_ptr<ForceElement> make_drag(ElementKeys& keys) {
+  auto coordinates = keys.axes(keys.point("point"));
+  if (keys.has("along")) {
+    const std::string axis = keys.text("along");
+    const auto k = std::string("xyz").substr(0, coordinates.size()).find(axis);
+    if (axis.size() != 1 || k == std::string::npos)
+      keys.at("along", [&] {
+        throw Error(ErrorCode::invalid_argument, "along is '" + axis + "'; allowed is x" +
+                                                     (coordinates.size() == 2 ? " or y" : ", y or z"));
+      });
+    coordinates = {coordinates[k]};
+  }
+  return std::make_unique<Drag>(std::move(coordinates), keys.positive("coefficient"));
+}
+
+}  // namespace tandem::mbs

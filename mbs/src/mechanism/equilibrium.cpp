@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/mbs/mechanism/equilibrium.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "../dense.hpp"
+#include "linear_forces.hpp"
+#include "tandem/error.hpp"
+
+namespace tandem::mbs {
+namespace {
+
+constexpr int most_iterations = 100;
+constexpr double held = 1e-8;  // of the largest stiffness: what holds where nothing else does
+
+/// Newton's method on Q(q, 0) - Phi_q^T lambda = 0, Phi = 0. Multipliers are those of least squares, so that
+/// the error is a function of q alone.
+class Balance {
+ public:
+  Balance(Model& model, State start, const Known& known)
+      : terms_(model), names_(model.structure().variable_names), state_(std::move(start)) {
+    stays_.setConstant(terms_.force.size(), false);
+    for (const auto& k : known.positions)
+      if (k.coordinate < stays_.size()) stays_[k.coordinate] = true;
+    state_.v.setZero();
+    look(state_);
+  }
+
+  State find() {
+    for (int k = 0; k < most_iterations; ++k) {
+      if (error_ <= 1e-10 * size_) return state_;
+      const double before = error_;
+      if (!improve()) break;
+      if (error_ > 0.5 * before && error_ <= 1e-7 * size_) return state_;
+    }
+    if (error_ <= 1e-7 * size_) return state_;
+    Eigen::Index worst = 0;
+    unbalanced_.cwiseAbs().maxCoeff(&worst);
+    throw Error(
+        ErrorCode::numerical,
+        fmt::format("no equilibrium is found: {} is left with a force of {:.3g}; allowed is a mechanism "
+                    "whose forces balance where nothing moves",
+                    names_[static_cast<std::size_t>(worst)], unbalanced_[worst]));
+  }
+
+ private:
+  /// The error and multipliers at a state.
+  void look(State& s) {
+    terms_.evaluate(s.q, s.v);
+    Eigen::MatrixXd a = terms_.gradients;
+    Eigen::VectorXd f = terms_.force;
+    for (int i = 0; i < stays_.size(); ++i)
+      if (stays_[i]) a.row(i).setZero(), f[i] = 0.0;
+    if (s.lambda.size() > 0) s.lambda = a.completeOrthogonalDecomposition().solve(f);
+    unbalanced_ = f - a * s.lambda;
+    size_ = std::max(size_, terms_.force.norm());
+    error_ = std::hypot(unbalanced_.norm(), size_ * terms_.phi.norm());
+  }
+
+  /// A step that makes the error smaller, held back more and more; false if none does.
+  bool improve() {
+    const Eigen::MatrixXd k = terms_.stiffness(state_);
+    look(state_);
+    const double before = error_;
+    const Eigen::VectorXd force = unbalanced_, phi = terms_.phi;
+    const Eigen::MatrixXd gradients = terms_.gradients;
+    const State from = state_;
+    for (double hold = held * k.cwiseAbs().maxCoeff(); hold < 1e12; hold *= 10.0) {
+      state_.q.head(force.size()) = from.q.head(force.size()) + step(k, gradients, force, phi, hold);
+      look(state_);
+      if (error_ < before) return true;
+      if (hold == 0.0) hold = 1e-6;
+    }
+    state_ = from;
+    look(state_);
+    return false;
+  }
+
+  Eigen::VectorXd step(const Eigen::MatrixXd& k, const Eigen::MatrixXd& gradients,
+                       const Eigen::VectorXd& force, const Eigen::VectorXd& phi, double hold) const {
+    const auto n = force.size(), m = phi.size();
+    Eigen::MatrixXd a = Eigen::MatrixXd::Zero(n + m, n + m);
+    Eigen::VectorXd b(n + m);
+    a.topLeftCorner(n, n) = k;
+    a.topLeftCorner(n, n).diagonal().array() += hold;
+    a.topRightCorner(n, m) = gradients;
+    a.bottomLeftCorner(m, n) = gradients.transpose();
+    a.bottomRightCorner(m, m).diagonal().setConstant(-1e-12);  // redundant equations
+    b << force, -phi;
+    for (int i = 0; i < n; ++i)
+      if (stays_[i]) a.row(i).setZero(), a(i, i) = 1.0, b[i] = 0.0;
+    return dense::solve_by_lu(a, b).head(n);
+  }
+
+  DenseTerms terms_;
+  const std::vector<std::string>& names_;
+  State state_;
+  Eigen::Array<bool, Eigen::Dynamic, 1> stays_;
+  Eigen::VectorXd unbalanced_;
+  double error_ = 0.0, size_ = 1e-300;  // the largest force so far
+};
+
+}  // namespace
+
+State equilibrium(Model& model, State start, const Known& known) {
+  return Balance(model, std::move(start), known).find();
+}
+
+}  // namespace tandem::mbs

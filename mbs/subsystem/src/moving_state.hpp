@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "tandem/mbs/stepper.hpp"
+
+namespace tandem::mbs {
+
+/// A state and the stepper that moves it. A copy is a state that is kept: it shares the stepper and remembers
+/// what that goes by besides the state.
+class MovingState {
+ public:
+  explicit MovingState(std::shared_ptr<Stepper> stepper) : stepper_(std::move(stepper)) {}
+  MovingState(const MovingState& other) { *this = other; }
+  MovingState& operator=(const MovingState& other) {
+    memory_ = other.kept_ ? other.memory_ : other.stepper_->memory();
+    kept_ = true;
+    stepper_ = other.stepper_;
+    state_ = other.state_;
+    return *this;
+  }
+
+  const State& state() const { return state_; }
+  void start(State state) {
+    state_ = std::move(state);
+    stepper_->start(state_);
+    kept_ = false;
+  }
+  void refresh() {
+    recall();
+    stepper_->refresh(state_);
+  }
+  void step(double length, double end) {
+    recall();
+    stepper_->step(state_, length, end);
+  }
+
+ private:
+  void recall() {
+    if (std::exchange(kept_, false)) stepper_->recall(memory_);
+  }
+
+  std::shared_ptr<Stepper> stepper_;
+  State state_;
+  std::vector<double> memory_;  ///< Stepper::memory(), of a state that is kept
+  bool kept_ = false;
+};
+
+}  // namespace tandem::mbs

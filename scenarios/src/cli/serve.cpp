@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <charconv>
+#include <cstdlib>
+
+#include "cli/commands.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/transports.hpp"
+#include "tandem/error.hpp"
+#include "tandem/tcp/tcp.hpp"
+
+namespace tandem::cli {
+namespace {
+
+struct ServeOptions {
+  std::string source, address;
+  wire::ServerSettings server;
+  double spin = 50.0;  ///< microseconds
+  ServerKeys keys;
+};
+
+/// A subsystem for each session, with the parameters that its client gave.
+wire::MakeSubsystem maker(const std::string& source, const Context& context) {
+  return [source, &context](const std::string& parameters) {
+    Opening opening;
+    if (!parameters.empty()) opening.parameters.read(parameters, "the client");
+    return open(source, context.builtins, std::move(opening));
+  };
+}
+
+/// The one session of a program that spawn: has started.
+void serve_parent(const std::string& number, const ServeOptions& options, const SocketSettings& socket,
+                  const Context& context) {
+  int descriptor = -1;
+  const auto [end, code] = std::from_chars(number.data(), number.data() + number.size(), descriptor);
+  if (code != std::errc{} || *end != '\0' || descriptor < 0)
+    throw Error(ErrorCode::invalid_argument,
+                "the variable TANDEM_FD is '" + number + "'; allowed is the number of a socket that is open");
+  const auto channel = adopt(descriptor, "the program that started this one", socket);
+  wire::Session(*channel, maker(options.source, context), options.server.session).serve();
+}
+
+/// Told at once, not when the first session begins. A source may need parameters that only a client gives.
+void try_source(const std::string& source, const Context& context) {
+  try {
+    open(source, context.builtins);
+  } catch (const Error& error) {
+    spdlog::warn("tandem: without the parameters of a client this source is refused: {}", error.what());
+  }
+}
+
+void serve(ServeOptions options, const Context& context) {
+  SocketSettings socket{options.server.session.deadline, 1e-6 * options.spin, context.allow_plaintext};
+  options.server.session.software = std::string("tandem ") + TANDEM_VERSION;
+  const char* descriptor = std::getenv("TANDEM_FD");
+  if (options.address.empty() && descriptor) return serve_parent(descriptor, options, socket, context);
+  if (options.address.empty())
+    throw Error(ErrorCode::invalid_argument,
+                "--listen is needed: tcp://HOST:PORT (port 0: a free one), unix:PATH or zmq:ADDRESS");
+  const InterruptGuard guard;
+  const auto listener = listener_at(options.address, socket, options.keys);
+  try_source(options.source, context);
+  options.server.log = [](const std::string& sentence) { spdlog::info("{}", sentence); };
+  fmt::print("serving {} at {}\n", options.source, listener->address());
+  std::fflush(stdout);
+  wire::Server(*listener, maker(options.source, context), options.server).run(InterruptGuard::interrupted);
+}
+
+}  // namespace
+
+void add_serve(CLI::App& app, Context& context) {
+  auto* command = app.add_subcommand("serve", "Serve a source to other processes, until Ctrl-C or SIGTERM");
+  auto options = std::make_shared<ServeOptions>();
+  command->add_option("source", options->source, "What each session gets an instance of: builtin:NAME, ...")
+      ->required()
+      ->type_name("SOURCE");
+  command
+      ->add_option("--listen", options->address,
+                   "Where: tcp://HOST:PORT (port 0: a free one, which is printed), unix:PATH, zmq:ADDRESS")
+      ->type_name("URI");
+  command->add_option("--sessions", options->server.most_sessions, "The most sessions at a time")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  command->add_flag("--once", options->server.once, "End after one session");
+  command->add_option("--idle", options->server.session.idle, "Seconds from one request to the next")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command
+      ->add_option("--deadline", options->server.session.deadline,
+                   "Seconds for a request to come whole, and for a reply to be taken")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command
+      ->add_option("--spin", options->spin,
+                   "Microseconds to look at the socket without a pause before sleeping")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command
+      ->add_option("--key", options->keys.own, "The secret key of a zmq: server; its public one is FILE.pub")
+      ->type_name("FILE");
+  command
+      ->add_option("--client-key", options->keys.clients, "The public key of a client to let in (repeatable)")
+      ->type_name("FILE")
+      ->expected(1)
+      ->take_all();
+  command->footer(
+      "Parameters come from the client: tcp://HOST:PORT?frequency_ratio=25. A program that spawn: started "
+      "needs no "
+      "--listen.\nExit status: 0 when it was ended; 2 for an address or option that is not right.");
+  command->callback([options, &context] { serve(*options, context); });
+}
+
+}  // namespace tandem::cli

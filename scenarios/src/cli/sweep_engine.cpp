@@ -1,0 +1,28 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "cli/sweep_engine.hpp"
+
+#include <fmt/format.h>
+
+#include "engine_models/sweep.hpp"
+#include "output/conditions.hpp"
+#include "output/files.hpp"
+
+namespace tandem::cli {
+
+void sweep_engine(const std::filesystem::path& diagrams, const std::filesystem::path& output,
+                  const Context& context) {
+  output::make_folder(output);
+  const auto write = [&](const char* name, const std::string& text) {
+    output::write_text(output / name, text);
+    if (!context.quiet) fmt::print("wrote {}\n", (output / name).string());
+  };
+  write("torque_map.csv", engine_models::torque_map(diagrams));
+  write("step_response.csv", engine_models::step_response(diagrams));
+  write("manoeuvre.csv", engine_models::manoeuvre(diagrams));
+  const auto conditions =
+      output::conditions({"the specification's figures (tests/unit/engine/engine_models_test.cpp)",
+                          "none: the curves are the models' own", "1"});
+  write("conditions.json", conditions.dump(2) + "\n");
+}
+
+}  // namespace tandem::cli

@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "cli/transports.hpp"
+
+#include "tandem/error.hpp"
+#include "tandem/shared_library/shared_library.hpp"
+#if TANDEM_HAS_ZEROMQ
+#include "tandem/zeromq/zeromq.hpp"
+#endif
+
+namespace tandem::cli {
+namespace {
+
+std::unique_ptr<wire::Listener> at_zeromq([[maybe_unused]] const std::string& address,
+                                          [[maybe_unused]] const SocketSettings& socket,
+                                          [[maybe_unused]] const ServerKeys& keys) {
+#if TANDEM_HAS_ZEROMQ
+  ZmqSettings settings{socket.deadline, socket.spin, socket.allow_plaintext, {}, {}, {}};
+  if (!keys.own.empty())
+    settings.keys = {read_curve_key(keys.own + ".pub", false), read_curve_key(keys.own, true)};
+  for (const std::string& file : keys.clients) settings.clients.push_back(read_curve_key(file, false));
+  return zmq_listen(address, settings);
+#else
+  throw Error(ErrorCode::not_supported, "this build has no ZeroMQ (packages cppzmq-dev, libzmq3-dev)");
+#endif
+}
+
+}  // namespace
+
+void add_transports(Context& context) {
+  add_shared_library(context.builtins);
+  add_tcp(context.builtins, context.allow_plaintext);
+#if TANDEM_HAS_ZEROMQ
+  add_zeromq(context.builtins, context.allow_plaintext);
+#endif
+}
+
+std::unique_ptr<wire::Listener> listener_at(const std::string& address, const SocketSettings& settings,
+                                            const ServerKeys& keys) {
+  if (address.starts_with("zmq:")) return at_zeromq(address.substr(4), settings, keys);
+  if (!keys.own.empty() || !keys.clients.empty())
+    throw Error(ErrorCode::invalid_argument,
+                "keys are of no use at " + address + ", which is plain text; allowed is zmq:ADDRESS");
+  return listen(address, settings);
+}
+
+}  // namespace tandem::cli

@@ -1,0 +1,24 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "tandem/tcp/tcp.hpp"
+
+namespace tandem::cli {
+
+/// Adds the schemes of the transports that this build has to context.builtins.
+void add_transports(Context& context);
+
+/// Files of the keys of a server.
+struct ServerKeys {
+  std::string own;                   ///< secret; the public one is in the file of that name with .pub
+  std::vector<std::string> clients;  ///< public ones
+};
+/// Listens at an address of any transport. Throws Error for keys that the transport has no use for.
+std::unique_ptr<wire::Listener> listener_at(const std::string& address, const SocketSettings& settings,
+                                            const ServerKeys& keys);
+
+}  // namespace tandem::cli

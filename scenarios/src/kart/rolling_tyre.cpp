@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "kart/rolling_tyre.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tandem/error.hpp"
+
+namespace tandem::kart {
+namespace {
+
+constexpr double slow = 0.1;  // [m/s]: below, rolling resistance fades
+
+}  // namespace
+
+TyreData TyreData::from(mbs::ElementKeys& keys) {
+  TyreData d{};
+  keys.at("law", [&] { d.law = tyre_law(keys.text("law")); });
+  const std::string axle = keys.text("axle");
+  if (axle != "front" && axle != "rear")
+    keys.at("axle", [&] {
+      throw Error(ErrorCode::invalid_argument, "axle is '" + axle + "'; allowed is front or rear");
+    });
+  d.axle = axle == "front" ? Axle::front : Axle::rear;
+  d.radius = keys.positive("radius");
+  d.free_radius = keys.positive("free_radius");
+  d.stiffness = keys.positive("stiffness");
+  d.damping = keys.number("damping");
+  d.rolling = keys.number("rolling");
+  d.relaxation = keys.positive("relaxation");
+  return d;
+}
+
+double TyreData::load(double height, double rate) const {
+  if (height >= free_radius) return 0.0;
+  return std::max(0.0, stiffness * (free_radius - height) - damping * rate);
+}
+
+double TyreData::resistance(double load, double spin) const {
+  return rolling * load * radius * std::tanh(spin * radius / slow);
+}
+
+double TyreData::resistance_rate(double load, double spin) const {
+  const double t = std::tanh(spin * radius / slow);
+  return rolling * load * radius * radius / slow * (1.0 - t * t);
+}
+
+double TyreData::potential(double height) const {
+  const double pressed = std::max(0.0, free_radius - height);
+  return 0.5 * stiffness * pressed * pressed;
+}
+
+double TyreData::damping_of_slip(double v) { return 0.05 * std::exp(-std::abs(v)); }
+
+double TyreData::slip(double kappa, double s, double v) { return kappa + damping_of_slip(v) * s; }
+
+double TyreData::slip_rate(double kappa, double s, double v) const {
+  return (s - std::abs(v) * kappa) / relaxation;
+}
+
+Eigen::Matrix2d TyreData::slopes(const Slip& slip, double load) const {
+  constexpr double by = 1e-6;
+  Eigen::Matrix2d result;
+  for (int direction = 0; direction < 2; ++direction) {
+    Slip more = slip, less = slip;
+    (direction == 0 ? more.longitudinal : more.lateral) += by;
+    (direction == 0 ? less.longitudinal : less.lateral) -= by;
+    const TyreForce a = tyre_force(law, axle, more, load), b = tyre_force(law, axle, less, load);
+    result.col(direction) << a.longitudinal - b.longitudinal, a.lateral - b.lateral;
+  }
+  return result / (2.0 * by);
+}
+
+}  // namespace tandem::kart

@@ -1,0 +1,33 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <Eigen/Core>
+
+#include "kart/tyres.hpp"
+#include "tandem/mbs/mechanism/force_element.hpp"
+
+namespace tandem::kart {
+
+/// What the tyres of a file have in common.
+struct TyreData {
+  TyreLaw law;
+  Axle axle;
+  double radius, free_radius, stiffness, damping, rolling, relaxation;
+
+  static TyreData from(mbs::ElementKeys& keys);
+
+  /// At a height of the centre over the ground [m], rising with `rate` [m/s].
+  double load(double height, double rate) const;
+  /// Couple against rolling [N m] and its derivative by the spin [rad/s].
+  double resistance(double load, double spin) const;
+  double resistance_rate(double load, double spin) const;
+  double potential(double height) const;  ///< [J]
+  /// Slip where the state is kappa and the tyre slides with s on the ground, over which it moves with v
+  /// [m/s].
+  static double slip(double kappa, double s, double v);
+  static double damping_of_slip(double v);  ///< d slip / d s [s/m]
+  double slip_rate(double kappa, double s, double v) const;
+  /// Derivatives of both forces (rows) by both slips.
+  Eigen::Matrix2d slopes(const Slip& slip, double load) const;
+};
+
+}  // namespace tandem::kart

@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string>
+#include <vector>
+
+#include "kart/experiment.hpp"
+
+namespace tandem::kart {
+
+/// The levels of the kart, from the simplest on.
+inline constexpr const char* levels[] = {"point", "plane", "spatial_scalar_spin", "spatial"};
+
+/// What the runs of a level are compared with.
+struct Truth {
+  Course better;  ///< both sides at 0.1 ms, fastest-first, speeds of degree 2, the torque's mean
+  Course thesis;  ///< both sides at 0.1 ms, slowest-first, degree 0 both ways
+};
+Truth truth(const Scene& scene, const std::string& level);
+
+/// A run and what it differs from.
+struct Outcome {
+  Course course;
+  Difference from_better, from_thesis, integrator, coupling;
+};
+/// Replays are kept by the kart's step and whether they take the mean.
+class Judge {
+ public:
+  Judge(const Scene& scene, std::string level)
+      : scene_(scene), level_(std::move(level)), truth_(truth(scene, level_)) {}
+  const std::string& level() const { return level_; }
+  const Truth& reference() const { return truth_; }
+  Outcome judge(int ratio, const Scheme& scheme, bool profile);
+  /// The thesis' reference.
+  Outcome judge_thesis();
+
+ private:
+  Outcome compare(Course course, int ratio, bool mean);
+  const Course& replayed(int ratio, bool mean);
+  struct Replay {
+    int ratio;
+    bool mean;
+    Course course;
+  };
+  const Scene& scene_;
+  std::string level_;
+  Truth truth_;
+  std::vector<Replay> replays_;
+};
+
+/// Table 6.2 of the thesis: slowest-first, degree 0 both ways.
+inline constexpr int ratios[] = {1, 5, 10, 50, 100};
+inline const Scheme thesis_scheme{"slowest-first", "lagrange0", "lagrange0"};
+
+/// Table 6.3 and beyond, at ratio 100: the thesis' five rows first.
+std::vector<Scheme> schemes();
+
+/// Rows of multirate.csv and schemes.csv; pitch in degrees.
+inline constexpr const char* multirate_header =
+    "level,ratio,seconds,speed_up,real_time_factor,coordinator_share,max_pitch_difference,"
+    "max_pitch_difference_thesis,rms_pitch_difference,integrator_part,coupling_part,status";
+std::string multirate_row(const std::string& level, int ratio, double seconds_of_ratio_one, const Outcome& o);
+inline constexpr const char* schemes_header =
+    "level,ratio,schedule,to_fast,to_slow,max_pitch_difference,integrator_part,coupling_part,seconds,status";
+std::string scheme_row(const std::string& level, int ratio, const Scheme& scheme, const Outcome& o);
+
+}  // namespace tandem::kart

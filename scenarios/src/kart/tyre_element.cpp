@@ -1,0 +1,186 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "kart/tyre_element.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "kart/rolling_tyre.hpp"
+#include "tandem/error.hpp"
+
+namespace tandem::kart {
+namespace {
+
+using mbs::Coordinate;
+using mbs::ElementState;
+using Vector = Eigen::Vector3d;
+using In = Eigen::Map<const Vector>;
+using Out = Eigen::Map<Vector>;
+
+/// Coordinates: centre (0 to 2), axis (3 to 5), the spin (6) or both spokes (6 to 11), then the slips.
+class Tyre final : public mbs::ForceElement {
+ public:
+  struct Places {
+    std::vector<Coordinate> coordinates;
+    std::vector<int> inputs;
+    bool spokes, lateral;
+  };
+  Tyre(const TyreData& data, Places places)
+      : ForceElement(std::move(places.coordinates), std::move(places.inputs)),
+        data_(data),
+        spokes_(places.spokes),
+        lateral_(places.lateral),
+        state_(places.spokes ? 12 : 7) {}
+
+  void add(const ElementState& at, double* force) const override {
+    const Contact c = contact(at);
+    const Vector axis = In(at.x + 3), push = total(c),
+                 couple = Vector(0.0, 0.0, -c.height).cross(push) - c.resistance * axis;
+    Out(force) += push;
+    const auto turn = [&](int vector, double part) {
+      Out to(force + vector);
+      to += part * couple.cross(In(at.x + vector));
+    };
+    if (spokes_) {
+      turn(3, 0.5), turn(6, 0.5), turn(9, 0.5);
+    } else {
+      turn(3, 1.0);
+      force[6] += couple.dot(axis);
+    }
+    force[state_] += data_.slip_rate(at.v[state_], c.sliding[0], c.speed);
+    if (lateral_) force[state_ + 1] += data_.slip_rate(at.v[state_ + 1], c.sliding[1], c.speed);
+  }
+
+  /// With S the rates of s_x and s_y by those of the coordinates, forces are -S^T F; what turns with the
+  /// wheel and what the load does to F is left out.
+  void add_derivatives(const ElementState& at, Eigen::Ref<Eigen::MatrixXd> k,
+                       Eigen::Ref<Eigen::MatrixXd> c) const override {
+    const Contact now = contact(at);
+    if (now.load > 0.0) k(2, 2) += data_.stiffness, c(2, 2) += data_.damping;
+    const auto sliding = sliding_rates(at, now);
+    const Eigen::Matrix2d slopes = data_.slopes(now.slip, now.load);
+    const double damping = TyreData::damping_of_slip(now.speed);
+    const auto n = static_cast<int>(k.rows());
+    for (int a = 0; a < n - state_; ++a) {
+      c(state_ + a, state_ + a) += std::abs(now.speed) / data_.relaxation;
+      for (int i = 0; i < state_; ++i) c(state_ + a, i) -= sliding(a, i) / data_.relaxation;
+      for (int b = 0; b < n - state_; ++b)
+        for (int i = 0; i < state_; ++i) {
+          const double by = slopes(a, b) * sliding(a, i);
+          c(i, state_ + b) += by;
+          for (int j = 0; j < state_ && by != 0.0; ++j) c(i, j) += damping * by * sliding(b, j);
+        }
+    }
+    const double braking = data_.resistance_rate(now.load, now.spin) / (data_.radius * data_.radius);
+    for (int i = 6; i < state_; ++i)
+      for (int j = 6; j < state_; ++j) c(i, j) += braking * sliding(0, i) * sliding(0, j);
+  }
+  bool symmetric() const override { return true; }
+
+  double potential(const double* x) const override { return data_.potential(x[2]); }
+
+  std::vector<Quantity> quantities() const override {
+    return {{"load", "N"}, {"slip", "1"}, {"side_slip", "1"}, {"drive", "N"}, {"side", "N"}, {"loss", "W"}};
+  }
+  void measure(const ElementState& at, double* values) const override {
+    const Contact c = contact(at);
+    double force[14] = {};
+    add(at, force);
+    double power = 0.0;
+    for (int i = 0; i < state_; ++i) power += force[i] * at.v[i];
+    const double stored =
+        c.height < data_.free_radius ? -data_.stiffness * (data_.free_radius - c.height) * at.v[2] : 0.0;
+    const double all[] = {c.load,          c.slip.longitudinal, c.slip.lateral, c.force.longitudinal,
+                          c.force.lateral, -power - stored};
+    std::copy(std::begin(all), std::end(all), values);
+  }
+
+ private:
+  struct Contact {
+    Vector along, across;  ///< e_x, e_y
+    double height, load, spin, speed;
+    Eigen::Vector2d sliding;
+    Slip slip;
+    TyreForce force;
+    double resistance;
+  };
+
+  double spin(const ElementState& at) const {
+    if (!spokes_) return at.v[6];
+    return 0.5 * (In(at.x + 9).dot(In(at.v + 6)) - In(at.x + 6).dot(In(at.v + 9)));
+  }
+
+  Contact contact(const ElementState& at) const {
+    Contact c;
+    const In axis(at.x + 3), velocity(at.v);
+    c.along = axis.cross(Vector::UnitZ()).normalized();
+    c.across = Vector::UnitZ().cross(c.along);
+    c.height = at.x[2] - (inputs().empty() ? 0.0 : at.u[0]);
+    c.load = data_.load(c.height, at.v[2]);
+    c.spin = spin(at);
+    c.speed = velocity.dot(c.along);
+    c.sliding << data_.radius * c.spin - c.speed, -velocity.dot(c.across) - c.height * at.v[5];
+    c.slip.longitudinal = TyreData::slip(at.v[state_], c.sliding[0], c.speed);
+    if (lateral_) c.slip.lateral = TyreData::slip(at.v[state_ + 1], c.sliding[1], c.speed);
+    c.force = tyre_force(data_.law, data_.axle, c.slip, c.load);
+    c.resistance = data_.resistance(c.load, c.spin);
+    return c;
+  }
+
+  static Vector total(const Contact& c) {
+    return c.force.longitudinal * c.along + c.force.lateral * c.across + c.load * Vector::UnitZ();
+  }
+
+  /// Of s_x and s_y by the rates of the coordinates.
+  Eigen::Matrix<double, 2, 12> sliding_rates(const ElementState& at, const Contact& c) const {
+    Eigen::Matrix<double, 2, 12> rates = Eigen::Matrix<double, 2, 12>::Zero();
+    rates.block<1, 3>(0, 0) = -c.along.transpose();
+    rates.block<1, 3>(1, 0) = -c.across.transpose();
+    rates(1, 5) = -c.height;
+    if (spokes_) {
+      rates.block<1, 3>(0, 6) = 0.5 * data_.radius * In(at.x + 9).transpose();
+      rates.block<1, 3>(0, 9) = -0.5 * data_.radius * In(at.x + 6).transpose();
+    } else {
+      rates(0, 6) = data_.radius;
+    }
+    return rates;
+  }
+
+  TyreData data_;
+  bool spokes_, lateral_;
+  int state_;  ///< where the slips begin
+};
+
+[[noreturn]] void refuse(mbs::ElementKeys& keys, const std::string& key, const std::string& why) {
+  keys.at(key, [&] { throw Error(ErrorCode::invalid_argument, why); });
+  throw Error(ErrorCode::internal, why);
+}
+
+}  // namespace
+
+std::unique_ptr<mbs::ForceElement> make_tyre(mbs::ElementKeys& keys) {
+  if (keys.dimension() != 3)
+    refuse(keys, "kind", "a tyre needs dimension = 3; in the plane there is plane_tyres");
+  Tyre::Places places{keys.axes(keys.point("centre")), {}, false, keys.flag("lateral", true)};
+  const auto append = [&](int vector) {
+    for (const Coordinate& c : keys.axes(vector)) places.coordinates.push_back(c);
+  };
+  append(keys.vector("axis"));
+  places.spokes = keys.has("spokes");
+  if (places.spokes) {
+    const auto spokes = keys.vectors("spokes");
+    if (spokes.size() != 2) refuse(keys, "spokes", "spokes are not two vectors; allowed are two");
+    append(spokes[0]);
+    append(spokes[1]);
+  } else {
+    places.coordinates.push_back(keys.coordinate("spin"));
+  }
+  const TyreData data = TyreData::from(keys);
+  if (const int ground = keys.input("ground", "m"); ground >= 0) places.inputs.push_back(ground);
+  places.coordinates.push_back(keys.state("slip"));
+  if (places.lateral) places.coordinates.push_back(keys.state("side_slip"));
+  return std::make_unique<Tyre>(data, std::move(places));
+}
+
+mbs::ElementKinds element_kinds() { return {{"tyre", make_tyre}, {"plane_tyres", make_plane_tyres}}; }
+
+}  // namespace tandem::kart

@@ -1,0 +1,124 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// A library of which every entry breaks the contract in its own way; x' = 0 otherwise, with a step of 0.1 s.
+#include <limits>
+#include <stdexcept>
+
+#include "tandem/subsystem.h"
+
+namespace {
+
+tandem_status create(const char*, void** self) {
+  static double time;
+  *self = &time;
+  return TANDEM_OK;
+}
+void destroy(void*) {}
+const char* last_error(void*) { return nullptr; }
+const tandem_info* info(void*) {
+  static const tandem_port output = {"x", "m", 1, 0, 0.0};
+  static const tandem_info sound = {"faulty", 0, 0, 1, 0, nullptr, &output, nullptr};
+  return &sound;
+}
+
+void append(tandem_samples* y, double t, double x) {
+  double* row = y->rows + y->size++ * y->stride;
+  row[0] = t, row[1] = 0.0, row[2] = x;
+}
+tandem_status initialize(void* self, double t, double, const double*, tandem_samples* y, tandem_clock* c) {
+  append(y, *static_cast<double*>(self) = t, 1.0);
+  *c = {t, t + 0.1, TANDEM_STOP_LIMIT, 0};
+  return TANDEM_OK;
+}
+tandem_status step(void* self, double h, double x, tandem_samples* y, tandem_clock* c) {
+  double& time = *static_cast<double*>(self);
+  append(y, time += h, x);
+  *c = {time, time + 0.1, TANDEM_STOP_LIMIT, 0};
+  return TANDEM_OK;
+}
+tandem_status advance(void* self, double, std::int32_t, const tandem_signal*, tandem_samples* y,
+                      tandem_clock* c) {
+  return step(self, 0.1, 1.0, y, c);
+}
+
+tandem_subsystem_api sound() {
+  return {TANDEM_ABI_VERSION,
+          sizeof(tandem_subsystem_api),
+          create,
+          destroy,
+          info,
+          last_error,
+          initialize,
+          advance,
+          nullptr,
+          nullptr,
+          nullptr};
+}
+
+using Advance = decltype(tandem_subsystem_api::advance);
+tandem_subsystem_api with(Advance call) {
+  tandem_subsystem_api api = sound();
+  api.advance = call;
+  return api;
+}
+
+}  // namespace
+
+extern "C" {
+
+const tandem_subsystem_api* no_table() { return nullptr; }
+const tandem_subsystem_api* entry_throws() { throw std::runtime_error("not today"); }
+
+const tandem_subsystem_api* wrong_version() {
+  static tandem_subsystem_api api = sound();
+  api.abi_version = 99;
+  return &api;
+}
+
+const tandem_subsystem_api* missing_function() {
+  static tandem_subsystem_api api = with(nullptr);
+  return &api;
+}
+
+const tandem_subsystem_api* garbage_size() {
+  static tandem_subsystem_api api = sound();
+  api.info = [](void*) -> const tandem_info* {
+    static const tandem_port output = {"x", "m", 2'000'000'000, 0, 0.0};
+    static const tandem_info garbage = {"faulty", 0, 0, 1, 0, nullptr, &output, nullptr};
+    return &garbage;
+  };
+  return &api;
+}
+
+const tandem_subsystem_api* garbage_count() {
+  static tandem_subsystem_api api = sound();
+  api.info = [](void*) -> const tandem_info* {
+    static const tandem_info garbage = {"faulty", 0, -7, 1, 0, nullptr, nullptr, nullptr};
+    return &garbage;
+  };
+  return &api;
+}
+
+const tandem_subsystem_api* throws() {
+  static const tandem_subsystem_api api =
+      with([](void*, double, std::int32_t, const tandem_signal*, tandem_samples*,
+              tandem_clock*) -> tandem_status { throw std::runtime_error("no oil"); });
+  return &api;
+}
+
+const tandem_subsystem_api* not_a_number() {
+  static const tandem_subsystem_api api =
+      with([](void* self, double, std::int32_t, const tandem_signal*, tandem_samples* y, tandem_clock* c) {
+        return step(self, 0.1, std::numeric_limits<double>::quiet_NaN(), y, c);
+      });
+  return &api;
+}
+
+const tandem_subsystem_api* past_the_limit() {
+  static const tandem_subsystem_api api =
+      with([](void* self, double, std::int32_t, const tandem_signal*, tandem_samples* y, tandem_clock* c) {
+        return step(self, 5.0, 1.0, y, c);
+      });
+  return &api;
+}
+
+}  // extern "C"

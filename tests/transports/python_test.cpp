@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// Python on either side.
+#include "python.hpp"
+
+#include <gtest/gtest.h>
+
+#include "child.hpp"
+#include "refusal.hpp"
+#include "run_bench.hpp"
+#include "same_bits.hpp"
+#include "served.hpp"
+
+namespace tandem::test {
+namespace {
+
+std::vector<Recording::Rows> two_masses(const std::string& slow_uri) {
+  const auto fast = open("builtin:two_mass.fast?frequency_ratio=30.7", all_sources());
+  const auto slow = open(slow_uri, all_sources());
+  RunBench bench;
+  bench.add("fast", *fast).add("slow", *slow);
+  bench.connect("slow.x2", "fast.x2", "lagrange3").connect("fast.x1", "slow.x1", "lagrange3");
+  return bench.run(20.0).all();
+}
+
+TEST(Python, TwoMassesWithMass2InPythonGiveTheSameBits) {
+  EXPECT_TRUE(
+      same_bits(two_masses(python_mass2(30.7)), two_masses("builtin:two_mass.slow?frequency_ratio=30.7")));
+}
+
+TEST(Python, AnExceptionOfTheModelIsOneSentence) {
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"mass2.py", "hello", "are needed"},
+                      [] { open("spawn:" + python_program("mass2.py") + "?m=1", all_sources()); }));
+}
+
+TEST(Python, DrivesASubsystemAsItsMasterAndGetsTheSameBits) {
+  const Served server(listen("tcp://127.0.0.1:0", {}), source("builtin:two_mass.slow"));
+  Child master(
+      {"sh", "-c", python_program("master.py") + " '" + server.address() + "' '" + mass2_parameters() + "'"});
+  EXPECT_EQ(master.status(), 0);
+}
+
+TEST(Python, AFunctionHandedToScipyFollowsItsExactSolution) {
+#ifdef TANDEM_PYTHON_SCIPY
+  const auto heat = open("spawn:" + python_program("heat.py") + "?h=0.1", all_sources());
+  RunBench bench;
+  bench.add("heat", *heat).topology.set_start("heat.surroundings", 300.0);
+  const auto rows = bench.run(1.0).all()[0];
+  ASSERT_EQ(rows.size(), 11U);
+  // T = 300 + 100 exp(-t); relative tolerance 1e-9 of SciPy, of a value of about 400, over ten steps.
+  for (const auto& row : rows) EXPECT_NEAR(row[2], 300.0 + 100.0 * std::exp(-row[0]), 10 * 4e-7);
+#else
+  GTEST_SKIP() << "SciPy is absent (package python3-scipy)";
+#endif
+}
+
+}  // namespace
+}  // namespace tandem::test

@@ -1,0 +1,100 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// Sources in second processes: the command `tandem serve`, and programs that are started.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include "child.hpp"
+#include "refusal.hpp"
+#include "run_bench.hpp"
+#include "same_bits.hpp"
+#include "scratch.hpp"
+#include "served.hpp"
+
+namespace tandem::test {
+namespace {
+
+const std::string command = TANDEM_COMMAND;
+
+std::vector<Recording::Rows> served_masses(const std::string& slow_uri) {
+  const auto fast = open("builtin:two_mass.fast?frequency_ratio=30.7", all_sources());
+  const auto slow = open(slow_uri, all_sources());
+  RunBench bench;
+  bench.add("fast", *fast).add("slow", *slow);
+  bench.connect("slow.x2", "fast.x2", "lagrange3").connect("fast.x1", "slow.x1", "lagrange3");
+  return bench.run(20.0).all();
+}
+const std::string ratio = "?frequency_ratio=30.7";
+
+TEST(Serve, GivesTheSameBitsAndEndsOnSigterm) {
+  const Scratch folder;
+  for (const std::string& address :
+       {std::string("tcp://127.0.0.1:0"), "unix:" + (folder.path() / "socket").string()}) {
+    Child server({command, "serve", "builtin:two_mass.slow", "--listen", address});
+    const std::string at = server.word_after(" at ");
+    EXPECT_TRUE(same_bits(served_masses(at + ratio), served_masses("builtin:two_mass.slow" + ratio)));
+    const auto held = open(at, all_sources());  // a session that is open does not keep it
+    server.signal(SIGTERM);
+    EXPECT_EQ(server.status(), 0);
+  }
+}
+
+TEST(Serve, OnceEndsAfterOneSession) {
+  Child server({command, "serve", "builtin:two_mass.slow", "--once", "--listen", "tcp://127.0.0.1:0"});
+  { const auto session = open(server.word_after(" at "), all_sources()); }
+  EXPECT_EQ(server.status(), 0);
+}
+
+TEST(Serve, RefusesWhatIsNotRightBeforeItListens) {
+  const auto status = [](std::vector<std::string> words) {
+    words.insert(words.begin(), {command, "serve", "builtin:two_mass.slow"});
+    return Child(words).status();
+  };
+  EXPECT_EQ(status({}), 2);
+  EXPECT_EQ(status({"--listen", "tcp://0.0.0.0:0"}), 2);
+  EXPECT_EQ(status({"--listen", "nonsense"}), 2);
+}
+
+TEST(Spawn, GivesTheSameBitsAndEndsItsProgramWithTheRun) {
+  const std::string uri = "spawn:" + command + " serve builtin:two_mass.slow";
+  EXPECT_TRUE(same_bits(served_masses(uri + ratio), served_masses("builtin:two_mass.slow" + ratio)));
+  const Scratch folder;
+  const std::string file = (folder.path() / "process").string();
+  pid_t process = 0;
+  {
+    const auto s =
+        open("spawn:sh -c 'echo $$ > " + file + "; exec " + command + " serve builtin:two_mass.slow'",
+             all_sources());
+    process = std::stoi(read_text(file));
+    EXPECT_FALSE(is_gone(process));
+  }
+  EXPECT_TRUE(is_gone(process));
+}
+
+TEST(Spawn, AProgramThatEndsOrIsNotThereIsNamedWithItsStatus) {
+  const auto opening = [](const std::string& uri) { return [uri] { open(uri, all_sources()); }; };
+  EXPECT_TRUE(
+      refuses(ErrorCode::input_output, {"hello", "ended with status 3"}, opening("spawn:sh -c 'exit 3'")));
+  EXPECT_TRUE(
+      refuses(ErrorCode::input_output, {"'no_such_program'", "127"}, opening("spawn:no_such_program")));
+  EXPECT_TRUE(refuses(ErrorCode::input_output, {"signal 6"}, opening("spawn:sh -c 'kill -ABRT $$'")));
+  EXPECT_TRUE(refuses(ErrorCode::input_output, {"spawn:sleep 60", "deadline"},
+                      opening("spawn:sleep 60?deadline=0.2")));
+}
+
+TEST(Spawn, TheProgramEndsWhenTheRunIsKilled) {
+  const Scratch folder;
+  const std::string file = (folder.path() / "process").string();
+  const auto scenario = folder.write("run.toml", "[subsystems.s]\nsource = \"spawn:sh -c 'echo $$ > " + file +
+                                                     "; exec sleep 1000'\"\n[span]\nstop = 1.0\n");
+  Child run({command, "run", scenario.string(), "--output", folder.path().string()});
+  while (read_text(file).empty()) ::usleep(1000);
+  const pid_t process = std::stoi(read_text(file));
+  run.signal(SIGKILL);
+  EXPECT_EQ(run.status(), -SIGKILL);
+  for (int k = 0; k < 5000 && !is_gone(process); ++k) ::usleep(1000);
+  EXPECT_TRUE(is_gone(process));
+}
+
+}  // namespace
+}  // namespace tandem::test

@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string>
+#include <vector>
+
+#include "tandem/error.hpp"
+#include "tandem/subsystem.hpp"
+#include "tandem/wire/frame.hpp"
+
+namespace tandem::wire {
+
+// Payloads. put_...() writes one after begin(); read_...() takes one apart, and refuses what is not exactly
+// right with Error(invalid_argument), before it allocates anything that is not there.
+
+/// The first request and its reply.
+struct Hello {
+  std::uint32_t lowest_version = protocol_version, highest_version = protocol_version;
+  std::uint64_t longest = usual_longest;  ///< payload that its sender takes, in bytes
+  std::uint32_t capabilities = 0;         ///< bits; none are known in version 1
+  std::string text;  ///< of a request: parameters "key=value&key=value"; of a reply: the software
+};
+void put_hello(Writer& frame, const Hello& hello);
+Hello read_hello(std::span<const std::byte> payload);
+
+void put_info(Writer& frame, const SubsystemInfo& info);
+SubsystemInfo read_info(std::span<const std::byte> payload);
+
+struct Initialize {
+  double t_start = 0.0, t_stop = 0.0;  ///< [s]
+  std::uint64_t room = 0;              ///< rows that the reply may have
+  std::vector<double> u0;              ///< NaN where a value is not known
+};
+void put_initialize(Writer& frame, const Initialize& request);
+/// Into `request`, whose memory is used again. inputs: scalars that there are.
+void read_initialize(std::span<const std::byte> payload, int inputs, Initialize& request);
+
+/// A request to advance, as it is read: signals are views of the segments.
+struct Advance {
+  double t_limit = 0.0;  ///< [s]
+  bool land = false;
+  std::uint64_t room = 0;  ///< rows that the reply may have
+  std::vector<Signal> signals;
+  std::vector<Segment> segments;
+};
+/// What is asked for besides the inputs.
+struct Goal {
+  double t_limit;
+  bool land;
+  std::uint64_t room;
+};
+void put_advance(Writer& frame, const Goal& goal, std::span<const Signal> inputs);
+void read_advance(std::span<const std::byte> payload, int inputs, Advance& request);
+
+/// The rows that y holds beyond the first `before`.
+void put_samples(Writer& frame, const Clock& clock, const Samples& y, std::int64_t before);
+/// Appends the rows to y; returns the clock. Error(invalid_argument) too for rows of another size, or more
+/// than y has room for.
+Clock read_samples(std::span<const std::byte> payload, Samples& y);
+constexpr std::uint64_t samples_head = 32;  ///< bytes before the first row
+
+void put_clock(Writer& frame, const Clock& clock);
+Clock read_clock(std::span<const std::byte> payload);
+
+void put_id(Writer& frame, StateId id);
+StateId read_id(std::span<const std::byte> payload);
+
+/// An error, and the rows that were appended before it (only those of an advance).
+void put_error(Writer& frame, ErrorCode code, std::string_view sentence);
+void put_error(Writer& frame, const Error& error, const Samples& y, std::int64_t before);
+/// The error that the other side tells; rows are appended to *y if they fit it, y may be null.
+Error read_error(std::span<const std::byte> payload, Samples* y);
+
+/// Nothing may be in the payload.
+void read_nothing(const Frame& frame);
+
+}  // namespace tandem::wire

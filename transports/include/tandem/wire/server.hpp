@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <functional>
+#include <list>
+#include <memory>
+#include <string>
+
+#include "tandem/wire/session.hpp"
+
+namespace tandem::wire {
+
+/// Where peers knock.
+class Listener {
+ public:
+  virtual ~Listener() = default;
+  /// The next connection; null if there was none by then, or a signal came.
+  virtual std::unique_ptr<Channel> accept(Deadline deadline) = 0;
+  /// What a peer connects to, with the port that was found: "tcp://127.0.0.1:40123".
+  virtual const std::string& address() const = 0;
+};
+
+struct ServerSettings {
+  int most_sessions = 64;  ///< at a time; a further peer is told so
+  bool once = false;       ///< one session, and no more
+  SessionSettings session = {};
+  std::function<void(const std::string&)> log;  ///< is told what sessions begin, end and break; may be empty
+};
+
+/// Serves each connection of a listener in a thread of its own, with a subsystem of its own.
+class Server {
+ public:
+  Server(Listener& listener, MakeSubsystem make, ServerSettings settings);
+  ~Server();
+  Server(const Server&) = delete;
+  Server& operator=(const Server&) = delete;
+
+  /// Until stop() is true (looked at after each connection, after a signal and ten times a second), or after
+  /// the one session of `once`. The sessions that are open then are closed.
+  void run(const std::function<bool()>& stop);
+
+ private:
+  struct Guest;
+  void take(std::unique_ptr<Channel> channel);
+  void turn_away(Channel& channel);
+  void serve(Guest& guest);
+  void clear_away(bool all);
+  void log(const std::string& sentence) const;
+
+  Listener& listener_;
+  MakeSubsystem make_;
+  ServerSettings settings_;
+  std::list<Guest> guests_;
+};
+
+}  // namespace tandem::wire

@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "tandem/subsystem.hpp"
+#include "tandem/wire/channel.hpp"
+#include "tandem/wire/messages.hpp"
+
+namespace tandem::wire {
+
+/// Makes the subsystem of a session from "key=value&key=value", or "".
+using MakeSubsystem = std::function<std::unique_ptr<Subsystem>(const std::string& parameters)>;
+
+struct SessionSettings {
+  double deadline = 5.0;  ///< [s]: for a frame to come whole once it has begun, and for a reply to be taken
+  double idle = 3600.0;   ///< [s]: from one request to the next
+  std::string software = "tandem";  ///< what hello says
+};
+
+/// The serving side of one connection: answers requests until the peer says bye or is gone.
+class Session {
+ public:
+  Session(Channel& channel, MakeSubsystem make, SessionSettings settings = {});
+
+  /// To the end of the session. Throws Error for what broke the protocol or the connection, told to the peer
+  /// if it can be.
+  void serve();
+
+ private:
+  bool answer();
+  void say_bye();
+  void handle(const Frame& request);
+  void handle_state(const Frame& request);
+  void check_number(const Header& header);
+  void check_order(Type type) const;
+  void hello(const Frame& request);
+  void initialize(const Frame& request);
+  void advance(const Frame& request);
+  Samples rows(std::uint64_t room);
+  template <class Call>
+  void reply_with_rows(std::uint64_t room, const Call& call);
+  void reply(Type type);
+  void send();
+  void send_error(const Error& error);
+
+  Channel& channel_;
+  MakeSubsystem make_;
+  SessionSettings settings_;
+  std::unique_ptr<Subsystem> subsystem_;
+  bool initialized_ = false;
+  std::uint32_t number_ = 0;  ///< of the last request
+  std::uint64_t longest_ = usual_longest;
+  Writer frame_;
+  Initialize initialize_;
+  Advance advance_;
+  std::vector<double> memory_;
+};
+
+}  // namespace tandem::wire

@@ -1,0 +1,249 @@
+# Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+"""Offers a subsystem to tandem: on an address, or to the run that started this program (spawn:)."""
+
+from __future__ import annotations
+
+import os
+import socket
+import sys
+import threading
+import traceback
+from typing import Any, Callable, Dict, List, Optional, Tuple
+
+from . import wire
+from .contract import Abilities, Error, Info, Row
+
+Make = Callable[[Dict[str, str]], Any]
+
+
+class Session:
+    """One connection: answers requests until the peer says bye or is gone. `make` gets the parameters that the
+    client gave, and returns a subsystem: an object with info(), initialize() and advance() as FixedStep has
+    them, and with the ability to save states save_state(), restore_state(id), release_state(id)."""
+
+    def __init__(self, channel: wire.Channel, make: Make, deadline: float = 5.0,
+                 idle: Optional[float] = None) -> None:
+        self._channel, self._make = channel, make
+        self._deadline, self._idle = deadline, idle
+        self._number = 0
+        self._subsystem: Any = None
+        self._info: Optional[Info] = None
+        self._initialized = False
+        self._longest = wire.LONGEST
+
+    def serve(self) -> None:
+        try:
+            while self._answer():
+                pass
+        except Error as error:
+            self._try_to_tell(error)
+            raise
+        finally:
+            self._channel.close()
+
+    def _answer(self) -> bool:
+        frame = self._channel.receive(self._idle, self._deadline)
+        if frame is None:
+            return False
+        kind, number, data = frame
+        if number != self._number + 1:
+            raise Error(f"the request has the number {number}; allowed is {self._number + 1}", 3)
+        self._number = number
+        if kind == wire.Type.BYE:
+            self._say_bye()
+            return False
+        self._check_order(kind)
+        self._handle(kind, data)
+        return True
+
+    def _say_bye(self) -> None:
+        """The peer need not wait for it."""
+        try:
+            self._reply(wire.Type.BYE, b"")
+        except Error:
+            pass
+
+    def _check_order(self, kind: wire.Type) -> None:
+        early = kind in (wire.Type.INFO, wire.Type.INITIALIZE, wire.Type.PING)
+        if kind == wire.Type.HELLO:
+            sound = self._subsystem is None
+        else:
+            sound = self._subsystem is not None and (early or self._initialized)
+        if not sound:
+            raise Error(f"the request '{kind.name.lower()}' is out of order; allowed is hello once, then info, "
+                        "then initialize before all others", 3)
+
+    def _handle(self, kind: wire.Type, data: memoryview) -> None:
+        handler = {wire.Type.HELLO: self._hello, wire.Type.INFO: self._tell_info,
+                   wire.Type.INITIALIZE: self._initialize, wire.Type.ADVANCE: self._advance,
+                   wire.Type.SAVE: self._save, wire.Type.RESTORE: self._restore,
+                   wire.Type.RELEASE: self._release, wire.Type.PING: self._ping}.get(kind)
+        if handler is None:
+            raise Error(f"'{kind.name.lower()}' is no request", 3)
+        handler(data)
+
+    def _hello(self, data: memoryview) -> None:
+        lowest, highest, self._longest, text = wire.read_hello(data)
+        if not lowest <= wire.VERSION <= highest:
+            raise Error(f"the peer speaks version {lowest} to {highest} of the protocol; allowed is "
+                        f"{wire.VERSION}", 2)
+        if self._longest < 4096:
+            raise Error(f"the peer takes payloads of up to {self._longest} bytes; allowed are 4096 or more", 2)
+        self._subsystem = _asked(lambda: self._make(_parameters(text)))
+        self._info = self._subsystem.info()
+        self._reply(wire.Type.HELLO, wire.put_hello("tandem for Python"))
+
+    def _tell_info(self, data: memoryview) -> None:
+        self._reply(wire.Type.INFO, wire.put_info(self._known()))
+
+    def _known(self) -> Info:
+        assert self._info is not None
+        return self._info
+
+    def _rows(self, room: int, call: Callable[[List[Row], int], Any]) -> None:
+        stride = self._known().row_size()
+        room = min(room, (self._longest - 32) // (8 * stride))
+        rows: List[Row] = []
+
+        def payload() -> bytes:
+            clock = call(rows, room)
+            return wire.put_clock(clock) + wire.put_rows(rows, stride)
+
+        try:
+            self._reply(wire.Type.SAMPLES, _asked(payload))
+        except Error as error:
+            self._reply(wire.Type.ERROR, wire.put_error(error) + wire.put_rows(rows, stride))
+
+    def _initialize(self, data: memoryview) -> None:
+        t_start, t_stop, room, u0 = wire.read_initialize(data, self._known().input_size())
+        self._initialized = True
+        self._rows(room, lambda rows, n: self._subsystem.initialize(t_start, t_stop, u0, rows, n))
+
+    def _advance(self, data: memoryview) -> None:
+        t_limit, land, room, u = wire.read_advance(data, self._known().input_size())
+        self._rows(room, lambda rows, n: self._subsystem.advance(t_limit, land, u, rows, n))
+
+    def _state(self, kind: wire.Type, call: Callable[[], bytes]) -> None:
+        def payload() -> bytes:
+            if not self._known().abilities & Abilities.SAVES_STATE:
+                raise Error(f"subsystem '{self._known().name}' has no ability to save its state", 2)
+            return call()
+
+        try:
+            self._reply(kind, _asked(payload))
+        except Error as error:
+            self._reply(wire.Type.ERROR, wire.put_error(error))
+
+    def _save(self, data: memoryview) -> None:
+        self._state(wire.Type.SAVE, lambda: _identity(self._subsystem.save_state()))
+
+    def _restore(self, data: memoryview) -> None:
+        (state,) = wire.Reader(data, "restore").take("q")
+        self._state(wire.Type.RESTORE, lambda: wire.put_clock(self._subsystem.restore_state(state)))
+
+    def _release(self, data: memoryview) -> None:
+        (state,) = wire.Reader(data, "release").take("q")
+
+        def release() -> bytes:
+            self._subsystem.release_state(state)
+            return b""
+
+        self._state(wire.Type.RELEASE, release)
+
+    def _ping(self, data: memoryview) -> None:
+        self._reply(wire.Type.PING, bytes(data))
+
+    def _reply(self, kind: wire.Type, payload: bytes) -> None:
+        self._channel.send(kind, self._number, payload, self._deadline)
+
+    def _try_to_tell(self, error: Error) -> None:
+        try:
+            self._reply(wire.Type.ERROR, wire.put_error(error))
+        except Error:
+            pass
+
+
+def _identity(state: int) -> bytes:
+    return int(state).to_bytes(8, "little", signed=True)
+
+
+def _asked(call: Callable[[], Any]) -> Any:
+    """What the model raises becomes an error with its sentence; the traceback goes to standard error."""
+    try:
+        return call()
+    except Error:
+        raise
+    except Exception as error:
+        traceback.print_exc()
+        raise Error(f"{type(error).__name__}: {error}", 6) from None
+
+
+def _parameters(text: str) -> Dict[str, str]:
+    parameters: Dict[str, str] = {}
+    for pair in filter(None, text.split("&")):
+        key, equals, value = pair.partition("=")
+        if not equals or not key:
+            raise Error(f"the parameters have '{pair}' where key=value is allowed")
+        parameters[key] = value
+    return parameters
+
+
+def _listener(address: str) -> Tuple[socket.socket, str]:
+    if address.startswith("unix:"):
+        sock = socket.socket(socket.AF_UNIX)
+        os.fchmod(sock.fileno(), 0o600)
+        sock.bind(address[5:])
+        sock.listen()
+        return sock, address
+    host, port = split_address(address)
+    sock = socket.create_server((host, port))
+    if not is_loopback(sock.getsockname()[0]):
+        sock.close()
+        raise Error(f"address '{address}' is beyond this machine, and tcp is plain text", 2)
+    return sock, f"tcp://{host}:{sock.getsockname()[1]}"
+
+
+def split_address(address: str) -> Tuple[str, int]:
+    host, colon, port = address[6:].rpartition(":")
+    if not address.startswith("tcp://") or not colon or not port.isdigit():
+        raise Error(f"address '{address}' is not of the form tcp://HOST:PORT or unix:PATH")
+    return host.strip("[]"), int(port)
+
+
+def is_loopback(host: str) -> bool:
+    return host.startswith("127.") or host == "::1"
+
+
+def serve(make: Make, address: Optional[str] = None, once: bool = False, deadline: float = 5.0) -> None:
+    """Serves what `make(parameters)` returns, an instance for each session: at `address` ("tcp://HOST:PORT",
+    port 0 for a free one, or "unix:PATH"; the address is printed), or, without one, at --listen URI of the
+    command line, or to the run that has started this program by spawn:."""
+    if address is None and "--listen" in sys.argv[:-1]:
+        address = sys.argv[sys.argv.index("--listen") + 1]
+    if address is None and "TANDEM_FD" in os.environ:
+        sock = socket.socket(fileno=int(os.environ["TANDEM_FD"]))
+        _serve_one(Session(wire.Channel(sock, "the program that started this one"), make, deadline))
+        return
+    if address is None:
+        raise Error("an address is needed: serve(make, address), or --listen URI")
+    listener, place = _listener(address)
+    print(f"serving at {place}", flush=True)
+    try:
+        while True:
+            sock, _ = listener.accept()
+            session = Session(wire.Channel(sock, place), make, deadline)
+            if once:
+                _serve_one(session)
+                return
+            threading.Thread(target=_serve_one, args=(session,), daemon=True).start()
+    finally:
+        listener.close()
+        if place.startswith("unix:"):
+            os.unlink(place[5:])
+
+
+def _serve_one(session: Session) -> None:
+    try:
+        session.serve()
+    except Error as error:
+        print(f"session ends: {error}", file=sys.stderr)

@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/wire/bytes.hpp"
+
+#include "tandem/error.hpp"
+
+namespace tandem::wire {
+
+void Writer::put_doubles(std::span<const double> values) {
+  if constexpr (std::endian::native == std::endian::little) {
+    put_bytes(std::as_bytes(values));
+  } else {
+    for (const double value : values) put(value);
+  }
+}
+
+void Writer::put_text(std::string_view text) {
+  put(static_cast<std::uint32_t>(text.size()));
+  put_bytes(std::as_bytes(std::span(text)));
+}
+
+void Writer::put_bytes(std::span<const std::byte> bytes) {
+  if (!bytes.empty()) std::memcpy(more(bytes.size()), bytes.data(), bytes.size());
+}
+
+void Reader::take_doubles(std::span<double> values) {
+  need(values.size_bytes());
+  if constexpr (std::endian::native == std::endian::little) {
+    if (!values.empty()) std::memcpy(values.data(), all_.data() + place_, values.size_bytes());
+    place_ += values.size_bytes();
+  } else {
+    for (double& value : values) value = take<double>();
+  }
+}
+
+std::string Reader::take_text(std::uint32_t longest) {
+  const auto length = take<std::uint32_t>();
+  if (length > longest)
+    refuse("has a text of " + std::to_string(length) + " bytes; allowed are up to " +
+           std::to_string(longest));
+  need(length);
+  std::string text(length, '\0');
+  if (length > 0) std::memcpy(text.data(), all_.data() + place_, length);
+  place_ += length;
+  return text;
+}
+
+std::uint64_t Reader::take_count(std::uint64_t bytes_each) {
+  const auto count = take<std::uint32_t>();
+  if (count > left() / bytes_each)
+    refuse("announces " + std::to_string(count) + " things of " + std::to_string(bytes_each) +
+           " bytes or more, but only " + std::to_string(left()) + " bytes follow");
+  return count;
+}
+
+void Reader::end() const {
+  if (left() != 0) refuse("has " + std::to_string(left()) + " bytes more than it should");
+}
+
+void Reader::need(std::uint64_t bytes) const {
+  if (bytes > left())
+    refuse("ends after " + std::to_string(all_.size()) + " bytes; at byte " + std::to_string(place_) + " " +
+           std::to_string(bytes) + " more were to follow");
+}
+
+void Reader::refuse(const std::string& sentence) const {
+  throw Error(ErrorCode::invalid_argument, "the message '" + std::string(what_) + "' " + sentence);
+}
+
+}  // namespace tandem::wire

@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/tcp/tcp.hpp"
+#include "tandem/wire/remote_subsystem.hpp"
+
+namespace tandem {
+namespace {
+
+SocketSettings settings_from(Parameters& p, bool allow_plaintext) {
+  SocketSettings settings;
+  settings.deadline = positive(p, "deadline", settings.deadline);
+  settings.spin = 1e-6 * not_negative(p, "spin", 1e6 * settings.spin);
+  settings.allow_plaintext = allow_plaintext;
+  return settings;
+}
+
+}  // namespace
+
+void add_tcp(Builtins& builtins, bool allow_plaintext) {
+  const auto add = [&](const std::string& scheme, auto channel) {
+    builtins.addresses[scheme] = [=](const Address& address, Parameters& parameters) {
+      const SocketSettings settings = settings_from(parameters, allow_plaintext);
+      return std::make_unique<wire::RemoteSubsystem>(channel(address, settings), parameters.rest(),
+                                                     settings.deadline);
+    };
+  };
+  add("tcp", [](const Address& a, const SocketSettings& s) { return connect("tcp:" + a.place, s); });
+  add("unix", [](const Address& a, const SocketSettings& s) {
+    return connect("unix:" + (a.folder / a.place).string(), s);
+  });
+  add("spawn",
+      [](const Address& a, const SocketSettings& s) { return spawn(a.place, a.folder.string(), s); });
+}
+
+}  // namespace tandem

@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <poll.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <boost/asio/basic_socket_acceptor.hpp>
+#include <boost/asio/local/stream_protocol.hpp>
+#include <thread>
+
+#include "address.hpp"
+#include "tandem/error.hpp"
+#include "tandem/tcp/tcp.hpp"
+
+namespace tandem {
+namespace tcp {
+namespace {
+
+namespace asio = boost::asio;
+using Acceptor = asio::basic_socket_acceptor<asio::generic::stream_protocol>;
+
+/// A file that is left of a server which is gone.
+bool stale(const std::string& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0 || !S_ISSOCK(status.st_mode)) return false;
+  asio::local::stream_protocol::socket probe(context());
+  boost::system::error_code code;
+  probe.connect(path, code);
+  return code == asio::error::connection_refused;
+}
+
+Endpoint endpoint_of(const Place& place, const std::string& address, bool allow_plaintext) {
+  if (place.is_unix()) {
+    if (stale(place.path)) ::unlink(place.path.c_str());
+    return asio::local::stream_protocol::endpoint(place.path);
+  }
+  const auto endpoint = place.resolve().front();
+  if (!allow_plaintext && place.scheme == "tcp") require_loopback(endpoint, address);
+  return endpoint;
+}
+
+class SocketListener final : public wire::Listener {
+ public:
+  SocketListener(const std::string& address, const SocketSettings& settings)
+      : place_(Place::parse(address)), settings_(settings), acceptor_(context()), address_(address) {
+    try {
+      open(endpoint_of(place_, address, settings.allow_plaintext));
+    } catch (const boost::system::system_error& error) {
+      throw Error(ErrorCode::input_output, "no listening at " + address + ": " + error.code().message());
+    }
+  }
+  ~SocketListener() override {
+    if (place_.is_unix()) ::unlink(place_.path.c_str());
+  }
+
+  std::unique_ptr<wire::Channel> accept(wire::Deadline deadline) override {
+    if (!wait_for(acceptor_.native_handle(), POLLIN, deadline, true)) return nullptr;
+    boost::system::error_code code;
+    Socket socket(context());
+    acceptor_.accept(socket, code);
+    if (code) return nullptr;
+    if (!place_.is_unix()) socket.set_option(asio::ip::tcp::no_delay(true), code);
+    const std::string peer = place_.is_unix() ? address_ : name_of(socket);
+    return std::make_unique<StreamChannel>(std::make_unique<SocketStream>(std::move(socket), settings_.spin),
+                                           peer);
+  }
+  const std::string& address() const override { return address_; }
+
+ private:
+  void open(const Endpoint& endpoint) {
+    acceptor_.open(endpoint.protocol());
+    if (place_.is_unix())
+      ::fchmod(acceptor_.native_handle(), S_IRUSR | S_IWUSR);  // before there is a file to connect to
+    else
+      acceptor_.set_option(Acceptor::reuse_address(true));
+    acceptor_.bind(endpoint);
+    acceptor_.listen();
+    if (place_.is_unix()) return;
+    const auto bound = tcp_endpoint(acceptor_.local_endpoint());
+    address_ = place_.scheme + "://" + (bound.address().is_v6() ? "[" + place_.host + "]" : place_.host) +
+               ":" + std::to_string(bound.port());
+  }
+
+  static asio::ip::tcp::endpoint tcp_endpoint(const Endpoint& endpoint) {
+    asio::ip::tcp::endpoint e;
+    e.resize(endpoint.size());
+    std::memcpy(e.data(), endpoint.data(), endpoint.size());
+    return e;
+  }
+  static std::string name_of(const Socket& socket) {
+    boost::system::error_code code;
+    const auto endpoint = tcp_endpoint(socket.remote_endpoint(code));
+    return code ? "a peer that is gone"
+                : endpoint.address().to_string() + ":" + std::to_string(endpoint.port());
+  }
+
+  Place place_;
+  SocketSettings settings_;
+  Acceptor acceptor_;
+  std::string address_;
+};
+
+}  // namespace
+}  // namespace tcp
+
+std::unique_ptr<wire::Listener> listen(const std::string& address, const SocketSettings& settings) {
+  return std::make_unique<tcp::SocketListener>(address, settings);
+}
+
+}  // namespace tandem

@@ -1,0 +1,28 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <thread>
+
+#include "socket.hpp"
+
+namespace tandem::zeromq {
+
+/// Lets in the clients whose public keys are listed (the ZAP protocol, https://rfc.zeromq.org/spec/27/). One
+/// in a process at a time; none is needed without keys.
+class Gate {
+ public:
+  explicit Gate(const ZmqSettings& settings);
+  ~Gate();
+  Gate(const Gate&) = delete;
+  Gate& operator=(const Gate&) = delete;
+
+ private:
+  void answer_all();
+  void answer();
+
+  std::vector<std::string> allowed_;
+  zmq::socket_t socket_;
+  std::atomic<bool> stop_ = false;
+  std::thread thread_;
+};
+
+}  // namespace tandem::zeromq

@@ -1,0 +1,125 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <filesystem>
+
+#include "gate.hpp"
+#include "socket.hpp"
+#include "tandem/error.hpp"
+
+namespace tandem {
+namespace zeromq {
+namespace {
+
+constexpr const char* knock = "TANDEM\r\n";
+
+/// "tcp://127.0.0.1:0" as ZeroMQ writes it.
+std::string to_bind(std::string address) {
+  if (address.starts_with("tcp://") && address.ends_with(":0")) address.replace(address.size() - 1, 1, "*");
+  return address;
+}
+
+/// The address of a session's own socket, beside that of the listener.
+std::string beside(const std::string& address, unsigned number) {
+  if (address.starts_with("tcp://")) return address.substr(0, address.rfind(':')) + ":*";
+  return address + "-" + std::to_string(number);
+}
+
+/// Answers each knock with the address of a new socket that one peer can use.
+class ZmqListener final : public wire::Listener {
+ public:
+  ZmqListener(const std::string& address, const ZmqSettings& settings)
+      : settings_(settings), gate_(settings), socket_(context(), zmq::socket_type::router) {
+    require_loopback(address, settings);
+    try {
+      secure(socket_, settings, true);
+      socket_.bind(to_bind(address));
+      bound_ = socket_.get(zmq::sockopt::last_endpoint);
+    } catch (const zmq::error_t& error) {
+      fail("no listening at", address, error);
+    }
+    address_ = "zmq:" + bound_;
+  }
+
+  std::unique_ptr<wire::Channel> accept(wire::Deadline deadline) override {
+    const auto left =
+        std::chrono::ceil<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now());
+    if (!readable(socket_, static_cast<int>(std::max<long long>(left.count(), 0)))) return nullptr;
+    zmq::message_t peer, word;
+    if (!socket_.recv(peer, zmq::recv_flags::dontwait)) return nullptr;
+    bool more = peer.more();
+    for (bool first = true; more; first = false) {  // what else a stranger sends is read and dropped
+      zmq::message_t part;
+      if (!socket_.recv(part, zmq::recv_flags::dontwait)) return nullptr;
+      more = part.more();
+      if (first) word = std::move(part);
+    }
+    if (word.to_string_view() != knock) return nullptr;
+    return welcome(peer);
+  }
+  const std::string& address() const override { return address_; }
+
+ private:
+  std::unique_ptr<wire::Channel> welcome(zmq::message_t& peer) {
+    try {
+      zmq::socket_t own(context(), zmq::socket_type::dealer);
+      secure(own, settings_, true);
+      own.bind(beside(bound_, ++count_));
+      const std::string place = own.get(zmq::sockopt::last_endpoint);
+      auto channel = std::make_unique<ZmqChannel>(std::move(own), "zmq:" + place, settings_.spin);
+      socket_.send(peer, zmq::send_flags::sndmore);
+      socket_.send(zmq::buffer(place), zmq::send_flags::dontwait);
+      return channel;
+    } catch (const zmq::error_t& error) {
+      fail("no socket for a session at", bound_, error);
+    }
+  }
+
+  ZmqSettings settings_;
+  Gate gate_;
+  zmq::socket_t socket_;
+  std::string bound_, address_;
+  unsigned count_ = 0;
+};
+
+/// The place that the server answers the knock with; its host is the one that was asked for.
+std::string session_place(const std::string& address, const ZmqSettings& settings) {
+  zmq::socket_t door(context(), zmq::socket_type::dealer);
+  secure(door, settings, false);
+  door.set(zmq::sockopt::linger, 0);
+  door.connect(address);
+  door.send(zmq::str_buffer("TANDEM\r\n"), zmq::send_flags::dontwait);
+  const auto deadline = wire::in_seconds(settings.deadline);
+  zmq::message_t place;
+  while (!door.recv(place, zmq::recv_flags::dontwait)) {
+    if (std::chrono::steady_clock::now() > deadline)
+      throw Error(ErrorCode::input_output,
+                  "no connection to zmq:" + address + " within the deadline" +
+                      (settings.keys.secret_key.empty() ? "" : " (or the keys are not the right ones)"));
+    readable(door, 20);
+  }
+  std::string text = place.to_string();
+  if (!address.starts_with("tcp://")) return text;
+  return address.substr(0, address.rfind(':')) + text.substr(std::min(text.rfind(':'), text.size()));
+}
+
+}  // namespace
+}  // namespace zeromq
+
+std::unique_ptr<wire::Channel> zmq_connect(const std::string& address, const ZmqSettings& settings) {
+  zeromq::require_loopback(address, settings);
+  try {
+    const std::string place = zeromq::session_place(address, settings);
+    zmq::socket_t socket(zeromq::context(), zmq::socket_type::dealer);
+    zeromq::secure(socket, settings, false);
+    auto channel = std::make_unique<zeromq::ZmqChannel>(std::move(socket), "zmq:" + address, settings.spin);
+    channel->connect(place);
+    return channel;
+  } catch (const zmq::error_t& error) {
+    zeromq::fail("no connection to", address, error);
+  }
+}
+
+std::unique_ptr<wire::Listener> zmq_listen(const std::string& address, const ZmqSettings& settings) {
+  return std::make_unique<zeromq::ZmqListener>(address, settings);
+}
+
+}  // namespace tandem

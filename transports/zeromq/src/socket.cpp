@@ -1,0 +1,135 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "socket.hpp"
+
+#include <algorithm>
+
+#include "tandem/error.hpp"
+
+namespace tandem::zeromq {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+int milliseconds_to(wire::Deadline deadline, int most) {
+  const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
+  return static_cast<int>(std::clamp<long long>(left, 0, most));
+}
+
+constexpr int slice = 100;  // ms: how often a silent socket is asked whether its peer is still there
+
+zmq::socket_t watch(zmq::socket_t& socket) {
+  static std::atomic<unsigned> count = 0;
+  const std::string name = "inproc://tandem-monitor-" + std::to_string(++count);
+  ::zmq_socket_monitor(socket.handle(), name.c_str(), ZMQ_EVENT_DISCONNECTED);
+  zmq::socket_t monitor(context(), zmq::socket_type::pair);
+  monitor.set(zmq::sockopt::linger, 0);
+  monitor.connect(name);
+  return monitor;
+}
+
+}  // namespace
+
+zmq::context_t& context() {
+  static auto* the_context = new zmq::context_t(1);
+  return *the_context;
+}
+
+void fail(const std::string& what, const std::string& address, const zmq::error_t& error) {
+  throw Error(ErrorCode::input_output, what + " zmq:" + address + ": " + error.what());
+}
+
+void secure(zmq::socket_t& socket, const ZmqSettings& settings, bool server) {
+  socket.set(zmq::sockopt::linger, 200);
+  if (settings.keys.secret_key.empty()) return;
+  if (server) {
+    socket.set(zmq::sockopt::curve_server, true);
+    socket.set(zmq::sockopt::zap_domain, "tandem");
+  } else {
+    socket.set(zmq::sockopt::curve_serverkey, settings.server_key);
+    socket.set(zmq::sockopt::curve_publickey, settings.keys.public_key);
+  }
+  socket.set(zmq::sockopt::curve_secretkey, settings.keys.secret_key);
+}
+
+void require_loopback(const std::string& address, const ZmqSettings& settings) {
+  if (!address.starts_with("tcp://") || settings.allow_plaintext || !settings.keys.secret_key.empty()) return;
+  const std::string host = address.substr(6, address.rfind(':') - 6);
+  if (host == "localhost" || host.starts_with("127.") || host == "[::1]") return;
+  throw Error(ErrorCode::not_supported,
+              "address 'zmq:" + address + "' is beyond this machine (" + host +
+                  "), and without keys it is plain text; allowed is ?key=FILE&server_key=FILE, or say "
+                  "--allow-plaintext");
+}
+
+bool readable(zmq::socket_t& socket, int milliseconds) {
+  zmq::pollitem_t item{socket.handle(), 0, ZMQ_POLLIN, 0};
+  return ::zmq_poll(reinterpret_cast<::zmq_pollitem_t*>(&item), 1, milliseconds) > 0;
+}
+
+ZmqChannel::ZmqChannel(zmq::socket_t socket, std::string peer, double spin)
+    : socket_(std::move(socket)), monitor_(watch(socket_)), peer_(std::move(peer)), spin_(spin) {}
+
+/// ZeroMQ's own thread would wait for ever to tell of an event that nobody listens to any more.
+ZmqChannel::~ZmqChannel() { ::zmq_socket_monitor(socket_.handle(), nullptr, 0); }
+
+void ZmqChannel::send(std::span<const std::byte> frame, wire::Deadline deadline) {
+  const zmq::const_buffer bytes(frame.data(), frame.size());
+  try {
+    while (!closed_ && !lost_) {
+      if (socket_.send(bytes, zmq::send_flags::dontwait)) return;
+      lost_ = heard_of_end();
+      zmq::pollitem_t item{socket_.handle(), 0, ZMQ_POLLOUT, 0};
+      ::zmq_poll(reinterpret_cast<::zmq_pollitem_t*>(&item), 1, milliseconds_to(deadline, slice));
+      if (Clock::now() > deadline)
+        throw Error(ErrorCode::input_output, "the peer took no data within the deadline");
+    }
+  } catch (const zmq::error_t& error) {
+    throw Error(ErrorCode::input_output, std::string("the connection broke: ") + error.what());
+  }
+  throw Error(ErrorCode::input_output, "the connection was closed");
+}
+
+bool ZmqChannel::look() { return there_ = socket_.recv(message_, zmq::recv_flags::dontwait).has_value(); }
+
+bool ZmqChannel::spin() {
+  if (spin_ > 0.0)
+    for (const auto end = wire::in_seconds(spin_); Clock::now() < end;)
+      if (look()) return true;
+  return look();
+}
+
+bool ZmqChannel::heard_of_end() {
+  zmq::message_t event;
+  return monitor_.recv(event, zmq::recv_flags::dontwait).has_value();
+}
+
+/// True once the peer is gone and nothing is left of it.
+bool ZmqChannel::lost() {
+  lost_ = lost_ || heard_of_end();
+  return (lost_ || closed_) && !look();
+}
+
+bool ZmqChannel::wait(wire::Deadline deadline) {
+  if (there_) return true;
+  try {
+    for (bool first = true; !there_; first = false) {
+      if (first ? spin() : look()) break;
+      if (readable(socket_, milliseconds_to(deadline, slice))) continue;
+      if (lost()) return true;
+      if (Clock::now() > deadline) return false;
+    }
+  } catch (const zmq::error_t& error) {
+    throw Error(ErrorCode::input_output, std::string("the connection broke: ") + error.what());
+  }
+  return true;
+}
+
+std::span<const std::byte> ZmqChannel::receive(wire::Deadline deadline) {
+  if (!wait(deadline)) throw Error(ErrorCode::input_output, "no reply came within the deadline");
+  if (!there_) return {};
+  there_ = false;
+  if (message_.size() == 0) throw Error(ErrorCode::invalid_argument, "the frame has 0 bytes");
+  return {message_.data<std::byte>(), message_.size()};
+}
+
+}  // namespace tandem::zeromq

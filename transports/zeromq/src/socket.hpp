@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <atomic>
+#include <string>
+#include <zmq.hpp>
+
+#include "tandem/zeromq/zeromq.hpp"
+
+namespace tandem::zeromq {
+
+/// The one of this process, so that inproc:// addresses meet. It is never taken down: a socket that somebody
+/// still holds would keep the program from its end.
+zmq::context_t& context();
+
+/// Throws Error(input_output) with the address.
+[[noreturn]] void fail(const std::string& what, const std::string& address, const zmq::error_t& error);
+
+/// Sets keys and time limits; before bind or connect.
+void secure(zmq::socket_t& socket, const ZmqSettings& settings, bool server);
+/// Throws Error(not_supported) for plain text beyond this machine.
+void require_loopback(const std::string& address, const ZmqSettings& settings);
+
+/// Waits up to so many milliseconds; a signal ends the wait too.
+bool readable(zmq::socket_t& socket, int milliseconds);
+
+/// The frames of one session, over a socket with one peer.
+class ZmqChannel final : public wire::Channel {
+ public:
+  ZmqChannel(zmq::socket_t socket, std::string peer, double spin);
+  ~ZmqChannel() override;
+  ZmqChannel(const ZmqChannel&) = delete;
+  ZmqChannel& operator=(const ZmqChannel&) = delete;
+  void connect(const std::string& place) { socket_.connect(place); }
+
+  void send(std::span<const std::byte> frame, wire::Deadline deadline) override;
+  std::span<const std::byte> receive(wire::Deadline deadline) override;
+  bool wait(wire::Deadline deadline) override;
+  void close() noexcept override { closed_ = true; }
+  const std::string& peer() const override { return peer_; }
+
+ private:
+  bool look();
+  bool spin();
+  bool heard_of_end();
+  bool lost();
+
+  zmq::socket_t socket_, monitor_;
+  std::string peer_;
+  double spin_;
+  zmq::message_t message_;
+  bool there_ = false;  ///< message_ has been waited for and not yet given out
+  bool lost_ = false;   ///< the peer is gone
+  std::atomic<bool> closed_ = false;
+};
+
+}  // namespace tandem::zeromq
