@@ -1,7 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "tandem/engine/system.hpp"
 
-#include <algorithm>
 #include <limits>
 
 #include "loop_solver.hpp"
@@ -17,12 +16,13 @@ System::System(const Program& program, InputSource* inputs)
 
 System::~System() = default;
 
-void System::run_with_loops(int first, int last) {
+void System::run_with_loops(int first, int last, bool to_rounding) {
   for (const auto& solver : loops_) {
     const Loop& loop = solver->loop();
     if (loop.first < first || loop.first >= last) continue;
     program_.run(image_.data(), first, loop.first);
     solver->solve(image_.data());
+    if (to_rounding) solver->refine();
     first = loop.last;
   }
   program_.run(image_.data(), first, last);
@@ -32,9 +32,11 @@ double System::watched(int crossing) const {
   return image_[static_cast<std::size_t>(program_.crossings[static_cast<std::size_t>(crossing)].signal)];
 }
 
-bool System::stands_at_zero() const {
-  return std::any_of(program_.crossings.begin(), program_.crossings.end(),
-                     [&](const Crossing& c) { return image_[static_cast<std::size_t>(c.signal)] == 0.0; });
+double System::watched_sign(int crossing) const {
+  const double value = watched(crossing);
+  if (value != 0.0) return value;
+  const int sign = program_.crossings[static_cast<std::size_t>(crossing)].sign;
+  return image_[static_cast<std::size_t>(sign)] * std::numeric_limits<double>::min();
 }
 
 int System::changed(int first) const {

@@ -26,6 +26,7 @@ void check_settings(const char* name, const AdaptiveSettings& s) {
   positive("relative_tolerance", s.relative_tolerance);
   positive("absolute_tolerance", s.absolute_tolerance);
   require("longest_step", s.longest_step, s.longest_step >= 0.0, "0 (no limit) or more [s]");
+  require("shortest_step", s.shortest_step, s.shortest_step >= 0.0, "0 (no limit) or more [s]");
   positive("most_steps", static_cast<double>(s.most_steps));
 }
 
@@ -63,7 +64,7 @@ int SundialsIntegrator::watch(double t, N_Vector x, double* g, void* self) {
   std::copy_n(N_VGetArrayPointer(x), system.size(), system.states());
   ++integrator.statistics_.root_evaluations;
   if (!integrator.survives([&] { system.evaluate(t); })) return -1;
-  for (int k = 0; k < static_cast<int>(system.program().crossings.size()); ++k) g[k] = system.watched(k);
+  for (int k = 0; k < static_cast<int>(system.program().crossings.size()); ++k) g[k] = system.watched_sign(k);
   return 0;
 }
 
@@ -93,11 +94,15 @@ void SundialsIntegrator::check(int flag) const {
 
 Statistics SundialsIntegrator::statistics() const {
   Statistics all = statistics_;
-  long failed = 0, iterations = 0;
-  if (memory_ && method_.failed_error_tests) method_.failed_error_tests(memory_, &failed);
-  if (memory_ && method_.nonlinear_iterations) method_.nonlinear_iterations(memory_, &iterations);
-  all.failed_error_tests += failed;
-  all.nonlinear_iterations += iterations;
+  const auto count = [this](SundialsMethod::Count of) {
+    long number = 0;
+    if (memory_ && of) of(memory_, &number);
+    return number;
+  };
+  all.failed_error_tests += count(method_.failed_error_tests);
+  all.nonlinear_iterations += count(method_.nonlinear_iterations);
+  all.failed_iterations += count(method_.failed_iterations);
+  all.jacobians += count(method_.jacobians);
   return all;
 }
 
@@ -111,7 +116,7 @@ double SundialsIntegrator::first_step(Restart why) const {
 void SundialsIntegrator::restart(System& system, double t, Restart why) {
   system_ = &system;
   time_ = t;
-  if (system.size() == 0) return;
+  if (system.size() == 0) return still_.restart(system, t, why);
   if (!x_) x_ = N_VNew_Serial(system.size(), context_);
   std::copy_n(system.states(), system.size(), N_VGetArrayPointer(x_));
   const double first = first_step(why);
@@ -136,23 +141,23 @@ void SundialsIntegrator::create(double t) {
     check(method_.set_nonlinear_solver(memory_, iteration_));
   }
   check(method_.set_longest_step(memory_, settings_.longest_step));
+  check(method_.set_shortest_step(memory_, settings_.shortest_step));
   check(method_.set_roots(memory_, static_cast<int>(system_->program().crossings.size()), watch));
   check(method_.set_no_warning(memory_));
 }
 
 double SundialsIntegrator::advance(System& system, double t, double t_end) {
+  if (system.size() == 0) return still_.advance(system, t, t_end);
   system.evaluate_again(t);
   if (system.changed() >= 0) return t;  // by an input that has jumped
-  const bool moves = system.size() > 0;
-  if (moves && system.stands_at_zero() && leaves_zero(system, t, t_end)) return time_;
-  time_ = moves ? t : t_end;
-  if (moves && time_ < t_end) step(t_end);
+  time_ = t;
+  if (time_ < t_end) step(t_end);
   steps_ = time_ < t_end ? steps_ + 1 : 0;
   if (steps_ > settings_.most_steps)
     throw Error(ErrorCode::numerical,
                 fmt::format("integrator {} has taken {} steps at t = {} s, on the way to {} s", method_.name,
                             settings_.most_steps, time_, t_end));
-  if (moves) std::copy_n(N_VGetArrayPointer(x_), system.size(), system.states());
+  std::copy_n(N_VGetArrayPointer(x_), system.size(), system.states());
   system.evaluate(time_);
   return time_;
 }
@@ -167,24 +172,6 @@ void SundialsIntegrator::step(double t_end) {
   check(flag);
   failure_.clear();
   if (flag == CV_TSTOP_RETURN) time_ = t_end;
-}
-
-/// A signal that is zero has no sign, and where SUNDIALS begins it finds no root of it: a little later, by
-/// Euler's method, it may have got one. Whether it is another than before.
-bool SundialsIntegrator::leaves_zero(System& system, double t, double t_end) {
-  const auto n = static_cast<std::size_t>(system.size());
-  start_.assign(system.states(), system.states() + n);
-  rate_.resize(n);
-  system.read_rates(rate_.data());
-  for (const double h : {64.0 * std::numeric_limits<double>::epsilon() * std::abs(t), 1e-10 * (t_end - t)}) {
-    time_ = std::min(t + h, t_end);
-    for (std::size_t i = 0; i < n; ++i) system.states()[i] = start_[i] + (time_ - t) * rate_[i];
-    system.evaluate(time_);
-    if (system.changed() >= 0) return true;
-  }
-  std::copy(start_.begin(), start_.end(), system.states());
-  system.evaluate(t);
-  return false;
 }
 
 }  // namespace tandem::engine

@@ -2,6 +2,7 @@
 // How a Mechanism is made of its description.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -122,6 +123,16 @@ std::unique_ptr<ConstraintSet> angle_set(const Description& in, const Numbering&
   return set;
 }
 
+/// The largest body's; without bodies the longest edge of a product, or else what one can't tell: 1 m.
+double length_of(const Description& in, const std::vector<ScalarProduct>& products) {
+  double length = 0.0;
+  for (const Body& body : in.bodies) length = std::max(length, BodyCoordinates(in, body).size());
+  if (length > 0.0) return length;
+  for (const ScalarProduct& p : products)
+    if (is_distance(p)) length = std::max(length, drawn(in, p.a).norm());
+  return length > 0.0 ? length : 1.0;
+}
+
 }  // namespace
 
 Mechanism::Mechanism(Description description)
@@ -139,6 +150,7 @@ Mechanism::Mechanism(Description description)
   for (std::size_t r = 0; r < description_.relatives.size(); ++r)
     if (description_.relatives[r].kind == Relative::Kind::state)
       structure_.states.push_back(numbering_.relative[r]);
+  structure_.rounding = 8.0 * std::numeric_limits<double>::epsilon() * described_state().q.norm();
 }
 
 Mechanism::~Mechanism() = default;
@@ -177,6 +189,7 @@ void Mechanism::add_constraints() {
   const Description& in = description_;
   const bool plane = in.dimension == 2;
   const auto products = all_products(in);
+  structure_.length = length_of(in, products);
   sets_.push_back(plane ? distance_set<2>(products, numbering_, structure_)
                         : distance_set<3>(products, numbering_, structure_));
   sets_.push_back(plane ? angle_set<2>(in, numbering_, structure_)
