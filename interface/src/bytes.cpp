@@ -5,6 +5,12 @@
 
 namespace tandem {
 
+std::uint64_t checksum(std::span<const std::byte> bytes) {
+  std::uint64_t sum = 0xcbf29ce484222325;
+  for (const std::byte byte : bytes) sum = (sum ^ std::to_integer<std::uint64_t>(byte)) * 0x100000001b3;
+  return sum;
+}
+
 void ByteWriter::put_doubles(std::span<const double> values) {
   if constexpr (std::endian::native == std::endian::little) {
     put_bytes(std::as_bytes(values));

@@ -33,6 +33,9 @@ T from_wire(std::span<const std::byte> bytes) {
   return std::bit_cast<T>(copy);
 }
 
+/// FNV-1a of 64 bits (G. Fowler, L. C. Noll, K.-P. Vo): no change of a single byte keeps it.
+std::uint64_t checksum(std::span<const std::byte> bytes);
+
 /// Bytes that are put one after another; its memory is used again after clear().
 class ByteWriter {
  public:
