@@ -31,7 +31,7 @@ Simulation::Simulation(const Program& program, InputSource* inputs, std::unique_
 
 void Simulation::start(double t) {
   system_.image() = system_.program().image;
-  time_ = t;
+  start_ = time_ = t;
   begun_ = false;
   for (const Delay* d : delays_) past(*d).clear();
   settle();
@@ -255,6 +255,7 @@ const std::vector<double>& Simulation::keep() {
 void Simulation::restore(double t, std::span<const double> state) {
   std::copy(state.begin(), state.end(), system_.image().begin());
   time_ = t;
+  begun_ = t != start_;
   integrator_->restart(system_, t, Restart::state);
 }
 

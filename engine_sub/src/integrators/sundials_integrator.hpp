@@ -56,6 +56,7 @@ class SundialsIntegrator final : public Integrator {
   void restart(System& system, double t, Restart why) override;
   double advance(System& system, double t, double t_end) override;
   bool chooses_steps() const override { return true; }
+  bool goes_by_image() const override { return method_.set_fixed_step != nullptr; }
   Statistics statistics() const override;
 
  private:

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "check_memory.hpp"
 #include "checks.hpp"
 #include "flush_denormals.hpp"
 #include "merged_frequency.hpp"
@@ -121,19 +122,22 @@ void Index3::refuse_unstable(const State& s, double h) {
   mbs::refuse_unstable("index-3 formulation", settings_.beta, frequency_, s.time, h);
 }
 
-/// The tangent at hand, which refresh() uses, what the projection left, and the tangent's penalty.
+/// The penalty of the tangent at hand, which refresh() uses, the highest frequency and when it is looked at,
+/// what the projection left, and that tangent.
 std::vector<double> Index3::memory() const {
-  std::vector<double> all = terms_.tangent.values();
+  std::vector<double> all = {weight_, frequency_, static_cast<double>(steps_)};
   all.insert(all.end(), left_.begin(), left_.end());
-  all.push_back(weight_);
+  const auto more = terms_.memory();
+  all.insert(all.end(), more.begin(), more.end());
   return all;
 }
 
 void Index3::recall(std::span<const double> memory) {
-  const auto values = memory.first(terms_.tangent.values().size());
-  std::copy_n(memory.begin() + values.size(), left_.size(), left_.begin());
-  weight_ = memory.back();
-  terms_.recall(values);
+  const auto head = static_cast<std::size_t>(3 + left_.size());
+  check_memory(memory.size() >= head);
+  terms_.recall(memory.subspan(head));
+  std::copy_n(memory.begin() + 3, left_.size(), left_.begin());
+  weight_ = memory[0], frequency_ = memory[1], steps_ = static_cast<long>(memory[2]);
 }
 
 void Index3::predict(State& s, double h, double t_end) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "../dense.hpp"
+#include "check_memory.hpp"
 #include "checks.hpp"
 #include "settings.hpp"
 
@@ -74,6 +75,7 @@ bool NullSpace::choose() {
 }
 
 void NullSpace::recall(std::span<const double> memory) {
+  for (const double i : memory) check_memory(i >= 0.0 && i < structure_.variables);
   dependent_.assign(memory.begin(), memory.end());
   independent_.clear();
   for (int i = 0; i < structure_.variables; ++i)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "check_memory.hpp"
 #include "settings.hpp"
 #include "tandem/mbs/integrators/frequency.hpp"
 
@@ -44,6 +45,7 @@ std::vector<double> NewmarkFamily::memory() const {
 }
 
 void NewmarkFamily::recall(std::span<const double> memory) {
+  check_memory(memory.size() == static_cast<std::size_t>(lag_.size()) + 2);
   std::copy_n(memory.begin(), lag_.size(), lag_.begin());
   steps_ = static_cast<int>(memory[memory.size() - 2]);
   frequency_ = memory.back();

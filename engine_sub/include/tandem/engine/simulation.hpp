@@ -49,6 +49,8 @@ class Simulation {
   const std::vector<double>& keep();
   const std::vector<double>& signals() const { return system_.image(); }
   void restore(double t, std::span<const double> state);
+  /// Whether keep() leaves what follows as it would be without it.
+  bool keeps_exactly() const { return integrator_->goes_by_image(); }
 
  private:
   double sign_at_start(const Crossing& crossing) const;
@@ -77,7 +79,7 @@ class Simulation {
   System system_;
   std::unique_ptr<Integrator> integrator_;
   SimulationSettings settings_;
-  double time_ = 0.0;
+  double start_ = 0.0, time_ = 0.0;
   int events_ = 0;
   bool begun_ = false;          ///< a step has been asked for since the start
   std::vector<bool> was_told_;  ///< by bound

@@ -30,6 +30,9 @@ class Integrator {
 
   /// Whether its steps are its own, so that it has to stop where an input jumps or bends.
   virtual bool chooses_steps() const { return false; }
+  /// Whether it goes by the system's image alone, so that restart() changes nothing of what follows: it has
+  /// neither a past of steps nor lengths of its own.
+  virtual bool goes_by_image() const { return false; }
   virtual Statistics statistics() const = 0;
 };
 
