@@ -77,9 +77,7 @@ int run(int argc, char** argv) {
   tandem::cli::add_modes(app, context);
   tandem::cli::add_list(app, context);
   tandem::cli::add_serve(app, context);
-#if TANDEM_HAS_ZEROMQ
   tandem::cli::add_keys(app, context);
-#endif
   tandem::cli::add_bench(app, context);
   tandem::cli::add_view(app, context);
   try {
