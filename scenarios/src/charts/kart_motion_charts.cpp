@@ -100,17 +100,17 @@ Picture kart_pitch_chart(const KartLevel& level, const std::vector<std::string>&
   Picture picture =
       stacked("pitch", level, caption,
               "The kart (level " + level.name + ") with steps of 10 ms, its engine with 0.1 ms");
-  picture.legend({0.05, 0.95, 0.92, 0.95},
+  picture.legend({0.05, 0.95, 0.935, 0.97},
                  {{"", "with lines " + line_of(0), "reference"},
                   {"", "with lines " + line_of(3), named("worst", worst)},
-                  {"", "with lines " + line_of(4), named("best", best)}},
+                  {"", "with lines " + line_of(5), named("best", best)}},
                  3);
   mark_gears(picture, reference.columns.at("gear"));
   draw(picture, Panels{{"throttle [deg]; dotted: changes of gear", {{reference, "throttle", 0}}},
                        {"pitch, nose down positive [deg]",
-                        {{worst, "pitch", 3}, {best, "pitch", 4}, {reference, "pitch", 0}}},
+                        {{worst, "pitch", 3}, {best, "pitch", 5}, {reference, "pitch", 0}}},
                        {"difference of the worst scheme [deg]", {{worst, "difference", 3}}},
-                       {"difference of the best scheme [deg]", {{best, "difference", 4}}}});
+                       {"difference of the best scheme [deg]", {{best, "difference", 5}}}});
   return picture;
 }
 
