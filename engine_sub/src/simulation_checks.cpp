@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "compile/sort.hpp"
 #include "tandem/engine/simulation.hpp"
 #include "tandem/error.hpp"
 
@@ -43,20 +42,13 @@ bool Simulation::is_finite() const {
 /// The first block that makes what is not finite out of what is; else the first state that is not.
 void Simulation::refuse_not_finite() const {
   if (is_finite()) return;
+  if (const std::string source = system_.not_finite(); !source.empty())
+    throw Error(ErrorCode::numerical, fmt::format("{} at t = {} s", source, time_));
   const Program& program = system_.program();
-  const auto& image = system_.image();
-  const auto refuse = [&](const std::string& what, int slot, const char* is) {
-    throw Error(ErrorCode::numerical,
-                fmt::format("{}{} {} {} at t = {} s", what, program.named(program.signal_blocks[slot]), is,
-                            image[slot], time_));
-  };
-  const auto finite = [&](int slot) { return std::isfinite(image[slot]); };
-  for (const Operation& o : program.operations) {
-    const auto from = reads(o);
-    if (!finite(o.out) && std::all_of(from.begin(), from.end(), finite)) refuse("", o.out, "gives");
-  }
   for (int i = 0; i < program.states; ++i)
-    if (!finite(i)) refuse("the state of ", i, "is");
+    if (const double value = system_.image()[i]; !std::isfinite(value))
+      throw Error(ErrorCode::numerical, fmt::format("the state of {} is {} at t = {} s",
+                                                    program.named(program.signal_blocks[i]), value, time_));
 }
 
 void Simulation::refuse_outside() const {

@@ -1,8 +1,13 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "tandem/engine/system.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include "compile/sort.hpp"
 #include "loop_solver.hpp"
 
 namespace tandem::engine {
@@ -33,10 +38,23 @@ double System::watched(int crossing) const {
 }
 
 double System::watched_sign(int crossing) const {
+  constexpr double smallest = 0x1p-511;  // SUNDIALS multiplies two of them
   const double value = watched(crossing);
   if (value != 0.0) return value;
   const int sign = program_.crossings[static_cast<std::size_t>(crossing)].sign;
-  return image_[static_cast<std::size_t>(sign)] * std::numeric_limits<double>::min();
+  return smallest * image_[static_cast<std::size_t>(sign)];
+}
+
+std::string System::not_finite() const {
+  const auto finite = [this](int slot) { return std::isfinite(image_[static_cast<std::size_t>(slot)]); };
+  for (const Operation& o : program_.operations) {
+    const auto from = reads(o);
+    if (!finite(o.out) && std::all_of(from.begin(), from.end(), finite))
+      return fmt::format("{} gives {}",
+                         program_.named(program_.signal_blocks[static_cast<std::size_t>(o.out)]),
+                         image_[static_cast<std::size_t>(o.out)]);
+  }
+  return "";
 }
 
 int System::changed(int first) const {

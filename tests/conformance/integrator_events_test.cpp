@@ -52,7 +52,8 @@ TEST_P(EventsByEach, OfASignalThatStaysZeroAreSeenWhereItLeaves) {
 /// 0.3 at 0.3 s; back to 0.1 at 0.5 s and at 0.3 again at 0.7 s.
 TEST_P(EventsByEach, OfAResetFreeWhatALimitHeld) {
   DiagramRun run(
-      "[blocks]\nat = { kind = 'step', time = 0.5 }\nback = { kind = 'gain', input = 'at', gain = 1, offset "
+      "[blocks]\nat = { kind = 'step', time = 0.5, after = 1 }\nback = { kind = 'gain', input = 'at', gain = "
+      "1, offset "
       "= "
       "-0.5 }\n"
       "y = { kind = 'integrator', input = 1, high = 0.3, reset = 'back', reset_to = 0.1 }\n"

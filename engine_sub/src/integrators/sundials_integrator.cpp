@@ -55,7 +55,10 @@ int SundialsIntegrator::rates(double t, N_Vector x, N_Vector dx, void* self) {
   double* const d = N_VGetArrayPointer(dx);
   ++integrator.statistics_.rate_evaluations;
   if (!integrator.survives([&] { system.rates(t, d); })) return 1;
-  return std::all_of(d, d + system.size(), [](double rate) { return std::isfinite(rate); }) ? 0 : 1;
+  if (std::all_of(d, d + system.size(), [](double rate) { return std::isfinite(rate); })) return 0;
+  const std::string source = system.not_finite();
+  if (!source.empty()) integrator.not_finite_ = fmt::format("; {} at t = {} s", source, t);
+  return 1;
 }
 
 int SundialsIntegrator::watch(double t, N_Vector x, double* g, void* self) {
@@ -88,8 +91,8 @@ void SundialsIntegrator::check(int flag) const {
   if (flag >= 0) return;
   if (!failure_.empty()) throw Error(ErrorCode::numerical, failure_);
   throw Error(ErrorCode::numerical,
-              fmt::format("integrator {} can't go on at t = {} s: {}", method_.name, time_,
-                          message_.empty() ? fmt::format("error {}", flag) : message_));
+              fmt::format("integrator {} can't go on at t = {} s: {}{}", method_.name, time_,
+                          message_.empty() ? fmt::format("error {}", flag) : message_, not_finite_));
 }
 
 Statistics SundialsIntegrator::statistics() const {
@@ -116,6 +119,8 @@ double SundialsIntegrator::first_step(Restart why) const {
 void SundialsIntegrator::restart(System& system, double t, Restart why) {
   system_ = &system;
   time_ = t;
+  standing_ = 0;
+  not_finite_.clear();
   if (system.size() == 0) return still_.restart(system, t, why);
   if (!x_) x_ = N_VNew_Serial(system.size(), context_);
   std::copy_n(system.states(), system.size(), N_VGetArrayPointer(x_));
@@ -153,6 +158,7 @@ double SundialsIntegrator::advance(System& system, double t, double t_end) {
   time_ = t;
   if (time_ < t_end) step(t_end);
   steps_ = time_ < t_end ? steps_ + 1 : 0;
+  refuse_standstill(t);
   if (steps_ > settings_.most_steps)
     throw Error(ErrorCode::numerical,
                 fmt::format("integrator {} has taken {} steps at t = {} s, on the way to {} s", method_.name,
@@ -160,6 +166,16 @@ double SundialsIntegrator::advance(System& system, double t, double t_end) {
   std::copy_n(N_VGetArrayPointer(x_), system.size(), system.states());
   system.evaluate(time_);
   return time_;
+}
+
+/// Where derivatives are numbers up to some time alone, steps get shorter and shorter before it.
+void SundialsIntegrator::refuse_standstill(double from) {
+  constexpr int most = 1000;
+  constexpr double shortest = 4.0 * std::numeric_limits<double>::epsilon();
+  standing_ = time_ - from > shortest * std::abs(from) ? 0 : standing_ + 1;
+  if (standing_ > most)
+    throw Error(ErrorCode::numerical, fmt::format("integrator {} no longer comes forward at t = {} s{}",
+                                                  method_.name, time_, not_finite_));
 }
 
 /// One of its steps, not past t_end; it ends at a root.

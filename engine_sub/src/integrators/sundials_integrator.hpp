@@ -67,6 +67,7 @@ class SundialsIntegrator final : public Integrator {
   void create(double t);
   double first_step(Restart why) const;
   void step(double t_end);
+  void refuse_standstill(double from);
   void check(int flag) const;
   template <class Work>
   bool survives(const Work& work);
@@ -81,10 +82,12 @@ class SundialsIntegrator final : public Integrator {
   void* memory_ = nullptr;
   System* system_ = nullptr;
   double time_ = 0.0;
-  long steps_ = 0;  ///< on the way to the time that it is asked for
+  long steps_ = 0;    ///< on the way to the time that it is asked for
+  int standing_ = 0;  ///< steps in a row that time does not show
   std::string message_, failure_;
-  Statistics statistics_;  ///< of its counts up to the last restart
-  RungeKutta4 still_;      ///< of a system without states, of which SUNDIALS has none
+  std::string not_finite_;  ///< which block made the last derivative that was not finite, and when
+  Statistics statistics_;   ///< of its counts up to the last restart
+  RungeKutta4 still_;       ///< of a system without states, of which SUNDIALS has none
 };
 
 }  // namespace tandem::engine

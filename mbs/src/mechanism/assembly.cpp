@@ -123,13 +123,15 @@ std::unique_ptr<ConstraintSet> angle_set(const Description& in, const Numbering&
   return set;
 }
 
-/// The largest body's; without bodies the longest edge of a product, or else what one can't tell: 1 m.
+/// The largest body's, or else the longest edge of a product; 1 m where there is neither, and where variables
+/// are not lengths alone: one tolerance then serves numbers without a unit too.
 double length_of(const Description& in, const std::vector<ScalarProduct>& products) {
+  const auto turns = [](const Entity& e) { return e.kind == Entity::Kind::vector && !e.fixed; };
+  if (!in.relatives.empty() || std::any_of(in.entities.begin(), in.entities.end(), turns)) return 1.0;
   double length = 0.0;
   for (const Body& body : in.bodies) length = std::max(length, BodyCoordinates(in, body).size());
-  if (length > 0.0) return length;
   for (const ScalarProduct& p : products)
-    if (is_distance(p)) length = std::max(length, drawn(in, p.a).norm());
+    if (length == 0.0 && is_distance(p)) length = drawn(in, p.a).norm();
   return length > 0.0 ? length : 1.0;
 }
 

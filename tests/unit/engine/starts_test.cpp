@@ -65,7 +65,8 @@ TEST(Start, OfWhatPassesIsBehindWhatHasBeenPassed) {
   EXPECT_EQ(end("u = { kind = 'gain', input = 'time', gain = 10, offset = 5.55 }\n" + count), 10.0);
   EXPECT_EQ(end("u = { kind = 'sum', inputs = ['s', 'time'] }\n"
                 "s = { kind = 'step', time = 0.45, after = 2.6 }\n" +
-                count),
+                    count,
+                2.0),
             2.0);
 }
 

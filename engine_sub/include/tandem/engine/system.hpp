@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "tandem/engine/program.hpp"
@@ -65,8 +66,11 @@ class System {
   /// After evaluate(): the number of the first crossing from `first` on whose signal has another sign than it
   /// was last seen with; -1 for none. A signal that is zero keeps its sign.
   int changed(int first = 0) const;
+  /// "block 'f' (engine.toml:12) gives nan": the first that makes what is not finite out of what is; empty if
+  /// there is none.
+  std::string not_finite() const;
   double watched(int crossing) const;
-  /// The same, but for zero the smallest number of the sign that it keeps.
+  /// The same, but for zero a number next to it of the sign that it keeps.
   double watched_sign(int crossing) const;
 
  private:
