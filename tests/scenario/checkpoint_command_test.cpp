@@ -48,7 +48,7 @@ TEST(CheckpointCommand, ScenesGoOnToTheSameFiles) {
 }
 
 TEST(CheckpointCommand, AMechanismAloneGoesOnToTheSameFiles) {
-  goes_on({scene("mechanisms/bricard/bricard.toml"), "--set", "run.stop=1"}, "0.3");
+  goes_on({scene("mechanisms/bricard/bricard.toml"), "--set", "run.stop=2.5", "--set", "run.step=1e-3"}, "1");
 }
 
 TEST(CheckpointCommand, GoesOnWithASubsystemInAnotherProcess) {
