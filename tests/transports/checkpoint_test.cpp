@@ -12,7 +12,7 @@
 namespace tandem::test {
 namespace {
 
-constexpr const char* parameters = "frequency_ratio=30.7";
+constexpr const char* same_ratio = "frequency_ratio=30.7";
 
 /// Mass 1 here, mass 2 from that source.
 struct CutMasses {
@@ -27,7 +27,7 @@ struct CutMasses {
 };
 
 void goes_on_over(const std::string& uri) {
-  CutMasses here(std::string("builtin:two_mass.slow?") + parameters);
+  CutMasses here(std::string("builtin:two_mass.slow?") + same_ratio);
   const auto expected = here.bench.run(4.0).all();
   for (int cut = 0; cut < 30; cut += 5) {
     CutMasses before(uri), after(uri);
@@ -36,7 +36,7 @@ void goes_on_over(const std::string& uri) {
   }
 }
 
-std::string with_parameters(const std::string& address) { return address + "?" + parameters; }
+std::string with_parameters(const std::string& address) { return address + "?" + same_ratio; }
 
 TEST(CheckpointOver, Libraries) {
   for (const char* language : {"c", "cpp"}) goes_on_over(mass2_library(language) + mass2_parameters(30.7));
