@@ -18,7 +18,7 @@ struct Context {
   bool quiet = false;  ///< results and errors only
   bool verbose = false;
   bool allow_plaintext = false;  ///< also beyond the loopback interface
-  Builtins builtins;  ///< what "builtin:NAME" can name
+  Builtins builtins;             ///< what "builtin:NAME" can name
 };
 
 // Each adds one subcommand to the app; `context` outlives the parsing. The work is done in the subcommand's
@@ -36,5 +36,6 @@ void add_keys(CLI::App& app, Context& context);  // with ZeroMQ only
 void add_serve(CLI::App& app, Context& context);
 void add_bench(CLI::App& app, Context& context);
 void add_view(CLI::App& app, Context& context);
+void add_ladder(CLI::App& app, Context& context);
 
 }  // namespace tandem::cli
