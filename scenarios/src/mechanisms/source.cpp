@@ -55,7 +55,8 @@ void animate(mbs::Description& d) {
 std::unique_ptr<Subsystem> make(const std::filesystem::path& file, Parameters& p) {
   const text::Document document(file);
   take_run_table(document, p);
-  mbs::Description description = mbs::read_mechanism(file, element_kinds());
+  mbs::Description description =
+      mbs::read_mechanism(file, element_kinds([&p] { return p.text("tyre", ""); }));
   read_view(document, description);  // refuses what is wrong with it
   if (p.flag("animate", false)) animate(description);
   if (!p.has("step"))
