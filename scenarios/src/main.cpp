@@ -80,6 +80,7 @@ int run(int argc, char** argv) {
   tandem::cli::add_keys(app, context);
   tandem::cli::add_bench(app, context);
   tandem::cli::add_view(app, context);
+  tandem::cli::add_ladder(app, context);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& done) {

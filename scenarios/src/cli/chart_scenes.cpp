@@ -6,6 +6,7 @@
 #include "charts/engine_linkage_charts.hpp"
 #include "charts/flat_position_chart.hpp"
 #include "charts/kart_charts.hpp"
+#include "charts/ladder_chart.hpp"
 #include "charts/linkage_cost_chart.hpp"
 #include "charts/linkage_errors_chart.hpp"
 #include "charts/mechanisms_work_chart.hpp"
@@ -81,6 +82,11 @@ Drawing kart(const fs::path& folder) {
   return drawing;
 }
 
+Drawing ladder(const fs::path& folder) {
+  const auto caption = conditions_caption(folder / "conditions.json", 150);
+  return {{charts::ladder_chart(charts::read_ladder(folder / "ladder.csv"), caption)}, ""};
+}
+
 Drawing solvers(const fs::path& folder) {
   const auto caption = conditions_caption(folder / "solvers_conditions.json", 140);
   return {{charts::solver_map_chart(charts::read_solver_times(folder / "solvers.csv"), caption)}, ""};
@@ -134,6 +140,11 @@ const ChartScene scenes[] = {
      {"results.csv", "work.csv", "elapsed.csv", "conditions.json"},
      engine_linkage},
     {"kart", "results/kart", "sweep kart --output {}", {"work.csv", "traces.csv", "conditions.json"}, kart},
+    {"ladder",
+     "results/ladder/kart",
+     "ladder SCENARIO --output {}",
+     {"ladder.csv", "conditions.json"},
+     ladder},
     {"solvers",
      "results/bench",
      "bench solvers --output {}",

@@ -36,5 +36,6 @@ void add_keys(CLI::App& app, Context& context);
 void add_serve(CLI::App& app, Context& context);
 void add_bench(CLI::App& app, Context& context);
 void add_view(CLI::App& app, Context& context);
+void add_ladder(CLI::App& app, Context& context);
 
 }  // namespace tandem::cli
