@@ -1,12 +1,15 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 // What every subsystem has to do, over each transport.
 #include "c_oscillator.h"
+#include "child.hpp"
 #include "contract_suite.hpp"
 #include "mass2_library.hpp"
+#include "peers.hpp"
 #include "python.hpp"
 #include "scratch.hpp"
 #include "served.hpp"
 #include "tandem/c_subsystem.hpp"
+#include "tandem/peer.h"
 
 namespace tandem::test {
 namespace {
@@ -80,6 +83,38 @@ INSTANTIATE_TEST_SUITE_P(Python, SubsystemContract,
                          testing::Values(ContractCase{"mass2",
                                                       [] { return open(python_mass2(), all_sources()); }}),
                          contract_name);
+
+/// The oscillator again, served by a program in C.
+ContractCase served_in_c(const std::string& name, const std::string& address, const std::string& parameters) {
+  return {name, [address, parameters] {
+            static std::map<std::string, std::unique_ptr<PeerServer>> servers;
+            auto& server = servers[address];
+            if (!server) server = std::make_unique<PeerServer>(oscillator_server(), address);
+            return open(server->address() + parameters, all_sources());
+          }};
+}
+INSTANTIATE_TEST_SUITE_P(CServes, SubsystemContract,
+                         testing::Values(served_in_c("tcp", "tcp://127.0.0.1:0", "?m=2&k=30&c=0.1&h=0.013"),
+                                         served_in_c("unix", unix_address() + "-c", "?h=0.03&x0=1&v0=-2"),
+                                         ContractCase{"spawn",
+                                                      [] {
+                                                        return open(
+                                                            "spawn:" + oscillator_server() + "?h=0.02",
+                                                            all_sources());
+                                                      }}),
+                         contract_name);
+
+/// The oscillator of this program, driven through a client in C.
+ContractCase driven_by_c(const std::string& name, const std::string& address, const std::string& parameters) {
+  return {name, [address, parameters] {
+            return std::make_unique<CSubsystem>(tandem_remote(), oscillators(address).address() + parameters);
+          }};
+}
+INSTANTIATE_TEST_SUITE_P(CDrives, SubsystemContract,
+                         testing::Values(driven_by_c("tcp", "tcp://127.0.0.1:0", "?m=2&k=30&c=0.1&h=0.013"),
+                                         driven_by_c("unix", unix_address(), "?h=0.03&x0=1&v0=-2")),
+                         contract_name);
+
 INSTANTIATE_TEST_SUITE_P(Unix, SubsystemContract,
                          testing::Values(at("blocking", unix_address(), "?spin=0"),
                                          at("spinning", unix_address(), "?m=2&k=30&c=0.1&h=0.013", 1e4)),

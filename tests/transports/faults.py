@@ -2,8 +2,9 @@
 # Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 """Faults on sockets, each made by a second process, on the side that calls and on the side that serves.
 
-  faults.py TANDEM FILE.csv
+  faults.py TANDEM FILE.csv [SERVER CALLER]
 
+SERVER and CALLER are programs that serve and call in place of TANDEM: `SERVER --listen URI ...`, `CALLER URI`.
 A call has to end within its deadline in one sentence that names the address, with what was recorded kept; a server has to
 live on, and to hold no more files and threads than before. Writes kind,transport,side,outcome,seconds; the status is 1 if a
 row is not as it has to be."""
@@ -169,30 +170,35 @@ def in_a_process(work):
 
 
 class Caller:
-    """The side that calls: `tandem run` with a faulty server."""
+    """The side that calls, with a faulty server: `tandem run`, or a program that is given the URI."""
 
-    def __init__(self, command, folder):
-        self.command, self.folder, self.rows = command, folder, []
+    def __init__(self, command, folder, program=None):
+        self.command, self.folder, self.program, self.rows = command, folder, program, []
 
-    def run(self, kind, transport, uri, limit=DEADLINE + SLACK):
-        folder = tempfile.mkdtemp(dir=self.folder)
+    def words(self, uri, folder):
+        if self.program:
+            return [self.program, uri]
         scenario = os.path.join(folder, "run.toml")
         with open(scenario, "w") as file:
             file.write(f'[subsystems.far]\nsource = "{uri}"\n[span]\nstop = 10.0\n'
                        '[subsystems.near]\nsource = "builtin:two_mass.fast?frequency_ratio=2"\n'
                        '[[connections]]\nfrom = "near.x1"\nto = "far.u"\nreconstruction = "lagrange0"\n'
                        '[[connections]]\nfrom = "far.x"\nto = "near.x2"\nreconstruction = "lagrange0"\n')
+        return [self.command, "run", scenario, "--output", folder]
+
+    def run(self, kind, transport, uri, limit=DEADLINE + SLACK):
+        folder = tempfile.mkdtemp(dir=self.folder)
         place = "no-such-host" if kind == "unknown_host" else uri.partition("?")[0]
         begin = time.monotonic()
         try:
-            done = subprocess.run([self.command, "run", scenario, "--output", folder], capture_output=True,
-                                  text=True, timeout=30)
+            done = subprocess.run(self.words(uri, folder), capture_output=True, text=True, timeout=30)
             status, said = done.returncode, done.stderr
         except subprocess.TimeoutExpired:
             status, said = None, ""
         seconds = time.monotonic() - begin
         outcome = {0: "ok", 1: "error", 2: "error", None: "hang"}.get(status, "crash")
-        sound = outcome == "error" and seconds < limit and "'far'" in said and place in said and self.whole(folder)
+        named = place in said and (self.program or "'far'" in said)
+        sound = outcome == "error" and seconds < limit and named and self.whole(folder)
         self.rows.append((kind, transport, "calls", outcome, seconds, sound, said.strip()))
 
     @staticmethod
@@ -297,19 +303,20 @@ def serving_faults():
 
 
 class Served:
-    """The side that serves: one `tandem serve` for all faults of a transport."""
+    """The side that serves: one server (`tandem serve SOURCE`, or another) for all faults of a transport."""
 
     def __init__(self, command, transport, folder):
-        self.address, self.rows = Address(transport, folder), []
+        self.command, self.address, self.rows = command, Address(transport, folder), []
         self.process = subprocess.Popen(
-            [command, "serve", "builtin:two_mass.fast", "--listen", self.address.uri, "--sessions", "20",
-             "--deadline", str(DEADLINE), "--idle", "1.0"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+            [*command, "--listen", self.address.uri, "--sessions", "20", "--deadline", str(DEADLINE), "--idle", "1.0"],
+            stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
         self.address.uri = self.process.stdout.readline().split(" at ")[1].strip()
 
     def held(self):
-        """Open files and threads."""
+        """Open files, threads and processes."""
         place = f"/proc/{self.process.pid}"
-        return (len(os.listdir(place + "/fd")), len(os.listdir(place + "/task")))
+        with open(f"{place}/task/{self.process.pid}/children") as children:
+            return (len(os.listdir(place + "/fd")), len(os.listdir(place + "/task")), len(children.read().split()))
 
     def is_alive(self):
         try:
@@ -406,8 +413,7 @@ class Served:
         for k, phase in enumerate(["hello", "info", "initialize", "advance"]):
             self.timed(f"client_killed_after_{phase}", lambda: self.client_dies(signal.SIGKILL, (OPEN + [advance()])[:k + 1]))
         self.timed("client_stopped", lambda: self.client_dies(signal.SIGSTOP, OPEN))
-        second = subprocess.run([sys.argv[1], "serve", "builtin:two_mass.fast", "--listen", self.address.uri],
-                                capture_output=True, timeout=30)
+        second = subprocess.run([*self.command, "--listen", self.address.uri], capture_output=True, timeout=30)
         self.rows.append(("address_in_use", self.address.transport, "serves",
                           "error" if second.returncode == 2 else "ok", 0.0, second.returncode == 2, ""))
         for _ in range(100):  # sessions end on their own
@@ -416,21 +422,21 @@ class Served:
                 break
             time.sleep(0.05)
         self.rows.append(("nothing_is_left", self.address.transport, "serves", "ok", 0.0, after <= before,
-                          f"files and threads {before}, then {after}"))
+                          f"files, threads and processes {before}, then {after}"))
         with self.address.connect():  # an open session does not keep it
             self.process.terminate()
             status = self.process.wait(10)
         self.rows.append(("ended_by_sigterm", self.address.transport, "serves", "ok", 0.0, status == 0, str(status)))
 
 
-def main(command, output):
+def main(command, output, server=None, caller_program=None):
     signal.signal(signal.SIGPIPE, signal.SIG_IGN)
     rows = []
     with tempfile.TemporaryDirectory() as folder:
         for transport in ("tcp", "unix"):
-            caller = Caller(command, folder)
+            caller = Caller(command, folder, caller_program)
             caller.all(transport)
-            served = Served(command, transport, folder)
+            served = Served([server] if server else [command, "serve", "builtin:two_mass.fast"], transport, folder)
             try:
                 served.all()
             finally:
