@@ -89,7 +89,7 @@ ContractCase served_in_c(const std::string& name, const std::string& address, co
   return {name, [address, parameters] {
             static std::map<std::string, std::unique_ptr<PeerServer>> servers;
             auto& server = servers[address];
-            if (!server) server = std::make_unique<PeerServer>(oscillator_server(), address);
+            if (!server) server = std::make_unique<PeerServer>(std::vector{oscillator_server()}, address);
             return open(server->address() + parameters, all_sources());
           }};
 }
@@ -114,6 +114,19 @@ INSTANTIATE_TEST_SUITE_P(CDrives, SubsystemContract,
                          testing::Values(driven_by_c("tcp", "tcp://127.0.0.1:0", "?m=2&k=30&c=0.1&h=0.013"),
                                          driven_by_c("unix", unix_address(), "?h=0.03&x0=1&v0=-2")),
                          contract_name);
+
+#ifdef TANDEM_MEX_FOLDER
+INSTANTIATE_TEST_SUITE_P(Octave, SubsystemContract,
+                         testing::Values(ContractCase{"mass2",
+                                                      [] {
+                                                        static const PeerServer server(
+                                                            octave_program("mass2.m"), unix_address() + "-m");
+                                                        return open(server.address() + "?deadline=20&" +
+                                                                        mass2_parameters(),
+                                                                    all_sources());
+                                                      }}),
+                         contract_name);
+#endif
 
 INSTANTIATE_TEST_SUITE_P(Unix, SubsystemContract,
                          testing::Values(at("blocking", unix_address(), "?spin=0"),

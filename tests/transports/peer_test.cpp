@@ -30,7 +30,7 @@ TEST(Peer, TwoMassesWithMass2InCGiveTheSameBits) {
   EXPECT_TRUE(same_bits(masses_with("spawn:" + c_mass2() + "?" + mass2_parameters(30.7)), builtin));
   for (const std::string& address :
        {std::string("tcp://127.0.0.1:0"), "unix:" + (folder.path() / "socket").string()}) {
-    const PeerServer server(c_mass2(), address);
+    const PeerServer server({c_mass2()}, address);
     EXPECT_TRUE(same_bits(masses_with(server.address() + "?" + mass2_parameters(30.7)), builtin));
   }
 }
@@ -49,7 +49,7 @@ TEST(Peer, AnErrorOfTheSubsystemHasItsCodeAndSentence) {
 }
 
 TEST(Peer, SeveralSessionsAtOnceAndEachHasAnInstanceOfItsOwn) {
-  const PeerServer server(oscillator_server(), "tcp://127.0.0.1:0");
+  const PeerServer server({oscillator_server()}, "tcp://127.0.0.1:0");
   const auto a = open(server.address() + "?h=0.1", all_sources());
   const auto b = open(server.address() + "?h=0.3", all_sources());
   std::vector<double> row(static_cast<std::size_t>(a->info().row_size()));
