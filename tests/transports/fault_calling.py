@@ -176,31 +176,36 @@ def tls_listeners(transport):
 
 
 class Caller:
-    """`tandem run` with a faulty server."""
+    """`tandem run`, or a program that is given the URI, with a faulty server."""
 
-    def __init__(self, command, folder, transport):
-        self.command, self.folder, self.transport, self.rows = command, folder, transport, []
+    def __init__(self, command, folder, transport, program=None):
+        self.command, self.folder, self.transport, self.program, self.rows = command, folder, transport, program, []
 
-    def run(self, kind, uri, limit=DEADLINE + SLACK, name=None, place=None):
-        """place: what has to be named, if it is not the address."""
-        folder = tempfile.mkdtemp(dir=self.folder)
+    def words(self, uri, folder):
+        if self.program:
+            return [self.program, uri]
         scenario = os.path.join(folder, "run.toml")
         with open(scenario, "w", encoding="utf-8") as file:
             file.write(f'[subsystems.far]\nsource = "{uri}"\n[span]\nstop = 10.0\n'
                        '[subsystems.near]\nsource = "builtin:two_mass.fast?frequency_ratio=2"\n'
                        '[[connections]]\nfrom = "near.x1"\nto = "far.u"\nreconstruction = "lagrange0"\n'
                        '[[connections]]\nfrom = "far.x"\nto = "near.x2"\nreconstruction = "lagrange0"\n')
+        return [self.command, "run", scenario, "--output", folder]
+
+    def run(self, kind, uri, limit=DEADLINE + SLACK, name=None, place=None):
+        """place: what has to be named, if it is not the address."""
+        folder = tempfile.mkdtemp(dir=self.folder)
         place = place or uri.partition("?")[0]
         begin = time.monotonic()
         try:
-            done = subprocess.run([self.command, "run", scenario, "--output", folder], capture_output=True,
-                                  text=True, timeout=30, check=False)
+            done = subprocess.run(self.words(uri, folder), capture_output=True, text=True, timeout=30, check=False)
             status, said = done.returncode, done.stderr
         except subprocess.TimeoutExpired:
             status, said = None, ""
         seconds = time.monotonic() - begin
         outcome = {0: "ok", 1: "error", 2: "error", None: "hang"}.get(status, "crash")
-        sound = outcome == "error" and seconds < limit and "'far'" in said and place in said and self.whole(folder)
+        named = place in said and (self.program or "'far'" in said)
+        sound = outcome == "error" and seconds < limit and named and self.whole(folder)
         self.rows.append((kind, name or self.transport.name, "calls", outcome, seconds, sound, said.strip()))
 
     @staticmethod

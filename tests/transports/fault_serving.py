@@ -73,12 +73,13 @@ def serving_faults():
 
 
 class Served:
-    """One `tandem serve` for all faults of a transport."""
+    """One server (`tandem serve`, or another program) for all faults of a transport."""
 
-    def __init__(self, command, transport, folder):
-        self.command, self.transport, self.folder, self.rows = command, transport, folder, []
+    def __init__(self, command, transport, folder, program=None):
+        self.command = [program] if program else [command, "serve", "builtin:two_mass.fast"]
+        self.transport, self.folder, self.rows = transport, folder, []
         self.process = subprocess.Popen(
-            [command, "serve", "builtin:two_mass.fast", "--listen", transport.free_address(), *transport.options, "--sessions",
+            [*self.command, "--listen", transport.free_address(), *transport.options, "--sessions",
              "20", "--deadline", str(DEADLINE), "--idle", str(IDLE)],
             stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
         self.uri = self.process.stdout.readline().split(" at ")[1].strip()
@@ -245,7 +246,7 @@ class Served:
 
     def second_server(self):
         """At the same address."""
-        done = subprocess.run([self.command, "serve", "builtin:two_mass.fast", "--listen", self.uri, *self.transport.options],
+        done = subprocess.run([*self.command, "--listen", self.uri, *self.transport.options],
                               capture_output=True, timeout=30, check=False)
         self.row("address_in_use", "error" if done.returncode == 2 else "ok", 0.0, done.returncode == 2)
 

@@ -2,8 +2,9 @@
 # Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 """Faults on sockets, each made by a second process, on the side that calls and on the side that serves.
 
-  faults.py TANDEM FILE.csv [TRANSPORT...]     of tcp unix tls zmq:tcp zmq:curve; all that TANDEM was built with
+  faults.py TANDEM FILE.csv [--programs SERVER CALLER] [TRANSPORT...]     of tcp unix tls zmq:tcp zmq:curve; all that TANDEM was built with
 
+SERVER and CALLER serve and call in place of TANDEM: `SERVER --listen URI ...`, `CALLER URI`.
 A call has to end within its deadline in one sentence that names the address, with what was recorded kept; a server has to
 live on, and to hold no more files, threads and children than before. Writes kind,transport,side,outcome,seconds; the status
 is 1 if a row is not as it has to be."""
@@ -21,10 +22,10 @@ from fault_peers import all_transports  # noqa: E402
 from fault_serving import Served  # noqa: E402
 
 
-def rows_of(command, folder, transport):
-    caller = Caller(command, folder, transport)
+def rows_of(command, folder, transport, server, program):
+    caller = Caller(command, folder, transport, program)
     caller.all()
-    served = Served(command, transport, folder)
+    served = Served(command, transport, folder, server)
     try:
         served.all()
     finally:
@@ -44,6 +45,9 @@ def write(output, rows):
 def main(command, output, *names):
     signal.signal(signal.SIGPIPE, signal.SIG_IGN)
     command = os.path.abspath(command)
+    server = program = None
+    if names[:1] == ("--programs",):
+        server, program, names = *names[1:3], names[3:]
     rows = []
     with tempfile.TemporaryDirectory() as folder:
         found = all_transports(command, folder)
@@ -53,7 +57,7 @@ def main(command, output, *names):
                      + ", ".join(transport.name for transport in found))
         asked = [transport for transport in found if not names or transport.name in names]
         with concurrent.futures.ProcessPoolExecutor(len(asked)) as pool:  # most of the time is spent waiting
-            for some in pool.map(rows_of, [command] * len(asked), [folder] * len(asked), asked):
+            for some in pool.map(rows_of, *zip(*((command, folder, transport, server, program) for transport in asked))):
                 rows += some
     write(output, rows)
     wrong = [row for row in rows if not row[5]]
