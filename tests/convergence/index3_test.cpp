@@ -266,7 +266,7 @@ TEST(Index3, ForgetsATangentThatIsNotPositiveDefiniteWhereAnotherIsPutBack) {
   pushed.a.setZero();
   pushed.a[0] = 8000.0;
   formulation.step(pushed, 0.01, 0.01);
-  ASSERT_EQ(formulation.memory().back(), 0.0);  // no tangent of use
+  ASSERT_EQ(formulation.memory().front(), 0.0);  // no tangent of use
   formulation.recall(memory);
   source.force = 1.0;
   formulation.refresh(stretched);

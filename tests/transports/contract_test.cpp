@@ -81,16 +81,14 @@ ContractCase served_in_c(const std::string& name, const std::string& address, co
             return open(server->address() + parameters, all_sources());
           }};
 }
-INSTANTIATE_TEST_SUITE_P(CServes, SubsystemContract,
-                         testing::Values(served_in_c("tcp", "tcp://127.0.0.1:0", "?m=2&k=30&c=0.1&h=0.013"),
-                                         served_in_c("unix", "unix:" + socket_path() + "-c", "?h=0.03&x0=1&v0=-2"),
-                                         ContractCase{"spawn",
-                                                      [] {
-                                                        return open(
-                                                            "spawn:" + oscillator_server() + "?h=0.02",
-                                                            all_sources());
-                                                      }}),
-                         contract_name);
+INSTANTIATE_TEST_SUITE_P(
+    CServes, SubsystemContract,
+    testing::Values(served_in_c("tcp", "tcp://127.0.0.1:0", "?m=2&k=30&c=0.1&h=0.013"),
+                    served_in_c("unix", "unix:" + socket_path() + "-c", "?h=0.03&x0=1&v0=-2"),
+                    ContractCase{
+                        "spawn",
+                        [] { return open("spawn:" + oscillator_server() + "?h=0.02", all_sources()); }}),
+    contract_name);
 
 /// The oscillator of this program, driven through a client in C.
 ContractCase driven_by_c(const std::string& name, const Listen& listening, const std::string& parameters) {
@@ -99,21 +97,22 @@ ContractCase driven_by_c(const std::string& name, const Listen& listening, const
                                                 oscillators(name, listening).address() + parameters);
           }};
 }
-INSTANTIATE_TEST_SUITE_P(CDrives, SubsystemContract,
-                         testing::Values(driven_by_c("c_tcp", at("tcp://127.0.0.1:0"), "?m=2&k=30&c=0.1&h=0.013"),
-                                         driven_by_c("c_unix", at("unix:" + socket_path() + "3"), "?h=0.03&x0=1&v0=-2")),
-                         contract_name);
+INSTANTIATE_TEST_SUITE_P(
+    CDrives, SubsystemContract,
+    testing::Values(driven_by_c("c_tcp", at("tcp://127.0.0.1:0"), "?m=2&k=30&c=0.1&h=0.013"),
+                    driven_by_c("c_unix", at("unix:" + socket_path() + "3"), "?h=0.03&x0=1&v0=-2")),
+    contract_name);
 
 #ifdef TANDEM_MEX_FOLDER
 INSTANTIATE_TEST_SUITE_P(Octave, SubsystemContract,
-                         testing::Values(ContractCase{"mass2",
-                                                      [] {
-                                                        static const PeerServer server(
-                                                            octave_program("mass2.m"), "unix:" + socket_path() + "-m");
-                                                        return open(server.address() + "?deadline=20&" +
-                                                                        mass2_parameters(),
-                                                                    all_sources());
-                                                      }}),
+                         testing::Values(ContractCase{
+                             "mass2",
+                             [] {
+                               static const PeerServer server(octave_program("mass2.m"),
+                                                              "unix:" + socket_path() + "-m");
+                               return open(server.address() + "?deadline=20&" + mass2_parameters(),
+                                           all_sources());
+                             }}),
                          contract_name);
 #endif
 

@@ -2,7 +2,9 @@
 # Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 """Faults on sockets, each made by a second process, on the side that calls and on the side that serves.
 
-  faults.py TANDEM FILE.csv [--programs SERVER CALLER] [TRANSPORT...]     of tcp unix tls zmq:tcp zmq:curve; all that TANDEM was built with
+  faults.py TANDEM FILE.csv [--programs SERVER CALLER] [TRANSPORT...]
+
+Transports are tcp unix tls zmq:tcp zmq:curve; without a word all that TANDEM was built with.
 
 SERVER and CALLER serve and call in place of TANDEM: `SERVER --listen URI ...`, `CALLER URI`.
 A call has to end within its deadline in one sentence that names the address, with what was recorded kept; a server has to

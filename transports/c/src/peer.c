@@ -1446,6 +1446,8 @@ const tandem_subsystem_api* tandem_remote(void) {
                                            advance,
                                            save_state,
                                            restore_state,
-                                           release_state};
+                                           release_state,
+                                           NULL,
+                                           NULL};
   return &api;
 }
