@@ -84,6 +84,26 @@ TEST_P(Solver, TakesAnotherPattern) {
   }
 }
 
+/// The second matrix is factorized with the pivots that the first one needs, by those that keep them.
+TEST(SolverMemory, AnotherSolverThatHasItGoesOnWithTheSameBits) {
+  MatrixXd first = shuffled_band(12, 3, 5), second = first;
+  first.diagonal() *= 1e-6;
+  for (const std::string& name : solver_names(MatrixKind::unsymmetric)) {
+    SolverBench solver(name, MatrixKind::unsymmetric, pattern_of(second)),
+        other(name, MatrixKind::unsymmetric, pattern_of(second));
+    const VectorXd b = VectorXd::LinSpaced(12, 1.0, 3.0);
+    ASSERT_EQ(solver.factorize(first), -1) << name;
+    ASSERT_EQ(solver.factorize(second), -1) << name;
+    ASSERT_EQ(other.factorize(second), -1) << name;
+    other.recall(solver.memory());
+    ASSERT_EQ(other.factorize(second), -1) << name;
+    EXPECT_EQ(other.solve(b), solver.solve(b)) << name;
+    EXPECT_TRUE(test::refuses(ErrorCode::invalid_argument, {"another model"}, [&] {
+      other.recall({1.0, 2.0});
+    })) << name;
+  }
+}
+
 TEST(MakeSolver, RefusesANameThatIsNotThereOrNotForTheMatrix) {
   using test::refuses;
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'kul'", "did you mean 'klu'?", "band"},

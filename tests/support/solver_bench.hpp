@@ -41,6 +41,8 @@ class SolverBench {
     place(a);
     return factorize_placed();
   }
+  std::vector<double> memory() const { return solver_->memory(); }
+  void recall(const std::vector<double>& memory) { solver_->recall(memory); }
   Eigen::VectorXd solve(Eigen::VectorXd b) {
     solver_->solve(b.data());
     return b;

@@ -29,6 +29,7 @@ class Klu final : public LinearSolver {
     klu_free_numeric(&numeric_, &common_);
     klu_free_symbolic(&symbolic_, &common_);
     pattern_ = pattern;
+    pivoted_.clear();
     symbolic_ = klu_analyze(pattern_.columns(), starts(), rows(), &common_);
     if (!symbolic_) throw std::bad_alloc();
   }
