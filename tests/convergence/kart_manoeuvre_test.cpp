@@ -53,6 +53,8 @@ TEST(KartManoeuvre, StandsOnRaisedGroundAsOnLevelGround) {
     EXPECT_NEAR(raised.output(std::string("load_") + wheel), wheel[0] == 'F' ? 469.375 : 756.875, 0.01);
 }
 
+/// The load on the front axle goes by the moments about the ground, whatever brakes and uprights do to each
+/// other: their couples are 86 N of its 160 N; as the nose dives the chassis goes forwards over its wheels.
 /// Force at the ground: the brakes' couples over the radius; against it the mass with that of the spins, and
 /// beside it air and rolling. Slips are nearly constant (0.5 % of the deceleration is what they, and tyres
 /// that move on their track as the nose dives, may take).
@@ -67,7 +69,14 @@ TEST(KartManoeuvre, BrakesAsTheCouplesOfItsWheelsSay) {
     go(run, 700);  // two periods of the pitch
     const double after = run.output("speed"), v = 0.5 * (before + after), r = 0.139;
     const double force = 2.0 * (30.0 + 15.0) / r + 0.42 * v * v + 0.02 * 250.0 * 9.81;
-    EXPECT_NEAR((before - after) / 0.7, force / (250.0 + 0.3 / (r * r)), 0.005 * force / 265.5) << name;
+    const double a = (before - after) / 0.7;
+    EXPECT_NEAR(a, force / (250.0 + 0.3 / (r * r)), 0.005 * force / 265.5) << name;
+    const double moment = 250.0 * a * 0.25 + 0.3 * a / r - 0.42 * v * v * 0.274 - 0.02 * 250.0 * 9.81 * r;
+    const auto x = [&](const char* point) { return place(run.mechanism, run.state, point)[0]; };
+    const double axles = x("FL_C") - x("RL_C"), weight = 9.81 * (206.0 * (x("G") - x("RL_C")) + 18.0 * axles);
+    EXPECT_NEAR(run.output("load_FL") + run.output("load_FR"), (weight + moment) / axles,
+                0.03 * moment / axles)
+        << name;
   }
 }
 
