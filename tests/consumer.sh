@@ -15,3 +15,4 @@ cmake -G Ninja -S "$scratch/consumer" -B "$scratch/build" \
 cmake --build "$scratch/build"
 "$scratch/build/consumer"
 if [[ -x $scratch/build/pendulum ]]; then "$scratch/build/pendulum"; fi
+if [[ -x $scratch/build/load_pendulum ]]; then "$scratch/build/load_pendulum" "$scratch/build/pendulum_library.so"; fi

@@ -47,6 +47,8 @@ function(tandem_install_package)
     ${PROJECT_BINARY_DIR}/tandemConfig.cmake INSTALL_DESTINATION ${destination})
   write_basic_package_version_file(${PROJECT_BINARY_DIR}/tandemConfigVersion.cmake COMPATIBILITY SameMinorVersion)
   install(FILES ${PROJECT_BINARY_DIR}/tandemConfig.cmake ${PROJECT_BINARY_DIR}/tandemConfigVersion.cmake
+    ${PROJECT_SOURCE_DIR}/interface/cmake/TandemSubsystemLibrary.cmake
+    ${PROJECT_SOURCE_DIR}/interface/cmake/subsystem_library.cpp.in
     DESTINATION ${destination})
   install(EXPORT tandemTargets NAMESPACE tandem:: DESTINATION ${destination})
 endfunction()

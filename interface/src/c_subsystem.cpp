@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "tandem/c_subsystem.hpp"
 
+#include <algorithm>
+#include <cstring>
 #include <type_traits>
 
 #include "tandem/check_info.hpp"
@@ -17,13 +19,21 @@ void check_table(const tandem_subsystem_api* api) {
     throw Error(ErrorCode::not_supported, "the subsystem has ABI version " +
                                               std::to_string(api->abi_version) + "; allowed is " +
                                               std::to_string(TANDEM_ABI_VERSION));
-  if (api->table_size < sizeof(tandem_subsystem_api))
+  if (api->table_size < TANDEM_SHORTEST_TABLE)
     throw Error(ErrorCode::not_supported, "the subsystem's table of functions has " +
                                               std::to_string(api->table_size) + " bytes; allowed is " +
-                                              std::to_string(sizeof(tandem_subsystem_api)) + " or more");
+                                              std::to_string(TANDEM_SHORTEST_TABLE) + " or more");
   if (!api->create || !api->destroy || !api->info || !api->last_error || !api->initialize || !api->advance)
     throw Error(ErrorCode::invalid_argument,
                 "the subsystem's table lacks create, destroy, info, last_error, initialize or advance");
+}
+
+/// The functions that are there; null for those behind the table's end.
+tandem_subsystem_api table_of(const tandem_subsystem_api* api) {
+  check_table(api);
+  tandem_subsystem_api table{};
+  std::memcpy(&table, api, std::min<std::size_t>(api->table_size, sizeof table));
+  return table;
 }
 
 std::vector<Port> ports_from(const tandem_port* ports, int32_t count) {
@@ -72,25 +82,33 @@ auto guarded(const std::string& name, const char* call, const Call& make) {
 
 }  // namespace
 
-CSubsystem::CSubsystem(const tandem_subsystem_api* api, const std::string& parameters) : api_(api) {
-  check_table(api);
+CSubsystem::CSubsystem(const tandem_subsystem_api* api, const std::string& parameters) : api_(table_of(api)) {
   try {
-    check(guarded("", "create", [&] { return api->create(parameters.c_str(), &self_); }), "create");
-    info_ = info_from(guarded("", "info", [&] { return api->info(self_); }));
-    if (info_.abilities.saves_state && !(api->save_state && api->restore_state && api->release_state))
-      throw Error(ErrorCode::invalid_argument,
-                  "subsystem '" + info_.name + "' says that it saves its state, but has not the functions");
+    check(guarded("", "create", [&] { return api_.create(parameters.c_str(), &self_); }), "create");
+    info_ = info_from(guarded("", "info", [&] { return api_.info(self_); }));
+    check_functions();
   } catch (...) {
-    if (self_) api->destroy(self_);
+    if (self_) api_.destroy(self_);
     throw;
   }
 }
 
-CSubsystem::~CSubsystem() { api_->destroy(self_); }
+void CSubsystem::check_functions() const {
+  const bool saves = api_.save_state && api_.restore_state && api_.release_state;
+  if (info_.abilities.saves_state && !saves)
+    throw Error(ErrorCode::invalid_argument,
+                "subsystem '" + info_.name + "' says that it saves its state, but has not the functions");
+  if (info_.abilities.serializes_state && !(saves && api_.serialize_state && api_.deserialize_state))
+    throw Error(
+        ErrorCode::invalid_argument,
+        "subsystem '" + info_.name + "' says that it gives its state as bytes, but has not the functions");
+}
+
+CSubsystem::~CSubsystem() { api_.destroy(self_); }
 
 void CSubsystem::check(tandem_status status, const char* call) const {
   if (status == TANDEM_OK) return;
-  const char* sentence = self_ ? api_->last_error(self_) : nullptr;
+  const char* sentence = self_ ? api_.last_error(self_) : nullptr;
   const bool known = status >= TANDEM_INVALID_ARGUMENT && status <= TANDEM_INTERNAL;
   throw Error(known ? static_cast<ErrorCode>(status) : ErrorCode::internal,
               "subsystem '" + info_.name + "', " + call + ": " +
@@ -122,7 +140,7 @@ Clock CSubsystem::initialize(double t_start, double t_stop, std::span<const doub
   tandem_clock clock{};
   tandem_samples rows = y.c_view();
   check(guarded(info_.name, "initialize",
-                [&] { return api_->initialize(self_, t_start, t_stop, u0.data(), &rows, &clock); }),
+                [&] { return api_.initialize(self_, t_start, t_stop, u0.data(), &rows, &clock); }),
         "initialize");
   take_rows(rows, y);
   return clock_from(clock);
@@ -133,7 +151,7 @@ Clock CSubsystem::advance(double t_limit, bool land, std::span<const Signal> u, 
   const auto* signals = reinterpret_cast<const tandem_signal*>(u.data());  // same layout: see signal.hpp
   tandem_samples rows = y.c_view();
   const tandem_status status = guarded(info_.name, "advance", [&] {
-    return api_->advance(self_, t_limit, land ? 1 : 0, signals, &rows, &clock);
+    return api_.advance(self_, t_limit, land ? 1 : 0, signals, &rows, &clock);
   });
   if (status == TANDEM_OK || has_rows(rows, y)) take_rows(rows, y);
   check(status, "advance");
@@ -148,22 +166,53 @@ void CSubsystem::require_saving() const {
 StateId CSubsystem::save_state() {
   require_saving();
   StateId id = 0;
-  check(guarded(info_.name, "save_state", [&] { return api_->save_state(self_, &id); }), "save_state");
+  check(guarded(info_.name, "save_state", [&] { return api_.save_state(self_, &id); }), "save_state");
   return id;
 }
 
 Clock CSubsystem::restore_state(StateId id) {
   require_saving();
   tandem_clock clock{};
-  check(guarded(info_.name, "restore_state", [&] { return api_->restore_state(self_, id, &clock); }),
+  check(guarded(info_.name, "restore_state", [&] { return api_.restore_state(self_, id, &clock); }),
         "restore_state");
   return clock_from(clock);
 }
 
 void CSubsystem::release_state(StateId id) {
   require_saving();
-  check(guarded(info_.name, "release_state", [&] { return api_->release_state(self_, id); }),
-        "release_state");
+  check(guarded(info_.name, "release_state", [&] { return api_.release_state(self_, id); }), "release_state");
+}
+
+void CSubsystem::require_serializing() const {
+  if (!info_.abilities.serializes_state)
+    throw Error(ErrorCode::not_supported,
+                "subsystem '" + info_.name + "' has no ability to give its state as bytes");
+}
+
+std::vector<std::byte> CSubsystem::serialize_state(StateId id) {
+  require_serializing();
+  const void* bytes = nullptr;
+  std::int64_t size = 0;
+  check(
+      guarded(info_.name, "serialize_state", [&] { return api_.serialize_state(self_, id, &bytes, &size); }),
+      "serialize_state");
+  if (size < 0 || (size > 0 && !bytes))
+    throw Error(ErrorCode::invalid_argument, "subsystem '" + info_.name + "' gives a state of " +
+                                                 std::to_string(size) + " bytes without them");
+  const auto* first = static_cast<const std::byte*>(bytes);
+  return {first, first + size};
+}
+
+StateId CSubsystem::deserialize_state(std::span<const std::byte> bytes) {
+  require_serializing();
+  StateId id = 0;
+  check(guarded(info_.name, "deserialize_state",
+                [&] {
+                  return api_.deserialize_state(self_, bytes.data(), static_cast<std::int64_t>(bytes.size()),
+                                                &id);
+                }),
+        "deserialize_state");
+  return id;
 }
 
 }  // namespace tandem

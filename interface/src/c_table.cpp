@@ -14,6 +14,7 @@ namespace {
 struct Instance {
   std::unique_ptr<Subsystem> subsystem;
   std::string error;
+  std::vector<std::byte> bytes;  ///< of the state that was serialized last
   std::vector<tandem_port> inputs, outputs;
   std::vector<tandem_feedthrough> feedthrough;
   tandem_info info = {};
@@ -113,6 +114,22 @@ tandem_status release_state(void* self, std::int64_t id) {
   return guarded(instance(self), [&] { instance(self).subsystem->release_state(id); });
 }
 
+tandem_status serialize_state(void* self, std::int64_t id, const void** bytes, std::int64_t* size) {
+  Instance& it = instance(self);
+  return guarded(it, [&] {
+    it.bytes = it.subsystem->serialize_state(id);
+    *bytes = it.bytes.data();
+    *size = static_cast<std::int64_t>(it.bytes.size());
+  });
+}
+
+tandem_status deserialize_state(void* self, const void* bytes, std::int64_t size, std::int64_t* id) {
+  return guarded(instance(self), [&] {
+    *id = instance(self).subsystem->deserialize_state(
+        {static_cast<const std::byte*>(bytes), static_cast<std::size_t>(size)});
+  });
+}
+
 }  // namespace
 
 tandem_subsystem_api CTable::with(Create create) {
@@ -126,7 +143,9 @@ tandem_subsystem_api CTable::with(Create create) {
           advance,
           save_state,
           restore_state,
-          release_state};
+          release_state,
+          serialize_state,
+          deserialize_state};
 }
 
 tandem_status CTable::create(MakeSubsystem make, const char* parameters, void** self) noexcept {

@@ -8,6 +8,10 @@ namespace {
 [[noreturn]] void refuse(const SubsystemInfo& info) {
   throw Error(ErrorCode::not_supported, "subsystem '" + info.name + "' has no ability to save its state");
 }
+[[noreturn]] void refuse_bytes(const SubsystemInfo& info) {
+  throw Error(ErrorCode::not_supported,
+              "subsystem '" + info.name + "' has no ability to give its state as bytes");
+}
 }  // namespace
 
 std::uint32_t to_bits(const Abilities& a) {
@@ -18,13 +22,14 @@ std::uint32_t to_bits(const Abilities& a) {
   add(a.saves_state, TANDEM_SAVES_STATE);
   add(a.restarts, TANDEM_RESTARTS);
   add(a.reactive_inputs, TANDEM_REACTIVE_INPUTS);
+  add(a.serializes_state, TANDEM_SERIALIZES_STATE);
   return bits;
 }
 
 Abilities abilities_from(std::uint32_t bits) {
   const auto has = [bits](std::uint32_t bit) { return (bits & bit) != 0; };
-  return {has(TANDEM_CHOOSES_STEP), has(TANDEM_LANDS), has(TANDEM_SAVES_STATE), has(TANDEM_RESTARTS),
-          has(TANDEM_REACTIVE_INPUTS)};
+  return {has(TANDEM_CHOOSES_STEP), has(TANDEM_LANDS),           has(TANDEM_SAVES_STATE),
+          has(TANDEM_RESTARTS),     has(TANDEM_REACTIVE_INPUTS), has(TANDEM_SERIALIZES_STATE)};
 }
 
 std::string Scalar::name() const {
@@ -46,5 +51,7 @@ Clock Subsystem::finish_advance(Samples&) {
 StateId Subsystem::save_state() { refuse(info()); }
 Clock Subsystem::restore_state(StateId) { refuse(info()); }
 void Subsystem::release_state(StateId) { refuse(info()); }
+std::vector<std::byte> Subsystem::serialize_state(StateId) { refuse_bytes(info()); }
+StateId Subsystem::deserialize_state(std::span<const std::byte>) { refuse_bytes(info()); }
 
 }  // namespace tandem

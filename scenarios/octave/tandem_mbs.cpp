@@ -11,20 +11,18 @@
 #include <memory>
 #include <string>
 
-#include "sources/stepper.hpp"
 #include "tandem/error.hpp"
 #include "tandem/mbs/functions/function_model.hpp"
 #include "tandem/mbs/functions/octave_struct.hpp"
 #include "tandem/mbs/trajectory.hpp"
+#include "tandem/sources/stepper.hpp"
 
 namespace {
 
 using tandem::Error;
 using tandem::ErrorCode;
 
-[[noreturn]] void refuse(const std::string& what) {
-  throw Error(ErrorCode::invalid_argument, what);
-}
+[[noreturn]] void refuse(const std::string& what) { throw Error(ErrorCode::invalid_argument, what); }
 
 /// An array of Octave's that is ours to free.
 struct Free {

@@ -312,7 +312,7 @@ TEST(Index3, RefusesSettingsThatAreNotAllowed) {
   };
   EXPECT_TRUE(refused({.penalty = -1.0}, {"penalty is -1"}));
   EXPECT_TRUE(refused({.beta = 0.3}, {"beta is 0.3", "1/12 to 1/4"}));
-  EXPECT_TRUE(refused({.tolerance = 0.0}, {"tolerance is 0"}));
+  EXPECT_TRUE(refused({.tolerance = -1.0}, {"tolerance is -1"}));
   EXPECT_TRUE(refused({.most_iterations = 0}, {"most_iterations is 0"}));
   EXPECT_TRUE(refused({.solver = "kul"}, {"'kul'", "'klu'"}));
 }

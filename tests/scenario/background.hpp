@@ -42,9 +42,9 @@ class Background {
       if (waitpid(process_, &status, WNOHANG) != 0) return process_ = -1, false;
     return true;
   }
-  /// As Ctrl-C does, and waits for its end: the exit status, -1 for a signal.
-  int interrupt() {
-    kill(process_, SIGINT);
+  /// Signals it (SIGINT: as Ctrl-C does) and waits for its end: the exit status, -1 for a signal.
+  int end_by(int signal) {
+    kill(process_, signal);
     int status = 0;
     waitpid(process_, &status, 0);
     process_ = -1;

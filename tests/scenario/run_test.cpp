@@ -157,6 +157,41 @@ TEST(RunCommand, AFullDiskIsToldWithStatusOne) {
       << said.err;
 }
 
+/// As on a full disk, a write stops in the middle: of a file that may have 100 kB.
+TEST(RunCommand, WhatIsOnAFullDiskStaysReadable) {
+  const Scratch folder;
+  const std::string run = test::shell_quoted(TANDEM_COMMAND) + " run " +
+                          test::shell_quoted(two_mass_file("two_mass.toml")) + " --no-reference --output ";
+  ASSERT_EQ(
+      tandem(folder, {"run", two_mass_file("two_mass.toml"), "--no-reference", "--output", "whole"}).status,
+      0);
+  const auto limited = "cd " + test::shell_quoted(folder.path().string()) +
+                       " && trap '' XFSZ && ulimit -f 200 && " + run + "o 2>err.txt";
+  EXPECT_NE(std::system(limited.c_str()), 0);
+  const std::string err = read_text(folder.path() / "err.txt"),
+                    rows = read_text(folder.path() / "o/results.csv");
+  EXPECT_NE(err.find("'o/results.csv' can't be written: File too large"), std::string::npos) << err;
+  EXPECT_GT(rows.size(), 50000U);
+  EXPECT_EQ(rows.back(), '\n');
+  EXPECT_EQ(read_text(folder.path() / "whole/results.csv").substr(0, rows.size()), rows);
+}
+
+/// A row takes 100 000 steps of the fast side, so they are there long before any buffer is full.
+TEST(RunCommand, WhatIsRecordedIsThereSoonAndStaysWhenTheProcessIsKilled) {
+  const Scratch folder;
+  const auto file = folder.path() / "o/results.csv";
+  test::Background run(folder, {"run", two_mass_file("two_mass.toml"), "--no-reference", "--output", "o",
+                                "--set", "span.stop=1e12", "--set", "parameters.frequency_ratio=1e5", "--set",
+                                "connections.reconstruction=lagrange0", "--set", "record.clock=slow", "--set",
+                                "record.ports=[\"slow.x2\"]"});
+  ASSERT_TRUE(run.wait_for_file(file)) << run.err();
+  EXPECT_EQ(run.end_by(SIGKILL), -1);
+  const std::string rows = read_text(file);
+  EXPECT_EQ(rows.back(), '\n');
+  EXPECT_LT(rows.size(), std::size_t{1} << 18) << "the size of the buffer";
+  EXPECT_GT(TimeTable::read(folder.path() / "o").times.size(), 1U);
+}
+
 TEST(RunCommand, AFolderThatCannotBeMadeIsStatusTwo) {
   const Scratch folder;
   const Said said = tandem(folder, {"run", two_mass_file("two_mass.toml"), "--output", "/dev/null/o"});
@@ -171,7 +206,7 @@ TEST(RunCommand, CtrlCEndsCleanlyAndKeepsResults) {
   test::Background run(folder, {"run", two_mass_file("two_mass.toml"), "--no-reference", "--output", "o",
                                 "--set", "span.stop=1e9"});
   ASSERT_TRUE(run.wait_for_file(output / "results.csv")) << run.err();
-  EXPECT_EQ(run.interrupt(), 1);
+  EXPECT_EQ(run.end_by(SIGINT), 1);
   EXPECT_NE(run.err().find("interrupted at t = "), std::string::npos) << run.err();
   EXPECT_EQ(json_of(output / "results.json")["status"], "interrupted");
   EXPECT_GT(TimeTable::read(output).times.size(), 1000U);

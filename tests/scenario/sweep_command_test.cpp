@@ -18,12 +18,19 @@ std::size_t lines_of(const std::string& text) {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
 
+TEST(SweepCommand, RefusesALevelThatTheKartHasNot) {
+  const Scratch folder;
+  const Said said = tandem(folder, {"sweep", "kart", "--level", "flat"});
+  EXPECT_EQ(said.status, 2);
+  EXPECT_NE(said.err.find("spatial_scalar_spin"), std::string::npos) << said.err;
+}
+
 TEST(SweepCommand, InterruptedKeepsItsRowsAndIsResumed) {
   const Scratch folder;
   const auto sweep = folder.path() / "o";
   Background first(folder, {"sweep", "two_mass", "--table-only", "--output", "o"});
   ASSERT_TRUE(first.wait_for_file(sweep / "sweep.json")) << first.err();
-  EXPECT_EQ(first.interrupt(), 1);
+  EXPECT_EQ(first.end_by(SIGINT), 1);
   EXPECT_NE(first.err().find("interrupted; "), std::string::npos) << first.err();
   EXPECT_NE(first.err().find("--resume goes on from there"), std::string::npos) << first.err();
   const std::string kept = read_text(sweep / "sweep.csv");
@@ -53,7 +60,7 @@ TEST(SweepCommand, AFullDiskIsStatusOneWithItsReason) {
   std::filesystem::create_symlink("/dev/full", folder.path() / "o/sweep.csv.part");
   Background sweep(folder, {"sweep", "two_mass", "--table-only", "--output", "o"});
   ASSERT_TRUE(sweep.wait_for_file(folder.path() / "o/sweep.json"));
-  EXPECT_EQ(sweep.interrupt(), 1);
+  EXPECT_EQ(sweep.end_by(SIGINT), 1);
   EXPECT_NE(sweep.err().find("sweep.csv.part' can't be written: No space left on device"), std::string::npos)
       << sweep.err();
 }

@@ -16,7 +16,7 @@ using Wrap = std::function<std::unique_ptr<Subsystem>(std::unique_ptr<Subsystem>
 class Adapter : public Subsystem {
  public:
   explicit Adapter(std::unique_ptr<Subsystem> inner) : inner_(std::move(inner)), info_(inner_->info()) {
-    info_.abilities.saves_state = false;
+    info_.abilities.saves_state = info_.abilities.serializes_state = false;
   }
   const SubsystemInfo& info() const override { return info_; }
   Clock initialize(double t_start, double t_stop, std::span<const double> u0, Samples& y) override {

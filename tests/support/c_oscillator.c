@@ -28,7 +28,13 @@ static const tandem_port outputs[] = {
     {"x", "m", 1, 2, 0.0}, {"v", "m/s", 1, 1, 0.0}, {"a", "m/s^2", 1, 0, 0.0}};
 static const tandem_feedthrough feedthrough[] = {{2, 0}};
 static const tandem_info the_info = {
-    "c_oscillator", TANDEM_LANDS | TANDEM_SAVES_STATE | TANDEM_RESTARTS, 1, 3, 1, inputs, outputs,
+    "c_oscillator",
+    TANDEM_LANDS | TANDEM_SAVES_STATE | TANDEM_RESTARTS | TANDEM_SERIALIZES_STATE,
+    1,
+    3,
+    1,
+    inputs,
+    outputs,
     feedthrough};
 
 static tandem_status fail(oscillator* o, tandem_status status, const char* sentence, const char* what) {
@@ -170,6 +176,23 @@ static tandem_status release_state(void* self, int64_t id) {
   return TANDEM_OK;
 }
 
+static tandem_status serialize_state(void* self, int64_t id, const void** bytes, int64_t* size) {
+  oscillator* o = self;
+  if (!is_saved(o, id)) return fail(o, TANDEM_INVALID_ARGUMENT, "no such saved state%s", "");
+  *bytes = &o->saved[id];
+  *size = sizeof(state);
+  return TANDEM_OK;
+}
+
+static tandem_status deserialize_state(void* self, const void* bytes, int64_t size, int64_t* id) {
+  oscillator* o = self;
+  tandem_status saved;
+  if (size != sizeof(state)) return fail(o, TANDEM_INVALID_ARGUMENT, "no state of an oscillator%s", "");
+  saved = save_state(self, id);
+  if (saved == TANDEM_OK) memcpy(&o->saved[*id], bytes, sizeof(state));
+  return saved;
+}
+
 const tandem_subsystem_api* c_oscillator(void) {
   static const tandem_subsystem_api api = {TANDEM_ABI_VERSION,
                                            sizeof(tandem_subsystem_api),
@@ -181,6 +204,8 @@ const tandem_subsystem_api* c_oscillator(void) {
                                            advance,
                                            save_state,
                                            restore_state,
-                                           release_state};
+                                           release_state,
+                                           serialize_state,
+                                           deserialize_state};
   return &api;
 }

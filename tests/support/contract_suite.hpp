@@ -83,6 +83,12 @@ TEST_P(SubsystemContract, AStateThatIsReleasedOrWasNeverSavedIsRefused) {
   passes("a state that is released or was never saved is refused");
 }
 
+TEST_P(SubsystemContract, AStateGoesAsBytesToAnotherInstanceAndGoesOnWithTheSameBits) {
+  passes("a state goes as bytes to another instance and goes on with the same bits");
+}
+
+TEST_P(SubsystemContract, BytesThatAreNoStateAreRefused) { passes("bytes that are no state are refused"); }
+
 TEST_P(SubsystemContract, InstancesAreIndependent) { passes("instances are independent"); }
 
 }  // namespace tandem::test

@@ -30,6 +30,9 @@ inline std::vector<ContractCase> mechanism_cases() {
   std::vector<ContractCase> all;
   for (const auto& [formulation, integrator] : mbs::stepper_names())
     all.push_back(mechanism("pushed", pushed_pendulum, {formulation, integrator}));
+  mbs::StepperSettings with_pivots;
+  with_pivots.index3.solver = "klu";
+  all.push_back(mechanism("pivots", driven, with_pivots));
   all.push_back(mechanism("driven", driven, {}));
   all.push_back(mechanism("late", pushed_pendulum, {}, -7.3));
   return all;

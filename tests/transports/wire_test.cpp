@@ -89,10 +89,15 @@ std::vector<Bytes> frames_of_the_codec() {
   talk.say(Type::save, 5).say(Type::save, 5, state).say(Type::restore, 6, state);
   talk.say(Type::restore, 6, [](Writer& w) { put_clock(w, {0.5, 0.75, Stop::limit}); });
   talk.say(Type::release, 7, state).say(Type::release, 7);
+  const auto second = [](Writer& w) { put_id(w, 2); };
+  const auto third = [](Writer& w) { put_id(w, 3); };
+  const auto bytes = [](Writer& w) { w.put_bytes(std::as_bytes(std::span("\1\2\3", 3))); };
+  talk.say(Type::serialize, 8, second).say(Type::serialize, 8, bytes);
+  talk.say(Type::deserialize, 9, bytes).say(Type::deserialize, 9, third);
   const auto beat = [](Writer& w) { w.put_bytes(std::as_bytes(std::span("beat", 4))); };
-  talk.say(Type::ping, 8, beat).say(Type::ping, 8, beat);
-  talk.say(Type::error, 9, [](Writer& w) { put_error(w, ErrorCode::invalid_argument, "no saved state 7"); });
-  talk.say(Type::bye, 10).say(Type::bye, 10);
+  talk.say(Type::ping, 10, beat).say(Type::ping, 10, beat);
+  talk.say(Type::error, 11, [](Writer& w) { put_error(w, ErrorCode::invalid_argument, "no saved state 7"); });
+  talk.say(Type::bye, 12).say(Type::bye, 12);
   return talk.frames;
 }
 
@@ -125,7 +130,7 @@ TEST(Wire, TheCodecReadsTheBytesOfThePage) {
   EXPECT_EQ(read_samples(payload(page[7]), y).next_time, 0.75);
   EXPECT_EQ(y.size(), 2);
   EXPECT_EQ(y.values(1)[0], 0.875);
-  EXPECT_EQ(read_error(payload(page[16]), nullptr).what(), std::string("no saved state 7"));
+  EXPECT_EQ(read_error(payload(page[20]), nullptr).what(), std::string("no saved state 7"));
 }
 
 /// A copy with a number overwritten.
@@ -141,7 +146,7 @@ TEST(Wire, AHeaderThatIsNotRightIsRefused) {
   const auto reading = [](const Bytes& b) { return [b] { Frame::read(b, 1000); }; };
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"5 bytes", "16 or more"},
                       reading({hello.begin(), hello.begin() + 5})));
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"type 12", "1 to 11"}, reading(with(hello, 8, 12U))));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"type 14", "1 to 13"}, reading(with(hello, 8, 14U))));
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"type 0"}, reading(with(hello, 8, 0U))));
   for (const std::uint64_t length : {std::uint64_t{1001}, std::numeric_limits<std::uint64_t>::max()})
     EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'hello'", std::to_string(length), "up to 1000"},

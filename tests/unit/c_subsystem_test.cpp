@@ -67,6 +67,21 @@ TEST(CSubsystem, TakesATableThatHasGrown) {
   EXPECT_NO_THROW(CSubsystem(&grown.known, ""));
 }
 
+TEST(CSubsystem, KnowsByItsSizeWhichFunctionsATableHas) {
+  tandem_subsystem_api api = table();
+  api.table_size = TANDEM_SHORTEST_TABLE;
+  EXPECT_TRUE(
+      refuses_table(ErrorCode::invalid_argument, {"c_oscillator", "as bytes", "has not the functions"}, api));
+  api.info = [](void* self) {
+    static tandem_info info = *table().info(self);
+    info.abilities &= ~static_cast<std::uint32_t>(TANDEM_SERIALIZES_STATE);
+    return static_cast<const tandem_info*>(&info);
+  };
+  CSubsystem subsystem(&api, "");
+  EXPECT_TRUE(
+      refuses(ErrorCode::not_supported, {"c_oscillator", "as bytes"}, [&] { subsystem.serialize_state(0); }));
+}
+
 TEST(CSubsystem, PassesOnTheCodeAndSentenceOfAnError) {
   const auto make = [](const char* parameters) {
     return [parameters] { CSubsystem(c_oscillator(), parameters); };

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <functional>
 #include <limits>
 
@@ -16,13 +17,17 @@ namespace {
 /// x' = u + v with v held over a step.
 class Sum {
  public:
-  SubsystemInfo info() const { return {"sum", {{"u", "m/s"}, {"v", "m/s"}}, {{"x", "m"}}, {}, {}}; }
+  SubsystemInfo info() const {
+    return {"sum", {{"u", "m/s"}, {"v", "m/s"}}, {{"x", "m"}}, {}, {.serializes_state = true}};
+  }
   double own_step() const { return 0.01; }
   void start(double, std::span<const double>) { x_ = 0.0; }
   void step(const OwnStep& s, std::span<const Signal> u) {
     x_ += s.length * (u[0].value(s.begin) + u[1].value(s.end));
   }
   void outputs(double* y) const { *y = x_; }
+  void write(ByteWriter& to) const { to.put(x_); }
+  void read(ByteReader& from) { x_ = from.take<double>(); }
 
  private:
   double x_ = 0.0;
@@ -35,6 +40,7 @@ struct Faults {
   std::function<Clock(Subsystem&, double t_limit, bool land, std::span<const Signal> u, Samples& y)> advance =
       {};
   std::function<Clock(Subsystem&, StateId id)> restore = {};
+  std::function<std::vector<std::byte>(Subsystem&, StateId id)> serialize = {};
 };
 
 class Faulty final : public Subsystem {
@@ -54,6 +60,12 @@ class Faulty final : public Subsystem {
     return faults_.restore ? faults_.restore(sound_, id) : sound_.restore_state(id);
   }
   void release_state(StateId id) override { sound_.release_state(id); }
+  std::vector<std::byte> serialize_state(StateId id) override {
+    return faults_.serialize ? faults_.serialize(sound_, id) : sound_.serialize_state(id);
+  }
+  StateId deserialize_state(std::span<const std::byte> bytes) override {
+    return sound_.deserialize_state(bytes);
+  }
 
  private:
   FixedStep<Sum> sound_{Sum()};
@@ -126,8 +138,7 @@ TEST(Check, FindsStepsThatAreWrong) {
   const auto lazy = [](Subsystem& s, double t, bool land, Signals u, Samples& y) {
     return s.advance(t - 0.01, land, u, y);
   };
-  EXPECT_EQ(found({.advance = lazy}, "advance takes all the steps that fit and no other",
-                  {"1000 calls"}),
+  EXPECT_EQ(found({.advance = lazy}, "advance takes all the steps that fit and no other", {"1000 calls"}),
             "");
   const auto full = [](Subsystem& s, double t, bool land, Signals u, Samples& y) {
     Clock clock = s.advance(t, land, u, y);
@@ -166,13 +177,25 @@ TEST(Check, FindsStatesThatAreNotTheSame) {
             "");
 }
 
+TEST(Check, FindsBytesThatAreNotTheState) {
+  const auto other = [](Subsystem& s, StateId id) {
+    auto bytes = s.serialize_state(id);
+    bytes[bytes.size() - 1] ^= std::byte{1};  // of the last number's sign and exponent
+    return bytes;
+  };
+  EXPECT_EQ(
+      found({.serialize = other}, "a state goes as bytes to another instance and goes on with the same bits",
+            {"from the bytes of a state", "to the last bit"}),
+      "");
+}
+
 TEST(Check, LeavesOutWhatASubsystemSaysItCanNot) {
   const Faults less{.info = [](auto& i) { i.abilities = {}; }};
   const auto findings = check([&] { return std::make_unique<Faulty>(less); });
   int left_out = 0;
   for (const Finding& f : findings) left_out += f.kind == Finding::Kind::left_out ? 1 : 0;
-  EXPECT_EQ(left_out, 4);
-  ASSERT_EQ(findings.size(), 5U) << "it saves states though it says that it can't";
+  EXPECT_EQ(left_out, 5);
+  ASSERT_EQ(findings.size(), 7U) << "it saves states though it says that it can't";
   EXPECT_NE(findings[3].sentence.find("save_state without the ability"), std::string::npos)
       << findings[3].sentence;
 }

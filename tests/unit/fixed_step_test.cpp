@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "polynomial.hpp"
@@ -17,7 +18,9 @@ using test::Polynomial;
 /// steps.
 struct Integral {
   double x = 0.0, steps = 0.0, last_length = 0.0;
-  SubsystemInfo info() const { return {"integral", {{"u", "1"}}, {{"x", "s"}, {"steps", "1"}}, {}, {}}; }
+  SubsystemInfo info() const {
+    return {"integral", {{"u", "1"}}, {{"x", "s"}, {"steps", "1"}}, {}, {.serializes_state = true}};
+  }
   double own_step() const { return 0.1; }
   void start(double, std::span<const double>) { *this = {}; }
   void step(const OwnStep& s, std::span<const Signal> u) {
@@ -27,6 +30,8 @@ struct Integral {
     last_length = s.length;
   }
   void outputs(double* y) const { y[0] = x, y[1] = steps; }
+  void write(ByteWriter& to) const { to.put_doubles(std::array{x, steps}); }
+  void read(ByteReader& from) { x = from.take<double>(), steps = from.take<double>(); }
 };
 
 class FixedStepTest : public testing::Test {
@@ -140,6 +145,25 @@ TEST_F(FixedStepTest, RefusesAStateThatWasNeverSavedOrIsReleased) {
   const StateId id = subsystem.save_state();
   subsystem.release_state(id);
   EXPECT_TRUE(test::refuses(ErrorCode::invalid_argument, {"integral"}, [&] { subsystem.restore_state(id); }));
+}
+
+TEST_F(FixedStepTest, AStateGoesAsBytesToAnotherInstance) {
+  advance(1.33, true);  // off its grid
+  const auto bytes = subsystem.serialize_state(subsystem.save_state());
+  const auto started = [&](double t) {
+    FixedStep<Integral> other{Integral{}};
+    double row[4], u0[1] = {0.5};
+    Samples first(row, 4, 1);
+    other.initialize(t, 10.0, u0, first);
+    return other;
+  };
+  auto other = started(t_start);
+  const Clock there = other.restore_state(other.deserialize_state(bytes));
+  EXPECT_EQ(there.time, 1.33);
+  EXPECT_EQ(there.next_time, clock.next_time);
+  EXPECT_EQ(other.model().x, subsystem.model().x);
+  EXPECT_TRUE(test::refuses(ErrorCode::invalid_argument, {"integral", "0.1 s from", "allowed are those of"},
+                            [&] { started(0.7).deserialize_state(bytes); }));
 }
 
 TEST(FixedStep, AddsTheAbilitiesThatItGives) {

@@ -24,7 +24,8 @@
         offsetof(tandem_info, output_count), offsetof(tandem_info, feedthrough_count),                      \
         offsetof(tandem_info, inputs), offsetof(tandem_info, outputs), offsetof(tandem_info, feedthrough),  \
         sizeof(tandem_subsystem_api), offsetof(tandem_subsystem_api, create),                               \
-        offsetof(tandem_subsystem_api, advance), offsetof(tandem_subsystem_api, release_state)              \
+        offsetof(tandem_subsystem_api, advance), offsetof(tandem_subsystem_api, release_state),             \
+        offsetof(tandem_subsystem_api, serialize_state)                                                     \
   }
 
 #endif

@@ -14,18 +14,29 @@
 enum { m, k, stiffness, x, v, h, parameter_count };
 static const char* const names[parameter_count] = {"m", "k", "s", "x", "v", "h"};
 
-typedef struct mass2 {
-  double p[parameter_count];
+enum { most_saved = 8 };
+
+typedef struct state {
   double x, v, a;
   double t_start, time, next;
   int64_t node; /* number of the node `next` */
-  int cut;      /* the last step ended before its node */
+  int64_t cut;  /* the last step ended before its node */
+} state;
+
+typedef struct mass2 {
+  double p[parameter_count];
+  state now, saved[most_saved];
+  char used[most_saved];
   char error[200];
 } mass2;
 
 static const tandem_port inputs[] = {{"x1", "m", 1, 0, NAN}};
 static const tandem_port outputs[] = {{"x2", "m", 1, 2, NAN}, {"v2", "m/s", 1, 1, NAN}};
-static const tandem_info the_info = {"mass2", TANDEM_LANDS | TANDEM_RESTARTS, 1, 2, 0, inputs, outputs, NULL};
+static const tandem_info the_info = {
+    "mass2", TANDEM_LANDS | TANDEM_RESTARTS | TANDEM_SAVES_STATE | TANDEM_SERIALIZES_STATE,
+    1,       2,
+    0,       inputs,
+    outputs, NULL};
 
 static tandem_status refuse(mass2* s, const char* sentence, const char* what) {
   snprintf(s->error, sizeof s->error, sentence, what);
@@ -65,16 +76,18 @@ static const char* last_error(void* self) { return ((mass2*)self)->error; }
 
 /* Width within which two times are the same, as subsystem.h says. */
 static double width(const mass2* s, double a, double b) {
-  return 6.0 * DBL_EPSILON * fmax(fmax(fabs(a), fabs(b)), fabs(s->t_start));
+  return 6.0 * DBL_EPSILON * fmax(fmax(fabs(a), fabs(b)), fabs(s->now.t_start));
 }
 
-static void append(const mass2* s, tandem_samples* y) {
+static void append(const mass2* m2, tandem_samples* y) {
+  const state* s = &m2->now;
   const double row[] = {s->time, 0.0, s->x, s->v, s->v, s->a, s->a, 0.0};
   memcpy(y->rows + y->size++ * y->stride, row, sizeof row);
 }
 
-static void step(mass2* s, double end, const tandem_signal* u) {
-  const double* p = s->p;
+static void step(mass2* m2, double end, const tandem_signal* u) {
+  const double* p = m2->p;
+  state* s = &m2->now;
   const double length = end == s->next && !s->cut ? p[h] : end - s->time;
   const double before = (p[k] * tandem_signal_value(u, s->time) - p[stiffness] * s->x) / p[m];
   const double push = p[k] * tandem_signal_value(u, end);
@@ -86,46 +99,96 @@ static void step(mass2* s, double end, const tandem_signal* u) {
 }
 
 static void tell(const mass2* s, tandem_stop stop, tandem_clock* clock) {
-  clock->time = s->time;
-  clock->next_time = s->next;
+  clock->time = s->now.time;
+  clock->next_time = s->now.next;
   clock->stop = stop;
   clock->reserved = 0;
 }
 
 static tandem_status initialize(void* self, double t_start, double t_stop, const double* u0,
                                 tandem_samples* y, tandem_clock* clock) {
-  mass2* s = self;
+  mass2* m2 = self;
+  state* s = &m2->now;
   (void)t_stop;
-  s->x = s->p[x];
-  s->v = s->p[v];
-  s->a = (s->p[k] * u0[0] - s->p[stiffness] * s->x) / s->p[m];
+  s->x = m2->p[x];
+  s->v = m2->p[v];
+  s->a = (m2->p[k] * u0[0] - m2->p[stiffness] * s->x) / m2->p[m];
   s->t_start = s->time = t_start;
   s->node = 1;
-  s->next = t_start + s->p[h];
+  s->next = t_start + m2->p[h];
   s->cut = 0;
-  append(s, y);
-  tell(s, TANDEM_STOP_LIMIT, clock);
+  append(m2, y);
+  tell(m2, TANDEM_STOP_LIMIT, clock);
   return TANDEM_OK;
 }
 
 static tandem_status advance(void* self, double t_limit, int32_t land, const tandem_signal* u,
                              tandem_samples* y, tandem_clock* clock) {
-  mass2* s = self;
-  for (; y->size < y->capacity; append(s, y)) {
-    if (s->next <= t_limit + width(s, s->next, t_limit)) {
-      step(s, s->next, u);
-      s->next = s->t_start + (double)++s->node * s->p[h]; /* multiplied, never accumulated */
+  mass2* m2 = self;
+  state* s = &m2->now;
+  for (; y->size < y->capacity; append(m2, y)) {
+    if (s->next <= t_limit + width(m2, s->next, t_limit)) {
+      step(m2, s->next, u);
+      s->next = s->t_start + (double)++s->node * m2->p[h]; /* multiplied, never accumulated */
       s->cut = 0;
-    } else if (land && s->time < t_limit - width(s, s->time, t_limit)) {
-      step(s, t_limit, u);
+    } else if (land && s->time < t_limit - width(m2, s->time, t_limit)) {
+      step(m2, t_limit, u);
       s->cut = 1;
     } else {
-      tell(s, TANDEM_STOP_LIMIT, clock);
+      tell(m2, TANDEM_STOP_LIMIT, clock);
       return TANDEM_OK;
     }
   }
-  tell(s, TANDEM_STOP_SAMPLES_FULL, clock);
+  tell(m2, TANDEM_STOP_SAMPLES_FULL, clock);
   return TANDEM_OK;
+}
+
+static tandem_status keep(mass2* s, const state* what, int64_t* id) {
+  for (*id = 0; *id < most_saved; ++*id)
+    if (!s->used[*id]) {
+      s->used[*id] = 1;
+      s->saved[*id] = *what;
+      return TANDEM_OK;
+    }
+  return refuse(s, "there is no room for another saved state%s", "");
+}
+
+static int is_saved(const mass2* s, int64_t id) { return id >= 0 && id < most_saved && s->used[id]; }
+
+static tandem_status save_state(void* self, int64_t* id) { return keep(self, &((mass2*)self)->now, id); }
+
+static tandem_status restore_state(void* self, int64_t id, tandem_clock* clock) {
+  mass2* s = self;
+  if (!is_saved(s, id)) return refuse(s, "there is no such saved state%s", "");
+  s->now = s->saved[id];
+  tell(s, TANDEM_STOP_LIMIT, clock);
+  return TANDEM_OK;
+}
+
+static tandem_status release_state(void* self, int64_t id) {
+  mass2* s = self;
+  if (!is_saved(s, id)) return refuse(s, "there is no such saved state%s", "");
+  s->used[id] = 0;
+  return TANDEM_OK;
+}
+
+/* As it stands in memory: for machines of one kind. */
+static tandem_status serialize_state(void* self, int64_t id, const void** bytes, int64_t* size) {
+  mass2* s = self;
+  if (!is_saved(s, id)) return refuse(s, "there is no such saved state%s", "");
+  *bytes = &s->saved[id];
+  *size = sizeof(state);
+  return TANDEM_OK;
+}
+
+static tandem_status deserialize_state(void* self, const void* bytes, int64_t size, int64_t* id) {
+  mass2* s = self;
+  state its;
+  if (size != sizeof(state)) return refuse(s, "the state has not as many bytes as mass2 has%s", "");
+  memcpy(&its, bytes, sizeof its);
+  if (its.t_start != s->now.t_start || its.next != its.t_start + (double)its.node * s->p[h])
+    return refuse(s, "the state is of other own steps%s", "");
+  return keep(s, &its, id);
 }
 
 const tandem_subsystem_api* tandem_subsystem(void) {
@@ -137,8 +200,10 @@ const tandem_subsystem_api* tandem_subsystem(void) {
                                            last_error,
                                            initialize,
                                            advance,
-                                           NULL,
-                                           NULL,
-                                           NULL};
+                                           save_state,
+                                           restore_state,
+                                           release_state,
+                                           serialize_state,
+                                           deserialize_state};
   return &api;
 }

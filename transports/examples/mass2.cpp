@@ -1,10 +1,11 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 // Mass 2 of the two-mass test in C++20, as a shared library: tandem/fixed_step.hpp does the grid, landing,
-// saved states and samples; tandem/c_table.hpp makes the C table.
+// saved states (also as bytes) and samples; tandem/c_table.hpp makes the C table.
 //   m x'' = k u - s x,  by the trapezoidal rule, solved exactly; u is read anew at both ends of a step.
 // Input x1 [m]; outputs x2 [m] with two time derivatives, v2 [m/s] with one. Parameters: m [kg], k, s [N/m],
 // x, v (at the start) and h [s], each of them needed.
 #include <algorithm>
+#include <array>
 
 #include "tandem/c_table.hpp"
 #include "tandem/fixed_step.hpp"
@@ -23,7 +24,7 @@ class Mass2 {
         h_(needed(p, "h")) {}
 
   tandem::SubsystemInfo info() const {
-    return {"mass2", {{"x1", "m"}}, {{"x2", "m", 1, 2}, {"v2", "m/s", 1, 1}}, {}, {}};
+    return {"mass2", {{"x1", "m"}}, {{"x2", "m", 1, 2}, {"v2", "m/s", 1, 1}}, {}, {.serializes_state = true}};
   }
   double own_step() const { return h_; }
 
@@ -44,6 +45,13 @@ class Mass2 {
   void outputs(double* y) const {
     const double row[] = {x_, v_, v_, a_, a_, 0.0};
     std::copy(std::begin(row), std::end(row), y);
+  }
+
+  void write(tandem::ByteWriter& to) const { to.put_doubles(std::array{x_, v_, a_}); }
+  void read(tandem::ByteReader& from) {
+    x_ = from.take<double>();
+    v_ = from.take<double>();
+    a_ = from.take<double>();
   }
 
  private:

@@ -37,6 +37,12 @@ class Mass2:
     def outputs(self):
         return [self.x, self.v, self.v, self.a, self.a, 0.0]
 
+    def state(self):
+        return [self.x, self.v, self.a]
+
+    def set_state(self, numbers):
+        self.x, self.v, self.a = numbers
+
 
 if __name__ == "__main__":
     tandem.serve(lambda parameters: tandem.FixedStep(Mass2(parameters)))

@@ -20,8 +20,10 @@ def drive(subsystem, here):
         u = [tandem.Signal([tandem.Segment(t, t - 1.0, (0.5, 0.1 * k, -0.02))])]
         state = subsystem.save_state()
         subsystem.advance(t, u, land=True)
-        subsystem.restore_state(state)
+        again = subsystem.deserialize_state(subsystem.serialize_state(state))
         subsystem.release_state(state)
+        subsystem.restore_state(again)
+        subsystem.release_state(again)
         clock, more = subsystem.advance(t, u, land=True)
         rows += more
         here.advance(t, True, u, mine, len(mine) + 1000)

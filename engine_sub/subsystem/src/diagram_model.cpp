@@ -53,6 +53,12 @@ DiagramModel::DiagramModel(const Description& diagram, const SubsystemSettings& 
     throw Error(
         ErrorCode::invalid_argument,
         fmt::format("diagram '{}': step is {} s; allowed is a finite number above 0", diagram.name, step_));
+  if (diagram.outputs.empty())
+    throw Error(
+        ErrorCode::invalid_argument,
+        "diagram '" + diagram.name + "' has no output, so nothing in it is of use; allowed is one or more");
+  if (settings.simulation.tell)
+    for (const std::string& notice : machine_->program.notices) settings.simulation.tell(notice);
 }
 
 DiagramModel::DiagramModel(const DiagramModel& other) { *this = other; }
@@ -71,6 +77,7 @@ SubsystemInfo DiagramModel::info() const {
   const Machine& m = *machine_;
   SubsystemInfo info;
   info.name = m.diagram.name;
+  info.abilities.serializes_state = m.simulation.keeps_exactly();
   for (const Input& input : m.diagram.inputs) info.inputs.push_back({input.name, input.unit});
   for (std::size_t k = 0; k < m.diagram.outputs.size(); ++k)
     info.outputs.push_back({m.diagram.outputs[k].name, m.diagram.outputs[k].unit, 1, m.rates[k] < 0 ? 0 : 1});
@@ -109,6 +116,19 @@ void DiagramModel::outputs(double* y) const {
                       : image[static_cast<std::size_t>(m.program.outputs[k])];
     if (m.derivatives > 0) y[count + k] = m.rates[k] < 0 ? 0.0 : image[static_cast<std::size_t>(m.rates[k])];
   }
+}
+
+/// Of a state that is kept, as all are that leave the process.
+void DiagramModel::write(ByteWriter& to) const {
+  to.put(kept_time_);
+  to.put_list(kept_);
+  to.put(std::uint8_t{std::none_of(hidden_.begin(), hidden_.end(), [](bool hidden) { return hidden; })});
+}
+
+void DiagramModel::read(ByteReader& from) {
+  kept_time_ = from.take<double>();
+  from.take_list(kept_);
+  if (from.take<std::uint8_t>() != 0) std::fill(hidden_.begin(), hidden_.end(), false);
 }
 
 }  // namespace tandem::engine

@@ -37,6 +37,8 @@ class DiagramModel {
   void start(double t, std::span<const double> u0);
   void step(const OwnStep& s, std::span<const Signal> u);
   void outputs(double* y) const;
+  void write(ByteWriter& to) const;
+  void read(ByteReader& from);
   Statistics statistics() const { return machine_->simulation.statistics(); }
 
  private:

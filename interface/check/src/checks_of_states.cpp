@@ -26,6 +26,12 @@ void refuse_states(Subsystem& s) {
   require_refusal(ErrorCode::not_supported, "release_state" + what, [&] { s.release_state(0); });
 }
 
+void refuse_bytes(Subsystem& s) {
+  const std::string what = " without the ability to give states as bytes";
+  require_refusal(ErrorCode::not_supported, "serialize_state" + what, [&] { s.serialize_state(0); });
+  require_refusal(ErrorCode::not_supported, "deserialize_state" + what, [&] { s.deserialize_state({}); });
+}
+
 void go_on_from_a_state(const Subject& of) {
   Instance it(of);
   Subsystem& s = *it.subsystem;
@@ -52,6 +58,48 @@ void go_on_from_a_state(const Subject& of) {
   s.release_state(first);
   require(s.restore_state(second).time == expected.back()[0], "a second saved state was lost with the first");
   s.release_state(second);
+}
+
+void give_a_state_as_bytes(const Subject& of) {
+  Instance it(of), other(of);
+  if (!it.can().serializes_state) return refuse_bytes(*it.subsystem);
+  require(it.can().saves_state, "it gives saved states as bytes but does not say that it saves them");
+  const bool lands = it.can().lands;
+  const double end = it.ahead(17.37);
+  it.advance(it.ahead(3.37), lands);
+  const StateId id = it.subsystem->save_state();
+  const auto bytes = it.subsystem->serialize_state(id);
+  it.subsystem->release_state(id);
+  const StateId there = other.subsystem->deserialize_state(bytes);
+  other.clock = other.subsystem->restore_state(there);
+  require(other.clock.time == it.clock.time && other.clock.next_time == it.clock.next_time,
+          "from its bytes the state of t = " + number_text(it.clock.time) + " s came to stand at " +
+              number_text(other.clock.time) + " s, next " + number_text(other.clock.next_time) +
+              " s; allowed is the same, next " + number_text(it.clock.next_time) + " s");
+  other.rows = it.rows;
+  Instance whole(of);
+  whole.advance(whole.ahead(3.37), lands);
+  for (Instance* one : {&whole, &it, &other}) one->advance(end, lands);
+  require_same(it.rows, whole.rows, "after its state was saved");
+  require_same(other.rows, whole.rows, "from the bytes of a state");
+}
+
+void refuse_other_bytes(const Subject& of) {
+  Instance it(of);
+  if (!it.can().serializes_state) throw LeftOut("it does not say that it gives its state as bytes");
+  Subsystem& s = *it.subsystem;
+  it.advance(it.ahead(3.5));
+  const StateId id = s.save_state();
+  auto bytes = s.serialize_state(id);
+  s.release_state(id);
+  const auto code = ErrorCode::invalid_argument;
+  require_refusal(code, "serializing a state that was released", [&] { s.serialize_state(id); });
+  require_refusal(code, "taking a state of no bytes", [&] { s.deserialize_state({}); });
+  bytes.push_back(std::byte{0});
+  require_refusal(code, "taking a state with a byte too many", [&] { s.deserialize_state(bytes); });
+  require_refusal(code, "taking half a state", [&] {
+    s.deserialize_state({bytes.data(), (bytes.size() - 1) / 2});
+  });
 }
 
 void know_its_states(const Subject& of) {
@@ -82,6 +130,8 @@ void be_independent(const Subject& of) {
 const std::vector<Check> states = {
     {"a restored state goes on with the same bits", go_on_from_a_state},
     {"a state that is released or was never saved is refused", know_its_states},
+    {"a state goes as bytes to another instance and goes on with the same bits", give_a_state_as_bytes},
+    {"bytes that are no state are refused", refuse_other_bytes},
     {"instances are independent", be_independent}};
 
 }  // namespace tandem::checks

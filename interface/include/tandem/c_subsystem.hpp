@@ -25,15 +25,19 @@ class CSubsystem : public Subsystem {
   StateId save_state() override;
   Clock restore_state(StateId id) override;
   void release_state(StateId id) override;
+  std::vector<std::byte> serialize_state(StateId id) override;
+  StateId deserialize_state(std::span<const std::byte> bytes) override;
 
  private:
   void check(tandem_status status, const char* call) const;
+  void check_functions() const;
   void require_saving() const;
+  void require_serializing() const;
   static bool has_rows(const tandem_samples& rows, const Samples& y);
   void take_rows(const tandem_samples& rows, Samples& y) const;
   Clock clock_from(const tandem_clock& clock) const;
 
-  const tandem_subsystem_api* api_;
+  tandem_subsystem_api api_;  ///< functions that the table does not reach to are null
   void* self_ = nullptr;
   SubsystemInfo info_;
 };

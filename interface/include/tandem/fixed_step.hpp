@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "tandem/bytes.hpp"
 #include "tandem/error.hpp"
 #include "tandem/subsystem.hpp"
 #include "tandem/time_grid.hpp"
@@ -17,6 +18,13 @@ struct OwnStep {
   double begin, end, length;
 };
 
+/// A model that gives its state as bytes.
+template <class Model>
+concept WritesState = requires(const Model& model, Model& other, ByteWriter& to, ByteReader& from) {
+  model.write(to);
+  other.read(from);
+};
+
 /// Makes a model with a fixed own step a Subsystem: keeps the grid, takes the steps that fit, lands, appends
 /// samples; adds the abilities `lands`, `restarts` and `saves_state`. Model is copyable (a copy is its saved
 /// state) and has:
@@ -26,6 +34,12 @@ struct OwnStep {
 /// void start(double t, std::span<const double> u0);        // puts the state at t; u0 may hold NaN
 /// void step(const OwnStep& s, std::span<const Signal> u);  // integrates over s, reads inputs anywhere in it
 /// void outputs(double* y) const;                           // outputs, then derivatives, as the state is
+/// @endcode
+/// With the ability `serializes_state` in its info() it also has
+/// @code
+/// void write(ByteWriter& to) const;  // all that its steps go by and that start() does not make
+/// void read(ByteReader& from);       // the same of a model that is made and started alike; refuses
+/// another's
 /// @endcode
 template <class Model>
 class FixedStep final : public Subsystem {
@@ -68,6 +82,30 @@ class FixedStep final : public Subsystem {
     return clock(Stop::limit);
   }
   void release_state(StateId id) override { saved_.erase(saved(id)); }
+
+  std::vector<std::byte> serialize_state(StateId id) override {
+    if constexpr (WritesState<Model>)
+      if (info_.abilities.serializes_state) {
+        ByteWriter to;
+        saved(id)->second.second.write(to);
+        saved(id)->second.first.write(to);
+        return {to.bytes().begin(), to.bytes().end()};
+      }
+    return Subsystem::serialize_state(id);
+  }
+  StateId deserialize_state(std::span<const std::byte> bytes) override {
+    if constexpr (WritesState<Model>)
+      if (info_.abilities.serializes_state) {
+        ByteReader from(bytes, info_.name, "state of");
+        std::pair state{model_, grid_};
+        state.second.read(from);
+        state.first.read(from);
+        from.end();
+        saved_.emplace_back(++last_id_, std::move(state));
+        return last_id_;
+      }
+    return Subsystem::deserialize_state(bytes);
+  }
 
  private:
   using Saved = std::vector<std::pair<StateId, std::pair<Model, TimeGrid>>>;

@@ -16,6 +16,7 @@
  * longjmp through its caller. */
 #ifndef TANDEM_SUBSYSTEM_H
 #define TANDEM_SUBSYSTEM_H
+#include <stddef.h>
 #include <stdint.h>
 
 #include "tandem/signal.h"
@@ -84,7 +85,8 @@ enum {
   TANDEM_LANDS = 2,        /* can cut a step so that it ends at t_limit */
   TANDEM_SAVES_STATE = 4,
   TANDEM_RESTARTS = 8, /* may be initialized again after an advance */
-  TANDEM_REACTIVE_INPUTS = 16
+  TANDEM_REACTIVE_INPUTS = 16,
+  TANDEM_SERIALIZES_STATE = 32 /* gives saved states as bytes, and takes them */
 };
 
 typedef struct tandem_info {
@@ -96,7 +98,8 @@ typedef struct tandem_info {
   const tandem_feedthrough* feedthrough;
 } tandem_info;
 
-/* The table of functions; new functions are added at its end only. `self` is what create gave. */
+/* The table of functions; new functions are added at its end only, and a table_size that ends before one says
+ * that it is not there. `self` is what create gave. */
 typedef struct tandem_subsystem_api {
   uint32_t abi_version; /* TANDEM_ABI_VERSION */
   uint32_t table_size;  /* sizeof(tandem_subsystem_api) of the one who built it */
@@ -125,7 +128,19 @@ typedef struct tandem_subsystem_api {
   tandem_status (*save_state)(void* self, int64_t* id);
   tandem_status (*restore_state)(void* self, int64_t id, tandem_clock* clock);
   tandem_status (*release_state)(void* self, int64_t id);
+
+  /* With TANDEM_SERIALIZES_STATE (beside TANDEM_SAVES_STATE) only, else NULL. A saved state as bytes, which
+   * belong to the subsystem and are valid until the next call on that instance; and from bytes a saved state.
+   * They are for an instance that is made with the same parameters and initialized with the same span and
+   * inputs, in this process or another; restored there, it goes on with the same bits as this one does. With
+   * this ability save_state leaves what follows as it would be without it. Bytes of another subsystem, or not
+   * whole, are TANDEM_INVALID_ARGUMENT, where that can be told. */
+  tandem_status (*serialize_state)(void* self, int64_t id, const void** bytes, int64_t* size);
+  tandem_status (*deserialize_state)(void* self, const void* bytes, int64_t size, int64_t* id);
 } tandem_subsystem_api;
+
+/* sizeof the table before serialize_state came: the least that table_size may be. */
+#define TANDEM_SHORTEST_TABLE offsetof(tandem_subsystem_api, serialize_state)
 
 /* The one symbol that a shared library exports: a function of this type, named tandem_subsystem unless the
  * URI names another (entry=NAME). */

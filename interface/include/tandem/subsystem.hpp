@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -42,6 +43,7 @@ struct Abilities {
   bool saves_state = false;
   bool restarts = false;  ///< may be initialized again after an advance
   bool reactive_inputs = false;
+  bool serializes_state = false;  ///< gives saved states as bytes, and takes them
 };
 /// The same as bits of subsystem.h (TANDEM_LANDS, ...); bits that are not known are left out.
 std::uint32_t to_bits(const Abilities& abilities);
@@ -125,6 +127,15 @@ class Subsystem {
   /// Stands again where it stood when `id` was saved; `id` stays saved.
   virtual Clock restore_state(StateId id);
   virtual void release_state(StateId id);
+
+  /// With the ability `serializes_state`, beside `saves_state`: a saved state as bytes, and from bytes a
+  /// saved state. They are for an instance that is made with the same parameters and initialized with the
+  /// same span and inputs, in this process or another; restored there, it goes on with the same bits as this
+  /// one does. With this ability save_state leaves what follows as it would be without it. Bytes of another
+  /// subsystem, or not whole, are Error(invalid_argument), where that can be told. The base class refuses
+  /// both.
+  virtual std::vector<std::byte> serialize_state(StateId id);
+  virtual StateId deserialize_state(std::span<const std::byte> bytes);
 };
 
 }  // namespace tandem

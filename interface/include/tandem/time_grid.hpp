@@ -7,6 +7,9 @@
 
 namespace tandem {
 
+class ByteReader;
+class ByteWriter;
+
 /// From `start` to `stop` [s].
 struct TimeSpan {
   double start, stop;
@@ -65,6 +68,10 @@ class TimeGrid {
     time_ = t;
     whole_ = false;
   }
+
+  /// Its place, for a state that leaves the process, and back. Refuses that of another grid.
+  void write(ByteWriter& to) const;
+  void read(ByteReader& from);
 
  private:
   double t_start_ = 0.0, h_ = 1.0, time_ = 0.0, next_ = 1.0;

@@ -85,7 +85,10 @@ std::vector<std::filesystem::path> Recorder::files() const {
 }
 
 bool Recorder::samples(int subsystem, const History& history, std::int64_t first, std::int64_t last) {
-  if (files_.empty()) start(history.time(first));
+  if (files_.empty()) {
+    start(history.time(first));
+    open_files();
+  }
   Track& track = tracks_[static_cast<std::size_t>(subsystem)];
   if (track.outputs.empty() && subsystem != clock_) return true;
   for (std::int64_t row = first; row <= last; ++row) {
@@ -107,12 +110,12 @@ void Recorder::between_rounds() {
 }
 
 void Recorder::start(double t_start) {
+  t_start_ = t_start;
   tolerance_ = TimeTolerance(t_start);
   if (clock_ < 0) clock_ = smallest_step();
   for (Track& track : tracks_) track.rows.reserve(doubles_reserved);
   for (Column& column : columns_)
     if (what_.own || column.subsystem == clock_) column.fill = Fill::own;
-  open_files();
 }
 
 int Recorder::smallest_step() const {

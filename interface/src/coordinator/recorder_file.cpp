@@ -14,8 +14,18 @@ constexpr std::size_t buffer_size = std::size_t{1} << 18;
 constexpr std::size_t longest_number = 32;  // of the shortest form of a double; 24 are needed
 }  // namespace
 
-CsvFile::CsvFile(std::filesystem::path path)
-    : path_(std::move(path)), file_(std::fopen(path_.c_str(), "wb")) {
+CsvFile::CsvFile(std::filesystem::path path) : path_(std::move(path)) { open("wb"); }
+
+CsvFile::CsvFile(std::filesystem::path path, std::uint64_t end) : path_(std::move(path)), size_(end) {
+  std::error_code failed;
+  std::filesystem::resize_file(path_, end, failed);
+  errno = failed.value();
+  if (failed) fail();
+  open("ab");
+}
+
+void CsvFile::open(const char* mode) {
+  file_.reset(std::fopen(path_.c_str(), mode));
   if (!file_) fail();
   std::setvbuf(file_.get(), nullptr, _IONBF, 0);
   buffer_.reserve(buffer_size + buffer_size / 4);
@@ -57,8 +67,18 @@ void CsvFile::end_row() {
   if (buffer_.size() >= buffer_size) flush();
 }
 
+/// Of a write that fails in the middle, on a full disk, the rows that are whole are kept.
 void CsvFile::flush() {
-  if (file_ && std::fwrite(buffer_.data(), 1, buffer_.size(), file_.get()) != buffer_.size()) fail();
+  if (!file_) return buffer_.clear();
+  const std::size_t written = std::fwrite(buffer_.data(), 1, buffer_.size(), file_.get());
+  if (written < buffer_.size()) {
+    const int why = errno;
+    std::error_code is_no_file;
+    std::filesystem::resize_file(path_, size_ + buffer_.substr(0, written).rfind('\n') + 1, is_no_file);
+    errno = why;
+    fail();
+  }
+  size_ += written;
   buffer_.clear();
 }
 

@@ -10,21 +10,25 @@
 
 namespace tandem {
 
+std::filesystem::path Recorder::path_of(std::size_t subsystem) const {
+  return what_.directory / (what_.own
+                                ? "results." + run_.topology().name(static_cast<int>(subsystem)) + ".csv"
+                                : "results.csv");
+}
+
 void Recorder::open_files() {
   std::error_code failed;
   std::filesystem::create_directories(what_.directory, failed);
   if (failed)
     throw Error(ErrorCode::input_output,
                 "folder '" + what_.directory.string() + "' can't be made: " + failed.message());
-  if (what_.own) {
-    for (std::size_t i = 0; i < tracks_.size(); ++i) {
-      const std::string file = "results." + run_.topology().name(static_cast<int>(i)) + ".csv";
-      files_.push_back(tracks_[i].outputs.empty() ? nullptr
-                                                  : std::make_unique<CsvFile>(what_.directory / file));
-    }
-  } else {
-    files_.push_back(std::make_unique<CsvFile>(what_.directory / "results.csv"));
-  }
+  for (std::size_t i = 0; i < (what_.own ? tracks_.size() : 1); ++i)
+    files_.push_back(what_.own && tracks_[i].outputs.empty() ? nullptr
+                                                             : std::make_unique<CsvFile>(path_of(i)));
+  begin_tables();
+}
+
+void Recorder::begin_tables() {
   for (auto& file : files_)
     if (file) file->text("time");
   for (const Column& column : columns_)

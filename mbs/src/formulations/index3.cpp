@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "check_memory.hpp"
 #include "checks.hpp"
 #include "flush_denormals.hpp"
 #include "merged_frequency.hpp"
@@ -19,14 +20,13 @@ constexpr double settled = 1e-12;       // accelerations at the start: some thou
 constexpr double shortest = 1e-3;       // [s] step with the penalty as it is
 constexpr int most_substitutions = 10;  // about what a new factor costs
 
-
 const Index3Settings& checked(const Index3Settings& s) {
   const auto setting = [](const char* name, double value) {
     return Setting{"index-3 formulation", name, value};
   };
   setting("penalty", s.penalty).at_least(0.0, "a number above 0");
   check_beta("index-3 formulation", s.beta);
-  setting("tolerance", s.tolerance).positive();
+  setting("tolerance", s.tolerance).at_least(0.0, "a number above 0");
   setting("most_iterations", s.most_iterations).count();
   setting("projections", s.projections).count();
   setting("multiplier_iterations", s.multiplier_iterations).count();
@@ -50,6 +50,7 @@ bool threads_are_built_in() { return Team::can_be_many; }
 Index3::Index3(Model& model, const Index3Settings& settings)
     : settings_(checked(settings)),
       terms_(model, settings.solver, kind_of_tangent(model.structure())),
+      tolerance_(terms_.structure.tolerance(settings.tolerance, 1e-10)),
       penalty_(penalty(shortest)),
       left_(Eigen::VectorXd::Zero(terms_.structure.constraints)) {}
 
@@ -98,21 +99,21 @@ int Index3::step(State& s, double h, double t_end) {
   penalty_ = penalty(h);
   predict(s, h, t_end);
   for (int iteration = 1; iteration <= settings_.most_iterations; ++iteration) {
-    const bool done = correct(s, h) < settings_.tolerance;
+    const bool done = correct(s, h) < tolerance_;
     terms_.constraints(s);
     if (done || iteration <= settings_.multiplier_iterations) s.lambda += penalty_ * terms_.phi;
     if (!done) continue;
     terms_.refuse_lost(s);
-    project_velocities(s, settings_.tolerance / h);
-    project_accelerations(s, settings_.tolerance / (h * h));
+    project_velocities(s, tolerance_ / h);
+    project_accelerations(s, tolerance_ / (h * h));
     if (!terms_.definite) weight_ = 0.0;
     return iteration;
   }
   throw Error(
       ErrorCode::numerical,
       fmt::format("no convergence at t = {} s in {} iterations: the last correction is {:.2e} m, allowed "
-                  "is below {} m; no shorter step is tried",
-                  s.time, settings_.most_iterations, terms_.correction.norm(), settings_.tolerance));
+                  "is below {:.3g} m; no shorter step is tried",
+                  s.time, settings_.most_iterations, terms_.correction.norm(), tolerance_));
 }
 
 void Index3::refuse_unstable(const State& s, double h) {
@@ -121,19 +122,22 @@ void Index3::refuse_unstable(const State& s, double h) {
   mbs::refuse_unstable("index-3 formulation", settings_.beta, frequency_, s.time, h);
 }
 
-/// The tangent at hand, which refresh() uses, what the projection left, and the tangent's penalty.
+/// The penalty of the tangent at hand, which refresh() uses, the highest frequency and when it is looked at,
+/// what the projection left, and that tangent.
 std::vector<double> Index3::memory() const {
-  std::vector<double> all = terms_.tangent.values();
+  std::vector<double> all = {weight_, frequency_, static_cast<double>(steps_)};
   all.insert(all.end(), left_.begin(), left_.end());
-  all.push_back(weight_);
+  const auto more = terms_.memory();
+  all.insert(all.end(), more.begin(), more.end());
   return all;
 }
 
 void Index3::recall(std::span<const double> memory) {
-  const auto values = memory.first(terms_.tangent.values().size());
-  std::copy_n(memory.begin() + values.size(), left_.size(), left_.begin());
-  weight_ = memory.back();
-  terms_.recall(values);
+  const auto head = static_cast<std::size_t>(3 + left_.size());
+  check_memory(memory.size() >= head);
+  terms_.recall(memory.subspan(head));
+  std::copy_n(memory.begin() + 3, left_.size(), left_.begin());
+  weight_ = memory[0], frequency_ = memory[1], steps_ = static_cast<long>(memory[2]);
 }
 
 void Index3::predict(State& s, double h, double t_end) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "check_memory.hpp"
 #include "checks.hpp"
 #include "tandem/error.hpp"
 #include "timed.hpp"
@@ -75,15 +76,39 @@ void Terms::factorize(const State& s, const TangentFactors& factors) {
   if (bad >= 0) refuse_singular(structure, "tangent matrix", bad, s.time);
 }
 
-int Terms::factorize_indefinite(const TangentFactors& factors) {
+void Terms::make_indefinite() {
   if (!indefinite_)
     indefinite_ = std::make_unique<Tangent>(structure, make_solver(solver_, MatrixKind::symmetric));
+}
+
+int Terms::factorize_indefinite(const TangentFactors& factors) {
+  make_indefinite();
   indefinite_->assemble(matrices, factors);
   return indefinite_->factorize();
 }
 
-void Terms::recall(std::span<const double> values) {
-  tangent.recall(values);
+/// Of the tangent, after the number of numbers that it has; of the indefinite one, if there is one.
+std::vector<double> Terms::memory() const {
+  const auto of_tangent = tangent.memory();
+  std::vector<double> all = {static_cast<double>(of_tangent.size())};
+  all.insert(all.end(), of_tangent.begin(), of_tangent.end());
+  if (!indefinite_) return all;
+  const auto more = indefinite_->memory();
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+void Terms::recall(std::span<const double> memory) {
+  check_memory(!memory.empty() && memory[0] >= 0.0 && memory[0] <= static_cast<double>(memory.size() - 1));
+  const auto first = static_cast<std::size_t>(memory[0]);
+  tangent.recall(memory.subspan(1, first));
+  const auto more = memory.subspan(1 + first);
+  if (more.empty()) {
+    indefinite_.reset();
+  } else {
+    make_indefinite();
+    indefinite_->recall(more);
+  }
   definite = true;
 }
 

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "check_memory.hpp"
 #include "flush_denormals.hpp"
 #include "settings.hpp"
 
@@ -45,6 +46,8 @@ std::vector<double> Unmerged::memory() const {
 }
 
 void Unmerged::recall(std::span<const double> memory) {
+  check_memory(!memory.empty() && memory.back() >= 0.0 &&
+               memory.back() <= static_cast<double>(memory.size() - 1));
   const auto first = static_cast<std::size_t>(memory.back());
   formulation_->recall(memory.first(first));
   integrator_->recall(memory.subspan(first, memory.size() - 1 - first));

@@ -4,6 +4,7 @@
 
 #include <new>
 
+#include "check_memory.hpp"
 #include "solvers.hpp"
 
 namespace tandem::mbs::solvers {
@@ -38,16 +39,31 @@ class Klu final : public LinearSolver {
     if (!always_full_ && numeric_ && klu_refactor(starts(), rows(), a, symbolic_, numeric_, &common_) &&
         !grown(a))
       return -1;
-    klu_free_numeric(&numeric_, &common_);
-    numeric_ = klu_factor(starts(), rows(), a, symbolic_, &common_);
-    if (!numeric_ || common_.status == KLU_SINGULAR) return common_.singular_col;
-    if (!always_full_) growth_ = growth_of(a);
-    return -1;
+    return choose_pivots(a);
   }
 
   void solve(double* b) override { klu_solve(symbolic_, numeric_, pattern_.columns(), 1, b, &common_); }
 
+  /// The matrix whose pivots it uses.
+  std::vector<double> memory() const override { return pivoted_; }
+  void recall(std::span<const double> memory) override {
+    check_memory(memory.empty() || (!always_full_ && memory.size() == pattern_.indices().size()));
+    std::vector<double> matrix(memory.begin(), memory.end());
+    pivoted_.clear();
+    klu_free_numeric(&numeric_, &common_);
+    if (!matrix.empty()) choose_pivots(matrix.data());
+  }
+
  private:
+  int choose_pivots(double* a) {
+    klu_free_numeric(&numeric_, &common_);
+    numeric_ = klu_factor(starts(), rows(), a, symbolic_, &common_);
+    if (!numeric_ || common_.status == KLU_SINGULAR) return common_.singular_col;
+    if (always_full_) return -1;
+    growth_ = growth_of(a);
+    pivoted_.assign(a, a + pattern_.indices().size());
+    return -1;
+  }
   static constexpr double worst = 1e-3;  ///< of the growth after a full factorization
 
   int* starts() { return const_cast<int*>(pattern_.starts().data()); }
@@ -65,6 +81,7 @@ class Klu final : public LinearSolver {
   klu_symbolic* symbolic_ = nullptr;
   klu_numeric* numeric_ = nullptr;
   double growth_ = 0.0;
+  std::vector<double> pivoted_;  ///< the matrix that pivots were chosen for, unless always
 };
 
 }  // namespace

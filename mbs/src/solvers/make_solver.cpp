@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "check_memory.hpp"
 #include "solvers.hpp"
 #include "tandem/error.hpp"
 #include "tandem/nearest.hpp"
@@ -49,6 +50,8 @@ const std::vector<Entry>& entries() {
 }
 
 }  // namespace
+
+void LinearSolver::recall(std::span<const double> memory) { check_memory(memory.empty()); }
 
 std::vector<std::string> solver_names(MatrixKind kind) {
   std::vector<std::string> names;

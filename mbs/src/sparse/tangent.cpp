@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "check_memory.hpp"
+
 namespace tandem::mbs {
 namespace {
 
@@ -63,8 +65,17 @@ Tangent::Tangent(const Structure& structure, std::unique_ptr<LinearSolver> solve
   base_ = mass_;
 }
 
-void Tangent::recall(std::span<const double> values) {
-  std::copy(values.begin(), values.end(), values_.begin());
+std::vector<double> Tangent::memory() const {
+  std::vector<double> all = values_;
+  const auto more = solver_->memory();
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+void Tangent::recall(std::span<const double> memory) {
+  check_memory(memory.size() >= values_.size());
+  solver_->recall(memory.subspan(values_.size()));
+  std::copy_n(memory.begin(), values_.size(), values_.begin());
   if (!solver_->in_place()) solver_->factorize(values_.data());
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "tandem/mbs/state_bytes.hpp"
 #include "tandem/mbs/stepper.hpp"
 
 namespace tandem::mbs {
@@ -20,6 +21,16 @@ class MovingState {
     stepper_ = other.stepper_;
     state_ = other.state_;
     return *this;
+  }
+
+  /// Of one that is kept. read() refuses that of another model or stepper.
+  void write(ByteWriter& to) const {
+    mbs::write(state_, to);
+    to.put_list(memory_);
+  }
+  void read(ByteReader& from) {
+    mbs::read(state_, from);
+    memory_ = from.take_list();
   }
 
   const State& state() const { return state_; }

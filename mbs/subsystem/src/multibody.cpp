@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -36,6 +37,7 @@ SubsystemInfo Multibody::info() const {
   const Outputs& outputs = machine_->outputs;
   SubsystemInfo info;
   info.name = m.description().name;
+  info.abilities.serializes_state = true;
   for (const int input : machine_->inputs.ports()) {
     const Input& i = m.description().inputs[static_cast<std::size_t>(input)];
     info.inputs.push_back({i.name, i.unit, 1, 0, i.value});
@@ -86,8 +88,8 @@ void Multibody::dump_matrices() const {
   };
   if (m.dump.folder.empty() || !due()) return;
   while (due()) ++m.dumped;
-  write(step_matrices(m.mechanism, moving_.state(), m.stepper->tangent_factors(step_)), m.dump.folder,
-        fmt::format("{}", moving_.state().time), m.dump.format);
+  mbs::write(step_matrices(m.mechanism, moving_.state(), m.stepper->tangent_factors(step_)), m.dump.folder,
+             fmt::format("{}", moving_.state().time), m.dump.format);
 }
 
 void Multibody::outputs(double* y) const {
@@ -107,6 +109,19 @@ void Multibody::hide_unknown(double* y) const {
     const int order = outputs.derivatives(k);  // the last derivative is an acceleration
     if (order > 0) y[order * outputs.size() + k] = nothing;
   }
+}
+
+void Multibody::write(ByteWriter& to) const {
+  moving_.write(to);
+  for (const InputValue& input : inputs_)
+    to.put_doubles(std::array{input.value, input.rate, input.acceleration});
+  to.put(std::uint8_t{unknown_.empty()});
+}
+
+void Multibody::read(ByteReader& from) {
+  moving_.read(from);
+  for (InputValue& input : inputs_) input = {from.take<double>(), from.take<double>(), from.take<double>()};
+  if (from.take<std::uint8_t>() != 0) unknown_.clear();
 }
 
 std::unique_ptr<Subsystem> make_subsystem(Description description, const SubsystemSettings& settings) {

@@ -22,6 +22,8 @@ class Multibody {
   void start(double t, std::span<const double> u0);
   void step(const OwnStep& s, std::span<const Signal> u);
   void outputs(double* y) const;
+  void write(ByteWriter& to) const;
+  void read(ByteReader& from);
 
  private:
   struct Machine {

@@ -30,6 +30,7 @@ class ModelBody {
   SubsystemInfo info() const {
     SubsystemInfo info;
     info.name = named_->name;
+    info.abilities.serializes_state = true;
     const auto& names = named_->model->structure().variable_names;
     for (std::size_t i = 0; i < names.size(); ++i) info.outputs.push_back({names[i], named_->units[i], 1, 2});
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -61,6 +62,9 @@ class ModelBody {
       if (energy_) *y++ = order == 0 ? energy(s) : 0.0;
     }
   }
+
+  void write(ByteWriter& to) const { moving_.write(to); }
+  void read(ByteReader& from) { moving_.read(from); }
 
  private:
   double energy(const State& s) const { return named_->model->energy(s.q.data(), s.v.data()); }

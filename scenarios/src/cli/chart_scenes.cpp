@@ -5,6 +5,8 @@
 #include "charts/engine_charts.hpp"
 #include "charts/engine_linkage_charts.hpp"
 #include "charts/flat_position_chart.hpp"
+#include "charts/kart_charts.hpp"
+#include "charts/ladder_chart.hpp"
 #include "charts/linkage_cost_chart.hpp"
 #include "charts/linkage_errors_chart.hpp"
 #include "charts/mechanisms_work_chart.hpp"
@@ -69,6 +71,22 @@ Drawing engine(const fs::path& folder) {
           ""};
 }
 
+Drawing kart(const fs::path& folder) {
+  const auto caption = conditions_caption(folder / "conditions.json", 150);
+  const auto levels = charts::read_kart_traces(folder / "traces.csv");
+  Drawing drawing{{charts::kart_work_chart(charts::read_kart_work(folder / "work.csv"), caption)}, ""};
+  for (const charts::KartLevel& level : levels) {
+    drawing.pictures.push_back(charts::kart_pitch_chart(level, caption));
+    drawing.pictures.push_back(charts::kart_course_chart(level, caption));
+  }
+  return drawing;
+}
+
+Drawing ladder(const fs::path& folder) {
+  const auto caption = conditions_caption(folder / "conditions.json", 150);
+  return {{charts::ladder_chart(charts::read_ladder(folder / "ladder.csv"), caption)}, ""};
+}
+
 Drawing solvers(const fs::path& folder) {
   const auto caption = conditions_caption(folder / "solvers_conditions.json", 140);
   return {{charts::solver_map_chart(charts::read_solver_times(folder / "solvers.csv"), caption)}, ""};
@@ -121,6 +139,12 @@ const ChartScene scenes[] = {
      "sweep engine_linkage --output {}",
      {"results.csv", "work.csv", "elapsed.csv", "conditions.json"},
      engine_linkage},
+    {"kart", "results/kart", "sweep kart --output {}", {"work.csv", "traces.csv", "conditions.json"}, kart},
+    {"ladder",
+     "results/ladder/kart",
+     "ladder SCENARIO --output {}",
+     {"ladder.csv", "conditions.json"},
+     ladder},
     {"solvers",
      "results/bench",
      "bench solvers --output {}",

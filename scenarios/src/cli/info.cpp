@@ -45,6 +45,7 @@ void print_abilities(const Abilities& a) {
   add(a.chooses_step, "chooses its step");
   add(a.lands, "lands (can cut a step)");
   add(a.saves_state, "saves its state");
+  add(a.serializes_state, "gives its state as bytes (for checkpoints)");
   add(a.restarts, "restarts");
   add(a.reactive_inputs, "reactive inputs");
   fmt::print("  abilities: {}\n", text.empty() ? "none" : text);

@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <sstream>
@@ -11,6 +12,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/run_progress.hpp"
 #include "output/files.hpp"
+#include "scenario/checkpoint.hpp"
 #include "scenario/comparison.hpp"
 #include "scenario/results.hpp"
 
@@ -28,7 +30,8 @@ struct Matrices {
 };
 
 struct RunOptions {
-  fs::path file, output;
+  fs::path file, output, resume;
+  std::optional<double> checkpoint_every;  ///< [s], simulated
   std::vector<std::string> overrides;
   Matrices matrices;
   bool dry = false, profile = false, no_reference = false;
@@ -84,7 +87,10 @@ class Run {
         scenario_(with_matrices(scenario::read(options.file, options.overrides), options.matrices)),
         assembly_(scenario_, context.builtins, options.profile),
         folder_(options.output.empty() ? fs::path("results") / options.file.stem() : options.output),
-        recorder_(assembly_.recorder(folder_)) {
+        recorder_(assembly_.recorder(folder_)),
+        checkpoint_(scenario_, context.builtins, assembly_, *recorder_),
+        began_at_(scenario_.start) {
+    if (options.checkpoint_every || !options.resume.empty()) check_checkpoints();
     if (scenario_.reference && !options.no_reference) read_reference();
   }
 
@@ -97,8 +103,9 @@ class Run {
   }
 
   void make() {
-    assembly_.coordinator().observe(recorder_.get());
+    if (options_.resume.empty()) assembly_.coordinator().observe(recorder_.get());
     assembly_.initialize();
+    if (!options_.resume.empty()) resume();
     tell_coordination();
     simulate();
     close();
@@ -133,21 +140,62 @@ class Run {
                                                    scenario_.reference->file.string());
   }
 
+  void check_checkpoints() const {
+    if (options_.checkpoint_every && !(*options_.checkpoint_every > 0.0))
+      throw Error(
+          ErrorCode::invalid_argument,
+          fmt::format("--checkpoint-every is {} s; allowed is a number above 0", *options_.checkpoint_every));
+    text::located([&](const std::string& sentence) { return scenario_.place_named_in(sentence); },
+                  [&] { assembly_.coordinator().require_serializable(); });
+  }
+
+  void resume() {
+    checkpoint_.resume(options_.resume);
+    assembly_.coordinator().observe(recorder_.get());
+    began_at_ = slowest_time(assembly_.coordinator());
+    checkpoints_passed_ = times_passed(began_at_);
+    if (!context_.quiet) fmt::print("resumed at t = {} s\n", began_at_);
+  }
+
+  fs::path checkpoint_file() const { return folder_ / "checkpoint"; }
+
   void simulate() {
     const InterruptGuard guard;
     Coordinator& run = assembly_.coordinator();
-    RunProgress progress(scenario_.start, scenario_.stop, !context_.quiet);
+    RunProgress progress(began_at_, scenario_.stop, !context_.quiet);
     try {
-      while (run.round() && !InterruptGuard::interrupted()) {
+      for (double flush_at = 1.0; run.round() && !InterruptGuard::interrupted();) {
         recorder_->between_rounds();
-        if (progress.due()) progress.show(slowest_time(run));
+        if (options_.checkpoint_every) write_if_due(slowest_time(run));
+        if (!progress.due()) continue;
+        progress.show(slowest_time(run));
+        if (const double now = progress.seconds(); now >= flush_at) recorder_->flush(), flush_at = now + 1.0;
       }
-      if (InterruptGuard::interrupted())
-        fail("interrupted", fmt::format("interrupted at t = {} s", slowest_time(run)));
+      if (InterruptGuard::interrupted()) interrupted(slowest_time(run));
     } catch (const std::exception& error) {
       fail("failed", scenario::with_address(scenario_, context_.builtins, error.what()));
     }
     end_.seconds = progress.seconds();
+  }
+
+  /// Times of checkpoints up to t.
+  double times_passed(double t) const {
+    return options_.checkpoint_every ? std::floor((t - scenario_.start) / *options_.checkpoint_every) : 0.0;
+  }
+
+  void write_if_due(double t) {
+    const double passed = times_passed(t);
+    if (passed <= checkpoints_passed_) return;
+    checkpoint_.write(checkpoint_file());
+    checkpoints_passed_ = passed;
+  }
+
+  void interrupted(double t) {
+    const std::string when = fmt::format("interrupted at t = {} s", t);
+    fail("interrupted", when);
+    if (!options_.checkpoint_every) return;
+    checkpoint_.write(checkpoint_file());
+    fail("interrupted", fmt::format("--resume {} goes on from there", checkpoint_file().string()));
   }
 
   void fail(const std::string& status, const std::string& message) {
@@ -189,7 +237,7 @@ class Run {
       results["reference"] = {{"file", scenario_.reference->file.string()},
                               {"within", outside_.empty()},
                               {"differences", differences_}};
-    const double simulated = slowest_time(assembly_.coordinator()) - scenario_.start;
+    const double simulated = slowest_time(assembly_.coordinator()) - began_at_;
     try {
       scenario::write_json(folder_ / "results.json", results);
       scenario::write_json(folder_ / "machine.json",
@@ -234,6 +282,9 @@ class Run {
   Assembly assembly_;
   fs::path folder_;
   std::unique_ptr<Recorder> recorder_;
+  scenario::Checkpoint checkpoint_;
+  double began_at_;                  ///< [s]: where the stepping began
+  double checkpoints_passed_ = 0.0;  ///< times of checkpoints that lie behind
   std::optional<text::TimeTable> reference_;
   RunEnd end_;
   std::string report_;
@@ -250,6 +301,9 @@ Any value of the scenario can be set by its path:
 Results: results.csv (or results.INSTANCE.csv with record.clock = "own"), results.json (status, units, how cells were
 interpolated, the scenario with what was set, versions), machine.json (steps, exchanges, seconds, real-time factor:
 simulated seconds in a second; with --profile the seconds of each subsystem, and of the coordinator with the recording).
+
+Checkpoints (docs/checkpoints.md): a run that is resumed gives the same results to the last bit; every subsystem has to
+have the ability to give its state as bytes. Rows are in results.csv at least once a second.
 
 Exit status: 0; 1 for a run that failed, was interrupted (Ctrl-C) or is not within its reference's tolerance, with the
 results until then kept; 2 for an error before the run.)";
@@ -285,6 +339,17 @@ void add_run(CLI::App& app, Context& context) {
       ->check(CLI::IsMember({"mtx", "ccs"}))
       ->capture_default_str()
       ->needs(dump);
+  command
+      ->add_option(
+          "--checkpoint-every", options->checkpoint_every,
+          "Write the whole run to DIR/checkpoint each time that it has come so many simulated seconds "
+          "further, and when it is interrupted")
+      ->type_name("SECONDS");
+  command
+      ->add_option("--resume", options->resume,
+                   "Go on from a checkpoint, with the results in the same folder")
+      ->type_name("FILE")
+      ->excludes(dump);
   command->footer(footer);
   command->callback([options, &context] {
     Run run(*options, context);

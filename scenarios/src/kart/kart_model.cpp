@@ -9,6 +9,7 @@
 
 #include "tandem/fixed_step.hpp"
 #include "tandem/mbs/make_stepper.hpp"
+#include "tandem/mbs/state_bytes.hpp"
 
 namespace tandem::kart {
 namespace {
@@ -30,7 +31,11 @@ class DrivenKart {
     return *this;
   }
 
-  SubsystemInfo info() const { return model_->info(); }
+  SubsystemInfo info() const {
+    SubsystemInfo info = model_->info();
+    info.abilities.serializes_state = true;
+    return info;
+  }
   double own_step() const { return step_; }
 
   void start(double t, std::span<const double> u0) {
@@ -62,6 +67,20 @@ class DrivenKart {
     for (int k = 0; k < size; ++k)
       if (const int order = all.outputs[static_cast<std::size_t>(k)].derivatives; order > 0)
         y[order * size + k] = std::numeric_limits<double>::quiet_NaN();
+  }
+
+  /// Of a state that is kept.
+  void write(ByteWriter& to) const {
+    mbs::write(state_, to);
+    to.put_list(memory_);
+    to.put(torque_);
+    to.put(std::uint8_t{known_});
+  }
+  void read(ByteReader& from) {
+    mbs::read(state_, from);
+    memory_ = from.take_list();
+    torque_ = from.take<double>();
+    known_ = from.take<std::uint8_t>() != 0;
   }
 
  private:

@@ -17,7 +17,7 @@ class Player {
   Player(std::vector<double> torque, double step)
       : torque_(std::make_shared<const std::vector<double>>(std::move(torque))), step_(step) {}
 
-  SubsystemInfo info() const { return {"player", {}, {{"torque", "N m"}}, {}, {}}; }
+  SubsystemInfo info() const { return {"player", {}, {{"torque", "N m"}}, {}, {.serializes_state = true}}; }
   double own_step() const { return step_; }
   void start(double t, std::span<const double>) { begin_ = t, row_ = 0; }
   void step(const OwnStep& s, std::span<const Signal>) {
@@ -27,6 +27,13 @@ class Player {
                   "the record of the torque ends before t = " + std::to_string(s.end) + " s");
   }
   void outputs(double* y) const { y[0] = (*torque_)[row_]; }
+  void write(ByteWriter& to) const { to.put(static_cast<std::uint64_t>(row_)); }
+  void read(ByteReader& from) {
+    row_ = from.take<std::uint64_t>();
+    if (row_ >= torque_->size())
+      from.refuse("stands at row " + std::to_string(row_) + " of a record of " +
+                  std::to_string(torque_->size()));
+  }
 
  private:
   std::shared_ptr<const std::vector<double>> torque_;

@@ -2,40 +2,13 @@
 #include "mechanisms/source.hpp"
 
 #include <algorithm>
-#include <sstream>
 
 #include "mechanisms/view_table.hpp"
 #include "sources/elements.hpp"
-#include "sources/run_table.hpp"
-#include "sources/stepper.hpp"
-#include "tandem/error.hpp"
-#include "tandem/mbs/mechanism/read.hpp"
-#include "tandem/mbs/subsystem.hpp"
-#include "tandem/text/section.hpp"
+#include "tandem/sources/mechanism.hpp"
 
 namespace tandem::mechanisms {
 namespace {
-
-/// Numbers with commas between them.
-std::vector<double> list(const std::string& name, const std::string& text) {
-  std::vector<double> all;
-  std::istringstream in(text);
-  for (std::string word; std::getline(in, word, ',');) {
-    Parameters one;
-    one.set(name, word);
-    all.push_back(one.number(name, 0.0));
-  }
-  std::sort(all.begin(), all.end());
-  return all;
-}
-
-mbs::MatrixDump dump(Parameters& p) {
-  mbs::MatrixDump d;
-  d.folder = p.text("matrices", "");
-  d.times = list("matrices_at", p.text("matrices_at", "-inf"));
-  d.format = mbs::matrix_format(p.text("matrices_format", "mtx"));
-  return d;
-}
 
 /// An output for each coordinate of a point, and of a vector that moves, that has none of that name.
 void animate(mbs::Description& d) {
@@ -52,23 +25,17 @@ void animate(mbs::Description& d) {
   }
 }
 
-std::unique_ptr<Subsystem> make(const std::filesystem::path& file, Parameters& p) {
-  const text::Document document(file);
-  take_run_table(document, p);
-  mbs::Description description = mbs::read_mechanism(file, element_kinds());
+void look_at(const text::Document& document, mbs::Description& description, Parameters& p) {
   read_view(document, description);  // refuses what is wrong with it
   if (p.flag("animate", false)) animate(description);
-  if (!p.has("step"))
-    throw Error(ErrorCode::invalid_argument,
-                "mechanism '" + description.name +
-                    "' has no own step; give the parameter step, a number above 0 "
-                    "[s], or step in the table [run] of its file");
-  const double step = p.number("step", 0.0);
-  return mbs::make_subsystem(std::move(description), {step, take_stepper(p), dump(p)});
 }
 
 }  // namespace
 
-void add_sources(Builtins& builtins) { builtins.files["mechanism"] = make; }
+void add_sources(Builtins& builtins) {
+  builtins.files["mechanism"] = [](const std::filesystem::path& file, Parameters& p) {
+    return make_mechanism({file}, p, element_kinds([&p] { return p.text("tyre", ""); }), look_at);
+  };
+}
 
 }  // namespace tandem::mechanisms

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "output/files.hpp"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -37,6 +38,61 @@ void replace_text(const fs::path& file, const std::string& text) {
   fs::rename(part, file, failed);
   if (failed) fail("file", file, failed.message());
 }
+
+namespace {
+
+/// An open file, which closes with it.
+class Descriptor {
+ public:
+  Descriptor(const fs::path& path, int flags)
+      : path_(path), number_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {
+    check(number_ >= 0);
+  }
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  void write(std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+      const auto written = ::write(number_, bytes.data(), bytes.size());
+      if (written < 0 && errno == EINTR) continue;
+      check(written > 0);
+      bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
+  }
+  void sync() { check(::fsync(number_) == 0); }
+
+ private:
+  void check(bool done) const {
+    if (!done) fail("file", path_, std::generic_category().message(errno));
+  }
+  const fs::path& path_;
+  int number_;
+};
+
+}  // namespace
+
+void replace_durably(const fs::path& file, std::span<const std::byte> bytes) {
+  fs::path part = file;
+  part += ".part";
+  std::error_code failed;
+  try {
+    Descriptor out(part, O_WRONLY | O_CREAT | O_TRUNC);
+    out.write(bytes);
+    out.sync();
+  } catch (...) {
+    fs::remove(part, failed);
+    throw;
+  }
+  fs::rename(part, file, failed);
+  if (failed) fail("file", file, failed.message());
+  const fs::path folder = fs::absolute(file).parent_path();
+  Descriptor(folder, O_RDONLY | O_DIRECTORY).sync();
+}
+
+void sync(const fs::path& file) { Descriptor(file, O_RDONLY).sync(); }
 
 void make_folder(const fs::path& folder) {
   std::error_code failed;

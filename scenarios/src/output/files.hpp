@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
 
 namespace tandem::output {
@@ -10,6 +12,12 @@ void write_text(const std::filesystem::path& file, const std::string& text);
 
 /// The same by way of FILE.part, which is renamed when it is complete: never half a file.
 void replace_text(const std::filesystem::path& file, const std::string& text);
+
+/// The same on the disk: after it the file is the new one even if the power fails, or else still the old one.
+void replace_durably(const std::filesystem::path& file, std::span<const std::byte> bytes);
+
+/// Puts what a file holds on the disk. Throws as above.
+void sync(const std::filesystem::path& file);
 
 /// Makes a folder and those above it. Throws Error(input_output) with path and reason.
 void make_folder(const std::filesystem::path& folder);

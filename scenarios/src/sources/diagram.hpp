@@ -1,20 +1,11 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <functional>
-#include <string>
-
+#include "tandem/sources/diagram.hpp"
 #include "tandem/transports/open.hpp"
 
 namespace tandem::diagrams {
 
-/// Takes a sentence that a diagram tells once: a signal has left its limits.
-using Tell = std::function<void(const std::string&)>;
-
-/// "diagram:FILE": a diagram's file as a subsystem. Parameters: `step` [s], `integrator`, the settings of the
-/// one that is chosen by the names of IntegratorSettings and AdaptiveSettings, the diagram's
-/// own parameters, and `data.INPUT`, "FILE" or "FILE:COLUMN": a CSV file beside the diagram's that drives
-/// that input, which is no port then. What is not given is taken from the file's table [run], else by
-/// default; `step` must be given.
-void add_sources(Builtins& builtins, const Tell& tell = {});
+/// "diagram:FILE": make_diagram, with the compiled blocks of scenes.
+void add_sources(Builtins& builtins, const TellOfDiagram& tell = {});
 
 }  // namespace tandem::diagrams

@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "sources/functions.hpp"
 
-#include "sources/stepper.hpp"
 #include "tandem/error.hpp"
 #include "tandem/mbs/functions/function_model.hpp"
 #include "tandem/mbs/functions/library.hpp"
 #include "tandem/mbs/functions/octave.hpp"
 #include "tandem/mbs/subsystem.hpp"
+#include "tandem/sources/stepper.hpp"
 
 namespace tandem::functions {
 namespace {

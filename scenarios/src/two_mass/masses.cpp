@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "two_mass/masses.hpp"
 
+#include <array>
+
 #include "tandem/error.hpp"
 
 namespace tandem::two_mass {
@@ -13,7 +15,11 @@ FastMass::FastMass(const Model& model, Options options) : model_(model), options
 }
 
 SubsystemInfo FastMass::info() const {
-  SubsystemInfo info{"two_mass.fast", {{"x2", "m"}}, {{"x1", "m", 1, 2}, {"v1", "m/s", 1, 1}}, {}, {}};
+  SubsystemInfo info{"two_mass.fast",
+                     {{"x2", "m"}},
+                     {{"x1", "m", 1, 2}, {"v1", "m/s", 1, 1}},
+                     {},
+                     {.serializes_state = true}};
   if (!options_.force) return info;
   info.outputs.push_back({"F", "N"});
   info.feedthrough.push_back({2, 0});
@@ -62,6 +68,15 @@ void FastMass::outputs(double* y) const {
   }
 }
 
+void FastMass::write(ByteWriter& to) const { to.put_doubles(std::array{x1_, v1_, a1_, force_}); }
+
+void FastMass::read(ByteReader& from) {
+  x1_ = from.take<double>();
+  v1_ = from.take<double>();
+  a1_ = from.take<double>();
+  force_ = from.take<double>();
+}
+
 SlowMass::SlowMass(const Model& model, Options options)
     : model_(model),
       options_(options),
@@ -75,7 +90,11 @@ SlowMass::SlowMass(const Model& model, Options options)
 }
 
 SubsystemInfo SlowMass::info() const {
-  SubsystemInfo info{"two_mass.slow", {{"x1", "m"}}, {{"x2", "m", 1, 2}, {"v2", "m/s", 1, 1}}, {}, {}};
+  SubsystemInfo info{"two_mass.slow",
+                     {{"x1", "m"}},
+                     {{"x2", "m", 1, 2}, {"v2", "m/s", 1, 1}},
+                     {},
+                     {.serializes_state = true}};
   if (!options_.force) return info;
   info.inputs[0] = {"F", "N"};
   info.outputs.push_back({"a2", "m/s^2"});
@@ -110,8 +129,20 @@ void SlowMass::outputs(double* y) const {
   }
 }
 
+void SlowMass::write(ByteWriter& to) const { to.put_doubles(std::array{x2_, v2_, a2_}); }
+
+void SlowMass::read(ByteReader& from) {
+  x2_ = from.take<double>();
+  v2_ = from.take<double>();
+  a2_ = from.take<double>();
+}
+
 SubsystemInfo BothMasses::info() const {
-  return {"two_mass.both", {}, {{"x1", "m"}, {"v1", "m/s"}, {"x2", "m"}, {"v2", "m/s"}}, {}, {}};
+  return {"two_mass.both",
+          {},
+          {{"x1", "m"}, {"v1", "m/s"}, {"x2", "m"}, {"v2", "m/s"}},
+          {},
+          {.serializes_state = true}};
 }
 
 void BothMasses::start(double t, std::span<const double>) { state_ = model_.exact(t); }
@@ -132,6 +163,17 @@ void BothMasses::step(const OwnStep& s, std::span<const Signal>) {
 
 void BothMasses::outputs(double* y) const {
   y[0] = state_.x1, y[1] = state_.v1, y[2] = state_.x2, y[3] = state_.v2;
+}
+
+void BothMasses::write(ByteWriter& to) const {
+  to.put_doubles(std::array{state_.x1, state_.v1, state_.x2, state_.v2});
+}
+
+void BothMasses::read(ByteReader& from) {
+  state_.x1 = from.take<double>();
+  state_.v1 = from.take<double>();
+  state_.x2 = from.take<double>();
+  state_.v2 = from.take<double>();
 }
 
 void add_builtins(Builtins& builtins) {

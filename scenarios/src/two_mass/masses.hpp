@@ -25,6 +25,8 @@ class FastMass {
   void start(double t, std::span<const double> u0);
   void step(const OwnStep& s, std::span<const Signal> u);
   void outputs(double* y) const;
+  void write(ByteWriter& to) const;
+  void read(ByteReader& from);
 
  private:
   double acceleration(double x1, double x2) const;
@@ -56,6 +58,8 @@ class SlowMass {
   void start(double t, std::span<const double> u0);
   void step(const OwnStep& s, std::span<const Signal> u);
   void outputs(double* y) const;
+  void write(ByteWriter& to) const;
+  void read(ByteReader& from);
 
  private:
   Model model_;
@@ -75,6 +79,8 @@ class BothMasses {
   void start(double t, std::span<const double> u0);
   void step(const OwnStep& s, std::span<const Signal> u);
   void outputs(double* y) const;
+  void write(ByteWriter& to) const;
+  void read(ByteReader& from);
 
  private:
   Model model_;

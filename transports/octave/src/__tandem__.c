@@ -310,7 +310,9 @@ static const tandem_subsystem_api model_api = {TANDEM_ABI_VERSION,
                                                advance,
                                                save_state,
                                                restore_state,
-                                               release_state};
+                                               release_state,
+                                               NULL,
+                                               NULL};
 
 static void serve(mxArray** out, int count, const mxArray** in) {
   char* words[18] = {"tandem_serve"};

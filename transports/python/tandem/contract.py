@@ -5,9 +5,10 @@ from __future__ import annotations
 
 import enum
 import math
+import struct
 import sys
 from dataclasses import dataclass, field
-from typing import List, Optional, Sequence, Tuple
+from typing import Dict, List, Optional, Sequence, Tuple
 
 NAN = float("nan")
 
@@ -37,6 +38,7 @@ class Abilities(enum.IntFlag):
     SAVES_STATE = 4
     RESTARTS = 8
     REACTIVE_INPUTS = 16
+    SERIALIZES_STATE = 32
 
 
 @dataclass
@@ -173,6 +175,17 @@ class TimeGrid:
     def cut(self, t: float) -> None:
         self.time, self._whole = t, False
 
+    def place(self) -> bytes:
+        """Where it stands, as bytes (tandem::TimeGrid::write)."""
+        return struct.pack("<dddqB", self.t_start, self.h, self.time, self._node, self._whole)
+
+    def put(self, place: bytes) -> None:
+        t_start, h, time, node, whole = struct.unpack("<dddqB", place)
+        if (t_start, h) != (self.t_start, self.h):
+            raise Error(f"the state is of own steps of {h} s from {t_start} s; allowed are those of {self.h} s from "
+                        f"{self.t_start} s")
+        self.time, self.next, self._node, self._whole = time, t_start + node * h, node, bool(whole)
+
 
 class FixedStep:
     """Makes a model with a fixed own step a subsystem: it does the grid, landing, early returns and samples. A
@@ -183,13 +196,22 @@ class FixedStep:
         start(t, u0)                                          # puts the state at t; u0 may hold NaN
         step(begin, end, h, u)                                # integrates; reads u[i].value(t) anywhere in it
         outputs() -> Sequence[float]                          # outputs, then derivatives, as the state is
+
+    and may have, so that the run can be saved and resumed,
+
+        state() -> Sequence[float]                            # all that its steps go by and that start() does not make
+        set_state(numbers)
     """
 
     def __init__(self, model: object) -> None:
         self.model = model
         self._info = model.info()  # type: ignore[attr-defined]
         self._info.abilities |= Abilities.LANDS | Abilities.RESTARTS
+        if hasattr(model, "state"):
+            self._info.abilities |= Abilities.SAVES_STATE | Abilities.SERIALIZES_STATE
         self._grid: Optional[TimeGrid] = None
+        self._saved: Dict[int, bytes] = {}
+        self._last_id = 0
 
     def info(self) -> Info:
         return self._info
@@ -214,6 +236,51 @@ class FixedStep:
                 return self._clock(Stop.LIMIT)
             self._append(rows)
         return self._clock(Stop.SAMPLES_FULL)
+
+    def save_state(self) -> int:
+        assert self._grid is not None
+        numbers = [float(x) for x in self.model.state()]  # type: ignore[attr-defined]
+        return self._keep(self._grid.place() + struct.pack(f"<{len(numbers)}d", *numbers))
+
+    def restore_state(self, state: int) -> Clock:
+        assert self._grid is not None
+        place, numbers = self._parts(self._find(state))
+        self._grid.put(place)
+        self.model.set_state(numbers)  # type: ignore[attr-defined]
+        return self._clock(Stop.LIMIT)
+
+    def release_state(self, state: int) -> None:
+        self._find(state)
+        del self._saved[state]
+
+    def serialize_state(self, state: int) -> bytes:
+        return self._find(state)
+
+    def deserialize_state(self, data: bytes) -> int:
+        assert self._grid is not None
+        place, numbers = self._parts(data)
+        TimeGrid(self._grid.t_start, self._grid.h).put(place)
+        expected = len(self.model.state())  # type: ignore[attr-defined]
+        if len(numbers) != expected:
+            raise Error(f"the state has {len(numbers)} numbers; allowed are {expected}")
+        return self._keep(bytes(data))
+
+    def _keep(self, data: bytes) -> int:
+        self._last_id += 1
+        self._saved[self._last_id] = data
+        return self._last_id
+
+    def _find(self, state: int) -> bytes:
+        if state not in self._saved:
+            raise Error(f"subsystem '{self._info.name}' has no saved state {state}")
+        return self._saved[state]
+
+    @staticmethod
+    def _parts(data: bytes) -> Tuple[bytes, Tuple[float, ...]]:
+        head = struct.calcsize("<dddqB")
+        if len(data) < head or (len(data) - head) % 8:
+            raise Error(f"the state has {len(data)} bytes; allowed are {head} and 8 for each number")
+        return bytes(data[:head]), struct.unpack(f"<{(len(data) - head) // 8}d", data[head:])
 
     def _append(self, rows: List[Row]) -> None:
         assert self._grid is not None

@@ -42,5 +42,12 @@ class Ode:
         self._t, self._state = end, [float(x) for x in solution.y[:, -1]]
         self._inputs = [signal.value(end) for signal in u]
 
+    def state(self) -> List[float]:
+        return [self._t, *self._state, *self._inputs]
+
+    def set_state(self, numbers: Sequence[float]) -> None:
+        n = len(self._start)
+        self._t, self._state, self._inputs = numbers[0], list(numbers[1:n + 1]), list(numbers[n + 1:])
+
     def outputs(self) -> List[float]:
         return [float(y) for y in self._outputs(self._t, self._state, self._inputs)]

@@ -52,6 +52,12 @@ class Remote:
     def release_state(self, state: int) -> None:
         self._exchange(wire.Type.RELEASE, struct.pack("<q", state))
 
+    def serialize_state(self, state: int) -> bytes:
+        return bytes(self._exchange(wire.Type.SERIALIZE, struct.pack("<q", state)))
+
+    def deserialize_state(self, data: bytes) -> int:
+        return struct.unpack("<q", self._exchange(wire.Type.DESERIALIZE, data))[0]
+
     def close(self) -> None:
         self._number += 1
         try:

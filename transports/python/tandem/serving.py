@@ -19,7 +19,8 @@ Make = Callable[[Dict[str, str]], Any]
 class Session:
     """One connection: answers requests until the peer says bye or is gone. `make` gets the parameters that the
     client gave, and returns a subsystem: an object with info(), initialize() and advance() as FixedStep has
-    them, and with the ability to save states save_state(), restore_state(id), release_state(id)."""
+    them, with the ability to save states save_state(), restore_state(id), release_state(id), and with that to give
+    them as bytes serialize_state(id), deserialize_state(bytes)."""
 
     def __init__(self, channel: wire.Channel, make: Make, deadline: float = 5.0,
                  idle: Optional[float] = None) -> None:
@@ -77,7 +78,8 @@ class Session:
         handler = {wire.Type.HELLO: self._hello, wire.Type.INFO: self._tell_info,
                    wire.Type.INITIALIZE: self._initialize, wire.Type.ADVANCE: self._advance,
                    wire.Type.SAVE: self._save, wire.Type.RESTORE: self._restore,
-                   wire.Type.RELEASE: self._release, wire.Type.PING: self._ping}.get(kind)
+                   wire.Type.RELEASE: self._release, wire.Type.SERIALIZE: self._serialize,
+                   wire.Type.DESERIALIZE: self._deserialize, wire.Type.PING: self._ping}.get(kind)
         if handler is None:
             raise Error(f"'{kind.name.lower()}' is no request", 3)
         handler(data)
@@ -124,9 +126,13 @@ class Session:
         self._rows(room, lambda rows, n: self._subsystem.advance(t_limit, land, u, rows, n))
 
     def _state(self, kind: wire.Type, call: Callable[[], bytes]) -> None:
+        bytes_too = kind in (wire.Type.SERIALIZE, wire.Type.DESERIALIZE)
+        ability = Abilities.SERIALIZES_STATE if bytes_too else Abilities.SAVES_STATE
+
         def payload() -> bytes:
-            if not self._known().abilities & Abilities.SAVES_STATE:
-                raise Error(f"subsystem '{self._known().name}' has no ability to save its state", 2)
+            if not self._known().abilities & ability:
+                what = "give its state as bytes" if bytes_too else "save its state"
+                raise Error(f"subsystem '{self._known().name}' has no ability to {what}", 2)
             return call()
 
         try:
@@ -149,6 +155,19 @@ class Session:
             return b""
 
         self._state(wire.Type.RELEASE, release)
+
+    def _serialize(self, data: memoryview) -> None:
+        (state,) = wire.Reader(data, "serialize").take("q")
+        self._state(wire.Type.SERIALIZE, lambda: self._bytes_of(state))
+
+    def _bytes_of(self, state: int) -> bytes:
+        data = bytes(self._subsystem.serialize_state(state))
+        if len(data) > self._longest:
+            raise Error(f"the state has {len(data)} bytes; a reply may have up to {self._longest}", 2)
+        return data
+
+    def _deserialize(self, data: memoryview) -> None:
+        self._state(wire.Type.DESERIALIZE, lambda: _identity(self._subsystem.deserialize_state(bytes(data))))
 
     def _ping(self, data: memoryview) -> None:
         self._reply(wire.Type.PING, bytes(data))

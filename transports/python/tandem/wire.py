@@ -30,6 +30,8 @@ class Type(enum.IntEnum):
     PING = 9
     ERROR = 10
     BYE = 11
+    SERIALIZE = 12
+    DESERIALIZE = 13
 
 
 class Reader:
@@ -106,7 +108,7 @@ def put_info(info: Info) -> bytes:
 def read_info(data: memoryview) -> Info:
     reader = Reader(data, "info")
     name = reader.text(4096)
-    abilities = Abilities(reader.take("I")[0] & 31)
+    abilities = Abilities(reader.take("I")[0] & 63)
     ports: List[List[Port]] = []
     for _ in range(2):
         ports.append([Port(reader.text(4096), reader.text(4096), *reader.take("iid"))
@@ -238,8 +240,8 @@ class Channel:
         if head is None:
             return None
         length, kind, number = HEADER.unpack(head)
-        if not 1 <= kind <= 11:
-            raise Error(f"the frame has the type {kind}; allowed are 1 to 11")
+        if not 1 <= kind <= max(Type):
+            raise Error(f"the frame has the type {kind}; allowed are 1 to {max(Type)}")
         if length > LONGEST:
             raise Error(f"the frame announces {length} bytes; allowed are up to {LONGEST}")
         payload = self._read(length, deadline, deadline, False)

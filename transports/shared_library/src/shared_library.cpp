@@ -1,11 +1,10 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "tandem/shared_library/shared_library.hpp"
 
-#define BOOST_DLL_USE_STD_FS 1
-#include <boost/dll/shared_library.hpp>
-
+#include "loading.hpp"
 #include "tandem/c_subsystem.hpp"
 #include "tandem/error.hpp"
+#include "tandem/shared_library/three_functions.hpp"
 
 namespace tandem {
 namespace {
@@ -13,29 +12,17 @@ namespace {
 namespace fs = std::filesystem;
 namespace dll = boost::dll;
 
-std::string named(const fs::path& file) { return "library '" + file.string() + "'"; }
-
-dll::shared_library load(const fs::path& file) {
-  if (!fs::exists(file)) throw Error(ErrorCode::input_output, named(file) + " is not there");
-  try {
-    // The whole of it at once: a symbol that it lacks is told here, not in the middle of a run.
-    return dll::shared_library(file, dll::load_mode::rtld_now | dll::load_mode::rtld_local);
-  } catch (const std::exception& error) {
-    throw Error(ErrorCode::input_output, named(file) + " can't be loaded: " + error.what());
-  }
-}
-
 const tandem_subsystem_api* table(const dll::shared_library& library, const fs::path& file,
                                   const std::string& entry) {
   if (!library.has(entry))
-    throw Error(ErrorCode::invalid_argument,
-                named(file) + " has no symbol '" + entry + "'; name the one that it exports by ?entry=NAME");
+    throw Error(ErrorCode::invalid_argument, library_named(file) + " has no symbol '" + entry +
+                                                 "'; name the one that it exports by ?entry=NAME");
   try {
     return library.get<const tandem_subsystem_api*()>(entry)();
   } catch (const std::exception& error) {
-    throw Error(ErrorCode::internal, named(file) + ": '" + entry + "' threw: " + error.what());
+    throw Error(ErrorCode::internal, library_named(file) + ": '" + entry + "' threw: " + error.what());
   } catch (...) {
-    throw Error(ErrorCode::internal, named(file) + ": '" + entry + "' threw");
+    throw Error(ErrorCode::internal, library_named(file) + ": '" + entry + "' threw");
   }
 }
 
@@ -50,20 +37,33 @@ class LibrarySubsystem final : Loaded, public CSubsystem {
       : Loaded{std::move(loaded)}, CSubsystem(api, parameters) {}
 };
 
+/// "three_functions:FILE": what the library does not say of itself are parameters.
+std::unique_ptr<Subsystem> three_functions(const Address& address, Parameters& p) {
+  ThreeFunctions what;
+  what.initiate = p.text("initiate", what.initiate);
+  what.step = p.text("advance", what.step);
+  what.clean_up = p.text("clean_up", what.clean_up);
+  what.own_step = positive(p, "step", what.own_step);
+  what.inputs = ports_of_text("parameter inputs", p.text("inputs", ""));
+  what.outputs = ports_of_text("parameter outputs", p.text("outputs", ""), &what.start);
+  return load_three_functions(address.folder / address.place, std::move(what));
+}
+
 }  // namespace
 
 std::unique_ptr<Subsystem> load_subsystem(const fs::path& file, const std::string& entry,
                                           const std::string& parameters) {
-  dll::shared_library library = load(file);
+  dll::shared_library library = load_library(file, file);
   const tandem_subsystem_api* api = table(library, file, entry);
   try {
     return std::make_unique<LibrarySubsystem>(std::move(library), api, parameters);
   } catch (const Error& error) {
-    throw Error(error.code(), named(file) + ": " + error.what());
+    throw Error(error.code(), library_named(file) + ": " + error.what());
   }
 }
 
 void add_shared_library(Builtins& builtins) {
+  builtins.addresses["three_functions"] = three_functions;
   builtins.addresses["lib"] = [](const Address& address, Parameters& parameters) {
     const std::string entry = parameters.text("entry", default_entry);
     return load_subsystem(address.folder / address.place, entry, parameters.rest());

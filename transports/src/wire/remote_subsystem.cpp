@@ -183,4 +183,29 @@ void RemoteSubsystem::release_state(StateId id) {
   });
 }
 
+void RemoteSubsystem::require_serializing() const {
+  if (!info_.abilities.serializes_state)
+    throw Error(ErrorCode::not_supported,
+                "subsystem '" + info_.name + "' has no ability to give its state as bytes");
+}
+
+std::vector<std::byte> RemoteSubsystem::serialize_state(StateId id) {
+  require_serializing();
+  return told([&] {
+    begin(Type::serialize);
+    put_id(frame_, id);
+    const auto bytes = exchange(Type::serialize).payload;
+    return std::vector<std::byte>(bytes.begin(), bytes.end());
+  });
+}
+
+StateId RemoteSubsystem::deserialize_state(std::span<const std::byte> bytes) {
+  require_serializing();
+  return told([&] {
+    begin(Type::deserialize);
+    frame_.put_bytes(bytes);
+    return read_id(exchange(Type::deserialize).payload);
+  });
+}
+
 }  // namespace tandem::wire

@@ -104,6 +104,8 @@ void Session::handle(const Frame& request) {
     case Type::save:
     case Type::restore:
     case Type::release:
+    case Type::serialize:
+    case Type::deserialize:
       return handle_state(request);
     default:
       throw Error(ErrorCode::wrong_state, "'" + std::string(name(request.header.type)) + "' is no request");
@@ -113,16 +115,29 @@ void Session::handle(const Frame& request) {
 void Session::handle_state(const Frame& request) {
   const Type type = request.header.type;
   if (type == Type::save) read_nothing(request);
-  const StateId id = type == Type::save ? 0 : read_id(request.payload);
+  const bool names_one = type != Type::save && type != Type::deserialize;
+  const StateId id = names_one ? read_id(request.payload) : 0;
   try {
     reply(type);
     if (type == Type::save) put_id(frame_, asked([&] { return subsystem_->save_state(); }));
     if (type == Type::restore) put_clock(frame_, asked([&] { return subsystem_->restore_state(id); }));
     if (type == Type::release) asked([&] { subsystem_->release_state(id); });
+    if (type == Type::serialize) frame_.put_bytes(asked([&] { return bytes_of(id); }));
+    if (type == Type::deserialize)
+      put_id(frame_, asked([&] { return subsystem_->deserialize_state(request.payload); }));
     send();
   } catch (const Error& error) {
     send_error(error);
   }
+}
+
+/// Of a state, if the peer takes that many.
+std::vector<std::byte> Session::bytes_of(StateId id) {
+  auto bytes = subsystem_->serialize_state(id);
+  if (const auto most = std::min(longest_, usual_longest); bytes.size() > most)
+    throw Error(ErrorCode::not_supported, "the state has " + std::to_string(bytes.size()) +
+                                              " bytes; a reply may have up to " + std::to_string(most));
+  return bytes;
 }
 
 void Session::hello(const Frame& request) {

@@ -15,7 +15,8 @@ using ParameterValues = std::map<std::string, ParameterValue>;
 /// value found and the values allowed.
 Description read_diagram(const std::filesystem::path& file, const ParameterValues& parameters = {});
 
-/// The same from a text; `name` is what errors call it.
+/// The same from a text; `name` is what errors call it, and files that it names are looked for in the folder
+/// of that name.
 Description read_diagram(const std::string& name, const std::string& text,
                          const ParameterValues& parameters = {});
 

@@ -16,7 +16,8 @@ struct SimulationSettings {
   /// Times within one own step at which something happens, an event that follows from another at the same
   /// time counted for itself; with more it chatters, and that is an error.
   int most_events = 1000;
-  /// Takes what is told once and does not end a run: a signal that has left its limits. Null: nobody.
+  /// Takes what is told once and does not end a run: a signal that has left its limits; by make_subsystem()
+  /// also a block that was left out. Null: nobody.
   std::function<void(const std::string&)> tell = {};
 };
 
@@ -48,8 +49,11 @@ class Simulation {
   const std::vector<double>& keep();
   const std::vector<double>& signals() const { return system_.image(); }
   void restore(double t, std::span<const double> state);
+  /// Whether keep() leaves what follows as it would be without it.
+  bool keeps_exactly() const { return integrator_->goes_by_image(); }
 
  private:
+  double sign_at_start(const Crossing& crossing) const;
   void remember();
   void settle();
   void begin_step();
@@ -68,13 +72,14 @@ class Simulation {
   void record(int level);
   void note_jumps();
   void turn_delays();
+  bool is_finite() const;
   void refuse_not_finite() const;
   void refuse_outside() const;
 
   System system_;
   std::unique_ptr<Integrator> integrator_;
   SimulationSettings settings_;
-  double time_ = 0.0;
+  double start_ = 0.0, time_ = 0.0;
   int events_ = 0;
   bool begun_ = false;          ///< a step has been asked for since the start
   std::vector<bool> was_told_;  ///< by bound

@@ -66,7 +66,7 @@ class Coordinator {
   /// is asked for and can't be made, and what a subsystem throws.
   void initialize();
 
-  /// Tells `observer` (may be null) of all samples from now on. Call before initialize().
+  /// Tells `observer` (may be null) of all samples from now on. Call before initialize(), or after restore().
   void observe(Observer* observer) { observer_ = observer; }
 
   /// One round of the schedule, after initialize(). False: there was none left, or the observer ended the
@@ -76,6 +76,14 @@ class Coordinator {
 
   /// initialize(), then rounds to the end.
   void run();
+
+  /// Throws Error(not_supported) that names the subsystems whose state can't leave the process.
+  void require_serializable() const;
+  /// Between rounds: all that the run goes by from here on, states of the subsystems and histories included.
+  void save(ByteWriter& to) const;
+  /// After initialize() of a run that is put together alike: it stands where the other was saved, and goes on
+  /// with the same bits. Refuses, Error(invalid_argument), what is of another run, as far as that shows.
+  void restore(ByteReader& from);
 
   const Topology& topology() const { return topology_; }
   const Exchange& exchange() const { return *exchange_; }

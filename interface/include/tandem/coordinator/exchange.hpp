@@ -51,6 +51,10 @@ class Exchange {
   /// From now on the signals begin with the first segment of full degree (see Link::reach_back).
   void reach_back();
 
+  /// Histories and links, for a checkpoint, and back into the exchange of a run that is put together alike.
+  void write(ByteWriter& to) const;
+  void read(ByteReader& from);
+
   std::span<const Link> links() const { return links_; }
 
  private:

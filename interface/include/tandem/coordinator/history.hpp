@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tandem/bytes.hpp"
 #include "tandem/subsystem.hpp"
 #include "tandem/time_grid.hpp"
 
@@ -69,6 +70,10 @@ class History {
   /// fill over half of it.
   void make_room(std::int64_t keep, std::int64_t wanted);
   std::int64_t capacity() const { return capacity_; }
+
+  /// All rows, for a checkpoint, and back.
+  void write(ByteWriter& to) const;
+  void read(ByteReader& from);
 
  private:
   /// Nothing is wrong with the row, which comes later than the one before it. (False for the first row and

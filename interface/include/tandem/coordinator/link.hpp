@@ -63,6 +63,10 @@ class Link {
   /// start (repeated start: interpolate in a pass that is complete).
   void reach_back();
 
+  /// What the next segments and reads go by, for a checkpoint, and back, after History::read of its source.
+  void write(ByteWriter& to) const;
+  void read(ByteReader& from);
+
  private:
   void forget_before(double time) {
     for (; count_ > 1 && first_->end < time; --count_) ++first_;

@@ -53,6 +53,14 @@ class Recorder final : public Observer {
   bool samples(int subsystem, const History& history, std::int64_t first, std::int64_t last) override;
   /// Throws Error(input_output) with the path.
   void between_rounds() override;
+  /// Writes all rows that are complete: they are in the files if the process is killed. Throws as above.
+  void flush();
+
+  /// After flush(): where the files end, and the samples that still wait; for a checkpoint.
+  void save(ByteWriter& to) const;
+  /// In place of the first samples: cuts the files of the other run where it was saved, and goes on. Throws
+  /// Error(input_output) for a file that is not there, is shorter, or ends otherwise there.
+  void resume(ByteReader& from);
 
   /// Writes what is left and closes the files. Also after a failed run: all that it was told of gets written.
   /// Throws Error(input_output) with the path.
@@ -91,7 +99,10 @@ class Recorder final : public Observer {
   void choose_columns();
   void start(double t_start);
   int smallest_step() const;
+  std::filesystem::path path_of(std::size_t subsystem) const;
   void open_files();
+  void begin_tables();
+  void reopen_files(ByteReader& from);
   void write_waiting(bool all);
   void write_own(std::size_t subsystem);
   void write_at_clock(bool all);
@@ -102,6 +113,7 @@ class Recorder final : public Observer {
   const Coordinator& run_;
   Recording what_;
   int clock_ = -1;
+  double t_start_ = 0.0;
   TimeTolerance tolerance_;
   std::vector<Track> tracks_;  ///< by subsystem
   std::vector<Column> columns_;

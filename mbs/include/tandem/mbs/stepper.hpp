@@ -32,8 +32,8 @@ class Stepper {
   virtual TangentFactors tangent_factors([[maybe_unused]] double h) const { return {0.0, 0.0, 0.0}; }
 
   /// What it goes by besides the state, after a step or start(). With the state of that moment and its memory
-  /// put back, steps are the same to the last bit, if the solver goes by nothing but the last matrix, as band
-  /// and prepared do, of which `auto` takes one for mechanisms (klu goes by the pivots of a matrix before).
+  /// put back, steps are the same to the last bit, also of another stepper of the same kind that has started.
+  /// recall() throws Error(invalid_argument) for the memory of another kind.
   virtual std::vector<double> memory() const { return {}; }
   virtual void recall(std::span<const double> /*memory*/) {}
 };

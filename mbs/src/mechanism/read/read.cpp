@@ -219,7 +219,7 @@ Description read_mechanism(const std::filesystem::path& file, const ElementKinds
 
 Description read_mechanism(const std::string& name, const std::string& text, const ElementKinds& kinds) {
   const text::Document document(name, text);
-  return Reader(document, "", kinds).read();
+  return Reader(document, std::filesystem::path(name).parent_path(), kinds).read();
 }
 
 }  // namespace tandem::mbs

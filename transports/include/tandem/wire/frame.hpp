@@ -28,8 +28,10 @@ enum class Type : std::uint32_t {
   ping = 9,
   error = 10,
   bye = 11,
+  serialize = 12,
+  deserialize = 13,
 };
-constexpr std::uint32_t last_type = 11;
+constexpr std::uint32_t last_type = 13;
 std::string_view name(Type type);
 
 /// What stands before each payload.

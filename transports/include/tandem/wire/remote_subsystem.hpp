@@ -29,6 +29,8 @@ class RemoteSubsystem final : public Subsystem {
   StateId save_state() override;
   Clock restore_state(StateId id) override;
   void release_state(StateId id) override;
+  std::vector<std::byte> serialize_state(StateId id) override;
+  StateId deserialize_state(std::span<const std::byte> bytes) override;
 
  private:
   void hello(const std::string& parameters);
@@ -38,6 +40,7 @@ class RemoteSubsystem final : public Subsystem {
   Frame exchange(Type expected, Samples* y = nullptr);
   std::uint64_t room(const Samples& y) const;
   void require_saving() const;
+  void require_serializing() const;
   template <class Call>
   auto told(const Call& call);
 

@@ -33,6 +33,7 @@ class Session {
   void say_bye();
   void handle(const Frame& request);
   void handle_state(const Frame& request);
+  std::vector<std::byte> bytes_of(StateId id);
   void check_number(const Header& header);
   void check_order(Type type) const;
   void hello(const Frame& request);

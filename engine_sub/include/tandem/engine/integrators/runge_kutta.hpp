@@ -15,6 +15,7 @@ class RungeKutta4 final : public Integrator {
   explicit RungeKutta4(bool locate_events = true) : locate_events_(locate_events) {}
   void restart(System& system, double t, Restart why) override;
   double advance(System& system, double t, double t_end) override;
+  bool goes_by_image() const override { return true; }
   Statistics statistics() const override { return statistics_; }
 
  private:

@@ -20,8 +20,8 @@ class Formulation : public SecondOrder {
   /// alpha in the matrix M + alpha Phi_q^T Phi_q that it factorizes; 0 if there is none.
   virtual double penalty() const { return 0.0; }
   /// See Stepper::memory().
-  virtual std::vector<double> memory() const { return {}; }
-  virtual void recall(std::span<const double> /*memory*/) {}
+  virtual std::vector<double> memory() const = 0;
+  virtual void recall(std::span<const double> memory) = 0;
 };
 
 }  // namespace tandem::mbs

@@ -14,12 +14,15 @@ namespace tandem::mbs {
 class Stabilized : public Formulation {
  public:
   int size() const override { return terms_.structure.variables; }
+  double length() const override { return terms_.structure.length; }
   void accelerations(double t, const double* y, const double* v, double* a) override;
   void start(State& state) override;
   bool begin(const State& state, Motion& motion) override;
   void finish(const Motion& motion, State& state) override;
   void refresh(State& state) override;
   double penalty() const override { return alpha_; }
+  std::vector<double> memory() const override { return terms_.memory(); }
+  void recall(std::span<const double> memory) override { terms_.recall(memory); }
 
  protected:
   struct Baumgarte {

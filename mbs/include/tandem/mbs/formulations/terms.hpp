@@ -28,8 +28,10 @@ struct Terms {
   void factorize(const State& s, const TangentFactors& factors);
   /// x <- T^-1 x.
   void solve(Eigen::VectorXd& x);
-  /// T is that of tangent.values() at another time, which was definite if it is of use.
-  void recall(std::span<const double> values);
+  /// What factorizations go by besides the state, and back: T is that of the time then, which was definite if
+  /// it is of use.
+  std::vector<double> memory() const;
+  void recall(std::span<const double> memory);
   /// correction <- factor T^-1 [Q - M a - Phi_q^T weights]; returns its Euclidean norm. Error(numerical)
   /// names a variable and the time where that is not finite.
   double correct(const State& s, const Eigen::VectorXd& weights, double factor);
@@ -63,6 +65,7 @@ struct Terms {
   double largest_mass;                         ///< the largest entry of M; 1 if there is none [kg]
 
  private:
+  void make_indefinite();
   int factorize_indefinite(const TangentFactors& factors);
 
   std::vector<double> most_off_;  ///< by constraint

@@ -11,7 +11,8 @@ namespace tandem::mbs {
 /// are built in. Throws Error that names file, line, the value found and the values allowed.
 Description read_mechanism(const std::filesystem::path& file, const ElementKinds& kinds = {});
 
-/// The same from a text; `name` is what errors call it.
+/// The same from a text; `name` is what errors call it, and files that it names are looked for in the folder
+/// of that name.
 Description read_mechanism(const std::string& name, const std::string& text, const ElementKinds& kinds = {});
 
 }  // namespace tandem::mbs

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,6 +37,10 @@ class LinearSolver {
   virtual bool in_place() const { return false; }
   /// b becomes A^-1 b. Precondition: the last factorize() returned -1.
   virtual void solve(double* b) = 0;
+  /// What it goes by besides the matrix that it factorizes (one before, whose pivots it uses), and back: then
+  /// it factorizes with the same bits. Error(invalid_argument) for that of another.
+  virtual std::vector<double> memory() const { return {}; }
+  virtual void recall(std::span<const double> memory);
 };
 
 /// Names of the solvers for matrices of this kind that this build has.

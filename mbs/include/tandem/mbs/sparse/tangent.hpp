@@ -35,9 +35,12 @@ class Tangent {
   void assemble(const ModelMatrices& at, const TangentFactors& factors);
   /// -1, or the variable at which the matrix is singular.
   int factorize() { return solver_->factorize(values_.data()); }
-  /// The matrix as assembled, or its factors where the solver factorizes in place; and back, factorized.
+  /// The matrix as assembled, or its factors where the solver factorizes in place.
   const std::vector<double>& values() const { return values_; }
-  void recall(std::span<const double> values);
+  /// These, and what the solver goes by besides; and back, factorized. Error(invalid_argument) for those of
+  /// another.
+  std::vector<double> memory() const;
+  void recall(std::span<const double> memory);
   /// b becomes T^-1 b.
   void solve(double* b);
 

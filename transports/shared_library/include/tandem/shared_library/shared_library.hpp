@@ -18,7 +18,9 @@ inline constexpr const char* default_entry = "tandem_subsystem";
 std::unique_ptr<Subsystem> load_subsystem(const std::filesystem::path& file, const std::string& entry,
                                           const std::string& parameters);
 
-/// Adds "lib:FILE?entry=NAME&key=value": every parameter but `entry` goes to the library.
+/// Adds "lib:FILE?entry=NAME&key=value": every parameter but `entry` goes to the library; and
+/// "three_functions:FILE" with the parameters step, inputs, outputs, initiate, advance, clean_up
+/// (docs/shared_libraries.md).
 void add_shared_library(Builtins& builtins);
 
 }  // namespace tandem

@@ -1,11 +1,17 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-#include "tandem/wire/bytes.hpp"
+#include "tandem/bytes.hpp"
 
 #include "tandem/error.hpp"
 
-namespace tandem::wire {
+namespace tandem {
 
-void Writer::put_doubles(std::span<const double> values) {
+std::uint64_t checksum(std::span<const std::byte> bytes) {
+  std::uint64_t sum = 0xcbf29ce484222325;
+  for (const std::byte byte : bytes) sum = (sum ^ std::to_integer<std::uint64_t>(byte)) * 0x100000001b3;
+  return sum;
+}
+
+void ByteWriter::put_doubles(std::span<const double> values) {
   if constexpr (std::endian::native == std::endian::little) {
     put_bytes(std::as_bytes(values));
   } else {
@@ -13,16 +19,21 @@ void Writer::put_doubles(std::span<const double> values) {
   }
 }
 
-void Writer::put_text(std::string_view text) {
+void ByteWriter::put_list(std::span<const double> values) {
+  put(static_cast<std::uint32_t>(values.size()));
+  put_doubles(values);
+}
+
+void ByteWriter::put_text(std::string_view text) {
   put(static_cast<std::uint32_t>(text.size()));
   put_bytes(std::as_bytes(std::span(text)));
 }
 
-void Writer::put_bytes(std::span<const std::byte> bytes) {
+void ByteWriter::put_bytes(std::span<const std::byte> bytes) {
   if (!bytes.empty()) std::memcpy(more(bytes.size()), bytes.data(), bytes.size());
 }
 
-void Reader::take_doubles(std::span<double> values) {
+void ByteReader::take_doubles(std::span<double> values) {
   need(values.size_bytes());
   if constexpr (std::endian::native == std::endian::little) {
     if (!values.empty()) std::memcpy(values.data(), all_.data() + place_, values.size_bytes());
@@ -32,7 +43,27 @@ void Reader::take_doubles(std::span<double> values) {
   }
 }
 
-std::string Reader::take_text(std::uint32_t longest) {
+std::vector<double> ByteReader::take_list() {
+  std::vector<double> values(take_count(sizeof(double)));
+  take_doubles(values);
+  return values;
+}
+
+void ByteReader::take_list(std::span<double> values) {
+  const std::uint64_t count = take_count(sizeof(double));
+  if (count != values.size())
+    refuse("has " + std::to_string(count) + " numbers in a list; allowed are " +
+           std::to_string(values.size()));
+  take_doubles(values);
+}
+
+std::span<const std::byte> ByteReader::take_bytes(std::uint64_t bytes) {
+  need(bytes);
+  place_ += bytes;
+  return all_.subspan(place_ - bytes, bytes);
+}
+
+std::string ByteReader::take_text(std::uint32_t longest) {
   const auto length = take<std::uint32_t>();
   if (length > longest)
     refuse("has a text of " + std::to_string(length) + " bytes; allowed are up to " +
@@ -44,7 +75,7 @@ std::string Reader::take_text(std::uint32_t longest) {
   return text;
 }
 
-std::uint64_t Reader::take_count(std::uint64_t bytes_each) {
+std::uint64_t ByteReader::take_count(std::uint64_t bytes_each) {
   const auto count = take<std::uint32_t>();
   if (count > left() / bytes_each)
     refuse("announces " + std::to_string(count) + " things of " + std::to_string(bytes_each) +
@@ -52,18 +83,19 @@ std::uint64_t Reader::take_count(std::uint64_t bytes_each) {
   return count;
 }
 
-void Reader::end() const {
+void ByteReader::end() const {
   if (left() != 0) refuse("has " + std::to_string(left()) + " bytes more than it should");
 }
 
-void Reader::need(std::uint64_t bytes) const {
+void ByteReader::need(std::uint64_t bytes) const {
   if (bytes > left())
     refuse("ends after " + std::to_string(all_.size()) + " bytes; at byte " + std::to_string(place_) + " " +
            std::to_string(bytes) + " more were to follow");
 }
 
-void Reader::refuse(const std::string& sentence) const {
-  throw Error(ErrorCode::invalid_argument, "the message '" + std::string(what_) + "' " + sentence);
+void ByteReader::refuse(const std::string& sentence) const {
+  throw Error(ErrorCode::invalid_argument,
+              "the " + std::string(kind_) + " '" + std::string(what_) + "' " + sentence);
 }
 
-}  // namespace tandem::wire
+}  // namespace tandem

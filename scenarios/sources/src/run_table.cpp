@@ -1,5 +1,5 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-#include "sources/run_table.hpp"
+#include "tandem/sources/run_table.hpp"
 
 #include "tandem/text/section.hpp"
 

@@ -1,0 +1,24 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tandem/engine/compiled_block.hpp"
+#include "tandem/sources/source_file.hpp"
+
+namespace tandem {
+
+/// Takes a sentence that a diagram tells once: a signal has left its limits.
+using TellOfDiagram = std::function<void(const std::string&)>;
+
+/// A diagram's file as a subsystem. Parameters: `step` [s], `integrator`, the settings of the one that is
+/// chosen by the names of IntegratorSettings and AdaptiveSettings, the diagram's own parameters, and
+/// `data.INPUT`, "FILE" or "FILE:COLUMN": a CSV file beside the diagram's that drives that input, which is no
+/// port then. What is not given is taken from the file's table [run], else by default; `step` must be given.
+/// kinds: of blocks, besides those that are built in.
+std::unique_ptr<Subsystem> make_diagram(const SourceFile& file, Parameters& parameters,
+                                        std::vector<engine::CompiledBlock> kinds = {},
+                                        const TellOfDiagram& tell = {});
+
+}  // namespace tandem

@@ -1,0 +1,21 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <functional>
+
+#include "tandem/mbs/mechanism/description.hpp"
+#include "tandem/sources/source_file.hpp"
+#include "tandem/text/document.hpp"
+
+namespace tandem {
+
+/// What is done with a mechanism that has been read, before it is made.
+using LookAtMechanism = std::function<void(const text::Document&, mbs::Description&, Parameters&)>;
+
+/// A mechanism's file as a subsystem. Parameters: `step` [s], those of a stepper (take_stepper), `matrices`,
+/// `matrices_at`, `matrices_format`. What is not given is taken from the file's table [run], else by default;
+/// `step` must be given. kinds: of elements, besides those that are built in.
+std::unique_ptr<Subsystem> make_mechanism(const SourceFile& file, Parameters& parameters,
+                                          const mbs::ElementKinds& kinds = {},
+                                          const LookAtMechanism& look = {});
+
+}  // namespace tandem

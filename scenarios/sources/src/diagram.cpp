@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/sources/diagram.hpp"
+
+#include <utility>
+
+#include "tandem/engine/read.hpp"
+#include "tandem/engine/subsystem.hpp"
+#include "tandem/error.hpp"
+#include "tandem/sources/run_table.hpp"
+
+namespace tandem {
+namespace {
+
+engine::ParameterValue value(Parameters& p, const engine::Parameter& parameter) {
+  if (const auto* number = std::get_if<double>(&parameter.value)) return p.number(parameter.name, *number);
+  return p.text(parameter.name, std::get<std::string>(parameter.value));
+}
+
+engine::Description read(const SourceFile& file, const engine::ParameterValues& values) {
+  return file.text ? engine::read_diagram(file.path.string(), *file.text, values)
+                   : engine::read_diagram(file.path, values);
+}
+
+/// The diagram with the parameters that are given.
+engine::Description read(const SourceFile& file, Parameters& p) {
+  engine::ParameterValues values;
+  for (const engine::Parameter& parameter : read(file, values).parameters)
+    if (p.has(parameter.name)) values[parameter.name] = value(p, parameter);
+  return read(file, values);
+}
+
+/// Inputs for which there is a parameter data.NAME, "FILE" or "FILE:COLUMN": a column of a CSV file, of the
+/// input's name if none is given.
+void take_data(engine::Description& d, Parameters& p) {
+  std::vector<engine::Input> others;
+  for (engine::Input& input : d.inputs) {
+    const std::string data = p.text("data." + input.name, "");
+    if (data.empty()) {
+      others.push_back(std::move(input));
+      continue;
+    }
+    const auto colon = data.find(':');
+    const std::string column = colon == std::string::npos ? input.name : data.substr(colon + 1);
+    d.blocks.push_back(
+        {input.name, "csv", {{"file", data.substr(0, colon)}, {"column", column}}, input.where});
+  }
+  d.inputs = std::move(others);
+}
+
+void take(Parameters& p, engine::AdaptiveSettings& s) {
+  s.relative_tolerance = p.number("relative_tolerance", s.relative_tolerance);
+  s.absolute_tolerance = p.number("absolute_tolerance", s.absolute_tolerance);
+  s.longest_step = p.number("longest_step", s.longest_step);
+  s.shortest_step = p.number("shortest_step", s.shortest_step);
+  s.most_steps = static_cast<long>(p.number("most_steps", static_cast<double>(s.most_steps)));
+}
+
+}  // namespace
+
+std::unique_ptr<Subsystem> make_diagram(const SourceFile& file, Parameters& p,
+                                        std::vector<engine::CompiledBlock> kinds, const TellOfDiagram& tell) {
+  take_run_table(file.document(), p);
+  engine::Description diagram = read(file, p);
+  take_data(diagram, p);
+  diagram.kinds = std::move(kinds);
+  if (!p.has("step"))
+    throw Error(
+        ErrorCode::invalid_argument,
+        "diagram '" + diagram.name +
+            "' has no own step; give the parameter step, a number above 0 [s], or step in the table [run] "
+            "of its file");
+  engine::SubsystemSettings settings;
+  settings.step = p.number("step", 0.0);
+  settings.integrator.name = p.text("integrator", settings.integrator.name);
+  settings.integrator.locate_events = p.flag("locate_events", settings.integrator.locate_events);
+  take(p, settings.integrator.adaptive);
+  if (tell)
+    settings.simulation.tell = [tell, name = diagram.name](const std::string& text) {
+      tell("diagram '" + name + "': " + text);
+    };
+  return engine::make_subsystem(diagram, settings);
+}
+
+}  // namespace tandem

@@ -1,0 +1,190 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// tandem run --checkpoint-every and --resume.
+#include <gtest/gtest.h>
+
+#include "background.hpp"
+#include "command.hpp"
+
+namespace tandem {
+namespace {
+
+using test::Background;
+using test::contains;
+using test::read_text;
+using test::Said;
+using test::Scratch;
+using test::tandem;
+using test::two_mass_file;
+using Words = std::vector<std::string>;
+
+Words joined(Words words, const Words& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+std::string scene(const std::string& file) { return TANDEM_SOURCE_DIR "/scenarios/" + file; }
+
+/// The whole run in the folder `whole`; the same with checkpoints in `cut`, then again from the last of them.
+void goes_on(const Words& what, const std::string& every) {
+  const Scratch folder;
+  const Words run = joined({"run"}, joined(what, {"--no-reference", "--output"}));
+  Said said = tandem(folder, joined(run, {"whole"}));
+  ASSERT_EQ(said.status, 0) << said.err;
+  said = tandem(folder, joined(run, {"cut", "--checkpoint-every", every}));
+  ASSERT_EQ(said.status, 0) << said.err;
+  const auto whole = folder.path() / "whole", cut = folder.path() / "cut";
+  EXPECT_EQ(read_text(cut / "results.csv"), read_text(whole / "results.csv"));
+  said = tandem(folder, joined(run, {"cut", "--resume", "cut/checkpoint"}));
+  ASSERT_EQ(said.status, 0) << said.err;
+  EXPECT_TRUE(contains(said.out, "resumed at t = ")) << said.out;
+  for (const char* name : {"results.csv", "results.json"})
+    EXPECT_EQ(read_text(cut / name), read_text(whole / name)) << what[0] << ", " << name;
+}
+
+TEST(CheckpointCommand, ScenesGoOnToTheSameFiles) {
+  goes_on({two_mass_file("two_mass.toml")}, "30");
+  goes_on({scene("engine_linkage/engine_linkage.toml"), "--set", "span.stop=0.5"}, "0.13");
+  goes_on({scene("split_pendulum/split_pendulum.toml"), "--set", "span.stop=0.5"}, "0.13");
+}
+
+TEST(CheckpointCommand, AMechanismAloneGoesOnToTheSameFiles) {
+  goes_on({scene("mechanisms/bricard/bricard.toml"), "--set", "run.stop=2.5", "--set", "run.step=1e-3"}, "1");
+}
+
+TEST(CheckpointCommand, GoesOnWithASubsystemInAnotherProcess) {
+  goes_on({two_mass_file("two_mass.toml"), "--set", "span.stop=20", "--set",
+           "subsystems.slow.source=spawn:" TANDEM_COMMAND " serve builtin:two_mass.slow"},
+          "7");
+}
+
+/// Long enough to be caught in the middle.
+const Words long_run = {"run", two_mass_file("two_mass.toml"), "--no-reference", "--set", "span.stop=20000"};
+
+class CheckpointAfter : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Signals, CheckpointAfter, testing::Values(SIGINT, SIGTERM, SIGKILL),
+                         [](const auto& p) { return "signal" + std::to_string(p.param); });
+
+TEST_P(CheckpointAfter, ARunThatIsEndedBySignalGoesOnToTheSameFiles) {
+  const Scratch folder;
+  ASSERT_EQ(tandem(folder, joined(long_run, {"--output", "whole"})).status, 0);
+  const std::string every = GetParam() == SIGKILL ? "10" : "1e9";
+  Background run(folder, joined(long_run, {"--output", "cut", "--checkpoint-every", every, "--quiet"}));
+  ASSERT_TRUE(
+      run.wait_for_file(folder.path() / (GetParam() == SIGKILL ? "cut/checkpoint" : "cut/results.csv")));
+  EXPECT_EQ(run.end_by(GetParam()), GetParam() == SIGKILL ? -1 : 1);
+  if (GetParam() != SIGKILL) {
+    EXPECT_TRUE(contains(run.err(), "interrupted at t = ") &&
+                contains(run.err(), "--resume cut/checkpoint goes on from there"))
+        << run.err();
+  }
+  const Said said = tandem(folder, joined(long_run, {"--output", "cut", "--resume", "cut/checkpoint"}));
+  ASSERT_EQ(said.status, 0) << said.err;
+  EXPECT_EQ(read_text(folder.path() / "cut/results.csv"), read_text(folder.path() / "whole/results.csv"));
+}
+
+/// A short run's checkpoint, to be spoilt.
+class CheckpointFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_EQ(tandem(folder, joined(run, {"--checkpoint-every", "1"})).status, 0);
+    whole = read_text(file());
+  }
+  std::filesystem::path file() const { return folder.path() / "o/checkpoint"; }
+  /// What it says of the file with these bytes, with more words of the command.
+  Said resumed(const std::string& bytes, const Words& more = {}) const {
+    folder.write("o/checkpoint", bytes);
+    const std::string before = read_text(folder.path() / "o/results.csv");
+    const Said said = tandem(folder, joined(joined(run, {"--resume", "o/checkpoint"}), more));
+    EXPECT_EQ(read_text(folder.path() / "o/results.csv"), before);
+    return said;
+  }
+  const Words run = {
+      "run", two_mass_file("two_mass.toml"), "--no-reference", "--set", "span.stop=3", "--output", "o"};
+  Scratch folder;
+  std::string whole;
+};
+
+TEST_F(CheckpointFile, IsRefusedWithTheReason) {
+  std::string damaged = whole, of_another_version = whole;
+  damaged[damaged.size() - 100] ^= 1;
+  of_another_version[8] = 7;
+  const std::pair<std::string, std::string> cases[] = {
+      {damaged, "is damaged"},
+      {whole.substr(0, whole.size() / 2), "is truncated"},
+      {whole.substr(0, 20), "is truncated"},
+      {whole + "x", "has grown"},
+      {of_another_version, "has the format version 7; allowed is 1"},
+      {"time,fast.x1\n", "is no checkpoint"},
+      {"", "is no checkpoint"}};
+  for (const auto& [bytes, reason] : cases) {
+    const Said said = resumed(bytes);
+    EXPECT_EQ(said.status, 2);
+    EXPECT_TRUE(contains(said.err, "checkpoint 'o/checkpoint' " + reason)) << said.err;
+  }
+}
+
+TEST_F(CheckpointFile, OfAnotherRunIsRefusedWithTheFirstDifference) {
+  Said said = resumed(whole, {"--set", "parameters.frequency_ratio=12"});
+  EXPECT_EQ(said.status, 2);
+  EXPECT_TRUE(
+      contains(said.err, "is of another run: scenario/parameters/frequency_ratio is 25.0 there; allowed is"))
+      << said.err;
+}
+
+TEST_F(CheckpointFile, GoesOnAtAnotherAddress) {
+  const std::string before = read_text(folder.path() / "o/results.csv");
+  const auto at = [](const std::string& command, const std::string& parameters = "") -> Words {
+    return {"--set", "subsystems.slow.source=spawn:" + command +
+                         TANDEM_COMMAND " serve builtin:two_mass.slow" + parameters};
+  };
+  ASSERT_EQ(tandem(folder, joined(joined(run, {"--checkpoint-every", "1"}), at(""))).status, 0);
+  Said said = tandem(folder, joined(joined(run, {"--resume", "o/checkpoint"}), at("env ")));
+  EXPECT_EQ(said.status, 0) << said.err;
+  EXPECT_EQ(read_text(folder.path() / "o/results.csv"), before);
+  said = tandem(folder, joined(joined(run, {"--resume", "o/checkpoint"}), at("", "?spin=0")));
+  EXPECT_TRUE(contains(said.err, "slow/source is \"elsewhere\" there")) << said.err;
+}
+
+TEST_F(CheckpointFile, WithOtherResultsIsRefused) {
+  folder.write("o/results.csv", "time,fast.x1\n0,1\n");
+  Said said = resumed(whole);
+  EXPECT_TRUE(contains(said.err, "results.csv' can't be gone on with: it is shorter than")) << said.err;
+  folder.write("o/results.csv", std::string(1 << 20, '\n'));
+  said = resumed(whole);
+  EXPECT_EQ(said.status, 2);
+  EXPECT_TRUE(contains(said.err, "it is of another run than the checkpoint")) << said.err;
+}
+
+TEST_F(CheckpointFile, ThatIsNotThereIsRefused) {
+  const Said said = tandem(folder, joined(run, {"--resume", "nowhere"}));
+  EXPECT_EQ(said.status, 2);
+  EXPECT_TRUE(contains(said.err, "checkpoint 'nowhere' is not there")) << said.err;
+}
+
+TEST(CheckpointCommand, ASubsystemThatCanNotIsNamedBeforeTheRun) {
+  const Scratch folder;
+  const Said said =
+      tandem(folder, {"run", scene("engine_linkage/engine_linkage.toml"), "--set",
+                      "subsystems.engine.parameters.integrator=cvode_bdf", "--checkpoint-every", "1"});
+  EXPECT_EQ(said.status, 2);
+  EXPECT_TRUE(contains(said.err, "engine_linkage.toml:") && contains(said.err, "subsystem 'engine'") &&
+              contains(said.err, "checkpoint"))
+      << said.err;
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "results"));
+  EXPECT_EQ(tandem(folder, {"run", two_mass_file("two_mass.toml"), "--checkpoint-every", "0"}).status, 2);
+}
+
+TEST(CheckpointCommand, AFullDiskEndsTheRunWithASentence) {
+  const Scratch folder;
+  std::filesystem::create_directory(folder.path() / "o");
+  std::filesystem::create_symlink("/dev/full", folder.path() / "o/checkpoint.part");
+  const Said said = tandem(folder, {"run", two_mass_file("two_mass.toml"), "--no-reference", "--output", "o",
+                                    "--checkpoint-every", "10"});
+  EXPECT_EQ(said.status, 1);
+  EXPECT_TRUE(contains(said.err, "file 'o/checkpoint.part' can't be written: No space left on device"))
+      << said.err;
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "o/checkpoint"));
+}
+
+}  // namespace
+}  // namespace tandem

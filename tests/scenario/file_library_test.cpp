@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// Libraries made of files by tandem_add_subsystem_library().
+#include <gtest/gtest.h>
+
+#include "command.hpp"
+
+namespace tandem {
+namespace {
+
+using test::contains;
+using test::read_text;
+using test::Said;
+using test::Scratch;
+using test::tandem;
+
+std::string file_library(const std::string& name) {
+  return "subsystems." + name + ".source=lib:" TANDEM_FILE_LIBRARIES "/" + name + "_library.so";
+}
+
+/// Half a second of the linkage driven by the engine, with more words of the command.
+Said half_a_second(const Scratch& folder, std::vector<std::string> more) {
+  std::vector<std::string> words = {"run", TANDEM_SOURCE_DIR "/scenarios/engine_linkage/engine_linkage.toml",
+                                    "--no-reference", "--set", "span.stop=0.5"};
+  words.insert(words.end(), more.begin(), more.end());
+  return tandem(folder, words);
+}
+
+TEST(FileLibrary, GivesTheBitsOfTheFileInThisProcess) {
+  const Scratch folder;
+  ASSERT_EQ(half_a_second(folder, {"--output", "here"}).status, 0);
+  const std::string expected = read_text(folder.path() / "here/results.csv");
+  const std::vector<std::string> cases[] = {
+      {"--set", file_library("engine")},
+      {"--set", file_library("linkage")},
+      {"--set", file_library("engine"), "--set", file_library("linkage")}};
+  for (std::vector<std::string> more : cases) {
+    more.insert(more.end(), {"--output", "there"});
+    const Said said = half_a_second(folder, more);
+    ASSERT_EQ(said.status, 0) << said.err;
+    EXPECT_EQ(read_text(folder.path() / "there/results.csv"), expected) << more[1];
+  }
+}
+
+TEST(FileLibrary, GoesOnFromACheckpoint) {
+  const Scratch folder;
+  ASSERT_EQ(half_a_second(folder, {"--output", "here"}).status, 0);
+  const std::vector<std::string> there = {
+      "--output", "there", "--set", file_library("engine"), "--set", file_library("linkage")};
+  auto more = there;
+  more.insert(more.end(), {"--checkpoint-every", "0.13"});
+  ASSERT_EQ(half_a_second(folder, more).status, 0);
+  more = there;
+  more.insert(more.end(), {"--resume", "there/checkpoint"});
+  const Said said = half_a_second(folder, more);
+  ASSERT_EQ(said.status, 0) << said.err;
+  EXPECT_EQ(read_text(folder.path() / "there/results.csv"), read_text(folder.path() / "here/results.csv"));
+}
+
+TEST(FileLibrary, RefusesAParameterThatTheFileHasNot) {
+  const Scratch folder;
+  const Said said = half_a_second(
+      folder, {"--set", file_library("engine"), "--set", "subsystems.engine.parameters.thrtle=3"});
+  EXPECT_EQ(said.status, 2);
+  EXPECT_TRUE(contains(said.err, "engine_library.so") && contains(said.err, "'thrtle'")) << said.err;
+}
+
+}  // namespace
+}  // namespace tandem

@@ -1,0 +1,16 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#define BOOST_DLL_USE_STD_FS 1
+#include <boost/dll/shared_library.hpp>
+#include <filesystem>
+#include <string>
+
+namespace tandem {
+
+/// "library 'FILE'".
+std::string library_named(const std::filesystem::path& file);
+/// The whole of it at once: a symbol that it lacks is told here, not in the middle of a run. Throws
+/// Error(input_output) that names `file`, of which `from` may be a copy.
+boost::dll::shared_library load_library(const std::filesystem::path& file, const std::filesystem::path& from);
+
+}  // namespace tandem
