@@ -35,6 +35,14 @@ TEST(Peer, TwoMassesWithMass2InCGiveTheSameBits) {
   }
 }
 
+#if TANDEM_FORTRAN
+TEST(Peer, TwoMassesWithMass2InFortranGiveTheSameBits) {
+  EXPECT_TRUE(same_bits(
+      masses_with("spawn:" TANDEM_EXAMPLES "/example_mass2_server_fortran?" + mass2_parameters(30.7)),
+      masses_with("builtin:two_mass.slow?frequency_ratio=30.7")));
+}
+#endif
+
 TEST(Peer, DrivesASubsystemAsItsMasterAndGetsTheSameBits) {
   const Served server(listen("tcp://127.0.0.1:0", {}), source("builtin:two_mass.slow"));
   Child master({TANDEM_EXAMPLES "/example_master_c", server.address(), mass2_parameters()});

@@ -44,7 +44,9 @@ enum {
   T_RELEASE,
   T_PING,
   T_ERROR,
-  T_BYE
+  T_BYE,
+  T_SERIALIZE,
+  T_DESERIALIZE
 };
 enum {
   VERSION = 1,
@@ -57,8 +59,9 @@ enum {
 #define LONGEST ((uint64_t)1 << 26)
 #define LONGEST_TEXT ((uint32_t)1 << 20)
 static const char magic[8] = {'T', 'A', 'N', 'D', 'E', 'M', '\r', '\n'};
-static const char* const type_names[] = {"none", "hello",   "info",    "initialize", "advance", "samples",
-                                         "save", "restore", "release", "ping",       "error",   "bye"};
+static const char* const type_names[] = {"none",    "hello", "info",      "initialize", "advance",
+                                         "samples", "save",  "restore",   "release",    "ping",
+                                         "error",   "bye",   "serialize", "deserialize"};
 
 typedef struct fault {
   tandem_status status;
@@ -324,9 +327,9 @@ static tandem_status fill(channel* c, size_t least, double until) {
 
 static tandem_status check_header(channel* c) {
   const uint64_t length = load(c->in.bytes, 8), type = load(c->in.bytes + 8, 4);
-  if (type < T_HELLO || type > T_BYE)
+  if (type < T_HELLO || type > T_DESERIALIZE)
     return refuse(&c->fault, TANDEM_INVALID_ARGUMENT, "the frame has the type %u; allowed are 1 to %d",
-                  (unsigned)type, T_BYE);
+                  (unsigned)type, T_DESERIALIZE);
   if (length > LONGEST)
     return refuse(&c->fault, TANDEM_INVALID_ARGUMENT,
                   "the frame '%s' announces %llu bytes; allowed are up to %llu", type_names[type],
@@ -685,21 +688,49 @@ static tandem_status answer_advance(session* s, reader* in) {
   return reply_samples(s, status, &y, &clock);
 }
 
-static tandem_status answer_state(session* s, int type, reader* in) {
-  int64_t id = type == T_SAVE ? 0 : (int64_t)take_u64(in);
-  tandem_clock clock;
+/* Whether the subsystem can do what is asked of its states. */
+static int can(const session* s, int type) {
+  const int bytes = type == T_SERIALIZE || type == T_DESERIALIZE;
+  return (s->info->abilities & TANDEM_SAVES_STATE) &&
+         (!bytes || ((s->info->abilities & TANDEM_SERIALIZES_STATE) && s->api->table_size >= sizeof *s->api));
+}
+
+/* Does what is asked, and puts what it gives into the reply. */
+static tandem_status do_state(session* s, int type, int64_t id, const reader* in) {
+  buffer* const out = &s->channel.out;
+  tandem_clock clock = {0.0, 0.0, 0, 0};
+  const void* bytes = NULL;
+  int64_t size = 0;
   tandem_status status;
-  if ((status = done(in)) != TANDEM_OK) return status;
-  if (!(s->info->abilities & TANDEM_SAVES_STATE))
-    return reply_error(s, TANDEM_NOT_SUPPORTED, "the subsystem has no ability to save its state", NULL);
-  memset(&clock, 0, sizeof clock);
-  status = type == T_SAVE      ? s->api->save_state(s->self, &id)
-           : type == T_RESTORE ? s->api->restore_state(s->self, id, &clock)
-                               : s->api->release_state(s->self, id);
-  if (status != TANDEM_OK) return reply_error(s, status, s->api->last_error(s->self), NULL);
+  if (type == T_SAVE)
+    status = s->api->save_state(s->self, &id);
+  else if (type == T_RESTORE)
+    status = s->api->restore_state(s->self, id, &clock);
+  else if (type == T_RELEASE)
+    status = s->api->release_state(s->self, id);
+  else if (type == T_SERIALIZE)
+    status = s->api->serialize_state(s->self, id, &bytes, &size);
+  else
+    status = s->api->deserialize_state(s->self, in->at, (int64_t)in->left, &id);
   begin(&s->channel, type, s->number);
-  if (type == T_SAVE) put_u64(&s->channel.out, (uint64_t)id);
-  if (type == T_RESTORE) put_clock(&s->channel.out, &clock);
+  if (type == T_SAVE || type == T_DESERIALIZE) put_u64(out, (uint64_t)id);
+  if (type == T_RESTORE) put_clock(out, &clock);
+  if (status == TANDEM_OK && type == T_SERIALIZE) put_bytes(out, bytes, (size_t)size);
+  return status;
+}
+
+static tandem_status answer_state(session* s, int type, reader* in) {
+  const int64_t id = type == T_SAVE || type == T_DESERIALIZE ? 0 : (int64_t)take_u64(in);
+  tandem_status status;
+  if (type != T_DESERIALIZE && (status = done(in)) != TANDEM_OK) return status;
+  if (!can(s, type))
+    return reply_error(s, TANDEM_NOT_SUPPORTED,
+                       type == T_SERIALIZE || type == T_DESERIALIZE
+                           ? "the subsystem has no ability to give its state as bytes"
+                           : "the subsystem has no ability to save its state",
+                       NULL);
+  if ((status = do_state(s, type, id, in)) != TANDEM_OK)
+    return reply_error(s, status, s->api->last_error(s->self), NULL);
   return send_frame(&s->channel);
 }
 
@@ -1411,29 +1442,69 @@ static tandem_status advance(void* self, double t_limit, int32_t land, const tan
   return exchange_samples(r, y, clock);
 }
 
-/* save, restore or release; the reply's clock goes to *clock if that is not NULL. */
-static tandem_status ask_state(remote* r, int type, int64_t* id, tandem_clock* clock) {
-  tandem_status status;
+/* Refused unless the subsystem has the abilities. */
+static tandem_status begin_state(remote* r, int type, uint32_t needed) {
+  if ((r->info.abilities & needed) == needed) return begin_request(r, type);
+  snprintf(r->error, sizeof r->error, "subsystem '%s' has no ability to %s", r->info.name,
+           needed == TANDEM_SAVES_STATE ? "save its state" : "give its state as bytes");
+  return TANDEM_NOT_SUPPORTED;
+}
+enum { AS_BYTES = TANDEM_SAVES_STATE | TANDEM_SERIALIZES_STATE };
+
+static tandem_status save_state(void* self, int64_t* id) {
+  remote* const r = self;
   reader in;
-  if (!(r->info.abilities & TANDEM_SAVES_STATE)) {
-    snprintf(r->error, sizeof r->error, "subsystem '%s' has no ability to save its state", r->info.name);
-    return TANDEM_NOT_SUPPORTED;
-  }
-  if ((status = begin_request(r, type)) != TANDEM_OK) return status;
-  if (type != T_SAVE) put_u64(&r->channel.out, (uint64_t)*id);
-  if ((status = exchange(r, type, &in, NULL)) != TANDEM_OK) return status;
-  if (type == T_SAVE) *id = (int64_t)take_u64(&in);
-  if (clock) read_clock(&in, clock);
-  if (finish(r, &in) != TANDEM_OK) return r->channel.fault.status;
-  if (clock) r->time = clock->time;
+  tandem_status status = begin_state(r, T_SAVE, TANDEM_SAVES_STATE);
+  if (status != TANDEM_OK || (status = exchange(r, T_SAVE, &in, NULL)) != TANDEM_OK) return status;
+  *id = (int64_t)take_u64(&in);
+  return finish(r, &in);
+}
+
+static tandem_status restore_state(void* self, int64_t id, tandem_clock* clock) {
+  remote* const r = self;
+  reader in;
+  tandem_status status = begin_state(r, T_RESTORE, TANDEM_SAVES_STATE);
+  if (status != TANDEM_OK) return status;
+  put_u64(&r->channel.out, (uint64_t)id);
+  if ((status = exchange(r, T_RESTORE, &in, NULL)) != TANDEM_OK) return status;
+  read_clock(&in, clock);
+  if ((status = finish(r, &in)) == TANDEM_OK) r->time = clock->time;
+  return status;
+}
+
+static tandem_status release_state(void* self, int64_t id) {
+  remote* const r = self;
+  reader in;
+  tandem_status status = begin_state(r, T_RELEASE, TANDEM_SAVES_STATE);
+  if (status != TANDEM_OK) return status;
+  put_u64(&r->channel.out, (uint64_t)id);
+  if ((status = exchange(r, T_RELEASE, &in, NULL)) != TANDEM_OK) return status;
+  return finish(r, &in);
+}
+
+/* The bytes stay where they came, up to the next reply. */
+static tandem_status serialize_state(void* self, int64_t id, const void** bytes, int64_t* size) {
+  remote* const r = self;
+  reader in;
+  tandem_status status = begin_state(r, T_SERIALIZE, AS_BYTES);
+  if (status != TANDEM_OK) return status;
+  put_u64(&r->channel.out, (uint64_t)id);
+  if ((status = exchange(r, T_SERIALIZE, &in, NULL)) != TANDEM_OK) return status;
+  *bytes = in.at;
+  *size = (int64_t)in.left;
   return TANDEM_OK;
 }
 
-static tandem_status save_state(void* self, int64_t* id) { return ask_state(self, T_SAVE, id, NULL); }
-static tandem_status restore_state(void* self, int64_t id, tandem_clock* clock) {
-  return ask_state(self, T_RESTORE, &id, clock);
+static tandem_status deserialize_state(void* self, const void* bytes, int64_t size, int64_t* id) {
+  remote* const r = self;
+  reader in;
+  tandem_status status = begin_state(r, T_DESERIALIZE, AS_BYTES);
+  if (status != TANDEM_OK) return status;
+  put_bytes(&r->channel.out, bytes, (size_t)size);
+  if ((status = exchange(r, T_DESERIALIZE, &in, NULL)) != TANDEM_OK) return status;
+  *id = (int64_t)take_u64(&in);
+  return finish(r, &in);
 }
-static tandem_status release_state(void* self, int64_t id) { return ask_state(self, T_RELEASE, &id, NULL); }
 
 const tandem_subsystem_api* tandem_remote(void) {
   static const tandem_subsystem_api api = {TANDEM_ABI_VERSION,
@@ -1447,7 +1518,7 @@ const tandem_subsystem_api* tandem_remote(void) {
                                            save_state,
                                            restore_state,
                                            release_state,
-                                           NULL,
-                                           NULL};
+                                           serialize_state,
+                                           deserialize_state};
   return &api;
 }
