@@ -71,7 +71,7 @@ void add_chart(CLI::App& app, Context& context) {
           "scene", options->scene,
           "A sweep: two_mass, engine, engine_linkage, mechanisms, four_bar; or a benchmark: four_bar_cost "
           "(of bench four_bar), "
-          "solvers, dense, threads, simbody")
+          "solvers, dense, threads, transports, simbody")
       ->required()
       ->check(CLI::IsMember(scene_names()));
   command
