@@ -72,7 +72,7 @@ void add_chart(CLI::App& app, Context& context) {
           "A sweep: two_mass, engine, engine_linkage, kart, mechanisms, four_bar; a ladder; or a benchmark: "
           "four_bar_cost "
           "(of bench four_bar), "
-          "solvers, dense, threads, simbody")
+          "solvers, dense, threads, transports, simbody")
       ->required()
       ->check(CLI::IsMember(scene_names()));
   command

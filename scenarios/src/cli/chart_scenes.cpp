@@ -14,6 +14,7 @@
 #include "charts/solver_map_chart.hpp"
 #include "charts/style.hpp"
 #include "charts/threads_chart.hpp"
+#include "charts/transports_chart.hpp"
 #include "charts/two_mass_best.hpp"
 #include "charts/two_mass_charts.hpp"
 
@@ -102,6 +103,11 @@ Drawing threads(const fs::path& folder) {
   return {{charts::threads_chart(charts::read_thread_times(folder / "threads.csv"), caption)}, ""};
 }
 
+Drawing transports(const fs::path& folder) {
+  const auto caption = conditions_caption(folder / "transports_conditions.json", 150);
+  return {{charts::transports_chart(charts::read_transport_times(folder / "transports.csv"), caption)}, ""};
+}
+
 Drawing simbody(const fs::path& folder) {
   const auto caption = conditions_caption(folder / "simbody_conditions.json", 180);
   const auto runs = charts::read_linkage_runs(folder / "simbody.csv");
@@ -156,6 +162,11 @@ const ChartScene scenes[] = {
      "bench threads --output {}",
      {"threads.csv", "threads_conditions.json"},
      threads},
+    {"transports",
+     "results/bench",
+     "bench transports --output {}",
+     {"transports.csv", "transports_conditions.json"},
+     transports},
     {"simbody",
      "results/bench",
      "bench simbody --output {}",
