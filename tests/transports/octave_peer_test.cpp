@@ -107,7 +107,7 @@ TEST(OctavePeer, ErrorsAreErrorsOfOctave) {
   };
   EXPECT_TRUE(has(says("tandem_connect (\"unix:/none\")"),
                   "tandem:input_output: __tandem__: no connection to unix:/none"));
-  EXPECT_TRUE(has(says(open_it + "tandem_save_state (s)"), "tandem:not_supported"));
+  EXPECT_TRUE(has(says(open_it + "tandem_save_state (s)"), "tandem:wrong_state: __tandem__: spawn:"));
   EXPECT_TRUE(has(says(open_it + "tandem_initialize (s, 0, 1, [1 2])"), "u0 has 2 numbers; allowed are 1"));
   EXPECT_TRUE(has(says(open_it + "tandem_advance (s, 1, 3)"), "no struct array of 1 elements"));
   EXPECT_TRUE(has(says(open_it + "tandem_close (s); tandem_info (s)"), "no connection that is open"));

@@ -96,6 +96,8 @@ const tandem_subsystem_api table = {TANDEM_ABI_VERSION,
                                     advance,
                                     nullptr,
                                     nullptr,
+                                    nullptr,
+                                    nullptr,
                                     nullptr};
 
 }  // namespace

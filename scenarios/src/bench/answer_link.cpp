@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double patience = 60.0;  // s: no exchange takes so long
+constexpr double longest_wait = 60.0;  // s: no exchange takes so long
 
 }  // namespace
 
@@ -46,7 +46,7 @@ void LinkFolder::write(const std::string& name, const std::string& text) const {
 
 AnswerLink::Ends AnswerLink::socket_ends(const std::string& transport, double spin,
                                          const LinkFolder& folder) {
-  SocketSettings here{patience, spin, false, {}}, there = here;
+  SocketSettings here{longest_wait, spin, false, {}}, there = here;
   if (transport == "tls") {
     here.tls = {folder.file("client.key"), folder.file("authority.crt")};
     there.tls = {folder.file("server.key"), folder.file("authority.crt")};
@@ -60,7 +60,7 @@ AnswerLink::Ends AnswerLink::zeromq_ends([[maybe_unused]] const std::string& tra
                                          [[maybe_unused]] double spin,
                                          [[maybe_unused]] const LinkFolder& folder) {
 #if TANDEM_HAS_ZEROMQ
-  ZmqSettings here{patience, spin, false, {}, {}, {}}, there = here;
+  ZmqSettings here{longest_wait, spin, false, {}, {}, {}}, there = here;
   if (transport == "zmq:curve") {
     here.keys = make_curve_keys();
     there.keys = make_curve_keys();
@@ -81,7 +81,7 @@ AnswerLink::AnswerLink(const std::string& transport, const Shape& shape, double 
   listener_ = std::move(ends.listener);
   thread_ = std::thread([this, shape] { serve(shape); });
   try {
-    remote_ = std::make_unique<wire::RemoteSubsystem>(ends.connect(listener_->address()), "", patience);
+    remote_ = std::make_unique<wire::RemoteSubsystem>(ends.connect(listener_->address()), "", longest_wait);
     asking_ = std::make_unique<Asking>(*remote_, shape);
   } catch (...) {
     stop_ = true;
@@ -99,7 +99,7 @@ AnswerLink::~AnswerLink() {
 void AnswerLink::serve(const Shape& shape) {
   pin(places().there);
   wire::ServerSettings settings;
-  settings.session.deadline = patience;
+  settings.session.deadline = longest_wait;
   wire::Server(
       *listener_, [shape](const std::string&) { return answer(shape); }, settings)
       .run([this] { return stop_.load(); });

@@ -101,6 +101,7 @@ Certified certified(const Signed& made) {
 bool has_tls() noexcept { return true; }
 
 TlsPair make_tls_pair(double seconds) {
+  tcp::begin_tls();
   const tcp::Signed authority = tcp::sign(tcp::authority_use, nullptr, seconds);
   return {tcp::text_of(authority.certificate),
           tcp::certified(tcp::sign(tcp::server_use, &authority, seconds)),

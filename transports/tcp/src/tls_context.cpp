@@ -39,6 +39,7 @@ void show_certificate(SSL_CTX* context, const std::filesystem::path& key_file) {
 }  // namespace
 
 std::shared_ptr<SSL_CTX> tls_context(const TlsFiles& files, Side side) {
+  begin_tls();
   TlsOwned<SSL_CTX> context(
       ::SSL_CTX_new(side == Side::client ? ::TLS_client_method() : ::TLS_server_method()));
   if (!context || ::SSL_CTX_set_min_proto_version(context.get(), TLS1_3_VERSION) != 1)
