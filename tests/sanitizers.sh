@@ -6,7 +6,7 @@ set -euo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 
 check() { # PRESET LABELS [TARGET [CMAKE_OPTION]]
-  cmake --preset "$1" -DTANDEM_WERROR=ON -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=10 ${4:+"$4"}
+  cmake --preset "$1" -DTANDEM_WERROR=ON -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=30 ${4:+"$4"}
   cmake --build --preset "$1" ${3:+--target "$3"}
   # Without address randomization: the thread sanitizer refuses the mappings of newer kernels.
   setarch -R ctest --preset "$1" -L "$2" -j "$(nproc)"

@@ -55,7 +55,8 @@ double Curve::outside(std::size_t end, double x) const {
 }
 
 double Curve::operator()(double x) const {
-  if (!(x > x_.front())) return outside(0, x);
+  if (std::isnan(x)) return x;
+  if (x <= x_.front()) return outside(0, x);
   if (x >= x_.back()) return outside(x_.size() - 1, x);
   const auto k = static_cast<std::size_t>(std::upper_bound(x_.begin(), x_.end(), x) - x_.begin() - 1);
   if (between_ == Between::linear) return y_[k] + slope_[k] * (x - x_[k]);

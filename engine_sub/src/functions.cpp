@@ -22,12 +22,12 @@ const std::vector<Named<Function>> functions = {
     {"abs", [](double x) { return std::abs(x); }},
     {"sign", [](double x) { return x > 0.0   ? 1.0
                                    : x < 0.0 ? -1.0
-                                             : 0.0; }},
+                                             : 0.0 * x; }},
     {"floor", [](double x) { return std::floor(x); }}};
 
 const std::vector<Named<Function2>> functions2 = {
-    {"min", [](double x, double y) { return y < x ? y : x; }},
-    {"max", [](double x, double y) { return y > x ? y : x; }},
+    {"min", [](double x, double y) { return y < x || std::isnan(y) ? y : x; }},
+    {"max", [](double x, double y) { return y > x || std::isnan(y) ? y : x; }},
     {"power", [](double x, double y) { return std::pow(x, y); }},
     {"atan2", [](double x, double y) { return std::atan2(x, y); }},
     {"hypot", [](double x, double y) { return std::hypot(x, y); }},

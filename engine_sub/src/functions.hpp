@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <string>
+#include <algorithm>
+#include <string_view>
 #include <vector>
 
 namespace tandem::engine {
@@ -17,5 +18,13 @@ struct Named {
 /// What the blocks `function` and `function2` know.
 extern const std::vector<Named<Function>> functions;
 extern const std::vector<Named<Function2>> functions2;
+
+/// Where that name, which is there, stands in one of these lists.
+template <class List>
+int number_of(const List& list, std::string_view name) {
+  return static_cast<int>(
+      std::find_if(list.begin(), list.end(), [name](const auto& f) { return f.name == name; }) -
+      list.begin());
+}
 
 }  // namespace tandem::engine

@@ -25,6 +25,12 @@ double side(double x, const double* limits) { return x < limits[0] ? -1.0 : x > 
 
 }  // namespace
 
+std::string Program::named(const std::string& block) const {
+  const auto place = places.find(block);
+  const bool is_known = place != places.end() && !place->second.empty();
+  return "block '" + block + "'" + (is_known ? " (" + place->second + ")" : "");
+}
+
 void Program::run(double* s, int first, int last) const {
   using enum Operation::Code;
   for (const Operation *at = operations.data() + first, *end = operations.data() + last; at != end; ++at) {
@@ -85,7 +91,7 @@ void Program::run(double* s, int first, int last) const {
                                                 &out);
         break;
       case leave:
-        out = s[o.more] * s[o.a] < 0.0 ? 0.0 : s[o.more];
+        out = s[o.more] * s[o.a] > 0.0 ? s[o.more] : 0.0;
         break;
     }
   }

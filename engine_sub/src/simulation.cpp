@@ -35,8 +35,7 @@ void Simulation::start(double t) {
   begun_ = false;
   for (const Delay* d : delays_) past(*d).clear();
   settle();
-  for (const Crossing& c : system_.program().crossings)
-    system_.image()[c.sign] = system_.image()[c.signal] > 0.0 && !c.sees_start ? 1.0 : -1.0;
+  for (const Crossing& c : system_.program().crossings) system_.image()[c.sign] = sign_at_start(c);
   for (const Periodic& p : system_.program().periodics)
     system_.image()[p.count] = std::max(0.0, std::ceil((t - p.offset) / p.period));
   record(jump);
@@ -44,6 +43,13 @@ void Simulation::start(double t) {
   if (system_.changed() >= 0) fire_crossings();
   refuse_outside();
   integrator_->restart(system_, t, Restart::state);
+}
+
+/// A signal that begins at zero is on the side from which its event sees it leave.
+double Simulation::sign_at_start(const Crossing& c) const {
+  const double x = system_.image()[c.signal];
+  if (c.sees_start) return -1.0;
+  return x > 0.0 || (x == 0.0 && c.direction == Crossing::Direction::falling) ? 1.0 : -1.0;
 }
 
 /// All signals before an event.
@@ -62,10 +68,13 @@ void Simulation::settle() {
     apply(program.settled);
     if (before_ == system_.image()) return;
   }
-  throw Error(
-      ErrorCode::numerical,
-      fmt::format("switches, limits and initial values don't settle at the start, t = {} s, in {} rounds",
-                  time_, most_settlings));
+  refuse_not_finite();
+  const auto changes = std::mismatch(before_.begin(), before_.end(), system_.image().begin()).first;
+  const auto slot = static_cast<std::size_t>(changes - before_.begin());
+  throw Error(ErrorCode::numerical,
+              fmt::format("switches, limits and initial values don't settle at the start, t = {} s, in {} "
+                          "rounds: {} changes from each to the next",
+                          time_, most_settlings, program.named(program.signal_blocks[slot])));
 }
 
 double Simulation::step(double t_end) {
@@ -162,11 +171,10 @@ void Simulation::record(int level) {
     if (level == kink) past(*d).record(time_, system_.image()[d->from], smooth);
     past(*d).record(time_, system_.image()[d->from], level);
     if (!past(*d).reaches(time_ - d->time))
-      throw Error(
-          ErrorCode::numerical,
-          fmt::format("block '{}' remembers {} points, which reach back less than its delay of {} s at "
-                      "t = {} s; allowed is more of them at its key points",
-                      d->name, d->points, d->time, time_));
+      throw Error(ErrorCode::numerical,
+                  fmt::format("{} remembers {} points, which reach back less than its delay of {} s at "
+                              "t = {} s; allowed is more of them at its key points",
+                              system_.program().named(d->name), d->points, d->time, time_));
   }
 }
 
@@ -222,7 +230,7 @@ void Simulation::fire_crossings() {
       apply(c.updates);
       if (c.bound >= 0) leave(c);
     }
-    system_.evaluate(time_);
+    system_.evaluate(time_, true);
   }
   record(jump);
   integrator_->restart(system_, time_, Restart::event);
@@ -235,8 +243,8 @@ void Simulation::apply(const std::vector<Update>& updates) {
 void Simulation::happened(const std::string& block) {
   if (++events_ <= settings_.most_events) return;
   throw Error(ErrorCode::numerical,
-              fmt::format("block '{}' chatters at t = {} s: more than {} events in one step", block, time_,
-                          settings_.most_events));
+              fmt::format("{} chatters at t = {} s: more than {} events in one step",
+                          system_.program().named(block), time_, settings_.most_events));
 }
 
 const std::vector<double>& Simulation::keep() {

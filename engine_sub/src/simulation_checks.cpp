@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "compile/sort.hpp"
 #include "tandem/engine/simulation.hpp"
 #include "tandem/error.hpp"
 
@@ -29,26 +28,27 @@ void Simulation::leave(const Crossing& crossing) {
   if (settings_.tell) settings_.tell(text);
 }
 
-/// The first block that makes what is not finite out of what is; else the first state that is not.
-void Simulation::refuse_not_finite() const {
+/// States and outputs are numbers; a signal whose sign decides may be infinite.
+bool Simulation::is_finite() const {
   const Program& program = system_.program();
   const auto& image = system_.image();
   double zero = 0.0;
   for (int i = 0; i < program.states; ++i) zero += image[i] - image[i];
   for (const int slot : program.outputs) zero += image[slot] - image[slot];
-  if (zero == 0.0) return;
-  const auto refuse = [&](const std::string& what, int slot) {
-    throw Error(ErrorCode::numerical,
-                fmt::format("{} '{}' {} {} at t = {} s", what, program.signal_blocks[slot],
-                            what == "block" ? "gives" : "is", image[slot], time_));
-  };
-  const auto is_finite = [&](int slot) { return std::isfinite(image[slot]); };
-  for (const Operation& o : program.operations) {
-    const auto from = reads(o);
-    if (!is_finite(o.out) && std::all_of(from.begin(), from.end(), is_finite)) refuse("block", o.out);
-  }
+  return zero == 0.0 && std::none_of(program.crossings.begin(), program.crossings.end(),
+                                     [&](const Crossing& c) { return std::isnan(image[c.signal]); });
+}
+
+/// The first block that makes what is not finite out of what is; else the first state that is not.
+void Simulation::refuse_not_finite() const {
+  if (is_finite()) return;
+  if (const std::string source = system_.not_finite(); !source.empty())
+    throw Error(ErrorCode::numerical, fmt::format("{} at t = {} s", source, time_));
+  const Program& program = system_.program();
   for (int i = 0; i < program.states; ++i)
-    if (!is_finite(i)) refuse("the state of block", i);
+    if (const double value = system_.image()[i]; !std::isfinite(value))
+      throw Error(ErrorCode::numerical, fmt::format("the state of {} is {} at t = {} s",
+                                                    program.named(program.signal_blocks[i]), value, time_));
 }
 
 void Simulation::refuse_outside() const {

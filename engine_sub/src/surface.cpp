@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "cubic.hpp"
 #include "tandem/error.hpp"
@@ -42,7 +43,8 @@ double Surface::across(std::size_t first, double x, double y) const {
 
 /// The last line goes on beyond the grid; its slope at a cubic's end is that of the straight line there.
 double Surface::operator()(double x, double y) const {
-  const bool below = !(x > x_.front()), above = x >= x_.back();
+  if (std::isnan(x)) return x;
+  const bool below = x <= x_.front(), above = x >= x_.back();
   if (!below && !above) {
     const auto k = static_cast<std::size_t>(std::upper_bound(x_.begin(), x_.end(), x) - x_.begin() - 1);
     return across(k, x, y);

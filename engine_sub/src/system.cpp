@@ -1,9 +1,13 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "tandem/engine/system.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include "compile/sort.hpp"
 #include "loop_solver.hpp"
 
 namespace tandem::engine {
@@ -17,12 +21,13 @@ System::System(const Program& program, InputSource* inputs)
 
 System::~System() = default;
 
-void System::run_with_loops(int first, int last) {
+void System::run_with_loops(int first, int last, bool to_rounding) {
   for (const auto& solver : loops_) {
     const Loop& loop = solver->loop();
     if (loop.first < first || loop.first >= last) continue;
     program_.run(image_.data(), first, loop.first);
     solver->solve(image_.data());
+    if (to_rounding) solver->refine();
     first = loop.last;
   }
   program_.run(image_.data(), first, last);
@@ -32,9 +37,24 @@ double System::watched(int crossing) const {
   return image_[static_cast<std::size_t>(program_.crossings[static_cast<std::size_t>(crossing)].signal)];
 }
 
-bool System::stands_at_zero() const {
-  return std::any_of(program_.crossings.begin(), program_.crossings.end(),
-                     [&](const Crossing& c) { return image_[static_cast<std::size_t>(c.signal)] == 0.0; });
+double System::watched_sign(int crossing) const {
+  constexpr double smallest = 0x1p-511;  // SUNDIALS multiplies two of them
+  const double value = watched(crossing);
+  if (value != 0.0) return value;
+  const int sign = program_.crossings[static_cast<std::size_t>(crossing)].sign;
+  return smallest * image_[static_cast<std::size_t>(sign)];
+}
+
+std::string System::not_finite() const {
+  const auto finite = [this](int slot) { return std::isfinite(image_[static_cast<std::size_t>(slot)]); };
+  for (const Operation& o : program_.operations) {
+    const auto from = reads(o);
+    if (!finite(o.out) && std::all_of(from.begin(), from.end(), finite))
+      return fmt::format("{} gives {}",
+                         program_.named(program_.signal_blocks[static_cast<std::size_t>(o.out)]),
+                         image_[static_cast<std::size_t>(o.out)]);
+  }
+  return "";
 }
 
 int System::changed(int first) const {

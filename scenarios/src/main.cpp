@@ -77,11 +77,10 @@ int run(int argc, char** argv) {
   tandem::cli::add_modes(app, context);
   tandem::cli::add_list(app, context);
   tandem::cli::add_serve(app, context);
-#if TANDEM_HAS_ZEROMQ
   tandem::cli::add_keys(app, context);
-#endif
   tandem::cli::add_bench(app, context);
   tandem::cli::add_view(app, context);
+  tandem::cli::add_ladder(app, context);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& done) {

@@ -2,7 +2,9 @@
 // Algebraic loops that are solved: exact values, the order of a fixed step through them, restarts.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "diagram_run.hpp"
 #include "refusal.hpp"
@@ -54,6 +56,19 @@ TEST_P(LoopByEach, GoesOnFromAStateThatWasKeptToTheLastBit) {
   const double first = go_on();
   run.simulation.restore(1.0, kept);
   EXPECT_EQ(go_on(), first);
+}
+
+/// s = e within 1/2, e = u - 2 s: s = u/3 as long as that is within.
+TEST_P(LoopByEach, LeavesASaturationInIt) {
+  DiagramRun run(solve +
+                     "[blocks]\nu = { kind = 'sine', amplitude = 3, frequency = 1 }\n"
+                     "e = { kind = 'sum', inputs = ['u', 's'], gains = [1, -2] }\n"
+                     "s = { kind = 'saturation', input = 'e', low = -0.5, high = 0.5 }\n"
+                     "x = { kind = 'integrator', input = 's' }\n[outputs]\ns = { unit = '1' }\n",
+                 {.name = GetParam()});
+  for (const double t : {0.04, 0.25, 0.46, 0.75, 0.96, 2.5})
+    EXPECT_NEAR(run.run(t, 100).output(0), std::clamp(std::sin(2.0 * std::numbers::pi * t), -0.5, 0.5), 1e-9)
+        << t;
 }
 
 INSTANTIATE_TEST_SUITE_P(Integrators, LoopByEach, testing::ValuesIn(integrator_names()),

@@ -266,7 +266,7 @@ TEST(Index3, ForgetsATangentThatIsNotPositiveDefiniteWhereAnotherIsPutBack) {
   pushed.a.setZero();
   pushed.a[0] = 8000.0;
   formulation.step(pushed, 0.01, 0.01);
-  ASSERT_EQ(formulation.memory().back(), 0.0);  // no tangent of use
+  ASSERT_EQ(formulation.memory().front(), 0.0);  // no tangent of use
   formulation.recall(memory);
   source.force = 1.0;
   formulation.refresh(stretched);
@@ -312,7 +312,7 @@ TEST(Index3, RefusesSettingsThatAreNotAllowed) {
   };
   EXPECT_TRUE(refused({.penalty = -1.0}, {"penalty is -1"}));
   EXPECT_TRUE(refused({.beta = 0.3}, {"beta is 0.3", "1/12 to 1/4"}));
-  EXPECT_TRUE(refused({.tolerance = 0.0}, {"tolerance is 0"}));
+  EXPECT_TRUE(refused({.tolerance = -1.0}, {"tolerance is -1"}));
   EXPECT_TRUE(refused({.most_iterations = 0}, {"most_iterations is 0"}));
   EXPECT_TRUE(refused({.solver = "kul"}, {"'kul'", "'klu'"}));
 }

@@ -23,7 +23,7 @@ TEST(InfoCommand, ShowsWhatADiagramHas) {
   for (const char* part :
        {"order 4: manifold.P, charges.angle, charges.M, crank.N", "parameter J = 0.14 kg m^2",
         "input throttle [deg]", "output torque [N m], follows at once: none", "parameter stall = 'stop'",
-        "13 signals watched for events"})
+        "16 signals watched for events"})
     EXPECT_TRUE(contains(said.out, part)) << part << " is not in:\n" << said.out;
 }
 
@@ -81,7 +81,7 @@ TEST(RunCommand, RefusesWhatADiagramCanNotDo) {
       {"x = { kind = 'integrator', input = 'r', initial = 1 }\nr = { kind = 'product', inputs = ['x', 'x', "
        "'x'] }",
        "step = 0.01, integrator = 'cvode_bdf'",
-       "subsystem 'd': integrator cvode_bdf can't go on at t = 0.49998", 1}};
+       "subsystem 'd': integrator cvode_bdf no longer comes forward at t = 0.49998", 1}};
   for (const auto& bad : list) {
     const Said said = run(folder, bad.blocks, bad.parameters);
     EXPECT_EQ(said.status, bad.status) << bad.parameters << ": " << said.err;

@@ -1,9 +1,12 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 // The kart with its engine, coupled in steps: what a sweep measures.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <sstream>
 
 #include "kart/builtins.hpp"
 #include "kart/player.hpp"
@@ -21,6 +24,26 @@ Builtins builtins() {
   mechanisms::add_sources(all);
   diagrams::add_sources(all, [](const std::string&) {});
   return all;
+}
+
+/// Three runs of 1001 rows; gears 1, 2, 3, 2 in this order; the largest difference is that of the worst.
+void expect_traces(const std::string& rows, double largest) {
+  std::istringstream lines(rows);
+  std::map<std::string, int> count;
+  std::string gears;
+  double most = 0.0;
+  for (std::string line; std::getline(lines, line);) {
+    std::vector<std::string> cells;
+    std::istringstream in(line);
+    for (std::string cell; std::getline(in, cell, ',');) cells.push_back(cell);
+    ASSERT_EQ(cells.size(), 16U) << line;
+    ++count[cells[1]];
+    most = std::max(most, std::abs(std::stod(cells[6])));
+    if (cells[1] == "reference" && (gears.empty() || gears.back() != cells[8][0])) gears += cells[8];
+  }
+  EXPECT_EQ(count, (std::map<std::string, int>{{"best", 1001}, {"reference", 1001}, {"worst", 1001}}));
+  EXPECT_EQ(gears, "1232");
+  EXPECT_NEAR(most, largest, 1e-6);  // six digits are written
 }
 
 /// The printed run of level ii: its extrema to 0.01 deg. At 10 ms the trapezoidal rule alone errs by 0.010
@@ -42,6 +65,25 @@ TEST(KartSweep, ThePlaneAtAHundredEngineStepsErrsAsItsIntegratorDoes) {
   EXPECT_LT(mean.from_better.largest, mean.integrator.largest + mean.coupling.largest + 1e-12);
   const Outcome thesis = judge.judge(100, thesis_scheme, false);
   EXPECT_GT(thesis.from_better.largest, 10.0 * mean.from_better.largest);
+
+  Extremes extremes;
+  for (const auto& [scheme, outcome] :
+       {std::pair(Scheme{"fastest-first", "lagrange1", "mean"}, &mean), {thesis_scheme, &thesis}})
+    extremes.add(scheme, *outcome);
+  EXPECT_EQ(extremes.worst()->scheme.schedule, "slowest-first");
+  expect_traces(trace_rows(judge, extremes), thesis.from_better.largest);
+}
+
+TEST(KartSweep, TheWorkOfASchemeIsARowOfItsError) {
+  const Builtins all = builtins();
+  const Scene scene{std::string(TANDEM_SOURCE_DIR) + "/scenarios/kart", all};
+  Judge judge(scene, "point");
+  const std::string row = work_row(judge, 100, thesis_scheme);
+  const Outcome again = judge.judge(100, thesis_scheme, false);
+  EXPECT_TRUE(row.starts_with(
+      fmt::format("point,100,slowest-first,lagrange0,lagrange0,{:.5g},", again.from_better.largest)))
+      << row;
+  EXPECT_TRUE(row.ends_with(",ok"));
 }
 
 TEST(KartSweep, DifferencesAreAtTheCoarserSteps) {

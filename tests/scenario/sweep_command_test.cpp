@@ -18,6 +18,13 @@ std::size_t lines_of(const std::string& text) {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
 
+TEST(SweepCommand, RefusesALevelThatTheKartHasNot) {
+  const Scratch folder;
+  const Said said = tandem(folder, {"sweep", "kart", "--level", "flat"});
+  EXPECT_EQ(said.status, 2);
+  EXPECT_NE(said.err.find("spatial_scalar_spin"), std::string::npos) << said.err;
+}
+
 TEST(SweepCommand, InterruptedKeepsItsRowsAndIsResumed) {
   const Scratch folder;
   const auto sweep = folder.path() / "o";

@@ -39,6 +39,20 @@ TEST(Serve, GivesTheSameBitsAndEndsOnSigterm) {
   }
 }
 
+#if TANDEM_HAS_TLS
+TEST(Serve, TlsWithTheFilesOfTandemKeys) {
+  const Scratch folder;
+  const std::string keys = (folder.path() / "keys").string();
+  EXPECT_EQ(Child({command, "--quiet", "keys", keys, "--days", "1"}).status(), 0);
+  EXPECT_EQ(Child({command, "--quiet", "keys", keys}).status(), 2) << "nothing is overwritten";
+  Child server({command, "serve", "builtin:two_mass.slow", "--listen", "tls://127.0.0.1:0", "--key",
+                keys + "/server.key", "--authority", keys + "/authority.crt"});
+  const std::string uri =
+      server.word_after(" at ") + ratio + "&key=" + keys + "/client.key&authority=" + keys + "/authority.crt";
+  EXPECT_TRUE(same_bits(served_masses(uri), served_masses("builtin:two_mass.slow" + ratio)));
+}
+#endif
+
 TEST(Serve, OnceEndsAfterOneSession) {
   Child server({command, "serve", "builtin:two_mass.slow", "--once", "--listen", "tcp://127.0.0.1:0"});
   { const auto session = open(server.word_after(" at "), all_sources()); }
@@ -53,6 +67,8 @@ TEST(Serve, RefusesWhatIsNotRightBeforeItListens) {
   EXPECT_EQ(status({}), 2);
   EXPECT_EQ(status({"--listen", "tcp://0.0.0.0:0"}), 2);
   EXPECT_EQ(status({"--listen", "nonsense"}), 2);
+  EXPECT_EQ(status({"--listen", "tls://127.0.0.1:0"}), 2) << "without a key";
+  EXPECT_EQ(status({"--listen", "tcp://127.0.0.1:0", "--key", "key"}), 2) << "with one of no use";
 }
 
 TEST(Spawn, GivesTheSameBitsAndEndsItsProgramWithTheRun) {

@@ -13,7 +13,7 @@
 namespace tandem::test {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using Stopwatch = std::chrono::steady_clock;
 
 /// When servers were at work, and how many at once.
 class Work {

@@ -273,6 +273,27 @@ class ViewTest(unittest.TestCase):
         self.assertAlmostEqual(float(parts[2].split()[0]), parts[0] - parts[1],
                                delta=1e-3 * abs(parts[0] - parts[1]))
 
+    def test_the_kart_rolls_on_its_wheels(self):
+        scene = "kart/step_steer.toml"
+        sets = ("record.animate=true", "span.stop=0.5", "subsystems.kart.parameters.step=5e-3")
+        self.run_of(scene, "scalar_spins", *sets)
+        self.run_of(scene, "whole_wheels", *sets, "subsystems.kart.source=mechanism:spatial.toml")
+        self.open("scalar_spins", "--with", "whole_wheels")
+        counts = "tandem.scene.mechanisms.map((m) => [m.wheels.length, m.springs.length, m.rods.length > 15])"
+        self.assertEqual(self.value(counts), [[4, 4, True], [4, 4, True]])
+        self.assertEqual(self.value("tandem.plots.all.map((plot) => plot.choice.value)"),
+                         ["kart.roll", "kart.yaw", "driver.steering", "kart.load_FR"])
+        self.assertGreater(self.value(PIXELS)["drawn"], 1e-2)
+        start = self.value(PIXELS)["sum"]
+        self.value("tandem.clock.set(0.5)")
+        self.assertNotEqual(self.value(PIXELS)["sum"], start)
+        # Front left: a spoke in one, an angle in the other, turn by the same.
+        turned = self.value("""(() => { const at = (result, name) => result.column(`kart.${name}`).at(0.5);
+          const [a, b] = tandem.results;
+          return [at(a, 'turn_FL'), Math.atan2(-at(b, 'm_FL.z'), at(b, 'm_FL.x'))]; })()""")
+        self.assertAlmostEqual(turned[0] - turned[1], 0.0, delta=0.01)
+        self.assertGreater(turned[0], 1.0)
+
     def test_without_a_mechanism_there_are_plots(self):
         self.run_of("two_mass/two_mass.toml", "two_mass", "span.stop=5")
         self.open("two_mass")

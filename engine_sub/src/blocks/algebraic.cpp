@@ -3,6 +3,7 @@
 
 #include "functions.hpp"
 #include "kinds.hpp"
+#include "tandem/nearest.hpp"
 
 namespace tandem::engine {
 namespace {
@@ -50,6 +51,7 @@ std::vector<std::string> names(const List& list) {
 
 /// A function of one input, or of two.
 void function(Lowering& to, Arguments& a) {
+  a.required_text("function", listed(a.has("inputs") ? names(functions2) : names(functions)));
   if (a.has("inputs")) {
     const auto inputs = a.wires("inputs");
     if (inputs.size() != 2) a.refuse("inputs", fmt::format("an array of {}", inputs.size()), "one of 2");

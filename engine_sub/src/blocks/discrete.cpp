@@ -3,10 +3,19 @@
 
 #include <cmath>
 
+#include "functions.hpp"
 #include "kinds.hpp"
 
 namespace tandem::engine {
 namespace {
+
+int unary(Lowering& to, const char* name, int x) {
+  return to.operation(Operation::Code::function, x, number_of(functions, name));
+}
+
+int larger(Lowering& to, int x, int y) {
+  return to.operation(Operation::Code::function2, x, y, {}, number_of(functions2, "max"));
+}
 
 /// The input as it was at the last event: where `trigger` rises above 0, or every `period` from `offset` on.
 void sample(Lowering& to, Arguments& a) {
@@ -53,13 +62,16 @@ void transport_delay(Lowering& to, Arguments& a) {
 }
 
 /// A signal that rises above 0 where the input passes the next multiple of `every`, and falls below it there
-/// and then, as that multiple is the one that has been passed.
+/// and then, as that multiple is the one that has been passed: of several at once, which a jump passes, the
+/// last. What is behind it at the start has not been passed.
 void passes(Lowering& to, Arguments& a) {
   const double every = a.positive("every");
-  const int count = to.held(a.number("first", 1.0));
-  const int beyond = to.sum({a.wire("input"), count}, {1.0, -every});
+  const int input = a.wire("input"), count = to.held();
+  const int next = to.linear(1.0, 1.0, unary(to, "floor", to.linear(0.0, 1.0 / every, input)));
+  to.start(count, larger(to, to.constant(a.number("first", 1.0)), next));
+  const int beyond = to.sum({input, count}, {1.0, -every});
   const int event = to.crossing(beyond, Crossing::Direction::rising);
-  to.update(event, count, to.linear(1.0, 1.0, count));
+  to.update(event, count, larger(to, to.linear(1.0, 1.0, count), next));
   to.define("", beyond);
 }
 

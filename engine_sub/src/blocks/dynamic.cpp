@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "kinds.hpp"
 
@@ -13,41 +14,72 @@ namespace {
 using Code = Operation::Code;
 using Direction = Crossing::Direction;
 
+/// The limits of an integrator, and the held mode that says at which of them its state stands: -1, 0, 1.
+struct Limits {
+  double low, high;
+  int mode;
+
+  /// A value that is put, cut to the limits.
+  int cut(Lowering& to, int value) const {
+    return to.operation(Code::clamp, value, 0, {low, high},
+                        to.operation(Code::beyond, value, 0, {low, high}));
+  }
+  /// The mode with a value that is put: at a limit unless the input points inwards.
+  int mode_at(Lowering& to, int value, int input) const {
+    constexpr double most = std::numeric_limits<double>::infinity();
+    const int at =
+        to.operation(Code::beyond, value, 0, {std::nextafter(low, most), std::nextafter(high, -most)});
+    return to.operation(Code::leave, input, 0, {}, at);
+  }
+};
+
 /// A factor of a state's derivative that is 0 while the state is held at a limit: it gets there where it
 /// rises above `high` or falls below `low`, and leaves it where its input points inwards again.
-int freedom(Lowering& to, int state, int input, double low, double high) {
-  const int mode = to.held();
+int freedom(Lowering& to, int state, int input, const Limits& limits) {
   for (const bool above : {true, false}) {
-    const double limit = above ? high : low;
+    const double limit = above ? limits.high : limits.low;
     if (!std::isfinite(limit)) continue;
     const int event =
         to.crossing(to.linear(-limit, 1.0, state), above ? Direction::rising : Direction::falling);
     to.update(event, state, to.constant(limit));
-    to.update(event, mode, to.constant(above ? 1.0 : -1.0));
+    to.update(event, limits.mode, to.constant(above ? 1.0 : -1.0));
   }
-  const int left = to.operation(Code::leave, input, 0, {}, mode);
-  to.update(to.crossing(input, Direction::both), mode, left);
-  return to.operation(Code::polynomial, mode, 2, {1.0, 0.0, -1.0});
+  const int outwards = to.operation(Code::product, input, limits.mode);
+  to.update(to.crossing(outwards, Direction::falling), limits.mode, to.constant(0.0));
+  return to.operation(Code::polynomial, limits.mode, 2, {1.0, 0.0, -1.0});
 }
 
-/// Its derivative is the input, within limits if there are.
-void integrate(Lowering& to, Arguments& a, int state, int input) {
+std::optional<Limits> limits_of(Lowering& to, Arguments& a) {
   constexpr double none = std::numeric_limits<double>::infinity();
   const double low = a.number("low", -none), high = a.number("high", none);
-  to.start(state, a.wire("initial", 0.0));
   if (!(low < high)) a.refuse("low", fmt::format("{}", low), fmt::format("below high, {}", high));
-  const bool limited = std::isfinite(low) || std::isfinite(high);
-  to.signals[state].rate =
-      limited ? to.operation(Code::product, input, freedom(to, state, input, low, high)) : input;
+  if (!std::isfinite(low) && !std::isfinite(high)) return std::nullopt;
+  return Limits{low, high, to.held()};
 }
 
-/// state' = input from `initial` on; back to `reset_to` where `reset` rises above 0.
+/// What a state is put to: a number within the limits, or a signal, which is cut to them.
+int put(Lowering& to, Arguments& a, const char* key, const std::optional<Limits>& limits) {
+  const int value = a.wire(key, 0.0);
+  const Slot& slot = to.signals[value];
+  if (limits && slot.kind == Slot::Kind::constant && (slot.start < limits->low || slot.start > limits->high))
+    a.refuse(key, fmt::format("{}", slot.start), fmt::format("{} to {}", limits->low, limits->high));
+  return value;
+}
+
+/// state' = input from `initial` on, within limits if there are; back to `reset_to` where `reset` rises above
+/// 0.
 void integrator(Lowering& to, Arguments& a) {
-  const int state = to.state(-1);
-  integrate(to, a, state, a.wire("input"));
+  const int state = to.state(-1), input = a.wire("input");
+  const auto limits = limits_of(to, a);
+  const int initial = put(to, a, "initial", limits);
+  to.start(state, limits ? limits->cut(to, initial) : initial);
+  if (limits) to.start(limits->mode, limits->mode_at(to, initial, input));
+  to.signals[state].rate =
+      limits ? to.operation(Code::product, input, freedom(to, state, input, *limits)) : input;
   if (a.has("reset")) {
-    const int event = to.crossing(a.wire("reset"), Direction::rising);
-    to.update(event, state, a.wire("reset_to", 0.0));
+    const int event = to.crossing(a.wire("reset"), Direction::rising), value = put(to, a, "reset_to", limits);
+    to.update(event, state, limits ? limits->cut(to, value) : value);
+    if (limits) to.update(event, limits->mode, limits->mode_at(to, value, input));
   }
   to.define("", state);
 }
@@ -88,6 +120,16 @@ std::vector<double> matrix(Arguments& a, const char* key, std::size_t rows, std:
   return values;
 }
 
+/// So many, which others may read: BLOCK.x1, BLOCK.x2, ..
+std::vector<int> states(Lowering& to, std::size_t count) {
+  std::vector<int> x;
+  for (std::size_t k = 0; k < count; ++k) {
+    x.push_back(to.state(-1));
+    to.define(fmt::format("x{}", k + 1), x.back());
+  }
+  return x;
+}
+
 /// x' = a x + b u, y = c x + d u, matrices row by row. One output is named as the block, more BLOCK.1,
 /// BLOCK.2, ..
 void state_space(Lowering& to, Arguments& a) {
@@ -98,8 +140,7 @@ void state_space(Lowering& to, Arguments& a) {
   const auto out = matrix(a, "c", outputs, n);
   const auto through =
       a.has("d") ? matrix(a, "d", outputs, u.size()) : std::vector<double>(outputs * u.size(), 0.0);
-  std::vector<int> x;
-  for (std::size_t k = 0; k < n; ++k) x.push_back(to.state(-1));
+  const std::vector<int> x = states(to, n);
   for (std::size_t k = 0; k < n; ++k)
     to.signals[x[k]].rate = to.sum({row(to, x, own, k * n), row(to, u, in, k * u.size())}, {1.0, 1.0});
   for (std::size_t k = 0; k < outputs; ++k) {
@@ -126,8 +167,8 @@ void transfer_function(Lowering& to, Arguments& a) {
   for (double& c : den) c /= scale;
   const int input = a.wire("input");
   const std::size_t n = den.size() - 1;
-  std::vector<int> x, terms;
-  for (std::size_t k = 0; k < n; ++k) x.push_back(to.state(-1));
+  const std::vector<int> x = states(to, n);
+  std::vector<int> terms;
   for (std::size_t k = 0; k + 1 < n; ++k) to.signals[x[k]].rate = x[k + 1];
   std::vector<double> own = {1.0}, out;
   terms.push_back(input);
@@ -151,6 +192,8 @@ void pid(Lowering& to, Arguments& a) {
   const double low = a.number("low", -none), high = a.number("high", none);
   if (!(low < high)) a.refuse("low", fmt::format("{}", low), fmt::format("below high, {}", high));
   to.start(integral, a.wire("initial", 0.0));
+  to.define("integral", integral);
+  to.define("filtered", filtered);
   const int slope = to.sum({e, filtered}, {filter * kd, -filter});
   to.signals[filtered].rate = slope;
   const int free = to.sum({e, integral, slope}, {kp, 1.0, 1.0});

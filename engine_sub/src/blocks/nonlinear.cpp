@@ -30,12 +30,15 @@ void limited(Lowering& to, Arguments& a, Code code) {
 void saturation(Lowering& to, Arguments& a) { limited(to, a, Code::clamp); }
 void dead_zone(Lowering& to, Arguments& a) { limited(to, a, Code::dead_zone); }
 
-/// `on` from where the input rises above `high`, `off` from where it falls below `low`.
+/// `on` from where the input rises above `high`, `off` from where it falls below `low`; at the start, between
+/// these, as `starts_on` says.
 void relay(Lowering& to, Arguments& a) {
   const int input = a.wire("input");
   const auto between = limits(a);
   const int on = to.constant(a.number("on", 1.0)), off = to.constant(a.number("off", 0.0));
-  const int state = to.held(a.flag("starts_on", false) ? 1.0 : 0.0);
+  const int state = to.held(), between_them = to.constant(a.flag("starts_on", false) ? 1.0 : 0.0);
+  to.start(state, to.operation(Code::clamp, between_them, 0, {0.0, 1.0},
+                               to.operation(Code::beyond, input, 0, between)));
   const int rises = to.crossing(to.linear(-between[1], 1.0, input), Crossing::Direction::rising);
   to.update(rises, state, to.constant(1.0));
   const int falls = to.crossing(to.linear(-between[0], 1.0, input), Crossing::Direction::falling);

@@ -30,6 +30,8 @@ std::vector<std::string> known_signals(const Lowering& d, int scope) {
   for (const Slot& s : d.signals)
     if (!s.name.empty() && s.scope == scope && (s.kind != Slot::Kind::unknown || s.same_as >= 0))
       known.push_back(s.name);
+  std::sort(known.begin(), known.end());
+  known.erase(std::unique(known.begin(), known.end()), known.end());
   return known;
 }
 
@@ -65,6 +67,7 @@ class Writer {
     program_.curves = d_.curves;
     program_.surfaces = d_.surfaces;
     program_.calls = d_.calls;
+    program_.places = d_.places;
     write_delays();
     program_.breaks = d_.breaks;
     std::sort(program_.breaks.begin(), program_.breaks.end());

@@ -24,6 +24,7 @@ Lowering::Lowering(const Description& diagram) : kinds(diagram.kinds), scopes_{{
 void Lowering::begin(const Block& block) {
   block_ = &block;
   if (!block.diagram) blocks.push_back(full_name(block.name));
+  places[full_name(block.name)] = block.where;
 }
 
 Lowering::Outside Lowering::enter(const std::string& block, const Description& diagram, int trigger) {

@@ -152,6 +152,7 @@ class Lowering {
   std::vector<PortUnit> port_units;
   std::vector<std::pair<int, int>> same_units;  ///< of signals, whichever it is
   std::vector<std::string> blocks;              ///< full names of those that have begun
+  std::map<std::string, std::string> places;    ///< of all by full name: "FILE:LINE"
 
  private:
   int add(Slot signal);

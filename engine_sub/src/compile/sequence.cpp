@@ -111,8 +111,10 @@ std::vector<int> circle(const Lowering& d, const std::vector<int>& maker, const 
 }
 
 [[noreturn]] void refuse_loop(const Lowering& d, const std::vector<int>& steps) {
-  refuse("",
-         "an algebraic loop goes through the blocks " + listed(blocks_of(d, steps)) +
+  const auto blocks = blocks_of(d, steps);
+  const auto place = d.places.find(blocks.front());
+  refuse(place == d.places.end() ? "" : place->second,
+         "an algebraic loop goes through the blocks " + listed(blocks) +
              ": each depends on the one after it at once; allowed is a loop with an integrator, a lag or a "
              "sample in it, or solve = true in the table [loops]");
 }

@@ -26,6 +26,7 @@ void check_settings(const char* name, const AdaptiveSettings& s) {
   positive("relative_tolerance", s.relative_tolerance);
   positive("absolute_tolerance", s.absolute_tolerance);
   require("longest_step", s.longest_step, s.longest_step >= 0.0, "0 (no limit) or more [s]");
+  require("shortest_step", s.shortest_step, s.shortest_step >= 0.0, "0 (no limit) or more [s]");
   positive("most_steps", static_cast<double>(s.most_steps));
 }
 
@@ -54,7 +55,10 @@ int SundialsIntegrator::rates(double t, N_Vector x, N_Vector dx, void* self) {
   double* const d = N_VGetArrayPointer(dx);
   ++integrator.statistics_.rate_evaluations;
   if (!integrator.survives([&] { system.rates(t, d); })) return 1;
-  return std::all_of(d, d + system.size(), [](double rate) { return std::isfinite(rate); }) ? 0 : 1;
+  if (std::all_of(d, d + system.size(), [](double rate) { return std::isfinite(rate); })) return 0;
+  const std::string source = system.not_finite();
+  if (!source.empty()) integrator.not_finite_ = fmt::format("; {} at t = {} s", source, t);
+  return 1;
 }
 
 int SundialsIntegrator::watch(double t, N_Vector x, double* g, void* self) {
@@ -63,7 +67,7 @@ int SundialsIntegrator::watch(double t, N_Vector x, double* g, void* self) {
   std::copy_n(N_VGetArrayPointer(x), system.size(), system.states());
   ++integrator.statistics_.root_evaluations;
   if (!integrator.survives([&] { system.evaluate(t); })) return -1;
-  for (int k = 0; k < static_cast<int>(system.program().crossings.size()); ++k) g[k] = system.watched(k);
+  for (int k = 0; k < static_cast<int>(system.program().crossings.size()); ++k) g[k] = system.watched_sign(k);
   return 0;
 }
 
@@ -87,17 +91,21 @@ void SundialsIntegrator::check(int flag) const {
   if (flag >= 0) return;
   if (!failure_.empty()) throw Error(ErrorCode::numerical, failure_);
   throw Error(ErrorCode::numerical,
-              fmt::format("integrator {} can't go on at t = {} s: {}", method_.name, time_,
-                          message_.empty() ? fmt::format("error {}", flag) : message_));
+              fmt::format("integrator {} can't go on at t = {} s: {}{}", method_.name, time_,
+                          message_.empty() ? fmt::format("error {}", flag) : message_, not_finite_));
 }
 
 Statistics SundialsIntegrator::statistics() const {
   Statistics all = statistics_;
-  long failed = 0, iterations = 0;
-  if (memory_ && method_.failed_error_tests) method_.failed_error_tests(memory_, &failed);
-  if (memory_ && method_.nonlinear_iterations) method_.nonlinear_iterations(memory_, &iterations);
-  all.failed_error_tests += failed;
-  all.nonlinear_iterations += iterations;
+  const auto count = [this](SundialsMethod::Count of) {
+    long number = 0;
+    if (memory_ && of) of(memory_, &number);
+    return number;
+  };
+  all.failed_error_tests += count(method_.failed_error_tests);
+  all.nonlinear_iterations += count(method_.nonlinear_iterations);
+  all.failed_iterations += count(method_.failed_iterations);
+  all.jacobians += count(method_.jacobians);
   return all;
 }
 
@@ -111,7 +119,9 @@ double SundialsIntegrator::first_step(Restart why) const {
 void SundialsIntegrator::restart(System& system, double t, Restart why) {
   system_ = &system;
   time_ = t;
-  if (system.size() == 0) return;
+  standing_ = 0;
+  not_finite_.clear();
+  if (system.size() == 0) return still_.restart(system, t, why);
   if (!x_) x_ = N_VNew_Serial(system.size(), context_);
   std::copy_n(system.states(), system.size(), N_VGetArrayPointer(x_));
   const double first = first_step(why);
@@ -136,25 +146,36 @@ void SundialsIntegrator::create(double t) {
     check(method_.set_nonlinear_solver(memory_, iteration_));
   }
   check(method_.set_longest_step(memory_, settings_.longest_step));
+  check(method_.set_shortest_step(memory_, settings_.shortest_step));
   check(method_.set_roots(memory_, static_cast<int>(system_->program().crossings.size()), watch));
   check(method_.set_no_warning(memory_));
 }
 
 double SundialsIntegrator::advance(System& system, double t, double t_end) {
+  if (system.size() == 0) return still_.advance(system, t, t_end);
   system.evaluate_again(t);
   if (system.changed() >= 0) return t;  // by an input that has jumped
-  const bool moves = system.size() > 0;
-  if (moves && system.stands_at_zero() && leaves_zero(system, t, t_end)) return time_;
-  time_ = moves ? t : t_end;
-  if (moves && time_ < t_end) step(t_end);
+  time_ = t;
+  if (time_ < t_end) step(t_end);
   steps_ = time_ < t_end ? steps_ + 1 : 0;
+  refuse_standstill(t);
   if (steps_ > settings_.most_steps)
     throw Error(ErrorCode::numerical,
                 fmt::format("integrator {} has taken {} steps at t = {} s, on the way to {} s", method_.name,
                             settings_.most_steps, time_, t_end));
-  if (moves) std::copy_n(N_VGetArrayPointer(x_), system.size(), system.states());
+  std::copy_n(N_VGetArrayPointer(x_), system.size(), system.states());
   system.evaluate(time_);
   return time_;
+}
+
+/// Where derivatives are numbers up to some time alone, steps get shorter and shorter before it.
+void SundialsIntegrator::refuse_standstill(double from) {
+  constexpr int most = 1000;
+  constexpr double shortest = 4.0 * std::numeric_limits<double>::epsilon();
+  standing_ = time_ - from > shortest * std::abs(from) ? 0 : standing_ + 1;
+  if (standing_ > most)
+    throw Error(ErrorCode::numerical, fmt::format("integrator {} no longer comes forward at t = {} s{}",
+                                                  method_.name, time_, not_finite_));
 }
 
 /// One of its steps, not past t_end; it ends at a root.
@@ -167,24 +188,6 @@ void SundialsIntegrator::step(double t_end) {
   check(flag);
   failure_.clear();
   if (flag == CV_TSTOP_RETURN) time_ = t_end;
-}
-
-/// A signal that is zero has no sign, and where SUNDIALS begins it finds no root of it: a little later, by
-/// Euler's method, it may have got one. Whether it is another than before.
-bool SundialsIntegrator::leaves_zero(System& system, double t, double t_end) {
-  const auto n = static_cast<std::size_t>(system.size());
-  start_.assign(system.states(), system.states() + n);
-  rate_.resize(n);
-  system.read_rates(rate_.data());
-  for (const double h : {64.0 * std::numeric_limits<double>::epsilon() * std::abs(t), 1e-10 * (t_end - t)}) {
-    time_ = std::min(t + h, t_end);
-    for (std::size_t i = 0; i < n; ++i) system.states()[i] = start_[i] + (time_ - t) * rate_[i];
-    system.evaluate(time_);
-    if (system.changed() >= 0) return true;
-  }
-  std::copy(start_.begin(), start_.end(), system.states());
-  system.evaluate(t);
-  return false;
 }
 
 }  // namespace tandem::engine

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tandem/engine/integrators/adaptive.hpp"
+#include "tandem/engine/integrators/runge_kutta.hpp"
 
 namespace tandem::engine {
 
@@ -29,6 +30,7 @@ struct SundialsMethod {
   int (*set_linear_solver)(void* memory, SUNLinearSolver solver, SUNMatrix matrix);
   int (*set_nonlinear_solver)(void* memory, SUNNonlinearSolver solver);
   int (*set_longest_step)(void* memory, double step);
+  int (*set_shortest_step)(void* memory, double step);
   int (*set_roots)(void* memory, int count, Roots watch);
   int (*set_no_warning)(void* memory);
   int (*start_anew)(void* memory, Rates rates, double t, N_Vector x);
@@ -40,8 +42,8 @@ struct SundialsMethod {
   int (*set_stop_time)(void* memory, double t);
   int (*step)(void* memory, double t_end, N_Vector x, double* t);
   /// Since it was started anew; null: there are none.
-  int (*failed_error_tests)(void* memory, long* count);
-  int (*nonlinear_iterations)(void* memory, long* count);
+  using Count = int (*)(void* memory, long* count);
+  Count failed_error_tests, nonlinear_iterations, failed_iterations, jacobians;
 };
 
 class SundialsIntegrator final : public Integrator {
@@ -65,7 +67,7 @@ class SundialsIntegrator final : public Integrator {
   void create(double t);
   double first_step(Restart why) const;
   void step(double t_end);
-  bool leaves_zero(System& system, double t, double t_end);
+  void refuse_standstill(double from);
   void check(int flag) const;
   template <class Work>
   bool survives(const Work& work);
@@ -80,10 +82,12 @@ class SundialsIntegrator final : public Integrator {
   void* memory_ = nullptr;
   System* system_ = nullptr;
   double time_ = 0.0;
-  long steps_ = 0;  ///< on the way to the time that it is asked for
+  long steps_ = 0;    ///< on the way to the time that it is asked for
+  int standing_ = 0;  ///< steps in a row that time does not show
   std::string message_, failure_;
-  Statistics statistics_;  ///< of its counts up to the last restart
-  std::vector<double> start_, rate_;
+  std::string not_finite_;  ///< which block made the last derivative that was not finite, and when
+  Statistics statistics_;   ///< of its counts up to the last restart
+  RungeKutta4 still_;       ///< of a system without states, of which SUNDIALS has none
 };
 
 }  // namespace tandem::engine

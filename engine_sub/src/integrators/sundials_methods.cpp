@@ -29,6 +29,7 @@ constexpr SundialsMethod cvode(const char* name) {
   else
     all.set_linear_solver = CVodeSetLinearSolver;
   all.set_longest_step = CVodeSetMaxStep;
+  all.set_shortest_step = CVodeSetMinStep;
   all.set_roots = CVodeRootInit;
   all.set_no_warning = CVodeSetNoInactiveRootWarn;
   all.start_anew = [](void* m, SundialsMethod::Rates, double t, N_Vector x) { return CVodeReInit(m, t, x); };
@@ -38,6 +39,8 @@ constexpr SundialsMethod cvode(const char* name) {
   all.step = [](void* m, double t_end, N_Vector x, double* t) { return CVode(m, t_end, x, t, CV_ONE_STEP); };
   all.failed_error_tests = CVodeGetNumErrTestFails;
   all.nonlinear_iterations = CVodeGetNumNonlinSolvIters;
+  all.failed_iterations = CVodeGetNumNonlinSolvConvFails;
+  if (method == CV_BDF) all.jacobians = CVodeGetNumJacEvals;
   return all;
 }
 
@@ -50,6 +53,7 @@ constexpr SundialsMethod erkstep_method(const char* name, bool fixed) {
   all.set_self = ERKStepSetUserData;
   all.set_tolerances = ERKStepSStolerances;
   all.set_longest_step = ERKStepSetMaxStep;
+  all.set_shortest_step = ERKStepSetMinStep;
   all.set_roots = ERKStepRootInit;
   all.set_no_warning = ERKStepSetNoInactiveRootWarn;
   all.start_anew = ERKStepReInit;
@@ -79,6 +83,7 @@ constexpr SundialsMethod arkstep_method() {
     return flag < 0 ? flag : ARKStepSetNonlinCRDown(m, 1.0);
   };
   all.set_longest_step = ARKStepSetMaxStep;
+  all.set_shortest_step = ARKStepSetMinStep;
   all.set_roots = ARKStepRootInit;
   all.set_no_warning = ARKStepSetNoInactiveRootWarn;
   all.start_anew = [](void* m, SundialsMethod::Rates rates, double t, N_Vector x) {
@@ -90,6 +95,8 @@ constexpr SundialsMethod arkstep_method() {
   };
   all.failed_error_tests = ARKStepGetNumErrTestFails;
   all.nonlinear_iterations = ARKStepGetNumNonlinSolvIters;
+  all.failed_iterations = ARKStepGetNumNonlinSolvConvFails;
+  all.jacobians = ARKStepGetNumJacEvals;
   return all;
 }
 

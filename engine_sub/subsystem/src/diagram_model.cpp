@@ -53,6 +53,12 @@ DiagramModel::DiagramModel(const Description& diagram, const SubsystemSettings& 
     throw Error(
         ErrorCode::invalid_argument,
         fmt::format("diagram '{}': step is {} s; allowed is a finite number above 0", diagram.name, step_));
+  if (diagram.outputs.empty())
+    throw Error(
+        ErrorCode::invalid_argument,
+        "diagram '" + diagram.name + "' has no output, so nothing in it is of use; allowed is one or more");
+  if (settings.simulation.tell)
+    for (const std::string& notice : machine_->program.notices) settings.simulation.tell(notice);
 }
 
 DiagramModel::DiagramModel(const DiagramModel& other) { *this = other; }

@@ -22,6 +22,12 @@ std::string read_text(const std::filesystem::path& file) {
   return text.str();
 }
 
+/// What the words of the library mean where a port or block is there twice.
+const char* twice(const toml::parse_error& error) {
+  const bool again = error.description().find("redefine") != std::string_view::npos;
+  return again ? "; it is there twice, allowed is once" : "";
+}
+
 }  // namespace
 
 Document::Document(const std::filesystem::path& file) : Document(file.string(), read_text(file)) {}
@@ -31,7 +37,7 @@ Document::Document(std::string name, const std::string& text) : file_(std::move(
     table_ = toml::parse(std::string_view(text), std::string_view(file_));
   } catch (const toml::parse_error& error) {
     refuse({file_, static_cast<int>(error.source().begin.line)},
-           "not TOML: " + std::string(error.description()));
+           "not TOML: " + std::string(error.description()) + twice(error));
   }
 }
 

@@ -63,10 +63,11 @@ void refuse_wrong_force(const Structure& s, const Eigen::VectorXd& force, double
 }
 
 void refuse_singular(const Structure& s, const char* matrix, int variable, double time) {
-  fail(
-      fmt::format("the {} is singular at t = {} s (or not positive definite, if its solver needs that), at "
-                  "variable {}, which is {}",
-                  matrix, time, s.variable_names[variable], constraints_of(s, variable)));
+  fail(fmt::format(
+      "the {} is singular at t = {} s (or not positive definite, if its solver needs that), at "
+      "variable {}, which is {}{}",
+      matrix, time, s.variable_names[variable], constraints_of(s, variable),
+      s.stiffness.size() > 0 ? "; too long a step for the springs and forces does that too" : ""));
 }
 
 void refuse_unsettled(int iterations, double time) {

@@ -26,7 +26,7 @@ const Index3Settings& checked(const Index3Settings& s) {
   };
   setting("penalty", s.penalty).at_least(0.0, "a number above 0");
   check_beta("index-3 formulation", s.beta);
-  setting("tolerance", s.tolerance).positive();
+  setting("tolerance", s.tolerance).at_least(0.0, "a number above 0");
   setting("most_iterations", s.most_iterations).count();
   setting("projections", s.projections).count();
   setting("multiplier_iterations", s.multiplier_iterations).count();
@@ -50,6 +50,7 @@ bool threads_are_built_in() { return Team::can_be_many; }
 Index3::Index3(Model& model, const Index3Settings& settings)
     : settings_(checked(settings)),
       terms_(model, settings.solver, kind_of_tangent(model.structure())),
+      tolerance_(terms_.structure.tolerance(settings.tolerance, 1e-10)),
       penalty_(penalty(shortest)),
       left_(Eigen::VectorXd::Zero(terms_.structure.constraints)) {}
 
@@ -98,21 +99,21 @@ int Index3::step(State& s, double h, double t_end) {
   penalty_ = penalty(h);
   predict(s, h, t_end);
   for (int iteration = 1; iteration <= settings_.most_iterations; ++iteration) {
-    const bool done = correct(s, h) < settings_.tolerance;
+    const bool done = correct(s, h) < tolerance_;
     terms_.constraints(s);
     if (done || iteration <= settings_.multiplier_iterations) s.lambda += penalty_ * terms_.phi;
     if (!done) continue;
     terms_.refuse_lost(s);
-    project_velocities(s, settings_.tolerance / h);
-    project_accelerations(s, settings_.tolerance / (h * h));
+    project_velocities(s, tolerance_ / h);
+    project_accelerations(s, tolerance_ / (h * h));
     if (!terms_.definite) weight_ = 0.0;
     return iteration;
   }
   throw Error(
       ErrorCode::numerical,
       fmt::format("no convergence at t = {} s in {} iterations: the last correction is {:.2e} m, allowed "
-                  "is below {} m; no shorter step is tried",
-                  s.time, settings_.most_iterations, terms_.correction.norm(), settings_.tolerance));
+                  "is below {:.3g} m; no shorter step is tried",
+                  s.time, settings_.most_iterations, terms_.correction.norm(), tolerance_));
 }
 
 void Index3::refuse_unstable(const State& s, double h) {

@@ -31,11 +31,12 @@ NullSpace::NullSpace(Model& model, const NullSpaceSettings& s)
     : model_(model),
       structure_(model.structure()),
       settings_(s),
+      tolerance_(structure_.tolerance(s.tolerance, 1e-12)),
       jacobian_values_(static_cast<std::size_t>(structure_.jacobian_values())),
       most_off_(most_off(structure_)),
       phi_(structure_.constraints),
       force_(structure_.variables) {
-  Setting{"null-space formulation", "tolerance", s.tolerance}.positive();
+  Setting{"null-space formulation", "tolerance", s.tolerance}.at_least(0.0, "a number above 0");
   Setting{"null-space formulation", "most_iterations", static_cast<double>(s.most_iterations)}.count();
   fill(mass_, structure_.mass.pattern, structure_.mass.values.data());
 }
@@ -88,7 +89,7 @@ void NullSpace::solve_positions() {
     held_.compute(jacobian_(Eigen::all, dependent_));
     const VectorXd change = dense::solve(held_, phi_);
     at_.q(dependent_) -= change;
-    if (change.norm() < settings_.tolerance) return;
+    if (change.norm() < tolerance_) return;
   }
   throw Error(
       ErrorCode::numerical,

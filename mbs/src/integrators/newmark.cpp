@@ -2,6 +2,7 @@
 #include "tandem/mbs/integrators/newmark.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "check_memory.hpp"
 #include "settings.hpp"
@@ -12,7 +13,7 @@ namespace tandem::mbs {
 NewmarkFamily::NewmarkFamily(const NewmarkSettings& s)
     : beta_(s.beta), tolerance_(s.tolerance), most_iterations_(s.most_iterations) {
   check_beta("Newmark's method", s.beta);
-  Setting{"Newmark's method", "tolerance", s.tolerance}.positive();
+  Setting{"Newmark's method", "tolerance", s.tolerance}.at_least(0.0, "a number above 0");
   Setting{"Newmark's method", "most_iterations", static_cast<double>(s.most_iterations)}.count();
 }
 
@@ -21,7 +22,7 @@ NewmarkFamily::NewmarkFamily(const GeneralizedAlphaSettings& s)
   const double rho = s.spectral_radius;
   const Setting radius{"generalized-alpha method", "spectral_radius", rho};
   if (!(rho >= 0.0 && rho <= 1.0)) radius.refuse("0 to 1");
-  Setting{"generalized-alpha method", "tolerance", s.tolerance}.positive();
+  Setting{"generalized-alpha method", "tolerance", s.tolerance}.at_least(0.0, "a number above 0");
   Setting{"generalized-alpha method", "most_iterations", static_cast<double>(s.most_iterations)}.count();
   alpha_m_ = (2.0 * rho - 1.0) / (rho + 1.0);
   alpha_f_ = rho / (rho + 1.0);
@@ -64,8 +65,15 @@ void NewmarkFamily::advance(const Motion& from, Motion& to, double h) {
   to.v = from.v + h * ((1.0 - gamma_) * w_ + gamma_ * w_end_);
 }
 
+/// A velocity is not known better than to a few of its last digits.
+double NewmarkFamily::tolerance(const SecondOrder& problem, const Motion& motion) const {
+  constexpr double rounding = 8.0 * std::numeric_limits<double>::epsilon();
+  return tolerance_ > 0.0 ? tolerance_ : std::max(1e-10 * problem.length(), rounding * motion.v.norm());
+}
+
 int NewmarkFamily::step(SecondOrder& problem, Motion& motion, double h, double t_end) {
   refuse_unstable(problem, motion, h);
+  const double most = tolerance(problem, motion);
   w_ = motion.a + lag_;
   end_.time = t_end;
   end_.a = motion.a;
@@ -74,17 +82,18 @@ int NewmarkFamily::step(SecondOrder& problem, Motion& motion, double h, double t
     change_ = end_.a;
     problem.accelerations(t_end, end_.y.data(), end_.v.data(), end_.a.data());
     change_ -= end_.a;
-    if (!(gamma_ * h * change_.norm() <= tolerance_)) continue;
+    if (!(gamma_ * h * change_.norm() <= most)) continue;
     lag_ = w_end_ - end_.a;
     motion = end_;
     return iteration;
   }
   throw Error(
       ErrorCode::numerical,
-      fmt::format("no convergence at t = {} s in {} iterations: the velocities still change by {:.2e} m/s, "
-                  "allowed is {} (fixed-point iteration converges for beta (omega h)^2 < 1, beta = {:.4g}); "
-                  "no shorter step is tried",
-                  t_end, most_iterations_, gamma_ * h * change_.norm(), tolerance_, beta_));
+      fmt::format(
+          "no convergence at t = {} s in {} iterations: the velocities still change by {:.2e} m/s, "
+          "allowed is {:.3g} (fixed-point iteration converges for beta (omega h)^2 < 1, beta = {:.4g}); "
+          "no shorter step is tried",
+          t_end, most_iterations_, gamma_ * h * change_.norm(), most, beta_));
 }
 
 }  // namespace tandem::mbs

@@ -2,6 +2,7 @@
 // How a Mechanism is made of its description.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -122,6 +123,18 @@ std::unique_ptr<ConstraintSet> angle_set(const Description& in, const Numbering&
   return set;
 }
 
+/// The largest body's, or else the longest edge of a product; 1 m where there is neither, and where variables
+/// are not lengths alone: one tolerance then serves numbers without a unit too.
+double length_of(const Description& in, const std::vector<ScalarProduct>& products) {
+  const auto turns = [](const Entity& e) { return e.kind == Entity::Kind::vector && !e.fixed; };
+  if (!in.relatives.empty() || std::any_of(in.entities.begin(), in.entities.end(), turns)) return 1.0;
+  double length = 0.0;
+  for (const Body& body : in.bodies) length = std::max(length, BodyCoordinates(in, body).size());
+  for (const ScalarProduct& p : products)
+    if (length == 0.0 && is_distance(p)) length = drawn(in, p.a).norm();
+  return length > 0.0 ? length : 1.0;
+}
+
 }  // namespace
 
 Mechanism::Mechanism(Description description)
@@ -139,6 +152,7 @@ Mechanism::Mechanism(Description description)
   for (std::size_t r = 0; r < description_.relatives.size(); ++r)
     if (description_.relatives[r].kind == Relative::Kind::state)
       structure_.states.push_back(numbering_.relative[r]);
+  structure_.rounding = 8.0 * std::numeric_limits<double>::epsilon() * described_state().q.norm();
 }
 
 Mechanism::~Mechanism() = default;
@@ -177,6 +191,7 @@ void Mechanism::add_constraints() {
   const Description& in = description_;
   const bool plane = in.dimension == 2;
   const auto products = all_products(in);
+  structure_.length = length_of(in, products);
   sets_.push_back(plane ? distance_set<2>(products, numbering_, structure_)
                         : distance_set<3>(products, numbering_, structure_));
   sets_.push_back(plane ? angle_set<2>(in, numbering_, structure_)

@@ -23,17 +23,17 @@ int whole(Parameters& p, const std::string& name, int otherwise, int most = 1000
 }
 
 /// Among the settings 0 stands for the default.
-double penalty(Parameters& p, double otherwise) {
-  const bool given = p.has("penalty");
-  const double value = p.number("penalty", otherwise);
-  if (given && !(value > 0.0)) refuse("penalty", value, "a number above 0, or to leave it out");
+double above_zero(Parameters& p, const std::string& name, double otherwise) {
+  const bool given = p.has(name);
+  const double value = p.number(name, otherwise);
+  if (given && !(value > 0.0)) refuse(name, value, "a number above 0, or to leave it out");
   return value;
 }
 
 void take(Parameters& p, mbs::Index3Settings& s) {
-  s.penalty = penalty(p, s.penalty);
+  s.penalty = above_zero(p, "penalty", s.penalty);
   s.beta = p.number("beta", s.beta);
-  s.tolerance = p.number("tolerance", s.tolerance);
+  s.tolerance = above_zero(p, "tolerance", s.tolerance);
   s.most_iterations = whole(p, "most_iterations", s.most_iterations);
   s.multiplier_iterations = whole(p, "multiplier_iterations", s.multiplier_iterations);
   s.projections = whole(p, "projections", s.projections);
@@ -44,7 +44,7 @@ void take(Parameters& p, mbs::Index3Settings& s) {
 
 template <class Stabilized>
 void take_stabilized(Parameters& p, Stabilized& s) {
-  s.penalty = penalty(p, s.penalty);
+  s.penalty = above_zero(p, "penalty", s.penalty);
   s.xi = p.number("xi", s.xi);
   s.omega = p.number("omega", s.omega);
   s.solver = p.text("solver", s.solver);
@@ -53,13 +53,13 @@ void take_stabilized(Parameters& p, Stabilized& s) {
 void take_integrator(Parameters& p, mbs::StepperSettings& s) {
   if (s.integrator == "newmark") {
     s.newmark.beta = p.number("beta", s.newmark.beta);
-    s.newmark.tolerance = p.number("tolerance", s.newmark.tolerance);
+    s.newmark.tolerance = above_zero(p, "tolerance", s.newmark.tolerance);
     s.newmark.most_iterations = whole(p, "most_iterations", s.newmark.most_iterations);
   }
   if (s.integrator == "generalized_alpha") {
     auto& alpha = s.generalized_alpha;
     alpha.spectral_radius = p.number("spectral_radius", alpha.spectral_radius);
-    alpha.tolerance = p.number("tolerance", alpha.tolerance);
+    alpha.tolerance = above_zero(p, "tolerance", alpha.tolerance);
     alpha.most_iterations = whole(p, "most_iterations", alpha.most_iterations);
   }
 }

@@ -99,6 +99,11 @@ const std::vector<Benchmark>& all() {
      one(function_evaluation)},
     {"engine", "a step of 0.1 ms of the models of scenarios/engine, of listed blocks and with blocks in C++",
      one(engine_models)},
+    {"transports",
+     "round trips of an advance over each transport, and large vectors, beside the same bytes without tandem",
+     transports,
+     Measured{"the same bytes by the system's or ZeroMQ's own calls, in turns", "none, these are times",
+              "the median of 4000"}},
 #if TANDEM_HAS_SIMBODY
     {"simbody", "the linkage by tandem and by Simbody: error and processor time", against_simbody,
      Measured{"exact motion", "rms of the first point's distance", "the least of 2 to 5"}},

@@ -65,6 +65,7 @@ Table profile();
 Table integrators();
 Table function_evaluation();
 Table engine_models();
+std::vector<Table> transports(const Tick& tick);
 std::vector<Table> against_simbody(const Tick& tick);  ///< only with Simbody
 
 }  // namespace tandem::bench

@@ -69,9 +69,10 @@ void add_chart(CLI::App& app, Context& context) {
   command
       ->add_option(
           "scene", options->scene,
-          "A sweep: two_mass, engine, engine_linkage, mechanisms, four_bar; or a benchmark: four_bar_cost "
+          "A sweep: two_mass, engine, engine_linkage, kart, mechanisms, four_bar; a ladder; or a benchmark: "
+          "four_bar_cost "
           "(of bench four_bar), "
-          "solvers, dense, threads, simbody")
+          "solvers, dense, threads, transports, simbody")
       ->required()
       ->check(CLI::IsMember(scene_names()));
   command

@@ -5,6 +5,8 @@
 #include "charts/engine_charts.hpp"
 #include "charts/engine_linkage_charts.hpp"
 #include "charts/flat_position_chart.hpp"
+#include "charts/kart_charts.hpp"
+#include "charts/ladder_chart.hpp"
 #include "charts/linkage_cost_chart.hpp"
 #include "charts/linkage_errors_chart.hpp"
 #include "charts/mechanisms_work_chart.hpp"
@@ -12,6 +14,7 @@
 #include "charts/solver_map_chart.hpp"
 #include "charts/style.hpp"
 #include "charts/threads_chart.hpp"
+#include "charts/transports_chart.hpp"
 #include "charts/two_mass_best.hpp"
 #include "charts/two_mass_charts.hpp"
 
@@ -69,6 +72,22 @@ Drawing engine(const fs::path& folder) {
           ""};
 }
 
+Drawing kart(const fs::path& folder) {
+  const auto caption = conditions_caption(folder / "conditions.json", 150);
+  const auto levels = charts::read_kart_traces(folder / "traces.csv");
+  Drawing drawing{{charts::kart_work_chart(charts::read_kart_work(folder / "work.csv"), caption)}, ""};
+  for (const charts::KartLevel& level : levels) {
+    drawing.pictures.push_back(charts::kart_pitch_chart(level, caption));
+    drawing.pictures.push_back(charts::kart_course_chart(level, caption));
+  }
+  return drawing;
+}
+
+Drawing ladder(const fs::path& folder) {
+  const auto caption = conditions_caption(folder / "conditions.json", 150);
+  return {{charts::ladder_chart(charts::read_ladder(folder / "ladder.csv"), caption)}, ""};
+}
+
 Drawing solvers(const fs::path& folder) {
   const auto caption = conditions_caption(folder / "solvers_conditions.json", 140);
   return {{charts::solver_map_chart(charts::read_solver_times(folder / "solvers.csv"), caption)}, ""};
@@ -82,6 +101,11 @@ Drawing dense(const fs::path& folder) {
 Drawing threads(const fs::path& folder) {
   const auto caption = conditions_caption(folder / "threads_conditions.json", 150);
   return {{charts::threads_chart(charts::read_thread_times(folder / "threads.csv"), caption)}, ""};
+}
+
+Drawing transports(const fs::path& folder) {
+  const auto caption = conditions_caption(folder / "transports_conditions.json", 150);
+  return {{charts::transports_chart(charts::read_transport_times(folder / "transports.csv"), caption)}, ""};
 }
 
 Drawing simbody(const fs::path& folder) {
@@ -121,6 +145,12 @@ const ChartScene scenes[] = {
      "sweep engine_linkage --output {}",
      {"results.csv", "work.csv", "elapsed.csv", "conditions.json"},
      engine_linkage},
+    {"kart", "results/kart", "sweep kart --output {}", {"work.csv", "traces.csv", "conditions.json"}, kart},
+    {"ladder",
+     "results/ladder/kart",
+     "ladder SCENARIO --output {}",
+     {"ladder.csv", "conditions.json"},
+     ladder},
     {"solvers",
      "results/bench",
      "bench solvers --output {}",
@@ -132,6 +162,11 @@ const ChartScene scenes[] = {
      "bench threads --output {}",
      {"threads.csv", "threads_conditions.json"},
      threads},
+    {"transports",
+     "results/bench",
+     "bench transports --output {}",
+     {"transports.csv", "transports_conditions.json"},
+     transports},
     {"simbody",
      "results/bench",
      "bench simbody --output {}",

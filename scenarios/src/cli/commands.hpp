@@ -18,7 +18,7 @@ struct Context {
   bool quiet = false;  ///< results and errors only
   bool verbose = false;
   bool allow_plaintext = false;  ///< also beyond the loopback interface
-  Builtins builtins;  ///< what "builtin:NAME" can name
+  Builtins builtins;             ///< what "builtin:NAME" can name
 };
 
 // Each adds one subcommand to the app; `context` outlives the parsing. The work is done in the subcommand's
@@ -32,9 +32,10 @@ void add_list(CLI::App& app, Context& context);
 void add_compare(CLI::App& app, Context& context);
 void add_sweep(CLI::App& app, Context& context);
 void add_chart(CLI::App& app, Context& context);
-void add_keys(CLI::App& app, Context& context);  // with ZeroMQ only
+void add_keys(CLI::App& app, Context& context);
 void add_serve(CLI::App& app, Context& context);
 void add_bench(CLI::App& app, Context& context);
 void add_view(CLI::App& app, Context& context);
+void add_ladder(CLI::App& app, Context& context);
 
 }  // namespace tandem::cli

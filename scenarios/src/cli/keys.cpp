@@ -1,5 +1,4 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-#if TANDEM_HAS_ZEROMQ
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -9,51 +8,104 @@
 
 #include "cli/commands.hpp"
 #include "tandem/error.hpp"
+#include "tandem/tcp/certificates.hpp"
+#if TANDEM_HAS_ZEROMQ
 #include "tandem/zeromq/zeromq.hpp"
+#endif
 
 namespace tandem::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A file that was not there before, and that nobody else may read if `secret`, at no time.
-void write_new(const fs::path& file, const std::string& key, bool secret) {
-  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, secret ? 0600 : 0644);
-  const std::string line = key + "\n";
-  const bool written =
-      descriptor >= 0 && ::write(descriptor, line.data(), line.size()) == static_cast<ssize_t>(line.size());
+struct KeysOptions {
+  std::string folder = "keys";
+  double days = 365.0;  ///< that certificates are valid
+};
+
+struct KeyFile {
+  std::string name, text;
+  bool secret;
+};
+
+/// A file that was not there before, and that nobody else may read if it is secret, at no time.
+void write_new(const fs::path& folder, const KeyFile& key) {
+  const fs::path file = folder / key.name;
+  const int descriptor =
+      ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, key.secret ? 0600 : 0644);
+  const bool written = descriptor >= 0 && ::write(descriptor, key.text.data(), key.text.size()) ==
+                                              static_cast<ssize_t>(key.text.size());
   if (descriptor >= 0) ::close(descriptor);
   if (!written)
     throw Error(ErrorCode::input_output,
                 "key file '" + file.string() + "' can't be written; allowed is a file that is not there yet");
 }
 
-void make_keys(const std::string& folder) {
-  std::error_code code;
-  fs::create_directories(folder, code);
+#if TANDEM_HAS_ZEROMQ
+std::vector<KeyFile> curve_files() {
+  std::vector<KeyFile> files;
   for (const std::string name : {"server", "client"}) {
     const CurveKeys keys = make_curve_keys();
-    write_new(fs::path(folder) / name, keys.secret_key, true);
-    write_new(fs::path(folder) / (name + ".pub"), keys.public_key, false);
+    files.push_back({name, keys.secret_key + "\n", true});
+    files.push_back({name + ".pub", keys.public_key + "\n", false});
   }
-  fmt::print(
-      "wrote {0}/server, {0}/server.pub, {0}/client, {0}/client.pub\n"
-      "take server and client.pub to the one machine, client and server.pub to the other:\n"
-      "  tandem serve SOURCE --listen zmq:tcp://HOST:PORT --key server --client-key client.pub\n"
-      "  zmq:tcp://HOST:PORT?key=client&server_key=server.pub\n",
-      folder);
+  return files;
+}
+#endif
+
+std::vector<KeyFile> tls_files(double days) {
+  const TlsPair pair = make_tls_pair(86400.0 * days);
+  return {{"server.key", pair.server.key, true},
+          {"server.crt", pair.server.certificate, false},
+          {"client.key", pair.client.key, true},
+          {"client.crt", pair.client.certificate, false},
+          {"authority.crt", pair.authority, false}};
+}
+
+/// Files of one kind, and how to use them.
+void write_kind(const fs::path& folder, const std::vector<KeyFile>& files, const std::string& use) {
+  std::string names;
+  for (const KeyFile& file : files) {
+    write_new(folder, file);
+    names += (names.empty() ? "" : ", ") + (folder / file.name).string();
+  }
+  fmt::print("wrote {}\n{}", names, use);
+}
+
+void make_keys(const KeysOptions& options) {
+  std::error_code code;
+  fs::create_directories(options.folder, code);
+  if (has_tls())
+    write_kind(options.folder, tls_files(options.days),
+               "take server.key, server.crt, authority.crt to the one machine, client.key, client.crt, "
+               "authority.crt to the other:\n"
+               "  tandem serve SOURCE --listen tls://HOST:PORT --key server.key --authority authority.crt\n"
+               "  tls://HOST:PORT?key=client.key&authority=authority.crt\n");
+  else
+    fmt::print("no certificates: this build has no TLS (package libssl-dev)\n");
+#if TANDEM_HAS_ZEROMQ
+  write_kind(options.folder, curve_files(),
+             "take server and client.pub to the one machine, client and server.pub to the other:\n"
+             "  tandem serve SOURCE --listen zmq:tcp://HOST:PORT --key server --client-key client.pub\n"
+             "  zmq:tcp://HOST:PORT?key=client&server_key=server.pub\n");
+#else
+  fmt::print("no CURVE keys: this build has no ZeroMQ (packages cppzmq-dev, libzmq3-dev)\n");
+#endif
 }
 
 }  // namespace
 
 void add_keys(CLI::App& app, Context&) {
-  auto* command = app.add_subcommand("keys", "Make the CURVE keys of a pair of machines, for zmq:");
-  auto folder = std::make_shared<std::string>("keys");
-  command->add_option("folder", *folder, "Where to put them; nothing is overwritten")
+  auto* command = app.add_subcommand(
+      "keys", "Make what a pair of machines needs: certificates for tls:, CURVE keys for zmq:");
+  auto options = std::make_shared<KeysOptions>();
+  command->add_option("folder", options->folder, "Where to put them; nothing is overwritten")
       ->type_name("DIR")
       ->capture_default_str();
-  command->callback([folder] { make_keys(*folder); });
+  command->add_option("--days", options->days, "How long the certificates are valid, up to a whole second")
+      ->check(CLI::PositiveNumber & CLI::Range(0.0, 36500.0))
+      ->capture_default_str();
+  command->callback([options] { make_keys(*options); });
 }
 
 }  // namespace tandem::cli
-#endif

@@ -58,7 +58,8 @@ void serve(ServeOptions options, const Context& context) {
   if (options.address.empty() && descriptor) return serve_parent(descriptor, options, socket, context);
   if (options.address.empty())
     throw Error(ErrorCode::invalid_argument,
-                "--listen is needed: tcp://HOST:PORT (port 0: a free one), unix:PATH or zmq:ADDRESS");
+                "--listen is needed: tcp://HOST:PORT (port 0: a free one), tls://HOST:PORT, unix:PATH or "
+                "zmq:ADDRESS");
   const InterruptGuard guard;
   const auto listener = listener_at(options.address, socket, options.keys);
   try_source(options.source, context);
@@ -77,8 +78,10 @@ void add_serve(CLI::App& app, Context& context) {
       ->required()
       ->type_name("SOURCE");
   command
-      ->add_option("--listen", options->address,
-                   "Where: tcp://HOST:PORT (port 0: a free one, which is printed), unix:PATH, zmq:ADDRESS")
+      ->add_option(
+          "--listen", options->address,
+          "Where: tcp://HOST:PORT (port 0: a free one, which is printed), tls://HOST:PORT, unix:PATH, "
+          "zmq:ADDRESS")
       ->type_name("URI");
   command->add_option("--sessions", options->server.most_sessions, "The most sessions at a time")
       ->check(CLI::Range(1, 10000))
@@ -98,10 +101,17 @@ void add_serve(CLI::App& app, Context& context) {
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command
-      ->add_option("--key", options->keys.own, "The secret key of a zmq: server; its public one is FILE.pub")
+      ->add_option("--key", options->keys.own,
+                   "The secret key of a zmq: server (its public one is FILE.pub) or of a tls: server (its "
+                   "certificate is FILE with .crt for its extension)")
       ->type_name("FILE");
   command
-      ->add_option("--client-key", options->keys.clients, "The public key of a client to let in (repeatable)")
+      ->add_option("--authority", options->keys.authority,
+                   "The certificate that those of the clients of tls: are signed by")
+      ->type_name("FILE");
+  command
+      ->add_option("--client-key", options->keys.clients,
+                   "The public key of a client that zmq: lets in (repeatable)")
       ->type_name("FILE")
       ->expected(1)
       ->take_all();

@@ -35,6 +35,7 @@ struct SweepOptions {
   std::string scene;
   fs::path output, mechanisms = "scenarios/mechanisms", engine_linkage = "scenarios/engine_linkage",
                    engine = "scenarios/engine", kart = "scenarios/kart";
+  std::vector<std::string> levels;
   bool pairs = false, resume = false, only_table = false;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
 };
@@ -183,6 +184,13 @@ void add_sweep(CLI::App& app, Context& context) {
   command
       ->add_option("--engine", options->engine, "Folder of the engine's diagrams (default: scenarios/engine)")
       ->type_name("DIR");
+  command
+      ->add_option(
+          "--level", options->levels,
+          "A level of the kart: point, plane, spatial_scalar_spin, spatial (repeatable; default: all)")
+      ->expected(1)
+      ->take_all()
+      ->check(CLI::IsMember({"point", "plane", "spatial_scalar_spin", "spatial"}));
   command->add_flag("--pairs", options->pairs, "All 25 pairs of degrees, not only equal ones");
   command->add_flag("--resume", options->resume,
                     "Keep the rows that are there from a sweep that was stopped, if the same code made them");
@@ -209,7 +217,7 @@ void add_sweep(CLI::App& app, Context& context) {
       sweep_engine_linkage({options->engine_linkage, options->output, options->threads, options->only_table},
                            context);
     else if (scene == "kart")
-      sweep_kart({options->kart, options->output}, context);
+      sweep_kart({options->kart, options->output, options->levels, options->only_table}, context);
     else if (scene == "split_pendulum")
       sweep_split_pendulum(options->output, options->threads, context);
     else

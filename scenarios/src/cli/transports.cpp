@@ -36,11 +36,17 @@ void add_transports(Context& context) {
 
 std::unique_ptr<wire::Listener> listener_at(const std::string& address, const SocketSettings& settings,
                                             const ServerKeys& keys) {
-  if (address.starts_with("zmq:")) return at_zeromq(address.substr(4), settings, keys);
-  if (!keys.own.empty() || !keys.clients.empty())
+  const bool zmq = address.starts_with("zmq:"), tls = address.starts_with("tls:");
+  if ((!keys.own.empty() && !zmq && !tls) || (!keys.clients.empty() && !zmq) ||
+      (!keys.authority.empty() && !tls))
     throw Error(ErrorCode::invalid_argument,
-                "keys are of no use at " + address + ", which is plain text; allowed is zmq:ADDRESS");
-  return listen(address, settings);
+                "these keys are of no use at " + address +
+                    "; allowed are --key and --authority at tls://HOST:PORT, --key and --client-key at "
+                    "zmq:ADDRESS");
+  if (zmq) return at_zeromq(address.substr(4), settings, keys);
+  SocketSettings secured = settings;
+  secured.tls = {keys.own, keys.authority};
+  return listen(address, secured);
 }
 
 }  // namespace tandem::cli

@@ -14,8 +14,10 @@ void add_transports(Context& context);
 
 /// Files of the keys of a server.
 struct ServerKeys {
-  std::string own;                   ///< secret; the public one is in the file of that name with .pub
-  std::vector<std::string> clients;  ///< public ones
+  std::string
+      own;  ///< secret; of zmq: the public one is beside it with .pub, of tls: the certificate with .crt
+  std::vector<std::string> clients;  ///< public ones, of zmq: only
+  std::string authority;             ///< certificate that the clients' are signed by, of tls: only
 };
 /// Listens at an address of any transport. Throws Error for keys that the transport has no use for.
 std::unique_ptr<wire::Listener> listener_at(const std::string& address, const SocketSettings& settings,

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "kart/player.hpp"
@@ -43,15 +42,18 @@ int output(const Subsystem& subsystem, const std::string& name) {
 class Keep final : public Observer {
  public:
   Keep(const Subsystem& kart, const Subsystem& other, Course& course)
-      : columns_{output(kart, "pitch"), output(other, "torque")}, course_(course) {}
+      : columns_{output(kart, "pitch"), output(other, "torque")}, course_(course) {
+    course_.trace = Trace(kart.info(), other.info());
+  }
   bool samples(int subsystem, const History& history, std::int64_t first, std::int64_t last) override {
     const int column = columns_[subsystem];
     for (std::int64_t k = first; k <= last; ++k) {
       const double value = history.values(k)[column];
       if (subsystem == 0)
-        course_.pitch.push_back(value * 180.0 / std::numbers::pi);
+        course_.pitch.push_back(value * degrees);
       else
         course_.torque.push_back(value);
+      course_.trace.add(subsystem, history, k);
     }
     return true;
   }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "kart/trace.hpp"
 #include "tandem/transports/open.hpp"
 
 namespace tandem::kart {
@@ -37,6 +38,7 @@ struct Course {
   double seconds = 0.0;                              ///< without its start
   double coordinator_share = 0.0, kart_share = 0.0;  ///< of these, if they were taken
   std::string failure = {};                          ///< what ended it early
+  Trace trace = {};
 };
 
 /// The manoeuvre, coupled. profile: shares are taken too.

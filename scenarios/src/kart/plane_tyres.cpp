@@ -94,14 +94,14 @@ class PlaneTyres final : public mbs::ForceElement {
 
 }  // namespace
 
-std::unique_ptr<mbs::ForceElement> make_plane_tyres(mbs::ElementKeys& keys) {
+std::unique_ptr<mbs::ForceElement> make_plane_tyres(mbs::ElementKeys& keys, const LawChoice& law) {
   if (keys.dimension() != 2)
     keys.at("kind", [] {
       throw Error(ErrorCode::invalid_argument, "plane_tyres need dimension = 2; in space there is tyre");
     });
   auto coordinates = keys.axes(keys.point("centre"));
   for (const mbs::Coordinate& c : keys.axes(keys.point("rim"))) coordinates.push_back(c);
-  const TyreData data = TyreData::from(keys);
+  const TyreData data = TyreData::from(keys, law);
   coordinates.push_back(keys.state("slip"));
   return std::make_unique<PlaneTyres>(data, std::move(coordinates));
 }

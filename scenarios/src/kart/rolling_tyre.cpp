@@ -9,13 +9,15 @@
 namespace tandem::kart {
 namespace {
 
-constexpr double slow = 0.1;  // [m/s]: below, rolling resistance fades
+constexpr double slow = 0.1;  // [m/s]: below, rolling resistance and brake fade
 
 }  // namespace
 
-TyreData TyreData::from(mbs::ElementKeys& keys) {
+TyreData TyreData::from(mbs::ElementKeys& keys, const LawChoice& law) {
   TyreData d{};
+  const std::string chosen = law ? law() : "";
   keys.at("law", [&] { d.law = tyre_law(keys.text("law")); });
+  if (!chosen.empty()) d.law = tyre_law(chosen);
   const std::string axle = keys.text("axle");
   if (axle != "front" && axle != "rear")
     keys.at("axle", [&] {
@@ -44,6 +46,10 @@ double TyreData::resistance_rate(double load, double spin) const {
   const double t = std::tanh(spin * radius / slow);
   return rolling * load * radius * radius / slow * (1.0 - t * t);
 }
+
+double TyreData::gripping(double spin) const { return std::tanh(spin * radius / slow); }
+
+double TyreData::gripping_rate(double part) const { return radius / slow * (1.0 - part * part); }
 
 double TyreData::potential(double height) const {
   const double pressed = std::max(0.0, free_radius - height);

@@ -13,13 +13,16 @@ struct TyreData {
   Axle axle;
   double radius, free_radius, stiffness, damping, rolling, relaxation;
 
-  static TyreData from(mbs::ElementKeys& keys);
+  static TyreData from(mbs::ElementKeys& keys, const LawChoice& law);
 
   /// At a height of the centre over the ground [m], rising with `rate` [m/s].
   double load(double height, double rate) const;
   /// Couple against rolling [N m] and its derivative by the spin [rad/s].
   double resistance(double load, double spin) const;
   double resistance_rate(double load, double spin) const;
+  /// Of a brake's couple, at a spin over its upright [rad/s], and d gripping / d spin where it is `part` [s].
+  double gripping(double spin) const;
+  double gripping_rate(double part) const;
   double potential(double height) const;  ///< [J]
   /// Slip where the state is kappa and the tyre slides with s on the ground, over which it moves with v
   /// [m/s].

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "tandem/error.hpp"
@@ -10,8 +11,7 @@
 namespace tandem::kart {
 
 Truth truth(const Scene& scene, const std::string& level) {
-  Truth t{couple(scene, {level, 1}, {"fastest-first", "lagrange2", "mean"}),
-          couple(scene, {level, 1}, thesis_scheme, true)};
+  Truth t{couple(scene, {level, 1}, better_scheme), couple(scene, {level, 1}, thesis_scheme, true)};
   for (const Course* course : {&t.better, &t.thesis})
     if (!course->failure.empty())
       throw Error(ErrorCode::numerical, "level " + level + ", a reference of 0.1 ms: " + course->failure);
@@ -86,6 +86,24 @@ std::string scheme_row(const std::string& level, int ratio, const Scheme& scheme
   if (!o.course.failure.empty()) return begin + fmt::format(",,,{:.4g},failed", o.course.seconds);
   return begin + fmt::format("{},{},{},{:.4g},ok", number(o.from_better.largest),
                              number(o.integrator.largest), number(o.coupling.largest), o.course.seconds);
+}
+
+std::vector<Scheme> work_schemes() {
+  std::vector<Scheme> all = {thesis_scheme};
+  for (const char* to_fast : {"lagrange0", "lagrange1", "lagrange2", "lagrange3"})
+    all.push_back({"fastest-first", to_fast, "lagrange0"});
+  for (const char* to_fast : {"lagrange0", "lagrange1", "hermite", "least_squares1_2"})
+    all.push_back({"fastest-first", to_fast, "mean"});
+  return all;
+}
+
+std::string work_row(Judge& judge, int ratio, const Scheme& scheme) {
+  const Outcome first = judge.judge(ratio, scheme, false);
+  const std::string begin =
+      fmt::format("{},{},{},{},{},", judge.level(), ratio, scheme.schedule, scheme.to_fast, scheme.to_slow);
+  if (!first.course.failure.empty()) return begin + ",,failed";
+  const double seconds = std::min(first.course.seconds, judge.judge(ratio, scheme, false).course.seconds);
+  return begin + fmt::format("{},{:.4g},ok", number(first.from_better.largest), seconds);
 }
 
 }  // namespace tandem::kart

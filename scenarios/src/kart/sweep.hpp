@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@ namespace tandem::kart {
 inline constexpr const char* levels[] = {"point", "plane", "spatial_scalar_spin", "spatial"};
 
 /// What the runs of a level are compared with.
+inline const Scheme better_scheme{"fastest-first", "lagrange2", "mean"};
 struct Truth {
   Course better;  ///< both sides at 0.1 ms, fastest-first, speeds of degree 2, the torque's mean
   Course thesis;  ///< both sides at 0.1 ms, slowest-first, degree 0 both ways
@@ -62,5 +64,33 @@ std::string multirate_row(const std::string& level, int ratio, double seconds_of
 inline constexpr const char* schemes_header =
     "level,ratio,schedule,to_fast,to_slow,max_pitch_difference,integrator_part,coupling_part,seconds,status";
 std::string scheme_row(const std::string& level, int ratio, const Scheme& scheme, const Outcome& o);
+
+/// Speed against accuracy: the thesis' five rows and the better schemes, at these ratios. A row of work.csv:
+/// seconds are the least of two runs.
+inline constexpr int work_ratios[] = {5, 10, 20, 50, 100};
+std::vector<Scheme> work_schemes();
+inline constexpr const char* work_header =
+    "level,ratio,schedule,to_fast,to_slow,max_pitch_difference,seconds,status";
+std::string work_row(Judge& judge, int ratio, const Scheme& scheme);
+
+/// Of the runs of a level those whose pitch differs most and least from the reference.
+class Extremes {
+ public:
+  void add(const Scheme& scheme, const Outcome& outcome);
+  struct Extreme {
+    Scheme scheme;
+    Outcome outcome;
+  };
+  const std::optional<Extreme>& worst() const { return worst_; }
+  const std::optional<Extreme>& best() const { return best_; }
+
+ private:
+  std::optional<Extreme> worst_, best_;
+};
+
+/// Rows of traces.csv: the reference of a level, its worst and its best scheme, every 10 ms; cells of what a
+/// level has not are empty.
+std::string traces_header();
+std::string trace_rows(const Judge& judge, const Extremes& extremes);
 
 }  // namespace tandem::kart

@@ -16,25 +16,29 @@ using Vector = Eigen::Vector3d;
 using In = Eigen::Map<const Vector>;
 using Out = Eigen::Map<Vector>;
 
-/// Coordinates: centre (0 to 2), axis (3 to 5), the spin (6) or both spokes (6 to 11), then the slips.
+/// Coordinates: centre (0 to 2), axis (3 to 5), the spin (6) or both spokes (6 to 11), then the slips, then
+/// with a brake the two points of the upright. Inputs: height of the ground, brake, as far as there are any.
 class Tyre final : public mbs::ForceElement {
  public:
   struct Places {
     std::vector<Coordinate> coordinates;
     std::vector<int> inputs;
-    bool spokes, lateral;
+    bool spokes, lateral, ground, brake;
   };
   Tyre(const TyreData& data, Places places)
       : ForceElement(std::move(places.coordinates), std::move(places.inputs)),
         data_(data),
         spokes_(places.spokes),
         lateral_(places.lateral),
-        state_(places.spokes ? 12 : 7) {}
+        ground_(places.ground),
+        brake_(places.brake),
+        state_(places.spokes ? 12 : 7),
+        upright_(state_ + (places.lateral ? 2 : 1)) {}
 
   void add(const ElementState& at, double* force) const override {
     const Contact c = contact(at);
     const Vector axis = In(at.x + 3), push = total(c),
-                 couple = Vector(0.0, 0.0, -c.height).cross(push) - c.resistance * axis;
+                 couple = Vector(0.0, 0.0, -c.height).cross(push) - (c.resistance + c.brake) * axis;
     Out(force) += push;
     const auto turn = [&](int vector, double part) {
       Out to(force + vector);
@@ -45,6 +49,10 @@ class Tyre final : public mbs::ForceElement {
     } else {
       turn(3, 1.0);
       force[6] += couple.dot(axis);
+    }
+    if (brake_) {
+      Out(force + upright_) -= c.brake * c.lever;
+      Out(force + upright_ + 3) += c.brake * c.lever;
     }
     force[state_] += data_.slip_rate(at.v[state_], c.sliding[0], c.speed);
     if (lateral_) force[state_ + 1] += data_.slip_rate(at.v[state_ + 1], c.sliding[1], c.speed);
@@ -59,11 +67,11 @@ class Tyre final : public mbs::ForceElement {
     const auto sliding = sliding_rates(at, now);
     const Eigen::Matrix2d slopes = data_.slopes(now.slip, now.load);
     const double damping = TyreData::damping_of_slip(now.speed);
-    const auto n = static_cast<int>(k.rows());
-    for (int a = 0; a < n - state_; ++a) {
+    const int slips = upright_ - state_;
+    for (int a = 0; a < slips; ++a) {
       c(state_ + a, state_ + a) += std::abs(now.speed) / data_.relaxation;
       for (int i = 0; i < state_; ++i) c(state_ + a, i) -= sliding(a, i) / data_.relaxation;
-      for (int b = 0; b < n - state_; ++b)
+      for (int b = 0; b < slips; ++b)
         for (int i = 0; i < state_; ++i) {
           const double by = slopes(a, b) * sliding(a, i);
           c(i, state_ + b) += by;
@@ -73,20 +81,23 @@ class Tyre final : public mbs::ForceElement {
     const double braking = data_.resistance_rate(now.load, now.spin) / (data_.radius * data_.radius);
     for (int i = 6; i < state_; ++i)
       for (int j = 6; j < state_; ++j) c(i, j) += braking * sliding(0, i) * sliding(0, j);
+    if (brake_ && now.biting != 0.0) add_brake_derivatives(now, sliding, c);
   }
   bool symmetric() const override { return true; }
 
   double potential(const double* x) const override { return data_.potential(x[2]); }
 
   std::vector<Quantity> quantities() const override {
-    return {{"load", "N"}, {"slip", "1"}, {"side_slip", "1"}, {"drive", "N"}, {"side", "N"}, {"loss", "W"}};
+    return {{"load", "N", ground_},  {"slip", "1"},          {"side_slip", "1"},
+            {"drive", "N", ground_}, {"side", "N", ground_}, {"loss", "W", ground_ || brake_}};
   }
   void measure(const ElementState& at, double* values) const override {
     const Contact c = contact(at);
-    double force[14] = {};
+    double force[20] = {};
     add(at, force);
     double power = 0.0;
     for (int i = 0; i < state_; ++i) power += force[i] * at.v[i];
+    for (int i = upright_; brake_ && i < upright_ + 6; ++i) power += force[i] * at.v[i];
     const double stored =
         c.height < data_.free_radius ? -data_.stiffness * (data_.free_radius - c.height) * at.v[2] : 0.0;
     const double all[] = {c.load,          c.slip.longitudinal, c.slip.lateral, c.force.longitudinal,
@@ -102,6 +113,8 @@ class Tyre final : public mbs::ForceElement {
     Slip slip;
     TyreForce force;
     double resistance;
+    Vector lever;  ///< of the upright's edge: its turn about e is lever . (its difference of velocities)
+    double brake, biting;  ///< couple on the wheel against its spin over the upright, and its rate by that
   };
 
   double spin(const ElementState& at) const {
@@ -114,7 +127,7 @@ class Tyre final : public mbs::ForceElement {
     const In axis(at.x + 3), velocity(at.v);
     c.along = axis.cross(Vector::UnitZ()).normalized();
     c.across = Vector::UnitZ().cross(c.along);
-    c.height = at.x[2] - (inputs().empty() ? 0.0 : at.u[0]);
+    c.height = at.x[2] - (ground_ ? at.u[0] : 0.0);
     c.load = data_.load(c.height, at.v[2]);
     c.spin = spin(at);
     c.speed = velocity.dot(c.along);
@@ -123,7 +136,31 @@ class Tyre final : public mbs::ForceElement {
     if (lateral_) c.slip.lateral = TyreData::slip(at.v[state_ + 1], c.sliding[1], c.speed);
     c.force = tyre_force(data_.law, data_.axle, c.slip, c.load);
     c.resistance = data_.resistance(c.load, c.spin);
+    c.brake = c.biting = 0.0;
+    if (brake_) add_brake(at, c);
     return c;
+  }
+
+  void add_brake(const ElementState& at, Contact& c) const {
+    const In lower(at.x + upright_), upper(at.x + upright_ + 3), lower_rate(at.v + upright_),
+        upper_rate(at.v + upright_ + 3);
+    const Vector across = In(at.x + 3).cross(upper - lower);
+    c.lever = across / across.squaredNorm();
+    const double applied = at.u[ground_ ? 1 : 0],
+                 part = data_.gripping(c.spin - c.lever.dot(upper_rate - lower_rate));
+    c.brake = applied * part;
+    c.biting = applied * data_.gripping_rate(part);
+  }
+
+  void add_brake_derivatives(const Contact& now, const Eigen::Matrix<double, 2, 12>& sliding,
+                             Eigen::Ref<Eigen::MatrixXd> c) const {
+    Eigen::Matrix<double, 20, 1> turn = Eigen::Matrix<double, 20, 1>::Zero();
+    for (int i = 6; i < state_; ++i) turn[i] = sliding(0, i) / data_.radius;
+    turn.segment<3>(upright_) = now.lever;
+    turn.segment<3>(upright_ + 3) = -now.lever;
+    const auto n = static_cast<int>(c.rows());
+    for (int i = 6; i < n; ++i)
+      for (int j = 6; j < n; ++j) c(i, j) += now.biting * turn[i] * turn[j];
   }
 
   static Vector total(const Contact& c) {
@@ -146,8 +183,8 @@ class Tyre final : public mbs::ForceElement {
   }
 
   TyreData data_;
-  bool spokes_, lateral_;
-  int state_;  ///< where the slips begin
+  bool spokes_, lateral_, ground_, brake_;
+  int state_, upright_;  ///< where the slips and the upright's points begin
 };
 
 [[noreturn]] void refuse(mbs::ElementKeys& keys, const std::string& key, const std::string& why) {
@@ -155,12 +192,22 @@ class Tyre final : public mbs::ForceElement {
   throw Error(ErrorCode::internal, why);
 }
 
+/// The points that a brake reacts on.
+void add_upright(mbs::ElementKeys& keys, std::vector<Coordinate>& coordinates) {
+  const int lower = keys.point("lower"), upper = keys.point("upper");
+  const Vector edge = keys.drawn(upper) - keys.drawn(lower);
+  if (keys.drawn(keys.vector("axis")).cross(edge).norm() < 0.1 * edge.norm() || edge.norm() == 0.0)
+    refuse(keys, "upper", "lower and upper lie along the axis; a brake needs points across from it");
+  for (const int point : {lower, upper})
+    for (const Coordinate& c : keys.axes(point)) coordinates.push_back(c);
+}
+
 }  // namespace
 
-std::unique_ptr<mbs::ForceElement> make_tyre(mbs::ElementKeys& keys) {
+std::unique_ptr<mbs::ForceElement> make_tyre(mbs::ElementKeys& keys, const LawChoice& law) {
   if (keys.dimension() != 3)
     refuse(keys, "kind", "a tyre needs dimension = 3; in the plane there is plane_tyres");
-  Tyre::Places places{keys.axes(keys.point("centre")), {}, false, keys.flag("lateral", true)};
+  Tyre::Places places{keys.axes(keys.point("centre")), {}, false, keys.flag("lateral", true), false, false};
   const auto append = [&](int vector) {
     for (const Coordinate& c : keys.axes(vector)) places.coordinates.push_back(c);
   };
@@ -174,13 +221,20 @@ std::unique_ptr<mbs::ForceElement> make_tyre(mbs::ElementKeys& keys) {
   } else {
     places.coordinates.push_back(keys.coordinate("spin"));
   }
-  const TyreData data = TyreData::from(keys);
-  if (const int ground = keys.input("ground", "m"); ground >= 0) places.inputs.push_back(ground);
+  const TyreData data = TyreData::from(keys, law);
+  const int ground = keys.input("ground", "m"), brake = keys.input("brake", "N m");
+  places.ground = ground >= 0, places.brake = brake >= 0;
+  for (const int input : {ground, brake})
+    if (input >= 0) places.inputs.push_back(input);
   places.coordinates.push_back(keys.state("slip"));
   if (places.lateral) places.coordinates.push_back(keys.state("side_slip"));
+  if (places.brake) add_upright(keys, places.coordinates);
   return std::make_unique<Tyre>(data, std::move(places));
 }
 
-mbs::ElementKinds element_kinds() { return {{"tyre", make_tyre}, {"plane_tyres", make_plane_tyres}}; }
+mbs::ElementKinds element_kinds(const LawChoice& law) {
+  return {{"tyre", [law](mbs::ElementKeys& keys) { return make_tyre(keys, law); }},
+          {"plane_tyres", [law](mbs::ElementKeys& keys) { return make_plane_tyres(keys, law); }}};
+}
 
 }  // namespace tandem::kart

@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <functional>
 #include <string>
 
 namespace tandem::kart {
@@ -8,6 +9,8 @@ namespace tandem::kart {
 enum class TyreLaw { linear, magic_formula, tmeasy };
 /// "linear", "magic_formula", "tmeasy". Throws Error(invalid_argument) for another name.
 TyreLaw tyre_law(const std::string& name);
+/// Gives a name for tyre_law, or "" for what stands in a file.
+using LawChoice = std::function<std::string()>;
 
 /// The tyres of both axles differ in their lateral force alone.
 enum class Axle { front, rear };

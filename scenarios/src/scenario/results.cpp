@@ -40,6 +40,8 @@ Json integrator_figures(const engine::Statistics& s) {
           {"root_evaluations", s.root_evaluations},
           {"failed_error_tests", s.failed_error_tests},
           {"nonlinear_iterations", s.nonlinear_iterations},
+          {"failed_iterations", s.failed_iterations},
+          {"jacobians", s.jacobians},
           {"restarts", s.restarts}};
 }
 

@@ -64,6 +64,29 @@ struct JudgeEntry {
   Place place;
 };
 
+/// By what the rungs of a ladder are judged: an output's largest difference over time.
+struct LadderQuantity {
+  std::string quantity;
+  double tolerance;  ///< in `unit`, or as a fraction of the largest magnitude in the richest
+  std::string unit;  ///< empty: a fraction
+  Place place;
+};
+
+/// One model of the scene: a scenario file with overrides.
+struct LadderRung {
+  std::string name;
+  std::filesystem::path file;
+  std::vector<std::string> overrides;          ///< "KEY=VALUE"
+  std::map<std::string, std::string> outputs;  ///< of judged quantities that have another name here
+  Place place;
+};
+
+/// A scene's models from simple to rich.
+struct LadderEntry {
+  std::vector<LadderQuantity> quantities;
+  std::vector<LadderRung> rungs;
+};
+
 /// A scenario file as it was read: texts and numbers with their places, units and ports not yet looked at.
 struct Scenario {
   std::filesystem::path file;
@@ -75,6 +98,7 @@ struct Scenario {
   Recording recording;             ///< without its directory
   std::optional<ReferenceEntry> reference;
   std::optional<JudgeEntry> judge;
+  std::optional<LadderEntry> ladder;
   bool animate = false;            ///< where the mechanisms' points are is recorded
   std::vector<std::string> plots;  ///< outputs that `tandem view` plots at first
 

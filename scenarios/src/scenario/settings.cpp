@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "scenario/read_ladder.hpp"
 #include "tandem/nearest.hpp"
 
 namespace tandem::scenario {
@@ -139,8 +140,13 @@ void read_view(Section section, Scenario& to) {
 
 const std::vector<std::pair<std::string, std::function<void(Section, Scenario&)>>>& settings() {
   static const std::vector<std::pair<std::string, std::function<void(Section, Scenario&)>>> all{
-      {"coordination", read_coordination}, {"span", read_span},   {"record", read_record},
-      {"reference", read_reference},       {"judge", read_judge}, {"view", read_view}};
+      {"coordination", read_coordination},
+      {"span", read_span},
+      {"record", read_record},
+      {"reference", read_reference},
+      {"judge", read_judge},
+      {"view", read_view},
+      {"ladder", read_ladder}};
   return all;
 }
 

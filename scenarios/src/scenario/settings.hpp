@@ -13,8 +13,8 @@ namespace tandem::scenario {
 using text::described;
 using text::Section;
 
-/// The tables coordination, span, record, reference and judge, each with what reads it into a scenario whose
-/// subsystems are known. Throw Error.
+/// The tables coordination, span, record, reference, judge, view and ladder, each with what reads it into a
+/// scenario whose subsystems are known. Throw Error.
 const std::vector<std::pair<std::string, std::function<void(Section, Scenario&)>>>& settings();
 
 }  // namespace tandem::scenario

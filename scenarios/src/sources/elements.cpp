@@ -5,6 +5,6 @@
 
 namespace tandem {
 
-mbs::ElementKinds element_kinds() { return kart::element_kinds(); }
+mbs::ElementKinds element_kinds(const kart::LawChoice& tyre_law) { return kart::element_kinds(tyre_law); }
 
 }  // namespace tandem

@@ -60,8 +60,8 @@ TEST(MakeStepper, RefusesSettingsThatAreNotAllowed) {
   settings.index1.multiplier_iterations = 0;
   EXPECT_TRUE(settings_refused(settings, {"index-1 formulation", "multiplier_iterations is 0"}));
   settings = chosen("null_space");
-  settings.null_space.tolerance = 0.0;
-  EXPECT_TRUE(settings_refused(settings, {"null-space formulation", "tolerance is 0"}));
+  settings.null_space.tolerance = -1.0;
+  EXPECT_TRUE(settings_refused(settings, {"null-space formulation", "tolerance is -1"}));
   settings = chosen("index1");
   settings.newmark.beta = 0.3;
   EXPECT_TRUE(settings_refused(settings, {"Newmark", "beta is 0.3", "1/12 to 1/4"}));

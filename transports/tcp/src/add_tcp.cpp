@@ -5,11 +5,15 @@
 namespace tandem {
 namespace {
 
-SocketSettings settings_from(Parameters& p, bool allow_plaintext) {
+SocketSettings settings_from(const Address& address, Parameters& p, bool allow_plaintext) {
   SocketSettings settings;
   settings.deadline = positive(p, "deadline", settings.deadline);
   settings.spin = 1e-6 * not_negative(p, "spin", 1e6 * settings.spin);
   settings.allow_plaintext = allow_plaintext;
+  if (address.scheme != "tls") return settings;
+  for (const auto& [name, file] :
+       {std::pair("key", &settings.tls.key), {"authority", &settings.tls.authority}})
+    if (const std::string text = p.text(name, ""); !text.empty()) *file = address.folder / text;
   return settings;
 }
 
@@ -18,12 +22,13 @@ SocketSettings settings_from(Parameters& p, bool allow_plaintext) {
 void add_tcp(Builtins& builtins, bool allow_plaintext) {
   const auto add = [&](const std::string& scheme, auto channel) {
     builtins.addresses[scheme] = [=](const Address& address, Parameters& parameters) {
-      const SocketSettings settings = settings_from(parameters, allow_plaintext);
+      const SocketSettings settings = settings_from(address, parameters, allow_plaintext);
       return std::make_unique<wire::RemoteSubsystem>(channel(address, settings), parameters.rest(),
                                                      settings.deadline);
     };
   };
   add("tcp", [](const Address& a, const SocketSettings& s) { return connect("tcp:" + a.place, s); });
+  add("tls", [](const Address& a, const SocketSettings& s) { return connect("tls:" + a.place, s); });
   add("unix", [](const Address& a, const SocketSettings& s) {
     return connect("unix:" + (a.folder / a.place).string(), s);
   });

@@ -10,6 +10,7 @@
 #include "address.hpp"
 #include "tandem/error.hpp"
 #include "tandem/tcp/tcp.hpp"
+#include "tls.hpp"
 
 namespace tandem {
 namespace tcp {
@@ -55,9 +56,8 @@ std::vector<Endpoint> endpoints(const Place& place, const std::string& address, 
   return all;
 }
 
-Socket connected(const std::string& address, const SocketSettings& settings) {
+Socket connected(const std::string& address, const SocketSettings& settings, wire::Deadline deadline) {
   const Place place = Place::parse(address);
-  const auto deadline = wire::in_seconds(settings.deadline);
   int error = 0;
   for (const Endpoint& endpoint : endpoints(place, address, settings.allow_plaintext)) {
     Socket socket(context());
@@ -76,8 +76,11 @@ Socket connected(const std::string& address, const SocketSettings& settings) {
 }  // namespace tcp
 
 std::unique_ptr<wire::Channel> connect(const std::string& address, const SocketSettings& settings) {
-  auto stream = std::make_unique<tcp::SocketStream>(tcp::connected(address, settings), settings.spin);
-  return std::make_unique<tcp::StreamChannel>(std::move(stream), address);
+  const auto deadline = wire::in_seconds(settings.deadline);
+  const auto secure = tcp::securing(address, settings.tls, tcp::Side::client);
+  auto stream =
+      std::make_unique<tcp::SocketStream>(tcp::connected(address, settings, deadline), settings.spin);
+  return std::make_unique<tcp::StreamChannel>(secure(std::move(stream), deadline), address);
 }
 
 std::unique_ptr<wire::Channel> adopt(int socket, const std::string& peer, const SocketSettings& settings) {

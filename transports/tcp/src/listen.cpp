@@ -10,6 +10,7 @@
 #include "address.hpp"
 #include "tandem/error.hpp"
 #include "tandem/tcp/tcp.hpp"
+#include "tls.hpp"
 
 namespace tandem {
 namespace tcp {
@@ -41,7 +42,11 @@ Endpoint endpoint_of(const Place& place, const std::string& address, bool allow_
 class SocketListener final : public wire::Listener {
  public:
   SocketListener(const std::string& address, const SocketSettings& settings)
-      : place_(Place::parse(address)), settings_(settings), acceptor_(context()), address_(address) {
+      : place_(Place::parse(address)),
+        settings_(settings),
+        secure_(securing(address, settings.tls, Side::server)),
+        acceptor_(context()),
+        address_(address) {
     try {
       open(endpoint_of(place_, address, settings.allow_plaintext));
     } catch (const boost::system::system_error& error) {
@@ -60,7 +65,8 @@ class SocketListener final : public wire::Listener {
     if (code) return nullptr;
     if (!place_.is_unix()) socket.set_option(asio::ip::tcp::no_delay(true), code);
     const std::string peer = place_.is_unix() ? address_ : name_of(socket);
-    return std::make_unique<StreamChannel>(std::make_unique<SocketStream>(std::move(socket), settings_.spin),
+    auto stream = std::make_unique<SocketStream>(std::move(socket), settings_.spin);
+    return std::make_unique<StreamChannel>(secure_(std::move(stream), wire::in_seconds(settings_.deadline)),
                                            peer);
   }
   const std::string& address() const override { return address_; }
@@ -95,6 +101,7 @@ class SocketListener final : public wire::Listener {
 
   Place place_;
   SocketSettings settings_;
+  Secure secure_;
   Acceptor acceptor_;
   std::string address_;
 };

@@ -1,11 +1,10 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-#include <sys/stat.h>
-
 #include <array>
-#include <fstream>
+#include <sstream>
 #include <zmq.hpp>
 
 #include "tandem/error.hpp"
+#include "tandem/transports/key_file.hpp"
 #include "tandem/wire/remote_subsystem.hpp"
 #include "tandem/zeromq/zeromq.hpp"
 
@@ -40,14 +39,8 @@ CurveKeys make_curve_keys() {
 }
 
 std::string read_curve_key(const fs::path& file, bool secret) {
-  struct stat status {};
-  if (::stat(file.c_str(), &status) != 0)
-    throw Error(ErrorCode::input_output, "key file '" + file.string() + "' is not there");
-  if (secret && (status.st_mode & (S_IRWXG | S_IRWXO)) != 0)
-    throw Error(ErrorCode::input_output,
-                "key file '" + file.string() + "' may be read by others than its owner; allowed is mode 600");
   std::string key;
-  std::ifstream(file) >> key;
+  std::istringstream(read_key_file(file, secret)) >> key;
   std::array<std::uint8_t, 32> bytes{};
   if (key.size() != 40 || !::zmq_z85_decode(bytes.data(), key.c_str()))
     throw Error(ErrorCode::input_output, "key file '" + file.string() + "' holds no key of 40 characters");

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "tandem/error.hpp"
+#include "tandem/wire/frame.hpp"
 
 namespace tandem::zeromq {
 namespace {
@@ -15,7 +16,8 @@ int milliseconds_to(wire::Deadline deadline, int most) {
   return static_cast<int>(std::clamp<long long>(left, 0, most));
 }
 
-constexpr int slice = 100;  // ms: how often a silent socket is asked whether its peer is still there
+constexpr int most_waiting = 4;  // messages of a peer that are kept, each way; the protocol needs one
+constexpr int slice = 100;       // ms: how often whoever waits looks whether the channel was closed
 
 zmq::socket_t watch(zmq::socket_t& socket) {
   static std::atomic<unsigned> count = 0;
@@ -40,6 +42,10 @@ void fail(const std::string& what, const std::string& address, const zmq::error_
 
 void secure(zmq::socket_t& socket, const ZmqSettings& settings, bool server) {
   socket.set(zmq::sockopt::linger, 200);
+  socket.set(zmq::sockopt::handshake_ivl, static_cast<int>(std::clamp(1e3 * settings.deadline, 1.0, 1e6)));
+  socket.set(zmq::sockopt::maxmsgsize, static_cast<std::int64_t>(wire::usual_longest + wire::header_size));
+  socket.set(zmq::sockopt::sndhwm, most_waiting);
+  socket.set(zmq::sockopt::rcvhwm, most_waiting);
   if (settings.keys.secret_key.empty()) return;
   if (server) {
     socket.set(zmq::sockopt::curve_server, true);
@@ -109,14 +115,20 @@ bool ZmqChannel::lost() {
   return (lost_ || closed_) && !look();
 }
 
+/// Until a message or the end of the connection is there, or close() has to be looked for.
+void ZmqChannel::doze(wire::Deadline deadline) {
+  zmq::pollitem_t items[] = {{socket_.handle(), 0, ZMQ_POLLIN, 0}, {monitor_.handle(), 0, ZMQ_POLLIN, 0}};
+  ::zmq_poll(reinterpret_cast<::zmq_pollitem_t*>(items), 2, milliseconds_to(deadline, slice));
+}
+
 bool ZmqChannel::wait(wire::Deadline deadline) {
   if (there_) return true;
   try {
     for (bool first = true; !there_; first = false) {
       if (first ? spin() : look()) break;
-      if (readable(socket_, milliseconds_to(deadline, slice))) continue;
       if (lost()) return true;
       if (Clock::now() > deadline) return false;
+      doze(deadline);
     }
   } catch (const zmq::error_t& error) {
     throw Error(ErrorCode::input_output, std::string("the connection broke: ") + error.what());

@@ -15,7 +15,7 @@ zmq::context_t& context();
 /// Throws Error(input_output) with the address.
 [[noreturn]] void fail(const std::string& what, const std::string& address, const zmq::error_t& error);
 
-/// Sets keys and time limits; before bind or connect.
+/// Sets keys, and limits of time and memory; before bind or connect.
 void secure(zmq::socket_t& socket, const ZmqSettings& settings, bool server);
 /// Throws Error(not_supported) for plain text beyond this machine.
 void require_loopback(const std::string& address, const ZmqSettings& settings);
@@ -41,6 +41,7 @@ class ZmqChannel final : public wire::Channel {
  private:
   bool look();
   bool spin();
+  void doze(wire::Deadline deadline);
   bool heard_of_end();
   bool lost();
 

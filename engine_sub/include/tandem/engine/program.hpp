@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <cstdint>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,7 +33,7 @@ struct Operation {
     compare,     ///< out = a > b ? 1 : 0
     delay,       ///< out = a, what delays[b] remembers, at the time `more` - p0
     call,        ///< out, out + 1, .. = calls[more](p, states from a on, inputs from b on); -1: none
-    leave        ///< out = more, or 0 where a points from more to 0
+    leave        ///< out = more where a points away from 0 on its side, else 0
   };
   Code code;
   int out, a, b = 0;
@@ -117,13 +118,17 @@ struct Program {
   std::vector<Update> step_updates;  ///< at the beginning of each own step
   std::vector<Range> ranges;
   std::vector<Bound> bounds;
-  std::vector<double> breaks;                          ///< [s] where sources have a kink, ascending
+  std::vector<double> breaks;   ///< [s] where sources have a kink, ascending
   std::vector<Update> starts;   ///< values at the start that come from signals
   std::vector<Update> settled;  ///< modes; at the start both are repeated until nothing changes
-  std::vector<double> image;                           ///< at the start
+  std::vector<double> image;    ///< at the start
   std::vector<std::string> state_names, signal_names;  ///< the second by slot; empty: no name
   std::vector<std::string> signal_blocks;              ///< by slot: the block that makes it
+  std::map<std::string, std::string> places;           ///< of blocks by name: "FILE:LINE"
   std::vector<std::string> notices;                    ///< what was left out, and why
+
+  /// "block 'f' (engine.toml:12)".
+  std::string named(const std::string& block) const;
 
   /// Operations from `first` to before `last`, each once.
   void run(double* signals, int first, int last) const;

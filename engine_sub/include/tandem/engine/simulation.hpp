@@ -16,7 +16,8 @@ struct SimulationSettings {
   /// Times within one own step at which something happens, an event that follows from another at the same
   /// time counted for itself; with more it chatters, and that is an error.
   int most_events = 1000;
-  /// Takes what is told once and does not end a run: a signal that has left its limits. Null: nobody.
+  /// Takes what is told once and does not end a run: a signal that has left its limits; by make_subsystem()
+  /// also a block that was left out. Null: nobody.
   std::function<void(const std::string&)> tell = {};
 };
 
@@ -52,6 +53,7 @@ class Simulation {
   bool keeps_exactly() const { return integrator_->goes_by_image(); }
 
  private:
+  double sign_at_start(const Crossing& crossing) const;
   void remember();
   void settle();
   void begin_step();
@@ -70,6 +72,7 @@ class Simulation {
   void record(int level);
   void note_jumps();
   void turn_delays();
+  bool is_finite() const;
   void refuse_not_finite() const;
   void refuse_outside() const;
 

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <Eigen/Core>
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -31,7 +32,14 @@ struct Structure {
   std::vector<double> constraint_sizes = {};
   /// For sentences that refuse; may be left empty: the unit of each Phi, and its place, "FILE:LINE".
   std::vector<std::string> constraint_units, constraint_places;
+  double length = 1.0;  ///< of its parts [m]: default tolerances are in proportion to it
+  double rounding =
+      0.0;  ///< what q as described leaves of a change (Euclidean): no default tolerance is below
 
+  /// The tolerance for changes of q that is set [m]; 0: this fraction of `length`.
+  double tolerance(double set, double fraction) const {
+    return set > 0.0 ? set : std::max(fraction * length, rounding);
+  }
   int jacobian_values() const { return jacobian.size() + jacobian_extra; }  ///< length of that array
   int stiffness_values() const { return stiffness.size() + stiffness_extra; }
 };

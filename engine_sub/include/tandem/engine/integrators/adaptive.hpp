@@ -11,6 +11,7 @@ namespace tandem::engine {
 struct AdaptiveSettings {
   double relative_tolerance = 1e-6, absolute_tolerance = 1e-9;  ///< of each state
   double longest_step = 0.0;                                    ///< [s]; 0: no limit
+  double shortest_step = 0.0;                                   ///< [s] one that would be shorter is an error
   long most_steps = 1'000'000;  ///< within one step that it is asked for; then it is an error
 
   bool operator==(const AdaptiveSettings&) const = default;

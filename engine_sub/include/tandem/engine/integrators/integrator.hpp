@@ -7,7 +7,7 @@ namespace tandem::engine {
 /// What an integrator has done since it was made.
 struct Statistics {
   long steps = 0, rate_evaluations = 0, root_evaluations = 0;
-  long failed_error_tests = 0, nonlinear_iterations = 0, restarts = 0;
+  long failed_error_tests = 0, nonlinear_iterations = 0, failed_iterations = 0, jacobians = 0, restarts = 0;
 };
 
 /// Why an integrator begins anew. At an event, or where an input jumps, it may use what it knows of the

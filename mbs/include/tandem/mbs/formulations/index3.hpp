@@ -10,8 +10,9 @@ namespace tandem::mbs {
 struct Index3Settings {
   /// alpha; 0: 1e7 times the largest mass term, and (1 ms / h)^2 times that for steps h below 1 ms
   double penalty = 0.0;
-  double beta = 0.25;              ///< Newmark's, 1/12 to 1/4; gamma is 1/2. 1/4: the trapezoidal rule
-  double tolerance = 1e-10;        ///< [m] Newton's iteration ends when |dq| (Euclidean) is below
+  double beta = 0.25;  ///< Newmark's, 1/12 to 1/4; gamma is 1/2. 1/4: the trapezoidal rule
+  /// Newton's iteration ends when |dq| (Euclidean) is below [m]; 0: 1e-10 of the model's length
+  double tolerance = 0.0;
   int most_iterations = 30;        ///< then it has failed
   int multiplier_iterations = 10;  ///< of these update the multipliers; the others keep them
   /// of velocities and of accelerations at most; they end when a change is below tolerance / h, tolerance /
@@ -81,6 +82,7 @@ class Index3 final : public Stepper {
 
   Index3Settings settings_;
   Terms terms_;
+  double tolerance_;        ///< [m]
   double penalty_;          ///< of the last step
   Eigen::VectorXd left_;    ///< Phi_q q'' + gamma after the last projection
   double weight_ = 0.0;     ///< of Phi_q^T Phi_q in the tangent at hand; 0: there is none of use

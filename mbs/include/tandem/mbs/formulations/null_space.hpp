@@ -8,7 +8,8 @@
 namespace tandem::mbs {
 
 struct NullSpaceSettings {
-  double tolerance = 1e-12;  ///< [m] Newton's iteration for dependent variables ends when |dq| is below
+  /// Newton's iteration for dependent variables ends when |dq| is below [m]; 0: 1e-12 of the model's length
+  double tolerance = 0.0;
   int most_iterations = 30;  ///< then it has failed
 
   bool operator==(const NullSpaceSettings&) const = default;
@@ -27,6 +28,7 @@ class NullSpace final : public Formulation {
   NullSpace(Model& model, const NullSpaceSettings& settings);
 
   int size() const override { return static_cast<int>(independent_.size()); }
+  double length() const override { return structure_.length; }
   void accelerations(double t, const double* y, const double* v, double* a) override;
   /// Error(numerical) also for a rank of Phi_q that is not that of the start.
   bool begin(const State& state, Motion& motion) override;
@@ -47,6 +49,7 @@ class NullSpace final : public Formulation {
   Model& model_;
   const Structure& structure_;
   NullSpaceSettings settings_;
+  double tolerance_;
   State at_;  ///< where the last evaluation was
   bool chosen_ = false;
   std::vector<int> dependent_, independent_;

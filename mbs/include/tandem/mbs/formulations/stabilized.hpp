@@ -14,6 +14,7 @@ namespace tandem::mbs {
 class Stabilized : public Formulation {
  public:
   int size() const override { return terms_.structure.variables; }
+  double length() const override { return terms_.structure.length; }
   void accelerations(double t, const double* y, const double* v, double* a) override;
   void start(State& state) override;
   bool begin(const State& state, Motion& motion) override;

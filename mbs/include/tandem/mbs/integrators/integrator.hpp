@@ -11,6 +11,7 @@ class SecondOrder {
  public:
   virtual ~SecondOrder() = default;
   virtual int size() const = 0;
+  virtual double length() const { return 1.0; }  ///< default tolerances are in proportion to it [m]
   /// a becomes f(t, y, v); on entry it is a guess of that, such as f at a time nearby. Arrays of size().
   virtual void accelerations(double t, const double* y, const double* v, double* a) = 0;
 };

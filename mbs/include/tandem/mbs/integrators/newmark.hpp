@@ -1,14 +1,13 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-
 #include "tandem/mbs/integrators/integrator.hpp"
 
 namespace tandem::mbs {
 
 struct NewmarkSettings {
   double beta = 0.25;        ///< 1/12 to 1/4; 1/4: the trapezoidal rule. Newmark's gamma is 1/2
-  double tolerance = 1e-10;  ///< [m/s] see NewmarkFamily
+  double tolerance = 0.0;    ///< [m/s] see NewmarkFamily; 0: 1e-10 of the problem's length in a second
   int most_iterations = 30;  ///< then it has failed
 
   bool operator==(const NewmarkSettings&) const = default;
@@ -16,7 +15,7 @@ struct NewmarkSettings {
 
 struct GeneralizedAlphaSettings {
   double spectral_radius = 0.8;  ///< what is left of the highest frequencies after a step, 0 to 1
-  double tolerance = 1e-10;      ///< [m/s]
+  double tolerance = 0.0;        ///< as there
   int most_iterations = 30;
 
   bool operator==(const GeneralizedAlphaSettings&) const = default;
@@ -32,11 +31,11 @@ struct GeneralizedAlphaSettings {
 /// beta = (1 - alpha_m + alpha_f)^2/4. Between steps it keeps w - f; a motion that jumps keeps it too.
 ///
 /// f+ comes from fixed-point iteration, from f on, until gamma h |df| <= tolerance
-/// (Euclidean, absolute: forces that balance leave rounding); it converges for beta (omega h)^2 < 1
-/// (Newmark). With beta < 1/4 Newmark's method is stable for omega h < 1/sqrt(1/4 - beta), whatever the
-/// damping (T. Hughes, The Finite Element Method, 1987, sect. 9.1): every fiftieth step, the first of them, begins with
-/// the spectral radius omega^2 of df/dy by power iteration with differences, in 100 evaluations, and a step beyond
-/// the limit is refused.
+/// (Euclidean, absolute: forces that balance leave rounding; by default not below that of v); it converges
+/// for beta (omega h)^2 < 1 (Newmark). With beta < 1/4 Newmark's method is stable for omega h < 1/sqrt(1/4 -
+/// beta), whatever the damping (T. Hughes, The Finite Element Method, 1987, sect. 9.1): every fiftieth step,
+/// the first of them, begins with the spectral radius omega^2 of df/dy by power iteration with differences,
+/// in 100 evaluations, and a step beyond the limit is refused.
 class NewmarkFamily final : public Integrator {
  public:
   /// Throw Error for a setting that is not allowed.
@@ -51,6 +50,7 @@ class NewmarkFamily final : public Integrator {
  private:
   void refuse_unstable(SecondOrder& problem, const Motion& motion, double h);
   void advance(const Motion& from, Motion& to, double h);
+  double tolerance(const SecondOrder& problem, const Motion& motion) const;
 
   double alpha_m_ = 0.0, alpha_f_ = 0.0, beta_, gamma_ = 0.5, tolerance_;
   int most_iterations_;

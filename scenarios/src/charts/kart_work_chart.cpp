@@ -1,0 +1,107 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "charts/csv_table.hpp"
+#include "charts/kart_charts.hpp"
+#include "charts/style.hpp"
+#include "tandem/error.hpp"
+
+namespace tandem::charts {
+namespace {
+
+std::string scheme_of(const KartWork& w) { return w.schedule + ", " + w.to_fast + ", " + w.to_slow; }
+
+/// What a scheme looks like: samples of the torque with full lines, its mean with dashes.
+std::string look(std::size_t k, const std::string& scheme) {
+  constexpr const char* colours[] = {"#000000", "#E69F00", "#56B4E9", "#009E73", "#D55E00",
+                                     "#0072B2", "#A0307A", "#707000", "#606060"};
+  constexpr int points[] = {7, 9, 5, 11, 13};
+  return fmt::format("with linespoints lc rgb '{}' lw 1.6 pt {} ps 0.7{}", colours[k % std::size(colours)],
+                     points[k % std::size(points)], scheme.ends_with("mean") ? " dt '-'" : "");
+}
+
+template <class Key>
+std::vector<std::string> distinct(const std::vector<KartWork>& work, Key key) {
+  std::vector<std::string> names;
+  for (const KartWork& w : work)
+    if (std::find(names.begin(), names.end(), key(w)) == names.end()) names.push_back(key(w));
+  return names;
+}
+
+/// By rising ratio; runs that failed interrupt the line.
+std::vector<Point> points_of(const std::vector<KartWork>& work, const std::string& level,
+                             const std::string& scheme) {
+  std::vector<Point> points;
+  for (const KartWork& w : work)
+    if (w.level == level && scheme_of(w) == scheme) points.push_back({w.seconds, w.pitch_error});
+  return points;
+}
+
+bool failed(const KartWork& w) { return std::isnan(w.pitch_error) || std::isnan(w.seconds); }
+
+/// The same axes for all panels; a panel in which all failed stays empty.
+std::string ranges(const std::vector<KartWork>& work) {
+  double left = INFINITY, right = 0.0, low = INFINITY, high = 0.0;
+  for (const KartWork& w : work) {
+    if (failed(w)) continue;
+    left = std::min(left, w.seconds), right = std::max(right, w.seconds);
+    low = std::min(low, w.pitch_error), high = std::max(high, w.pitch_error);
+  }
+  if (!(left < INFINITY)) throw Error(ErrorCode::input_output, "work.csv has no run that came to its end");
+  return fmt::format("set xrange [{:.4g}:{:.4g}]; set yrange [{:.4g}:{:.4g}]", 0.8 * left, 1.25 * right,
+                     0.8 * std::max(low, 1e-6), 1.25 * high);
+}
+
+void draw_level(Picture& picture, const std::vector<KartWork>& work, const std::string& level,
+                const std::vector<std::string>& schemes) {
+  std::vector<Curve> curves;
+  for (std::size_t k = 0; k < schemes.size(); ++k)
+    if (const auto points = points_of(work, level, schemes[k]); !points.empty())
+      curves.push_back({picture.data(points), look(k, schemes[k])});
+  const auto failures = std::count_if(work.begin(), work.end(),
+                                      [&](const KartWork& w) { return w.level == level && failed(w); });
+  const std::string title = failures ? fmt::format("{}, failed: {}", level, failures) : level;
+  picture.command("set title " + quote(title) + " noenhanced offset 0,-0.6");
+  picture.plot(curves);
+}
+
+}  // namespace
+
+std::vector<KartWork> read_kart_work(const std::filesystem::path& file) {
+  const auto table = CsvTable::read(
+      file, {"level", "ratio", "schedule", "to_fast", "to_slow", "max_pitch_difference", "seconds"});
+  std::vector<KartWork> work;
+  for (std::size_t k = 0; k < table.size(); ++k) {
+    const auto row = table[k];
+    work.push_back({row.text("level"), row.text("schedule"), row.text("to_fast"), row.text("to_slow"),
+                    row.positive("ratio"), row.number("max_pitch_difference"), row.number("seconds")});
+  }
+  return work;
+}
+
+Picture kart_work_chart(const std::vector<KartWork>& work, const std::vector<std::string>& caption) {
+  if (work.empty()) throw Error(ErrorCode::input_output, "work.csv has no rows");
+  const auto schemes = distinct(work, scheme_of);
+  const auto levels = distinct(work, [](const KartWork& w) { return w.level; });
+  Picture picture("kart_work", 1300, 900);
+  picture.title(
+      "The kart with its engine at 0.1 ms: difference of the pitch against the time of 10 s of motion");
+  picture.caption(caption);
+  std::vector<Curve> names;
+  for (std::size_t k = 0; k < schemes.size(); ++k) names.push_back({"", look(k, schemes[k]), schemes[k]});
+  picture.legend({0.03, 0.97, 0.86, 0.95}, names, 3);
+  picture.command(std::string(grid_command) + "; unset key; set logscale xy; set format xy '%g'");
+  picture.command(ranges(work));
+  picture.command("set xlabel 'time of a run [s]'; set ylabel 'largest difference [deg]'");
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    const double left = k % 2 == 0 ? 0.07 : 0.56, bottom = k < 2 ? 0.51 : 0.13;
+    picture.panel({left, left + 0.41, bottom, bottom + 0.3});
+    draw_level(picture, work, levels[k], schemes);
+  }
+  return picture;
+}
+
+}  // namespace tandem::charts

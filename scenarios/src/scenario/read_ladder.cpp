@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "scenario/read_ladder.hpp"
+
+#include <algorithm>
+
+namespace tandem::scenario {
+namespace {
+
+using text::described;
+using text::Section;
+
+std::vector<Section> tables(Section& section, const std::string& key) {
+  std::vector<Section> all;
+  const toml::node* node = section.node(key);
+  if (!node) return all;
+  const toml::array* array = node->as_array();
+  if (!array || !array->is_array_of_tables())
+    section.wrong(key, described(*node), "an array of tables, each begun by [[ladder." + key + "]]");
+  for (std::size_t i = 0; i < array->size(); ++i)
+    all.emplace_back(section.document(), *array->get(i)->as_table(),
+                     section.name(key) + "[" + std::to_string(i) + "]");
+  return all;
+}
+
+LadderQuantity read_judged(Section section) {
+  LadderQuantity judged{section.required_text("quantity", "an output, \"instance.port\""), 0.0,
+                        section.text("unit").value_or(""), section.place("quantity")};
+  const auto tolerance = section.positive("tolerance");
+  if (!tolerance)
+    section.missing("tolerance", "a number above 0, in `unit` or a fraction of the largest magnitude");
+  judged.tolerance = *tolerance;
+  section.refuse_unknown();
+  return judged;
+}
+
+std::map<std::string, std::string> read_outputs(Section& section,
+                                                const std::vector<LadderQuantity>& quantities) {
+  std::map<std::string, std::string> outputs;
+  const toml::table* table = section.table("outputs");
+  if (!table) return outputs;
+  for (const auto& [quantity, node] : text::in_file_order(*table)) {
+    const bool judged = std::any_of(quantities.begin(), quantities.end(),
+                                    [&](const LadderQuantity& q) { return q.quantity == quantity; });
+    const auto* name = node->as_string();
+    if (!judged || !name)
+      section.wrong("outputs", quantity + " = " + described(*node),
+                    "a judged quantity and the output that it is here");
+    outputs[quantity] = name->get();
+  }
+  return outputs;
+}
+
+LadderRung read_rung(Section section, const Scenario& scenario, const LadderEntry& ladder,
+                     std::vector<std::string> overrides) {
+  LadderRung rung;
+  rung.name = section.required_text("name", "a name, also of its folder");
+  rung.place = section.place();
+  if (rung.name.find_first_of("/\\\"") != std::string::npos || rung.name.starts_with("."))
+    section.wrong("name", "'" + rung.name + "'", "a name without / \\ \" and a dot at its beginning");
+  const bool twice = std::any_of(ladder.rungs.begin(), ladder.rungs.end(),
+                                 [&](const LadderRung& other) { return other.name == rung.name; });
+  if (twice) section.wrong("name", "'" + rung.name + "' again", "a name that no other rung has");
+  const auto file = section.text("file");
+  rung.file = file ? scenario.file.parent_path() / *file : scenario.file;
+  if (file) overrides.clear();
+  for (std::string& text : section.texts("set")) overrides.push_back(std::move(text));
+  rung.overrides = std::move(overrides);
+  rung.outputs = read_outputs(section, ladder.quantities);
+  section.refuse_unknown();
+  return rung;
+}
+
+}  // namespace
+
+void read_ladder(Section section, Scenario& to) {
+  LadderEntry ladder;
+  const auto overrides = section.texts("set");
+  for (Section& judged : tables(section, "judged"))
+    ladder.quantities.push_back(read_judged(std::move(judged)));
+  if (ladder.quantities.empty() && to.judge)
+    ladder.quantities.push_back({to.judge->quantity, to.judge->tolerance, "", to.judge->place});
+  if (ladder.quantities.empty())
+    section.missing("judged", "tables [[ladder.judged]] with quantity and tolerance, or a table [judge]");
+  for (Section& rung : tables(section, "rungs"))
+    ladder.rungs.push_back(read_rung(std::move(rung), to, ladder, overrides));
+  if (ladder.rungs.size() < 2)
+    section.missing("rungs", "two or more tables [[ladder.rungs]], the richest last");
+  section.refuse_unknown();
+  to.ladder = std::move(ladder);
+}
+
+}  // namespace tandem::scenario

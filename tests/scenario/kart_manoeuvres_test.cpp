@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// The kart's manoeuvres as scenarios: what they do, and what is told where their models end.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "command.hpp"
+#include "tandem/text/time_table.hpp"
+
+namespace tandem {
+namespace {
+
+using test::contains;
+using test::Said;
+using test::Scratch;
+using test::tandem;
+
+const std::string kart_folder = std::string(TANDEM_SOURCE_DIR) + "/scenarios/kart/";
+
+class Manoeuvre {
+ public:
+  Manoeuvre(const std::string& file, std::vector<std::string> settings = {}) {
+    std::vector<std::string> words = {"run", file, "--output", "o"};
+    for (const std::string& s : settings) words.insert(words.end(), {"--set", s});
+    said_ = tandem(folder_, words);
+    table_ = text::TimeTable::read(folder_.path() / "o");
+  }
+  const Said& said() const { return said_; }
+  const std::vector<double>& column(const std::string& name) const {
+    const auto at = std::find(table_.names.begin(), table_.names.end(), name) - table_.names.begin();
+    return table_.columns.at(static_cast<std::size_t>(at));
+  }
+  double last(const std::string& name) const { return column(name).back(); }
+
+ private:
+  Scratch folder_;
+  Said said_;
+  text::TimeTable table_;
+};
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t n = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+/// To the left: it turns to the left, leans and loads the wheels to the right; the weight stays.
+TEST(KartManoeuvres, AStepOfTheSteeringWheelLeansTheKartOutwards) {
+  const Manoeuvre run(kart_folder + "step_steer.toml");
+  ASSERT_EQ(run.said().status, 0) << run.said().err;
+  EXPECT_GT(run.last("kart.yaw"), 1.0);
+  EXPECT_GT(run.last("kart.y"), 10.0);
+  EXPECT_GT(run.last("kart.roll"), 0.03);  // left side up [rad]
+  EXPECT_GT(run.last("kart.load_FR"), run.last("kart.load_FL") + 100.0);
+  const double weight = run.last("kart.load_FL") + run.last("kart.load_FR") + run.last("kart.load_RL") +
+                        run.last("kart.load_RR");
+  EXPECT_NEAR(weight, 250.0 * 9.81, 0.5);
+}
+
+/// To and fro about its way: roll of either sign, the same to 10 %.
+TEST(KartManoeuvres, ASlalomSwingsBothWays) {
+  const Manoeuvre run(kart_folder + "slalom.toml");
+  ASSERT_EQ(run.said().status, 0) << run.said().err;
+  const auto& roll = run.column("kart.roll");
+  const auto [least, most] = std::minmax_element(roll.begin(), roll.end());
+  EXPECT_GT(*most, 0.03);
+  EXPECT_NEAR(-*least / *most, 1.0, 0.1);
+}
+
+/// Beside the turn's: load goes to the front, the nose dives.
+TEST(KartManoeuvres, BrakingInATurnLoadsTheFront) {
+  const Manoeuvre run(kart_folder + "braking_in_turn.toml");
+  ASSERT_EQ(run.said().status, 0) << run.said().err;
+  EXPECT_GT(run.last("kart.load_FL") + run.last("kart.load_FR"), 2.0 * 469.375 + 100.0);
+  EXPECT_GT(run.last("kart.pitch"), 0.02);  // nose down [rad]
+  EXPECT_LT(run.last("kart.speed"), 4.0);
+}
+
+TEST(KartManoeuvres, AKerbLiftsAWheelWhichIsToldOnce) {
+  const Manoeuvre run(kart_folder + "kerb.toml");
+  ASSERT_EQ(run.said().status, 0) << run.said().err;
+  EXPECT_EQ(count(run.said().err, "a wheel is off the ground"), 1U) << run.said().err;
+  const auto& load = run.column("kart.load_FL");
+  EXPECT_EQ(*std::min_element(load.begin(), load.end()), 0.0);
+  EXPECT_NEAR(run.last("kart.load_FL"), run.last("kart.load_FR"), 5.0);  // it has come to rest again
+}
+
+TEST(KartManoeuvres, ALoadBeyondTheTyresDataIsToldOnce) {
+  const Manoeuvre run(kart_folder + "step_steer.toml", {"subsystems.kart.parameters.tyre=tmeasy",
+                                                        "subsystems.watch.parameters.largest_load=900"});
+  ASSERT_EQ(run.said().status, 0) << run.said().err;
+  EXPECT_EQ(count(run.said().err, "a tyre's load is beyond its data"), 1U) << run.said().err;
+}
+
+TEST(KartManoeuvres, AnUnknownLawOrOneOfAMechanismWithoutTyresIsRefused) {
+  const Scratch folder;
+  const Said law =
+      tandem(folder, {"run", kart_folder + "kerb.toml", "--set", "subsystems.kart.parameters.tyre=soft"});
+  EXPECT_EQ(law.status, 2);
+  EXPECT_TRUE(contains(law.err, "soft") && contains(law.err, "tmeasy")) << law.err;
+  const std::string pendulum =
+      std::string(TANDEM_SOURCE_DIR) + "/scenarios/mechanisms/pendulum/pendulum.toml";
+  const Said none = tandem(folder, {"run", pendulum, "--set", "run.tyre=linear"});
+  EXPECT_EQ(none.status, 2);
+  EXPECT_TRUE(contains(none.err, "tyre")) << none.err;
+}
+
+/// The ground rises by 0.7 m under the left wheels in 0.3 s.
+TEST(KartManoeuvres, ARollOverEndsWithASentence) {
+  const Scratch folder;
+  folder.write("driver.toml", R"(name = "tipper"
+[blocks]
+ground = { kind = "piecewise_linear", times = [0.2, 0.5], values = [0, 0.7] }
+[outputs]
+torque = { unit = "N m", from = "zero" }
+ground_FL = { unit = "m", from = "ground" }
+ground_RL = { unit = "m", from = "ground" }
+[blocks.zero]
+kind = "constant"
+value = 0
+)");
+  const Manoeuvre run(kart_folder + "kerb.toml",
+                      {"subsystems.driver.source=diagram:" + (folder.path() / "driver.toml").string()});
+  EXPECT_EQ(run.said().status, 1) << run.said().out;
+  EXPECT_TRUE(contains(run.said().err, "the kart rolls over")) << run.said().err;
+}
+
+}  // namespace
+}  // namespace tandem

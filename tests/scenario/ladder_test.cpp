@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// `tandem ladder`, with verdicts that do not depend on times.
+#include <gtest/gtest.h>
+
+#include "command.hpp"
+
+namespace tandem {
+namespace {
+
+using test::contains;
+using test::read_text;
+using test::Said;
+using test::Scratch;
+using test::tandem;
+using test::two_mass_file;
+
+/// At frequency ratio 25 the scene's own degree 3 is within its 15 %, degree 0 is not (docs/two_mass.md).
+TEST(LadderCommand, TellsTheSimplestRungOfTheTwoMassTest) {
+  const Scratch folder;
+  const Said said =
+      tandem(folder, {"ladder", two_mass_file("force_plain.toml"), "--repetitions", "1", "--output", "l"});
+  ASSERT_EQ(said.status, 0) << said.err;
+  EXPECT_TRUE(contains(said.out, "simplest within the tolerances: degree ")) << said.out;
+  EXPECT_FALSE(contains(said.out, "simplest within the tolerances: degree 0")) << said.out;
+  EXPECT_TRUE(contains(said.out, "largest differences from one system")) << said.out;
+  EXPECT_EQ(read_text(folder.path() / "l/verdict.txt"), said.out.substr(0, said.out.find("wrote ")));
+  EXPECT_TRUE(contains(read_text(folder.path() / "l/ladder.csv"), "\"one system\",fast.x1,1,0,0,0.15,"));
+  for (const char* name : {"degree 0/results.csv", "one system/results.csv", "conditions.json"})
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "l" / name)) << name;
+}
+
+TEST(LadderCommand, ChangesItsVerdictWithTheTolerance) {
+  const Scratch folder;
+  const Said loose = tandem(folder, {"ladder", two_mass_file("force_plain.toml"), "--repetitions", "0"});
+  std::string text = read_text(two_mass_file("force_plain.toml"));
+  const std::string tolerance = "quantity = \"fast.x1\"\ntolerance = 0.15";
+  ASSERT_TRUE(contains(text, tolerance));
+  text.replace(text.find(tolerance), tolerance.size(), "quantity = \"fast.x1\"\ntolerance = 1e-9");
+  folder.write("monolithic.toml", read_text(two_mass_file("monolithic.toml")));
+  const Said none =
+      tandem(folder, {"ladder", folder.write("strict.toml", text).string(), "--repetitions", "0"});
+  EXPECT_EQ(loose.status, 0) << loose.err;
+  EXPECT_TRUE(contains(none.out, "only the richest, one system, is left")) << none.out << none.err;
+  EXPECT_FALSE(contains(loose.out, "only the richest"));
+}
+
+TEST(LadderCommand, RefusesScenesThatHaveNoneOrJudgeInAnotherUnit) {
+  const Scratch folder;
+  const Said none = tandem(folder, {"ladder", two_mass_file("staggered.toml")});
+  EXPECT_EQ(none.status, 2);
+  EXPECT_TRUE(contains(none.err, "staggered.toml") && contains(none.err, "[ladder]")) << none.err;
+  const std::string scene = R"([subsystems.both]
+source = "builtin:two_mass.both"
+[span]
+stop = 1
+[[ladder.judged]]
+quantity = "both.x1"
+tolerance = 1
+unit = "kg"
+[[ladder.rungs]]
+name = "a"
+[[ladder.rungs]]
+name = "b"
+)";
+  const Said unit = tandem(folder, {"ladder", folder.write("scene.toml", scene).string()});
+  EXPECT_EQ(unit.status, 2);
+  EXPECT_TRUE(contains(unit.err, "scene.toml:6") && contains(unit.err, "'kg'")) << unit.err;
+}
+
+}  // namespace
+}  // namespace tandem

@@ -1,0 +1,7 @@
+/* Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause */
+/* Mass 2 (mass2.c) as a program: it serves at --listen URI, or the run that has started it by spawn:. */
+#include "tandem/peer.h"
+
+extern const tandem_subsystem_api* tandem_subsystem(void);
+
+int main(int argc, char* argv[]) { return tandem_serve(tandem_subsystem(), argc, argv); }

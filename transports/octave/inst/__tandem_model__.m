@@ -1,0 +1,66 @@
+## Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+
+## model = __tandem_model__ (make, "key=value&key=value"): the model that make gives, checked and completed.
+function model = __tandem_model__ (make, text)
+  model = make (read_parameters (text));
+  if (! isstruct (model) || ! isscalar (model))
+    error ("the model is no struct");
+  endif
+  wanted = {"name", "inputs", "outputs", "h", "start", "step", "values"};
+  lacks = wanted(! isfield (model, wanted));
+  if (! isempty (lacks))
+    error ("the model has no field '%s'; needed are %s", lacks{1}, strjoin (wanted, ", "));
+  endif
+  if (! ischar (model.name))
+    error ("the model's name is no text");
+  endif
+  if (! isreal (model.h) || ! isscalar (model.h) || ! (model.h > 0) || ! isfinite (model.h))
+    error ("model '%s': h is no number of seconds above 0", model.name);
+  endif
+  for field = {"start", "step", "values"}
+    if (! is_function_handle (model.(field{1})))
+      error ("model '%s': %s is no function handle", model.name, field{1});
+    endif
+  endfor
+  model.inputs = ports (model, "inputs", NaN);
+  model.outputs = ports (model, "outputs", 0);
+  model.feedthrough = feedthrough (model);
+endfunction
+
+function parameters = read_parameters (text)
+  parameters = struct ();
+  for pair = ostrsplit (text, "&", true)
+    at = index (pair{1}, "=");
+    if (! isempty (pair{1}) && at < 2)
+      error ("the parameters have '%s' where key=value is allowed", pair{1});
+    elseif (! isempty (pair{1}))
+      parameters.(pair{1}(1:at-1)) = pair{1}(at+1:end);
+    endif
+  endfor
+endfunction
+
+function rows = ports (model, field, third)
+  rows = model.(field);
+  if (isempty (rows))
+    rows = cell (0, 3);
+  endif
+  if (columns (rows) == 2)
+    rows(:,3) = {third};
+  endif
+  if (! iscell (rows) || columns (rows) != 3 || ! iscellstr (rows(:,1:2))
+      || ! all (cellfun (@(x) isnumeric (x) && isscalar (x), rows(:,3))))
+    error ("model '%s': %s is not a cell array with a row {name, unit} or {name, unit, number} for each",
+           model.name, field);
+  endif
+  rows(:,3) = cellfun (@double, rows(:,3), "UniformOutput", false);
+endfunction
+
+function pairs = feedthrough (model)
+  pairs = zeros (0, 2);
+  if (isfield (model, "feedthrough") && ! isempty (model.feedthrough))
+    pairs = double (model.feedthrough);
+  endif
+  if (columns (pairs) != 2)
+    error ("model '%s': feedthrough has %d columns; allowed are 2: output, input", model.name, columns (pairs));
+  endif
+endfunction

@@ -1,0 +1,35 @@
+## Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+
+## status = tandem_serve (make)
+## status = tandem_serve (make, "--listen", URI, "--once", ...)
+##
+## Serves a model to tandem: at "tcp://HOST:PORT" or "unix:PATH", or, without --listen, to the run that has started this
+## program by spawn:. Without options here those of the command line are taken, from --listen on. (Options:
+## docs/c.md.) Each session has a model of its own, model = make (parameters), where parameters is a struct of the
+## texts that the client gives. A model is a struct:
+##
+##   name         its name
+##   inputs       a row for each input: {"name", "unit"} or {"name", "unit", start}
+##   outputs      a row for each output: {"name", "unit"} or {"name", "unit", how many time derivatives it gives}
+##   feedthrough  pairs [output, input] of numbers from 1; may be left out
+##   h            length of its own step, in s
+##   start        state = start (t, u0): the state at the start, any value of Octave; u0 has NaN where nothing is known
+##   step         state = step (state, t, t_end, h, u): the state after an own step; tandem_value (u(k), t) is input k
+##   values       row = values (state): outputs, then their first derivatives (0 where one has none), second ones, ...
+##
+## The package does the grid of steps, landing, and saving of states. An error of the model ends the session with its
+## sentence. status is 0, or 1 or 2 after an error.
+function status = tandem_serve (make, varargin)
+  if (nargin < 1 || ! is_function_handle (make))
+    error ("tandem_serve: the first argument is no function handle");
+  endif
+  words = varargin;
+  if (isempty (words))
+    words = argv ()';
+    words = words(find (strcmp (words, "--listen"), 1) : end);
+  endif
+  if (! iscellstr (words))
+    error ("tandem_serve: the options are not texts");
+  endif
+  status = __tandem__ ("serve", make, words{:});
+endfunction
