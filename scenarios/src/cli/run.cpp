@@ -6,10 +6,10 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
-#include <sstream>
 
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/run_matrices.hpp"
 #include "cli/run_progress.hpp"
 #include "output/files.hpp"
 #include "scenario/checkpoint.hpp"
@@ -24,11 +24,6 @@ using scenario::Assembly;
 using scenario::RunEnd;
 using scenario::Scenario;
 
-/// What of a mechanism's matrices is written, and where.
-struct Matrices {
-  std::string folder, times, format = "mtx";
-};
-
 struct RunOptions {
   fs::path file, output, resume;
   std::optional<double> checkpoint_every;  ///< [s], simulated
@@ -41,41 +36,6 @@ double slowest_time(const Coordinator& run) {
   double time = run.time(0);
   for (int i = 1; i < run.topology().size(); ++i) time = std::min(time, run.time(i));
   return time;
-}
-
-/// What is not a number is refused where the mechanism reads it.
-void check_times(const std::string& times, const Scenario& scenario) {
-  std::istringstream list(times);
-  for (std::string word; std::getline(list, word, ',');) {
-    std::istringstream number(word);
-    double t = scenario.start;
-    if (number >> t && !(t >= scenario.start && t <= scenario.stop))
-      throw Error(ErrorCode::invalid_argument,
-                  fmt::format("--dump-at: {} s is outside the run; allowed is {} to {} s", t, scenario.start,
-                              scenario.stop));
-  }
-}
-
-/// The scenario with the matrices asked for of each mechanism, in a folder of its name.
-Scenario with_matrices(Scenario scenario, const Matrices& matrices) {
-  if (matrices.folder.empty()) return scenario;
-  check_times(matrices.times, scenario);
-  bool found = false;
-  for (auto& entry : scenario.subsystems) {
-    if (!entry.source.starts_with("mechanism:")) continue;
-    found = true;
-    const auto set = [&](const char* name, const std::string& value) {
-      if (!value.empty()) entry.parameters.push_back({name, value, entry.place});
-    };
-    set("matrices", fs::absolute(fs::path(matrices.folder) / entry.name).string());
-    set("matrices_at", matrices.times);
-    set("matrices_format", matrices.format);
-  }
-  if (!found)
-    throw Error(ErrorCode::invalid_argument,
-                "--dump-matrices: no subsystem of the scenario has the source "
-                "mechanism:FILE, so there are no matrices");
-  return scenario;
 }
 
 /// One run of a scenario, from its file to its results.

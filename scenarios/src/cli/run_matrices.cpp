@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "cli/run_matrices.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <sstream>
+
+#include "tandem/error.hpp"
+
+namespace tandem::cli {
+
+namespace fs = std::filesystem;
+using scenario::Scenario;
+
+namespace {
+
+/// What is not a number is refused where the mechanism reads it.
+void check_times(const std::string& times, const Scenario& scenario) {
+  std::istringstream list(times);
+  for (std::string word; std::getline(list, word, ',');) {
+    std::istringstream number(word);
+    double t = scenario.start;
+    if (number >> t && !(t >= scenario.start && t <= scenario.stop))
+      throw Error(ErrorCode::invalid_argument,
+                  fmt::format("--dump-at: {} s is outside the run; allowed is {} to {} s", t, scenario.start,
+                              scenario.stop));
+  }
+}
+
+}  // namespace
+
+Scenario with_matrices(Scenario scenario, const Matrices& matrices) {
+  if (matrices.folder.empty()) return scenario;
+  check_times(matrices.times, scenario);
+  bool found = false;
+  for (auto& entry : scenario.subsystems) {
+    if (!entry.source.starts_with("mechanism:")) continue;
+    found = true;
+    const auto set = [&](const char* name, const std::string& value) {
+      if (!value.empty()) entry.parameters.push_back({name, value, entry.place});
+    };
+    set("matrices", fs::absolute(fs::path(matrices.folder) / entry.name).string());
+    set("matrices_at", matrices.times);
+    set("matrices_format", matrices.format);
+  }
+  if (!found)
+    throw Error(ErrorCode::invalid_argument,
+                "--dump-matrices: no subsystem of the scenario has the source "
+                "mechanism:FILE, so there are no matrices");
+  return scenario;
+}
+
+}  // namespace tandem::cli
