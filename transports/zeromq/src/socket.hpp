@@ -41,13 +41,14 @@ class ZmqChannel final : public wire::Channel {
  private:
   bool look();
   bool spin();
-  void doze(wire::Deadline deadline);
+  bool doze(wire::Deadline deadline);
   bool heard_of_end();
   bool lost();
 
   zmq::socket_t socket_, monitor_;
   std::string peer_;
   double spin_;
+  int timeout_ = -1;  ///< of a receiving call, as the socket knows it [ms]
   zmq::message_t message_;
   bool there_ = false;  ///< message_ has been waited for and not yet given out
   bool lost_ = false;   ///< the peer is gone
