@@ -51,6 +51,8 @@ tandem_subsystem_api sound() {
           advance,
           nullptr,
           nullptr,
+          nullptr,
+          nullptr,
           nullptr};
 }
 
