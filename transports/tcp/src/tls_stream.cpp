@@ -44,8 +44,9 @@ class TlsStream final : public Stream {
 
 TlsStream* stream_of(BIO* bio) { return static_cast<TlsStream*>(::BIO_get_data(bio)); }
 
+/// Never freed, as static objects may close their connections at the very end of a program.
 BIO_METHOD* TlsStream::method() {
-  static const TlsOwned<BIO_METHOD> the_method = [] {
+  static BIO_METHOD* const the_method = [] {
     TlsOwned<BIO_METHOD> m(::BIO_meth_new(::BIO_get_new_index() | BIO_TYPE_SOURCE_SINK, "tandem stream"));
     ::BIO_meth_set_read(m.get(), [](BIO* bio, char* to, int size) {
       return stream_of(bio)->take(bio, std::as_writable_bytes(std::span(to, static_cast<std::size_t>(size))));
@@ -55,9 +56,9 @@ BIO_METHOD* TlsStream::method() {
     });
     ::BIO_meth_set_ctrl(
         m.get(), [](BIO*, int command, long, void*) -> long { return command == BIO_CTRL_FLUSH ? 1 : 0; });
-    return m;
+    return m.release();
   }();
-  return the_method.get();
+  return the_method;
 }
 
 TlsStream::TlsStream(std::unique_ptr<Stream> plain, const std::shared_ptr<SSL_CTX>& context, Side side,
