@@ -31,8 +31,8 @@ bool would_block() { return errno == EAGAIN || errno == EWOULDBLOCK || errno == 
 }  // namespace
 
 boost::asio::io_context& context() {
-  static boost::asio::io_context the_context;
-  return the_context;
+  static auto* const the_context = new boost::asio::io_context;
+  return *the_context;
 }
 
 bool wait_for(int socket, short events, wire::Deadline deadline, bool interruptible) {
