@@ -1,0 +1,16 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// Any bytes from a client: a session ends, or breaks with an Error.
+#include "memory_stream.hpp"
+#include "sum.hpp"
+#include "tandem/error.hpp"
+#include "tandem/wire/session.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace tandem;
+  const auto channel = fuzz::channel_of(data, size);
+  try {
+    wire::Session(*channel, [](const std::string&) { return std::make_unique<fuzz::Sum>(); }).serve();
+  } catch (const Error&) {  // what has to come of bytes that are not right
+  }
+  return 0;
+}

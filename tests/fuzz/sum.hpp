@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "tandem/subsystem.hpp"
+
+namespace tandem::fuzz {
+
+/// x' = u with steps of 0.1 s, up to eight in a call; saves one state.
+class Sum final : public Subsystem {
+ public:
+  const SubsystemInfo& info() const override { return info_; }
+
+  Clock initialize(double t_start, double, std::span<const double>, Samples& y) override {
+    time_ = t_start;
+    y.append(time_)[0] = x_ = 0.0;
+    return {time_, time_ + h, Stop::limit};
+  }
+  Clock advance(double t_limit, bool, std::span<const Signal> u, Samples& y) override {
+    for (int k = 0; k < 8 && time_ + h <= t_limit && !y.full(); ++k) {
+      x_ += h * u[0].value(time_);
+      y.append(time_ += h)[0] = x_;
+    }
+    return {time_, time_ + h, time_ + h <= t_limit ? Stop::samples_full : Stop::limit};
+  }
+  StateId save_state() override {
+    saved_ = {time_, x_};
+    return 1;
+  }
+  Clock restore_state(StateId) override {
+    time_ = saved_.time, x_ = saved_.x;
+    return {time_, time_ + h, Stop::limit};
+  }
+  void release_state(StateId) override {}
+
+ private:
+  static constexpr double h = 0.1;  // s
+  struct State {
+    double time = 0.0, x = 0.0;
+  };
+  SubsystemInfo info_{"sum", {{"u", "1"}}, {{"x", "1"}}, {}, {.saves_state = true}};
+  double time_ = 0.0, x_ = 0.0;
+  State saved_;
+};
+
+}  // namespace tandem::fuzz
