@@ -14,6 +14,7 @@
 #include "served.hpp"
 #include "tandem/c_subsystem.hpp"
 #include "tandem/peer.h"
+#include "three_functions.hpp"
 #include "tls_pair.hpp"
 
 namespace tandem::test {
@@ -28,6 +29,10 @@ std::vector<ContractCase> libraries() {
   return all;
 }
 INSTANTIATE_TEST_SUITE_P(SharedLibrary, SubsystemContract, testing::ValuesIn(libraries()), contract_name);
+
+INSTANTIATE_TEST_SUITE_P(ThreeFunctions, SubsystemContract,
+                         testing::Values(ContractCase{"euler", [] { return open_three(its_ports); }}),
+                         contract_name);
 
 using Listen = std::function<std::unique_ptr<wire::Listener>()>;
 

@@ -3,24 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include "contract_suite.hpp"
-#include "examples.hpp"
 #include "refusal.hpp"
 #include "run_bench.hpp"
+#include "three_functions.hpp"
 
 namespace tandem::test {
 namespace {
-
-const std::string three_functions = "three_functions:" TANDEM_THREE_FUNCTIONS;
-const std::string its_ports = "step=0.01&inputs=u:N m&outputs=x:rad=1,u_before:N m=0";
-
-std::unique_ptr<Subsystem> open_three(const std::string& parameters) {
-  return open(three_functions + "?" + parameters, library_sources());
-}
-
-INSTANTIATE_TEST_SUITE_P(ThreeFunctions, SubsystemContract,
-                         testing::Values(ContractCase{"euler", [] { return open_three(its_ports); }}),
-                         contract_name);
 
 TEST(ThreeFunctions, TakesTheInputsOfTheBeginningOfEachStep) {
   const auto subsystem = open_three(its_ports);
