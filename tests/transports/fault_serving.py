@@ -1,6 +1,7 @@
 # Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 """Faults of clients, as `tandem serve` finds them."""
 
+import contextlib
 import os
 import signal
 import ssl
@@ -89,8 +90,9 @@ class Served:
         place = f"/proc/{self.process.pid}"
         children = 0
         for task in os.listdir(place + "/task"):
-            with open(f"{place}/task/{task}/children", encoding="ascii") as file:
-                children += len(file.read().split())
+            with contextlib.suppress(FileNotFoundError, ProcessLookupError):  # a thread that ended meanwhile
+                with open(f"{place}/task/{task}/children", encoding="ascii") as file:
+                    children += len(file.read().split())
         return len(os.listdir(place + "/fd")), len(os.listdir(place + "/task")), children
 
     def is_alive(self):
