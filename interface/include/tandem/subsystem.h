@@ -43,9 +43,7 @@ typedef enum tandem_status {
  * `size`; never rewrite a row; return early with TANDEM_STOP_SAMPLES_FULL when size == capacity. */
 typedef struct tandem_samples {
   double* rows;
-  int64_t stride;
-  int64_t capacity;
-  int64_t size;
+  int64_t stride, capacity, size;
 } tandem_samples;
 
 typedef enum tandem_stop {

@@ -11,9 +11,9 @@
 #include "cli/interrupt.hpp"
 #include "cli/run_matrices.hpp"
 #include "cli/run_progress.hpp"
+#include "cli/run_reference.hpp"
 #include "output/files.hpp"
 #include "scenario/checkpoint.hpp"
-#include "scenario/comparison.hpp"
 #include "scenario/results.hpp"
 
 namespace tandem::cli {
@@ -51,7 +51,7 @@ class Run {
         checkpoint_(scenario_, context.builtins, assembly_, *recorder_),
         began_at_(scenario_.start) {
     if (options.checkpoint_every || !options.resume.empty()) check_checkpoints();
-    if (scenario_.reference && !options.no_reference) read_reference();
+    if (scenario_.reference && !options.no_reference) reference_.emplace(scenario_, *recorder_);
   }
 
   void dry() {
@@ -69,37 +69,13 @@ class Run {
     tell_coordination();
     simulate();
     close();
-    compare();
+    if (reference_ && end_.status == "ok") reference_->compare(folder_);
     write();
     tell_notes();
     tell();
   }
 
  private:
-  void read_reference() {
-    if (scenario_.recording.own)
-      scenario::refuse(
-          scenario_.place("record.clock"),
-          "record.clock is 'own', which writes no results.csv to compare with the reference; name a "
-          "subsystem, or say --no-reference");
-    reference_ = scenario::located(scenario_.reference->place,
-                                   [&] { return text::TimeTable::read(scenario_.reference->file); });
-    if (scenario_.judge) check_judged();
-  }
-
-  void check_judged() const {
-    const std::string& quantity = scenario_.judge->quantity;
-    const auto& columns = recorder_->columns();
-    if (std::none_of(columns.begin(), columns.end(), [&](const auto& c) { return c.name == quantity; }))
-      scenario::refuse(
-          scenario_.judge->place,
-          "judge.quantity " + quantity + " is not recorded; name it in record.ports, or say --no-reference");
-    if (std::find(reference_->names.begin(), reference_->names.end(), quantity) == reference_->names.end())
-      scenario::refuse(scenario_.judge->place, "judge.quantity " + quantity +
-                                                   " is no column of the reference " +
-                                                   scenario_.reference->file.string());
-  }
-
   void check_checkpoints() const {
     if (options_.checkpoint_every && !(*options_.checkpoint_every > 0.0))
       throw Error(
@@ -171,32 +147,9 @@ class Run {
     }
   }
 
-  /// The judged quantity has a tolerance of its own, the other columns that of the reference.
-  void compare() {
-    if (!reference_ || end_.status != "ok") return;
-    try {
-      const auto comparison = scenario::compare(text::TimeTable::read(folder_), *reference_);
-      report_ = scenario::text(comparison);
-      for (const auto& d : comparison.columns) judge(d);
-    } catch (const Error& error) {
-      outside_.push_back(error.what());
-    }
-  }
-
-  void judge(const scenario::Difference& d) {
-    const bool judged = scenario_.judge && scenario_.judge->quantity == d.column;
-    const double tolerance = judged ? scenario_.judge->tolerance : scenario_.reference->tolerance;
-    if (!(d.relative <= tolerance)) outside_.push_back(scenario::text(d, tolerance));
-    differences_[d.column] = {
-        {"relative", d.relative}, {"absolute", d.absolute}, {"time", d.time}, {"tolerance", tolerance}};
-  }
-
   void write() {
     auto results = scenario::results_of(scenario_, assembly_, *recorder_, end_);
-    if (reference_ && end_.status == "ok")
-      results["reference"] = {{"file", scenario_.reference->file.string()},
-                              {"within", outside_.empty()},
-                              {"differences", differences_}};
+    if (reference_ && end_.status == "ok") results["reference"] = reference_->figures();
     const double simulated = slowest_time(assembly_.coordinator()) - began_at_;
     try {
       scenario::write_json(folder_ / "results.json", results);
@@ -229,11 +182,9 @@ class Run {
       for (const fs::path& file : recorder_->files()) fmt::print("wrote {}\n", file.string());
       fmt::print("wrote {}\nwrote {}\n", (folder_ / "results.json").string(),
                  (folder_ / "machine.json").string());
-      if (!report_.empty()) fmt::print("compared with {}\n{}", scenario_.reference->file.string(), report_);
+      if (reference_) fmt::print("{}", reference_->report());
     }
-    if (!outside_.empty())
-      throw RunFailed(fmt::format("{}: the run came to its end, but not within its reference: {}",
-                                  scenario_.reference->place.text(), fmt::join(outside_, "; ")));
+    if (reference_) reference_->refuse_outside();
   }
 
   const RunOptions& options_;
@@ -245,11 +196,8 @@ class Run {
   scenario::Checkpoint checkpoint_;
   double began_at_;                  ///< [s]: where the stepping began
   double checkpoints_passed_ = 0.0;  ///< times of checkpoints that lie behind
-  std::optional<text::TimeTable> reference_;
+  std::optional<RunReference> reference_;
   RunEnd end_;
-  std::string report_;
-  nlohmann::ordered_json differences_ = nlohmann::ordered_json::object();
-  std::vector<std::string> outside_;
 };
 
 constexpr const char* footer = R"(

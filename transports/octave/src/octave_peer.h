@@ -1,0 +1,20 @@
+/* Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause */
+/* The parts of the MEX file. */
+#ifndef TANDEM_OCTAVE_PEER_H
+#define TANDEM_OCTAVE_PEER_H
+#include <mex.h>
+
+#include "tandem/peer.h"
+
+/* A model in Octave as a subsystem, what __tandem_model__.m makes of the struct of the user's that `make`
+ * gives. Valid during the call of the MEX file. */
+const tandem_subsystem_api* octave_model(mxArray* make);
+
+/* Inputs as tandem_signal.m makes them, a struct array with an element for each; and its element k. */
+mxArray* inputs_as_array(const tandem_signal* u, size_t count);
+tandem_signal signal_of(const mxArray* u, mwIndex k);
+
+/* status = __tandem__ ("serve", make, ARGUMENTS), from `make` on. */
+void serve_model(mxArray** out, int count, const mxArray** in);
+
+#endif
