@@ -34,7 +34,7 @@ TEST(InfoCommand, DrawsTheGraphOfADiagram) {
   EXPECT_TRUE(contains(said.out, "digraph \"engine\" {")) << said.out;
   for (const char* part :
        {"subgraph \"cluster manifold\" {", "\"throttle\" -> \"manifold.opening\" [label=\"input\"];",
-        "\"charges.burnt\" -> \"crank.torque\"", "\"crank.N\" -> \"limit crank.stall\""})
+        "\"charges.burnt\" -> \"crank.torque.torque\"", "\"crank.N\" -> \"limit crank.stall\""})
     EXPECT_TRUE(contains(said.out, part)) << part << " is not in:\n" << said.out;
   EXPECT_EQ(tandem(folder, {"info", test::two_mass_file("two_mass.toml"), "--dot"}).status, 2);
 }

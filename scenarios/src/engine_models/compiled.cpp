@@ -17,21 +17,19 @@ double flow(double P, bool unchoked) {
   return P < 1.0 ? g : -g;
 }
 
-double pumped(double N, double P) {
-  return std::max(-0.366 + 0.08979 * N * P - 0.0337 * N * P * P + 0.0001 * N * N * P, 0.0);
-}
-
 double opening(double theta) { return 2.821 + theta * (-0.05231 + theta * (0.10299 - 0.00063 * theta)); }
 
-void engine_output(const double*, const double* x, const double*, double* y) {
-  const double P = x[0], N = x[1];
-  y[0] = N, y[1] = P, y[2] = pumped(N, P), y[3] = quotient_of_pressures(P);
+void manifold_output(const double*, const double* x, const double*, double* y) {
+  y[0] = x[0], y[1] = quotient_of_pressures(x[0]);
 }
 
-void engine_rates(const double* p, const double* x, const double* u, double* dx) {
-  const double P = x[0], N = x[1], throttle = u[0], load = u[1], burnt = u[2];
-  dx[0] = 0.41328 * (opening(throttle) * flow(P, u[3] > 0.0) - pumped(N, P));
-  dx[1] = (-39.33 + 406.36 * burnt + (0.0342 - 0.000107 * N) * N - load) / p[0];
+void manifold_rates(const double*, const double* x, const double* u, double* dx) {
+  dx[0] = 0.41328 * (opening(u[0]) * flow(x[0], u[2] > 0.0) - u[1]);
+}
+
+void cylinders_output(const double*, const double*, const double* u, double* y) {
+  const double N = u[0], P = u[1];
+  y[0] = std::max(-0.366 + 0.08979 * N * P - 0.0337 * N * P * P + 0.0001 * N * N * P, 0.0);
 }
 
 void converter_output(const double*, const double*, const double* u, double* y) {
@@ -49,19 +47,20 @@ void converter_output(const double*, const double*, const double* u, double* y) 
 }  // namespace
 
 std::vector<engine::CompiledBlock> compiled_kinds() {
-  engine::CompiledBlock core{.kind = "engine_core",
-                             .inputs = {"throttle", "load", "burnt", "unchoked"},
-                             .outputs = {"N", "P", "out", "q"},
-                             .parameters = {{"J"}},
-                             .states = {{"P0"}, {"N0"}},
-                             .output = engine_output,
-                             .rates = engine_rates,
-                             .feedthrough = false};
+  engine::CompiledBlock manifold{.kind = "manifold_core",
+                                 .inputs = {"throttle", "out", "unchoked"},
+                                 .outputs = {"P", "q"},
+                                 .states = {{"P0"}},
+                                 .output = manifold_output,
+                                 .rates = manifold_rates,
+                                 .feedthrough = false};
+  engine::CompiledBlock cylinders{
+      .kind = "cylinders_core", .inputs = {"N", "P"}, .outputs = {"out"}, .output = cylinders_output};
   engine::CompiledBlock converter{.kind = "converter_core",
                                   .inputs = {"N", "turbine", "fill", "driving", "multiplying"},
                                   .outputs = {"impeller", "output", "slip", "multiplied"},
                                   .output = converter_output};
-  return {core, converter};
+  return {manifold, cylinders, converter};
 }
 
 }  // namespace tandem::engine_models

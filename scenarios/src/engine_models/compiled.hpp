@@ -9,13 +9,11 @@ namespace tandem::engine_models {
 /// Kinds of block in C++ for what the diagrams of scenarios/engine have of listed blocks; equations and
 /// sources stand in scenarios/engine/README.md. What has to change at an event comes in as an input, held by
 /// a switch beside the block.
-/// - `engine_core`: manifold and crank of engine.toml. Inputs throttle [deg], load [N m], burnt [g], unchoked
-/// (1
-///   or 0: q above 1/2); outputs N [rad/s], P [bar], out [g/s], q, of its states alone; states P, N;
-///   parameter J.
+/// - `manifold_core`: manifold.toml but for the cylinders. Inputs throttle [deg], out [g/s], unchoked (1 or
+///   0: q above 1/2); outputs P [bar], q, of its state P alone.
+/// - `cylinders_core`: what they take. Inputs N [rad/s], P [bar]; output out [g/s].
 /// - `converter_core`: converter.toml. Inputs N, turbine [rad/s], fill, driving (slip above 0), multiplying
-/// (its
-///   torque ratio above 1); outputs impeller, output [N m], slip [rad/s], multiplied.
+///   (its torque ratio above 1); outputs impeller, output [N m], slip [rad/s], multiplied.
 std::vector<engine::CompiledBlock> compiled_kinds();
 
 }  // namespace tandem::engine_models
