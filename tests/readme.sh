@@ -13,6 +13,7 @@ diff <(block README.md cpp 1) tests/consumer/main.cpp
 diff <(block README.md toml 1) scenarios/two_mass/two_mass.toml
 diff <(block README.md cmake 1) tests/consumer/CMakeLists.txt
 diff <(block docs/models_in_cpp.md cpp 1) tests/examples/pendulum.hpp
+diff <(block docs/diagrams.md toml 1) tests/examples/hoist.toml
 diff <(block docs/diagrams.md cpp 1) tests/examples/pendulum_block.hpp
 diff <(block docs/models_in_cpp.md cpp 2) tests/examples/pendulum_subsystem.hpp
 diff <(block docs/functions.md octave 1) scenarios/functions/pendulum.m

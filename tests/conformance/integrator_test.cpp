@@ -151,6 +151,40 @@ TEST_P(EachIntegrator, EndsChatteringWithASentence) {
                             [&] { run.run(1.0, 1); }));
 }
 
+/// Beside an oscillation of 1 m one of 1 nm and ten times as fast, which an absolute tolerance of 1 nm does
+/// not see.
+class AdaptiveIntegrator : public testing::TestWithParam<std::string> {
+ protected:
+  static double error(const std::map<std::string, double>& absolute) {
+    DiagramRun run(
+        "[blocks]\nx = { kind = 'integrator', input = 'v', initial = 1 }\n"
+        "v = { kind = 'integrator', input = 'a' }\na = { kind = 'gain', input = 'x', gain = -1 }\n"
+        "y = { kind = 'integrator', input = 'w', initial = 1e-9 }\n"
+        "w = { kind = 'integrator', input = 'b' }\nb = { kind = 'gain', input = 'y', gain = -100 }\n"
+        "[outputs]\nx = { unit = 'm' }\ny = { unit = 'm' }\n",
+        {.name = GetParam(), .adaptive = {.absolute_tolerances = absolute}});
+    run.run(2.0, 1);
+    return std::abs(run.simulation.output(1) - 1e-9 * std::cos(20.0));
+  }
+};
+
+TEST_P(AdaptiveIntegrator, TakesAnAbsoluteToleranceForEachState) {
+  const double tight = error({{"y", 1e-17}, {"w", 1e-16}});
+  EXPECT_LT(tight, 2e-13);
+  EXPECT_GT(error({}), 10.0 * tight);
+}
+
+TEST_P(AdaptiveIntegrator, RefusesTheToleranceOfAStateThatIsNotThere) {
+  EXPECT_TRUE(test::refuses(ErrorCode::invalid_argument,
+                            {GetParam(), "absolute_tolerance.z", "state 'z' is not there", "x, v, y, w"}, [] {
+                              error({{"z", 1e-9}});
+                            }));
+}
+
+INSTANTIATE_TEST_SUITE_P(Integrators, AdaptiveIntegrator,
+                         testing::Values("cvode_adams", "cvode_bdf", "erkstep", "arkstep"),
+                         [](const auto& p) { return test::word(p.param); });
+
 INSTANTIATE_TEST_SUITE_P(Integrators, EachIntegrator, testing::ValuesIn(integrator_names()),
                          [](const auto& p) { return test::word(p.param); });
 
@@ -161,6 +195,8 @@ TEST(IntegratorSettings, AreRefusedByName) {
   EXPECT_TRUE(test::refuses(code, {"rk4 is chosen"}, made({.adaptive = {.relative_tolerance = 1e-3}})));
   EXPECT_TRUE(
       test::refuses(code, {"locate_events", "erkstep"}, made({.name = "erkstep", .locate_events = false})));
+  EXPECT_TRUE(test::refuses(code, {"erkstep", "absolute_tolerance.x is 0"},
+                            made({.name = "erkstep", .adaptive = {.absolute_tolerances = {{"x", 0.0}}}})));
   EXPECT_TRUE(test::refuses(code, {"erkstep", "relative_tolerance is -1"},
                             made({.name = "erkstep", .adaptive = {.relative_tolerance = -1}})));
 }

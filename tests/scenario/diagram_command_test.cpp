@@ -39,6 +39,34 @@ TEST(InfoCommand, DrawsTheGraphOfADiagram) {
   EXPECT_EQ(tandem(folder, {"info", test::two_mass_file("two_mass.toml"), "--dot"}).status, 2);
 }
 
+TEST(InfoCommand, DrawsWhatGraphvizReads) {
+  if (std::system("dot -V 2>/dev/null") != 0) GTEST_SKIP() << "Graphviz is absent";
+  const Scratch folder;
+  folder.write("g.dot", tandem(folder, {"info", engine, "--dot"}).out);
+  const std::string file = (folder.path() / "g").string();
+  ASSERT_EQ(
+      std::system(("dot -Tplain '" + file + ".dot' > '" + file + ".txt' 2> '" + file + ".err'").c_str()), 0);
+  EXPECT_EQ(test::read_text(file + ".err"), "");
+  EXPECT_TRUE(contains(test::read_text(file + ".txt"), "node \"charges.burnt\""));
+}
+
+TEST(InfoCommand, DrawsWhatIsLeftOutAndWhatIsRefused) {
+  const Scratch folder;
+  folder.write("d.toml",
+               "[blocks]\nx = { kind = 'gain', input = 'time', gain = 2 }\n"
+               "idle = { kind = 'gain', input = 'x', gain = 3 }\n[outputs]\nx = { unit = '1' }\n");
+  const Said dead = tandem(folder, {"info", "d.toml", "--dot"});
+  EXPECT_EQ(dead.status, 0) << dead.err;
+  EXPECT_TRUE(contains(dead.out, "\"idle\" [label=\"idle\\ngain\", style=dashed];")) << dead.out;
+  folder.write("d.toml",
+               "[blocks]\nx = { kind = 'gain', input = 'y', gain = 2 }\n"
+               "y = { kind = 'gain', input = 'x', gain = 3 }\n[outputs]\nx = { unit = '1' }\n");
+  const Said loop = tandem(folder, {"info", "d.toml", "--dot"});
+  EXPECT_EQ(loop.status, 2);
+  EXPECT_TRUE(contains(loop.err, "algebraic loop")) << loop.err;
+  EXPECT_TRUE(contains(loop.out, "\"y\" -> \"x\"")) << loop.out;
+}
+
 /// A scenario of one diagram and its parameters.
 Said run(const Scratch& folder, const std::string& blocks, const std::string& parameters) {
   folder.write("d.toml", "[parameters]\nk = { value = 2, unit = '1' }\n[blocks]\n" + blocks +
@@ -74,6 +102,9 @@ TEST(RunCommand, RefusesWhatADiagramCanNotDo) {
       {fine, "step = 0.1, j = 1", "'j'", 2},
       {fine, "step = 0.1, integrator = 'rk5'", "'rk5' is not there; did you mean 'rk4'", 2},
       {fine, "step = 0.1, relative_tolerance = 1e-3", "rk4 is chosen", 2},
+      {fine, "step = 0.1, 'absolute_tolerance.x' = 1e-3", "rk4 is chosen", 2},
+      {fine, "step = 0.1, integrator = 'erkstep', 'absolute_tolerance.y' = 1e-3", "state 'y' is not there",
+       2},
       {"x = { kind = 'gain', input = 'x', gain = 1 }", "step = 0.1", "algebraic loop", 2},
       {"x = { kind = 'gain', input = 'y', gain = 1 }", "step = 0.1", "d.toml:4: signal 'y' is not there", 2},
       {"x = { kind = 'integrator', input = 'r' }\nr = { kind = 'function', function = 'log', input = 'x' }",

@@ -93,6 +93,13 @@ std::string Parameters::text(const std::string& name, const std::string& otherwi
   wrong_type(name, *value, "a text");
 }
 
+std::map<std::string, double> Parameters::numbers(const std::string& prefix) {
+  std::map<std::string, double> found;
+  for (const auto& [name, value] : values_)
+    if (name.starts_with(prefix)) found[name.substr(prefix.size())] = number(name, 0.0);
+  return found;
+}
+
 void Parameters::refuse_unused(const std::string& owner) const {
   const std::vector<std::string> known(asked_.begin(), asked_.end());
   for (const auto& [name, value] : values_) {

@@ -60,7 +60,7 @@ class Writer {
     write_states();
     write_operations();
     write_events();
-    write_notices();
+    find_left_out();
     write_feedthrough();
     for (const int output : outputs_) program_.outputs.push_back(at(output));
     program_.parameters = d_.parameters;
@@ -211,13 +211,12 @@ class Writer {
     }
   }
 
-  void write_notices() {
+  void find_left_out() {
     std::set<std::string> used;
     for (std::size_t s = 0; s < d_.signals.size(); ++s)
       if (alive_[s]) used.insert(d_.signals[s].block), used.insert(block_of(static_cast<int>(s)));
     for (const std::string& block : d_.blocks)
-      if (used.count(block) == 0)
-        program_.notices.push_back("block '" + block + "' feeds no output and is left out");
+      if (used.count(block) == 0) program_.left_out.push_back(block);
   }
   std::string block_of(int slot) const { return d_.signals[d_.resolved(slot)].block; }
 

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "tandem/error.hpp"
+#include "tandem/nearest.hpp"
 
 namespace tandem::engine {
 namespace {
@@ -25,6 +26,8 @@ void check_settings(const char* name, const AdaptiveSettings& s) {
   };
   positive("relative_tolerance", s.relative_tolerance);
   positive("absolute_tolerance", s.absolute_tolerance);
+  for (const auto& [state, tolerance] : s.absolute_tolerances)
+    positive(("absolute_tolerance." + state).c_str(), tolerance);
   require("longest_step", s.longest_step, s.longest_step >= 0.0, "0 (no limit) or more [s]");
   require("shortest_step", s.shortest_step, s.shortest_step >= 0.0, "0 (no limit) or more [s]");
   positive("most_steps", static_cast<double>(s.most_steps));
@@ -45,6 +48,15 @@ SundialsIntegrator::~SundialsIntegrator() {
   if (matrix_) SUNMatDestroy(matrix_);
   if (x_) N_VDestroy(x_);
   SUNContext_Free(&context_);
+}
+
+void SundialsIntegrator::check_fit(const Program& program) const {
+  const auto& names = program.state_names;
+  for (const auto& [state, tolerance] : settings_.absolute_tolerances)
+    if (std::find(names.begin(), names.end(), state) == names.end())
+      throw Error(ErrorCode::invalid_argument,
+                  fmt::format("integrator {}: absolute_tolerance.{}: {}", method_.name, state,
+                              unknown("state", state, names)));
 }
 
 /// Where a derivative is not finite a shorter step is tried.
@@ -131,11 +143,22 @@ void SundialsIntegrator::restart(System& system, double t, Restart why) {
   if (method_.set_first_step) check(method_.set_first_step(memory_, first));
 }
 
+void SundialsIntegrator::set_tolerances() {
+  const auto& names = system_->program().state_names;
+  N_Vector absolute = N_VClone(x_);
+  N_VConst(settings_.absolute_tolerance, absolute);
+  for (const auto& [state, tolerance] : settings_.absolute_tolerances)
+    N_VGetArrayPointer(absolute)[std::find(names.begin(), names.end(), state) - names.begin()] = tolerance;
+  const int flag = method_.set_tolerances(memory_, settings_.relative_tolerance, absolute);
+  N_VDestroy(absolute);
+  check(flag);
+}
+
 void SundialsIntegrator::create(double t) {
   memory_ = method_.create(rates, t, x_, context_);
   check(method_.set_messages(memory_, take_message, this));
   check(method_.set_self(memory_, this));
-  check(method_.set_tolerances(memory_, settings_.relative_tolerance, settings_.absolute_tolerance));
+  set_tolerances();
   if (method_.set_linear_solver) {
     matrix_ = SUNDenseMatrix(system_->size(), system_->size(), context_);
     solver_ = SUNLinSol_Dense(x_, matrix_, context_);

@@ -25,7 +25,7 @@ struct SundialsMethod {
   void (*free)(void** memory);
   int (*set_messages)(void* memory, Messages take, void* self);
   int (*set_self)(void* memory, void* self);
-  int (*set_tolerances)(void* memory, double relative, double absolute);
+  int (*set_tolerances)(void* memory, double relative, N_Vector absolute);
   /// Of Newton's method; null: none. Else that of a fixed-point iteration; null: explicit.
   int (*set_linear_solver)(void* memory, SUNLinearSolver solver, SUNMatrix matrix);
   int (*set_nonlinear_solver)(void* memory, SUNNonlinearSolver solver);
@@ -53,6 +53,7 @@ class SundialsIntegrator final : public Integrator {
   SundialsIntegrator(const SundialsIntegrator&) = delete;
   SundialsIntegrator& operator=(const SundialsIntegrator&) = delete;
 
+  void check_fit(const Program& program) const override;
   void restart(System& system, double t, Restart why) override;
   double advance(System& system, double t, double t_end) override;
   bool chooses_steps() const override { return true; }
@@ -65,6 +66,7 @@ class SundialsIntegrator final : public Integrator {
   static void take_message(int code, const char* module, const char* function, char* message, void* self);
 
   void create(double t);
+  void set_tolerances();
   double first_step(Restart why) const;
   void step(double t_end);
   void refuse_standstill(double from);

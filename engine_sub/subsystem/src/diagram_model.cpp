@@ -58,7 +58,8 @@ DiagramModel::DiagramModel(const Description& diagram, const SubsystemSettings& 
         ErrorCode::invalid_argument,
         "diagram '" + diagram.name + "' has no output, so nothing in it is of use; allowed is one or more");
   if (settings.simulation.tell)
-    for (const std::string& notice : machine_->program.notices) settings.simulation.tell(notice);
+    for (const std::string& block : machine_->program.left_out)
+      settings.simulation.tell("block '" + block + "' feeds no output and is left out");
 }
 
 DiagramModel::DiagramModel(const DiagramModel& other) { *this = other; }

@@ -50,6 +50,7 @@ void take_data(engine::Description& d, Parameters& p) {
 void take(Parameters& p, engine::AdaptiveSettings& s) {
   s.relative_tolerance = p.number("relative_tolerance", s.relative_tolerance);
   s.absolute_tolerance = p.number("absolute_tolerance", s.absolute_tolerance);
+  s.absolute_tolerances = p.numbers("absolute_tolerance.");
   s.longest_step = p.number("longest_step", s.longest_step);
   s.shortest_step = p.number("shortest_step", s.shortest_step);
   s.most_steps = static_cast<long>(p.number("most_steps", static_cast<double>(s.most_steps)));

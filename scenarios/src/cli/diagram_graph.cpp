@@ -71,6 +71,8 @@ bool is_port(const std::string& key) {
 /// into the frame that they stand in.
 class Graph {
  public:
+  explicit Graph(std::set<std::string> left_out) : left_out_(std::move(left_out)) {}
+
   void contents(const Scope& scope) {
     for (const Block& block : scope.diagram.blocks)
       block.diagram ? nested(scope, block) : plain(scope, block);
@@ -91,7 +93,8 @@ class Graph {
  private:
   void plain(const Scope& scope, const Block& block) {
     const std::string name = scope.prefix + block.name;
-    fmt::print("  \"{}\" [label=\"{}\\n{}\"];\n", name, block.name, block.kind);
+    fmt::print("  \"{}\" [label=\"{}\\n{}\"{}];\n", name, block.name, block.kind,
+               left_out_.count(name) ? ", style=dashed" : "");
     ports(scope, block, name);
   }
 
@@ -118,25 +121,35 @@ class Graph {
     const auto* text = it == block.values.end() ? nullptr : std::get_if<std::string>(&it->second);
     if (text) edge(scope, *text, name, "trigger");
   }
+
+  std::set<std::string> left_out_;
 };
 
-}  // namespace
-
-void print_dot(const std::filesystem::path& file) {
-  Description diagram = engine::read_diagram(file);
-  diagram.kinds = engine_models::compiled_kinds();
-  engine::compile(diagram);
+void print_graph(const Description& diagram, const std::vector<std::string>& left_out) {
   fmt::print("digraph \"{}\" {{\n  rankdir=LR;\n  node [shape=box];\n", diagram.name);
   for (const auto& input : diagram.inputs)
     fmt::print("  \"{}\" [shape=cds, label=\"{} [{}]\"];\n", input.name, input.name, input.unit);
   const Scope scope{diagram};
-  Graph graph;
+  Graph graph({left_out.begin(), left_out.end()});
   graph.contents(scope);
   for (const auto& output : diagram.outputs) {
     fmt::print("  \"out {}\" [shape=cds, label=\"{} [{}]\"];\n", output.name, output.name, output.unit);
     graph.edge(scope, output.from, "out " + output.name, "");
   }
   fmt::print("{}}}\n", graph.edges);
+}
+
+}  // namespace
+
+void print_dot(const std::filesystem::path& file) {
+  Description diagram = engine::read_diagram(file);
+  diagram.kinds = engine_models::compiled_kinds();
+  try {
+    print_graph(diagram, engine::compile(diagram).left_out);
+  } catch (const Error&) {
+    print_graph(diagram, {});
+    throw;
+  }
 }
 
 }  // namespace tandem::cli

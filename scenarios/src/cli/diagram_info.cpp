@@ -64,7 +64,8 @@ void print_diagram(const std::filesystem::path& file) {
                listed(inputs_of(diagram, program, static_cast<int>(k))));
   fmt::print("  {} signals watched for events; periodic events: {}; of the blocks {}\n",
              program.crossings.size(), program.periodics.size(), listed(event_blocks(program)));
-  for (const std::string& notice : program.notices) fmt::print("  {}\n", notice);
+  for (const std::string& block : program.left_out)
+    fmt::print("  block '{}' feeds no output and is left out\n", block);
 }
 
 }  // namespace tandem::cli

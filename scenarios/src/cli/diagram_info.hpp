@@ -10,7 +10,8 @@ bool is_diagram(const std::filesystem::path& file);
 /// Prints parameters, ports with units, states, feedthrough, events and what is left out.
 void print_diagram(const std::filesystem::path& file);
 
-/// The graph of blocks and signals in the language of Graphviz.
+/// The graph of blocks and signals in the language of Graphviz; blocks that are left out are dashed. A diagram
+/// that is refused, for an algebraic loop say, is drawn before.
 void print_dot(const std::filesystem::path& file);
 
 }  // namespace tandem::cli

@@ -33,6 +33,11 @@ Steps split(const std::string& path) {
       if (end == std::string::npos) refuse_setting("'" + path + "' has a '[' without ']'");
       steps.push_back({path.substr(i + 1, end - i - 1), true});
       i = end + 1;
+    } else if (path[i] == '"') {
+      const auto end = path.find('"', i + 1);
+      if (end == std::string::npos) refuse_setting("'" + path + "' has a '\"' without another");
+      steps.push_back({path.substr(i + 1, end - i - 1), false});
+      i = end + 1;
     } else {
       const auto end = std::min(path.find_first_of(".[", i), path.size());
       steps.push_back({path.substr(i, end - i), false});

@@ -37,7 +37,7 @@ TEST(Compile, LeavesOutWhatFeedsNoOutputWithANotice) {
       "[blocks]\nused = { kind = 'integrator', input = 1 }\nidle = { kind = 'integrator', input = 'used' }\n"
       "[outputs]\nused = { unit = '1' }\n");
   EXPECT_EQ(p.states, 1);
-  EXPECT_EQ(p.notices, (std::vector<std::string>{"block 'idle' feeds no output and is left out"}));
+  EXPECT_EQ(p.left_out, std::vector<std::string>{"idle"});
 }
 
 TEST(Compile, DerivesFeedthroughOfEachOutputOnEachInput) {

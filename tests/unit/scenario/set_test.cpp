@@ -43,6 +43,14 @@ TEST(Set, AddsAKeyAndTheTablesOnTheWay) {
             true);
 }
 
+TEST(Set, TakesAKeyInQuotes) {
+  const toml::table table = with("subsystems.fast.parameters.\"data.load\"=a.csv");
+  EXPECT_EQ(table.at_path("subsystems.fast.parameters").as_table()->get("data.load")->value<std::string>(),
+            "a.csv");
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"has a '\"' without another"},
+                      [] { with("subsystems.fast.parameters.\"data.load=a.csv"); }));
+}
+
 TEST(Set, ReadsTomlAndElseAText) {
   EXPECT_TRUE(with("record.ports=[\"c\"]").at_path("record.ports").as_array()->size() == 1);
   EXPECT_EQ(with("name=a \"b\" \\ c").at_path("name").value<std::string>(), "a \"b\" \\ c");

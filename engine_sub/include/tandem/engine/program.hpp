@@ -125,7 +125,7 @@ struct Program {
   std::vector<std::string> state_names, signal_names;  ///< the second by slot; empty: no name
   std::vector<std::string> signal_blocks;              ///< by slot: the block that makes it
   std::map<std::string, std::string> places;           ///< of blocks by name: "FILE:LINE"
-  std::vector<std::string> notices;                    ///< what was left out, and why
+  std::vector<std::string> left_out;                   ///< blocks that feed no output
 
   /// "block 'f' (engine.toml:12)".
   std::string named(const std::string& block) const;

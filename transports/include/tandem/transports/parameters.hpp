@@ -22,6 +22,8 @@ class Parameters {
   double number(const std::string& name, double otherwise);
   bool flag(const std::string& name, bool otherwise);
   std::string text(const std::string& name, const std::string& otherwise);
+  /// Numbers whose names begin with `prefix`, by what follows it.
+  std::map<std::string, double> numbers(const std::string& prefix);
 
   /// Adds what "key=value&key=value" says, as texts. Throws Error beginning with `owner` for what is no pair
   /// and for a key that is there already.

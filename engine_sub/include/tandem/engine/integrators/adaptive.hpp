@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <map>
 #include <memory>
 #include <string>
 
@@ -10,6 +11,7 @@ namespace tandem::engine {
 /// Tolerances and limits of the integrators of SUNDIALS.
 struct AdaptiveSettings {
   double relative_tolerance = 1e-6, absolute_tolerance = 1e-9;  ///< of each state
+  std::map<std::string, double> absolute_tolerances = {};       ///< of states by name, instead of that
   double longest_step = 0.0;                                    ///< [s]; 0: no limit
   double shortest_step = 0.0;                                   ///< [s] one that would be shorter is an error
   long most_steps = 1'000'000;  ///< within one step that it is asked for; then it is an error

@@ -19,6 +19,9 @@ class Integrator {
  public:
   virtual ~Integrator() = default;
 
+  /// Throws Error(invalid_argument) for a setting that does not fit the diagram.
+  virtual void check_fit(const Program&) const {}
+
   /// Before the first step, and after states, held values or the inputs' course have changed at once.
   virtual void restart(System& system, double t, Restart why) = 0;
 
