@@ -1,8 +1,10 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "background.hpp"
 #include "command.hpp"
+#include "engine_linkage/sweep.hpp"
 #include "two_mass/sweep.hpp"
 
 namespace tandem {
@@ -52,6 +54,19 @@ TEST(SweepCommand, InterruptedKeepsItsRowsAndIsResumed) {
   const two_mass::Case one{{"fastest-first", "lagrange3", "mean"}, 30.7};
   EXPECT_NE(all.find(two_mass::sweep_key(one) + "," + two_mass::sweep_cells(two_mass::run_case(one)) + "\n"),
             std::string::npos);
+}
+
+TEST(SweepCommand, InterruptedLeavesTheRowsOfTheLinkageThatItHas) {
+  const Scratch folder;
+  const auto table = folder.path() / "o/equal_steps.csv";
+  Background sweep(folder, {"sweep", "engine_linkage", "--table-only", "--output", "o", "--engine-linkage",
+                            TANDEM_SOURCE_DIR "/scenarios/engine_linkage"});
+  ASSERT_TRUE(sweep.wait_for_file(table)) << sweep.err();
+  EXPECT_EQ(sweep.end_by(SIGINT), 1);
+  const auto rows = lines_of(read_text(table)) - 1;
+  const std::string said = fmt::format("interrupted; the first {} of {} rows are in o/equal_steps.csv", rows,
+                                       engine_linkage::equal_step_cases().size());
+  EXPECT_NE(sweep.err().find(said), std::string::npos) << said << " is not in: " << sweep.err();
 }
 
 TEST(SweepCommand, AFullDiskIsStatusOneWithItsReason) {

@@ -10,6 +10,7 @@
 #include "engine_linkage/sweep.hpp"
 #include "output/conditions.hpp"
 #include "output/files.hpp"
+#include "output/ordered_rows.hpp"
 #include "output/parallel.hpp"
 #include "scenario/assembly.hpp"
 #include "tandem/engine/read.hpp"
@@ -30,6 +31,7 @@ class EngineLinkageRuns {
 
   void make() {
     output::make_folder(settings_.output);
+    if (!settings_.only_table) std::filesystem::remove(conditions_file());
     run_scene();
     write_schemes("equal_steps.csv", engine_linkage::equal_step_cases());
     const auto cases = engine_linkage::sweep_cases();
@@ -51,17 +53,19 @@ class EngineLinkageRuns {
 
   std::vector<Outcome> write_schemes(const char* name, const std::vector<Case>& cases) {
     std::vector<Outcome> outcomes(cases.size());
+    output::OrderedRows rows(settings_.output / name, engine_linkage::schemes_header, cases.size());
     Progress progress("sweep", cases.size(), !context_.quiet);
     output::for_each_in_parallel(
         cases.size(), settings_.threads,
-        [&](std::size_t i) { outcomes[i] = engine_linkage::run_case(cases[i], engine_, truth_); },
+        [&](std::size_t i) {
+          outcomes[i] = engine_linkage::run_case(cases[i], engine_, truth_);
+          rows.set(i, engine_linkage::scheme_row(cases[i], outcomes[i]));
+        },
         [&](std::size_t done) {
           progress.update(done);
           return !InterruptGuard::interrupted();
         });
-    stop_if_interrupted();
-    write(name, engine_linkage::schemes_header, cases.size(),
-          [&](std::size_t i) { return engine_linkage::scheme_row(cases[i], outcomes[i]); });
+    tell(name, rows.written(), cases.size());
     return outcomes;
   }
 
@@ -69,33 +73,36 @@ class EngineLinkageRuns {
   void write_times(const std::vector<Case>& cases, const std::vector<Outcome>& outcomes) {
     const auto sizes = engine_linkage::size_cases();
     Progress progress("times", cases.size() + sizes.size(), !context_.quiet);
-    std::size_t done = 0;
-    const auto after = [&](std::string row) {
-      progress.update(++done);
-      return stop_if_interrupted(), row;
-    };
-    write("elapsed.csv", engine_linkage::elapsed_header, sizes.size(),
-          [&](std::size_t i) { return after(engine_linkage::elapsed_row(sizes[i], engine_)); });
-    write("work.csv", engine_linkage::work_header, cases.size(),
-          [&](std::size_t i) { return after(engine_linkage::work_row(cases[i], outcomes[i], engine_)); });
+    write("elapsed.csv", engine_linkage::elapsed_header, sizes.size(), progress, 0,
+          [&](std::size_t i) { return engine_linkage::elapsed_row(sizes[i], engine_); });
+    write("work.csv", engine_linkage::work_header, cases.size(), progress, sizes.size(),
+          [&](std::size_t i) { return engine_linkage::work_row(cases[i], outcomes[i], engine_); });
     auto conditions =
         output::conditions({"one degree of freedom, CVODE at 1e-10", "largest difference of the bar's speed",
                             "the least of 2 (work), 3 (elapsed)"});
     conditions["truth_seconds"] = truth_.seconds();
-    output::write_text(settings_.output / "conditions.json", conditions.dump(2) + "\n");
+    output::write_text(conditions_file(), conditions.dump(2) + "\n");
   }
 
-  static void stop_if_interrupted() {
-    if (InterruptGuard::interrupted()) throw RunFailed("interrupted; nothing more is written");
-  }
-
-  void write(const std::string& name, const std::string& header, std::size_t rows,
+  void write(const char* name, const char* header, std::size_t count, Progress& progress, std::size_t before,
              const std::function<std::string(std::size_t)>& row) {
-    std::string text = header + "\n";
-    for (std::size_t i = 0; i < rows; ++i) text += row(i) + "\n";
-    output::write_text(settings_.output / name, text);
-    if (!context_.quiet) fmt::print("wrote {}\n", (settings_.output / name).string());
+    output::OrderedRows rows(settings_.output / name, header, count);
+    for (std::size_t i = 0; i < count && !InterruptGuard::interrupted(); ++i) {
+      rows.set(i, row(i));
+      progress.update(before + i + 1);
+    }
+    tell(name, rows.written(), count);
   }
+
+  void tell(const char* name, std::size_t written, std::size_t rows) const {
+    const std::string file = (settings_.output / name).string();
+    if (written < rows)
+      throw RunFailed(fmt::format("interrupted; the first {} of {} rows are in {}", written, rows, file));
+    if (!context_.quiet) fmt::print("wrote {}\n", file);
+  }
+
+  /// There when all else is.
+  std::filesystem::path conditions_file() const { return settings_.output / "conditions.json"; }
 
   const EngineLinkageSweep& settings_;
   const Context& context_;

@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "output/ordered_rows.hpp"
+
+#include <cerrno>
+#include <system_error>
+
+#include "tandem/error.hpp"
+
+namespace tandem::output {
+
+OrderedRows::OrderedRows(const std::filesystem::path& file, const std::string& header, std::size_t count)
+    : path_(file), file_(file, std::ios::binary), rows_(count) {
+  put(header);
+}
+
+void OrderedRows::set(std::size_t row, std::string text) {
+  const std::lock_guard lock(mutex_);
+  rows_[row] = std::move(text);
+  for (; written_ < rows_.size() && rows_[written_]; ++written_) put(*rows_[written_]);
+}
+
+std::size_t OrderedRows::written() const {
+  const std::lock_guard lock(mutex_);
+  return written_;
+}
+
+void OrderedRows::put(const std::string& line) {
+  file_ << line << '\n' << std::flush;
+  if (!file_)
+    throw Error(ErrorCode::input_output,
+                "file '" + path_.string() + "' can't be written: " + std::generic_category().message(errno));
+}
+
+}  // namespace tandem::output

@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tandem::output {
+
+/// A table whose rows come in any order, from several threads. The file has them in theirs, each as soon as
+/// those before it are there, so that what ends early leaves the first of them.
+class OrderedRows {
+ public:
+  /// Throws Error(input_output) with path and reason, as set() does.
+  OrderedRows(const std::filesystem::path& file, const std::string& header, std::size_t count);
+
+  void set(std::size_t row, std::string text);
+  /// In the file.
+  std::size_t written() const;
+
+ private:
+  void put(const std::string& line);
+
+  std::filesystem::path path_;
+  std::ofstream file_;
+  mutable std::mutex mutex_;
+  std::vector<std::optional<std::string>> rows_;
+  std::size_t written_ = 0;
+};
+
+}  // namespace tandem::output
