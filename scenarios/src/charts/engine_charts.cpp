@@ -43,10 +43,11 @@ std::vector<Point> within(const std::vector<Point>& points, double begin, double
 struct Panel {
   const char* title;
   std::vector<const char*> columns;
+  double tics;  ///< from one number of its axis to the next
 };
 
 void draw(Picture& picture, const Courses& courses, const Panel& panel, double begin, double end) {
-  picture.command(fmt::format("set xrange [{}:{}]", begin, end));
+  picture.command(fmt::format("set xrange [{}:{}]; set ytics {}", begin, end, panel.tics));
   std::vector<Curve> curves;
   for (const char* column : panel.columns)
     curves.push_back({picture.data(within(points_of(courses, column), begin, end)),
@@ -65,11 +66,15 @@ TorqueMap read_torque_map(const std::filesystem::path& file) {
 }
 
 /// Each line has its plate angle at its right end.
-Picture engine_torque_map_chart(const TorqueMap& map, const Caption& caption) {
+Picture engine_torque_map_chart(const TorqueMap& map, const TorqueMap& printed, const Caption& caption) {
   if (map.empty()) throw Error(ErrorCode::input_output, "torque_map.csv has no rows");
   Picture picture("engine_torque_map", 1000, 620);
   picture.title("Steady torque of the engine by plate angle, over its credible range");
   picture.caption(caption);
+  picture.legend({0.1, 0.9, 0.9, 0.94},
+                 {{"", "with lines lc rgb '#0072B2' lw 1.6", "the diagram"},
+                  {"", "with points pt 6 ps 0.9 lc rgb '#D55E00'", "printed in the specification"}},
+                 2);
   picture.command(std::string(grid_command) +
                   "; unset key; set xrange [600:6400]; set xzeroaxis lt 1 lc rgb '#808080'");
   picture.command("set xlabel 'speed [rpm]'; set ylabel 'torque [N m]'");
@@ -79,7 +84,9 @@ Picture engine_torque_map_chart(const TorqueMap& map, const Caption& caption) {
         fmt::format("set label '{}°' at {},{} offset 0.6,0", throttle, points.back().x, points.back().y));
     curves.push_back({picture.data(points), "with lines lc rgb '#0072B2' lw 1.6"});
   }
-  picture.panel({0.08, 0.97, 0.16, 0.92});
+  for (const auto& [throttle, points] : printed)
+    curves.push_back({picture.data(points), "with points pt 6 ps 0.9 lc rgb '#D55E00'"});
+  picture.panel({0.08, 0.97, 0.16, 0.88});
   picture.plot(curves);
   return picture;
 }
@@ -89,9 +96,9 @@ Courses read_engine_step(const std::filesystem::path& file) {
 }
 
 Picture engine_step_chart(const Courses& courses, const Caption& caption) {
-  const Panel panels[] = {{"speed, and what is asked for [rpm]", {"rpm", "set"}},
-                          {"plate angle [deg]", {"throttle"}},
-                          {"torque [N m]; the load is 25 N m, from 2 to 8 s 20 N m", {"torque"}}};
+  const Panel panels[] = {{"speed, and what is asked for [rpm]", {"rpm", "set"}, 500.0},
+                          {"plate angle [deg]", {"throttle"}, 5.0},
+                          {"torque [N m]; the load is 25 N m, from 2 to 8 s 20 N m", {"torque"}, 20.0}};
   Picture picture("engine_step", 1000, 760);
   picture.title("The governor's step from 2000 to 3000 rpm");
   picture.caption(caption);
@@ -110,15 +117,15 @@ Courses read_manoeuvre(const std::filesystem::path& file) {
 }
 
 Picture engine_gears_chart(const Courses& courses, const Caption& caption) {
-  const Panel panels[] = {{"throttle [deg]", {"throttle"}},
-                          {"ratio, and fill of the converter (red)", {"ratio", "fill"}},
-                          {"engine [rpm]", {"rpm"}},
-                          {"torque of the driven shaft [N m]", {"torque"}},
-                          {"pitch [deg]", {"pitch"}}};
+  const Panel panels[] = {{"throttle [deg]", {"throttle"}, 4.0},
+                          {"ratio, and fill of the converter (red)", {"ratio", "fill"}, 1.0},
+                          {"engine [rpm]", {"rpm"}, 500.0},
+                          {"torque of the driven shaft [N m]", {"torque"}, 40.0},
+                          {"pitch [deg]", {"pitch"}, 1.0}};
   Picture picture("engine_gears", 1200, 1000);
   picture.title("The kart's manoeuvre with its automatic: the whole, and the changes to gears 2 and 3");
   picture.caption(caption);
-  picture.command("unset key");
+  picture.command("unset key; set offsets graph 0, graph 0, graph 0.08, graph 0.08");
   Stack stack(picture, std::size(panels), "");
   for (const Panel& panel : panels) {
     stack.next(panel.title);

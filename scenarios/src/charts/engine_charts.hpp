@@ -15,7 +15,8 @@ namespace tandem::charts {
 /// Torque [N m] over speed [rpm] by plate angle [deg].
 using TorqueMap = std::map<double, std::vector<Point>>;
 TorqueMap read_torque_map(const std::filesystem::path& file);
-Picture engine_torque_map_chart(const TorqueMap& map, const std::vector<std::string>& caption);
+Picture engine_torque_map_chart(const TorqueMap& map, const TorqueMap& printed,
+                                const std::vector<std::string>& caption);
 
 /// Columns over time [s], by their names.
 using Courses = std::map<std::string, std::vector<Point>>;

@@ -21,8 +21,8 @@ std::vector<EngineLinkageWork> read_engine_linkage_work(const std::filesystem::p
 /// ones.
 Picture engine_linkage_errors_chart(const std::vector<EngineLinkageWork>& work,
                                     const std::vector<std::string>& caption);
-/// Error against the time of a run, all schemes and step ratios.
-Picture engine_linkage_work_chart(const std::vector<EngineLinkageWork>& work,
+/// Error against the time of a run by scheme and schedule, all step ratios; and the time of the truth [s].
+Picture engine_linkage_work_chart(const std::vector<EngineLinkageWork>& work, double truth_seconds,
                                   const std::vector<std::string>& caption);
 
 /// Throttle [deg], speed [rad/s] and torque [N m] of results.csv.

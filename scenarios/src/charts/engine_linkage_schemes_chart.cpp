@@ -18,57 +18,55 @@ constexpr std::array<const char*, 3> schedules = {"slowest-first", "fastest-firs
 constexpr double top = 20.0, bottom = 5e-4;  // [rad/s]; crosses stand at the first
 
 struct Family {
-  const char *name, *style;
-  bool (*holds)(const EngineLinkageWork&);
+  const char *name, *to_fast, *to_slow, *colour, *line;
 };
-bool equal(const EngineLinkageWork& w, const char* degree) {
-  return w.to_fast == degree && w.to_slow == degree;
-}
 const Family families[] = {
-    {"degree 0", "lc rgb '#000000' lw 1.6 pt 7 ps 0.7", [](const auto& w) { return equal(w, "lagrange0"); }},
-    {"1", "lc rgb '#E69F00' lw 1.6 pt 9 ps 0.7", [](const auto& w) { return equal(w, "lagrange1"); }},
-    {"2", "lc rgb '#56B4E9' lw 1.6 pt 5 ps 0.7", [](const auto& w) { return equal(w, "lagrange2"); }},
-    {"3", "lc rgb '#D55E00' lw 1.6 pt 13 ps 0.7", [](const auto& w) { return equal(w, "lagrange3"); }},
-    {"4", "lc rgb '#0072B2' lw 1.6 pt 11 ps 0.7", [](const auto& w) { return equal(w, "lagrange4"); }},
-    {"speed by hermite, torque held", "lc rgb '#009E73' lw 1.6 dt '-' pt 6 ps 0.9",
-     [](const auto& w) { return w.to_fast == "hermite" && w.to_slow == "lagrange0"; }},
-    {"speed by hermite, torque of degree 1", "lc rgb '#A0307A' lw 1.6 dt '-' pt 4 ps 0.9",
-     [](const auto& w) { return w.to_fast == "hermite" && w.to_slow == "lagrange1"; }},
-    {"speed by hermite, mean torque", "lc rgb '#606060' lw 1.6 dt '.' pt 8 ps 0.9",
-     [](const auto& w) { return w.to_fast == "hermite" && w.to_slow == "mean"; }},
-    {"speed of degree 1, mean torque", "lc rgb '#A0A0A0' lw 1.6 dt '.' pt 12 ps 0.9",
-     [](const auto& w) { return w.to_fast == "lagrange1" && w.to_slow == "mean"; }}};
+    {"degree 0", "lagrange0", "lagrange0", "#000000", "pt 7"},
+    {"1", "lagrange1", "lagrange1", "#E69F00", "pt 9"},
+    {"2", "lagrange2", "lagrange2", "#56B4E9", "pt 5"},
+    {"3", "lagrange3", "lagrange3", "#D55E00", "pt 13"},
+    {"4", "lagrange4", "lagrange4", "#0072B2", "pt 11"},
+    {"speed by hermite, torque held", "hermite", "lagrange0", "#009E73", "dt '-' pt 6"},
+    {"and of degree 1", "hermite", "lagrange1", "#A0307A", "dt '-' pt 4"},
+    {"and its mean", "hermite", "mean", "#606060", "dt '.' pt 8"},
+    {"speed held, mean torque", "lagrange0", "mean", "#8C6D31", "dt '.' pt 12"},
+    {"speed by least squares, mean torque", "least_squares1_2", "mean", "#7B4FD0", "dt '.' pt 10"}};
+
+std::string look(const Family& f) { return fmt::format("lc rgb '{}' lw 1.6 {} ps 0.8", f.colour, f.line); }
 
 bool failed(const EngineLinkageWork& w) { return !std::isfinite(w.speed_error); }
 
 Work select(const Work& all, const char* schedule, const Family& family) {
   Work some;
   for (const auto& w : all)
-    if (w.schedule == schedule && family.holds(w)) some.push_back(w);
+    if (w.schedule == schedule && w.to_fast == family.to_fast && w.to_slow == family.to_slow)
+      some.push_back(w);
   return some;
 }
 
 std::vector<Curve> legend() {
   std::vector<Curve> curves;
-  for (const Family& f : families) curves.push_back({"", std::string("with linespoints ") + f.style, f.name});
-  curves.push_back({"", "with points pt 2 ps 1.2 lw 2 lc rgb '#D55E00'", "unstable"});
+  for (const Family& f : families) curves.push_back({"", "with linespoints " + look(f), f.name});
+  curves.push_back({"", "with points pt 2 ps 1.2 lw 2 lc rgb '#808080'", "unstable, each in its colour"});
   return curves;
 }
 
+/// A line for each scheme, and crosses of its colour where it is unstable, side by side.
 std::vector<Curve> curves_of(Picture& picture, const Work& all, const char* schedule) {
   std::vector<Curve> curves;
-  std::vector<Point> crosses;
+  double beside = 0.82;
   for (const Family& family : families) {
-    std::vector<Point> points;
+    std::vector<Point> points, crosses;
     for (const auto& w : select(all, schedule, family)) {
       points.push_back({w.step_ratio, failed(w) ? NAN : w.speed_error});
-      if (failed(w)) crosses.push_back({w.step_ratio, top});
+      if (failed(w)) crosses.push_back({w.step_ratio * beside, top});
     }
-    if (!points.empty())
-      curves.push_back({picture.data(points), std::string("with linespoints ") + family.style});
+    beside *= 1.045;
+    if (!points.empty()) curves.push_back({picture.data(points), "with linespoints " + look(family)});
+    if (!crosses.empty())
+      curves.push_back(
+          {picture.data(crosses), fmt::format("with points pt 2 ps 1.2 lw 2 lc rgb '{}'", family.colour)});
   }
-  if (!crosses.empty())
-    curves.push_back({picture.data(crosses), "with points pt 2 ps 1.2 lw 2 lc rgb '#D55E00'"});
   return curves;
 }
 
@@ -96,9 +94,9 @@ Picture engine_linkage_errors_chart(const Work& work, const std::vector<std::str
   picture.title(
       "The linkage driven by the engine: largest error of the bar's speed in 30 s, engine's step 0.1 ms");
   picture.caption(caption);
-  picture.legend({0.03, 0.97, 0.84, 0.94}, legend(), 5);
+  picture.legend({0.03, 0.97, 0.84, 0.94}, legend(), 4);
   picture.command(std::string(grid_command) + "; unset key; set logscale xy; set format y '%g'");
-  picture.command(fmt::format("set xrange [0.8:60]; set xtics (1, 2, 5, 10, 20, 50); set yrange [{}:{}]",
+  picture.command(fmt::format("set xrange [0.8:70]; set xtics (1, 2, 5, 10, 20, 50); set yrange [{}:{}]",
                               bottom, 1.6 * top));
   picture.command("set xlabel 'steps of the engine in one of the linkage'; set ylabel 'error [rad/s]'");
   for (std::size_t k = 0; k < schedules.size(); ++k) {
@@ -111,25 +109,35 @@ Picture engine_linkage_errors_chart(const Work& work, const std::vector<std::str
   return picture;
 }
 
-Picture engine_linkage_work_chart(const Work& work, const std::vector<std::string>& caption) {
+Picture engine_linkage_work_chart(const Work& work, double truth_seconds,
+                                  const std::vector<std::string>& caption) {
   refuse_empty(work);
-  Picture picture("engine_linkage_work", 1000, 640);
+  Picture picture("engine_linkage_work", 1000, 680);
   picture.title("The linkage driven by the engine: error against the time of 30 s of motion");
   picture.caption(caption);
   std::vector<Curve> curves, names;
-  constexpr const char* looks[] = {"lc rgb '#0072B2' pt 7", "lc rgb '#E69F00' pt 9", "lc rgb '#56B4E9' pt 4"};
+  for (const Family& f : families)
+    names.push_back({"", fmt::format("with points pt 7 ps 0.9 lc rgb '{}'", f.colour), f.name});
+  constexpr const char* marks[] = {"pt 7", "pt 9", "pt 4"};
   for (std::size_t k = 0; k < schedules.size(); ++k) {
-    std::vector<Point> points;
-    for (const auto& w : work)
-      if (w.schedule == schedules[k] && !failed(w)) points.push_back({w.seconds, w.speed_error});
-    const std::string style = fmt::format("with points {} ps 0.9", looks[k]);
-    if (!points.empty()) curves.push_back({picture.data(points), style});
-    names.push_back({"", style, schedules[k]});
+    names.push_back({"", fmt::format("with points {} ps 0.9 lc rgb '#808080'", marks[k]), schedules[k]});
+    for (const Family& f : families) {
+      std::vector<Point> points;
+      for (const auto& w : select(work, schedules[k], f))
+        if (!failed(w)) points.push_back({w.seconds, w.speed_error});
+      if (!points.empty())
+        curves.push_back(
+            {picture.data(points), fmt::format("with points {} ps 0.9 lc rgb '{}'", marks[k], f.colour)});
+    }
   }
-  picture.legend({0.1, 0.9, 0.88, 0.94}, names, 3);
+  names.push_back({"", "with lines dt '-' lc rgb '#404040'", "the truth in one equation"});
+  curves.push_back(
+      {picture.data({{truth_seconds, bottom}, {truth_seconds, top}}), "with lines dt '-' lc rgb '#404040'"});
+  picture.legend({0.04, 0.96, 0.83, 0.94}, names, 4);
   picture.command(std::string(grid_command) + "; unset key; set logscale xy; set format xy '%g'");
+  picture.command(fmt::format("set yrange [{}:{}]", bottom, top));
   picture.command("set xlabel 'time of a run [s]'; set ylabel 'largest error of the speed [rad/s]'");
-  picture.panel({0.1, 0.97, 0.17, 0.86});
+  picture.panel({0.1, 0.97, 0.17, 0.81});
   picture.plot(curves);
   return picture;
 }

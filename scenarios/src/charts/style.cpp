@@ -80,4 +80,13 @@ std::vector<std::string> conditions_caption(const std::filesystem::path& file, s
   return lines;
 }
 
+double conditions_number(const std::filesystem::path& file, const std::string& key) {
+  const nlohmann::json conditions = read_json(file);
+  const std::string text = value_of(conditions, key, file);
+  if (!conditions[key].is_number())
+    throw Error(ErrorCode::input_output,
+                "file '" + file.string() + "': " + key + " is " + text + "; allowed is a number");
+  return conditions[key].get<double>();
+}
+
 }  // namespace tandem::charts

@@ -27,5 +27,7 @@ std::string line_and_marker_of(int k);
 /// norm and repetitions. Each line holds up to `width` characters. Throws Error naming the file, and the key
 /// that is missing.
 std::vector<std::string> conditions_caption(const std::filesystem::path& file, std::size_t width);
+/// A number of such a file. Throws likewise.
+double conditions_number(const std::filesystem::path& file, const std::string& key);
 
 }  // namespace tandem::charts

@@ -57,16 +57,19 @@ Drawing engine_linkage(const fs::path& folder) {
   const auto work = charts::read_engine_linkage_work(folder / "work.csv");
   const auto motion = charts::read_engine_linkage_motion(folder / "results.csv");
   const auto elapsed = charts::read_engine_linkage_elapsed(folder / "elapsed.csv");
-  return {
-      {charts::engine_linkage_motion_chart(motion, caption),
-       charts::engine_linkage_errors_chart(work, caption), charts::engine_linkage_work_chart(work, caption),
-       charts::engine_linkage_elapsed_chart(elapsed, caption)},
-      ""};
+  const double truth = charts::conditions_number(folder / "conditions.json", "truth_seconds");
+  return {{charts::engine_linkage_motion_chart(motion, caption),
+           charts::engine_linkage_errors_chart(work, caption),
+           charts::engine_linkage_work_chart(work, truth, caption),
+           charts::engine_linkage_elapsed_chart(elapsed, caption)},
+          ""};
 }
 
 Drawing engine(const fs::path& folder) {
   const auto caption = conditions_caption(folder / "conditions.json", 150);
-  return {{charts::engine_torque_map_chart(charts::read_torque_map(folder / "torque_map.csv"), caption),
+  const auto map = charts::read_torque_map(folder / "torque_map.csv"),
+             printed = charts::read_torque_map(folder / "printed_torque_map.csv");
+  return {{charts::engine_torque_map_chart(map, printed, caption),
            charts::engine_step_chart(charts::read_engine_step(folder / "step_response.csv"), caption),
            charts::engine_gears_chart(charts::read_manoeuvre(folder / "manoeuvre.csv"), caption)},
           ""};
@@ -138,7 +141,7 @@ const ChartScene scenes[] = {
     {"engine",
      "results/engine",
      "sweep engine --output {}",
-     {"torque_map.csv", "step_response.csv", "manoeuvre.csv", "conditions.json"},
+     {"torque_map.csv", "printed_torque_map.csv", "step_response.csv", "manoeuvre.csv", "conditions.json"},
      engine},
     {"engine_linkage",
      "results/engine_linkage",

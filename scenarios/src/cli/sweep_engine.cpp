@@ -17,11 +17,13 @@ void sweep_engine(const std::filesystem::path& diagrams, const std::filesystem::
     if (!context.quiet) fmt::print("wrote {}\n", (output / name).string());
   };
   write("torque_map.csv", engine_models::torque_map(diagrams));
+  const char* const printed = "printed_torque_map.csv";
+  std::filesystem::copy_file(diagrams / printed, output / printed,
+                             std::filesystem::copy_options::overwrite_existing);
   write("step_response.csv", engine_models::step_response(diagrams));
   write("manoeuvre.csv", engine_models::manoeuvre(diagrams));
-  const auto conditions =
-      output::conditions({"the specification's figures (tests/unit/engine/engine_models_test.cpp)",
-                          "none: the curves are the models' own", "1"});
+  const auto conditions = output::conditions(
+      {"the specification's figures (points)", "none: the curves are the models' own", "1"});
   write("conditions.json", conditions.dump(2) + "\n");
 }
 

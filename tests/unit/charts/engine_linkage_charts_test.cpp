@@ -25,8 +25,8 @@ TEST(EngineLinkageCharts, ShowErrorsByScheduleAndUnstableRunsAsCrosses) {
       "1,parallel,lagrange0,lagrange0,50,,,unstable\n");
   const Picture errors = engine_linkage_errors_chart(work, {"c"});
   EXPECT_TRUE(holds(errors, "1 0.25\n10 0.5\n"));
-  EXPECT_TRUE(holds(errors, "<< END\n50 20\nEND\n"));
-  EXPECT_TRUE(holds(engine_linkage_work_chart(work, {"c"}), "<< END\n2 0.25\n0.4 0.5\nEND\n"));
+  EXPECT_TRUE(holds(errors, "<< END\n41 20\nEND\n"));
+  EXPECT_TRUE(holds(engine_linkage_work_chart(work, 1.5, {"c"}), "<< END\n2 0.25\n0.4 0.5\nEND\n"));
 }
 
 TEST(EngineLinkageCharts, ShowTheMotionAndTheElapsedTime) {

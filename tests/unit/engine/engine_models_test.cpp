@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "charts/engine_charts.hpp"
 #include "engine_files.hpp"
 #include "refusal.hpp"
 
@@ -26,21 +27,17 @@ double steady_torque(const std::string& file, double theta, double speed) {
 
 /// As printed, +- 1 in the last digit.
 TEST(EngineModels, HaveTheSteadyTorqueMap) {
-  const double theta[] = {0, 5, 8.97, 12, 15, 20, 25, 50};
-  const struct {
-    double rpm, torque[8];
-  } map[] = {{1200, {-8.1, 14.6, 39.0, 44.0, 45.7, 46.7, 47.0, 47.2}},
-             {2000, {-19.7, -6.0, 25.0, 44.5, 52.4, 56.8, 58.1, 59.1}},
-             {3000, {-27.7, -18.6, 2.2, 25.6, 46.7, 62.0, 67.0, 70.7}},
-             {4000, {-35.2, -28.4, -12.7, 4.8, 26.6, 56.7, 69.2, 79.1}},
-             {6000, {-54.4, -49.8, -39.4, -27.7, -13.2, 17.0, 48.2, 86.3}}};
-  for (const auto& row : map)
-    for (int k = 0; k < 8; ++k)
+  const auto map = charts::read_torque_map(TANDEM_SOURCE_DIR "/scenarios/engine/printed_torque_map.csv");
+  ASSERT_EQ(map.size(), 8U);
+  for (const auto& [theta, points] : map) {
+    ASSERT_EQ(points.size(), 5U);
+    for (const auto& [speed, printed] : points)
       for (const char* file : {"engine.toml", "engine_mean_value.toml"}) {
-        const double torque = steady_torque(file, theta[k], row.rpm * std::numbers::pi / 30.0);
-        EXPECT_NEAR(std::round(10.0 * torque) / 10.0, row.torque[k], 0.1 + 1e-9)
-            << file << ", " << row.rpm << " rpm, " << theta[k] << " deg";
+        const double torque = steady_torque(file, theta, speed * std::numbers::pi / 30.0);
+        EXPECT_NEAR(std::round(10.0 * torque) / 10.0, printed, 0.1 + 1e-9)
+            << file << ", " << speed << " rpm, " << theta << " deg";
       }
+  }
 }
 
 /// Its speed settles at what is asked for after the step from 2000 to 3000 rpm at 5 s, under a load that
