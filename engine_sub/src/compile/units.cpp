@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <numeric>
 
@@ -16,15 +18,18 @@ struct Keeper {
   const char* kind;
   std::array<const char*, 2> inputs;
 };
-constexpr std::array<Keeper, 9> keepers = {{{"sum", {"inputs"}},
-                                            {"saturation", {"input"}},
-                                            {"dead_zone", {"input"}},
-                                            {"rate_limiter", {"input"}},
-                                            {"sample", {"input"}},
-                                            {"unit_delay", {"input"}},
-                                            {"memory", {"input"}},
-                                            {"delay", {"input"}},
-                                            {"switch", {"above", "below"}}}};
+constexpr std::array<Keeper, 12> keepers = {{{"sum", {"inputs"}},
+                                             {"function", {"input", "inputs"}},
+                                             {"integrator", {"initial", "reset_to"}},
+                                             {"lag", {"input", "initial"}},
+                                             {"saturation", {"input"}},
+                                             {"dead_zone", {"input"}},
+                                             {"rate_limiter", {"input"}},
+                                             {"sample", {"input"}},
+                                             {"unit_delay", {"input"}},
+                                             {"memory", {"input"}},
+                                             {"delay", {"input"}},
+                                             {"switch", {"above", "below"}}}};
 
 std::vector<std::string> signals_at(const Block& block, const char* key) {
   const auto it = block.values.find(key ? key : "");
@@ -35,6 +40,25 @@ std::vector<std::string> signals_at(const Block& block, const char* key) {
     for (const Wire& wire : *list)
       if (const auto* name = std::get_if<std::string>(&wire)) names.push_back(*name);
   return names;
+}
+
+/// By a factor, or a function other than those that choose a value.
+bool changes_unit(const Block& block) {
+  const auto value = [&](const char* key) {
+    const auto it = block.values.find(key);
+    return it == block.values.end() ? nullptr : &it->second;
+  };
+  if (value("gain")) return true;
+  if (const auto* gains = value("gains")) {
+    const auto* list = std::get_if<std::vector<Wire>>(gains);
+    return !list || std::any_of(list->begin(), list->end(), [](const Wire& gain) {
+      const auto* number = std::get_if<double>(&gain);
+      return !number || std::abs(*number) != 1.0;
+    });
+  }
+  if (block.kind != "function") return false;
+  const auto* word = value("function") ? std::get_if<std::string>(value("function")) : nullptr;
+  return !word || (*word != "abs" && *word != "min" && *word != "max");
 }
 
 /// The first of those that share their unit.
@@ -58,7 +82,7 @@ class Families {
 }  // namespace
 
 void keep_units(const Block& block, Lowering& to) {
-  if (block.values.count("gains") != 0) return;
+  if (changes_unit(block)) return;
   for (const Keeper& keeper : keepers)
     for (const char* key : keeper.inputs)
       if (block.kind == keeper.kind)

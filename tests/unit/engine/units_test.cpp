@@ -42,18 +42,22 @@ TEST_F(DiagramUnits, AreThoseOfTheDiagramsInBlocks) {
 
 TEST_F(DiagramUnits, AreKeptByWhatOnlyLimitsHoldsOrAdds) {
   for (const char* kind :
-       {"{ kind = 'sum', inputs = ['M', 1] }", "{ kind = 'saturation', input = 'M', low = 0, high = 1 }",
-        "{ kind = 'memory', input = 'M' }", "{ kind = 'delay', input = 'M', delay = 1 }",
+       {"{ kind = 'sum', inputs = ['M', 1] }", "{ kind = 'sum', inputs = ['M', 1], gains = [-1, 1] }",
+        "{ kind = 'lag', input = 'M', time = 1 }", "{ kind = 'function', function = 'abs', input = 'M' }",
+        "{ kind = 'function', function = 'max', inputs = [0, 'M'] }",
+        "{ kind = 'integrator', input = 1, initial = 'M' }",
+        "{ kind = 'saturation', input = 'M', low = 0, high = 1 }", "{ kind = 'memory', input = 'M' }",
+        "{ kind = 'delay', input = 'M', delay = 1 }",
         "{ kind = 'switch', control = 'time', above = 'M', below = 0 }"}) {
     const std::string text = input + "[blocks]\nx = " + kind + "\n[outputs]\nx = { unit = ";
     EXPECT_NO_THROW(compiled(text + "'N m' }\n")) << kind;
     EXPECT_TRUE(refused(text + "'rad/s' }\n", {"d.toml:6", "output 'x' is in 'rad/s'", "input 'M'"})) << kind;
   }
-  EXPECT_NO_THROW(compiled(
-      input + "[blocks]\nx = { kind = 'gain', input = 'M', gain = 1 }\n[outputs]\nx = { unit = 'N' }\n"));
-  EXPECT_NO_THROW(compiled(
-      input +
-      "[blocks]\nx = { kind = 'sum', inputs = ['M'], gains = [1] }\n[outputs]\nx = { unit = 'N' }\n"));
+  for (const char* kind :
+       {"{ kind = 'gain', input = 'M', gain = 1 }", "{ kind = 'sum', inputs = ['M'], gains = [2] }",
+        "{ kind = 'lag', input = 'M', time = 1, gain = 1 }",
+        "{ kind = 'function', function = 'square', input = 'M' }", "{ kind = 'integrator', input = 'M' }"})
+    EXPECT_NO_THROW(compiled(input + "[blocks]\nx = " + kind + "\n[outputs]\nx = { unit = 'N' }\n")) << kind;
 }
 
 TEST_F(DiagramUnits, OfTermsOfASumAreTheSame) {
