@@ -2,12 +2,15 @@
 // A run that is cut goes on to the same last bit, wherever its subsystems live.
 #include <gtest/gtest.h>
 
+#include "curve_pair.hpp"
 #include "cut_run.hpp"
+#include "peers.hpp"
 #include "python.hpp"
 #include "refusal.hpp"
 #include "scratch.hpp"
 #include "served.hpp"
 #include "tandem/wire/messages.hpp"
+#include "tls_pair.hpp"
 
 namespace tandem::test {
 namespace {
@@ -56,7 +59,31 @@ TEST(CheckpointOver, SpawnedPrograms) {
   goes_on_over(python_mass2(30.7));
 }
 
+TEST(CheckpointOver, ServersInC) {
+  const Scratch folder;
+  goes_on_over("spawn:" + c_mass2() + "?" + mass2_parameters(30.7));
+  for (const std::string& address :
+       {std::string("tcp://127.0.0.1:0"), "unix:" + (folder.path() / "socket").string()}) {
+    const PeerServer server({c_mass2()}, address);
+    goes_on_over(server.address() + "?" + mass2_parameters(30.7));
+  }
+}
+
+#if TANDEM_HAS_TLS
+TEST(CheckpointOver, Tls) {
+  const TlsFolder keys;
+  const Served server(listen("tls://127.0.0.1:0", keys.settings()), source("builtin:two_mass.slow"));
+  goes_on_over(with_parameters(server.address()) + "&" + keys.query());
+}
+#endif
+
 #if TANDEM_HAS_ZEROMQ
+TEST(CheckpointOver, ZeroMqWithKeys) {
+  const CurveFolder keys;
+  const Served server(zmq_listen("tcp://127.0.0.1:0", keys.settings()), source("builtin:two_mass.slow"));
+  goes_on_over(with_parameters(server.address()) + "&" + keys.query());
+}
+
 TEST(CheckpointOver, ZeroMq) {
   const Scratch folder;
   for (const std::string& address : {std::string("tcp://127.0.0.1:0"), std::string("inproc://cut"),

@@ -2,6 +2,7 @@
 #if TANDEM_HAS_ZEROMQ
 #include <gtest/gtest.h>
 
+#include "child.hpp"
 #include "curve_pair.hpp"
 #include "refusal.hpp"
 #include "run_bench.hpp"
@@ -64,6 +65,31 @@ TEST(ZeroMq, PlainTextStaysOnThisMachine) {
   EXPECT_TRUE(refuses(ErrorCode::not_supported, {"192.0.2.1", "--allow-plaintext"},
                       [] { open("zmq:tcp://192.0.2.1:1", all_sources()); }));
   EXPECT_TRUE(refuses(ErrorCode::not_supported, {"(*)"}, [] { zmq_listen("tcp://*:0", {}); }));
+}
+
+/// ZeroMQ itself would remove whatever is there.
+TEST(ZeroMq, AnIpcPathThatIsInUseIsRefusedAndKeepsItsFile) {
+  const Scratch folder;
+  const std::string path = (folder.path() / "socket").string(), other = folder.write("file", "text").string();
+  const Served server(zmq_listen("ipc://" + path, {}), source("builtin:two_mass.slow"));
+  for (const std::string& taken : {path, other})
+    EXPECT_TRUE(refuses(ErrorCode::input_output, {"zmq:ipc://" + taken, "in use"},
+                        [&] { zmq_listen("ipc://" + taken, {}); }));
+  EXPECT_EQ(read_text(other), "text");
+  folder.write("socket-1", "a session's place");
+  EXPECT_NO_THROW(open(server.address() + "?frequency_ratio=30.7", all_sources()));
+  EXPECT_EQ(read_text(path + "-1"), "a session's place");
+}
+
+TEST(ZeroMq, AnIpcSocketWhoseServerWasKilledIsReplaced) {
+  const Scratch folder;
+  const std::string address = "zmq:ipc://" + (folder.path() / "socket").string();
+  Child server({TANDEM_COMMAND, "--quiet", "serve", "builtin:two_mass.slow", "--listen", address});
+  EXPECT_EQ(server.word_after(" at "), address);
+  server.signal(SIGKILL);
+  EXPECT_EQ(server.status(), -SIGKILL);
+  EXPECT_TRUE(std::filesystem::exists(address.substr(10)));
+  EXPECT_NO_THROW(zmq_listen(address.substr(4), {}));
 }
 
 TEST(ZeroMq, AServerThatEndsIsToldPromptly) {

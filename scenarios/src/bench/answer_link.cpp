@@ -25,7 +25,17 @@ LinkFolder::LinkFolder() {
   std::string name = (fs::temp_directory_path() / "tandem_bench_XXXXXX").string();
   if (!::mkdtemp(name.data())) throw Error(ErrorCode::input_output, "no folder can be made at " + name);
   path_ = name;
-  if (!has_tls()) return;
+  if (has_tls()) write_certificates();
+#if TANDEM_HAS_ZEROMQ
+  for (const char* who : {"curve_server", "curve_client"}) {
+    const CurveKeys keys = make_curve_keys();
+    write(who, keys.secret_key);
+    write(std::string(who) + ".pub", keys.public_key);
+  }
+#endif
+}
+
+void LinkFolder::write_certificates() const {
   const TlsPair pair = make_tls_pair(86400.0);
   write("server.key", pair.server.key);
   write("server.crt", pair.server.certificate);

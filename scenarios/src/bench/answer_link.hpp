@@ -14,7 +14,8 @@
 
 namespace tandem::bench {
 
-/// A folder with what the transports need of files: sockets' names, certificates. It goes with its owner.
+/// A folder with what the transports need of files: sockets' names, certificates ("server.key", "client.key",
+/// "authority.crt"), CURVE keys ("curve_server", "curve_client" and their ".pub"). It goes with its owner.
 class LinkFolder {
  public:
   LinkFolder();
@@ -25,6 +26,7 @@ class LinkFolder {
 
  private:
   void write(const std::string& name, const std::string& text) const;
+  void write_certificates() const;
   std::filesystem::path path_;
 };
 

@@ -104,6 +104,12 @@ const std::vector<Benchmark>& all() {
      transports,
      Measured{"the same bytes by the system's or ZeroMQ's own calls, in turns", "none, these are times",
               "the median of 4000"}},
+    {"engine_linkage",
+     "30 s of the engine-linkage scene with one side in another process or in a shared library, beside both "
+     "in "
+     "this one",
+     [](const Tick& tick) { return std::vector{engine_linkage_elsewhere(tick)}; },
+     Measured{"both sides in one process", "the same bits", "the median of 3, in turns"}},
 #if TANDEM_HAS_SIMBODY
     {"simbody", "the linkage by tandem and by Simbody: error and processor time", against_simbody,
      Measured{"exact motion", "rms of the first point's distance", "the least of 2 to 5"}},

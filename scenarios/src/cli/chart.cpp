@@ -71,7 +71,7 @@ void add_chart(CLI::App& app, Context& context) {
           "scene", options->scene,
           "A sweep: two_mass, engine, engine_linkage, kart, mechanisms, four_bar; a ladder; or a benchmark: "
           "four_bar_cost "
-          "(of bench four_bar), "
+          "(of bench four_bar), engine_linkage_elsewhere (of bench engine_linkage), "
           "solvers, dense, threads, transports, simbody")
       ->required()
       ->check(CLI::IsMember(scene_names()));

@@ -2,6 +2,7 @@
 #include "cli/chart_scenes.hpp"
 
 #include "charts/dense_chart.hpp"
+#include "charts/elsewhere_chart.hpp"
 #include "charts/engine_charts.hpp"
 #include "charts/engine_linkage_charts.hpp"
 #include "charts/flat_position_chart.hpp"
@@ -111,6 +112,12 @@ Drawing transports(const fs::path& folder) {
   return {{charts::transports_chart(charts::read_transport_times(folder / "transports.csv"), caption)}, ""};
 }
 
+Drawing engine_linkage_elsewhere(const fs::path& folder) {
+  const auto caption = conditions_caption(folder / "engine_linkage_conditions.json", 150);
+  return {{charts::elsewhere_chart(charts::read_elsewhere_times(folder / "engine_linkage.csv"), caption)},
+          ""};
+}
+
 Drawing simbody(const fs::path& folder) {
   const auto caption = conditions_caption(folder / "simbody_conditions.json", 180);
   const auto runs = charts::read_linkage_runs(folder / "simbody.csv");
@@ -170,6 +177,11 @@ const ChartScene scenes[] = {
      "bench transports --output {}",
      {"transports.csv", "transports_conditions.json"},
      transports},
+    {"engine_linkage_elsewhere",
+     "results/bench",
+     "bench engine_linkage --output {}",
+     {"engine_linkage.csv", "engine_linkage_conditions.json"},
+     engine_linkage_elsewhere},
     {"simbody",
      "results/bench",
      "bench simbody --output {}",

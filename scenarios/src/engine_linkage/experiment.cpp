@@ -4,10 +4,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <optional>
 
 #include "engine_linkage/linkage.hpp"
-#include "tandem/coordinator/coordinator.hpp"
 #include "tandem/engine/subsystem.hpp"
 #include "tandem/error.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
@@ -18,36 +16,13 @@ namespace {
 
 constexpr double lost = 10.0;  // [rad/s]
 
-/// Engine and linkage, connected; the linkage is the first, and named slow at equal steps.
-class Coupled {
- public:
-  Coupled(const Case& c, const engine::Description& engine, double stop, bool profile) {
-    mbs::StepperSettings stepper;
-    stepper.index3.penalty = 1e10;
-    linkage_ = mbs::make_subsystem(mbs::read_mechanism("linkage", linkage_text(c.loops)),
-                                   {c.linkage_step(), stepper});
-    engine_ = engine::make_subsystem(engine, {c.engine_step});
-    topology_.add("linkage", linkage_->info());
-    topology_.add("engine", engine_->info());
-    topology_.connect({"linkage.speed", "engine.speed", Reconstruction::parse(c.scheme.to_fast)});
-    topology_.connect({"engine.torque", "linkage.torque", Reconstruction::parse(c.scheme.to_slow)});
-    topology_.set_start("linkage.torque", 0.0);
-    topology_.check();
-    Coordination coordination;
-    coordination.schedule = Schedule::parse(c.scheme.schedule);
-    coordination.order = {"linkage", "engine"};
-    coordination.profile = profile;
-    coordinator_.emplace(topology_, std::vector{linkage_.get(), engine_.get()}, coordination,
-                         TimeSpan{0.0, stop});
-  }
-  Coordinator& coordinator() { return *coordinator_; }
-  long exchanges() const { return coordinator_->effort(0).exchanges + coordinator_->effort(1).exchanges; }
-
- private:
-  std::unique_ptr<Subsystem> linkage_, engine_;
-  Topology topology_;
-  std::optional<Coordinator> coordinator_;
-};
+Coupled coupled(const Case& c, const engine::Description& engine, double stop, bool profile) {
+  mbs::StepperSettings stepper;
+  stepper.index3.penalty = 1e10;
+  return {
+      mbs::make_subsystem(mbs::read_mechanism("linkage", linkage_text(c.loops)), {c.linkage_step(), stepper}),
+      engine::make_subsystem(engine, {c.engine_step}), c.scheme, stop, profile};
+}
 
 /// Gathers the differences of the linkage's first output.
 class Difference final : public Observer {
@@ -78,7 +53,7 @@ class Difference final : public Observer {
 }  // namespace
 
 Outcome run_case(const Case& c, const engine::Description& engine, const Truth& truth) {
-  Coupled run(c, engine, t_stop, false);
+  Coupled run = coupled(c, engine, t_stop, false);
   Difference difference(truth);
   run.coordinator().observe(&difference);
   Outcome outcome;
@@ -95,7 +70,7 @@ Outcome run_case(const Case& c, const engine::Description& engine, const Truth& 
 }
 
 Elapsed time_case(const Case& c, const engine::Description& engine, double duration) {
-  Coupled run(c, engine, duration, true);
+  Coupled run = coupled(c, engine, duration, true);
   Coordinator& coordinator = run.coordinator();
   coordinator.initialize();
   const double engine_start = coordinator.effort(1).seconds, linkage_start = coordinator.effort(0).seconds;

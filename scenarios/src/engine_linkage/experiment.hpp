@@ -2,15 +2,10 @@
 #pragma once
 #include <string>
 
+#include "engine_linkage/coupled.hpp"
 #include "engine_linkage/truth.hpp"
 
 namespace tandem::engine_linkage {
-
-/// One way to couple engine and linkage, by the words of files and tables: the bar's speed to the engine, the
-/// torque to the linkage.
-struct Scheme {
-  std::string schedule, to_fast, to_slow;
-};
 
 struct Case {
   Scheme scheme;

@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "gate.hpp"
+#include "ipc_file.hpp"
 #include "socket.hpp"
 #include "tandem/error.hpp"
 
@@ -29,6 +30,11 @@ class ZmqListener final : public wire::Listener {
   ZmqListener(const std::string& address, const ZmqSettings& settings)
       : settings_(settings), gate_(settings), socket_(context(), zmq::socket_type::router) {
     require_loopback(address, settings);
+    if (taken(address))
+      throw Error(ErrorCode::input_output,
+                  "no listening at zmq:" + address +
+                      ": the file is there and in use; allowed are a path where there is "
+                      "none, and a socket whose server is gone");
     try {
       secure(socket_, settings, true);
       socket_.bind(to_bind(address));
@@ -62,7 +68,9 @@ class ZmqListener final : public wire::Listener {
     try {
       zmq::socket_t own(context(), zmq::socket_type::dealer);
       secure(own, settings_, true);
-      own.bind(beside(bound_, ++count_));
+      while (taken(beside(bound_, ++count_))) {  // by a server of that name, or any file
+      }
+      own.bind(beside(bound_, count_));
       const std::string place = own.get(zmq::sockopt::last_endpoint);
       auto channel = std::make_unique<ZmqChannel>(std::move(own), "zmq:" + place, settings_.spin);
       socket_.send(peer, zmq::send_flags::sndmore);

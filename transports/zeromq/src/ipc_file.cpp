@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "ipc_file.hpp"
+
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace tandem::zeromq {
+namespace {
+
+bool refuses(const std::string& path) {
+  sockaddr_un place{};
+  if (path.size() >= sizeof place.sun_path) return false;
+  place.sun_family = AF_UNIX;
+  std::memcpy(place.sun_path, path.data(), path.size());
+  const int probe = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+  if (probe < 0) return false;
+  const bool refused =
+      ::connect(probe, reinterpret_cast<const sockaddr*>(&place), sizeof place) != 0 && errno == ECONNREFUSED;
+  ::close(probe);
+  return refused;
+}
+
+}  // namespace
+
+bool taken(const std::string& address) {
+  if (!address.starts_with("ipc://") || address.starts_with("ipc://@")) return false;
+  const std::string path = address.substr(6);
+  struct stat status {};
+  if (::lstat(path.c_str(), &status) != 0) return false;
+  return !S_ISSOCK(status.st_mode) || !refuses(path);
+}
+
+}  // namespace tandem::zeromq
