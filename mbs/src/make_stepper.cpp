@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "scaled.hpp"
 #include "tandem/error.hpp"
 #include "tandem/mbs/formulations/unmerged.hpp"
 #include "tandem/mbs/integrators/runge_kutta.hpp"
@@ -99,6 +100,8 @@ std::unique_ptr<Stepper> make_stepper(Model& model, const StepperSettings& s) {
                   s.integrator +
                   "'; allowed is newmark, or formulation penalty, index1 or null_space with it");
   refuse_unused(s);
+  if (!model.structure().coordinate_scales.empty())
+    return std::make_unique<ScaledStepper>(model, [&s](Model& scaled) { return make_stepper(scaled, s); });
   if (merged) return std::make_unique<Index3>(model, s.index3);
   return std::make_unique<Unmerged>(formulation->make(model, s), integrator.make(s));
 }

@@ -54,6 +54,14 @@ Matrix on(const Pattern& pattern, const std::vector<double>& values) {
   return {pattern, {values.begin(), values.begin() + pattern.size()}};
 }
 
+/// Rows by what steppers multiply the constraints with.
+Matrix scaled_rows(Matrix a, const std::vector<double>& scales) {
+  const auto entries = a.pattern.entries();
+  for (std::size_t k = 0; k < entries.size() && !scales.empty(); ++k)
+    a.values[k] *= scales[static_cast<std::size_t>(entries[k].first)];
+  return a;
+}
+
 }  // namespace
 
 StepMatrices step_matrices(Model& model, const State& at, const TangentFactors& factors) {
@@ -73,7 +81,7 @@ StepMatrices step_matrices(Model& model, const State& at, const TangentFactors& 
   sum.add(result.mass, 1.0);
   sum.add(result.damping, factors.damping);
   sum.add(result.stiffness, factors.stiffness);
-  sum.add_square(result.jacobian, factors.penalty);
+  sum.add_square(scaled_rows(result.jacobian, s.constraint_scales), factors.penalty);
   result.tangent = sum.matrix(s.variables, s.variables);
   return result;
 }

@@ -51,17 +51,18 @@ std::vector<ScalarProduct> all_products(const Description& in) {
   return all;
 }
 
-/// What Structure says of a constraint.
+/// What Structure says of a constraint. Size 0: 1, or the structure's length if Phi is in m.
 struct Label {
   std::string name, unit, place;
-  double size = 1.0;
+  double size = 0.0;
 };
 
 void label(Structure& to, const Label& constraint) {
   to.constraint_names.push_back(constraint.name);
   to.constraint_units.push_back(constraint.unit);
   to.constraint_places.push_back(constraint.place);
-  to.constraint_sizes.push_back(constraint.size);
+  const double size = constraint.unit == "m" ? to.length : 1.0;
+  to.constraint_sizes.push_back(constraint.size > 0.0 ? constraint.size : size);
 }
 
 bool is_distance(const ScalarProduct& p) { return p.a == p.b && p.a.from >= 0; }
@@ -80,15 +81,15 @@ std::unique_ptr<ConstraintSet> distance_set(const std::vector<ScalarProduct>& pr
 
 /// All but distances and angles; the drives last.
 std::vector<Quadratic> quadratics(const Description& in, const Numbering& at,
-                                  const std::vector<ScalarProduct>& products) {
+                                  const std::vector<ScalarProduct>& products, double unit) {
   std::vector<Quadratic> all;
   const auto append = [&](const std::vector<Quadratic>& more) {
     all.insert(all.end(), more.begin(), more.end());
   };
   for (int b = 0; b < static_cast<int>(in.bodies.size()); ++b) append(dependent_entities(in, at, b));
   for (const ScalarProduct& p : products)
-    if (!is_distance(p)) all.push_back(equation(in, at, p));
-  for (const FixedAngle& angle : in.fixed_angles) all.push_back(equation(in, at, angle));
+    if (!is_distance(p)) all.push_back(equation(in, at, p, unit));
+  for (const FixedAngle& angle : in.fixed_angles) all.push_back(equation(in, at, angle, unit));
   for (const Joint& joint : in.joints) append(equations(in, at, joint));
   for (int r = 0; r < static_cast<int>(in.relatives.size()); ++r)
     if (in.relatives[r].kind == Relative::Kind::length) all.push_back(length_equation(in, at, r));
@@ -108,9 +109,11 @@ std::unique_ptr<ConstraintSet> angle_set(const Description& in, const Numbering&
   for (std::size_t r = 0; r < in.relatives.size(); ++r) {
     const Relative& angle = in.relatives[r];
     if (angle.kind != Relative::Kind::angle) continue;
-    label(structure, {"angle " + angle.name, "m", angle.where});
+    const bool directions = angle.a.from < 0 && angle.b.from < 0;
+    label(structure, {"angle " + angle.name, directions ? "1" : "m", angle.where});
     const Eigen::Vector3d a = drawn(in, angle.a), b = drawn(in, angle.b);
-    const double size = std::max(a.norm(), b.norm());
+    const auto [first, second] = lengths(in, angle.a, angle.b, structure.unit());
+    const double size = std::max(first, second);
     if (Dimension == 2) {
       set->add({edge(angle.a), edge(angle.b), at.zero, at.relative[r], 1.0 / size, 1.0 / size, 0.0});
       continue;
@@ -123,16 +126,20 @@ std::unique_ptr<ConstraintSet> angle_set(const Description& in, const Numbering&
   return set;
 }
 
-/// The largest body's, or else the longest edge of a product; 1 m where there is neither, and where variables
-/// are not lengths alone: one tolerance then serves numbers without a unit too.
+/// The largest body's, or else the longest edge of a product or length; 1 m where there is none.
 double length_of(const Description& in, const std::vector<ScalarProduct>& products) {
-  const auto turns = [](const Entity& e) { return e.kind == Entity::Kind::vector && !e.fixed; };
-  if (!in.relatives.empty() || std::any_of(in.entities.begin(), in.entities.end(), turns)) return 1.0;
   double length = 0.0;
   for (const Body& body : in.bodies) length = std::max(length, BodyCoordinates(in, body).size());
   for (const ScalarProduct& p : products)
     if (length == 0.0 && is_distance(p)) length = drawn(in, p.a).norm();
+  for (const Relative& r : in.relatives)
+    if (length == 0.0 && r.kind == Relative::Kind::length) length = drawn(in, r);
   return length > 0.0 ? length : 1.0;
+}
+
+bool points_alone(const Description& in) {
+  const auto turns = [](const Entity& e) { return e.kind == Entity::Kind::vector && !e.fixed; };
+  return in.relatives.empty() && std::none_of(in.entities.begin(), in.entities.end(), turns);
 }
 
 }  // namespace
@@ -152,7 +159,11 @@ Mechanism::Mechanism(Description description)
   for (std::size_t r = 0; r < description_.relatives.size(); ++r)
     if (description_.relatives[r].kind == Relative::Kind::state)
       structure_.states.push_back(numbering_.relative[r]);
-  structure_.rounding = 8.0 * std::numeric_limits<double>::epsilon() * described_state().q.norm();
+  if (!points_alone(description_) && structure_.length != 1.0) add_scales();
+  Eigen::VectorXd q = described_state().q;
+  if (!structure_.coordinate_scales.empty())
+    q.array() *= Eigen::Map<const Eigen::ArrayXd>(structure_.coordinate_scales.data(), q.size());
+  structure_.rounding = 8.0 * std::numeric_limits<double>::epsilon() * q.norm();
 }
 
 Mechanism::~Mechanism() = default;
@@ -192,12 +203,13 @@ void Mechanism::add_constraints() {
   const bool plane = in.dimension == 2;
   const auto products = all_products(in);
   structure_.length = length_of(in, products);
+  if (!points_alone(in)) structure_.length = structure_.unit();
   sets_.push_back(plane ? distance_set<2>(products, numbering_, structure_)
                         : distance_set<3>(products, numbering_, structure_));
   sets_.push_back(plane ? angle_set<2>(in, numbering_, structure_)
                         : angle_set<3>(in, numbering_, structure_));
   auto others = std::make_unique<QuadraticSet>(inputs_);
-  for (const Quadratic& q : quadratics(in, numbering_, products)) {
+  for (const Quadratic& q : quadratics(in, numbering_, products, structure_.unit())) {
     others->add(q);
     label(structure_, {q.name, q.unit, q.where, q.size});
   }

@@ -163,29 +163,39 @@ std::vector<int> own_equations(const Description& in, const Structure& s, const 
   return numbers;
 }
 
-Quadratic equation(const Description& in, const Numbering& at, const ScalarProduct& p) {
-  const double length = std::max(drawn(in, p.a).norm(), drawn(in, p.b).norm());
+std::pair<double, double> lengths(const Description& in, const Edge& a, const Edge& b, double unit) {
+  const bool alike = (a.from < 0) == (b.from < 0);
+  const auto length = [&](const Edge& e) { return drawn(in, e).norm() / (alike || e.from < 0 ? 1.0 : unit); };
+  return {length(a), length(b)};
+}
+
+Quadratic equation(const Description& in, const Numbering& at, const ScalarProduct& p, double unit) {
+  const auto [a, b] = lengths(in, p.a, p.b, unit);
+  const double length = std::max(a, b);
   if (!(length > 0.0))
     refuse(p.where, "scalar product '" + p.name + "' is of two edges of length 0; allowed is one of them");
   const double scale = 1.0 / length;
   Quadratic e{name_of(p), -scale * p.value};
   e.where = p.where;
-  e.size = length;
+  if (p.a.from < 0 && p.b.from < 0) e.unit = "1";
+  e.size = length * ((p.a.from < 0) == (p.b.from < 0) ? 1.0 : unit);
   e.add_product(forms_of(in, at, p.a), forms_of(in, at, p.b), scale);
   return e;
 }
 
 /// In the plane with the drawn angle phi: (a x b) cos(phi) - (a . b) sin(phi) = 0, whose gradient never
 /// vanishes.
-Quadratic equation(const Description& in, const Numbering& at, const FixedAngle& angle) {
+Quadratic equation(const Description& in, const Numbering& at, const FixedAngle& angle, double unit) {
   const Eigen::Vector3d a = drawn(in, angle.a), b = drawn(in, angle.b), cross = a.cross(b);
+  const auto [first, second] = lengths(in, angle.a, angle.b, unit);
   if (!(a.norm() * b.norm() > 0.0))
     refuse(angle.where, "fixed angle '" + angle.name + "' is of an edge of length 0");
   const double phi = in.dimension == 2 ? std::atan2(cross[2], a.dot(b)) : std::atan2(cross.norm(), a.dot(b));
   const Forms fa = forms_of(in, at, angle.a), fb = forms_of(in, at, angle.b);
-  const double scale = 1.0 / std::max(a.norm(), b.norm());
+  const double scale = 1.0 / std::max(first, second);
   Quadratic e{"fixed angle " + angle.name};
   e.where = angle.where;
+  if (angle.a.from < 0 && angle.b.from < 0) e.unit = "1";
   e.size = std::min(a.norm(), b.norm());
   if (in.dimension == 2) {
     add_cross(e, fa, fb, scale * std::cos(phi));

@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <utility>
 #include <vector>
 
 #include "quadratic_set.hpp"
@@ -8,18 +9,22 @@
 namespace tandem::mbs {
 
 // Equations of products are divided by the length of their longer edge as drawn, so that gradients have
-// lengths of about 1 whatever the size of a mechanism: one penalty serves all.
+// lengths of about 1 whatever the size of a mechanism: one penalty serves all. An edge between points beside
+// a vector is measured in the structure's unit().
 
 /// Points and vectors of a body beyond those that define it, as combinations of these.
 std::vector<Quadratic> dependent_entities(const Description& in, const Numbering& at, int body);
+
+/// The lengths of two edges as drawn, in m or in numbers that can be compared with those of a vector.
+std::pair<double, double> lengths(const Description& in, const Edge& a, const Edge& b, double unit);
 
 /// "distance d", "body rod: P . P".
 std::string name_of(const ScalarProduct& product);
 /// Numbers of the equations that keep a body rigid. One that two bodies share is of the first of them.
 std::vector<int> own_equations(const Description& in, const Structure& structure, const Numbering& at,
                                int body);
-Quadratic equation(const Description& in, const Numbering& at, const ScalarProduct& product);
-Quadratic equation(const Description& in, const Numbering& at, const FixedAngle& angle);
+Quadratic equation(const Description& in, const Numbering& at, const ScalarProduct& product, double unit);
+Quadratic equation(const Description& in, const Numbering& at, const FixedAngle& angle, double unit);
 Quadratic equation(const Description& in, const Numbering& at, const Drive& drive);
 /// The definition of a length, (|b - a|^2 - s^2) / s0 = 0, s0 as drawn.
 Quadratic length_equation(const Description& in, const Numbering& at, int relative);

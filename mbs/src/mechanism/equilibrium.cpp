@@ -8,6 +8,7 @@
 
 #include "../dense.hpp"
 #include "linear_forces.hpp"
+#include "scaled.hpp"
 #include "tandem/error.hpp"
 
 namespace tandem::mbs {
@@ -21,7 +22,10 @@ constexpr double held = 1e-8;  // of the largest stiffness: what holds where not
 class Balance {
  public:
   Balance(Model& model, State start, const Known& known)
-      : terms_(model), names_(model.structure().variable_names), state_(std::move(start)) {
+      : terms_(model),
+        names_(model.structure().variable_names),
+        unit_(model.structure().unit()),
+        state_(std::move(start)) {
     stays_.setConstant(terms_.force.size(), false);
     for (const auto& k : known.positions)
       if (k.coordinate < stays_.size()) stays_[k.coordinate] = true;
@@ -57,7 +61,7 @@ class Balance {
     if (s.lambda.size() > 0) s.lambda = a.completeOrthogonalDecomposition().solve(f);
     unbalanced_ = f - a * s.lambda;
     size_ = std::max(size_, terms_.force.norm());
-    error_ = std::hypot(unbalanced_.norm(), size_ * terms_.phi.norm());
+    error_ = std::hypot(unbalanced_.norm(), size_ * terms_.phi.norm() / unit_);
   }
 
   /// A step that makes the error smaller, held back more and more; false if none does.
@@ -97,6 +101,7 @@ class Balance {
 
   DenseTerms terms_;
   const std::vector<std::string>& names_;
+  double unit_;
   State state_;
   Eigen::Array<bool, Eigen::Dynamic, 1> stays_;
   Eigen::VectorXd unbalanced_;
@@ -105,8 +110,12 @@ class Balance {
 
 }  // namespace
 
-State equilibrium(Model& model, State start, const Known& known) {
-  return Balance(model, std::move(start), known).find();
+State equilibrium(Model& of, State start, const Known& known) {
+  Scaled model(of);
+  model.scale(start);
+  State s = Balance(model, std::move(start), known).find();
+  model.restore(s);
+  return s;
 }
 
 }  // namespace tandem::mbs

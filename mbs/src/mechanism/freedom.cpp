@@ -5,6 +5,8 @@
 #include <Eigen/SparseQR>
 #include <algorithm>
 
+#include "scaled.hpp"
+
 namespace tandem::mbs {
 namespace {
 
@@ -13,7 +15,9 @@ using Sparse = Eigen::SparseMatrix<double>;
 constexpr double rounding = 1e-12;  ///< of the longest column: what an equation that holds nothing leaves
 
 /// Phi_q^T with columns of length 1, so that one threshold serves them all, or of nothing.
-Sparse gradients(Model& model, const State& s) {
+Sparse gradients(Model& of, State s) {
+  Scaled model(of);
+  model.scale(s);
   const Structure& structure = model.structure();
   std::vector<double> phi(static_cast<std::size_t>(structure.constraints)),
       jacobian(static_cast<std::size_t>(structure.jacobian_values()));

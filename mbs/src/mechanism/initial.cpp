@@ -8,6 +8,7 @@
 
 #include "linearized.hpp"
 #include "refuse.hpp"
+#include "scaled.hpp"
 #include "tandem/mbs/mechanism/equilibrium.hpp"
 
 namespace tandem::mbs {
@@ -44,21 +45,39 @@ std::string with(const Model& model, const std::vector<Known::Value>& known) {
                      std::abs(error[static_cast<int>(worst)]), unit));
 }
 
-void find_velocities(Model& model, State& s, const Known& known) {
+void find_velocities(Model& of, State& s, const Known& known) {
+  Scaled model(of);
   for (const auto& k : known.velocities) s.v[k.coordinate] = k.value;
+  model.scale(s);
   Linearized at(model, known.velocities);
   at.evaluate(s.q);
-  VectorXd motion(at.phi.size()), error;
+  VectorXd motion(at.phi.size());
   model.constraint_rates(s.q.data(), motion.data());
   const double limit = tolerable(std::max(largest(s.v), largest(motion)));
-  for (int k = 0; k < 4; ++k) {
-    error = at.rate(s.v) + motion;
-    if (largest(error) <= 1e-3 * limit) return;
+  VectorXd error = at.rate(s.v) + motion;
+  for (int k = 0; k < 4 && !(largest(error) <= 1e-3 * limit); ++k) {
     s.v.head(at.variables()) += at.step(error);
+    error = at.rate(s.v) + motion;
   }
-  error = at.rate(s.v) + motion;
+  model.restore(s);
   if (!(largest(error) <= limit))
-    impossible(model, "no velocities fit the constraints", known.velocities, error, "/s");
+    impossible(of, "no velocities fit the constraints", known.velocities, model.restored_constraints(error),
+               "/s");
+}
+
+/// Positions that close the constraints, where they come nearest; then Phi of those that stay above the
+/// limit, else 0, and nothing if they close.
+VectorXd find_positions(Model& of, State& s, const std::vector<Known::Value>& known) {
+  Scaled model(of);
+  std::vector<Known::Value> lengths = known;
+  for (auto& k : lengths) k.value *= model.coordinate_scale(k.coordinate);
+  model.scale(s);
+  Linearized at(model, lengths);
+  const bool closed = assemble(at, s.q, lengths);
+  model.restore(s);
+  if (closed) return {};
+  const auto contradicts = [&](double phi) { return std::abs(phi) <= at.limit ? 0.0 : phi; };
+  return model.restored_constraints(at.phi.unaryExpr(contradicts));
 }
 
 /// That none is half a turn away from what its edges show.
@@ -101,9 +120,8 @@ void balance(Mechanism& mechanism, State& s, const Known& given) {
 
 State consistent_state(Model& model, State s, const Known& known) {
   model.at_time(s.time);
-  Linearized at(model, known.positions);
-  if (!assemble(at, s.q, known.positions))
-    impossible(model, "the mechanism can't be assembled", known.positions, at.phi);
+  const VectorXd off = find_positions(model, s, known.positions);
+  if (off.size() > 0) impossible(model, "the mechanism can't be assembled", known.positions, off);
   find_velocities(model, s, known);
   return s;
 }
@@ -124,10 +142,9 @@ Assembled assembled(Mechanism& mechanism, double t) {
   Assembled result{mechanism.described_state(), {}};
   result.state.time = t;
   mechanism.at_time(t);
-  Linearized at(mechanism, positions);
-  if (assemble(at, result.state.q, positions)) return result;
-  for (int k = 0; k < at.phi.size(); ++k)
-    if (!(std::abs(at.phi[k]) <= at.limit)) result.contradictions.push_back({k, at.phi[k]});
+  const VectorXd off = find_positions(mechanism, result.state, positions);
+  for (int k = 0; k < off.size(); ++k)
+    if (off[k] != 0.0) result.contradictions.push_back({k, off[k]});
   return result;
 }
 

@@ -4,11 +4,11 @@
 namespace tandem::mbs {
 namespace {
 
-constexpr double by = 1e-6;  // [m, rad]: errors of 1e-12 by curvature, 1e-10 by rounding
+constexpr double part = 1e-6;  // of a unit: errors of 1e-12 by curvature, 1e-10 by rounding
 
-/// The columns -d f/d x by central differences of f, which looks at x.
+/// The columns -d f/d x by central differences of f, which looks at x, of n numbers.
 template <class Function>
-Eigen::MatrixXd negative_derivative(Eigen::VectorXd& x, int n, const Function& f) {
+Eigen::MatrixXd negative_derivative(Eigen::VectorXd& x, double by, int n, const Function& f) {
   Eigen::MatrixXd result(n, n);
   for (int column = 0; column < n; ++column) {
     const double middle = x[column];
@@ -42,7 +42,7 @@ void DenseTerms::evaluate(const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
 
 Eigen::MatrixXd DenseTerms::stiffness(const State& at) {
   Eigen::VectorXd q = at.q;
-  return negative_derivative(q, static_cast<int>(force.size()), [&] {
+  return negative_derivative(q, part * model_.structure().unit(), static_cast<int>(force.size()), [&] {
     evaluate(q, at.v);
     return unbalanced(at.lambda);
   });
@@ -50,7 +50,7 @@ Eigen::MatrixXd DenseTerms::stiffness(const State& at) {
 
 Eigen::MatrixXd DenseTerms::damping(const State& at) {
   Eigen::VectorXd v = at.v;
-  return negative_derivative(v, static_cast<int>(force.size()), [&] {
+  return negative_derivative(v, part * model_.structure().unit(), static_cast<int>(force.size()), [&] {
     model_.forces(at.q.data(), v.data(), force.data());
     return force;
   });

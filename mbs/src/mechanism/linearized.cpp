@@ -101,14 +101,14 @@ void Linearized::push(VectorXd& q, double most) const {
   }
 }
 
-/// Known positions are approached by parts of at most a quarter of a unit: an angle's equation has a second
-/// solution half a turn away.
+/// Known positions are approached by parts of at most a quarter of the model's unit: an angle's equation has
+/// a second solution half a turn away.
 bool assemble(Linearized& at, VectorXd& q, const std::vector<Known::Value>& known) {
   const VectorXd from = q;
   at.limit = tolerable(largest(q));
   double way = 0.0;
   for (const auto& k : known) way = std::max(way, std::abs(k.value - from[k.coordinate]));
-  const int parts = static_cast<int>(std::clamp(std::ceil(4.0 * way), 1.0, 200.0));
+  const int parts = static_cast<int>(std::clamp(std::ceil(4.0 * way / at.unit()), 1.0, 200.0));
   for (int part = 1; part < parts; ++part) {
     for (const auto& k : known)
       q[k.coordinate] = from[k.coordinate] + (k.value - from[k.coordinate]) * part / parts;

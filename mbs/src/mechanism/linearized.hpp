@@ -20,6 +20,7 @@ class Linearized {
   Eigen::VectorXd step(const Eigen::VectorXd& error) const;
   /// Moves those coordinates by up to `most`, each by another part of it, the same in every run.
   void push(Eigen::VectorXd& q, double most) const;
+  double unit() const { return model_.structure().unit(); }  ///< [m]
   int variables() const { return model_.structure().variables; }
 
   Eigen::VectorXd phi;

@@ -8,6 +8,7 @@
 
 #include "../dense.hpp"
 #include "linear_forces.hpp"
+#include "scaled.hpp"
 #include "tandem/error.hpp"
 
 namespace tandem::mbs {
@@ -46,10 +47,12 @@ double Mode::frequency() const { return std::abs(p) / (2.0 * std::numbers::pi); 
 
 double Mode::damping() const { return std::abs(p) > 0.0 ? -p.real() / std::abs(p) : 0.0; }
 
-std::vector<Mode> modes(Model& model, const State& at) {
+std::vector<Mode> modes(Model& of, const State& at) {
+  Scaled model(of);
   model.at_time(at.time);
   DenseTerms terms(model);
   State s = at;
+  model.scale(s);
   terms.evaluate(s.q, s.v);
   if (s.lambda.size() > 0) s.lambda = dense::shortest_solution(terms.gradients, terms.force);
   const MatrixXd r = free_motions(terms.gradients), k = dense::reduced(terms.stiffness(s), r),
@@ -59,6 +62,7 @@ std::vector<Mode> modes(Model& model, const State& at) {
   for (int i = 0; i < values.size(); ++i) {
     if (values[i].imag() < 0.0) continue;
     Mode mode{values[i], r * vectors.col(i).head(r.cols())};
+    for (int c = 0; c < mode.shape.size(); ++c) mode.shape[c] /= model.coordinate_scale(c);
     Eigen::Index largest = 0;
     mode.shape.cwiseAbs().maxCoeff(&largest);
     mode.shape /= mode.shape[largest];

@@ -24,7 +24,7 @@ struct Quadratic {
   std::vector<Linear> linear = {};
   std::vector<Product> products = {};
   int input = -1;
-  double size = 1.0;  ///< as Structure::constraint_sizes
+  double size = 0.0;  ///< as Structure::constraint_sizes; 0: nothing tells it
   std::string unit = "m", where = {};
 
   void add(const Form& f, double factor);

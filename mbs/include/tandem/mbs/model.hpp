@@ -2,6 +2,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,10 @@ struct Structure {
   /// For sentences that refuse; may be left empty: the unit of each Phi, and its place, "FILE:LINE".
   std::vector<std::string> constraint_units, constraint_places;
   double length = 1.0;  ///< of its parts [m]: default tolerances are in proportion to it
+  /// Where coordinates are lengths and pure numbers both and `length` is far from 1 m: what each coordinate
+  /// and each Phi is multiplied with to become a length [m]. None: all 1. Steppers and the initial problems
+  /// go by lengths (coordinate x scale), so that one tolerance and one penalty serve all.
+  std::vector<double> coordinate_scales = {}, constraint_scales = {};
   double rounding =
       0.0;  ///< what q as described leaves of a change (Euclidean): no default tolerance is below
 
@@ -40,6 +45,8 @@ struct Structure {
   double tolerance(double set, double fraction) const {
     return set > 0.0 ? set : std::max(fraction * length, rounding);
   }
+  /// The power of 1024 nearest to `length` [m]: 1 from 0.03 to 32 m.
+  double unit() const { return std::exp2(10.0 * std::round(0.1 * std::log2(length))); }
   int jacobian_values() const { return jacobian.size() + jacobian_extra; }  ///< length of that array
   int stiffness_values() const { return stiffness.size() + stiffness_extra; }
 };

@@ -11,7 +11,9 @@ namespace tandem::mbs {
 /// The matrices of a step where a state stands, to be looked at outside.
 struct StepMatrices {
   Matrix mass, jacobian, stiffness, damping;  ///< M, Phi_q (m x n), K, C
-  Matrix tangent;                             ///< M + damping C + stiffness K + penalty Phi_q^T Phi_q
+  /// M + damping C + stiffness K + penalty (P Phi_q)^T P Phi_q, P the scales of constraints: of a model that
+  /// has some, steppers factorize it with rows and columns divided by the scales of coordinates.
+  Matrix tangent;
 };
 StepMatrices step_matrices(Model& model, const State& at, const TangentFactors& factors);
 

@@ -75,6 +75,7 @@ class Mechanism final : public Model {
   void add_forces();
   void add_elements();
   void place_forces();
+  void add_scales();
 
   Description description_;
   Numbering numbering_;
