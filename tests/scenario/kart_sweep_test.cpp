@@ -66,9 +66,16 @@ TEST(KartSweep, ThePlaneAtAHundredEngineStepsErrsAsItsIntegratorDoes) {
   const Outcome thesis = judge.judge(100, thesis_scheme, false);
   EXPECT_GT(thesis.from_better.largest, 10.0 * mean.from_better.largest);
 
+  const Scheme apart{"parallel", "lagrange2", "lagrange1"};
+  const Outcome drifted = judge.judge(100, apart, false);
+  EXPECT_TRUE(drifted.course.failure.empty());
+  EXPECT_EQ(drifted.course.pitch.size(), 1001U);
+  EXPECT_TRUE(scheme_row("plane", 100, apart, drifted).ends_with(",unstable"));
+
   Extremes extremes;
-  for (const auto& [scheme, outcome] :
-       {std::pair(Scheme{"fastest-first", "lagrange1", "mean"}, &mean), {thesis_scheme, &thesis}})
+  for (const auto& [scheme, outcome] : {std::pair(Scheme{"fastest-first", "lagrange1", "mean"}, &mean),
+                                        {thesis_scheme, &thesis},
+                                        {apart, &drifted}})
     extremes.add(scheme, *outcome);
   EXPECT_EQ(extremes.worst()->scheme.schedule, "slowest-first");
   expect_traces(trace_rows(judge, extremes), thesis.from_better.largest);
@@ -84,6 +91,22 @@ TEST(KartSweep, TheWorkOfASchemeIsARowOfItsError) {
       fmt::format("point,100,slowest-first,lagrange0,lagrange0,{:.5g},", again.from_better.largest)))
       << row;
   EXPECT_TRUE(row.ends_with(",ok"));
+}
+
+/// However large the pitch's difference: a run is unstable by its torque alone.
+TEST(KartSweep, ARunIsUnstableIfItsTorqueLeavesTheReferencesRangeByHalfItsWidth) {
+  const std::vector<double> reference{0.0, 160.0, 40.0};
+  EXPECT_TRUE(stays_near({20.0, -80.0, 240.0}, reference));
+  EXPECT_FALSE(stays_near({20.0, -80.1, 240.0}, reference));
+  EXPECT_FALSE(stays_near({20.0, 240.1}, reference));
+  EXPECT_FALSE(stays_near({20.0, std::nan("")}, reference));
+  Outcome late;
+  late.from_better.largest = 90.0;
+  EXPECT_STREQ(late.status(), "ok");
+  late.stable = false;
+  EXPECT_STREQ(late.status(), "unstable");
+  late.course.failure = "no convergence";
+  EXPECT_STREQ(late.status(), "failed");
 }
 
 TEST(KartSweep, DifferencesAreAtTheCoarserSteps) {

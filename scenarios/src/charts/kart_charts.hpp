@@ -30,7 +30,7 @@ Picture kart_pitch_chart(const KartLevel& level, const std::vector<std::string>&
 /// Torque, speed, gear, wheel loads and slips of the reference, as far as the level has them.
 Picture kart_course_chart(const KartLevel& level, const std::vector<std::string>& caption);
 
-/// A row of work.csv; pitch_error and seconds are NaN for a run that failed.
+/// A row of work.csv; pitch_error is NaN for a run that failed or was unstable.
 struct KartWork {
   std::string level, schedule, to_fast, to_slow;
   double ratio, pitch_error, seconds;  ///< [deg], [s]

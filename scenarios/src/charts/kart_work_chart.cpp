@@ -31,7 +31,7 @@ std::vector<std::string> distinct(const std::vector<KartWork>& work, Key key) {
   return names;
 }
 
-/// By rising ratio; runs that failed interrupt the line.
+/// By rising ratio; runs that are not ok interrupt the line.
 std::vector<Point> points_of(const std::vector<KartWork>& work, const std::string& level,
                              const std::string& scheme) {
   std::vector<Point> points;
@@ -40,7 +40,7 @@ std::vector<Point> points_of(const std::vector<KartWork>& work, const std::strin
   return points;
 }
 
-bool failed(const KartWork& w) { return std::isnan(w.pitch_error) || std::isnan(w.seconds); }
+bool failed(const KartWork& w) { return std::isnan(w.pitch_error); }
 
 /// The same axes for all panels; a panel in which all failed stays empty.
 std::string ranges(const std::vector<KartWork>& work) {
@@ -63,7 +63,7 @@ void draw_level(Picture& picture, const std::vector<KartWork>& work, const std::
       curves.push_back({picture.data(points), look(k, schemes[k])});
   const auto failures = std::count_if(work.begin(), work.end(),
                                       [&](const KartWork& w) { return w.level == level && failed(w); });
-  const std::string title = failures ? fmt::format("{}, failed: {}", level, failures) : level;
+  const std::string title = failures ? fmt::format("{}, failed or unstable: {}", level, failures) : level;
   picture.command("set title " + quote(title) + " noenhanced offset 0,-0.6");
   picture.plot(curves);
 }
@@ -71,13 +71,15 @@ void draw_level(Picture& picture, const std::vector<KartWork>& work, const std::
 }  // namespace
 
 std::vector<KartWork> read_kart_work(const std::filesystem::path& file) {
-  const auto table = CsvTable::read(
-      file, {"level", "ratio", "schedule", "to_fast", "to_slow", "max_pitch_difference", "seconds"});
+  const auto table = CsvTable::read(file, {"level", "ratio", "schedule", "to_fast", "to_slow",
+                                           "max_pitch_difference", "seconds", "status"});
   std::vector<KartWork> work;
   for (std::size_t k = 0; k < table.size(); ++k) {
     const auto row = table[k];
     work.push_back({row.text("level"), row.text("schedule"), row.text("to_fast"), row.text("to_slow"),
-                    row.positive("ratio"), row.number("max_pitch_difference"), row.number("seconds")});
+                    row.positive("ratio"),
+                    row.text("status") == "ok" ? row.number("max_pitch_difference") : NAN,
+                    row.number("seconds")});
   }
   return work;
 }

@@ -18,6 +18,13 @@ Truth truth(const Scene& scene, const std::string& level) {
   return t;
 }
 
+bool stays_near(const std::vector<double>& torque, const std::vector<double>& reference) {
+  const auto [low, high] = std::minmax_element(reference.begin(), reference.end());
+  const double margin = 0.5 * (*high - *low);
+  return std::all_of(torque.begin(), torque.end(),
+                     [&](double t) { return t >= *low - margin && t <= *high + margin; });
+}
+
 const Course& Judge::replayed(int ratio, bool mean) {
   for (const Replay& r : replays_)
     if (r.ratio == ratio && r.mean == mean) return r.course;
@@ -32,13 +39,14 @@ Outcome Judge::judge(int ratio, const Scheme& scheme, bool profile) {
 Outcome Judge::judge_thesis() { return compare(truth_.thesis, 1, false); }
 
 Outcome Judge::compare(Course course, int ratio, bool mean) {
-  Outcome o{std::move(course), {}, {}, {}, {}};
+  Outcome o{std::move(course), {}, {}, {}, {}, true};
   if (!o.course.failure.empty()) return o;
   const Course& alone = replayed(ratio, mean);
   o.from_better = difference(o.course, truth_.better);
   o.from_thesis = difference(o.course, truth_.thesis);
   o.integrator = difference(alone, truth_.better);
   o.coupling = difference(o.course, alone);
+  o.stable = stays_near(o.course.torque, truth_.better.torque);
   return o;
 }
 
@@ -75,17 +83,18 @@ std::string multirate_row(const std::string& level, int ratio, double seconds_of
       fmt::format("{},{},{:.4g},{:.4g},{:.4g},{:.4f},", level, ratio, c.seconds,
                   seconds_of_ratio_one / c.seconds, t_stop / c.seconds, c.coordinator_share);
   if (!c.failure.empty()) return begin + ",,,,,failed";
-  return begin + fmt::format("{},{},{},{},{},ok", number(o.from_better.largest),
+  return begin + fmt::format("{},{},{},{},{},{}", number(o.from_better.largest),
                              number(o.from_thesis.largest), number(o.from_better.rms),
-                             number(o.integrator.largest), number(o.coupling.largest));
+                             number(o.integrator.largest), number(o.coupling.largest), o.status());
 }
 
 std::string scheme_row(const std::string& level, int ratio, const Scheme& scheme, const Outcome& o) {
   const std::string begin =
       fmt::format("{},{},{},{},{},", level, ratio, scheme.schedule, scheme.to_fast, scheme.to_slow);
   if (!o.course.failure.empty()) return begin + fmt::format(",,,{:.4g},failed", o.course.seconds);
-  return begin + fmt::format("{},{},{},{:.4g},ok", number(o.from_better.largest),
-                             number(o.integrator.largest), number(o.coupling.largest), o.course.seconds);
+  return begin + fmt::format("{},{},{},{:.4g},{}", number(o.from_better.largest),
+                             number(o.integrator.largest), number(o.coupling.largest), o.course.seconds,
+                             o.status());
 }
 
 std::vector<Scheme> work_schemes() {
@@ -103,7 +112,7 @@ std::string work_row(Judge& judge, int ratio, const Scheme& scheme) {
       fmt::format("{},{},{},{},{},", judge.level(), ratio, scheme.schedule, scheme.to_fast, scheme.to_slow);
   if (!first.course.failure.empty()) return begin + ",,failed";
   const double seconds = std::min(first.course.seconds, judge.judge(ratio, scheme, false).course.seconds);
-  return begin + fmt::format("{},{:.4g},ok", number(first.from_better.largest), seconds);
+  return begin + fmt::format("{},{:.4g},{}", number(first.from_better.largest), seconds, first.status());
 }
 
 }  // namespace tandem::kart

@@ -19,11 +19,18 @@ struct Truth {
 };
 Truth truth(const Scene& scene, const std::string& level);
 
-/// A run and what it differs from.
+/// A run and what it differs from. It is unstable if the torque leaves the range that it has in the reference
+/// by more than half of that range's width: torque and speed then drive each other up, which the pitch, slow
+/// as it is, shows late.
 struct Outcome {
   Course course;
   Difference from_better, from_thesis, integrator, coupling;
+  bool stable = true;
+  /// "failed": a side gave up; "unstable", "ok".
+  const char* status() const { return !course.failure.empty() ? "failed" : stable ? "ok" : "unstable"; }
 };
+/// Whether `torque` stays as near to the range of `reference` as is said above; both have at least a value.
+bool stays_near(const std::vector<double>& torque, const std::vector<double>& reference);
 /// Replays are kept by the kart's step and whether they take the mean.
 class Judge {
  public:
@@ -73,7 +80,7 @@ inline constexpr const char* work_header =
     "level,ratio,schedule,to_fast,to_slow,max_pitch_difference,seconds,status";
 std::string work_row(Judge& judge, int ratio, const Scheme& scheme);
 
-/// Of the runs of a level those whose pitch differs most and least from the reference.
+/// Of the stable runs of a level those whose pitch differs most and least from the reference.
 class Extremes {
  public:
   void add(const Scheme& scheme, const Outcome& outcome);

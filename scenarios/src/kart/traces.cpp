@@ -23,7 +23,7 @@ std::string rows(const std::string& key, const Trace& trace, const Trace& refere
 }  // namespace
 
 void Extremes::add(const Scheme& scheme, const Outcome& outcome) {
-  if (!outcome.course.failure.empty()) return;
+  if (!outcome.course.failure.empty() || !outcome.stable) return;
   const double largest = outcome.from_better.largest;
   if (!worst_ || largest > worst_->outcome.from_better.largest) worst_ = {scheme, outcome};
   if (!best_ || largest < best_->outcome.from_better.largest) best_ = {scheme, outcome};

@@ -57,10 +57,12 @@ TEST(KartCharts, ShowErrorAgainstTimeByLevelAndScheme) {
   const Picture picture = kart_work_chart(
       work_of(
           "plane,5,fastest-first,lagrange1,mean,0.001,2,ok\nplane,100,fastest-first,lagrange1,mean,0.0107,"
-          "0.5,ok\nspatial,100,parallel,lagrange3,lagrange3,,,failed\n"),
+          "0.5,ok\nspatial,100,parallel,lagrange3,lagrange3,,,failed\n"
+          "spatial,100,parallel,lagrange2,lagrange2,10.3,0.5,unstable\n"),
       {"c"});
   EXPECT_TRUE(holds(picture, "<< END\n2 0.001\n0.5 0.0107\nEND\n"));
-  EXPECT_TRUE(holds(picture, "spatial, failed: 1"));
+  EXPECT_FALSE(holds(picture, "0.5 10.3"));
+  EXPECT_TRUE(holds(picture, "spatial, failed or unstable: 2"));
 }
 
 TEST(KartCharts, RefuseTablesWithoutRowsOrRuns) {
