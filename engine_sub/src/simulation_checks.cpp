@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "finite.hpp"
 #include "tandem/engine/simulation.hpp"
 #include "tandem/error.hpp"
 
@@ -32,11 +33,11 @@ void Simulation::leave(const Crossing& crossing) {
 bool Simulation::is_finite() const {
   const Program& program = system_.program();
   const auto& image = system_.image();
-  double zero = 0.0;
-  for (int i = 0; i < program.states; ++i) zero += image[i] - image[i];
-  for (const int slot : program.outputs) zero += image[slot] - image[slot];
-  return zero == 0.0 && std::none_of(program.crossings.begin(), program.crossings.end(),
-                                     [&](const Crossing& c) { return std::isnan(image[c.signal]); });
+  std::uint64_t bits = 0;
+  for (const int slot : program.outputs) bits |= not_finite(image[slot]);
+  return bits == 0 && all_finite(image.data(), program.states) &&
+         std::none_of(program.crossings.begin(), program.crossings.end(),
+                      [&](const Crossing& c) { return std::isnan(image[c.signal]); });
 }
 
 /// The first block that makes what is not finite out of what is; else the first state that is not.

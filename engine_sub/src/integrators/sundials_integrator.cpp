@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "finite.hpp"
 #include "tandem/error.hpp"
 #include "tandem/nearest.hpp"
 
@@ -67,7 +68,7 @@ int SundialsIntegrator::rates(double t, N_Vector x, N_Vector dx, void* self) {
   double* const d = N_VGetArrayPointer(dx);
   ++integrator.statistics_.rate_evaluations;
   if (!integrator.survives([&] { system.rates(t, d); })) return 1;
-  if (std::all_of(d, d + system.size(), [](double rate) { return std::isfinite(rate); })) return 0;
+  if (all_finite(d, system.size())) return 0;
   const std::string source = system.not_finite();
   if (!source.empty()) integrator.not_finite_ = fmt::format("; {} at t = {} s", source, t);
   return 1;
