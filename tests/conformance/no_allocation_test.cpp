@@ -1,13 +1,11 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-// The stepping loop allocates nothing once it runs: every malloc is counted. Not with sanitizers, which have
-// a malloc of their own, and only with the GNU C library, whose malloc can be replaced and still be called.
+// The stepping loop allocates nothing once it runs.
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 
+#include "counted_malloc.hpp"
 #include "driven_pendulum.hpp"
 #include "four_bar/linkage.hpp"
 #include "pushed_mass.hpp"
@@ -25,44 +23,7 @@
 #include "tandem/mbs/subsystem.hpp"
 #include "wave.hpp"
 
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define TANDEM_OWN_MALLOC 0
-#endif
-#endif
-#if !defined(TANDEM_OWN_MALLOC) && defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && \
-    !defined(__SANITIZE_THREAD__)
-#define TANDEM_OWN_MALLOC 1
-#endif
-
 #if TANDEM_OWN_MALLOC
-namespace {
-std::atomic<bool> counting = false;
-std::atomic<std::int64_t> allocations = 0;
-
-void count() {
-  if (counting.load(std::memory_order_relaxed)) allocations.fetch_add(1, std::memory_order_relaxed);
-}
-}  // namespace
-
-// operator new of libstdc++ ends in malloc or aligned_alloc.
-extern "C" {
-void* __libc_malloc(size_t);
-void* __libc_calloc(size_t, size_t);
-void* __libc_realloc(void*, size_t);
-void* __libc_memalign(size_t, size_t);
-void* malloc(size_t size) { return count(), __libc_malloc(size); }
-void* calloc(size_t n, size_t size) { return count(), __libc_calloc(n, size); }
-void* realloc(void* p, size_t size) { return count(), __libc_realloc(p, size); }
-void* aligned_alloc(size_t alignment, size_t size) { return count(), __libc_memalign(alignment, size); }
-void* memalign(size_t alignment, size_t size) { return count(), __libc_memalign(alignment, size); }
-int posix_memalign(void** p, size_t alignment, size_t size) {
-  count();
-  *p = __libc_memalign(alignment, size);
-  return *p ? 0 : 12;  // ENOMEM
-}
-}
-
 namespace tandem::test {
 namespace {
 

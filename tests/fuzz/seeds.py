@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 """seeds.py FOLDER: what the fuzzing starts from: the session of docs/wire_protocol.md, either side of it, whole and up to
-each of its messages."""
+each of its messages; and the project's own TOML files, each for the reader of its kind, with their words (FOLDER/words)."""
 
 import pathlib
 import re
@@ -17,7 +17,26 @@ def messages(side):
         yield bytes.fromhex(" ".join(line.partition("#")[0] for line in block.splitlines()))
 
 
+def kind(text):
+    """As scenario::kind_alone has it."""
+    if re.search(r"^\[*blocks\b", text, re.MULTILINE):
+        return "diagram"
+    return "mechanism" if re.search(r"^dimension\b", text, re.MULTILINE) else "scenario"
+
+
+def toml_files(folder):
+    words = set()
+    for file in sorted((TREE / "scenarios").rglob("*.toml")):
+        text = file.read_text(encoding="utf-8")
+        place = folder / kind(text)
+        place.mkdir(parents=True, exist_ok=True)
+        (place / "_".join(file.relative_to(TREE / "scenarios").parts)).write_text(text, encoding="utf-8")
+        words |= set(re.findall(r"[A-Za-z_][A-Za-z_0-9]{2,}", re.sub(r"#.*", "", text)))
+    (folder / "words").write_text("".join(f'"{word}"\n' for word in sorted(words)), encoding="ascii")
+
+
 def main(folder):
+    toml_files(folder)
     for side, target in (("request", "server"), ("reply", "client")):
         place = folder / target
         place.mkdir(parents=True, exist_ok=True)

@@ -250,13 +250,13 @@ class Caller:
         mute, uri = transport.plain_listener()
         with mute:
             self.run("silent_peer", f"{uri}?{transport.query}")
-        if transport.name != "unix":
+        if not transport.local:
             self.run("unknown_host", f"{uri.partition('//')[0]}//no-such-host.invalid:1?{transport.query}", 15.0,
                      place="no-such-host")
         if transport.name in ("tcp", "zmq:tcp"):
             self.run("beyond_this_machine", f"{uri.partition('//')[0]}//192.0.2.1:1?{transport.query}")
-        {"unix": self.programs, "tls": self.tls, "zmq:tcp": self.zeromq, "zmq:curve": self.curve}.get(
-            transport.name, lambda: None)()
+        {"unix": self.programs, "tls": self.tls, "zmq:tcp": self.zeromq, "zmq:ipc": self.zeromq,
+         "zmq:curve": self.curve}.get(transport.name, lambda: None)()
 
     def programs(self):
         for kind, command, limit in (("aborts", "sh -c 'kill -ABRT $$'", 0.0), ("ends", "sh -c 'exit 3'", 0.0),

@@ -55,26 +55,30 @@ class Listener:
 
 
 class Stream:
-    """tcp and unix."""
+    """tcp and unix. `local`: what stands before the path of a socket's file, in a URI; None of those with a port."""
+
+    local = None
 
     def __init__(self, name, folder):
-        self.name, self._folder = name, folder
+        self.name, self._folder, self.remote = name, folder, f"{name}://"
         self.options, self.query = [], f"deadline={DEADLINE}"
+        if name == "unix":
+            self.local = "unix:"
 
     def free_address(self):
         path = os.path.join(self._folder, f"socket{time.monotonic_ns()}")
-        return f"unix:{path}" if self.name == "unix" else f"{self.name}://127.0.0.1:0"
+        return self.local + path if self.local else f"{self.remote}127.0.0.1:0"
 
     def plain_listener(self):
         """An open socket, with its URI."""
-        if self.name == "unix":
+        if self.local:
             uri = self.free_address()
             sock = socket.socket(socket.AF_UNIX)
-            sock.bind(uri[5:])
+            sock.bind(uri[len(self.local):])
             sock.listen()
             return sock, uri
         sock = socket.create_server(("127.0.0.1", 0))
-        return sock, f"{self.name}://127.0.0.1:{sock.getsockname()[1]}"
+        return sock, f"{self.remote}127.0.0.1:{sock.getsockname()[1]}"
 
     def listener(self):
         """With the members uri, and accept() for a session's channel."""
@@ -85,9 +89,9 @@ class Stream:
 
     def plain(self, uri):
         """A connection in the clear to what listens at a URI."""
-        sock = socket.socket(socket.AF_UNIX if self.name == "unix" else socket.AF_INET)
+        sock = socket.socket(socket.AF_UNIX if self.local else socket.AF_INET)
         sock.settimeout(DEADLINE + SLACK)
-        sock.connect(uri[5:] if self.name == "unix" else ("127.0.0.1", int(uri.rpartition(":")[2])))
+        sock.connect(uri[len(self.local):] if self.local else ("127.0.0.1", int(uri.rpartition(":")[2])))
         return sock
 
     def connect(self, uri):
@@ -119,20 +123,16 @@ class Tls(Stream):
 class ZeroMq(Stream):
     def __init__(self, name, folder, keys):
         super().__init__(name, folder)
-        self.keys, self.curve = keys, name == "zmq:curve"
+        self.keys, self.curve, self.remote = keys, name == "zmq:curve", "zmq:tcp://"
+        if name == "zmq:ipc":
+            self.local = "zmq:ipc://"
         if self.curve:
             self.options = ["--key", keys.file("server"), "--client-key", keys.file("client.pub")]
             self.query += f"&key={keys.file('client')}&server_key={keys.file('server.pub')}"
 
-    def free_address(self):
-        return "zmq:tcp://127.0.0.1:0"
-
-    def plain_listener(self):
-        sock = socket.create_server(("127.0.0.1", 0))
-        return sock, f"zmq:tcp://127.0.0.1:{sock.getsockname()[1]}"
-
     def listener(self, keys=None):
-        return fault_zeromq.Listener(self.server_keys() if keys is None else keys)
+        address = self.free_address()[4:] if self.local else "tcp://127.0.0.1:*"
+        return fault_zeromq.Listener(address, self.server_keys() if keys is None else keys)
 
     def server_keys(self, owner="pair"):
         if not self.curve:
@@ -158,5 +158,5 @@ def all_transports(command, folder):
     if keys.exists("server.key"):
         found.append(Tls(folder, keys))
     if keys.exists("server"):
-        found += [ZeroMq("zmq:tcp", folder, keys), ZeroMq("zmq:curve", folder, keys)]
+        found += [ZeroMq(name, folder, keys) for name in ("zmq:tcp", "zmq:ipc", "zmq:curve")]
     return found

@@ -266,7 +266,8 @@ class Served:
         with self.transport.connect(self.uri).raw:
             self.process.terminate()
             status = self.process.wait(10)
-        gone = not self.uri.startswith("unix:") or not os.path.exists(self.uri[5:])
+        local = self.transport.local
+        gone = not local or not os.path.exists(self.uri[len(local):])
         self.row("ended_by_sigterm", "ok", 0.0, status == 0 and gone, str(status))
 
     def all(self):
@@ -280,7 +281,8 @@ class Served:
         for k, phase in enumerate(["hello", "info", "initialize", "advance"]):
             self.timed(f"client_killed_after_{phase}", lambda: self.client_dies(signal.SIGKILL, (OPEN + [advance()])[:k + 1]))
         self.timed("client_stopped", lambda: self.client_dies(signal.SIGSTOP, OPEN))
-        {"tls": self.tls, "zmq:tcp": self.zeromq, "zmq:curve": self.curve}.get(self.transport.name, lambda: None)()
+        {"tls": self.tls, "zmq:tcp": self.zeromq, "zmq:ipc": self.zeromq, "zmq:curve": self.curve}.get(
+            self.transport.name, lambda: None)()
         self.second_server()
         self.nothing_is_left(before)
         self.ends()

@@ -110,18 +110,18 @@ class Channel(wire.Channel):
 
 
 class Listener:
-    """Answers one knock with the address of a socket for the session."""
+    """Answers one knock at tcp://127.0.0.1:* or ipc://PATH with the address of a socket for the session."""
 
-    def __init__(self, keys):
-        self._keys, self._door = keys, Socket(ROUTER, keys)
-        self.uri = "zmq:" + self._door.bind("tcp://127.0.0.1:*")
+    def __init__(self, address, keys):
+        self._address, self._keys, self._door = address, keys, Socket(ROUTER, keys)
+        self.uri = "zmq:" + self._door.bind(address)
 
     def accept(self):
         peer = self._door.message(30.0)
         if peer is None or self._door.message(1.0) != KNOCK:
             raise OSError("no knock")
         session = self._door.follow(DEALER, self._keys)
-        place = session.bind("tcp://127.0.0.1:*")
+        place = session.bind(self._address + ("-1" if self._address.startswith("ipc:") else ""))
         self._door.sendall(peer, more=True)
         self._door.sendall(place.encode())
         self._door.close()
@@ -129,7 +129,7 @@ class Listener:
 
 
 def connect(address, keys, seconds):
-    """A socket for a session with the server at tcp://HOST:PORT, or OSError."""
+    """A socket for a session with the server at tcp://HOST:PORT or ipc://PATH, or OSError."""
     with Socket(DEALER, keys) as door:
         door.connect(address)
         door.sendall(KNOCK)

@@ -4,7 +4,7 @@
 
   faults.py TANDEM FILE.csv [--programs SERVER CALLER] [TRANSPORT...]
 
-Transports are tcp unix tls zmq:tcp zmq:curve; without a word all that TANDEM was built with.
+Transports are tcp unix tls zmq:tcp zmq:ipc zmq:curve; without a word all that TANDEM was built with.
 
 SERVER and CALLER serve and call in place of TANDEM: `SERVER --listen URI ...`, `CALLER URI`.
 A call has to end within its deadline in one sentence that names the address, with what was recorded kept; a server has to

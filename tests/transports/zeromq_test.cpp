@@ -81,6 +81,17 @@ TEST(ZeroMq, AnIpcPathThatIsInUseIsRefusedAndKeepsItsFile) {
   EXPECT_EQ(read_text(path + "-1"), "a session's place");
 }
 
+/// In a process, whose end ZeroMQ's own thread does not outlive.
+TEST(ZeroMq, FilesOfIpcSocketsGoWithTheirServer) {
+  const Scratch folder;
+  const std::string address = "zmq:ipc://" + (folder.path() / "socket").string();
+  Child server({TANDEM_COMMAND, "--quiet", "serve", "builtin:two_mass.slow", "--listen", address});
+  const auto session = open(server.word_after(" at "), all_sources());
+  server.signal(SIGTERM);
+  EXPECT_EQ(server.status(), 0);
+  EXPECT_TRUE(fs::is_empty(folder.path()));
+}
+
 TEST(ZeroMq, AnIpcSocketWhoseServerWasKilledIsReplaced) {
   const Scratch folder;
   const std::string address = "zmq:ipc://" + (folder.path() / "socket").string();

@@ -134,7 +134,7 @@ class Scene {
 
 /// The first is the one that the others are compared with.
 std::vector<Way> ways() {
-  std::vector<Way> all = {{"none", "in_process"}, {"none", "monolithic"}};
+  std::vector<Way> all = {{"none", "in-process"}, {"none", "monolithic"}};
   auto transports = linked_transports();
   transports.insert(transports.begin(), {"lib", "spawn"});
   for (const std::string& transport : transports)

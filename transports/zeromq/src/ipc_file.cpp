@@ -12,6 +12,11 @@
 namespace tandem::zeromq {
 namespace {
 
+/// Of "ipc://PATH"; "" of other addresses, "ipc://@NAME" among them, which has no file.
+std::string path_of(const std::string& address) {
+  return address.starts_with("ipc://") && !address.starts_with("ipc://@") ? address.substr(6) : "";
+}
+
 bool refuses(const std::string& path) {
   sockaddr_un place{};
   if (path.size() >= sizeof place.sun_path) return false;
@@ -28,11 +33,16 @@ bool refuses(const std::string& path) {
 }  // namespace
 
 bool taken(const std::string& address) {
-  if (!address.starts_with("ipc://") || address.starts_with("ipc://@")) return false;
-  const std::string path = address.substr(6);
+  const std::string path = path_of(address);
   struct stat status {};
-  if (::lstat(path.c_str(), &status) != 0) return false;
+  if (path.empty() || ::lstat(path.c_str(), &status) != 0) return false;
   return !S_ISSOCK(status.st_mode) || !refuses(path);
+}
+
+IpcFile::IpcFile(const std::string& address) : path_(path_of(address)) {}
+
+IpcFile::~IpcFile() {
+  if (!path_.empty()) ::unlink(path_.c_str());
 }
 
 }  // namespace tandem::zeromq

@@ -42,6 +42,7 @@ class ZmqListener final : public wire::Listener {
     } catch (const zmq::error_t& error) {
       fail("no listening at", address, error);
     }
+    file_ = IpcFile(bound_);
     address_ = "zmq:" + bound_;
   }
 
@@ -72,7 +73,8 @@ class ZmqListener final : public wire::Listener {
       }
       own.bind(beside(bound_, count_));
       const std::string place = own.get(zmq::sockopt::last_endpoint);
-      auto channel = std::make_unique<ZmqChannel>(std::move(own), "zmq:" + place, settings_.spin);
+      auto channel =
+          std::make_unique<ZmqChannel>(std::move(own), "zmq:" + place, settings_.spin, IpcFile(place));
       socket_.send(peer, zmq::send_flags::sndmore);
       socket_.send(zmq::buffer(place), zmq::send_flags::dontwait);
       return channel;
@@ -85,6 +87,7 @@ class ZmqListener final : public wire::Listener {
   Gate gate_;
   zmq::socket_t socket_;
   std::string bound_, address_;
+  IpcFile file_;
   unsigned count_ = 0;
 };
 

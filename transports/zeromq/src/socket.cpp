@@ -73,8 +73,12 @@ bool readable(zmq::socket_t& socket, int milliseconds) {
   return ::zmq_poll(reinterpret_cast<::zmq_pollitem_t*>(&item), 1, milliseconds) > 0;
 }
 
-ZmqChannel::ZmqChannel(zmq::socket_t socket, std::string peer, double spin)
-    : socket_(std::move(socket)), monitor_(watch(socket_)), peer_(std::move(peer)), spin_(spin) {}
+ZmqChannel::ZmqChannel(zmq::socket_t socket, std::string peer, double spin, IpcFile file)
+    : socket_(std::move(socket)),
+      monitor_(watch(socket_)),
+      file_(std::move(file)),
+      peer_(std::move(peer)),
+      spin_(spin) {}
 
 /// ZeroMQ's own thread would wait for ever to tell of an event that nobody listens to any more.
 ZmqChannel::~ZmqChannel() { ::zmq_socket_monitor(socket_.handle(), nullptr, 0); }

@@ -4,6 +4,7 @@
 #include <string>
 #include <zmq.hpp>
 
+#include "ipc_file.hpp"
 #include "tandem/zeromq/zeromq.hpp"
 
 namespace tandem::zeromq {
@@ -26,7 +27,8 @@ bool readable(zmq::socket_t& socket, int milliseconds);
 /// The frames of one session, over a socket with one peer.
 class ZmqChannel final : public wire::Channel {
  public:
-  ZmqChannel(zmq::socket_t socket, std::string peer, double spin);
+  /// file: of a socket that listens.
+  ZmqChannel(zmq::socket_t socket, std::string peer, double spin, IpcFile file = IpcFile());
   ~ZmqChannel() override;
   ZmqChannel(const ZmqChannel&) = delete;
   ZmqChannel& operator=(const ZmqChannel&) = delete;
@@ -46,6 +48,7 @@ class ZmqChannel final : public wire::Channel {
   bool lost();
 
   zmq::socket_t socket_, monitor_;
+  IpcFile file_;
   std::string peer_;
   double spin_;
   int timeout_ = -1;  ///< of a receiving call, as the socket knows it [ms]

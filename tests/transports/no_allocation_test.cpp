@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// Exchanges with a server allocate nothing once the run has settled, on either side. Sockets only: OpenSSL
+// allocates within itself for each record, libzmq for each message.
+#include <gtest/gtest.h>
+
+#include "counted_malloc.hpp"
+#include "run_bench.hpp"
+#include "scratch.hpp"
+#include "served.hpp"
+
+#if TANDEM_OWN_MALLOC
+namespace tandem::test {
+namespace {
+
+/// Allocations of both sides in 5000 rounds of the two masses, the slow one from a server.
+std::int64_t allocations_with(const std::string& slow_uri, const char* schedule, const char* ratio) {
+  const auto fast = open(std::string("builtin:two_mass.fast") + ratio, all_sources());
+  const auto slow = open(slow_uri, all_sources());
+  RunBench bench;
+  bench.add("fast", *fast).add("slow", *slow).schedule(schedule);
+  bench.connect("slow.x2", "fast.x2", "lagrange3").connect("fast.x1", "slow.x1", "lagrange3");
+  Coordinator& run = bench.make(1e9);
+  run.initialize();
+  for (int k = 0; k < 300; ++k) run.round();
+  allocations = 0;
+  counting = true;
+  for (int k = 0; k < 5000; ++k) run.round();
+  counting = false;
+  return allocations;
+}
+
+void allocates_nothing(const std::string& address) {
+  const Served server(listen(address, {}), source("builtin:two_mass.slow"));
+  for (const char* schedule : {"slowest-first", "fastest-first", "parallel"}) {
+    const char* ratio = "?frequency_ratio=30.7";
+    EXPECT_EQ(allocations_with(server.address() + ratio, schedule, ratio), 0) << address << ", " << schedule;
+  }
+}
+
+TEST(NoAllocationOver, Sockets) {
+  const Scratch folder;
+  allocates_nothing("tcp://127.0.0.1:0");
+  allocates_nothing("unix:" + (folder.path() / "socket").string());
+}
+
+}  // namespace
+}  // namespace tandem::test
+#endif
