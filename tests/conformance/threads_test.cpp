@@ -39,10 +39,25 @@ TEST(Threads, GiveTheSameBitsWhateverTheirNumber) {
   }
 }
 
+/// Each loop of a small linkage, and no loop of a large one.
+TEST(Threads, GiveTheSameBitsFromWhateverSizeOn) {
+  if (!threads_are_built_in()) GTEST_SKIP() << "built without OpenMP";
+  for (const auto& [loops, from] : {std::pair(30, 1), {30, 50}, {2100, 100000}}) {
+    Mechanism linkage(read_mechanism("linkage", four_bar::text(loops)));
+    const State alone = after_five_steps(linkage, {.penalty = 1e8});
+    const State shared = after_five_steps(linkage, {.penalty = 1e8, .threads = 3, .threads_from = from});
+    EXPECT_EQ(shared.q, alone.q) << loops << " " << from;
+    EXPECT_EQ(shared.v, alone.v) << loops << " " << from;
+    EXPECT_EQ(shared.lambda, alone.lambda) << loops << " " << from;
+  }
+}
+
 TEST(Threads, AreAtLeastOne) {
   Mechanism linkage(read_mechanism("linkage", four_bar::text(1)));
   EXPECT_TRUE(
       test::refuses(ErrorCode::invalid_argument, {"threads", "0"}, [&] { Index3(linkage, {.threads = 0}); }));
+  EXPECT_TRUE(test::refuses(ErrorCode::invalid_argument, {"threads_from", "0"},
+                            [&] { Index3(linkage, {.threads_from = 0}); }));
 }
 
 }  // namespace

@@ -54,6 +54,20 @@ TEST(RunCommand, RunsEveryMechanismOfTheRepository) {
   }
 }
 
+/// Bricard's mechanism has one equation that the others imply; the planar linkage has none.
+TEST(RunCommand, TellsWhichEquationsAreRedundant) {
+  const Scratch folder;
+  const auto notes = [&](const std::string& name) {
+    const Said said =
+        tandem(folder, {"run", mechanism_file(name), "--set", "run.stop=0.01", "--output", name});
+    EXPECT_EQ(said.status, 0) << said.err;
+    return test::read_text(folder.path() / name / "results.json");
+  };
+  const std::string bricard = notes("bricard");
+  EXPECT_NE(bricard.find("mechanism 'bricard' has 1 redundant equation: body rod"), std::string::npos);
+  EXPECT_EQ(notes("four_bar").find("redundant"), std::string::npos);
+}
+
 TEST(RunCommand, AForceComesFromADataFile) {
   const Scratch folder;
   folder.write("push.csv", "time,F\n0,0\n0.5,4\n1,0\n");
@@ -111,6 +125,7 @@ TEST(RunCommand, RefusesWhatAMechanismCanNotDo) {
       {{"--set", "run.most_iterations=2.5"}, {"'most_iterations' is 2.5", "whole number"}},
       {{"--set", "run.most_iterations=3000000000"}, {"3000000000", "from 1 to 1000000000"}},
       {{"--set", "run.threads=257"}, {"'threads' is 257", "from 1 to 256"}},
+      {{"--set", "run.threads_from=0"}, {"'threads_from' is 0", "a whole number from 1"}},
       {{"--set", "run.penalty=0"}, {"'penalty' is 0", "above 0, or to leave it out"}},
       {{"--set", "run.step=1000"}, {"run.step is the number 1000", "from run.start to run.stop"}},
       {{"--set", "gravity=3"}, {"run.KEY"}},

@@ -31,6 +31,7 @@ const Index3Settings& checked(const Index3Settings& s) {
   setting("projections", s.projections).count();
   setting("multiplier_iterations", s.multiplier_iterations).count();
   setting("threads", s.threads).count();
+  setting("threads_from", s.threads_from).count();
   if (s.threads > 1 && !threads_are_built_in())
     throw Error(ErrorCode::not_supported,
                 fmt::format("index-3 formulation: threads is {}; allowed is 1, as this tandem was built "
@@ -87,7 +88,7 @@ bool Index3::settle(State& s, int most) {
 
 void Index3::refresh(State& s) {
   const FlushDenormals scope;
-  const Team team(settings_.threads);
+  const Team team(settings_.threads, settings_.threads_from);
   terms_.model.at_time(s.time);
   terms_.constraints(s);
   if (weight_ == 0.0 || !settle(s, most_substitutions)) settle_anew(s);
@@ -95,7 +96,7 @@ void Index3::refresh(State& s) {
 
 int Index3::step(State& s, double h, double t_end) {
   const FlushDenormals scope;
-  const Team team(settings_.threads);
+  const Team team(settings_.threads, settings_.threads_from);
   penalty_ = penalty(h);
   predict(s, h, t_end);
   for (int iteration = 1; iteration <= settings_.most_iterations; ++iteration) {

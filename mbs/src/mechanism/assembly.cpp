@@ -12,6 +12,7 @@
 #include "distance_set.hpp"
 #include "equations.hpp"
 #include "force_set.hpp"
+#include "refuse.hpp"
 #include "tandem/mbs/mechanism/body_mass.hpp"
 #include "tandem/mbs/mechanism/mechanism.hpp"
 
@@ -137,6 +138,17 @@ double length_of(const Description& in, const std::vector<ScalarProduct>& produc
   return length > 0.0 ? length : 1.0;
 }
 
+/// A condition of fixed points and vectors alone holds or not, whatever moves.
+void refuse_constant(const Structure& s) {
+  for (int c = 0; c < s.constraints; ++c)
+    if (s.jacobian.starts()[c] == s.jacobian.starts()[c + 1])
+      refuse(
+          s.constraint_places[static_cast<std::size_t>(c)],
+          "constraint '" + s.constraint_names[static_cast<std::size_t>(c)] +
+              "' is of points and vectors that are fixed, all of them, so it holds nothing; allowed is one "
+              "with a point, vector or coordinate that moves");
+}
+
 bool points_alone(const Description& in) {
   const auto turns = [](const Entity& e) { return e.kind == Entity::Kind::vector && !e.fixed; };
   return in.relatives.empty() && std::none_of(in.entities.begin(), in.entities.end(), turns);
@@ -229,6 +241,7 @@ void Mechanism::place_constraints() {
       for (const int c : set->coordinates(e))
         c < n ? variable.emplace_back(c, equation) : fixed.emplace_back(c - n, equation);
   structure_.jacobian = Pattern(n, m, std::move(variable));
+  refuse_constant(structure_);
   fixed_jacobian_ = Pattern(structure_.coordinates - n, m, std::move(fixed));
   structure_.jacobian_extra = fixed_jacobian_.size();
   int first = 0;

@@ -12,6 +12,8 @@
 namespace tandem::mbs {
 namespace {
 
+constexpr int worth_colouring = 4000;  ///< columns: sums stand in another order with colours
+
 /// By (row, column) below the diagonal the positions of a layout that hold it.
 class Lower {
  public:
@@ -59,9 +61,10 @@ std::vector<int> colours(const Pattern& a) {
 
 }  // namespace
 
-RankUpdate::RankUpdate(const Pattern& a, std::span<const std::pair<int, int>> target) : size_(target.size()) {
+RankUpdate::RankUpdate(const Pattern& a, std::span<const std::pair<int, int>> target)
+    : size_(target.size()), coloured_(a.columns() >= worth_colouring) {
   const Lower lower(a.rows(), target);
-  const auto colour = a.columns() < worth_sharing ? std::vector<int>(a.columns()) : colours(a);
+  const auto colour = coloured_ ? colours(a) : std::vector<int>(a.columns());
   std::map<std::pair<std::size_t, int>, std::vector<int>> groups;
   for (int c = 0; c < a.columns(); ++c) groups[{rows_of(a, c).size(), colour[c]}].push_back(c);
   for (const auto& [kind, columns] : groups) {
@@ -107,11 +110,12 @@ void RankUpdate::run(const double* a, double factor, const double* base, double*
   const std::int32_t *start = starts_.data(), *target = targets_.data();
   for (const Group& group : groups_) {
     const std::size_t products = group.entries * (group.entries + 1) / 2;
-    share(group.columns, [=](int first, int last) {
+    const auto add_columns = [=](int first, int last) {
       with_count(group.entries, [=](auto entries) {
         add(entries, {start + first, start + last}, target + products * first, a, factor, result);
       });
-    });
+    };
+    coloured_ ? share(group.columns, add_columns) : add_columns(0, group.columns);
     start += group.columns;
     target += products * group.columns;
   }

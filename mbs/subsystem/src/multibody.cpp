@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "check_step.hpp"
+#include "tandem/mbs/mechanism/freedom.hpp"
 #include "tandem/mbs/mechanism/initial.hpp"
 
 namespace tandem::mbs {
@@ -111,6 +112,18 @@ void Multibody::hide_unknown(double* y) const {
   }
 }
 
+/// No gradient depends on inputs; signals of the last call are gone.
+std::vector<std::string> Multibody::redundant_equations() const {
+  Mechanism& m = machine_->mechanism;
+  m.set_inputs(nullptr);
+  const Freedom found = freedom(m, moving_.state());
+  m.set_inputs(&machine_->inputs);
+  std::vector<std::string> names;
+  for (const int c : found.redundant)
+    names.push_back(m.structure().constraint_names[static_cast<std::size_t>(c)]);
+  return names;
+}
+
 void Multibody::write(ByteWriter& to) const {
   moving_.write(to);
   for (const InputValue& input : inputs_)
@@ -126,6 +139,11 @@ void Multibody::read(ByteReader& from) {
 
 std::unique_ptr<Subsystem> make_subsystem(Description description, const SubsystemSettings& settings) {
   return std::make_unique<FixedStep<Multibody>>(Multibody(std::move(description), settings));
+}
+
+std::vector<std::string> redundant_equations(const Subsystem& subsystem) {
+  const auto* mechanism = dynamic_cast<const FixedStep<Multibody>*>(&subsystem);
+  return mechanism ? mechanism->model().redundant_equations() : std::vector<std::string>{};
 }
 
 }  // namespace tandem::mbs

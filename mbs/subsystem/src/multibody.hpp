@@ -2,6 +2,7 @@
 #pragma once
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "moving_state.hpp"
@@ -22,6 +23,7 @@ class Multibody {
   void start(double t, std::span<const double> u0);
   void step(const OwnStep& s, std::span<const Signal> u);
   void outputs(double* y) const;
+  std::vector<std::string> redundant_equations() const;
   void write(ByteWriter& to) const;
   void read(ByteReader& from);
 

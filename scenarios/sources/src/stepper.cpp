@@ -40,6 +40,7 @@ void take(Parameters& p, mbs::Index3Settings& s) {
   s.carry_multipliers = p.flag("carry_multipliers", s.carry_multipliers);
   s.solver = p.text("solver", s.solver);
   s.threads = whole(p, "threads", s.threads, 256);
+  s.threads_from = whole(p, "threads_from", s.threads_from);
 }
 
 template <class Stabilized>

@@ -170,7 +170,7 @@ class Run {
   }
 
   void tell_notes() const {
-    for (const std::string& note : assembly_.coordinator().notes()) spdlog::info("note: {}", note);
+    for (const std::string& note : assembly_.notes()) spdlog::info("note: {}", note);
     for (const std::string& note : recorder_->notes()) spdlog::info("note: {}", note);
   }
 

@@ -21,7 +21,7 @@ void validate(const ValidateOptions& options, const Context& context) {
     scenario::located(scenario.reference->place, [&] { text::TimeTable::read(scenario.reference->file); });
   assembly.initialize();
   fmt::print("{}: ok\n", options.file);
-  for (const std::string& note : assembly.coordinator().notes()) fmt::print("note: {}\n", note);
+  for (const std::string& note : assembly.notes()) fmt::print("note: {}\n", note);
   for (const std::string& line : scenario::advice(assembly.coordinator())) fmt::print("advice: {}\n", line);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "tandem/error.hpp"
+#include "tandem/mbs/subsystem.hpp"
 #include "tandem/nearest.hpp"
 
 namespace tandem::scenario {
@@ -102,6 +103,17 @@ std::unique_ptr<Recorder> Assembly::recorder(const std::filesystem::path& direct
 void Assembly::initialize() {
   located([&](const std::string& sentence) { return scenario_.place_named_in(sentence); },
           [&] { coordinator_->initialize(); });
+  redundant_.clear();
+  for (int i = 0; i < topology_.size(); ++i)
+    if (const auto names = mbs::redundant_equations(subsystem(i)); !names.empty())
+      redundant_.push_back("mechanism '" + topology_.name(i) + "' has " + std::to_string(names.size()) +
+                           " redundant equation" + (names.size() > 1 ? "s" : "") + ": " + listed(names));
+}
+
+std::vector<std::string> Assembly::notes() const {
+  std::vector<std::string> all = coordinator_->notes();
+  all.insert(all.end(), redundant_.begin(), redundant_.end());
+  return all;
 }
 
 std::string with_address(const Scenario& scenario, const Builtins& builtins, std::string sentence) {

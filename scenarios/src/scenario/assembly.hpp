@@ -26,6 +26,8 @@ class Assembly {
   std::unique_ptr<Recorder> recorder(const std::filesystem::path& directory) const;
   /// Coordinator::initialize.
   void initialize();
+  /// The coordinator's, and equations of mechanisms that are redundant where they started.
+  std::vector<std::string> notes() const;
 
   /// One subsystem alone; throws Error that names the place of what is to blame.
   static std::unique_ptr<Subsystem> opened(const SubsystemEntry& entry, const Builtins& builtins);
@@ -40,6 +42,7 @@ class Assembly {
   std::vector<std::unique_ptr<Subsystem>> subsystems_;
   Topology topology_;
   std::unique_ptr<Coordinator> coordinator_;
+  std::vector<std::string> redundant_;
 };
 
 /// A sentence about a subsystem that lives elsewhere, with its address if that is not in it yet.

@@ -55,7 +55,7 @@ Json results_of(const Scenario& scenario, const Assembly& assembly, const Record
     interpolation[column.name] = Recorder::name(column.fill);
   }
   for (const auto& file : recorder.files()) files.push_back(file.filename().string());
-  for (const auto& note : assembly.coordinator().notes()) notes.push_back(note);
+  for (const auto& note : assembly.notes()) notes.push_back(note);
   for (const auto& note : recorder.notes()) notes.push_back(note);
   return {{"status", end.status},
           {"message", end.message},

@@ -36,6 +36,14 @@ TEST(SolverMapChart, ShadesWhereAutoIsSlower) {
   EXPECT_TRUE(holds(chart_of(best + "positive definite,near,100,6,auto,1.30,1.30\n"), "$d1 << END\n100 6\n"));
 }
 
+TEST(SolverMapChart, FramesWhereTheRuleOfTheThesisIsSlower) {
+  const std::string best = "positive definite,near,100,6,band,1.00,1.00\n";
+  EXPECT_TRUE(
+      holds(chart_of(best + "positive definite,near,100,6,thesis,1.40,2.90\n"), "$d4 << END\nnan nan\n"));
+  EXPECT_TRUE(
+      holds(chart_of(best + "positive definite,near,100,6,thesis,1.60,2.90\n"), "$d4 << END\n100 6\n"));
+}
+
 TEST(SolverMapChart, RefusesATableWithoutRows) {
   EXPECT_TRUE(test::refuses(ErrorCode::input_output, {"solvers.csv", "no rows"}, [] { chart_of(""); }));
 }

@@ -21,6 +21,23 @@ TEST(Check, RefusesAMechanismInWhichNothingMoves) {
                         [&] { Mechanism(read_mechanism("m", fixed + more)); }));
 }
 
+/// Whether it holds as drawn or not.
+TEST(Check, RefusesAnEquationOfWhatIsFixedAlone) {
+  const std::string text =
+      "dimension = 2\n[points]\nO = { at = [0, 0], fixed = true }\nQ = { at = [2, 0], fixed = true }\n"
+      "P = { at = [1, 0] }\n[rods]\nr = { points = ['O', 'P'], mass = 1 }\n"
+      "[vectors]\ne = { at = [1, 0], fixed = true }\nf = { at = [1, 1], fixed = true }\n";
+  for (const auto& [more, name] :
+       {std::pair("[fixed_angles]\nx = { edges = ['e', 'f'] }\n", "fixed angle x"),
+        {"[products]\nx = { edges = ['e', 'f'] }\n", "product x"},
+        {"[products]\nx = { edges = ['e', ['O', 'Q']], value = 7 }\n", "product x"},
+        {"[distances]\nx = { points = ['O', 'Q'] }\n", "distance x"}})
+    EXPECT_TRUE(refuses(ErrorCode::invalid_argument,
+                        {"m:12: constraint '" + std::string(name) + "'", "fixed, all of them", "that moves"},
+                        [&, more = more] { Mechanism(read_mechanism("m", text + more)); }));
+  EXPECT_NO_THROW(Mechanism(read_mechanism("m", text + "[angles]\nx = { from = 'e', to = 'f' }\n")));
+}
+
 /// What holds a body in its place, wholly or in part; a drive does, a line without force does not.
 TEST(Check, RefusesWhatNothingHolds) {
   const std::string

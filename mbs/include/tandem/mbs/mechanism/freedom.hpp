@@ -13,8 +13,8 @@ struct Freedom {
   std::vector<int> redundant;  ///< constraints whose gradients depend on those of the others
 };
 
-/// By a QR decomposition of Phi_q^T that puts dependent columns last. At a singular position the rank is that
-/// of the position alone.
+/// By a QR decomposition of Phi_q^T that puts dependent columns last, where a Cholesky decomposition of
+/// Phi_q Phi_q^T leaves it open. At a singular position the rank is that of the position alone.
 Freedom freedom(Model& model, const State& state);
 
 }  // namespace tandem::mbs

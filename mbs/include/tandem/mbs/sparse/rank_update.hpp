@@ -12,9 +12,9 @@ namespace tandem::mbs {
 
 /// base + factor A A^T at given entries, A in compressed columns (Phi_q^T alpha Phi_q: A = Phi_q^T): a
 /// symmetric rank-k update, prepared as a list of where the products of each column with itself go
-/// (F. Gonzalez, doctoral thesis, A Coruna 2010, chapter 3). The columns of a large A are coloured: those of
-/// one colour have no row in common, so threads can share them, and sums are the same with any number of
-/// threads.
+/// (F. Gonzalez, doctoral thesis, A Coruna 2010, chapter 3). The columns of an A of 4000 or more are
+/// coloured: those of one colour have no row in common, so threads can share them, and sums are the same with
+/// any number of threads. Those of a smaller one are not shared.
 class RankUpdate {
  public:
   /// target: by position of the result the (row, column) it holds; (-1, -1) for none. Precondition: it has
@@ -40,6 +40,7 @@ class RankUpdate {
   std::vector<std::int32_t> targets_;  ///< of its products, those of each entry with itself and those before
   std::vector<Copy> copies_;
   std::size_t size_;  ///< of the result
+  bool coloured_;
 };
 
 }  // namespace tandem::mbs

@@ -36,6 +36,10 @@ struct SubsystemSettings {
 /// Throws Error for a step that is not finite and above 0, and for what Mechanism and make_stepper() refuse.
 std::unique_ptr<Subsystem> make_subsystem(Description description, const SubsystemSettings& settings);
 
+/// Constraints of a mechanism that say nothing beside its others where it stands (freedom.hpp), by name. None
+/// of a subsystem that is no mechanism in this process.
+std::vector<std::string> redundant_equations(const Subsystem& subsystem);
+
 /// A model that is no mechanism, and how it begins.
 struct NamedModel {
   std::string name;
