@@ -93,6 +93,16 @@ TEST(KartManoeuvres, ALoadBeyondTheTyresDataIsToldOnce) {
   EXPECT_EQ(count(run.said().err, "a tyre's load is beyond its data"), 1U) << run.said().err;
 }
 
+TEST(KartManoeuvres, ANegativeBrakeIsRefusedWithItsValue) {
+  const Scratch folder;
+  const Said said = tandem(folder, {"run", kart_folder + "kerb.toml", "--output", "o", "--set",
+                                    "subsystems.kart.inputs.brake_front=-5"});
+  EXPECT_EQ(said.status, 2);
+  EXPECT_TRUE(contains(said.err, "'kart'") &&
+              contains(said.err, "brake of a front wheel is -5 N m; allowed is 0 or more"))
+      << said.err;
+}
+
 TEST(KartManoeuvres, AnUnknownLawOrOneOfAMechanismWithoutTyresIsRefused) {
   const Scratch folder;
   const Said law =

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "check_memory.hpp"
 #include "checks.hpp"
 #include "flush_denormals.hpp"
@@ -42,6 +44,20 @@ const Index3Settings& checked(const Index3Settings& s) {
 
 MatrixKind kind_of_tangent(const Structure& s) {
   return s.symmetric_forces ? MatrixKind::positive_definite : MatrixKind::unsymmetric;
+}
+
+/// After one substitution, by more of them with the factor at hand; false as soon as they, each leaving the
+/// part that the last one left, would be too many.
+bool goes_on_to_settle(Terms& terms, State& s, double weight) {
+  double before = terms.correction.norm();
+  for (int left = most_substitutions - 2; left >= 0; --left) {
+    if (terms.settle(s, terms.gamma, weight, settled, 1) > 0) return true;
+    const double change = terms.correction.norm();
+    const double allowed = settled * (s.a.norm() + terms.force.norm() / terms.largest_mass);
+    if (!(change * std::pow(change / before, left) <= allowed)) return false;
+    before = change;
+  }
+  return false;
 }
 
 }  // namespace
@@ -91,7 +107,7 @@ void Index3::refresh(State& s) {
   const Team team(settings_.threads, settings_.threads_from);
   terms_.model.at_time(s.time);
   terms_.constraints(s);
-  if (weight_ == 0.0 || !settle(s, most_substitutions)) settle_anew(s);
+  if (weight_ == 0.0 || !(settle(s, 1) || goes_on_to_settle(terms_, s, weight_))) settle_anew(s);
 }
 
 int Index3::step(State& s, double h, double t_end) {

@@ -55,6 +55,30 @@ std::string ranges(const std::vector<KartWork>& work) {
                      0.8 * std::max(low, 1e-6), 1.25 * high);
 }
 
+/// Panels in up to two columns, a single row with taller ones; legend above, caption below. Heights in
+/// pixels.
+class Sheet {
+ public:
+  explicit Sheet(std::size_t panels)
+      : columns_(panels > 1 ? 2 : 1), rows_((panels + 1) / 2), panel_(rows_ > 1 ? 270.0 : 420.0) {}
+  int height() const {
+    return static_cast<int>(above + below + panel_ * static_cast<double>(rows_) +
+                            between * static_cast<double>(rows_ - 1));
+  }
+  Box legend() const { return {0.03, 0.97, part(height() - 126.0), part(height() - 45.0)}; }
+  Box panel(std::size_t k) const {
+    const double left = k % 2 == 0 ? 0.07 : 0.56, width = columns_ > 1 ? 0.41 : 0.9,
+                 top = height() - above - (panel_ + between) * static_cast<double>(k / 2);
+    return {left, left + width, part(top - panel_), part(top)};
+  }
+
+ private:
+  static constexpr double above = 171.0, below = 117.0, between = 96.0;
+  double part(double pixels) const { return pixels / height(); }
+  std::size_t columns_, rows_;
+  double panel_;
+};
+
 void draw_level(Picture& picture, const std::vector<KartWork>& work, const std::string& level,
                 const std::vector<std::string>& schemes) {
   std::vector<Curve> curves;
@@ -88,19 +112,20 @@ Picture kart_work_chart(const std::vector<KartWork>& work, const std::vector<std
   if (work.empty()) throw Error(ErrorCode::input_output, "work.csv has no rows");
   const auto schemes = distinct(work, scheme_of);
   const auto levels = distinct(work, [](const KartWork& w) { return w.level; });
-  Picture picture("kart_work", 1300, 900);
+  const Sheet sheet(levels.size());
+  Picture picture("kart_work", 1300, sheet.height());
   picture.title(
       "The kart with its engine at 0.1 ms: difference of the pitch against the time of 10 s of motion");
   picture.caption(caption);
   std::vector<Curve> names;
   for (std::size_t k = 0; k < schemes.size(); ++k) names.push_back({"", look(k, schemes[k]), schemes[k]});
-  picture.legend({0.03, 0.97, 0.86, 0.95}, names, 3);
+  picture.legend(sheet.legend(), names, 3);
   picture.command(std::string(grid_command) + "; unset key; set logscale xy; set format xy '%g'");
+  picture.command("set xtics (0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100)");
   picture.command(ranges(work));
   picture.command("set xlabel 'time of a run [s]'; set ylabel 'largest difference [deg]'");
   for (std::size_t k = 0; k < levels.size(); ++k) {
-    const double left = k % 2 == 0 ? 0.07 : 0.56, bottom = k < 2 ? 0.51 : 0.13;
-    picture.panel({left, left + 0.41, bottom, bottom + 0.3});
+    picture.panel(sheet.panel(k));
     draw_level(picture, work, levels[k], schemes);
   }
   return picture;

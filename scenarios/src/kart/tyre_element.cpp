@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "kart/tyre_element.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <cmath>
 
@@ -141,13 +143,24 @@ class Tyre final : public mbs::ForceElement {
     return c;
   }
 
+  /// Interpolation of a brake that is let go may end a rounding below zero.
+  static constexpr double rounding = 1e-9;  // [N m]
+  [[noreturn]] void refuse_brake(double applied) const {
+    throw Error(
+        ErrorCode::numerical,
+        fmt::format("the brake of a {} wheel is {:.6g} N m; allowed is 0 or more (a brake holds either "
+                    "way of turning; an input that is extrapolated can overshoot)",
+                    data_.axle == Axle::front ? "front" : "rear", applied));
+  }
+
   void add_brake(const ElementState& at, Contact& c) const {
     const In lower(at.x + upright_), upper(at.x + upright_ + 3), lower_rate(at.v + upright_),
         upper_rate(at.v + upright_ + 3);
     const Vector across = In(at.x + 3).cross(upper - lower);
     c.lever = across / across.squaredNorm();
-    const double applied = at.u[ground_ ? 1 : 0],
-                 part = data_.gripping(c.spin - c.lever.dot(upper_rate - lower_rate));
+    const double applied = at.u[ground_ ? 1 : 0];
+    if (applied < -rounding) refuse_brake(applied);
+    const double part = data_.gripping(c.spin - c.lever.dot(upper_rate - lower_rate));
     c.brake = applied * part;
     c.biting = applied * data_.gripping_rate(part);
   }

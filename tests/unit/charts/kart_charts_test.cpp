@@ -65,6 +65,18 @@ TEST(KartCharts, ShowErrorAgainstTimeByLevelAndScheme) {
   EXPECT_TRUE(holds(picture, "spatial, failed or unstable: 2"));
 }
 
+TEST(KartCharts, FillTheSheetWithAsManyPanelsAsThereAreLevels) {
+  std::string rows;
+  const auto height_with = [&](const char* level) {
+    rows += std::string(level) + ",100,fastest-first,lagrange1,mean,0.01,0.5,ok\n";
+    return kart_work_chart(work_of(rows), {"c"}).height();
+  };
+  const double one = height_with("point"), two = height_with("plane"), three = height_with("spatial");
+  EXPECT_EQ(one, two);
+  EXPECT_LT(two, three);
+  EXPECT_EQ(three, height_with("spatial_scalar_spin"));
+}
+
 TEST(KartCharts, RefuseTablesWithoutRowsOrRuns) {
   EXPECT_TRUE(test::refuses(ErrorCode::input_output, {"work.csv", "no rows"},
                             [] { kart_work_chart(work_of(""), {"c"}); }));
