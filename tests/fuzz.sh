@@ -12,7 +12,8 @@ if [[ ! $runs =~ ^[1-9][0-9]*$ ]]; then
 fi
 
 mkdir -p "$folder"
-CC=clang-16 CXX=clang++-16 cmake -G Ninja -S tests/fuzz -B "$folder" -DCMAKE_BUILD_TYPE=RelWithDebInfo >"$folder/configure.log" 2>&1 ||
+CC=clang-16 CXX=clang++-16 cmake -G Ninja -S tests/fuzz -B "$folder" -DCMAKE_BUILD_TYPE=RelWithDebInfo \
+  -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=30 >"$folder/configure.log" 2>&1 ||
   { cat "$folder/configure.log" >&2 && exit 1; }
 cmake --build "$folder"
 python3 -B tests/fuzz/seeds.py "$folder/seeds"
