@@ -53,7 +53,7 @@ class EngineLinkageRuns {
 
   std::vector<Outcome> write_schemes(const char* name, const std::vector<Case>& cases) {
     std::vector<Outcome> outcomes(cases.size());
-    output::OrderedRows rows(settings_.output / name, engine_linkage::schemes_header, cases.size());
+    output::OrderedRows rows(settings_.output / name, engine_linkage::schemes_header);
     Progress progress("sweep", cases.size(), !context_.quiet);
     output::for_each_in_parallel(
         cases.size(), settings_.threads,
@@ -86,7 +86,7 @@ class EngineLinkageRuns {
 
   void write(const char* name, const char* header, std::size_t count, Progress& progress, std::size_t before,
              const std::function<std::string(std::size_t)>& row) {
-    output::OrderedRows rows(settings_.output / name, header, count);
+    output::OrderedRows rows(settings_.output / name, header);
     for (std::size_t i = 0; i < count && !InterruptGuard::interrupted(); ++i) {
       rows.set(i, row(i));
       progress.update(before + i + 1);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <deque>
 #include <iterator>
 
 #include "cli/interrupt.hpp"
@@ -10,15 +11,10 @@
 #include "kart/sweep.hpp"
 #include "output/conditions.hpp"
 #include "output/files.hpp"
+#include "output/ordered_rows.hpp"
 
 namespace tandem::cli {
 namespace {
-
-/// A table that grows row by row.
-struct Table {
-  const char* name;
-  std::string text;
-};
 
 class KartRuns {
  public:
@@ -28,32 +24,32 @@ class KartRuns {
         scene_{settings.scene, context.builtins},
         schemes_(kart::schemes()),
         levels_(settings.levels),
-        tables_{{"multirate.csv", std::string(kart::multirate_header) + "\n"},
-                {"schemes.csv", std::string(kart::schemes_header) + "\n"}},
         progress_("sweep", size(), !context.quiet) {
+    output::make_folder(settings_.output);
+    std::filesystem::remove(settings_.output / conditions_);
+    open("multirate.csv", kart::multirate_header);
+    open("schemes.csv", kart::schemes_header);
     if (settings.only_table) return;
-    tables_.push_back({"work.csv", std::string(kart::work_header) + "\n"});
-    tables_.push_back({"traces.csv", kart::traces_header() + "\n"});
+    open("work.csv", kart::work_header);
+    open("traces.csv", kart::traces_header());
   }
 
   void make() {
-    output::make_folder(settings_.output);
     for (const std::string& level : levels_) {
       kart::Judge judge(scene_, level);
       add_multirate(judge);
       add_schemes(judge);
       if (!settings_.only_table) add_work(judge);
     }
-    for (const Table& table : tables_) output::write_text(settings_.output / table.name, table.text);
     output::write_text(
-        settings_.output / "conditions.json",
+        settings_.output / conditions_,
         output::conditions({"both sides at 0.1 ms, fastest-first, speeds of degree 2, mean torque",
                             "largest difference of the pitch at the kart's steps",
-                            "one run (multirate, schemes), the least of 2 (work)"})
+                            "one run (multirate, schemes, and work from 2 s on), the least of 2 (work)"})
                 .dump(2) +
             "\n");
     if (context_.quiet) return;
-    for (const Table& table : tables_) fmt::print("wrote {}\n", (settings_.output / table.name).string());
+    for (const std::string& name : names_) fmt::print("wrote {}\n", (settings_.output / name).string());
   }
 
  private:
@@ -62,6 +58,11 @@ class KartRuns {
     const std::size_t work =
         settings_.only_table ? 0 : kart::work_schemes().size() * std::size(kart::work_ratios);
     return levels_.size() * (std::size(kart::ratios) + schemes_.size() + work);
+  }
+
+  void open(const std::string& name, const std::string& header) {
+    names_.push_back(name);
+    tables_.emplace_back(settings_.output / name, header);
   }
 
   void add_multirate(kart::Judge& judge) {
@@ -82,7 +83,10 @@ class KartRuns {
       extremes.add(scheme, o);
       add(1, kart::scheme_row(judge.level(), ratio, scheme, o));
     }
-    if (!settings_.only_table) tables_[3].text += kart::trace_rows(judge, extremes);
+    if (settings_.only_table) return;
+    std::string rows = kart::trace_rows(judge, extremes);
+    rows.pop_back();  // the last line's end
+    tables_[3].add(std::move(rows));
   }
 
   void add_work(kart::Judge& judge) {
@@ -91,17 +95,21 @@ class KartRuns {
   }
 
   void add(std::size_t table, const std::string& row) {
-    tables_[table].text += row + "\n";
-    if (InterruptGuard::interrupted()) throw RunFailed("interrupted; nothing more is written");
+    tables_[table].add(row);
     progress_.update(++done_);
+    if (InterruptGuard::interrupted())
+      throw RunFailed(fmt::format("interrupted; {} of {} rows are in the tables of {}", done_, size(),
+                                  settings_.output.string()));
   }
 
+  static constexpr const char* conditions_ = "conditions.json";  // there when all else is
   const KartSweep& settings_;
   const Context& context_;
   kart::Scene scene_;
   std::vector<kart::Scheme> schemes_;
   std::vector<std::string> levels_;
-  std::vector<Table> tables_;
+  std::vector<std::string> names_;
+  std::deque<output::OrderedRows> tables_;
   Progress progress_;
   std::size_t done_ = 0;
 };

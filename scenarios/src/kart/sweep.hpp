@@ -73,7 +73,7 @@ inline constexpr const char* schemes_header =
 std::string scheme_row(const std::string& level, int ratio, const Scheme& scheme, const Outcome& o);
 
 /// Speed against accuracy: the thesis' five rows and the better schemes, at these ratios. A row of work.csv:
-/// seconds are the least of two runs.
+/// seconds are the least of two runs, from 2 s on of one.
 inline constexpr int work_ratios[] = {5, 10, 20, 50, 100};
 std::vector<Scheme> work_schemes();
 inline constexpr const char* work_header =

@@ -8,15 +8,16 @@
 
 namespace tandem::output {
 
-OrderedRows::OrderedRows(const std::filesystem::path& file, const std::string& header, std::size_t count)
-    : path_(file), file_(file, std::ios::binary), rows_(count) {
+OrderedRows::OrderedRows(const std::filesystem::path& file, const std::string& header)
+    : path_(file), file_(file, std::ios::binary) {
   put(header);
 }
 
 void OrderedRows::set(std::size_t row, std::string text) {
   const std::lock_guard lock(mutex_);
-  rows_[row] = std::move(text);
-  for (; written_ < rows_.size() && rows_[written_]; ++written_) put(*rows_[written_]);
+  waiting_.emplace(row, std::move(text));
+  for (; !waiting_.empty() && waiting_.begin()->first == written_; ++written_)
+    put(waiting_.extract(waiting_.begin()).mapped());
 }
 
 std::size_t OrderedRows::written() const {

@@ -3,10 +3,9 @@
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <mutex>
-#include <optional>
 #include <string>
-#include <vector>
 
 namespace tandem::output {
 
@@ -15,9 +14,11 @@ namespace tandem::output {
 class OrderedRows {
  public:
   /// Throws Error(input_output) with path and reason, as set() does.
-  OrderedRows(const std::filesystem::path& file, const std::string& header, std::size_t count);
+  OrderedRows(const std::filesystem::path& file, const std::string& header);
 
   void set(std::size_t row, std::string text);
+  /// The next one, where all before it are there.
+  void add(std::string text) { set(written(), std::move(text)); }
   /// In the file.
   std::size_t written() const;
 
@@ -27,7 +28,7 @@ class OrderedRows {
   std::filesystem::path path_;
   std::ofstream file_;
   mutable std::mutex mutex_;
-  std::vector<std::optional<std::string>> rows_;
+  std::map<std::size_t, std::string> waiting_;
   std::size_t written_ = 0;
 };
 

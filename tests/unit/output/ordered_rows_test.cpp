@@ -13,7 +13,7 @@ namespace {
 TEST(OrderedRows, HasTheFirstOnesInTheFileAtOnce) {
   const test::Scratch folder;
   const auto file = folder.path() / "t.csv";
-  OrderedRows rows(file, "a,b", 4);
+  OrderedRows rows(file, "a,b");
   rows.set(1, "1,1");
   EXPECT_EQ(rows.written(), 0U);
   EXPECT_EQ(test::read_text(file), "a,b\n");
@@ -22,12 +22,13 @@ TEST(OrderedRows, HasTheFirstOnesInTheFileAtOnce) {
   EXPECT_EQ(test::read_text(file), "a,b\n0,0\n1,1\n");
   rows.set(3, "3,3");
   rows.set(2, "2,2");
-  EXPECT_EQ(test::read_text(file), "a,b\n0,0\n1,1\n2,2\n3,3\n");
+  rows.add("4,4");
+  EXPECT_EQ(test::read_text(file), "a,b\n0,0\n1,1\n2,2\n3,3\n4,4\n");
 }
 
 TEST(OrderedRows, KeepsTheOrderOfThreads) {
   const test::Scratch folder;
-  OrderedRows rows(folder.path() / "t.csv", "n", 1000);
+  OrderedRows rows(folder.path() / "t.csv", "n");
   for_each_in_parallel(
       1000, 4, [&](std::size_t i) { rows.set(i, std::to_string(i)); }, [](std::size_t) { return true; });
   std::string expected = "n\n";
@@ -38,10 +39,10 @@ TEST(OrderedRows, KeepsTheOrderOfThreads) {
 TEST(OrderedRows, RefusesAFolderThatIsNotThereAndAFullDisk) {
   const test::Scratch folder;
   EXPECT_TRUE(test::refuses(ErrorCode::input_output, {"none/t.csv' can't be written", "No such file"},
-                            [&] { OrderedRows(folder.path() / "none" / "t.csv", "a", 1); }));
+                            [&] { OrderedRows(folder.path() / "none" / "t.csv", "a"); }));
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
   EXPECT_TRUE(test::refuses(ErrorCode::input_output, {"'/dev/full' can't be written", "No space left"},
-                            [] { OrderedRows("/dev/full", "a", 1); }));
+                            [] { OrderedRows("/dev/full", "a"); }));
 }
 
 }  // namespace
