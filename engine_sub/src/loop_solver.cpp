@@ -113,17 +113,4 @@ void LoopSolver::solve(double* image) {
   if (!(largest(f) <= loop_.settings.tolerance)) refuse(largest(f));
 }
 
-/// In a few full steps; where they lead away the solution stays what it was.
-void LoopSolver::refine() {
-  double *const v = N_VGetArrayPointer(v_), *const f = N_VGetArrayPointer(f_);
-  const std::vector<double> before(v, v + size_);
-  KINSetFuncNormTol(memory_, std::numeric_limits<double>::epsilon());
-  KINSetNumMaxIters(memory_, 2);
-  KINSol(memory_, v_, KIN_NONE, scale_, scale_);
-  KINSetNumMaxIters(memory_, loop_.settings.most_iterations);
-  KINSetFuncNormTol(memory_, loop_.settings.tolerance);
-  evaluate(v, f);
-  if (!(largest(f) <= loop_.settings.tolerance)) evaluate(before.data(), f);
-}
-
 }  // namespace tandem::engine

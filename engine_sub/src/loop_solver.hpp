@@ -26,8 +26,6 @@ class LoopSolver {
   /// Leaves all signals of the loop as they are at its solution. Throws Error(numerical) that names the loop,
   /// the time and the residual where there is none.
   void solve(double* image);
-  /// The same solution, which solve() has just left, as near to rounding as Newton's method brings it.
-  void refine();
 
  private:
   static int residual(N_Vector v, N_Vector f, void* self);

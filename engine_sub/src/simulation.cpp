@@ -231,7 +231,7 @@ void Simulation::fire_crossings() {
       apply(c.updates);
       if (c.bound >= 0) leave(c);
     }
-    system_.evaluate(time_, true);
+    system_.evaluate(time_);
   }
   record(jump);
   integrator_->restart(system_, time_, Restart::event);

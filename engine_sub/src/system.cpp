@@ -11,6 +11,15 @@
 #include "loop_solver.hpp"
 
 namespace tandem::engine {
+namespace {
+
+/// A signal within so many tolerances of its loop counts as zero, which keeps its sign: the sign of an error
+/// would decide otherwise, in a saturation say that a loop holds at its limit. To SUNDIALS it counts as zero
+/// within twice as many, so that where SUNDIALS has found a change one is seen, though a loop is solved anew
+/// there.
+constexpr double within_errors = 10.0;
+
+}  // namespace
 
 double InputSource::begin_course(double) { return std::numeric_limits<double>::infinity(); }
 
@@ -21,16 +30,24 @@ System::System(const Program& program, InputSource* inputs)
 
 System::~System() = default;
 
-void System::run_with_loops(int first, int last, bool to_rounding) {
+void System::run_with_loops(int first, int last) {
   for (const auto& solver : loops_) {
     const Loop& loop = solver->loop();
     if (loop.first < first || loop.first >= last) continue;
     program_.run(image_.data(), first, loop.first);
     solver->solve(image_.data());
-    if (to_rounding) solver->refine();
     first = loop.last;
   }
   program_.run(image_.data(), first, last);
+}
+
+/// So many times what the tolerance of its loop leaves; 0 for one that follows from none.
+double System::band(const Crossing& crossing, double times) const {
+  if (crossing.loop < 0) return 0.0;
+  const Loop& loop = program_.loops[static_cast<std::size_t>(crossing.loop)];
+  double size = 1.0;
+  for (const int cut : loop.cuts) size = std::max(size, std::abs(image_[static_cast<std::size_t>(cut)]));
+  return times * loop.settings.tolerance * size;
 }
 
 double System::watched(int crossing) const {
@@ -39,10 +56,10 @@ double System::watched(int crossing) const {
 
 double System::watched_sign(int crossing) const {
   constexpr double smallest = 0x1p-511;  // SUNDIALS multiplies two of them
+  const Crossing& c = program_.crossings[static_cast<std::size_t>(crossing)];
   const double value = watched(crossing);
-  if (value != 0.0) return value;
-  const int sign = program_.crossings[static_cast<std::size_t>(crossing)].sign;
-  return smallest * image_[static_cast<std::size_t>(sign)];
+  if (std::abs(value) > band(c, 2.0 * within_errors)) return value;
+  return smallest * image_[static_cast<std::size_t>(c.sign)];
 }
 
 std::string System::not_finite() const {
@@ -60,7 +77,8 @@ std::string System::not_finite() const {
 int System::changed(int first) const {
   for (auto k = static_cast<std::size_t>(first); k < program_.crossings.size(); ++k) {
     const Crossing& c = program_.crossings[k];
-    if (image_[static_cast<std::size_t>(c.signal)] * image_[static_cast<std::size_t>(c.sign)] < 0.0)
+    const double value = image_[static_cast<std::size_t>(c.signal)];
+    if (value * image_[static_cast<std::size_t>(c.sign)] < 0.0 && std::abs(value) > band(c, within_errors))
       return static_cast<int>(k);
   }
   return -1;

@@ -135,6 +135,7 @@ class Writer {
       const auto guess = guesses_.find(d_.resolved(slot));
       if (guess != guesses_.end()) program_.image[cuts.back()] = guess->second;
     }
+    cuts_.push_back(sequence.cuts);
     program_.loops.push_back({begin, static_cast<int>(program_.operations.size()), std::move(cuts),
                               listed(blocks_of(d_, sequence.steps)), loops_});
   }
@@ -163,6 +164,15 @@ class Writer {
     }
   }
 
+  /// The last loop from which a signal follows at once; -1: none.
+  int loop_before(int signal) const {
+    if (cuts_.empty()) return -1;
+    const auto needed = needed_at_once(d_, {signal});
+    for (auto k = static_cast<int>(cuts_.size()) - 1; k >= 0; --k)
+      if (std::any_of(cuts_[k].begin(), cuts_[k].end(), [&](int cut) { return needed[cut]; })) return k;
+    return -1;
+  }
+
   std::vector<Update> moved(const std::vector<Update>& updates) const {
     std::vector<Update> all;
     for (const Update& u : updates)
@@ -177,8 +187,8 @@ class Writer {
       if (e.kind == Event::Kind::own_step)
         program_.step_updates.insert(program_.step_updates.end(), updates.begin(), updates.end());
       else if (e.kind == Event::Kind::crossing)
-        program_.crossings.push_back(
-            {at(e.signal), at(e.sign), e.direction, std::move(updates), e.block, e.sees_start, e.bound});
+        program_.crossings.push_back({at(e.signal), at(e.sign), e.direction, std::move(updates), e.block,
+                                      e.sees_start, e.bound, loop_before(e.signal)});
       else
         program_.periodics.push_back({e.period, e.offset, at(e.sign), std::move(updates), e.block});
     }
@@ -226,6 +236,7 @@ class Writer {
   std::vector<int> outputs_;
   std::vector<bool> alive_;
   std::vector<int> place_;
+  std::vector<std::vector<int>> cuts_;  ///< of each loop
   Program program_;
 };
 

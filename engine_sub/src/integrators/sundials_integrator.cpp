@@ -47,7 +47,8 @@ SundialsIntegrator::~SundialsIntegrator() {
   if (iteration_) SUNNonlinSolFree(iteration_);
   if (solver_) SUNLinSolFree(solver_);
   if (matrix_) SUNMatDestroy(matrix_);
-  if (x_) N_VDestroy(x_);
+  for (N_Vector vector : {x_, absolute_})
+    if (vector) N_VDestroy(vector);
   SUNContext_Free(&context_);
 }
 
@@ -72,6 +73,29 @@ int SundialsIntegrator::rates(double t, N_Vector x, N_Vector dx, void* self) {
   const std::string source = system.not_finite();
   if (!source.empty()) integrator.not_finite_ = fmt::format("; {} at t = {} s", source, t);
   return 1;
+}
+
+/// Forward differences, whose steps stand out of what algebraic loops leave as an error: by the root of their
+/// tolerance. Those of SUNDIALS stand out of rounding alone.
+int SundialsIntegrator::jacobian(double t, N_Vector at, N_Vector dx, SUNMatrix j, void* self, N_Vector rate,
+                                 N_Vector, N_Vector) {
+  SundialsIntegrator& integrator = *static_cast<SundialsIntegrator*>(self);
+  double *const x = N_VGetArrayPointer(at), *const f0 = N_VGetArrayPointer(dx);
+  const double *const f = N_VGetArrayPointer(rate), *const absolute =
+                                                        N_VGetArrayPointer(integrator.absolute_);
+  double tolerance = 0.0;
+  for (const Loop& loop : integrator.system_->program().loops)
+    tolerance = std::max(tolerance, loop.settings.tolerance);
+  for (int c = 0, n = integrator.system_->size(); c < n; ++c) {
+    const double before = x[c],
+                 size = std::abs(before) + absolute[c] / integrator.settings_.relative_tolerance;
+    x[c] = before + std::sqrt(tolerance) * size;
+    const int flag = rates(t, at, rate, self);
+    for (int r = 0; r < n; ++r) SM_ELEMENT_D(j, r, c) = (f[r] - f0[r]) / (x[c] - before);
+    x[c] = before;
+    if (flag != 0) return flag;
+  }
+  return 0;
 }
 
 int SundialsIntegrator::watch(double t, N_Vector x, double* g, void* self) {
@@ -146,13 +170,18 @@ void SundialsIntegrator::restart(System& system, double t, Restart why) {
 
 void SundialsIntegrator::set_tolerances() {
   const auto& names = system_->program().state_names;
-  N_Vector absolute = N_VClone(x_);
-  N_VConst(settings_.absolute_tolerance, absolute);
+  absolute_ = N_VClone(x_);
+  N_VConst(settings_.absolute_tolerance, absolute_);
   for (const auto& [state, tolerance] : settings_.absolute_tolerances)
-    N_VGetArrayPointer(absolute)[std::find(names.begin(), names.end(), state) - names.begin()] = tolerance;
-  const int flag = method_.set_tolerances(memory_, settings_.relative_tolerance, absolute);
-  N_VDestroy(absolute);
-  check(flag);
+    N_VGetArrayPointer(absolute_)[std::find(names.begin(), names.end(), state) - names.begin()] = tolerance;
+  check(method_.set_tolerances(memory_, settings_.relative_tolerance, absolute_));
+}
+
+void SundialsIntegrator::create_linear_solver() {
+  matrix_ = SUNDenseMatrix(system_->size(), system_->size(), context_);
+  solver_ = SUNLinSol_Dense(x_, matrix_, context_);
+  check(method_.set_linear_solver(memory_, solver_, matrix_));
+  if (!system_->program().loops.empty()) check(method_.set_jacobian(memory_, jacobian));
 }
 
 void SundialsIntegrator::create(double t) {
@@ -160,11 +189,7 @@ void SundialsIntegrator::create(double t) {
   check(method_.set_messages(memory_, take_message, this));
   check(method_.set_self(memory_, this));
   set_tolerances();
-  if (method_.set_linear_solver) {
-    matrix_ = SUNDenseMatrix(system_->size(), system_->size(), context_);
-    solver_ = SUNLinSol_Dense(x_, matrix_, context_);
-    check(method_.set_linear_solver(memory_, solver_, matrix_));
-  }
+  if (method_.set_linear_solver) create_linear_solver();
   if (method_.set_nonlinear_solver) {
     iteration_ = SUNNonlinSol_FixedPoint(x_, 0, context_);
     check(method_.set_nonlinear_solver(memory_, iteration_));

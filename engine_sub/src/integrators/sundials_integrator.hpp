@@ -19,6 +19,7 @@ namespace tandem::engine {
 struct SundialsMethod {
   using Rates = int (*)(double, N_Vector, N_Vector, void*);
   using Roots = int (*)(double, N_Vector, double*, void*);
+  using Jacobian = int (*)(double, N_Vector, N_Vector, SUNMatrix, void*, N_Vector, N_Vector, N_Vector);
   using Messages = void (*)(int, const char*, const char*, char*, void*);
   const char* name;
   void* (*create)(Rates rates, double t, N_Vector x, SUNContext context);
@@ -28,6 +29,8 @@ struct SundialsMethod {
   int (*set_tolerances)(void* memory, double relative, N_Vector absolute);
   /// Of Newton's method; null: none. Else that of a fixed-point iteration; null: explicit.
   int (*set_linear_solver)(void* memory, SUNLinearSolver solver, SUNMatrix matrix);
+  /// In place of SUNDIALS' own differences.
+  int (*set_jacobian)(void* memory, Jacobian jacobian);
   int (*set_nonlinear_solver)(void* memory, SUNNonlinearSolver solver);
   int (*set_longest_step)(void* memory, double step);
   int (*set_shortest_step)(void* memory, double step);
@@ -62,10 +65,13 @@ class SundialsIntegrator final : public Integrator {
 
  private:
   static int rates(double t, N_Vector x, N_Vector dx, void* self);
+  static int jacobian(double t, N_Vector x, N_Vector dx, SUNMatrix j, void* self, N_Vector, N_Vector,
+                      N_Vector);
   static int watch(double t, N_Vector x, double* g, void* self);
   static void take_message(int code, const char* module, const char* function, char* message, void* self);
 
   void create(double t);
+  void create_linear_solver();
   void set_tolerances();
   double first_step(Restart why) const;
   void step(double t_end);
@@ -77,7 +83,7 @@ class SundialsIntegrator final : public Integrator {
   const SundialsMethod& method_;
   AdaptiveSettings settings_;
   SUNContext context_ = nullptr;
-  N_Vector x_ = nullptr;
+  N_Vector x_ = nullptr, absolute_ = nullptr;  ///< the second: tolerances
   SUNMatrix matrix_ = nullptr;
   SUNLinearSolver solver_ = nullptr;
   SUNNonlinearSolver iteration_ = nullptr;

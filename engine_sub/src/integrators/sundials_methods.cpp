@@ -28,6 +28,7 @@ constexpr SundialsMethod cvode(const char* name) {
     all.set_nonlinear_solver = CVodeSetNonlinearSolver;
   else
     all.set_linear_solver = CVodeSetLinearSolver;
+  all.set_jacobian = CVodeSetJacFn;
   all.set_longest_step = CVodeSetMaxStep;
   all.set_shortest_step = CVodeSetMinStep;
   all.set_roots = CVodeRootInit;
@@ -82,6 +83,7 @@ constexpr SundialsMethod arkstep_method() {
     const int flag = ARKStepSetLinearSolver(m, solver, matrix);
     return flag < 0 ? flag : ARKStepSetNonlinCRDown(m, 1.0);
   };
+  all.set_jacobian = ARKStepSetJacFn;
   all.set_longest_step = ARKStepSetMaxStep;
   all.set_shortest_step = ARKStepSetMinStep;
   all.set_roots = ARKStepRootInit;

@@ -55,6 +55,7 @@ struct Crossing {
   std::string name;         ///< of its block
   bool sees_start = false;  ///< a signal above 0 at the start has risen there
   int bound = -1;           ///< of a signal that leaves its limits: which of Program::bounds
+  int loop = -1;  ///< of a signal that follows from an algebraic loop: the last such of Program::loops
 };
 
 /// What happens at offset + k period, k = 0, 1, ..

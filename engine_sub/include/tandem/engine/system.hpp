@@ -50,11 +50,10 @@ class System {
     for (const int slot : program_.rates) *dx++ = image_[static_cast<std::size_t>(slot)];
   }
   double begin_course(double t) { return inputs_->begin_course(t); }
-  /// Every signal at t, but for those that are needed at events alone. to_rounding: after an event, where a
-  /// signal that is zero within the tolerance of an algebraic loop would have the sign of its error.
-  void evaluate(double t, bool to_rounding = false) {
+  /// Every signal at t, but for those that are needed at events alone.
+  void evaluate(double t) {
     set_time(t);
-    run(0, program_.step_operations, to_rounding);
+    run(0, program_.step_operations);
   }
   /// These, after evaluate().
   void evaluate_updates() { run(program_.step_operations, static_cast<int>(program_.operations.size())); }
@@ -64,7 +63,8 @@ class System {
   }
 
   /// After evaluate(): the number of the first crossing from `first` on whose signal has another sign than it
-  /// was last seen with; -1 for none. A signal that is zero keeps its sign.
+  /// was last seen with; -1 for none. A signal that is zero keeps its sign, likewise one that follows from an
+  /// algebraic loop and is within its errors.
   int changed(int first = 0) const;
   /// "block 'f' (engine.toml:12) gives nan": the first that makes what is not finite out of what is; empty if
   /// there is none.
@@ -74,10 +74,11 @@ class System {
   double watched_sign(int crossing) const;
 
  private:
-  void run(int first, int last, bool to_rounding = false) {
-    loops_.empty() ? program_.run(image_.data(), first, last) : run_with_loops(first, last, to_rounding);
+  void run(int first, int last) {
+    loops_.empty() ? program_.run(image_.data(), first, last) : run_with_loops(first, last);
   }
-  void run_with_loops(int first, int last, bool to_rounding);
+  void run_with_loops(int first, int last);
+  double band(const Crossing& crossing, double times) const;
   void set_time(double t) {
     image_[static_cast<std::size_t>(program_.time)] = t;
     if (inputs_) inputs_->at(t, image_.data() + program_.time + 1);
