@@ -89,6 +89,8 @@ double LoopSolver::largest(const double* f) const {
 }
 
 void LoopSolver::refuse(double residual) const {
+  if (const std::string source = program_.not_finite(image_, loop_.first); !source.empty())
+    throw Error(ErrorCode::numerical, fmt::format("{} at t = {} s", source, image_[program_.time]));
   throw Error(
       ErrorCode::numerical,
       fmt::format(

@@ -1,6 +1,12 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "tandem/engine/program.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compile/sort.hpp"
 #include "functions.hpp"
 #include "past.hpp"
 
@@ -24,6 +30,17 @@ double beyond_dead_zone(double mode, double x, const double* limits) {
 double side(double x, const double* limits) { return x < limits[0] ? -1.0 : x > limits[1] ? 1.0 : 0.0; }
 
 }  // namespace
+
+std::string Program::not_finite(const double* image, int last) const {
+  const auto finite = [image](int slot) { return std::isfinite(image[slot]); };
+  for (int k = 0; k < last; ++k) {
+    const Operation& o = operations[static_cast<std::size_t>(k)];
+    const auto from = reads(o);
+    if (!finite(o.out) && std::all_of(from.begin(), from.end(), finite))
+      return fmt::format("{} gives {}", named(signal_blocks[static_cast<std::size_t>(o.out)]), image[o.out]);
+  }
+  return "";
+}
 
 std::string Program::named(const std::string& block) const {
   const auto place = places.find(block);

@@ -225,7 +225,7 @@ void Simulation::fire_crossings() {
     for (int k = system_.changed(); k >= 0; k = system_.changed(k + 1)) {
       const Crossing& c = system_.program().crossings[static_cast<std::size_t>(k)];
       const bool rises = before_[c.signal] > 0.0;
-      system_.image()[c.sign] = rises ? 1.0 : -1.0;
+      system_.image()[c.sign] = rises && !c.repeats ? 1.0 : -1.0;
       using enum Crossing::Direction;
       if (c.direction != both && (c.direction == rising) != rises) continue;
       apply(c.updates);

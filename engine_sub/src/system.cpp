@@ -1,13 +1,10 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "tandem/engine/system.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "compile/sort.hpp"
 #include "loop_solver.hpp"
 
 namespace tandem::engine {
@@ -60,18 +57,6 @@ double System::watched_sign(int crossing) const {
   const double value = watched(crossing);
   if (std::abs(value) > band(c, 2.0 * within_errors)) return value;
   return smallest * image_[static_cast<std::size_t>(c.sign)];
-}
-
-std::string System::not_finite() const {
-  const auto finite = [this](int slot) { return std::isfinite(image_[static_cast<std::size_t>(slot)]); };
-  for (const Operation& o : program_.operations) {
-    const auto from = reads(o);
-    if (!finite(o.out) && std::all_of(from.begin(), from.end(), finite))
-      return fmt::format("{} gives {}",
-                         program_.named(program_.signal_blocks[static_cast<std::size_t>(o.out)]),
-                         image_[static_cast<std::size_t>(o.out)]);
-  }
-  return "";
 }
 
 int System::changed(int first) const {

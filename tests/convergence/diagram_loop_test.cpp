@@ -140,6 +140,15 @@ TEST(Loop, WithoutASolutionIsASentence) {
   }));
 }
 
+TEST(Loop, ThatIsFedWithWhatIsNotANumberNamesWhoGivesIt) {
+  EXPECT_TRUE(refuses(ErrorCode::numerical, {"block 'b' (diagram:5) gives", "nan at t = 2 s"}, [] {
+    at_start(
+        "[blocks]\nlow = { kind = 'gain', input = 'time', gain = -1 }\n"
+        "b = { kind = 'function', function = 'sqrt', input = 'low' }\n"
+        "half = { kind = 'gain', input = 'y', gain = -0.5 }\ny = { kind = 'sum', inputs = ['b', 'half'] }\n");
+  }));
+}
+
 /// y = sqrt(1 - x), up to x = 1; each integrator says so in the loop's words.
 TEST_P(LoopByEach, ThatLosesItsSolutionOnTheWayIsASentence) {
   DiagramRun run(solve +

@@ -71,6 +71,7 @@ void passes(Lowering& to, Arguments& a) {
   to.start(count, larger(to, to.constant(a.number("first", 1.0)), next));
   const int beyond = to.sum({input, count}, {1.0, -every});
   const int event = to.crossing(beyond, Crossing::Direction::rising);
+  to.events[event].repeats = true;  // where the input jumps at the instant of another event
   to.update(event, count, larger(to, to.linear(1.0, 1.0, count), next));
   to.define("", beyond);
 }

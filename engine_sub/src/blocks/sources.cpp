@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "kinds.hpp"
+#include "made.hpp"
 
 namespace tandem::engine {
 namespace {
@@ -52,8 +53,10 @@ void check_values(Arguments& a, const std::vector<double>& values) {
 
 /// Straight lines through points of time; before the first and after the last its value.
 void piecewise_linear(Lowering& to, Arguments& a) {
-  Curve curve(a.owner(), a.numbers("times"), a.numbers("values"), Curve::Between::linear,
-              Curve::Beyond::hold);
+  Curve curve = made(a, [&] {
+    return Curve(a.owner(), a.numbers("times"), a.numbers("values"), Curve::Between::linear,
+                 Curve::Beyond::hold);
+  });
   check_values(a, a.numbers("values"));
   for (const double t : curve.x()) to.kink(t);
   to.define("", to.curve(std::move(curve), to.time()));

@@ -5,6 +5,7 @@
 
 #include "compile/refuse.hpp"
 #include "kinds.hpp"
+#include "made.hpp"
 #include "tandem/nearest.hpp"
 #include "tandem/text/time_table.hpp"
 
@@ -20,16 +21,6 @@ Curve::Between between(Arguments& a) {
 Beyond beyond(Arguments& a) {
   constexpr Beyond words[] = {Beyond::hold, Beyond::extend, Beyond::refuse};
   return words[a.word("beyond", {"hold", "extend", "refuse"})];
-}
-
-/// What Curve and Surface refuse, with the place.
-template <class Make>
-auto made(const Arguments& a, const Make& make) {
-  try {
-    return make();
-  } catch (const Error& error) {
-    refuse(a.where(), error.what());
-  }
 }
 
 /// A table of one variable.

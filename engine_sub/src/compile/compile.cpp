@@ -188,7 +188,7 @@ class Writer {
         program_.step_updates.insert(program_.step_updates.end(), updates.begin(), updates.end());
       else if (e.kind == Event::Kind::crossing)
         program_.crossings.push_back({at(e.signal), at(e.sign), e.direction, std::move(updates), e.block,
-                                      e.sees_start, e.bound, loop_before(e.signal)});
+                                      e.sees_start, e.repeats, e.bound, loop_before(e.signal)});
       else
         program_.periodics.push_back({e.period, e.offset, at(e.sign), std::move(updates), e.block});
     }

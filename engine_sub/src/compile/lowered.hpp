@@ -45,7 +45,7 @@ struct Event {
   double period = 0.0, offset = 0.0;
   std::vector<Update> updates = {};
   std::string block = {};
-  bool sees_start = false;
+  bool sees_start = false, repeats = false;
   int bound = -1;
 };
 

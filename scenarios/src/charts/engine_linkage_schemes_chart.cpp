@@ -112,7 +112,7 @@ Picture engine_linkage_errors_chart(const Work& work, const std::vector<std::str
 Picture engine_linkage_work_chart(const Work& work, double truth_seconds,
                                   const std::vector<std::string>& caption) {
   refuse_empty(work);
-  Picture picture("engine_linkage_work", 1000, 680);
+  Picture picture("engine_linkage_work", 1300, 740);
   picture.title("The linkage driven by the engine: error against the time of 30 s of motion");
   picture.caption(caption);
   std::vector<Curve> curves, names;
@@ -130,14 +130,14 @@ Picture engine_linkage_work_chart(const Work& work, double truth_seconds,
             {picture.data(points), fmt::format("with points {} ps 0.9 lc rgb '{}'", marks[k], f.colour)});
     }
   }
-  names.push_back({"", "with lines dt '-' lc rgb '#404040'", "the truth in one equation"});
+  names.push_back({"", "with lines dt 2 lw 1.6 lc rgb '#404040'", "the truth in one equation"});
   curves.push_back(
-      {picture.data({{truth_seconds, bottom}, {truth_seconds, top}}), "with lines dt '-' lc rgb '#404040'"});
-  picture.legend({0.04, 0.96, 0.83, 0.94}, names, 4);
+      {picture.data({{truth_seconds, bottom}, {truth_seconds, top}}), "with lines dt 2 lw 1.6 lc rgb '#404040'"});
+  picture.legend({0.04, 0.96, 0.82, 0.95}, names, 3);
   picture.command(std::string(grid_command) + "; unset key; set logscale xy; set format xy '%g'");
   picture.command(fmt::format("set yrange [{}:{}]", bottom, top));
   picture.command("set xlabel 'time of a run [s]'; set ylabel 'largest error of the speed [rad/s]'");
-  picture.panel({0.1, 0.97, 0.17, 0.81});
+  picture.panel({0.08, 0.97, 0.15, 0.8});
   picture.plot(curves);
   return picture;
 }

@@ -126,7 +126,7 @@ class Graph {
 };
 
 void print_graph(const Description& diagram, const std::vector<std::string>& left_out) {
-  fmt::print("digraph \"{}\" {{\n  rankdir=LR;\n  node [shape=box];\n", diagram.name);
+  fmt::print("digraph \"{}\" {{\n  rankdir=LR;\n  newrank=true;\n  node [shape=box];\n", diagram.name);
   for (const auto& input : diagram.inputs)
     fmt::print("  \"{}\" [shape=cds, label=\"{} [{}]\"];\n", input.name, input.name, input.unit);
   const Scope scope{diagram};

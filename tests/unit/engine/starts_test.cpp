@@ -68,6 +68,12 @@ TEST(Start, OfWhatPassesIsBehindWhatHasBeenPassed) {
                     count,
                 2.0),
             2.0);
+  // 4, then 5 at the instant of the jump to 8.3, one event; then 9 to 13
+  EXPECT_EQ(end("u = { kind = 'sum', inputs = ['s', 'r'] }\nr = { kind = 'ramp', slope = 10 }\n"
+                "s = { kind = 'step', time = 0.5, after = 3.3 }\n" +
+                    count,
+                1.0),
+            10.0);
 }
 
 }  // namespace

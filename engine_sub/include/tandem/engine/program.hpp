@@ -54,6 +54,7 @@ struct Crossing {
   std::vector<Update> updates;
   std::string name;         ///< of its block
   bool sees_start = false;  ///< a signal above 0 at the start has risen there
+  bool repeats = false;     ///< its updates make the signal fall; if it is above 0 even so, it rises again
   int bound = -1;           ///< of a signal that leaves its limits: which of Program::bounds
   int loop = -1;  ///< of a signal that follows from an algebraic loop: the last such of Program::loops
 };
@@ -130,6 +131,9 @@ struct Program {
 
   /// "block 'f' (engine.toml:12)".
   std::string named(const std::string& block) const;
+  /// "block 'f' (engine.toml:12) gives nan": the first operation before `last` that makes what is not finite
+  /// out of what is; empty if there is none.
+  std::string not_finite(const double* image, int last) const;
 
   /// Operations from `first` to before `last`, each once.
   void run(double* signals, int first, int last) const;

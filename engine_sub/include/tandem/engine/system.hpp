@@ -66,9 +66,9 @@ class System {
   /// was last seen with; -1 for none. A signal that is zero keeps its sign, likewise one that follows from an
   /// algebraic loop and is within its errors.
   int changed(int first = 0) const;
-  /// "block 'f' (engine.toml:12) gives nan": the first that makes what is not finite out of what is; empty if
-  /// there is none.
-  std::string not_finite() const;
+  std::string not_finite() const {
+    return program_.not_finite(image_.data(), static_cast<int>(program_.operations.size()));
+  }
   double watched(int crossing) const;
   /// The same, but for zero a number next to it of the sign that it keeps.
   double watched_sign(int crossing) const;
