@@ -106,7 +106,7 @@ TEST(RunCommand, RefusesWhatADiagramCanNotDo) {
       {fine, "step = 0.1, integrator = 'erkstep', 'absolute_tolerance.y' = 1e-3", "state 'y' is not there",
        2},
       {"x = { kind = 'gain', input = 'x', gain = 1 }", "step = 0.1", "algebraic loop", 2},
-      {"x = { kind = 'gain', input = 'y', gain = 1 }", "step = 0.1", "d.toml:4: signal 'y' is not there", 2},
+      {"x = { kind = 'gain', input = 'y', gain = 1 }", "step = 0.1", "d.toml:4: block 'x': signal 'y' is not there", 2},
       {"x = { kind = 'integrator', input = 'r' }\nr = { kind = 'function', function = 'log', input = 'x' }",
        "step = 0.1", "subsystem 'd' gave x (a derivative) not finite at t = 0 s", 2},
       {"x = { kind = 'integrator', input = 'r', initial = 1 }\nr = { kind = 'product', inputs = ['x', 'x', "

@@ -41,6 +41,26 @@ TEST(FileLibrary, GivesTheBitsOfTheFileInThisProcess) {
   }
 }
 
+/// 3 s of the kart, through its first throttle, with either side elsewhere.
+TEST(FileLibrary, OfTheKartsPowerTrainAndTheKartInAProcessGiveTheSameBits) {
+  const Scratch folder;
+  const std::string kart = TANDEM_SOURCE_DIR "/scenarios/kart/";
+  const auto results = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words = {"run", kart + "kart.toml", "--set", "span.stop=3", "--output", "o"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Said said = tandem(folder, words);
+    EXPECT_EQ(said.status, 0) << said.err;
+    return read_text(folder.path() / "o/results.csv");
+  };
+  const std::string here = results({});
+  EXPECT_EQ(
+      results({"--set", "subsystems.engine.source=lib:" TANDEM_FILE_LIBRARIES "/power_train_library.so"}),
+      here);
+  EXPECT_EQ(results({"--set", "subsystems.kart.source=spawn:" TANDEM_COMMAND " serve mechanism:" + kart +
+                                  "spatial_scalar_spin.toml"}),
+            here);
+}
+
 TEST(FileLibrary, GoesOnFromACheckpoint) {
   const Scratch folder;
   ASSERT_EQ(half_a_second(folder, {"--output", "here"}).status, 0);

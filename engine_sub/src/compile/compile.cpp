@@ -38,7 +38,8 @@ std::vector<std::string> known_signals(const Lowering& d, int scope) {
 void refuse_unknown_signals(const Lowering& d) {
   for (const Slot& s : d.signals)
     if (s.kind == Slot::Kind::unknown && s.same_as < 0)
-      refuse(s.where, unknown("signal", s.name, known_signals(d, s.scope)));
+      refuse(s.where, (s.user.empty() ? "" : "block '" + s.user + "': ") +
+                          unknown("signal", s.name, known_signals(d, s.scope)));
 }
 
 /// Gives slots their places in the image and writes the program.
@@ -248,13 +249,14 @@ void lower(const Block& block, Lowering& to) {
   for (const CompiledBlock& kind : to.kinds) known.push_back(kind.kind);
   if (std::find(known.begin(), known.end(), block.kind) == known.end())
     refuse(block.where, "block '" + to.full_name(block.name) + "': " + unknown("kind", block.kind, known));
-  to.begin(block);
+  const Block* const outside = to.begin(block);
   for (const BlockKind& kind : kinds())
     if (block.kind == kind.name) kind.lower(to, arguments);
   for (const CompiledBlock& kind : to.kinds)
     if (block.kind == kind.kind) lower_compiled(kind, to, arguments);
   arguments.refuse_unknown();
   keep_units(block, to);
+  to.end(outside);
 }
 
 void lower_contents(const Description& diagram, Lowering& to) {

@@ -21,6 +21,7 @@ struct Slot {
   int scope = 0;              ///< of a name
   int first = -1, count = 0;  ///< of those that it stands together with
   int size = 1;               ///< slots in the image
+  std::string user = {};  ///< of a name: the block that was the first to use it; empty: an output or a limit
 };
 
 /// The names of one diagram: of the whole, or of one that stands in a block.

@@ -21,10 +21,11 @@ Lowering::Lowering(const Description& diagram) : kinds(diagram.kinds), scopes_{{
   }
 }
 
-void Lowering::begin(const Block& block) {
-  block_ = &block;
+const Block* Lowering::begin(const Block& block) {
+  const Block* const outside = std::exchange(block_, &block);
   if (!block.diagram) blocks.push_back(full_name(block.name));
   places[full_name(block.name)] = block.where;
+  return outside;
 }
 
 Lowering::Outside Lowering::enter(const std::string& block, const Description& diagram, int trigger) {
@@ -55,6 +56,7 @@ int Lowering::named(const std::string& name, const std::string& where) {
   if (is_new) {
     signals.push_back({Slot::Kind::unknown, 0.0, full_name(name), "", where});
     signals.back().scope = scope_;
+    if (block_) signals.back().user = full_name(block_->name);
   }
   return it->second;
 }

@@ -16,7 +16,9 @@ class Lowering {
  public:
   explicit Lowering(const Description& diagram);
 
-  void begin(const Block& block);  ///< whose the signals and operations are that come next
+  /// Whose the signals and operations are that come next, until end() with what this gives.
+  const Block* begin(const Block& block);
+  void end(const Block* outside) { block_ = outside; }
   /// The block's name with those of the diagrams around it: "gearbox.clutch".
   std::string full_name(const std::string& block) const { return scopes_[scope_].prefix + block; }
   /// From here on names are those of a diagram in that block, until leave().

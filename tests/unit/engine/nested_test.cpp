@@ -70,7 +70,7 @@ TEST_F(Nested, AreNamedWithTheirBlockInMessages) {
                       [&] { compiled("[blocks]\nb = { kind = 'diagram', file = 'gone.toml' }\n"); }));
   folder.write("bad.toml",
                "[blocks]\nx = { kind = 'gain', input = 'q', gain = 2 }\n[outputs]\nx = { unit = '1' }\n");
-  EXPECT_TRUE(refused("file = 'bad.toml'", {"bad.toml:2", "signal 'b.q' is not there"}));
+  EXPECT_TRUE(refused("file = 'bad.toml'", {"bad.toml:2", "block 'b.", "signal 'b.q' is not there"}));
   folder.write("loop.toml",
                "[blocks]\nx = { kind = 'gain', input = 'x', gain = 2 }\n[outputs]\nx = { unit = '1' }\n");
   EXPECT_TRUE(refused("file = 'loop.toml'", {"algebraic loop", "b.x"}));
