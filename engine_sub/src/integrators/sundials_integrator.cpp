@@ -8,7 +8,6 @@
 #include <cmath>
 #include <limits>
 
-#include "finite.hpp"
 #include "tandem/error.hpp"
 #include "tandem/nearest.hpp"
 
@@ -69,7 +68,7 @@ int SundialsIntegrator::rates(double t, N_Vector x, N_Vector dx, void* self) {
   double* const d = N_VGetArrayPointer(dx);
   ++integrator.statistics_.rate_evaluations;
   if (!integrator.survives([&] { system.rates(t, d); })) return 1;
-  if (all_finite(d, system.size())) return 0;
+  if (std::all_of(d, d + system.size(), [](double r) { return std::isfinite(r); })) return 0;
   const std::string source = system.not_finite();
   if (!source.empty()) integrator.not_finite_ = fmt::format("; {} at t = {} s", source, t);
   return 1;
@@ -174,7 +173,9 @@ void SundialsIntegrator::set_tolerances() {
   N_VConst(settings_.absolute_tolerance, absolute_);
   for (const auto& [state, tolerance] : settings_.absolute_tolerances)
     N_VGetArrayPointer(absolute_)[std::find(names.begin(), names.end(), state) - names.begin()] = tolerance;
-  check(method_.set_tolerances(memory_, settings_.relative_tolerance, absolute_));
+  check(settings_.absolute_tolerances.empty()
+            ? method_.set_tolerances(memory_, settings_.relative_tolerance, settings_.absolute_tolerance)
+            : method_.set_tolerance_of_each(memory_, settings_.relative_tolerance, absolute_));
 }
 
 void SundialsIntegrator::create_linear_solver() {

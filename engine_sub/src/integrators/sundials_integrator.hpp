@@ -26,7 +26,9 @@ struct SundialsMethod {
   void (*free)(void** memory);
   int (*set_messages)(void* memory, Messages take, void* self);
   int (*set_self)(void* memory, void* self);
-  int (*set_tolerances)(void* memory, double relative, N_Vector absolute);
+  int (*set_tolerances)(void* memory, double relative, double absolute);
+  /// Slower with few states: a step of ERKStep with 2 by a tenth.
+  int (*set_tolerance_of_each)(void* memory, double relative, N_Vector absolute);
   /// Of Newton's method; null: none. Else that of a fixed-point iteration; null: explicit.
   int (*set_linear_solver)(void* memory, SUNLinearSolver solver, SUNMatrix matrix);
   /// In place of SUNDIALS' own differences.

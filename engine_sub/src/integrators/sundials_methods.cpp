@@ -23,7 +23,8 @@ constexpr SundialsMethod cvode(const char* name) {
   all.free = CVodeFree;
   all.set_messages = CVodeSetErrHandlerFn;
   all.set_self = CVodeSetUserData;
-  all.set_tolerances = CVodeSVtolerances;
+  all.set_tolerances = CVodeSStolerances;
+  all.set_tolerance_of_each = CVodeSVtolerances;
   if (method == CV_ADAMS)
     all.set_nonlinear_solver = CVodeSetNonlinearSolver;
   else
@@ -52,7 +53,8 @@ constexpr SundialsMethod erkstep_method(const char* name, bool fixed) {
   all.free = ERKStepFree;
   all.set_messages = ERKStepSetErrHandlerFn;
   all.set_self = ERKStepSetUserData;
-  all.set_tolerances = ERKStepSVtolerances;
+  all.set_tolerances = ERKStepSStolerances;
+  all.set_tolerance_of_each = ERKStepSVtolerances;
   all.set_longest_step = ERKStepSetMaxStep;
   all.set_shortest_step = ERKStepSetMinStep;
   all.set_roots = ERKStepRootInit;
@@ -76,7 +78,8 @@ constexpr SundialsMethod arkstep_method() {
   all.free = ARKStepFree;
   all.set_messages = ARKStepSetErrHandlerFn;
   all.set_self = ARKStepSetUserData;
-  all.set_tolerances = ARKStepSVtolerances;
+  all.set_tolerances = ARKStepSStolerances;
+  all.set_tolerance_of_each = ARKStepSVtolerances;
   // By default ARKStep takes the rate of convergence from steps before, which a step cut at a stop time does
   // not have: x' = 1 - x to 1e-9, stopped each 1/8 s, was wrong by 1e-5.
   all.set_linear_solver = [](void* m, SUNLinearSolver solver, SUNMatrix matrix) {
