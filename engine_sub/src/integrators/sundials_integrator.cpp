@@ -68,7 +68,7 @@ int SundialsIntegrator::rates(double t, N_Vector x, N_Vector dx, void* self) {
   double* const d = N_VGetArrayPointer(dx);
   ++integrator.statistics_.rate_evaluations;
   if (!integrator.survives([&] { system.rates(t, d); })) return 1;
-  if (std::all_of(d, d + system.size(), [](double r) { return std::isfinite(r); })) return 0;
+  if (std::all_of(d, d + system.size(), [](double rate) { return std::isfinite(rate); })) return 0;
   const std::string source = system.not_finite();
   if (!source.empty()) integrator.not_finite_ = fmt::format("; {} at t = {} s", source, t);
   return 1;
@@ -80,8 +80,8 @@ int SundialsIntegrator::jacobian(double t, N_Vector at, N_Vector dx, SUNMatrix j
                                  N_Vector, N_Vector) {
   SundialsIntegrator& integrator = *static_cast<SundialsIntegrator*>(self);
   double *const x = N_VGetArrayPointer(at), *const f0 = N_VGetArrayPointer(dx);
-  const double *const f = N_VGetArrayPointer(rate), *const absolute =
-                                                        N_VGetArrayPointer(integrator.absolute_);
+  const double* const f = N_VGetArrayPointer(rate);
+  const double* const absolute = N_VGetArrayPointer(integrator.absolute_);
   double tolerance = 0.0;
   for (const Loop& loop : integrator.system_->program().loops)
     tolerance = std::max(tolerance, loop.settings.tolerance);
