@@ -72,6 +72,10 @@ Picture elsewhere_chart(const Times& times, const std::vector<std::string>& capt
   const auto curves = curves_of(picture, times, *counts.begin());
   picture.legend({0.2, 0.8, 0.9, 0.93}, curves, static_cast<int>(curves.size()));
   picture.command(std::string(grid_command) + "; unset key; set logscale x; set format x '%g'");
+  const auto [least, most] = std::minmax_element(
+      times.begin(), times.end(),
+      [](const ElsewhereTime& a, const ElsewhereTime& b) { return a.seconds < b.seconds; });
+  picture.command(fmt::format("set xrange [{:g}:{:g}]", 0.5 * least->seconds, 1.9 * most->seconds));
   picture.command(fmt::format("set xlabel 'elapsed time [s]'; set yrange [0.4:{}]",
                               static_cast<double>(names.size()) + 0.6));
   double left = 0.1;
