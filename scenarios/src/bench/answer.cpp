@@ -14,9 +14,10 @@ namespace {
 std::int64_t row_size(const Shape& shape) { return Samples::header + shape.signals; }
 
 void append_rows(const Shape& shape, double end, tandem_samples& y) {
+  const double step = 1.0 / shape.samples;
   for (int k = shape.samples - 1; k >= 0; --k) {
     double* row = y.rows + y.stride * y.size++;
-    row[0] = end - static_cast<double>(k) / shape.samples;
+    row[0] = end - k * step;
     row[1] = 0.0;
     std::fill_n(row + Samples::header, shape.signals, 1.0);
   }
