@@ -69,7 +69,11 @@ Index3::Index3(Model& model, const Index3Settings& settings)
       terms_(model, settings.solver, kind_of_tangent(model.structure())),
       tolerance_(terms_.structure.tolerance(settings.tolerance, 1e-10)),
       penalty_(penalty(shortest)),
-      left_(Eigen::VectorXd::Zero(terms_.structure.constraints)) {}
+      left_(Eigen::VectorXd::Zero(terms_.structure.constraints)) {
+  if (settings_.beta < 0.25) highest_ = std::make_unique<MergedFrequency>(terms_);
+}
+
+Index3::~Index3() = default;
 
 /// What holds a constraint in a step is alpha h^2 beside the mass: by default it does not fall below that of
 /// a step of 1 ms.
@@ -134,7 +138,7 @@ int Index3::step(State& s, double h, double t_end) {
 }
 
 void Index3::refuse_unstable(const State& s, double h) {
-  if (steps_ % steps_between_checks == 0) frequency_ = merged_frequency(terms_, s, weight_ = penalty_);
+  if (steps_ % steps_between_checks == 0) frequency_ = highest_->at(s, weight_ = penalty_);
   ++steps_;
   mbs::refuse_unstable("index-3 formulation", settings_.beta, frequency_, s.time, h);
 }

@@ -6,39 +6,41 @@
 #include "tandem/mbs/integrators/frequency.hpp"
 
 namespace tandem::mbs {
-namespace {
 
 using Eigen::VectorXd;
 
-/// Phi_q^T x, Phi_q where s stands.
-VectorXd constraint_forces(Terms& terms, const State& s, const VectorXd& x) {
-  VectorXd y(terms.structure.variables);
-  terms.constraints(s);
-  terms.jacobian_rows.multiply(terms.matrices.jacobian.data(), x.data(), y.data());
-  return y;
+MergedFrequency::MergedFrequency(Terms& terms)
+    : terms_(terms),
+      stiffness_rows_(terms.structure.stiffness),
+      product_(terms.structure.variables),
+      force_(product_.size()) {}
+
+/// factor Phi_q^T lambda, where moved_ stands.
+void MergedFrequency::add_constraint_forces(double factor, VectorXd& to) {
+  terms_.constraints(moved_);
+  terms_.jacobian_rows.multiply(terms_.matrices.jacobian.data(), moved_.lambda.data(), force_.data());
+  to += factor * force_;
 }
 
 /// z <- (K + d(Phi_q^T lambda)/dq) z, the second part by central differences. K as factorize() left it.
-void multiply_stiffness(Terms& terms, const State& s, VectorXd& z) {
+void MergedFrequency::multiply_stiffness(const State& s, VectorXd& z) {
   const double reach = 1e-6 * (1.0 + s.q.norm());
-  State above = s, below = s;
-  above.q.head(z.size()) += reach * z;
-  below.q.head(z.size()) -= reach * z;
-  const VectorXd lambda = s.lambda / (2.0 * reach);
-  VectorXd product(z.size());
-  Rows(terms.structure.stiffness).multiply(terms.matrices.stiffness.data(), z.data(), product.data());
-  z = product + constraint_forces(terms, above, lambda) - constraint_forces(terms, below, lambda);
+  stiffness_rows_.multiply(terms_.matrices.stiffness.data(), z.data(), product_.data());
+  moved_.q.head(z.size()) = s.q.head(z.size()) + reach * z;
+  add_constraint_forces(0.5 / reach, product_);
+  moved_.q.head(z.size()) = s.q.head(z.size()) - reach * z;
+  add_constraint_forces(-0.5 / reach, product_);
+  z = product_;
 }
 
-}  // namespace
-
-double merged_frequency(Terms& terms, const State& s, double penalty) {
-  terms.model.at_time(s.time);
-  terms.constraints(s);
-  terms.factorize(s, {0.0, 0.0, penalty});
-  return std::sqrt(spectral_radius(terms.structure.variables, [&](VectorXd& z) {
-    multiply_stiffness(terms, s, z);
-    terms.solve(z);
+double MergedFrequency::at(const State& s, double penalty) {
+  moved_ = s;
+  terms_.model.at_time(s.time);
+  terms_.constraints(s);
+  terms_.factorize(s, {0.0, 0.0, penalty});
+  return std::sqrt(spectral_radius(terms_.structure.variables, [&](VectorXd& z) {
+    multiply_stiffness(s, z);
+    terms_.solve(z);
   }));
 }
 

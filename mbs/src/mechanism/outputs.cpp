@@ -6,6 +6,7 @@
 
 #include "element_set.hpp"
 #include "equations.hpp"
+#include "measurements.hpp"
 #include "parts.hpp"
 #include "tandem/mbs/mechanism/body_mass.hpp"
 
@@ -41,6 +42,7 @@ Outputs::Outputs(const Mechanism& mechanism)
     : mechanism_(mechanism),
       outputs_(mechanism.description().outputs),
       parts_(connected_parts(mechanism)),
+      measurements_(std::make_unique<Measurements>(mechanism)),
       reactions_(std::any_of(outputs_.begin(), outputs_.end(),
                              [](const Output& o) { return o.kind == Kind::reaction; })),
       phi_(mechanism.structure().constraints),
@@ -51,6 +53,8 @@ Outputs::Outputs(const Mechanism& mechanism)
   for (const Output& o : outputs_)
     supports_.push_back(o.kind != Kind::reaction ? Support{} : o.body >= 0 ? body_support(o) : support(o));
 }
+
+Outputs::~Outputs() = default;
 
 /// The rows of the body's own mass matrix, weight and equations.
 Outputs::Support Outputs::body_support(const Output& output) const {
@@ -121,7 +125,7 @@ std::string Outputs::unit(int output) const {
     case Kind::heading:
       return "rad";
     case Kind::quantity:
-      return quantity(o).unit;
+      return measurements_->unit(output);
     default:
       return "J";
   }
@@ -133,7 +137,7 @@ bool Outputs::depends(int output, int input) const {
   for (const Drive& drive : in.drives)
     if (drive.input == input && connected(output, parts_[mechanism_.numbering().of(drive.coordinate)]))
       return true;
-  if (o.kind == Kind::quantity) return quantity(o).follows_inputs && has_input(element(o), input);
+  if (o.kind == Kind::quantity) return measurements_->follows_inputs(output) && has_input(element(o), input);
   if (!depends_on_accelerations(o.kind)) return false;
   for (const NamedElement& e : in.elements)
     for (const Coordinate& c : e.force->coordinates())
@@ -146,10 +150,6 @@ bool Outputs::depends(int output, int input) const {
 
 const ForceElement& Outputs::element(const Output& o) const {
   return *mechanism_.description().elements[static_cast<std::size_t>(o.element)].force;
-}
-
-ForceElement::Quantity Outputs::quantity(const Output& o) const {
-  return element(o).quantities()[static_cast<std::size_t>(o.quantity)];
 }
 
 /// Energies and residuals are of all parts.
@@ -182,6 +182,7 @@ void Outputs::evaluate(const State& state, double* y) {
 }
 
 void Outputs::prepare(const State& s) {
+  measurements_->measure(s);
   if (has_residuals_) residuals_ = find_residuals_(mechanism_, s);
   if (!reactions_) return;
   mechanism_.constraints(s.q.data(), phi_.data(), jacobian_.data());
@@ -202,7 +203,7 @@ double Outputs::value(int number, const State& s) const {
     case Kind::heading:
       return angle(output, s);
     case Kind::quantity:
-      return measured(number, s.q.data(), s.v.data());
+      return measurements_->value(number);
     case Kind::drive_reaction:
       return -s.lambda[mechanism_.drive_equation(output.drive)];
     case Kind::reaction:
@@ -242,35 +243,18 @@ double Outputs::angle(const Output& output, const State& s) const {
   return level ? std::atan2(way[1], way[0]) : std::atan2(way[2], std::hypot(way[0], way[1]));
 }
 
-double Outputs::measured(int number, const double* q, const double* v) const {
-  const Output& output = outputs_[static_cast<std::size_t>(number)];
-  GatheredElement at(element(output), mechanism_.numbering());
-  std::vector<double> values(element(output).quantities().size());
-  element(output).measure(at.gather(q, v, mechanism_.inputs()), values.data());
-  return values[static_cast<std::size_t>(output.quantity)];
-}
-
-/// By a central difference along the motion, in which inputs stay as they are.
-double Outputs::measured_rate(int number, const State& s) const {
-  constexpr double by = 1e-5;  // [s]
-  const auto at = [&](double t) {
-    const Eigen::VectorXd q = s.q + t * s.v + 0.5 * t * t * s.a, v = s.v + t * s.a;
-    return measured(number, q.data(), v.data());
-  };
-  return (at(by) - at(-by)) / (2.0 * by);
-}
-
 int Outputs::derivatives(int output) const {
   const Output& o = outputs_[static_cast<std::size_t>(output)];
-  if (o.kind == Kind::quantity) return quantity(o).follows_inputs ? 0 : 1;
+  if (o.kind == Kind::quantity) return measurements_->follows_inputs(output) ? 0 : 1;
   return o.kind == Kind::position ? 2 : o.kind == Kind::velocity ? 1 : 0;
 }
 
-void Outputs::derivatives(const State& s, int order, double* dy) const {
+void Outputs::derivatives(const State& s, int order, double* dy) {
+  if (order == 1) measurements_->measure_rates(s);
   for (int k = 0; k < size(); ++k) {
     const Output& output = outputs_[static_cast<std::size_t>(k)];
     if (output.kind == Kind::quantity && derivatives(k) >= order) {
-      *dy++ = output.gain * measured_rate(k, s);
+      *dy++ = output.gain * measurements_->rate(k);
       continue;
     }
     *dy++ = derivatives(k) < order    ? 0.0

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "quadratic_set.hpp"
 
-#include <algorithm>
+#include <map>
 
 namespace tandem::mbs {
 
@@ -22,46 +22,49 @@ void Quadratic::add_product(const Forms& a, const Forms& b, double factor) {
   for (std::size_t k = 0; k < a.size(); ++k) add_product(a[k], b[k], factor);
 }
 
+/// What the derivative by each coordinate is, summed: c + sum h q_j.
 void QuadraticSet::add(const Quadratic& e) {
-  std::copy_if(e.linear.begin(), e.linear.end(), std::back_inserter(linear_),
-               [](const auto& term) { return term.c != 0.0; });
-  std::copy_if(e.products.begin(), e.products.end(), std::back_inserter(products_),
-               [](const auto& term) { return term.c != 0.0; });
-  equations_.push_back(
-      {e.constant, e.input, static_cast<int>(linear_.size()), static_cast<int>(products_.size())});
+  std::map<int, double> constants;
+  std::map<int, std::map<int, double>> slopes;
+  for (const auto& [c, i] : e.linear) constants[i] += c;
+  for (const auto& [c, i, j] : e.products) slopes[i][j] += c, slopes[j][i] += c;
+  for (const auto& [i, unused] : slopes) constants.try_emplace(i, 0.0);
+  for (const auto& [i, c] : constants) {
+    for (const auto& [j, h] : slopes[i])
+      if (h != 0.0) slopes_.push_back({h, j});
+    const auto end = static_cast<int>(slopes_.size());
+    if (c != 0.0 || end > (entries_.empty() ? 0 : entries_.back().slopes_end))
+      entries_.push_back({c, i, end});
+  }
+  equations_.push_back({e.constant, e.input, static_cast<int>(entries_.size())});
 }
 
-/// One for each linear term, then two for each product.
 std::vector<int> QuadraticSet::coordinates(int equation) const {
-  const Equation before = equation > 0 ? equations_[equation - 1] : Equation{};
   std::vector<int> list;
-  for (int k = before.linear_end; k < equations_[equation].linear_end; ++k) list.push_back(linear_[k].i);
-  for (int k = before.products_end; k < equations_[equation].products_end; ++k)
-    list.insert(list.end(), {products_[k].i, products_[k].j});
+  for (int k = equation > 0 ? equations_[equation - 1].entries_end : 0; k < equations_[equation].entries_end;
+       ++k)
+    list.push_back(entries_[k].i);
   return list;
 }
 
-/// A coordinate may occur in several terms of an equation, so entries add up.
+/// phi = constant + sum q_i (c_i + d phi / d q_i) / 2.
 void QuadraticSet::values(const double* q, double* phi, double* jacobian) const {
-  for (const int to : to_) jacobian[to] = 0.0;
   const int* to = to_.data();
-  const auto* l = linear_.data();
-  const auto* p = products_.data();
+  const Entry* entry = entries_.data();
+  const Slope* slope = slopes_.data();
   phi += first_;
   for (const Equation& e : equations_) {
-    double value = e.constant;
-    for (const auto* end = linear_.data() + e.linear_end; l < end; ++l) {
-      value += l->c * q[l->i];
-      jacobian[*to++] += l->c;
+    double twice = 0.0;
+    for (const Entry* end = entries_.data() + e.entries_end; entry < end; ++entry) {
+      double by = entry->c;
+      for (const Slope* last = slopes_.data() + entry->slopes_end; slope < last; ++slope)
+        by += slope->h * q[slope->j];
+      jacobian[*to++] = by;
+      twice += q[entry->i] * (entry->c + by);
     }
-    for (const auto* end = products_.data() + e.products_end; p < end; ++p, to += 2) {
-      const double a = p->c * q[p->i], b = q[p->j];
-      value += a * b;
-      jacobian[to[0]] += p->c * b;
-      jacobian[to[1]] += a;
-    }
-    if (e.input >= 0) value -= inputs_[static_cast<std::size_t>(e.input)].value;
-    *phi++ = value;
+    *phi = e.constant + 0.5 * twice;
+    if (e.input >= 0) *phi -= inputs_[static_cast<std::size_t>(e.input)].value;
+    ++phi;
   }
 }
 
@@ -74,12 +77,17 @@ void QuadraticSet::rates(double* phi_t) const {
 }
 
 void QuadraticSet::accelerations(const double*, const double* v, double* gamma) const {
-  const auto* p = products_.data();
+  const Entry* entry = entries_.data();
+  const Slope* slope = slopes_.data();
   gamma += first_;
   for (const Equation& e : equations_) {
     double value = 0.0;
-    for (const auto* end = products_.data() + e.products_end; p < end; ++p)
-      value += 2.0 * p->c * v[p->i] * v[p->j];
+    for (const Entry* end = entries_.data() + e.entries_end; entry < end; ++entry) {
+      double by = 0.0;
+      for (const Slope* last = slopes_.data() + entry->slopes_end; slope < last; ++slope)
+        by += slope->h * v[slope->j];
+      value += v[entry->i] * by;
+    }
     if (e.input >= 0) value -= inputs_[static_cast<std::size_t>(e.input)].acceleration;
     *gamma++ = value;
   }

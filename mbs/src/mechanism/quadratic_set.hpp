@@ -47,14 +47,22 @@ class QuadraticSet final : public ConstraintSet {
   void accelerations(const double* q, const double* v, double* gamma) const override;
 
  private:
+  struct Slope {
+    double h;
+    int j;
+  };
+  struct Entry {  ///< derivative by q_i: c + sum h q_j
+    double c;
+    int i, slopes_end;  ///< the second: into slopes_
+  };
   struct Equation {
     double constant;
-    int input, linear_end, products_end;  ///< the last two: into linear_ and products_
+    int input, entries_end;  ///< the last: into entries_
   };
   const std::vector<InputValue>& inputs_;
   std::vector<Equation> equations_;
-  std::vector<Quadratic::Linear> linear_;
-  std::vector<Quadratic::Product> products_;
+  std::vector<Entry> entries_;
+  std::vector<Slope> slopes_;
 };
 
 }  // namespace tandem::mbs

@@ -1,11 +1,14 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <memory>
 #include <string>
 
 #include "tandem/mbs/formulations/terms.hpp"
 #include "tandem/mbs/stepper.hpp"
 
 namespace tandem::mbs {
+
+class MergedFrequency;
 
 struct Index3Settings {
   /// alpha; 0: 1e7 times the largest mass term, and (1 ms / h)^2 times that for steps h below 1 ms
@@ -48,6 +51,7 @@ class Index3 final : public Stepper {
  public:
   /// `model` must outlive it. Throws Error for a setting that is not allowed.
   Index3(Model& model, const Index3Settings& settings);
+  ~Index3() override;
 
   /// By the augmented Lagrangian of index 1 (Terms::settle).
   void start(State& state) override;
@@ -83,10 +87,11 @@ class Index3 final : public Stepper {
 
   Index3Settings settings_;
   Terms terms_;
-  double tolerance_;        ///< [m]
-  double penalty_;          ///< of the last step
-  Eigen::VectorXd left_;    ///< Phi_q q'' + gamma after the last projection
-  double weight_ = 0.0;     ///< of Phi_q^T Phi_q in the tangent at hand; 0: there is none of use
+  double tolerance_;      ///< [m]
+  double penalty_;        ///< of the last step
+  Eigen::VectorXd left_;  ///< Phi_q q'' + gamma after the last projection
+  double weight_ = 0.0;   ///< of Phi_q^T Phi_q in the tangent at hand; 0: there is none of use
+  std::unique_ptr<MergedFrequency> highest_;  ///< with beta below 1/4
   double frequency_ = 0.0;  ///< the highest when it was looked at last, with beta below 1/4 [rad/s]
   long steps_ = 0;          ///< with beta below 1/4
 };

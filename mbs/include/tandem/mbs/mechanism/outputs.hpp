@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,11 +10,14 @@
 
 namespace tandem::mbs {
 
+class Measurements;
+
 /// Evaluates the outputs that a mechanism's description names.
 class Outputs {
  public:
   /// `mechanism` must outlive it.
   explicit Outputs(const Mechanism& mechanism);
+  ~Outputs();
 
   int size() const { return static_cast<int>(outputs_.size()); }
   const std::string& name(int output) const { return outputs_[static_cast<std::size_t>(output)].name; }
@@ -34,7 +38,7 @@ class Outputs {
   /// that don't follow an input at once, none of the others.
   int derivatives(int output) const;
   /// Those of one order, 1 or 2; 0 where there are none.
-  void derivatives(const State& state, int order, double* dy) const;
+  void derivatives(const State& state, int order, double* dy);
 
  private:
   /// A coordinate that does not move, or a body's, and what of M and of Phi_q belongs to it there.
@@ -54,14 +58,12 @@ class Outputs {
   double reaction(const Support& support, const State& state) const;
   bool connected(int output, int part) const;
   const ForceElement& element(const Output& output) const;
-  ForceElement::Quantity quantity(const Output& output) const;
   double angle(const Output& output, const State& state) const;
-  double measured(int output, const double* q, const double* v) const;
-  double measured_rate(int output, const State& state) const;
 
   const Mechanism& mechanism_;
   const std::vector<Output>& outputs_;
   std::vector<int> parts_;  ///< by coordinate, a number that connected ones share
+  std::unique_ptr<Measurements> measurements_;
   bool reactions_ = false, has_residuals_ = false;
   std::vector<Support> supports_;  ///< by output; of reactions
   Eigen::VectorXd phi_, force_;
