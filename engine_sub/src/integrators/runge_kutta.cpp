@@ -10,6 +10,7 @@ namespace {
 
 constexpr double exactness = 1e-12;  // of a step
 constexpr int most_trials = 200;     // halving alone needs 60
+constexpr double touch = 1e-150;  // where a signal is zero and has not changed yet: it may do so next to it
 
 /// Steps between which a signal changes its sign, with its values there.
 struct Bracket {
@@ -23,7 +24,8 @@ struct Bracket {
   }
   void raise(double h, double value) {
     if (raised) at_high *= 0.5;
-    low = h, at_low = value, raised = true, lowered = false;
+    const bool touches = value == 0.0 && std::abs(at_low) > touch;  // not twice: it may stay there
+    low = h, at_low = touches ? -std::copysign(touch, at_high) : value, raised = true, lowered = false;
   }
   void lower(double h, int by, double value) {
     at_low *= by != which ? 0.0 : lowered ? 0.5 : 1.0;

@@ -85,6 +85,7 @@ double Index3::penalty(double h) const {
 void Index3::start(State& s) {
   const FlushDenormals scope;
   steps_ = 0;
+  needs_own_ = false;
   left_.setZero();
   terms_.model.at_time(s.time);
   terms_.constraints(s);
@@ -111,7 +112,8 @@ void Index3::refresh(State& s) {
   const Team team(settings_.threads, settings_.threads_from);
   terms_.model.at_time(s.time);
   terms_.constraints(s);
-  if (weight_ == 0.0 || !(settle(s, 1) || goes_on_to_settle(terms_, s, weight_))) settle_anew(s);
+  if (!needs_own_ && weight_ > 0.0) needs_own_ = !settle(s, 1) && !goes_on_to_settle(terms_, s, weight_);
+  if (needs_own_ || weight_ == 0.0) settle_anew(s);
 }
 
 int Index3::step(State& s, double h, double t_end) {
@@ -144,9 +146,9 @@ void Index3::refuse_unstable(const State& s, double h) {
 }
 
 /// The penalty of the tangent at hand, which refresh() uses, the highest frequency and when it is looked at,
-/// what the projection left, and that tangent.
+/// whether refresh() needs a tangent of its own, what the projection left, and that tangent.
 std::vector<double> Index3::memory() const {
-  std::vector<double> all = {weight_, frequency_, static_cast<double>(steps_)};
+  std::vector<double> all = {weight_, frequency_, static_cast<double>(steps_), needs_own_ ? 1.0 : 0.0};
   all.insert(all.end(), left_.begin(), left_.end());
   const auto more = terms_.memory();
   all.insert(all.end(), more.begin(), more.end());
@@ -154,11 +156,12 @@ std::vector<double> Index3::memory() const {
 }
 
 void Index3::recall(std::span<const double> memory) {
-  const auto head = static_cast<std::size_t>(3 + left_.size());
+  const auto head = static_cast<std::size_t>(4 + left_.size());
   check_memory(memory.size() >= head);
   terms_.recall(memory.subspan(head));
-  std::copy_n(memory.begin() + 3, left_.size(), left_.begin());
+  std::copy_n(memory.begin() + 4, left_.size(), left_.begin());
   weight_ = memory[0], frequency_ = memory[1], steps_ = static_cast<long>(memory[2]);
+  needs_own_ = memory[3] != 0.0;
 }
 
 void Index3::predict(State& s, double h, double t_end) {

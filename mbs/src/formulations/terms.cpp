@@ -147,13 +147,16 @@ void Terms::project(Eigen::VectorXd& x, double weight) {
 int Terms::settle(State& s, const Eigen::VectorXd& rhs, double penalty, double tolerance, int most) {
   const double floor = force.norm() / largest_mass;
   violation(s.a, rhs);
+  double before = 0.0;
   for (int iteration = 1; iteration <= most; ++iteration) {
     weights = s.lambda + penalty * error;
-    const double change = correct(s, weights, 1.0);
+    const double change = correct(s, weights, 1.0),
+                 rate = iteration > 1 ? std::min(change / before, 1.0) : 1.0;
     s.a.head(structure.variables) += correction;
     violation(s.a, rhs);
     s.lambda += penalty * error;
-    if (change <= tolerance * (s.a.norm() + floor)) return iteration;
+    if (change * rate <= tolerance * (s.a.norm() + floor)) return iteration;
+    before = change;
   }
   return 0;
 }

@@ -29,14 +29,17 @@ struct MagicFormula {
   }
 };
 
+/// cos(atan(x)).
+double cosine_of_slope(double x) { return 1.0 / std::sqrt(1.0 + x * x); }
+
 TyreForce magic_formula(Axle axle, const Slip& slip, double load) {
   constexpr double nominal = 896.0;  // [N]
-  const double off = (load - nominal) / nominal, turn = 2.0 * std::atan(load / (1.6 * nominal)),
+  const double off = (load - nominal) / nominal, part = load / (1.6 * nominal),
                stiffness = axle == Axle::front ? 34.1 : 37.6;
   const MagicFormula along{2.3, longitudinal_grip * load, 0.95, load * (20.0 + off) * std::exp(-0.5 * off)},
       across{axle == Axle::front ? 2.13 : 2.3, lateral_grip * load, axle == Axle::front ? 0.8 : 0.9,
-             stiffness * nominal * std::sin(turn)};
-  return {along(slip.longitudinal) * std::cos(std::atan(14.0 * slip.lateral)),
+             stiffness * nominal * 2.0 * part / (1.0 + part * part)};  // sin(2 atan(part))
+  return {along(slip.longitudinal) * cosine_of_slope(14.0 * slip.lateral),
           across(slip.lateral) * std::cos(0.6 * std::atan(12.0 * slip.longitudinal))};
 }
 

@@ -44,9 +44,10 @@ struct Terms {
   /// Augmented Lagrangian of index 1 from the a and lambda at hand, after forces() and factorize(): with
   /// e = Phi_q a + rhs
   ///   a <- a + T^-1 [Q - M a - Phi_q^T (lambda + penalty e)], then lambda <- lambda + penalty e
-  /// until |da| <= tolerance (|a| + |Q| / largest mass term). penalty: that in T; other terms in T change the
-  /// way but not the end. The residual, not the right-hand side, is multiplied by T^-1 as in the second
-  /// penalty |rhs| is lost to rounding. Returns the iterations, 0 if these were not enough.
+  /// until the next |da|, at the rate of the last two, is <= tolerance (|a| + |Q| / largest mass term).
+  /// penalty: that in T; other terms in T change the way but not the end. The residual, not the right-hand
+  /// side, is multiplied by T^-1 as in the second penalty |rhs| is lost to rounding. Returns the iterations,
+  /// 0 if these were not enough.
   int settle(State& s, const Eigen::VectorXd& rhs, double penalty, double tolerance, int most);
 
   /// T, not factorized.
