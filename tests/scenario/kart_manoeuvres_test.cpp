@@ -5,39 +5,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "command.hpp"
-#include "tandem/text/time_table.hpp"
+#include "scene_run.hpp"
 
 namespace tandem {
 namespace {
 
 using test::contains;
+using test::kart_folder;
 using test::Said;
+using test::SceneRun;
 using test::Scratch;
 using test::tandem;
-
-const std::string kart_folder = std::string(TANDEM_SOURCE_DIR) + "/scenarios/kart/";
-
-class Manoeuvre {
- public:
-  Manoeuvre(const std::string& file, std::vector<std::string> settings = {}) {
-    std::vector<std::string> words = {"run", file, "--output", "o"};
-    for (const std::string& s : settings) words.insert(words.end(), {"--set", s});
-    said_ = tandem(folder_, words);
-    table_ = text::TimeTable::read(folder_.path() / "o");
-  }
-  const Said& said() const { return said_; }
-  const std::vector<double>& column(const std::string& name) const {
-    const auto at = std::find(table_.names.begin(), table_.names.end(), name) - table_.names.begin();
-    return table_.columns.at(static_cast<std::size_t>(at));
-  }
-  double last(const std::string& name) const { return column(name).back(); }
-
- private:
-  Scratch folder_;
-  Said said_;
-  text::TimeTable table_;
-};
 
 std::size_t count(const std::string& text, const std::string& part) {
   std::size_t n = 0;
@@ -47,7 +25,7 @@ std::size_t count(const std::string& text, const std::string& part) {
 
 /// To the left: it turns to the left, leans and loads the wheels to the right; the weight stays.
 TEST(KartManoeuvres, AStepOfTheSteeringWheelLeansTheKartOutwards) {
-  const Manoeuvre run(kart_folder + "step_steer.toml");
+  const SceneRun run(kart_folder + "step_steer.toml");
   ASSERT_EQ(run.said().status, 0) << run.said().err;
   EXPECT_GT(run.last("kart.yaw"), 1.0);
   EXPECT_GT(run.last("kart.y"), 10.0);
@@ -60,7 +38,7 @@ TEST(KartManoeuvres, AStepOfTheSteeringWheelLeansTheKartOutwards) {
 
 /// To and fro about its way: roll of either sign, the same to 10 %.
 TEST(KartManoeuvres, ASlalomSwingsBothWays) {
-  const Manoeuvre run(kart_folder + "slalom.toml");
+  const SceneRun run(kart_folder + "slalom.toml");
   ASSERT_EQ(run.said().status, 0) << run.said().err;
   const auto& roll = run.column("kart.roll");
   const auto [least, most] = std::minmax_element(roll.begin(), roll.end());
@@ -70,7 +48,7 @@ TEST(KartManoeuvres, ASlalomSwingsBothWays) {
 
 /// Beside the turn's: load goes to the front, the nose dives.
 TEST(KartManoeuvres, BrakingInATurnLoadsTheFront) {
-  const Manoeuvre run(kart_folder + "braking_in_turn.toml");
+  const SceneRun run(kart_folder + "braking_in_turn.toml");
   ASSERT_EQ(run.said().status, 0) << run.said().err;
   EXPECT_GT(run.last("kart.load_FL") + run.last("kart.load_FR"), 2.0 * 469.375 + 100.0);
   EXPECT_GT(run.last("kart.pitch"), 0.02);  // nose down [rad]
@@ -78,7 +56,7 @@ TEST(KartManoeuvres, BrakingInATurnLoadsTheFront) {
 }
 
 TEST(KartManoeuvres, AKerbLiftsAWheelWhichIsToldOnce) {
-  const Manoeuvre run(kart_folder + "kerb.toml");
+  const SceneRun run(kart_folder + "kerb.toml");
   ASSERT_EQ(run.said().status, 0) << run.said().err;
   EXPECT_EQ(count(run.said().err, "a wheel is off the ground"), 1U) << run.said().err;
   const auto& load = run.column("kart.load_FL");
@@ -87,8 +65,8 @@ TEST(KartManoeuvres, AKerbLiftsAWheelWhichIsToldOnce) {
 }
 
 TEST(KartManoeuvres, ALoadBeyondTheTyresDataIsToldOnce) {
-  const Manoeuvre run(kart_folder + "step_steer.toml", {"subsystems.kart.parameters.tyre=tmeasy",
-                                                        "subsystems.watch.parameters.largest_load=900"});
+  const SceneRun run(kart_folder + "step_steer.toml", {"subsystems.kart.parameters.tyre=tmeasy",
+                                                       "subsystems.watch.parameters.largest_load=900"});
   ASSERT_EQ(run.said().status, 0) << run.said().err;
   EXPECT_EQ(count(run.said().err, "a tyre's load is beyond its data"), 1U) << run.said().err;
 }
@@ -103,12 +81,16 @@ TEST(KartManoeuvres, ANegativeBrakeIsRefusedWithItsValue) {
       << said.err;
 }
 
-TEST(KartManoeuvres, AnUnknownLawOrOneOfAMechanismWithoutTyresIsRefused) {
+TEST(KartManoeuvres, AnUnknownLawOrLeverOrOneOfAMechanismWithoutTyresIsRefused) {
   const Scratch folder;
   const Said law =
       tandem(folder, {"run", kart_folder + "kerb.toml", "--set", "subsystems.kart.parameters.tyre=soft"});
   EXPECT_EQ(law.status, 2);
   EXPECT_TRUE(contains(law.err, "soft") && contains(law.err, "tmeasy")) << law.err;
+  const Said lever =
+      tandem(folder, {"run", kart_folder + "kerb.toml", "--set", "subsystems.kart.parameters.lever=long"});
+  EXPECT_EQ(lever.status, 2);
+  EXPECT_TRUE(contains(lever.err, "lever is 'long'; allowed is radius or height")) << lever.err;
   const std::string pendulum =
       std::string(TANDEM_SOURCE_DIR) + "/scenarios/mechanisms/pendulum/pendulum.toml";
   const Said none = tandem(folder, {"run", pendulum, "--set", "run.tyre=linear"});
@@ -130,8 +112,8 @@ ground_RL = { unit = "m", from = "ground" }
 kind = "constant"
 value = 0
 )");
-  const Manoeuvre run(kart_folder + "kerb.toml",
-                      {"subsystems.driver.source=diagram:" + (folder.path() / "driver.toml").string()});
+  const SceneRun run(kart_folder + "kerb.toml",
+                     {"subsystems.driver.source=diagram:" + (folder.path() / "driver.toml").string()});
   EXPECT_EQ(run.said().status, 1) << run.said().out;
   EXPECT_TRUE(contains(run.said().err, "the kart rolls over")) << run.said().err;
 }

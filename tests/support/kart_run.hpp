@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <fstream>
+#include <map>
 #include <numbers>
 #include <sstream>
 #include <string>
@@ -34,6 +35,10 @@ inline std::string kart_text(const std::string& name,
 inline const std::vector<std::pair<std::string, std::string>> without_lateral = {
     {"kind = \"tyre\"\n", "kind = \"tyre\"\nlateral = false\n"}};
 
+/// Tyres as printed: the force along a wheel acts on the ground below its centre.
+inline const std::vector<std::pair<std::string, std::string>> printed_lever = {
+    {"radius = 0.139\n", "radius = 0.139\nlever = \"height\"\n"}};
+
 inline mbs::Description kart(const std::string& text) {
   return mbs::read_mechanism("kart", text, kart::element_kinds());
 }
@@ -47,6 +52,24 @@ inline int entity(const mbs::Mechanism& m, const std::string& name) {
 
 inline Eigen::Vector3d place(const mbs::Mechanism& m, const mbs::State& s, const std::string& name) {
   return s.q.segment<3>(m.coordinate(entity(m, name)));
+}
+
+/// How fast the springs of a file grow longer [m/s], and what their dampers take of it [W].
+inline double damping_loss(const mbs::Mechanism& m, const mbs::State& s) {
+  const int size = m.description().dimension;
+  double power = 0.0;
+  for (const mbs::Spring& spring : m.description().springs) {
+    double rate = 0.0;
+    if (spring.relative >= 0) {
+      rate = s.v[m.numbering().relative[static_cast<std::size_t>(spring.relative)]];
+    } else {
+      const int from = m.coordinate(spring.points.from), to = m.coordinate(spring.points.to);
+      const Eigen::VectorXd edge = s.q.segment(to, size) - s.q.segment(from, size);
+      rate = edge.dot(s.v.segment(to, size) - s.v.segment(from, size)) / edge.norm();
+    }
+    power += spring.damping.at(0) * rate * rate;
+  }
+  return power;
 }
 
 /// Drives an input by a function of time.
@@ -69,13 +92,14 @@ class KartRun {
     ++steps_;
     stepper_->step(state, h_, static_cast<double>(steps_) * h_);
   }
-  double output(const std::string& name) {
+  std::map<std::string, double> all_outputs() {
     std::vector<double> y(static_cast<std::size_t>(outputs.size()));
     outputs.evaluate(state, y.data());
-    for (int k = 0; k < outputs.size(); ++k)
-      if (outputs.name(k) == name) return y[static_cast<std::size_t>(k)];
-    throw Error(ErrorCode::internal, "no output " + name);
+    std::map<std::string, double> all;
+    for (int k = 0; k < outputs.size(); ++k) all[outputs.name(k)] = y[static_cast<std::size_t>(k)];
+    return all;
   }
+  double output(const std::string& name) { return all_outputs().at(name); }
 
   mbs::Mechanism mechanism;
   mbs::Outputs outputs;

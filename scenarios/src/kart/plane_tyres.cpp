@@ -24,7 +24,8 @@ class PlaneTyres final : public mbs::ForceElement {
 
   void add(const ElementState& at, double* force) const override {
     const Contact c = contact(at);
-    const double couple = 2.0 * (c.height * c.force + c.resistance);  // counterclockwise
+    const double lever = data_.lever == Lever::height ? c.height : data_.radius,
+                 couple = 2.0 * (lever * c.force + c.resistance);  // counterclockwise
     const PlaneVector pair = couple / c.spoke.squaredNorm() * turned(c.spoke);
     force[0] += 2.0 * c.force - pair[0];
     force[1] += 2.0 * c.load - pair[1];
@@ -56,16 +57,18 @@ class PlaneTyres final : public mbs::ForceElement {
   double potential(const double* x) const override { return 2.0 * data_.potential(x[1]); }
 
   std::vector<Quantity> quantities() const override {
-    return {{"load", "N"}, {"slip", "1"}, {"drive", "N"}, {"spin", "rad/s"}, {"loss", "W"}};
+    return {{"load", "N"},      {"slip", "1"},         {"drive", "N"},       {"spin", "rad/s"},
+            {"slip_loss", "W"}, {"rolling_loss", "W"}, {"damping_loss", "W"}};
   }
   void measure(const ElementState& at, double* values) const override {
     const Contact c = contact(at);
-    double force[5] = {}, power = 0.0;
-    add(at, force);
-    for (int i = 0; i < 4; ++i) power += force[i] * at.v[i];
-    const double pressed = std::max(0.0, data_.free_radius - c.height),
-                 stored = -2.0 * data_.stiffness * pressed * at.v[1];
-    const double all[] = {c.load, c.slip.longitudinal, c.force, c.spin, -power - stored};
+    const double all[] = {c.load,
+                          c.slip.longitudinal,
+                          c.force,
+                          c.spin,
+                          c.force * c.sliding,
+                          c.resistance * c.spin,
+                          data_.damping_loss(c.height, at.v[1])};
     std::copy(std::begin(all), std::end(all), values);
   }
 
@@ -94,14 +97,14 @@ class PlaneTyres final : public mbs::ForceElement {
 
 }  // namespace
 
-std::unique_ptr<mbs::ForceElement> make_plane_tyres(mbs::ElementKeys& keys, const LawChoice& law) {
+std::unique_ptr<mbs::ForceElement> make_plane_tyres(mbs::ElementKeys& keys, const TyreWords& words) {
   if (keys.dimension() != 2)
     keys.at("kind", [] {
       throw Error(ErrorCode::invalid_argument, "plane_tyres need dimension = 2; in space there is tyre");
     });
   auto coordinates = keys.axes(keys.point("centre"));
   for (const mbs::Coordinate& c : keys.axes(keys.point("rim"))) coordinates.push_back(c);
-  const TyreData data = TyreData::from(keys, law);
+  const TyreData data = TyreData::from(keys, words);
   coordinates.push_back(keys.state("slip"));
   return std::make_unique<PlaneTyres>(data, std::move(coordinates));
 }

@@ -11,13 +11,21 @@ namespace {
 
 constexpr double slow = 0.1;  // [m/s]: below, rolling resistance and brake fade
 
+Lever lever_of(const std::string& word) {
+  if (word != "radius" && word != "height")
+    throw Error(ErrorCode::invalid_argument, "lever is '" + word + "'; allowed is radius or height");
+  return word == "radius" ? Lever::radius : Lever::height;
+}
+
 }  // namespace
 
-TyreData TyreData::from(mbs::ElementKeys& keys, const LawChoice& law) {
+TyreData TyreData::from(mbs::ElementKeys& keys, const TyreWords& words) {
   TyreData d{};
-  const std::string chosen = law ? law() : "";
+  const auto chosen = [&](const char* parameter) { return words ? words(parameter) : std::string(); };
   keys.at("law", [&] { d.law = tyre_law(keys.text("law")); });
-  if (!chosen.empty()) d.law = tyre_law(chosen);
+  if (const std::string law = chosen("tyre"); !law.empty()) d.law = tyre_law(law);
+  if (keys.has("lever")) keys.at("lever", [&] { d.lever = lever_of(keys.text("lever")); });
+  if (const std::string lever = chosen("lever"); !lever.empty()) d.lever = lever_of(lever);
   const std::string axle = keys.text("axle");
   if (axle != "front" && axle != "rear")
     keys.at("axle", [&] {
@@ -54,6 +62,10 @@ double TyreData::gripping_rate(double part) const { return radius / slow * (1.0 
 double TyreData::potential(double height) const {
   const double pressed = std::max(0.0, free_radius - height);
   return 0.5 * stiffness * pressed * pressed;
+}
+
+double TyreData::damping_loss(double height, double rate) const {
+  return (stiffness * std::max(0.0, free_radius - height) - load(height, rate)) * rate;
 }
 
 double TyreData::damping_of_slip(double v) { return 0.05 * std::exp(-std::abs(v)); }

@@ -7,13 +7,17 @@
 
 namespace tandem::kart {
 
+/// The arm by which the force along the wheel turns it: that of slip, or the height of the centre.
+enum class Lever { radius, height };
+
 /// What the tyres of a file have in common.
 struct TyreData {
   TyreLaw law;
   Axle axle;
+  Lever lever;
   double radius, free_radius, stiffness, damping, rolling, relaxation;
 
-  static TyreData from(mbs::ElementKeys& keys, const LawChoice& law);
+  static TyreData from(mbs::ElementKeys& keys, const TyreWords& words);
 
   /// At a height of the centre over the ground [m], rising with `rate` [m/s].
   double load(double height, double rate) const;
@@ -24,6 +28,8 @@ struct TyreData {
   double gripping(double spin) const;
   double gripping_rate(double part) const;
   double potential(double height) const;  ///< [J]
+  /// What the damper takes of a load whose centre rises with `rate` [W].
+  double damping_loss(double height, double rate) const;
   /// Slip where the state is kappa and the tyre slides with s on the ground, over which it moves with v
   /// [m/s].
   static double slip(double kappa, double s, double v);

@@ -39,9 +39,12 @@ class Tyre final : public mbs::ForceElement {
 
   void add(const ElementState& at, double* force) const override {
     const Contact c = contact(at);
-    const Vector axis = In(at.x + 3), push = total(c),
-                 couple = Vector(0.0, 0.0, -c.height).cross(push) - (c.resistance + c.brake) * axis;
-    Out(force) += push;
+    const Vector axis = In(at.x + 3), down(0.0, 0.0, -c.height), along = c.force.longitudinal * c.along,
+                 across = c.force.lateral * c.across,
+                 couple = down.cross(across) - (c.resistance + c.brake) * axis +
+                          (data_.lever == Lever::height ? down.cross(along)
+                                                        : -data_.radius * c.force.longitudinal * axis);
+    Out(force) += along + across + c.load * Vector::UnitZ();
     const auto turn = [&](int vector, double part) {
       Out to(force + vector);
       to += part * couple.cross(In(at.x + vector));
@@ -60,8 +63,8 @@ class Tyre final : public mbs::ForceElement {
     if (lateral_) force[state_ + 1] += data_.slip_rate(at.v[state_ + 1], c.sliding[1], c.speed);
   }
 
-  /// With S the rates of s_x and s_y by those of the coordinates, forces are -S^T F; what turns with the
-  /// wheel and what the load does to F is left out.
+  /// With S the rates of s_x and s_y by those of the coordinates, forces are -S^T F (but with the printed
+  /// lever); what turns with the wheel and what the load does to F is left out.
   void add_derivatives(const ElementState& at, Eigen::Ref<Eigen::MatrixXd> k,
                        Eigen::Ref<Eigen::MatrixXd> c) const override {
     const Contact now = contact(at);
@@ -90,33 +93,44 @@ class Tyre final : public mbs::ForceElement {
   double potential(const double* x) const override { return data_.potential(x[2]); }
 
   std::vector<Quantity> quantities() const override {
-    return {{"load", "N", ground_},  {"slip", "1"},          {"side_slip", "1"},
-            {"drive", "N", ground_}, {"side", "N", ground_}, {"loss", "W", ground_ || brake_}};
+    const bool presses = ground_ || brake_;
+    return {{"load", "N", ground_},
+            {"slip", "1"},
+            {"side_slip", "1"},
+            {"drive", "N", ground_},
+            {"side", "N", ground_},
+            {"slip_loss", "W", ground_},
+            {"rolling_loss", "W", ground_},
+            {"damping_loss", "W", ground_},
+            {"brake_loss", "W", presses}};
   }
   void measure(const ElementState& at, double* values) const override {
     const Contact c = contact(at);
-    double force[20] = {};
-    add(at, force);
-    double power = 0.0;
-    for (int i = 0; i < state_; ++i) power += force[i] * at.v[i];
-    for (int i = upright_; brake_ && i < upright_ + 6; ++i) power += force[i] * at.v[i];
-    const double stored =
-        c.height < data_.free_radius ? -data_.stiffness * (data_.free_radius - c.height) * at.v[2] : 0.0;
-    const double all[] = {c.load,          c.slip.longitudinal, c.slip.lateral, c.force.longitudinal,
-                          c.force.lateral, -power - stored};
+    const double all[] = {
+        c.load,
+        c.slip.longitudinal,
+        c.slip.lateral,
+        c.force.longitudinal,
+        c.force.lateral,
+        c.force.longitudinal * c.sliding[0] + c.force.lateral * c.sliding[1],
+        c.resistance * c.spin,
+        data_.damping_loss(c.height, at.v[2]),
+        c.brake * c.turning,
+    };
     std::copy(std::begin(all), std::end(all), values);
   }
 
  private:
   struct Contact {
     Vector along, across;  ///< e_x, e_y
+    double tilt;           ///< 1 / cos of the camber
     double height, load, spin, speed;
     Eigen::Vector2d sliding;
     Slip slip;
     TyreForce force;
     double resistance;
     Vector lever;  ///< of the upright's edge: its turn about e is lever . (its difference of velocities)
-    double brake, biting;  ///< couple on the wheel against its spin over the upright, and its rate by that
+    double turning, brake, biting;  ///< spin over the upright, couple against that, and its rate by it
   };
 
   double spin(const ElementState& at) const {
@@ -127,18 +141,20 @@ class Tyre final : public mbs::ForceElement {
   Contact contact(const ElementState& at) const {
     Contact c;
     const In axis(at.x + 3), velocity(at.v);
-    c.along = axis.cross(Vector::UnitZ()).normalized();
+    c.along = axis.cross(Vector::UnitZ());
+    c.tilt = 1.0 / c.along.norm();
+    c.along *= c.tilt;
     c.across = Vector::UnitZ().cross(c.along);
     c.height = at.x[2] - (ground_ ? at.u[0] : 0.0);
     c.load = data_.load(c.height, at.v[2]);
     c.spin = spin(at);
     c.speed = velocity.dot(c.along);
-    c.sliding << data_.radius * c.spin - c.speed, -velocity.dot(c.across) - c.height * at.v[5];
+    c.sliding << data_.radius * c.spin - c.speed, -velocity.dot(c.across) - c.height * c.tilt * at.v[5];
     c.slip.longitudinal = TyreData::slip(at.v[state_], c.sliding[0], c.speed);
     if (lateral_) c.slip.lateral = TyreData::slip(at.v[state_ + 1], c.sliding[1], c.speed);
     c.force = tyre_force(data_.law, data_.axle, c.slip, c.load);
     c.resistance = data_.resistance(c.load, c.spin);
-    c.brake = c.biting = 0.0;
+    c.turning = c.brake = c.biting = 0.0;
     if (brake_) add_brake(at, c);
     return c;
   }
@@ -160,7 +176,8 @@ class Tyre final : public mbs::ForceElement {
     c.lever = across / across.squaredNorm();
     const double applied = at.u[ground_ ? 1 : 0];
     if (applied < -rounding) refuse_brake(applied);
-    const double part = data_.gripping(c.spin - c.lever.dot(upper_rate - lower_rate));
+    c.turning = c.spin - c.lever.dot(upper_rate - lower_rate);
+    const double part = data_.gripping(c.turning);
     c.brake = applied * part;
     c.biting = applied * data_.gripping_rate(part);
   }
@@ -176,16 +193,12 @@ class Tyre final : public mbs::ForceElement {
       for (int j = 6; j < n; ++j) c(i, j) += now.biting * turn[i] * turn[j];
   }
 
-  static Vector total(const Contact& c) {
-    return c.force.longitudinal * c.along + c.force.lateral * c.across + c.load * Vector::UnitZ();
-  }
-
   /// Of s_x and s_y by the rates of the coordinates.
   Eigen::Matrix<double, 2, 12> sliding_rates(const ElementState& at, const Contact& c) const {
     Eigen::Matrix<double, 2, 12> rates = Eigen::Matrix<double, 2, 12>::Zero();
     rates.block<1, 3>(0, 0) = -c.along.transpose();
     rates.block<1, 3>(1, 0) = -c.across.transpose();
-    rates(1, 5) = -c.height;
+    rates(1, 5) = -c.height * c.tilt;
     if (spokes_) {
       rates.block<1, 3>(0, 6) = 0.5 * data_.radius * In(at.x + 9).transpose();
       rates.block<1, 3>(0, 9) = -0.5 * data_.radius * In(at.x + 6).transpose();
@@ -217,7 +230,7 @@ void add_upright(mbs::ElementKeys& keys, std::vector<Coordinate>& coordinates) {
 
 }  // namespace
 
-std::unique_ptr<mbs::ForceElement> make_tyre(mbs::ElementKeys& keys, const LawChoice& law) {
+std::unique_ptr<mbs::ForceElement> make_tyre(mbs::ElementKeys& keys, const TyreWords& words) {
   if (keys.dimension() != 3)
     refuse(keys, "kind", "a tyre needs dimension = 3; in the plane there is plane_tyres");
   Tyre::Places places{keys.axes(keys.point("centre")), {}, false, keys.flag("lateral", true), false, false};
@@ -234,7 +247,7 @@ std::unique_ptr<mbs::ForceElement> make_tyre(mbs::ElementKeys& keys, const LawCh
   } else {
     places.coordinates.push_back(keys.coordinate("spin"));
   }
-  const TyreData data = TyreData::from(keys, law);
+  const TyreData data = TyreData::from(keys, words);
   const int ground = keys.input("ground", "m"), brake = keys.input("brake", "N m");
   places.ground = ground >= 0, places.brake = brake >= 0;
   for (const int input : {ground, brake})
@@ -245,9 +258,9 @@ std::unique_ptr<mbs::ForceElement> make_tyre(mbs::ElementKeys& keys, const LawCh
   return std::make_unique<Tyre>(data, std::move(places));
 }
 
-mbs::ElementKinds element_kinds(const LawChoice& law) {
-  return {{"tyre", [law](mbs::ElementKeys& keys) { return make_tyre(keys, law); }},
-          {"plane_tyres", [law](mbs::ElementKeys& keys) { return make_plane_tyres(keys, law); }}};
+mbs::ElementKinds element_kinds(const TyreWords& words) {
+  return {{"tyre", [words](mbs::ElementKeys& keys) { return make_tyre(keys, words); }},
+          {"plane_tyres", [words](mbs::ElementKeys& keys) { return make_plane_tyres(keys, words); }}};
 }
 
 }  // namespace tandem::kart

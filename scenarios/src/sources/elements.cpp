@@ -5,6 +5,6 @@
 
 namespace tandem {
 
-mbs::ElementKinds element_kinds(const kart::LawChoice& tyre_law) { return kart::element_kinds(tyre_law); }
+mbs::ElementKinds element_kinds(const kart::TyreWords& words) { return kart::element_kinds(words); }
 
 }  // namespace tandem

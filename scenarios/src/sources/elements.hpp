@@ -5,7 +5,7 @@
 
 namespace tandem {
 
-/// The elements of scenes that mechanisms' files may name; `tyre_law` as in kart::element_kinds().
-mbs::ElementKinds element_kinds(const kart::LawChoice& tyre_law = {});
+/// The elements of scenes that mechanisms' files may name; `words` as in kart::element_kinds().
+mbs::ElementKinds element_kinds(const kart::TyreWords& words = {});
 
 }  // namespace tandem
