@@ -25,6 +25,7 @@ class Machine {
     unlocked_ = to.held(never);
     lock_ = a.number("lockout", 0.0);
     if (lock_ < 0.0) a.refuse("lockout", fmt::format("{}", lock_), "0 or more [s]");
+    gears_ = a.text("gears", "");
   }
 
   void lower() {
@@ -39,6 +40,7 @@ class Machine {
       part.refuse_unknown();
     }
     keep_apart();
+    if (!gears_.empty()) keep_in_order();
     if (lock_ > 0.0) to_.update(rises(to_.difference(to_.time(), unlocked_)), free_, to_.constant(1.0));
   }
 
@@ -48,7 +50,7 @@ class Machine {
     std::vector<int> of;  ///< by state
   };
 
-  /// Of a transition, what the one back has to agree with.
+  /// Of a transition, what others have to agree with.
   struct Way {
     std::size_t from, next;
     int input, threshold;
@@ -57,6 +59,7 @@ class Machine {
   };
 
   void outputs() {
+    bool is_there = false;
     std::vector<double> numbers;
     for (std::size_t k = 0; k < names_.size(); ++k) numbers.push_back(static_cast<double>(k + 1));
     to_.define("", output(numbers).now);
@@ -68,10 +71,25 @@ class Machine {
         if (values.size() != names_.size())
           part.refuse(name, fmt::format("an array of {}", values.size()),
                       fmt::format("one of {}, a number for each state", names_.size()));
+        if (name == gears_) refuse_disorder(part, values);
         const Output& made = output(values);
         to_.define(name, made.now);
         to_.define(name + "_before", made.before);
+        is_there = is_there || name == gears_;
       }
+    if (!gears_.empty() && !is_there)
+      a_.refuse("gears", "'" + gears_ + "'", "the name of one of the outputs");
+  }
+
+  /// Ratios fall from gear to gear and stay above 0.
+  void refuse_disorder(Arguments& part, const std::vector<double>& ratios) {
+    for (std::size_t k = 0; k < ratios.size(); ++k) {
+      const bool falls = k == 0 || ratios[k] < ratios[k - 1];
+      if (ratios[k] > 0.0 && falls) continue;
+      const std::string most =
+          k == 0 ? "" : fmt::format(" and below {}, that of '{}'", ratios[k - 1], names_[k - 1]);
+      part.refuse(gears_, fmt::format("{} in '{}'", ratios[k], names_[k]), "a number above 0" + most);
+    }
   }
 
   const Output& output(const std::vector<double>& values) {
@@ -108,9 +126,25 @@ class Machine {
     for (const Way& up : ways_)
       for (const Way& down : ways_)
         if (up.above && !down.above && up.from == down.next && up.next == down.from && up.input == down.input)
-          to_.orders.push_back(
-              {up.threshold, down.threshold, up.where, a_.owner(),
-               fmt::format("the threshold from '{}' to '{}'", names_[up.from], names_[up.next])});
+          keep_above(up, down);
+  }
+
+  /// Of gears: a change from or to a later one needs a higher threshold, up and down alike.
+  void keep_in_order() {
+    for (const Way& later : ways_)
+      for (const Way& earlier : ways_)
+        if (later.above == earlier.above && later.input == earlier.input && later.from > earlier.from &&
+            later.next > earlier.next && (later.next > later.from) == (earlier.next > earlier.from))
+          keep_above(later, earlier);
+  }
+
+  void keep_above(const Way& high, const Way& low) {
+    to_.orders.push_back(
+        {high.threshold, low.threshold, high.where, a_.owner(), threshold(high), threshold(low)});
+  }
+
+  std::string threshold(const Way& way) const {
+    return fmt::format("the threshold from '{}' to '{}'", names_[way.from], names_[way.next]);
   }
 
   std::size_t state(Arguments& t, const std::string& key) {
@@ -149,6 +183,7 @@ class Machine {
   std::vector<int> is_;  ///< 1 of the state that it is in, 0 of the others
   int free_, entered_, unlocked_;
   double lock_;
+  std::string gears_;  ///< the output that is their ratio, if the states are gears
   std::vector<Output> outputs_;
   std::vector<Way> ways_;
 };

@@ -102,7 +102,7 @@ class Lowering {
   /// A signal that must be above another one wherever that can be seen before a run.
   struct Order {
     int above, below;
-    std::string where, owner, sentence;
+    std::string where, owner, high, low;  ///< the last two: what they are
   };
   std::vector<Order> orders;
   /// A port that says the unit of its signal.

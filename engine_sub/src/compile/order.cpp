@@ -32,8 +32,8 @@ void check(const Lowering::Order& order, const Known& above, const Known& below,
   if (above.at(x) > below.at(x)) return;
   const bool varies = above.curve || below.curve;
   refuse(order.where,
-         fmt::format("{}: {} is {}{}; allowed is above {}", order.owner, order.sentence, above.at(x),
-                     varies ? fmt::format(" at {} of their tables", x) : "", below.at(x)));
+         fmt::format("{}: {} is {}{}; allowed is above {}, {}", order.owner, order.high, above.at(x),
+                     varies ? fmt::format(" at {} of their tables", x) : "", below.at(x), order.low));
 }
 
 }  // namespace

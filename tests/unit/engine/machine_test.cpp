@@ -2,6 +2,8 @@
 // State machines: thresholds, dwell, lock-out, outputs by state.
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "diagram_run.hpp"
 #include "refusal.hpp"
 
@@ -87,6 +89,52 @@ TEST(Machine, IsRefusedByPlace) {
   EXPECT_TRUE(
       refused("{ from = 'a', to = 'b', input = 'x', above = 1, dwell = -1 }", {"d:7", "dwell is -1"}));
   EXPECT_TRUE(refused("{ from = 'a', to = 'b', input = 'x', above = 1, until = 1 }", {"d:7", "'until'"}));
+}
+
+/// A gearbox of three gears with these ratios and thresholds, up from the first and the second, back from the
+/// second and the third.
+std::string gearbox(const std::string& ratios, const std::string& thresholds,
+                    const std::string& of = "ratio") {
+  std::istringstream in(thresholds);
+  std::string up12, up23, down21, down32;
+  in >> up12 >> up23 >> down21 >> down32;
+  return "[inputs]\nv = { unit = 'm/s' }\n[blocks.low]\nkind = 'table'\ninput = 'time'\nx = [0, 1]\ny = [5, "
+         "7]\n"
+         "[blocks.gear]\nkind = 'machine'\nstates = ['first', 'second', 'third']\noutputs = { ratio = [" +
+         ratios + "] }\ngears = '" + of +
+         "'\ntransitions = [\n{ from = 'first', to = 'second', input = 'v', above = " + up12 +
+         " },\n{ from = 'second', to = 'third', input = 'v', above = " + up23 +
+         " },\n{ from = 'second', to = 'first', input = 'v', below = " + down21 +
+         " },\n{ from = 'third', to = 'second', input = 'v', below = " + down32 + " } ]\n" + outputs;
+}
+
+TEST(Machine, OfGearsRefusesRatiosOutOfOrderOrNotAboveZero) {
+  const auto refused = [](const std::string& ratios, const std::vector<std::string>& words) {
+    return refuses(ErrorCode::invalid_argument, words,
+                   [&] { compile(read_diagram("d", gearbox(ratios, "4 6 2 4"))); });
+  };
+  EXPECT_NO_THROW(compile(read_diagram("d", gearbox("2.4, 1.4, 1", "4 6 2 4"))));
+  EXPECT_TRUE(refused("1.4, 2.4, 1", {"d:11", "'gear.outputs", "ratio is 2.4 in 'second'",
+                                      "allowed is a number above 0 and below 1.4, that of 'first'"}));
+  EXPECT_TRUE(refused("2.4, 1.4, 1.4", {"d:11", "ratio is 1.4 in 'third'", "below 1.4, that of 'second'"}));
+  EXPECT_TRUE(refused("2.4, 1.4, -1", {"d:11", "ratio is -1 in 'third'", "a number above 0"}));
+  EXPECT_TRUE(refused("0, -1, -2", {"d:11", "ratio is 0 in 'first'; allowed is a number above 0"}));
+}
+
+TEST(Machine, OfGearsRefusesThresholdsOutOfOrder) {
+  const auto refused = [](const std::string& thresholds, const std::vector<std::string>& words) {
+    return refuses(ErrorCode::invalid_argument, words,
+                   [&] { compile(read_diagram("d", gearbox("2.4, 1.4, 1", thresholds))); });
+  };
+  EXPECT_TRUE(
+      refused("6 5 2 4", {"d:15", "'gear' of kind machine", "the threshold from 'second' to 'third' is 5",
+                          "allowed is above 6, the threshold from 'first' to 'second'"}));
+  EXPECT_TRUE(refused("5 6 4 3", {"d:17", "the threshold from 'third' to 'second' is 3",
+                                  "allowed is above 4, the threshold from 'second' to 'first'"}));
+  EXPECT_TRUE(refused("'low' 6 2 4", {"d:15", "is 6 at 1 of their tables", "above 7"}));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument,
+                      {"d:12", "gears is 'ration'", "the name of one of the outputs"},
+                      [] { compile(read_diagram("d", gearbox("2, 1.5, 1", "4 6 2 4", "ration"))); }));
 }
 
 }  // namespace
