@@ -17,6 +17,13 @@ from tandem import serving, wire
 
 REPLIES = {"hello": 1, "info": 2, "initialize": 3, "advance": 6}  # requests before them answered soundly
 NAN, INFINITY = float("nan"), float("inf")
+FAREWELL = "no request came within 0.2 s, so the session ends"
+WHERE = {1: "hello: ", 2: "info: ", 3: "initialize at t = 0 s: ", 4: " at t = 0 s"}  # by the number of the request
+
+
+def said_at(request):
+    """What an error has to say of the call that it ends, and of the time in the run."""
+    return WHERE.get(request, " at t = ")
 
 
 class Ramp:
@@ -67,6 +74,14 @@ def drop_within(raw, frame):
 
 def drop_after(raw, frame):
     raw.sendall(frame)
+    gone(raw)
+
+
+def say_farewell(raw, frame):
+    """The reply, and unasked why the session ends."""
+    payload = wire.put_error(tandem.Error(FAREWELL, 5))
+    raw.sendall(frame)
+    raw.sendall(wire.HEADER.pack(len(payload), wire.Type.ERROR, 0) + payload)
     gone(raw)
 
 
@@ -192,8 +207,8 @@ class Caller:
                        '[[connections]]\nfrom = "far.x"\nto = "near.x2"\nreconstruction = "lagrange0"\n')
         return [self.command, "run", scenario, "--output", folder]
 
-    def run(self, kind, uri, limit=DEADLINE + SLACK, name=None, place=None):
-        """place: what has to be named, if it is not the address."""
+    def run(self, kind, uri, limit=DEADLINE + SLACK, name=None, place=None, says=""):
+        """place: what has to be named, if it is not the address; says: what has to be said besides."""
         folder = tempfile.mkdtemp(dir=self.folder)
         place = place or uri.partition("?")[0]
         begin = time.monotonic()
@@ -204,7 +219,7 @@ class Caller:
             status, said = None, ""
         seconds = time.monotonic() - begin
         outcome = {0: "ok", 1: "error", 2: "error", None: "hang"}.get(status, "crash")
-        named = place in said and (self.program or "'far'" in said)
+        named = place in said and says in said and (self.program or "'far'" in said)
         sound = outcome == "error" and seconds < limit and named and self.whole(folder)
         self.rows.append((kind, name or self.transport.name, "calls", outcome, seconds, sound, said.strip()))
 
@@ -220,8 +235,8 @@ class Caller:
             lines = text.read().split("\n")
         return lines[-1] == "" and len({line.count(",") for line in lines[:-1]}) <= 1
 
-    def against(self, kind, listen, at=0, fault=None):
-        """A server of a process of its own, where listen() gives its listener."""
+    def against(self, kind, listen, at=0, fault=None, says=""):
+        """A server of a process of its own, where listen() gives its listener; says: as in run()."""
         place, told = os.pipe()
 
         def work():
@@ -234,16 +249,17 @@ class Caller:
         os.close(told)
         uri = os.read(place, 200).decode()
         os.close(place)
-        self.run(kind, f"{uri}?{self.transport.query}")
+        self.run(kind, f"{uri}?{self.transport.query}", says=says)
         os.kill(server, signal.SIGKILL)
         os.waitpid(server, 0)
 
     def all(self):
         transport = self.transport
         for kind, at, fault in phase_faults():
-            self.against(kind, transport.listener, at, fault)
+            self.against(kind, transport.listener, at, fault, said_at(at + kind.startswith("dropped_after")))
         for kind, at, change in changes():
-            self.against(kind, transport.listener, at, sending(change))
+            self.against(kind, transport.listener, at, sending(change), said_at(at + kind.startswith("twice")))
+        self.against("session_ended_by_the_server", transport.listener, REPLIES["advance"], say_farewell, FAREWELL)
         nobody, uri = transport.plain_listener()
         nobody.close()
         self.run("refused", f"{uri}?{transport.query}")

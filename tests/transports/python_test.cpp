@@ -8,6 +8,7 @@
 #include "refusal.hpp"
 #include "run_bench.hpp"
 #include "same_bits.hpp"
+#include "scratch.hpp"
 #include "served.hpp"
 
 namespace tandem::test {
@@ -37,6 +38,24 @@ TEST(Python, DrivesASubsystemAsItsMasterAndGetsTheSameBits) {
   Child master(
       {"sh", "-c", python_program("master.py") + " '" + server.address() + "' '" + mass2_parameters() + "'"});
   EXPECT_EQ(master.status(), 0);
+}
+
+/// Its socket's file goes with it, and what a killed one left is replaced.
+TEST(Python, AServerListensOnThisMachineOnlyAndLeavesNothing) {
+  const auto server = [](const std::string& address) {
+    return std::vector<std::string>{"sh", "-c",
+                                    "exec " + python_program("mass2.py") + " --listen '" + address + "'"};
+  };
+  EXPECT_EQ(Child(server("tcp://0.0.0.0:0")).status(), 1);
+  const Scratch folder;
+  const std::string path = (folder.path() / "socket").string();
+  for (const int signal : {SIGKILL, SIGTERM}) {
+    Child python(server("unix:" + path));
+    EXPECT_EQ(python.word_after(" at "), "unix:" + path);
+    python.signal(signal);
+    EXPECT_EQ(python.status(), signal == SIGKILL ? -SIGKILL : 0);
+    EXPECT_EQ(std::filesystem::exists(path), signal == SIGKILL);
+  }
 }
 
 TEST(Python, AFunctionHandedToScipyFollowsItsExactSolution) {

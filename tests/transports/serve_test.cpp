@@ -69,6 +69,9 @@ TEST(Serve, RefusesWhatIsNotRightBeforeItListens) {
   EXPECT_EQ(status({"--listen", "nonsense"}), 2);
   EXPECT_EQ(status({"--listen", "tls://127.0.0.1:0"}), 2) << "without a key";
   EXPECT_EQ(status({"--listen", "tcp://127.0.0.1:0", "--key", "key"}), 2) << "with one of no use";
+  EXPECT_EQ(status({"--listen", "unix:socket?spin=0"}), 2) << "which no client could name";
+  for (const std::string number : {"--deadline", "--idle", "--spin"})
+    EXPECT_EQ(status({"--listen", "tcp://127.0.0.1:0", number, "nan"}), 2) << number;
 }
 
 TEST(Spawn, GivesTheSameBitsAndEndsItsProgramWithTheRun) {

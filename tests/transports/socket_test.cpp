@@ -85,10 +85,36 @@ TEST(Sockets, AFileLeftOfAServerThatIsGoneIsUsedAgain) {
 TEST(Sockets, MoreSessionsThanAllowedAreToldSo) {
   wire::ServerSettings one;
   one.most_sessions = 1;
-  const Served server(listen("tcp://127.0.0.1:0", {}), source("builtin:two_mass.slow"), one);
-  const auto first = open(server.address(), all_sources());
-  EXPECT_TRUE(refuses(ErrorCode::not_supported, {server.address(), "1 sessions open"},
-                      [&] { open(server.address(), all_sources()); }));
+  const Scratch folder;
+  for (const std::string& address :
+       {std::string("tcp://127.0.0.1:0"), "unix:" + (folder.path() / "socket").string()}) {
+    const Served server(listen(address, {}), source("builtin:two_mass.slow"), one);
+    const auto first = open(server.address(), all_sources());
+    for (int k = 0; k < 20; ++k)  // whether the server closes before the request comes, or after
+      EXPECT_TRUE(refuses(ErrorCode::not_supported, {server.address(), "1 sessions open"},
+                          [&] { open(server.address(), all_sources()); }));
+  }
+}
+
+/// Also where nothing can be sent any more, as on a Unix socket.
+TEST(Sockets, AClientOfASessionThatEndedIdleIsToldSo) {
+  wire::ServerSettings hasty;
+  hasty.session.idle = 0.05;
+  const Scratch folder;
+  for (const std::string& address :
+       {std::string("tcp://127.0.0.1:0"), "unix:" + (folder.path() / "socket").string()}) {
+    const Served server(listen(address, {}), source("builtin:two_mass.slow"), hasty);
+    const auto slow = open(server.address(), all_sources());
+    const auto deadline = wire::in_seconds(30.0);
+    while (server.log().size() < 2 && std::chrono::steady_clock::now() < deadline) std::this_thread::yield();
+    std::vector<double> memory(static_cast<std::size_t>(slow->info().row_size()));
+    Samples y(memory.data(), slow->info().row_size(), 1);
+    const double u0 = 0.0;
+    EXPECT_TRUE(refuses(ErrorCode::input_output,
+                        {server.address(), "initialize", "no request came within 0.05 s"}, [&] {
+                          slow->initialize(0.0, 1.0, {&u0, 1}, y);
+                        }));
+  }
 }
 
 TEST(Sockets, AServerThatEndsInARunEndsItWithAnErrorThatNamesSubsystemAddressAndTime) {

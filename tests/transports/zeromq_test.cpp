@@ -65,6 +65,37 @@ TEST(ZeroMq, PlainTextStaysOnThisMachine) {
   EXPECT_TRUE(refuses(ErrorCode::not_supported, {"192.0.2.1", "--allow-plaintext"},
                       [] { open("zmq:tcp://192.0.2.1:1", all_sources()); }));
   EXPECT_TRUE(refuses(ErrorCode::not_supported, {"(*)"}, [] { zmq_listen("tcp://*:0", {}); }));
+  EXPECT_TRUE(refuses(ErrorCode::not_supported, {"0.0.0.0"}, [] { zmq_listen("tcp://0.0.0.0:0", {}); }));
+}
+
+/// What ZeroMQ itself would take for an address beyond this machine, or another protocol.
+TEST(ZeroMq, PlainTextDoesNotGetOutByTheNameOfItsHost) {
+  const auto opening = [](const std::string& uri) { return [uri] { open(uri, all_sources()); }; };
+  EXPECT_TRUE(refuses(ErrorCode::input_output, {"127.1.2.3.invalid", "not known"},
+                      opening("zmq:tcp://127.1.2.3.invalid:1")));
+  EXPECT_TRUE(refuses(ErrorCode::input_output, {"127.0.0.1:0;192.0.2.1", "not known"},
+                      opening("zmq:tcp://127.0.0.1:0;192.0.2.1:1")));
+  for (const std::string other :
+       {"ws://192.0.2.1:1", "epgm://eth0;239.0.0.1:1", "tcp:", "tcp://127.0.0.1", ""})
+    EXPECT_TRUE(refuses(ErrorCode::invalid_argument,
+                        {"'zmq:" + other + "'", "of the form zmq:tcp://HOST:PORT"}, opening("zmq:" + other)));
+}
+
+TEST(ZeroMq, ListensAtNamesAndNumbersOfThisMachine) {
+  for (const std::string address : {"tcp://localhost:0", "tcp://127.1.2.3:0"}) {
+    const Served server(zmq_listen(address, {}), source("builtin:two_mass.slow"));
+    EXPECT_NO_THROW(open(server.address(), all_sources())) << address;
+  }
+}
+
+/// Wherever they stand: the server says its path, which may begin elsewhere.
+TEST(ZeroMq, AnIpcPathIsSeenFromTheFolderOfTheScenario) {
+  const Scratch folder;
+  const Served server(zmq_listen("ipc://" + (folder.path() / "socket").string(), {}),
+                      source("builtin:two_mass.slow"));
+  Opening opening;
+  opening.folder = folder.path();
+  EXPECT_NO_THROW(open("zmq:ipc://socket", all_sources(), std::move(opening)));
 }
 
 /// ZeroMQ itself would remove whatever is there.

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "cli/commands.hpp"
+#include "cli/positive.hpp"
 #include "tandem/error.hpp"
 #include "tandem/tcp/certificates.hpp"
 #if TANDEM_HAS_ZEROMQ
@@ -103,7 +104,7 @@ void add_keys(CLI::App& app, Context&) {
       ->type_name("DIR")
       ->capture_default_str();
   command->add_option("--days", options->days, "How long the certificates are valid, up to a whole second")
-      ->check(CLI::PositiveNumber & CLI::Range(0.0, 36500.0))
+      ->check(positive & CLI::Range(0.0, 36500.0))
       ->capture_default_str();
   command->callback([options] { make_keys(*options); });
 }

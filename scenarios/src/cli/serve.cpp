@@ -7,6 +7,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/positive.hpp"
 #include "cli/transports.hpp"
 #include "tandem/error.hpp"
 #include "tandem/tcp/tcp.hpp"
@@ -88,17 +89,17 @@ void add_serve(CLI::App& app, Context& context) {
       ->capture_default_str();
   command->add_flag("--once", options->server.once, "End after one session");
   command->add_option("--idle", options->server.session.idle, "Seconds from one request to the next")
-      ->check(CLI::PositiveNumber)
+      ->check(positive)
       ->capture_default_str();
   command
       ->add_option("--deadline", options->server.session.deadline,
                    "Seconds for a request to come whole, and for a reply to be taken")
-      ->check(CLI::PositiveNumber)
+      ->check(positive)
       ->capture_default_str();
   command
       ->add_option("--spin", options->spin,
                    "Microseconds to look at the socket without a pause before sleeping")
-      ->check(CLI::NonNegativeNumber)
+      ->check(not_negative)
       ->capture_default_str();
   command
       ->add_option("--key", options->keys.own,

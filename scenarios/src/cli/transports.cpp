@@ -36,6 +36,11 @@ void add_transports(Context& context) {
 
 std::unique_ptr<wire::Listener> listener_at(const std::string& address, const SocketSettings& settings,
                                             const ServerKeys& keys) {
+  if (address.find('?') != std::string::npos)
+    throw Error(ErrorCode::invalid_argument, "address '" + address +
+                                                 "' has a '?': parameters follow it in a client's; a server "
+                                                 "has options in their place (--deadline, "
+                                                 "--spin, --key, ...)");
   const bool zmq = address.starts_with("zmq:"), tls = address.starts_with("tls:");
   if ((!keys.own.empty() && !zmq && !tls) || (!keys.clients.empty() && !zmq) ||
       (!keys.authority.empty() && !tls))

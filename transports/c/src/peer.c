@@ -773,18 +773,20 @@ static tandem_status handle(session* s, int type, reader* in) {
 /* One request; *more is 0 after the last one. */
 static tandem_status answer(session* s, int* more) {
   channel* c = &s->channel;
+  const uint32_t allowed = s->number + 1;
   uint32_t number;
   reader in;
   int type;
   *more = 0;
+  s->number = 0; /* of what goes wrong before the request's own is known to be right */
   if (c->in.size == c->frame && !wait_for(c->socket, POLLIN, now() + s->idle))
     return refuse(&c->fault, TANDEM_INPUT_OUTPUT, "no request came within %g s, so the session ends",
                   s->idle);
   if (receive(c, &type, &number, &in) != TANDEM_OK) return c->fault.status;
   if (type == 0) return TANDEM_OK;
-  if (number != s->number + 1)
+  if (number != allowed)
     return refuse(&c->fault, TANDEM_WRONG_STATE, "the request has the number %u; allowed is %u", number,
-                  s->number + 1);
+                  allowed);
   s->number = number;
   if (type == T_BYE) { /* the peer need not wait for it */
     begin(c, T_BYE, number);
@@ -1111,14 +1113,39 @@ static void read_clock(reader* in, tandem_clock* clock) {
   clock->reserved = 0;
 }
 
+static const char* take_error(reader* in, tandem_status* status) {
+  const uint32_t code = take_u32(in);
+  const int known = code >= TANDEM_INVALID_ARGUMENT && code <= TANDEM_INTERNAL;
+  *status = known ? (tandem_status)code : TANDEM_INTERNAL;
+  return take_text(in, LONGEST_TEXT);
+}
+
 /* What the subsystem says; the connection is as sound as before. Rows may have come before the error. */
 static tandem_status read_error(remote* r, reader* in, tandem_samples* y) {
-  const uint32_t code = take_u32(in);
-  const char* const sentence = take_text(in, LONGEST_TEXT);
-  const int known = code >= TANDEM_INVALID_ARGUMENT && code <= TANDEM_INTERNAL;
+  tandem_status status;
+  const char* const sentence = take_error(in, &status);
   if (y && !in->bad && in->left) read_rows(in, y);
   if (in->bad) return break_off(r);
-  return tell(r, known ? (tandem_status)code : TANDEM_INTERNAL, sentence);
+  return tell(r, status, sentence);
+}
+
+/* Why the server ended the session. */
+static tandem_status hear(remote* r, reader* in) {
+  tandem_status status;
+  const char* const sentence = take_error(in, &status);
+  if (!in->bad) refuse(&r->channel.fault, status, "%s", sentence);
+  return break_off(r);
+}
+
+/* Nothing can be sent; the server may have said why before it closed. */
+static tandem_status hear_farewell(remote* r, reader* in) {
+  const fault why = r->channel.fault;
+  uint32_t number;
+  int type;
+  r->channel.deadline = 0.1;
+  if (receive(&r->channel, &type, &number, in) == TANDEM_OK && type == T_ERROR) return hear(r, in);
+  r->channel.fault = why;
+  return break_off(r);
 }
 
 /* Sends the request; the reply is of that type, or an error. */
@@ -1126,8 +1153,9 @@ static tandem_status exchange(remote* r, int expected, reader* in, tandem_sample
   fault* f = &r->channel.fault;
   uint32_t number = 0;
   int type = 0;
-  if (send_frame(&r->channel) != TANDEM_OK || receive(&r->channel, &type, &number, in) != TANDEM_OK)
-    return break_off(r);
+  if (send_frame(&r->channel) != TANDEM_OK) return hear_farewell(r, in);
+  if (receive(&r->channel, &type, &number, in) != TANDEM_OK) return break_off(r);
+  if (type == T_ERROR && number == 0) return hear(r, in);
   if (type == 0)
     refuse(f, TANDEM_INPUT_OUTPUT, "the peer closed the connection");
   else if (number != r->number)

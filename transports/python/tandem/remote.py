@@ -12,7 +12,7 @@ from typing import List, Optional, Sequence, Tuple
 
 from . import wire
 from .contract import Clock, Error, Info, Row, Signal
-from .serving import is_loopback, split_address
+from .serving import resolve
 
 
 class Remote:
@@ -82,7 +82,7 @@ class Remote:
         self._number += 1
         where = f"{self._channel.peer}, {kind.name.lower()}: "
         try:
-            self._channel.send(kind, self._number, payload, self._deadline)
+            self._send(kind, payload)
             frame = self._channel.receive(self._deadline, self._deadline)
         except Error as error:
             raise Error(where + str(error), error.code) from None
@@ -97,6 +97,20 @@ class Remote:
         return data
 
 
+    def _send(self, kind: wire.Type, payload: bytes) -> None:
+        """A server that ended the session may have said why before it closed."""
+        try:
+            self._channel.send(kind, self._number, payload, self._deadline)
+        except Error as error:
+            try:
+                frame = self._channel.receive(0.1, 0.1)
+            except Error:
+                frame = None
+            if frame is not None and frame[0] == wire.Type.ERROR:
+                error = wire.read_error(frame[2])
+            raise error from None
+
+
 def connect(uri: str, deadline: float = 5.0, allow_plaintext: bool = False) -> Remote:
     """Opens "tcp://HOST:PORT", "unix:PATH" or "spawn:COMMAND", with ?key=value&key=value for the subsystem."""
     address, _, parameters = uri.partition("?")
@@ -107,15 +121,24 @@ def connect(uri: str, deadline: float = 5.0, allow_plaintext: bool = False) -> R
                                        env={**os.environ, "TANDEM_FD": str(theirs.fileno())})
         return Remote(wire.Channel(ours, address), parameters, deadline, process)
     try:
-        if address.startswith("unix:"):
-            sock = socket.socket(socket.AF_UNIX)
-            sock.settimeout(deadline)
-            sock.connect(address[5:])
-        else:
-            sock = socket.create_connection(split_address(address), deadline)
+        sock = _connected(address, deadline, allow_plaintext)
     except OSError as error:
         raise Error(f"no connection to {address}: {error}", 5) from None
-    if sock.family != socket.AF_UNIX and not allow_plaintext and not is_loopback(sock.getpeername()[0]):
-        sock.close()
-        raise Error(f"address '{address}' is beyond this machine, and tcp is plain text", 2)
     return Remote(wire.Channel(sock, address), parameters, deadline)
+
+
+def _connected(address: str, deadline: float, allow_plaintext: bool) -> socket.socket:
+    """To the first of the places that an address stands for which takes a connection."""
+    unix = address.startswith("unix:")
+    failure = OSError("the address stands for nothing")
+    places = [(socket.AF_UNIX, address[5:])] if unix else [(p[0], p[4]) for p in resolve(address, allow_plaintext)]
+    for family, place in places:
+        sock = socket.socket(family)
+        sock.settimeout(deadline)
+        try:
+            sock.connect(place)
+            return sock
+        except OSError as error:
+            sock.close()
+            failure = error
+    raise failure

@@ -3,8 +3,11 @@
 
 from __future__ import annotations
 
+import errno
 import os
+import signal
 import socket
+import stat
 import sys
 import threading
 import traceback
@@ -43,12 +46,13 @@ class Session:
             self._channel.close()
 
     def _answer(self) -> bool:
+        last, self._number = self._number, 0  # of what goes wrong before the request's own is known to be right
         frame = self._channel.receive(self._idle, self._deadline)
         if frame is None:
             return False
         kind, number, data = frame
-        if number != self._number + 1:
-            raise Error(f"the request has the number {number}; allowed is {self._number + 1}", 3)
+        if number != last + 1:
+            raise Error(f"the request has the number {number}; allowed is {last + 1}", 3)
         self._number = number
         if kind == wire.Type.BYE:
             self._say_bye()
@@ -114,7 +118,7 @@ class Session:
         try:
             self._reply(wire.Type.SAMPLES, _asked(payload))
         except Error as error:
-            self._reply(wire.Type.ERROR, wire.put_error(error) + wire.put_rows(rows, stride))
+            self._reply(wire.Type.ERROR, wire.put_error(error) + _sound_rows(rows, stride))
 
     def _initialize(self, data: memoryview) -> None:
         t_start, t_stop, room, u0 = wire.read_initialize(data, self._known().input_size())
@@ -182,6 +186,16 @@ class Session:
             pass
 
 
+def _sound_rows(rows: List[Row], stride: int) -> bytes:
+    """Those before the first one that is wrong."""
+    for count in range(len(rows), 0, -1):
+        try:
+            return wire.put_rows(rows[:count], stride)
+        except Error:
+            pass
+    return wire.put_rows([], stride)
+
+
 def _identity(state: int) -> bytes:
     return int(state).to_bytes(8, "little", signed=True)
 
@@ -208,18 +222,32 @@ def _parameters(text: str) -> Dict[str, str]:
 
 
 def _listener(address: str) -> Tuple[socket.socket, str]:
-    if address.startswith("unix:"):
-        sock = socket.socket(socket.AF_UNIX)
-        os.fchmod(sock.fileno(), 0o600)
-        sock.bind(address[5:])
-        sock.listen()
-        return sock, address
-    host, port = split_address(address)
-    sock = socket.create_server((host, port))
-    if not is_loopback(sock.getsockname()[0]):
-        sock.close()
-        raise Error(f"address '{address}' is beyond this machine, and tcp is plain text", 2)
-    return sock, f"tcp://{host}:{sock.getsockname()[1]}"
+    try:
+        if address.startswith("unix:"):
+            return _unix_listener(address[5:]), address
+        place = resolve(address, False)[0]
+        sock = socket.create_server(place[4][:2], family=place[0])
+        return sock, f"{address[:address.rindex(':')]}:{sock.getsockname()[1]}"
+    except OSError as error:
+        raise Error(f"no listening at {address}: {error}", 5) from None
+
+
+def _unix_listener(path: str) -> socket.socket:
+    if _is_stale(path):
+        os.unlink(path)
+    sock = socket.socket(socket.AF_UNIX)
+    os.fchmod(sock.fileno(), 0o600)  # before there is a file to connect to
+    sock.bind(path)
+    sock.listen()
+    return sock
+
+
+def _is_stale(path: str) -> bool:
+    """A socket that is left of a server which is gone."""
+    if not os.path.exists(path) or not stat.S_ISSOCK(os.stat(path).st_mode):
+        return False
+    with socket.socket(socket.AF_UNIX) as probe:
+        return probe.connect_ex(path) == errno.ECONNREFUSED
 
 
 def split_address(address: str) -> Tuple[str, int]:
@@ -229,6 +257,16 @@ def split_address(address: str) -> Tuple[str, int]:
     return host.strip("[]"), int(port)
 
 
+def resolve(address: str, allow_plaintext: bool) -> List[Any]:
+    """What tcp://HOST:PORT stands for, as socket.getaddrinfo gives it; all of it has to be this machine."""
+    host, port = split_address(address)
+    places = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)
+    for place in places:
+        if not allow_plaintext and not is_loopback(str(place[4][0])):
+            raise Error(f"address '{address}' is beyond this machine ({place[4][0]}), and tcp is plain text", 2)
+    return places
+
+
 def is_loopback(host: str) -> bool:
     return host.startswith("127.") or host == "::1"
 
@@ -236,7 +274,7 @@ def is_loopback(host: str) -> bool:
 def serve(make: Make, address: Optional[str] = None, once: bool = False, deadline: float = 5.0) -> None:
     """Serves what `make(parameters)` returns, an instance for each session: at `address` ("tcp://HOST:PORT",
     port 0 for a free one, or "unix:PATH"; the address is printed), or, without one, at --listen URI of the
-    command line, or to the run that has started this program by spawn:."""
+    command line, or to the run that has started this program by spawn:. SIGTERM and Ctrl-C end the program."""
     if address is None and "--listen" in sys.argv[:-1]:
         address = sys.argv[sys.argv.index("--listen") + 1]
     if address is None and "TANDEM_FD" in os.environ:
@@ -246,6 +284,9 @@ def serve(make: Make, address: Optional[str] = None, once: bool = False, deadlin
     if address is None:
         raise Error("an address is needed: serve(make, address), or --listen URI")
     listener, place = _listener(address)
+    if threading.current_thread() is threading.main_thread():
+        for number in (signal.SIGTERM, signal.SIGINT):
+            signal.signal(number, _end)
     print(f"serving at {place}", flush=True)
     try:
         while True:
@@ -259,6 +300,10 @@ def serve(make: Make, address: Optional[str] = None, once: bool = False, deadlin
         listener.close()
         if place.startswith("unix:"):
             os.unlink(place[5:])
+
+
+def _end(*_: Any) -> None:
+    raise SystemExit(0)
 
 
 def _serve_one(session: Session) -> None:

@@ -184,7 +184,10 @@ def put_rows(rows: Sequence[Row], stride: int) -> bytes:
     for row in rows:
         if len(row.values) != stride - 2:
             raise Error(f"the sample at t = {row.time} s has {len(row.values)} values; allowed are {stride - 2}")
-        parts.append(struct.pack(f"<{stride}d", row.time, float(row.jump), *row.values))
+        try:
+            parts.append(struct.pack(f"<{stride}d", row.time, float(row.jump), *row.values))
+        except struct.error:
+            raise Error(f"the sample at t = {row.time} s has {list(row.values)}; allowed are numbers") from None
     return b"".join(parts)
 
 

@@ -85,7 +85,24 @@ void RemoteSubsystem::send() {
   if (frame_.size() - header_size > longest_)
     throw Error(ErrorCode::not_supported, "the request has " + std::to_string(frame_.size() - header_size) +
                                               " bytes; the peer takes up to " + std::to_string(longest_));
-  channel_->send(frame_.bytes(), in_seconds(deadline_));
+  try {
+    channel_->send(frame_.bytes(), in_seconds(deadline_));
+  } catch (const Error&) {
+    hear_farewell();
+    throw;
+  }
+}
+
+/// A server that ended the session may have said why before it closed.
+void RemoteSubsystem::hear_farewell() {
+  std::span<const std::byte> bytes;
+  try {
+    bytes = channel_->receive(in_seconds(0.1));
+  } catch (const Error&) {  // it has not, and why nothing can be sent is told
+  }
+  if (bytes.empty()) return;
+  const Frame last = Frame::read(bytes, usual_longest);
+  if (last.header.type == Type::error) throw read_error(last.payload, nullptr);
 }
 
 /// The reply to the last request.
@@ -93,6 +110,7 @@ Frame RemoteSubsystem::receive(Type expected, Samples* y) {
   const auto bytes = channel_->receive(in_seconds(deadline_));
   if (bytes.empty()) throw Error(ErrorCode::input_output, "the peer closed the connection");
   const Frame reply = Frame::read(bytes, usual_longest);
+  if (reply.header.type == Type::error && reply.header.number == 0) throw read_error(reply.payload, nullptr);
   if (reply.header.number != number_)
     throw Error(ErrorCode::wrong_state, "the reply has the number " + std::to_string(reply.header.number) +
                                             "; allowed is that of the request, " + std::to_string(number_));

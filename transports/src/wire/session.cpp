@@ -2,6 +2,9 @@
 #include "tandem/wire/session.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <utility>
 
 #include "tandem/error.hpp"
 
@@ -18,6 +21,11 @@ auto asked(const Call& call) {
   } catch (const std::exception& error) {
     throw Error(ErrorCode::internal, error.what());
   }
+}
+
+std::string seconds_text(double seconds) {
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.begin(), text.end(), seconds).ptr};
 }
 
 }  // namespace
@@ -38,15 +46,17 @@ void Session::serve() {
   }
 }
 
-/// One request. False: there is none any more.
+/// One request. False: there is none any more. What goes wrong before its number is known to be right is told
+/// with the number 0.
 bool Session::answer() {
+  const std::uint32_t last = std::exchange(number_, 0);
   if (!channel_.wait(in_seconds(settings_.idle)))
     throw Error(ErrorCode::input_output,
-                "no request came within " + std::to_string(settings_.idle) + " s, so the session ends");
+                "no request came within " + seconds_text(settings_.idle) + " s, so the session ends");
   const auto bytes = channel_.receive(in_seconds(settings_.deadline));
   if (bytes.empty()) return false;
   const Frame request = Frame::read(bytes, usual_longest);
-  check_number(request.header);
+  check_number(request.header, last + 1);
   if (request.header.type == Type::bye) {
     say_bye();
     return false;
@@ -66,10 +76,10 @@ void Session::say_bye() {
 }
 
 /// So that one that comes twice is not done twice.
-void Session::check_number(const Header& header) {
-  if (header.number != number_ + 1)
+void Session::check_number(const Header& header, std::uint32_t allowed) {
+  if (header.number != allowed)
     throw Error(ErrorCode::wrong_state, "the request has the number " + std::to_string(header.number) +
-                                            "; allowed is " + std::to_string(number_ + 1));
+                                            "; allowed is " + std::to_string(allowed));
   number_ = header.number;
 }
 

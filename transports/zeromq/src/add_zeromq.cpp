@@ -29,6 +29,15 @@ ZmqSettings settings_from(const Address& address, Parameters& p, bool allow_plai
   return s;
 }
 
+/// Paths are seen from the folder of the scenario; "@NAME" is none.
+std::string in_folder(const Address& address) {
+  const std::string scheme = "ipc://";
+  if (!address.place.starts_with(scheme) || address.place.starts_with(scheme + "@") ||
+      address.place == scheme)
+    return address.place;
+  return scheme + (address.folder / address.place.substr(scheme.size())).string();
+}
+
 }  // namespace
 
 CurveKeys make_curve_keys() {
@@ -50,8 +59,8 @@ std::string read_curve_key(const fs::path& file, bool secret) {
 void add_zeromq(Builtins& builtins, bool allow_plaintext) {
   builtins.addresses["zmq"] = [=](const Address& address, Parameters& parameters) {
     const ZmqSettings settings = settings_from(address, parameters, allow_plaintext);
-    return std::make_unique<wire::RemoteSubsystem>(zmq_connect(address.place, settings), parameters.rest(),
-                                                   settings.deadline);
+    return std::make_unique<wire::RemoteSubsystem>(zmq_connect(in_folder(address), settings),
+                                                   parameters.rest(), settings.deadline);
   };
 }
 

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include <filesystem>
 
+#include "address.hpp"
 #include "gate.hpp"
 #include "ipc_file.hpp"
 #include "socket.hpp"
@@ -18,18 +19,12 @@ std::string to_bind(std::string address) {
   return address;
 }
 
-/// The address of a session's own socket, beside that of the listener.
-std::string beside(const std::string& address, unsigned number) {
-  if (address.starts_with("tcp://")) return address.substr(0, address.rfind(':')) + ":*";
-  return address + "-" + std::to_string(number);
-}
-
 /// Answers each knock with the address of a new socket that one peer can use.
 class ZmqListener final : public wire::Listener {
  public:
   ZmqListener(const std::string& address, const ZmqSettings& settings)
       : settings_(settings), gate_(settings), socket_(context(), zmq::socket_type::router) {
-    require_loopback(address, settings);
+    const std::string place = to_bind(to_open(address, settings));
     if (taken(address))
       throw Error(ErrorCode::input_output,
                   "no listening at zmq:" + address +
@@ -37,7 +32,7 @@ class ZmqListener final : public wire::Listener {
                       "none, and a socket whose server is gone");
     try {
       secure(socket_, settings, true);
-      socket_.bind(to_bind(address));
+      bind_to(socket_, place);
       bound_ = socket_.get(zmq::sockopt::last_endpoint);
     } catch (const zmq::error_t& error) {
       fail("no listening at", address, error);
@@ -71,7 +66,7 @@ class ZmqListener final : public wire::Listener {
       secure(own, settings_, true);
       while (taken(beside(bound_, ++count_))) {  // by a server of that name, or any file
       }
-      own.bind(beside(bound_, count_));
+      bind_to(own, beside(bound_, count_));
       const std::string place = own.get(zmq::sockopt::last_endpoint);
       auto channel =
           std::make_unique<ZmqChannel>(std::move(own), "zmq:" + place, settings_.spin, IpcFile(place));
@@ -91,34 +86,32 @@ class ZmqListener final : public wire::Listener {
   unsigned count_ = 0;
 };
 
-/// The place that the server answers the knock with; its host is the one that was asked for.
-std::string session_place(const std::string& address, const ZmqSettings& settings) {
+/// Knocks at a place; returns that of the session.
+std::string session_place(const std::string& address, const std::string& place, const ZmqSettings& settings) {
   zmq::socket_t door(context(), zmq::socket_type::dealer);
   secure(door, settings, false);
   door.set(zmq::sockopt::linger, 0);
-  door.connect(address);
+  connect_to(door, place);
   door.send(zmq::str_buffer("TANDEM\r\n"), zmq::send_flags::dontwait);
   const auto deadline = wire::in_seconds(settings.deadline);
-  zmq::message_t place;
-  while (!door.recv(place, zmq::recv_flags::dontwait)) {
+  zmq::message_t answer;
+  while (!door.recv(answer, zmq::recv_flags::dontwait)) {
     if (std::chrono::steady_clock::now() > deadline)
       throw Error(ErrorCode::input_output,
                   "no connection to zmq:" + address + " within the deadline" +
                       (settings.keys.secret_key.empty() ? "" : " (or the keys are not the right ones)"));
     readable(door, 20);
   }
-  std::string text = place.to_string();
-  if (!address.starts_with("tcp://")) return text;
-  return address.substr(0, address.rfind(':')) + text.substr(std::min(text.rfind(':'), text.size()));
+  return beside(place, answer.to_string());
 }
 
 }  // namespace
 }  // namespace zeromq
 
 std::unique_ptr<wire::Channel> zmq_connect(const std::string& address, const ZmqSettings& settings) {
-  zeromq::require_loopback(address, settings);
+  const std::string door = zeromq::to_open(address, settings);
   try {
-    const std::string place = zeromq::session_place(address, settings);
+    const std::string place = zeromq::session_place(address, door, settings);
     zmq::socket_t socket(zeromq::context(), zmq::socket_type::dealer);
     zeromq::secure(socket, settings, false);
     auto channel = std::make_unique<zeromq::ZmqChannel>(std::move(socket), "zmq:" + address, settings.spin);

@@ -58,14 +58,14 @@ void secure(zmq::socket_t& socket, const ZmqSettings& settings, bool server) {
   socket.set(zmq::sockopt::curve_secretkey, settings.keys.secret_key);
 }
 
-void require_loopback(const std::string& address, const ZmqSettings& settings) {
-  if (!address.starts_with("tcp://") || settings.allow_plaintext || !settings.keys.secret_key.empty()) return;
-  const std::string host = address.substr(6, address.rfind(':') - 6);
-  if (host == "localhost" || host.starts_with("127.") || host == "[::1]") return;
-  throw Error(ErrorCode::not_supported,
-              "address 'zmq:" + address + "' is beyond this machine (" + host +
-                  "), and without keys it is plain text; allowed is ?key=FILE&server_key=FILE, or say "
-                  "--allow-plaintext");
+void bind_to(zmq::socket_t& socket, const std::string& place) {
+  socket.set(zmq::sockopt::ipv6, place.starts_with("tcp://["));
+  socket.bind(place);
+}
+
+void connect_to(zmq::socket_t& socket, const std::string& place) {
+  socket.set(zmq::sockopt::ipv6, place.starts_with("tcp://["));
+  socket.connect(place);
 }
 
 bool readable(zmq::socket_t& socket, int milliseconds) {

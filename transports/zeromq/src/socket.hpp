@@ -18,8 +18,9 @@ zmq::context_t& context();
 
 /// Sets keys, and limits of time and memory; before bind or connect.
 void secure(zmq::socket_t& socket, const ZmqSettings& settings, bool server);
-/// Throws Error(not_supported) for plain text beyond this machine.
-void require_loopback(const std::string& address, const ZmqSettings& settings);
+/// At what to_open() gives; IPv6 where that is a number of it.
+void bind_to(zmq::socket_t& socket, const std::string& place);
+void connect_to(zmq::socket_t& socket, const std::string& place);
 
 /// Waits up to so many milliseconds; a signal ends the wait too.
 bool readable(zmq::socket_t& socket, int milliseconds);
@@ -32,7 +33,7 @@ class ZmqChannel final : public wire::Channel {
   ~ZmqChannel() override;
   ZmqChannel(const ZmqChannel&) = delete;
   ZmqChannel& operator=(const ZmqChannel&) = delete;
-  void connect(const std::string& place) { socket_.connect(place); }
+  void connect(const std::string& place) { connect_to(socket_, place); }
 
   void send(std::span<const std::byte> frame, wire::Deadline deadline) override;
   std::span<const std::byte> receive(wire::Deadline deadline) override;

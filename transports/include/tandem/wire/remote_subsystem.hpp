@@ -36,6 +36,7 @@ class RemoteSubsystem final : public Subsystem {
   void hello(const std::string& parameters);
   void begin(Type type);
   void send();
+  void hear_farewell();
   Frame receive(Type expected, Samples* y);
   Frame exchange(Type expected, Samples* y = nullptr);
   std::uint64_t room(const Samples& y) const;

@@ -34,7 +34,7 @@ class Session {
   void handle(const Frame& request);
   void handle_state(const Frame& request);
   std::vector<std::byte> bytes_of(StateId id);
-  void check_number(const Header& header);
+  void check_number(const Header& header, std::uint32_t allowed);
   void check_order(Type type) const;
   void hello(const Frame& request);
   void initialize(const Frame& request);
@@ -51,7 +51,7 @@ class Session {
   SessionSettings settings_;
   std::unique_ptr<Subsystem> subsystem_;
   bool initialized_ = false;
-  std::uint32_t number_ = 0;  ///< of the last request
+  std::uint32_t number_ = 0;  ///< of the request that is answered; 0 before it is there
   std::uint64_t longest_ = usual_longest;
   Writer frame_;
   Initialize initialize_;
