@@ -18,6 +18,7 @@ std::unique_ptr<Subsystem> open_kart(const Scene& scene, const Kart& kart) {
   Opening opening{{}, scene.folder};
   opening.parameters.set("step", kart.step());
   if (!formulas) opening.parameters.set("tolerance", 1e-7);
+  if (kart.level.starts_with("spatial")) opening.parameters.set("carry_multipliers", true);
   if (kart.level == "spatial_scalar_spin") opening.parameters.set("beta", 1.0 / 12.0);
   return open(formulas ? "builtin:kart." + kart.level : "mechanism:" + kart.level + ".toml", scene.builtins,
               std::move(opening));
@@ -26,6 +27,8 @@ std::unique_ptr<Subsystem> open_kart(const Scene& scene, const Kart& kart) {
 std::unique_ptr<Subsystem> open_engine(const Scene& scene) {
   Opening opening{{}, scene.folder};
   opening.parameters.set("step", engine_step);
+  opening.parameters.set("engine", std::string("engine_compiled.toml"));
+  opening.parameters.set("gearbox", std::string("kart_automatic_compiled.toml"));
   return open("diagram:../engine/kart_power_train.toml", scene.builtins, std::move(opening));
 }
 
