@@ -155,6 +155,41 @@ TEST(Help, AnUnknownCommandIsNamedWithTheNearest) {
     EXPECT_NE(said.err.find(std::string(", ") + command), std::string::npos) << command;
 }
 
+TEST(InfoCommand, TellsStatesOfElementsBesideVariables) {
+  const Scratch folder;
+  const std::string kart = std::string(TANDEM_SOURCE_DIR) + "/scenarios/kart/";
+  expect_words(
+      tandem(folder, {"info", kart + "spatial.toml"}),
+      {"163 variables: ", "8 states of elements: tyre_FL slip", "149 constraints", "14 degrees of freedom"});
+  EXPECT_EQ(tandem(folder, {"info", two_mass_file("two_mass.toml")}).out.find("states of"),
+            std::string::npos);
+}
+
+/// w^2 = k / m: 4 times as stiff, twice the frequency.
+TEST(ModesCommand, SetsValuesOfTheMechanismOrOfTheScenario) {
+  const Scratch folder;
+  folder.write(
+      "m.toml",
+      "dimension = 2\n[points]\nO = { at = [0, 0], fixed = true }\nP = { at = [1, 0] }\n"
+      "[masses.load]\npoint = \"P\"\nmass = 1\n[springs.s]\npoints = [\"O\", \"P\"]\nstiffness = 39.4784176\n"
+      "free = 1\n");
+  expect_words(tandem(folder, {"modes", "m.toml"}), {"1.000 Hz"});
+  expect_words(tandem(folder, {"modes", "m.toml", "--set", "springs.s.stiffness=157.91367"}), {"2.000 Hz"});
+  const Said wrong = tandem(folder, {"modes", "m.toml", "--set", "springs.s.stifness=1"});
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_NE(wrong.err.find("'stifness'"), std::string::npos) << wrong.err;
+
+  folder.write(
+      "s.toml",
+      "[subsystems.a]\nsource = \"mechanism:none.toml\"\nparameters = { step = 1 }\n[span]\nstop = 1\n");
+  expect_words(tandem(folder, {"modes", "s.toml", "--set", "subsystems.a.source=mechanism:m.toml"}),
+               {"1.000 Hz"});
+  const Said port = tandem(folder, {"modes", "s.toml", "--set", "subsystems.a.source=mechanism:m.toml",
+                                    "--set", "subsystems.a.inputs.push=1"});
+  EXPECT_EQ(port.status, 2);
+  EXPECT_NE(port.err.find("input 'push'"), std::string::npos) << port.err;
+}
+
 TEST(InfoCommand, TakesAFileWithPointsForAMechanism) {
   const Scratch folder;
   folder.write("m.toml", "dimensoin = 2\n[points]\nO = { at = [0, 0], fixed = true }\n");

@@ -47,9 +47,9 @@ TEST(KartBadInput, RatiosOfGearsThatDoNotFallAreRefused) {
 }
 
 TEST(KartBadInput, SpeedsOfShiftsOutOfOrderAreRefused) {
-  ChangedScene("engine/gears.toml", "y = [6, 9, 18, 24, 30]", "y = [6, 9, 18, 24, 17.5]")
-      .refuses(validate,
-               {"gears.toml:23", "from 'second' to 'third' is 17.5 at 25", "above 18, the threshold"});
+  ChangedScene("engine/gears.toml", "y = [4, 6, 13, 15, 18]", "y = [4, 6, 13, 15, 31]")
+      .refuses(validate, {"gears.toml:23", "from 'second' to 'third' is 30 at 25",
+                          "above 31, the threshold from 'first'"});
   ChangedScene("engine/clutch_gearbox.toml", "up23 = { value = 14.0", "up23 = { value = 7.0")
       .refuses(
           {"validate", "kart/kart.toml", "--set", "subsystems.engine.parameters.gearbox=clutch_gearbox.toml"},

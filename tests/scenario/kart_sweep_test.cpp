@@ -93,6 +93,23 @@ TEST(KartSweep, TheWorkOfASchemeIsARowOfItsError) {
   EXPECT_TRUE(row.ends_with(",ok"));
 }
 
+/// What kart, engine and coordinator take is the whole, and stands in the row and in the line to read.
+TEST(KartSweep, SharesOfBothSidesAndOfTheCoordinatorAreTheWhole) {
+  const Builtins all = builtins();
+  const Scene scene{std::string(TANDEM_SOURCE_DIR) + "/scenarios/kart", all};
+  const Course c = couple(scene, {"plane", 100}, thesis_scheme, true);
+  EXPECT_GT(c.kart_share, 0.0);
+  EXPECT_GT(c.engine_share, 0.0);
+  EXPECT_GT(c.coordinator_share, 0.0);
+  EXPECT_NEAR(c.kart_share + c.engine_share + c.coordinator_share, 1.0, 1e-12);
+  EXPECT_TRUE(shares_row("plane", 100, c).starts_with(fmt::format("plane,100,{:.4f},", c.kart_share)));
+  Outcome o;
+  o.course.seconds = 0.5, o.course.engine_share = 0.75;
+  o.from_better = {0.13, 0.03125};
+  EXPECT_EQ(multirate_line("plane", 5, 2.0, o),
+            "| plane | 5 | 0.5 | 4 | 20 | 0 % | 75 % | 0 % | 0.13° (0.03°) |\n");
+}
+
 /// However large the pitch's difference: a run is unstable by its torque alone.
 TEST(KartSweep, ARunIsUnstableIfItsTorqueLeavesTheReferencesRangeByHalfItsWidth) {
   const std::vector<double> reference{0.0, 160.0, 40.0};

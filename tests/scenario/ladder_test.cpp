@@ -67,5 +67,27 @@ name = "b"
   EXPECT_TRUE(contains(unit.err, "scene.toml:6") && contains(unit.err, "'kg'")) << unit.err;
 }
 
+/// x1 of the first rung is 0: as far off as the richest is large.
+TEST(LadderCommand, TakesANumberForAQuantityThatAModelDoesNotMove) {
+  const Scratch folder;
+  const auto scene = [](const std::string& here) {
+    return "[subsystems.both]\nsource = 'builtin:two_mass.both'\n[span]\nstop = 1\n"
+           "[[ladder.judged]]\nquantity = 'both.x1'\ntolerance = 0.1\n"
+           "[[ladder.judged]]\nquantity = 'both.x2'\ntolerance = 0.1\n"
+           "[[ladder.rungs]]\nname = 'still'\noutputs = { 'both.x1' = " +
+           here + " }\n[[ladder.rungs]]\nname = 'whole'\n";
+  };
+  const std::string file = folder.write("scene.toml", scene("0")).string();
+  const Said said = tandem(folder, {"ladder", file, "--repetitions", "0", "--output", "l"});
+  ASSERT_EQ(said.status, 0) << said.err;
+  const std::string rows = read_text(folder.path() / "l/ladder.csv");
+  EXPECT_TRUE(contains(rows, "\"still\",both.x1,1,1,1,0.1,,ok")) << rows;
+  EXPECT_TRUE(contains(rows, "\"still\",both.x2,1,0,0,0.1,,ok")) << rows;
+  EXPECT_TRUE(contains(said.out, "the next simpler, still, is not: both.x1 by 100 %")) << said.out;
+  const Said wrong = tandem(folder, {"ladder", folder.write("wrong.toml", scene("true")).string()});
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_TRUE(contains(wrong.err, "the output, or the number, that it is here")) << wrong.err;
+}
+
 }  // namespace
 }  // namespace tandem

@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "background.hpp"
@@ -42,6 +44,25 @@ TEST(RunCommand, WritesResultsWithUnitsAndMachineFigures) {
   EXPECT_EQ(machine["subsystems"]["slow"]["exchanges"], 400);
   EXPECT_GT(machine["real_time_factor"], 0.0);
   EXPECT_FALSE(machine["subsystems"]["fast"].contains("seconds"));
+}
+
+/// However short the run: simulated time, elapsed time and their ratio; times are in no file of results.
+TEST(RunCommand, EndsWithALineOfItsRealTimeFactor) {
+  const Scratch folder;
+  const Said said = tandem(folder, {"run", two_mass_file("force_plain.toml"), "--no-reference"});
+  ASSERT_EQ(said.status, 0) << said.err;
+  double simulated = 0.0, elapsed = 0.0, factor = 0.0;
+  const auto line = said.err.rfind(" s simulated in ");
+  ASSERT_NE(line, std::string::npos) << said.err;
+  const auto begin = said.err.rfind('\n', line) + 1;
+  ASSERT_EQ(std::sscanf(said.err.c_str() + begin, "%lf s simulated in %lf s, %lf x real time", &simulated,
+                        &elapsed, &factor),
+            3)
+      << said.err;
+  EXPECT_EQ(simulated, 100.0);
+  EXPECT_NEAR(factor * elapsed, simulated, 0.01 * simulated);  // three digits each
+  EXPECT_FALSE(
+      test::contains(tandem(folder, {"--quiet", "run", two_mass_file("force_plain.toml")}).err, "real time"));
 }
 
 TEST(RunCommand, ProfileGivesTheSecondsOfEachPart) {
@@ -230,7 +251,7 @@ TEST(RunCommand, VerboseAndTheLogTellWhatIsDone) {
   EXPECT_NE(said.err.find("subsystem 'slow': first own step 0.25 s"), std::string::npos) << said.err;
   EXPECT_NE(said.err.find("schedule slowest-first, start derivatives"), std::string::npos) << said.err;
   said = tandem(folder, {"--log", "l.log", "run", file});
-  EXPECT_EQ(said.err, "");
+  EXPECT_EQ(std::count(said.err.begin(), said.err.end(), '\n'), 1) << said.err;  // the real-time factor
   EXPECT_NE(read_text(folder.path() / "l.log").find("first own step 0.25 s"), std::string::npos);
   said = tandem(folder, {"--log", "l.log", "run", file, "--set", "judge.tolerance=0.01"});
   EXPECT_NE(read_text(folder.path() / "l.log").find("fast.x1 differs by"), std::string::npos);

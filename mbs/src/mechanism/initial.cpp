@@ -103,7 +103,7 @@ std::vector<Known::Value> known(const Mechanism& mechanism, const std::vector<Gi
   return values;
 }
 
-/// What drives the mechanism later has no part in where it stands before.
+/// Forces that drive the mechanism later have no part in where it stands before.
 void balance(Mechanism& mechanism, State& s, const Known& given) {
   InputSource* const source = mechanism.source();
   mechanism.set_inputs(nullptr);

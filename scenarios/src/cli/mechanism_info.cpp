@@ -33,12 +33,25 @@ std::vector<std::string> set_unknown(mbs::Description& description) {
   return names;
 }
 
+/// Names of the variables, and of those of first order, which are states of elements.
+std::pair<std::vector<std::string>, std::vector<std::string>> coordinates_and_states(
+    const mbs::Structure& s) {
+  std::vector<std::string> coordinates, states;
+  for (int k = 0; k < s.variables; ++k) {
+    const bool state = std::find(s.states.begin(), s.states.end(), k) != s.states.end();
+    (state ? states : coordinates).push_back(s.variable_names[static_cast<std::size_t>(k)]);
+  }
+  return {coordinates, states};
+}
+
 void print_size(const mbs::Mechanism& mechanism) {
   const mbs::Description& in = mechanism.description();
   const mbs::Structure& s = mechanism.structure();
+  const auto [coordinates, states] = coordinates_and_states(s);
   fmt::print("{}: a mechanism in {}\n", in.name, in.dimension == 2 ? "the plane" : "space");
   fmt::print("  {} bodies, {} points and vectors\n", in.bodies.size(), in.entities.size());
-  fmt::print("  {} variables: {}\n", s.variables, listed(s.variable_names));
+  fmt::print("  {} variables: {}\n", coordinates.size(), listed(coordinates));
+  if (!states.empty()) fmt::print("  {} states of elements: {}\n", states.size(), listed(states));
   fmt::print("  {} constraints: {}\n", s.constraints, listed(s.constraint_names));
 }
 
@@ -55,7 +68,7 @@ void print_freedom(mbs::Mechanism& mechanism, const mbs::Assembled& found) {
     if (std::none_of(found.contradictions.begin(), found.contradictions.end(),
                      [c](const mbs::Contradiction& other) { return other.constraint == c; }))
       redundant.push_back(name(c));
-  fmt::print("  {} degrees of freedom {}\n", freedom.degrees,
+  fmt::print("  {} degrees of freedom {}\n", freedom.degrees - static_cast<int>(s.states.size()),
              contradictory.empty() ? "as assembled" : "where the assembly comes nearest");
   fmt::print("  redundant equations: {}\n", listed(redundant));
   if (!contradictory.empty()) fmt::print("  contradictory equations: {}\n", listed(contradictory));

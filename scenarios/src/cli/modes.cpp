@@ -8,9 +8,11 @@
 #include "cli/commands.hpp"
 #include "cli/mechanism_info.hpp"
 #include "scenario/scenario.hpp"
+#include "scenario/set.hpp"
 #include "sources/elements.hpp"
 #include "tandem/mbs/mechanism/initial.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
+#include "tandem/nearest.hpp"
 #include "tandem/text/document.hpp"
 
 namespace tandem::cli {
@@ -29,9 +31,9 @@ void print_mode(const mbs::Mechanism& mechanism, const mbs::Mode& mode) {
 }
 
 /// Motions that nothing pulls back have p = 0 but for rounding.
-void print_modes(const std::filesystem::path& file) {
-  mbs::Mechanism mechanism(mbs::read_mechanism(file, element_kinds()));
-  const mbs::State s = mbs::initial_state(mechanism, start_of(file));
+void print_modes(mbs::Description description, double start) {
+  mbs::Mechanism mechanism(std::move(description));
+  const mbs::State s = mbs::initial_state(mechanism, start);
   const auto all = mbs::modes(mechanism, s);
   constexpr double still = 1e-2;  // [1/s]
   const auto free =
@@ -43,13 +45,40 @@ void print_modes(const std::filesystem::path& file) {
   fmt::print("  {} solutions with |p| < {} 1/s: nothing pulls back\n", free, still);
 }
 
-void print_modes_of_scenario(const std::string& file) {
-  const auto scenario = scenario::read(file);
+/// Of a mechanism alone, with any values of its file set.
+void print_modes_of_file(const std::string& file, const std::vector<std::string>& overrides) {
+  text::Document document{std::filesystem::path(file)};
+  for (const std::string& text : overrides)
+    text::located(text::Place{file, 0, text::set_prefix + text},
+                  [&] { scenario::set(document.table(), text); });
+  print_modes(mbs::read_mechanism(document, element_kinds()), start_of(file));
+}
+
+/// What the scenario says of the mechanism: another law of its tyres, inputs at the start.
+mbs::Description described(const std::filesystem::path& file, const scenario::SubsystemEntry& entry) {
+  std::string tyre;
+  for (const scenario::Parameter& p : entry.parameters)
+    if (const auto* text = std::get_if<std::string>(&p.value); text && p.name == "tyre") tyre = *text;
+  auto d = text::located(entry.source_place,
+                         [&] { return mbs::read_mechanism(file, element_kinds([&tyre] { return tyre; })); });
+  std::vector<std::string> names;
+  for (const mbs::Input& input : d.inputs) names.push_back(input.name);
+  for (const scenario::StartValue& v : entry.inputs) {
+    const auto at = std::find(names.begin(), names.end(), v.port);
+    if (at == names.end()) text::refuse(v.place, unknown("input", v.port, names));
+    d.inputs[static_cast<std::size_t>(at - names.begin())].value = v.value;
+  }
+  return d;
+}
+
+void print_modes_of_scenario(const std::string& file, const std::vector<std::string>& overrides) {
+  const auto scenario = scenario::read(file, overrides);
   const std::string scheme = "mechanism:";
   bool any = false;
   for (const auto& s : scenario.subsystems) {
     if (!s.source.starts_with(scheme)) continue;
-    print_modes(scenario.file.parent_path() / s.source.substr(scheme.size()));
+    const auto mechanism = scenario.file.parent_path() / s.source.substr(scheme.size());
+    print_modes(described(mechanism, s), scenario.start);
     any = true;
   }
   if (!any)
@@ -57,17 +86,31 @@ void print_modes_of_scenario(const std::string& file) {
                 file + " has no mechanism; allowed is a scenario with a source mechanism:FILE");
 }
 
+struct ModesOptions {
+  std::string what;
+  std::vector<std::string> overrides;
+};
+
 }  // namespace
 
 void add_modes(CLI::App& app, Context&) {
   auto* command = app.add_subcommand(
       "modes", "Linearize a mechanism about its start: frequency, damping and shape of its modes");
-  auto file = std::make_shared<std::string>();
-  command->add_option("what", *file, "A mechanism, or a scenario with mechanisms")
+  auto options = std::make_shared<ModesOptions>();
+  command->add_option("what", options->what, "A mechanism, or a scenario with mechanisms")
       ->required()
       ->type_name("FILE");
+  command
+      ->add_option("--set", options->overrides,
+                   "Set a value of the mechanism's file, or of the scenario as in run (repeatable)")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->take_all();
   command->footer("Exit status: 0, or 2 for what is not right.");
-  command->callback([file] { is_mechanism(*file) ? print_modes(*file) : print_modes_of_scenario(*file); });
+  command->callback([options] {
+    const auto& [what, overrides] = *options;
+    is_mechanism(what) ? print_modes_of_file(what, overrides) : print_modes_of_scenario(what, overrides);
+  });
 }
 
 }  // namespace tandem::cli

@@ -112,6 +112,7 @@ class Run {
       fail("failed", scenario::with_address(scenario_, context_.builtins, error.what()));
     }
     end_.seconds = progress.seconds();
+    if (end_.status == "ok") progress.end(slowest_time(run));
   }
 
   /// Times of checkpoints up to t.

@@ -45,4 +45,12 @@ void RunProgress::show(double time) {
   open_line_ = terminal_;
 }
 
+void RunProgress::end(double time) {
+  if (!shown_) return;
+  const double elapsed = seconds(), simulated = time - t_start_;
+  fmt::print(stderr, "{}{:.6g} s simulated in {:.3g} s, {:.3g} x real time{}\n", open_line_ ? "\r" : "",
+             simulated, elapsed, simulated / elapsed, open_line_ ? "          " : "");
+  open_line_ = false;
+}
+
 }  // namespace tandem::cli

@@ -5,9 +5,9 @@
 
 namespace tandem::cli {
 
-/// A line on standard error for a run that takes longer than a second: simulated time and real-time factor.
-/// To be asked after every round; it reads the clock only about a hundred times a second, however long a
-/// round takes.
+/// Lines on standard error: of a run that takes longer than a second how far it has come, of every run that
+/// comes to its end what it has simulated, in which time, and the real-time factor. To be asked after every round; it reads the
+/// clock only about a hundred times a second, however long a round takes.
 class RunProgress {
  public:
   RunProgress(double t_start, double t_stop, bool shown);
@@ -18,6 +18,8 @@ class RunProgress {
   bool due() { return ++rounds_ >= wait_; }
   /// time [s]: how far the run has come. When due() says so.
   void show(double time);
+  /// The last line, of a run that has come to this time [s].
+  void end(double time);
   double seconds() const;  ///< since construction
 
  private:

@@ -29,6 +29,7 @@ class KartRuns {
     std::filesystem::remove(settings_.output / conditions_);
     open("multirate.csv", kart::multirate_header);
     open("schemes.csv", kart::schemes_header);
+    open("shares.csv", kart::shares_header);
     if (settings.only_table) return;
     open("work.csv", kart::work_header);
     open("traces.csv", kart::traces_header());
@@ -49,15 +50,18 @@ class KartRuns {
                 .dump(2) +
             "\n");
     if (context_.quiet) return;
+    fmt::print("{}{}", kart::multirate_head, multirate_lines_);
     for (const std::string& name : names_) fmt::print("wrote {}\n", (settings_.output / name).string());
   }
 
  private:
+  enum Table : std::size_t { multirate, schemes, shares, work, traces };  ///< in this order in tables_
+
   std::size_t size() {
     if (levels_.empty()) levels_.assign(std::begin(kart::levels), std::end(kart::levels));
-    const std::size_t work =
+    const std::size_t more =
         settings_.only_table ? 0 : kart::work_schemes().size() * std::size(kart::work_ratios);
-    return levels_.size() * (std::size(kart::ratios) + schemes_.size() + work);
+    return levels_.size() * (std::size(kart::ratios) + schemes_.size() + more);
   }
 
   void open(const std::string& name, const std::string& header) {
@@ -71,7 +75,9 @@ class KartRuns {
       const kart::Outcome o =
           ratio == 1 ? judge.judge_thesis() : judge.judge(ratio, kart::thesis_scheme, true);
       if (ratio == 1) seconds = o.course.seconds;
-      add(0, kart::multirate_row(judge.level(), ratio, seconds, o));
+      tables_[shares].add(kart::shares_row(judge.level(), ratio, o.course));
+      multirate_lines_ += kart::multirate_line(judge.level(), ratio, seconds, o);
+      add(multirate, kart::multirate_row(judge.level(), ratio, seconds, o));
     }
   }
 
@@ -81,17 +87,17 @@ class KartRuns {
     for (const kart::Scheme& scheme : schemes_) {
       const kart::Outcome o = judge.judge(ratio, scheme, false);
       extremes.add(scheme, o);
-      add(1, kart::scheme_row(judge.level(), ratio, scheme, o));
+      add(schemes, kart::scheme_row(judge.level(), ratio, scheme, o));
     }
     if (settings_.only_table) return;
     std::string rows = kart::trace_rows(judge, extremes);
     rows.pop_back();  // the last line's end
-    tables_[3].add(std::move(rows));
+    tables_[traces].add(std::move(rows));
   }
 
   void add_work(kart::Judge& judge) {
     for (const int ratio : kart::work_ratios)
-      for (const kart::Scheme& scheme : kart::work_schemes()) add(2, kart::work_row(judge, ratio, scheme));
+      for (const kart::Scheme& scheme : kart::work_schemes()) add(work, kart::work_row(judge, ratio, scheme));
   }
 
   void add(std::size_t table, const std::string& row) {
@@ -110,6 +116,7 @@ class KartRuns {
   std::vector<std::string> levels_;
   std::vector<std::string> names_;
   std::deque<output::OrderedRows> tables_;
+  std::string multirate_lines_;
   Progress progress_;
   std::size_t done_ = 0;
 };

@@ -90,8 +90,8 @@ Course run(Topology& topology, Subsystem& kart, Subsystem& other, const std::str
   }
   course.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   course.kart_share = (coordinator.effort(0).seconds - starts[0]) / course.seconds;
-  const double engine_share = (coordinator.effort(1).seconds - starts[1]) / course.seconds;
-  course.coordinator_share = 1.0 - course.kart_share - engine_share;
+  course.engine_share = (coordinator.effort(1).seconds - starts[1]) / course.seconds;
+  course.coordinator_share = 1.0 - course.kart_share - course.engine_share;
   return course;
 }
 

@@ -33,11 +33,11 @@ struct Scheme {
 
 /// What a run gave.
 struct Course {
-  std::vector<double> pitch;                         ///< [deg] at the kart's own steps
-  std::vector<double> torque;                        ///< on the driven shaft, at the engine's [N m]
-  double seconds = 0.0;                              ///< without its start
-  double coordinator_share = 0.0, kart_share = 0.0;  ///< of these, if they were taken
-  std::string failure = {};                          ///< what ended it early
+  std::vector<double> pitch;   ///< [deg] at the kart's own steps
+  std::vector<double> torque;  ///< on the driven shaft, at the engine's [N m]
+  double seconds = 0.0;        ///< without its start
+  double coordinator_share = 0.0, kart_share = 0.0, engine_share = 0.0;  ///< of these, if they were taken
+  std::string failure = {};                                              ///< what ended it early
   Trace trace = {};
 };
 

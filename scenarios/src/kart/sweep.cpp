@@ -88,6 +88,22 @@ std::string multirate_row(const std::string& level, int ratio, double seconds_of
                              number(o.integrator.largest), number(o.coupling.largest), o.status());
 }
 
+std::string shares_row(const std::string& level, int ratio, const Course& c) {
+  return fmt::format("{},{},{:.4f},{:.4f},{:.4f}", level, ratio, c.kart_share, c.engine_share,
+                     c.coordinator_share);
+}
+
+std::string multirate_line(const std::string& level, int ratio, double seconds_of_ratio_one,
+                           const Outcome& o) {
+  const Course& c = o.course;
+  const std::string difference =
+      c.failure.empty() ? fmt::format("{:.2g}° ({:.1g}°)", o.from_better.largest, o.from_better.rms)
+                        : "failed";
+  return fmt::format("| {} | {} | {:.2g} | {:.3g} | {:.3g} | {:.2g} % | {:.2g} % | {:.2g} % | {} |\n", level,
+                     ratio, c.seconds, seconds_of_ratio_one / c.seconds, t_stop / c.seconds,
+                     100.0 * c.kart_share, 100.0 * c.engine_share, 100.0 * c.coordinator_share, difference);
+}
+
 std::string scheme_row(const std::string& level, int ratio, const Scheme& scheme, const Outcome& o) {
   const std::string begin =
       fmt::format("{},{},{},{},{},", level, ratio, scheme.schedule, scheme.to_fast, scheme.to_slow);

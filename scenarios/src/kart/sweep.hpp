@@ -68,6 +68,15 @@ inline constexpr const char* multirate_header =
     "level,ratio,seconds,speed_up,real_time_factor,coordinator_share,max_pitch_difference,"
     "max_pitch_difference_thesis,rms_pitch_difference,integrator_part,coupling_part,status";
 std::string multirate_row(const std::string& level, int ratio, double seconds_of_ratio_one, const Outcome& o);
+/// A row of shares.csv, fractions of the seconds of that row of multirate.csv, and both as a line of a table
+/// to read.
+inline constexpr const char* shares_header = "level,ratio,kart_share,engine_share,coordinator_share";
+std::string shares_row(const std::string& level, int ratio, const Course& course);
+inline constexpr const char* multirate_head =
+    "| level | ratio | time, s | against ratio 1 | real-time factor | kart | engine | coordinator | "
+    "largest (rms) difference of the pitch |\n|---|---|---|---|---|---|---|---|---|\n";
+std::string multirate_line(const std::string& level, int ratio, double seconds_of_ratio_one,
+                           const Outcome& o);
 inline constexpr const char* schemes_header =
     "level,ratio,schedule,to_fast,to_slow,max_pitch_difference,integrator_part,coupling_part,seconds,status";
 std::string scheme_row(const std::string& level, int ratio, const Scheme& scheme, const Outcome& o);

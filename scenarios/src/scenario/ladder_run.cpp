@@ -43,6 +43,13 @@ const std::string& name_in(const LadderRung& rung, const std::string& quantity) 
   return it == rung.outputs.end() ? quantity : it->second;
 }
 
+void add_constants(text::TimeTable& table, const LadderRung& rung) {
+  for (const auto& [quantity, value] : rung.constants) {
+    table.names.push_back(quantity);
+    table.columns.emplace_back(table.times.size(), value);
+  }
+}
+
 /// Runs alone what it is judged by: no other results are compared or drawn.
 Scenario read_rung(const LadderRung& entry, const std::vector<std::string>& overrides) {
   std::vector<std::string> all = entry.overrides;
@@ -68,7 +75,9 @@ std::vector<std::string> Ladder::take_quantities(Scenario& rung, const LadderRun
   std::vector<std::string> names;
   rung.recording.ports.clear();
   for (const LadderQuantity& q : entry_.quantities)
-    if (known.contains(name_in(entry, q.quantity))) {
+    if (entry.constants.contains(q.quantity)) {
+      continue;
+    } else if (known.contains(name_in(entry, q.quantity))) {
       names.push_back(q.quantity);
       rung.recording.ports.push_back(name_in(entry, q.quantity));
     } else if (entry.outputs.contains(q.quantity)) {
@@ -94,6 +103,7 @@ RungRun Ladder::run(std::size_t index, const std::filesystem::path& folder,
     for (std::string& column : result.table->names)
       for (const std::string& quantity : names)
         if (column == name_in(entry, quantity)) column = quantity;
+    add_constants(*result.table, entry);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::numerical || !going()) throw;
     result.failure = error.what();

@@ -33,21 +33,22 @@ LadderQuantity read_judged(Section section) {
   return judged;
 }
 
-std::map<std::string, std::string> read_outputs(Section& section,
-                                                const std::vector<LadderQuantity>& quantities) {
-  std::map<std::string, std::string> outputs;
+/// Judged quantities by another name, or as a number.
+void read_outputs(Section& section, const std::vector<LadderQuantity>& quantities, LadderRung& rung) {
   const toml::table* table = section.table("outputs");
-  if (!table) return outputs;
+  if (!table) return;
   for (const auto& [quantity, node] : text::in_file_order(*table)) {
     const bool judged = std::any_of(quantities.begin(), quantities.end(),
                                     [&](const LadderQuantity& q) { return q.quantity == quantity; });
-    const auto* name = node->as_string();
-    if (!judged || !name)
+    if (!judged || !(node->is_string() || node->is_number()))
       section.wrong("outputs", quantity + " = " + described(*node),
-                    "a judged quantity and the output that it is here");
-    outputs[quantity] = name->get();
+                    "a judged quantity and the output, or the number, that it is here");
+    if (const auto* name = node->as_string())
+      rung.outputs[quantity] = name->get();
+    else
+      rung.constants[quantity] =
+          text::number_of(section.document(), *node, section.name("outputs." + quantity));
   }
-  return outputs;
 }
 
 LadderRung read_rung(Section section, const Scenario& scenario, const LadderEntry& ladder,
@@ -65,7 +66,7 @@ LadderRung read_rung(Section section, const Scenario& scenario, const LadderEntr
   if (file) overrides.clear();
   for (std::string& text : section.texts("set")) overrides.push_back(std::move(text));
   rung.overrides = std::move(overrides);
-  rung.outputs = read_outputs(section, ladder.quantities);
+  read_outputs(section, ladder.quantities, rung);
   section.refuse_unknown();
   return rung;
 }

@@ -78,6 +78,7 @@ struct LadderRung {
   std::filesystem::path file;
   std::vector<std::string> overrides;          ///< "KEY=VALUE"
   std::map<std::string, std::string> outputs;  ///< of judged quantities that have another name here
+  std::map<std::string, double> constants;     ///< judged quantities that are this number here, in their unit
   Place place;
 };
 

@@ -105,6 +105,27 @@ TEST(KartSpatial, StandsOnItsSpringsAsPrinted) {
   }
 }
 
+/// It stands still on ground that is not level, and carries the same weight; a wheel that is up is loaded,
+/// and so is the one across from it. A torque, here 5 N m that nothing balances, begins to act at the start.
+TEST(KartSpatial, StandsOnTheGroundAsItIsAtTheStart) {
+  for (const char* name : {"spatial", "spatial_scalar_spin"}) {
+    mbs::Description d = kart(kart_text(name));
+    set_input(d, "ground_FL", [](double) { return 0.01; });
+    KartRun still(d, 1e-3);
+    EXPECT_LT(still.state.a.cwiseAbs().maxCoeff(), 1e-6) << name;
+    double weight = 0.0;
+    for (const char* corner : corners) weight += still.output(std::string("load_") + corner);
+    EXPECT_NEAR(weight, 250.0 * 9.81, 1e-3);
+    EXPECT_GT(still.output("load_FL"), still.output("load_FR") + 20.0);
+    EXPECT_GT(still.output("load_RR"), still.output("load_RL") + 20.0);
+
+    set_input(d, "torque", [](double) { return 5.0; });
+    KartRun driven(d, 1e-3);
+    EXPECT_NEAR(driven.output("load_FL"), still.output("load_FL"), 1e-6);
+    EXPECT_GT(driven.state.a.cwiseAbs().maxCoeff(), 1.0);
+  }
+}
+
 /// Printed heave 1.654 Hz / 0.134, pitch 2.793 / 0.239, roll 2.722 / 0.229, hop 12.09 and 14.80 Hz, without
 /// forces along the ground. Here tyres hold the wheels as they swing at rest: pitch is 0.5 % lower, as it is
 /// with tyres that have no longitudinal force at all (2.780 Hz, 0.238).

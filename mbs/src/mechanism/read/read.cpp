@@ -213,13 +213,15 @@ Coordinate Reader::required_coordinate(Section& section, const std::string& key)
 }
 
 Description read_mechanism(const std::filesystem::path& file, const ElementKinds& kinds) {
-  const text::Document document(file);
-  return Reader(document, file.parent_path(), kinds).read();
+  return read_mechanism(text::Document(file), kinds);
 }
 
 Description read_mechanism(const std::string& name, const std::string& text, const ElementKinds& kinds) {
-  const text::Document document(name, text);
-  return Reader(document, std::filesystem::path(name).parent_path(), kinds).read();
+  return read_mechanism(text::Document(name, text), kinds);
+}
+
+Description read_mechanism(const text::Document& document, const ElementKinds& kinds) {
+  return Reader(document, std::filesystem::path(document.file()).parent_path(), kinds).read();
 }
 
 }  // namespace tandem::mbs

@@ -47,8 +47,8 @@ class Mechanism final : public Model {
   /// outlive its use.
   void set_inputs(InputSource* source) { source_ = source; }
   InputSource* source() const { return source_; }  ///< none: null
-  /// Inputs that no drive follows get the value that the description has for them, 0 where it has none, until
-  /// the next at_time().
+  /// Inputs that say no place (no drive follows them, their unit is neither m nor rad) get the value that the
+  /// description has for them, 0 where it has none, until the next at_time().
   void reset_inputs();
   /// Inputs as of the last at_time().
   std::span<const InputValue> inputs() const { return inputs_; }

@@ -5,6 +5,10 @@
 
 #include "tandem/mbs/mechanism/description.hpp"
 
+namespace tandem::text {
+class Document;
+}
+
 namespace tandem::mbs {
 
 /// A mechanism from its TOML file (docs/mechanisms.md has the form). kinds: of elements, besides those that
@@ -14,5 +18,8 @@ Description read_mechanism(const std::filesystem::path& file, const ElementKinds
 /// The same from a text; `name` is what errors call it, and files that it names are looked for in the folder
 /// of that name.
 Description read_mechanism(const std::string& name, const std::string& text, const ElementKinds& kinds = {});
+
+/// The same of a document, in which values may have been set.
+Description read_mechanism(const text::Document& document, const ElementKinds& kinds = {});
 
 }  // namespace tandem::mbs
