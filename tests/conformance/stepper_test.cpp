@@ -2,7 +2,6 @@
 // What every stepper does: each formulation with each integrator, as they come from make_stepper().
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cfloat>
 #include <cmath>
 #include <limits>
@@ -11,6 +10,7 @@
 #include "refusal.hpp"
 #include "small_models.hpp"
 #include "standing_linkage.hpp"
+#include "stepper_errors.hpp"
 #include "tandem/mbs/make_stepper.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
 #include "tandem/mbs/residuals.hpp"
@@ -19,6 +19,8 @@ namespace tandem::mbs {
 namespace {
 
 using test::DrivenPendulum;
+using test::errors;
+using test::expect_order;
 using test::Fading;
 using test::Thrown;
 
@@ -46,34 +48,6 @@ INSTANTIATE_TEST_SUITE_P(Each, EachStepper, testing::ValuesIn(stepper_names()),
                          [](const auto& p) { return p.param.formulation + "_" + p.param.integrator; });
 
 constexpr int checkpoints = 8;
-
-/// Errors of q, v, a and lambda at the checkpoints, all together, as an error at one time may pass through
-/// zero.
-using Errors = std::array<double, 4>;
-Errors errors(Stepper& stepper, State s, const std::vector<State>& exact, int steps) {
-  Errors sum{};
-  const double end = exact.back().time;
-  s.a.setZero();
-  stepper.start(s);
-  for (int k = 1; k <= steps; ++k) {
-    stepper.step(s, end / steps, k * end / steps);
-    if (k % (steps / checkpoints) != 0) continue;
-    const State& there = exact[static_cast<std::size_t>(k / (steps / checkpoints) - 1)];
-    const Errors squares = {(s.q - there.q).squaredNorm(), (s.v - there.v).squaredNorm(),
-                            (s.a - there.a).squaredNorm(), (s.lambda - there.lambda).squaredNorm()};
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += squares[i];
-  }
-  for (double& x : sum) x = std::sqrt(x);
-  return sum;
-}
-
-/// Theory +-0.2 for positions, velocities, accelerations and multipliers.
-void expect_order(const Errors& coarse, const Errors& fine, double order) {
-  const char* const names[] = {"q", "v", "a", "lambda"};
-  for (std::size_t k = 0; k < coarse.size(); ++k)
-    EXPECT_NEAR(std::log2(coarse[k] / fine[k]), order, 0.2)
-        << names[k] << ", errors " << coarse[k] << " " << fine[k];
-}
 
 /// A penalty of 2e7 leaves lambda/alpha = 3e-7 of Phi'' and as much of a; lambda is known to alpha times the
 /// rounding of a, 2e7 1e-15.

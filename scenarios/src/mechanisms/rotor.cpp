@@ -61,7 +61,7 @@ RotorState rotor(double t) {
 RotorState asymmetric_rotor(double t) {
   const auto rate = [](Real at) { return azimuth_rate(components(at)); };
   const Real azimuth =
-      boost::math::quadrature::gauss_kronrod<Real, 31>::integrate(rate, Real{0}, Real{t}, 20, Real{1e-17L});
+      boost::math::quadrature::gauss_kronrod<Real, 31>::integrate(rate, Real{0}, Real{t}, 20, Real{1e-16L});
   const Vector3 momenta = components(t).cwiseProduct(three_inertias);
   const Real nutation = std::atan2(std::hypot(momenta[0], momenta[1]), momenta[2]);
   return state(axes(nutation, azimuth, std::atan2(momenta[1], -momenta[0])), three_inertias);

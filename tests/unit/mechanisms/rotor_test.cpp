@@ -48,7 +48,7 @@ void expect_near(const RotorState& a, const RotorState& b, double tolerance) {
 }
 
 TEST(RotorReference, FollowsEulersEquations) {
-  for (const double t : {0.0, 0.1, 1.0, 10.0}) {
+  for (const double t : {0.0, 0.03125, 0.1, 1.0, 10.0}) {
     SCOPED_TRACE(t);
     expect_near(rotor(t), integrated({0.3L, 0.3L, 0.5L}, 0.4L, t), 1e-13);
     expect_near(asymmetric_rotor(t), integrated({0.3L, 0.4L, 0.5L}, 0.6L, t), 1e-13);
