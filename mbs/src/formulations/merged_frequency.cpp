@@ -12,8 +12,9 @@ using Eigen::VectorXd;
 MergedFrequency::MergedFrequency(Terms& terms)
     : terms_(terms),
       stiffness_rows_(terms.structure.stiffness),
-      product_(terms.structure.variables),
-      force_(product_.size()) {}
+      argument_(terms.structure.variables),
+      product_(argument_),
+      force_(argument_) {}
 
 /// factor Phi_q^T lambda, where moved_ stands.
 void MergedFrequency::add_constraint_forces(double factor, VectorXd& to) {
@@ -38,7 +39,7 @@ double MergedFrequency::at(const State& s, double penalty) {
   terms_.model.at_time(s.time);
   terms_.constraints(s);
   terms_.factorize(s, {0.0, 0.0, penalty});
-  return std::sqrt(spectral_radius(terms_.structure.variables, [&](VectorXd& z) {
+  return std::sqrt(spectral_radius(argument_, [&](VectorXd& z) {
     multiply_stiffness(s, z);
     terms_.solve(z);
   }));

@@ -23,7 +23,7 @@ class MergedFrequency {
   Terms& terms_;
   Rows stiffness_rows_;
   State moved_;
-  Eigen::VectorXd product_, force_;
+  Eigen::VectorXd argument_, product_, force_;
 };
 
 }  // namespace tandem::mbs

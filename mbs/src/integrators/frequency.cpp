@@ -11,8 +11,8 @@ namespace tandem::mbs {
 
 double highest_frequency(SecondOrder& problem, const Motion& motion) {
   const double reach = 1e-6 * (1.0 + motion.y.norm());
-  Eigen::VectorXd y(problem.size()), above = motion.a, below = motion.a;
-  return std::sqrt(spectral_radius(problem.size(), [&](Eigen::VectorXd& z) {
+  Eigen::VectorXd argument(problem.size()), y = argument, above = motion.a, below = motion.a;
+  return std::sqrt(spectral_radius(argument, [&](Eigen::VectorXd& z) {
     y = motion.y + reach * z;
     problem.accelerations(motion.time, y.data(), motion.v.data(), above.data());
     y = motion.y - reach * z;

@@ -54,13 +54,14 @@ void print_modes_of_file(const std::string& file, const std::vector<std::string>
   print_modes(mbs::read_mechanism(document, element_kinds()), start_of(file));
 }
 
-/// What the scenario says of the mechanism: another law of its tyres, inputs at the start.
+/// What the scenario says of the mechanism: other words of its tyres, inputs at the start.
 mbs::Description described(const std::filesystem::path& file, const scenario::SubsystemEntry& entry) {
-  std::string tyre;
-  for (const scenario::Parameter& p : entry.parameters)
-    if (const auto* text = std::get_if<std::string>(&p.value); text && p.name == "tyre") tyre = *text;
-  auto d = text::located(entry.source_place,
-                         [&] { return mbs::read_mechanism(file, element_kinds([&tyre] { return tyre; })); });
+  const auto word = [&](const char* name) {
+    for (const scenario::Parameter& p : entry.parameters)
+      if (const auto* text = std::get_if<std::string>(&p.value); text && p.name == name) return *text;
+    return std::string();
+  };
+  auto d = text::located(entry.source_place, [&] { return mbs::read_mechanism(file, element_kinds(word)); });
   std::vector<std::string> names;
   for (const mbs::Input& input : d.inputs) names.push_back(input.name);
   for (const scenario::StartValue& v : entry.inputs) {

@@ -34,7 +34,8 @@ void look_at(const text::Document& document, mbs::Description& description, Para
 
 void add_sources(Builtins& builtins) {
   builtins.files["mechanism"] = [](const std::filesystem::path& file, Parameters& p) {
-    return make_mechanism({file}, p, element_kinds([&p](const char* word) { return p.text(word, ""); }), look_at);
+    return make_mechanism({file}, p, element_kinds([&p](const char* word) { return p.text(word, ""); }),
+                          look_at);
   };
 }
 

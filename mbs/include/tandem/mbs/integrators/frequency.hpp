@@ -7,11 +7,10 @@
 namespace tandem::mbs {
 
 /// The modulus of the largest eigenvalue of a linear map that overwrites its argument, by 50 power
-/// iterations.
+/// iterations. z: of its size, for its arguments.
 template <class Map>
-double spectral_radius(int size, const Map& map) {
-  Eigen::VectorXd z(size);
-  for (int i = 0; i < size; ++i) z[i] = std::cos(i);  // some of every direction
+double spectral_radius(Eigen::VectorXd& z, const Map& map) {
+  for (int i = 0; i < z.size(); ++i) z[i] = std::cos(i);  // some of every direction
   double radius = 0.0;
   for (int k = 0; k < 50 && z.norm() > 0.0; ++k) {
     z /= z.norm();
