@@ -55,6 +55,28 @@ TEST(KartManoeuvres, BrakingInATurnLoadsTheFront) {
   EXPECT_LT(run.last("kart.speed"), 4.0);
 }
 
+/// The rung of braking_in_turn.toml: couples of two wheels of 40 and two of 20 N m over the radius, air and
+/// rolling brake mass and spins. The slips, which are taken for constant, are 0.5 % of it.
+TEST(KartManoeuvres, ThePlaneBrakesAsItsCouplesSay) {
+  const auto brake = [](const std::string& axle) {
+    return ", { from = 'driver.brake_" + axle + "', to = 'kart.brake_" + axle +
+           "', reconstruction = 'lagrange1' }";
+  };
+  const Manoeuvre run(
+      kart_folder + "plane_manoeuvre.toml",
+      {"subsystems.driver.source=diagram:driver_braking_in_turn.toml", "span.stop=6.5",
+       "connections=[{ from = 'driver.torque', to = 'kart.torque', reconstruction = 'lagrange1' }" +
+           brake("front") + brake("rear") + "]"});
+  ASSERT_EQ(run.said().status, 0) << run.said().err;
+  const auto& speed = run.column("kart.speed");
+  ASSERT_EQ(speed.size(), 6501U);
+  const double from = speed[5500], to = speed[6500], radius = 0.139;
+  const double air = 0.42 * (from * from + from * to + to * to) / 3.0;  // of a speed that falls linearly
+  const double force = 2.0 * (40.0 + 20.0) / radius + air + 0.02 * 250.0 * 9.81;
+  EXPECT_NEAR((from - to) / (force / (250.0 + 0.3 / (radius * radius))), 1.0, 0.0075);
+  EXPECT_GT(run.last("kart.load_front"), run.column("kart.load_front")[4000] + 80.0);
+}
+
 TEST(KartManoeuvres, AKerbLiftsAWheelWhichIsToldOnce) {
   const SceneRun run(kart_folder + "kerb.toml");
   ASSERT_EQ(run.said().status, 0) << run.said().err;
