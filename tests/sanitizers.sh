@@ -12,8 +12,9 @@ build() { # PRESET [TARGET [CMAKE_OPTION]]
 
 check() { # PRESET
   build "$1"
+  export TSAN_OPTIONS="suppressions=$PWD/tests/tsan_suppressions.txt"
   # Without address randomization: the thread sanitizer refuses the mappings of newer kernels.
-  setarch -R ctest --preset "$1" -L '^(unit|conformance|convergence|scenario)$' -j "$(nproc)"
+  setarch -R ctest --preset "$1" -L '^(unit|conformance|convergence|scenario|transports)$' -j "$(nproc)"
 }
 
 # All tests in one process for each core: 1500 processes of their own would take four times as long.

@@ -4,6 +4,8 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <csignal>
+
 #include "cli/commands.hpp"
 #include "cli/transports.hpp"
 #include "kart/builtins.hpp"
@@ -112,6 +114,7 @@ int run_and_report(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   set_up_log({}, "");
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit of the size of files is told as a full disk is
   const int status = run_and_report(argc, argv);
   spdlog::default_logger()->flush();
   return status == 0 && log_failed ? 1 : status;

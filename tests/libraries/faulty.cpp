@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 // A library of which every entry breaks the contract in its own way; x' = 0 otherwise, with a step of 0.1 s.
+#include <cstdlib>
 #include <limits>
 #include <stdexcept>
 
@@ -104,6 +105,13 @@ const tandem_subsystem_api* throws() {
   static const tandem_subsystem_api api =
       with([](void*, double, std::int32_t, const tandem_signal*, tandem_samples*,
               tandem_clock*) -> tandem_status { throw std::runtime_error("no oil"); });
+  return &api;
+}
+
+const tandem_subsystem_api* aborts() {
+  static const tandem_subsystem_api api =
+      with([](void*, double, std::int32_t, const tandem_signal*, tandem_samples*,
+              tandem_clock*) -> tandem_status { std::abort(); });
   return &api;
 }
 

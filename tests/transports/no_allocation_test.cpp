@@ -2,6 +2,9 @@
 // Exchanges with a server allocate nothing once the run has settled, on either side. Sockets only: OpenSSL
 // allocates within itself for each record, libzmq for each message.
 #include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
 
 #include "counted_malloc.hpp"
 #include "run_bench.hpp"
@@ -41,6 +44,36 @@ TEST(NoAllocationOver, Sockets) {
   const Scratch folder;
   allocates_nothing("tcp://127.0.0.1:0");
   allocates_nothing("unix:" + (folder.path() / "socket").string());
+}
+
+/// Bytes of this process that are in the machine's memory.
+std::int64_t resident() {
+  std::int64_t all = 0, pages = 0;
+  std::ifstream("/proc/self/statm") >> all >> pages;
+  return pages * ::sysconf(_SC_PAGESIZE);
+}
+
+TEST(Room, ThatAClientAsksForTakesNoMemoryBeforeItIsUsed) {
+  const Served server(listen("tcp://127.0.0.1:0", {}), source("builtin:two_mass.slow"));
+  const auto channel = connect(server.address(), {});
+  wire::Writer frame;
+  const auto ask = [&](wire::Type type, std::uint32_t number, const auto& put) {
+    wire::begin(frame, type, number);
+    put(frame);
+    wire::finish(frame);
+    channel->send(frame.bytes(), wire::in_seconds(30.0));
+    return wire::Frame::read(channel->receive(wire::in_seconds(30.0)), wire::usual_longest).header.type;
+  };
+  EXPECT_EQ(
+      ask(wire::Type::hello, 1, [](wire::Writer& w) { wire::put_hello(w, {.text = "frequency_ratio=25"}); }),
+      wire::Type::hello);
+  const std::int64_t before = resident();
+  EXPECT_EQ(ask(wire::Type::initialize, 2,
+                [](wire::Writer& w) {
+                  wire::put_initialize(w, {0.0, 10.0, ~std::uint64_t{0}, {0.5}});
+                }),
+            wire::Type::samples);
+  EXPECT_LT(resident() - before, 16 << 20) << "of the 64 MiB that a reply may have";
 }
 
 }  // namespace

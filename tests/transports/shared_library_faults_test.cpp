@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "child.hpp"
 #include "refusal.hpp"
 #include "run_bench.hpp"
 #include "scratch.hpp"
@@ -61,6 +62,12 @@ TEST(SharedLibrary, WhatBreaksTheContractInARunEndsItWithASentence) {
   EXPECT_TRUE(refuses(ErrorCode::internal, {"'it'", "advance", "no oil"}, run("throws")));
   EXPECT_TRUE(refuses(ErrorCode::numerical, {"'it'", "x", "not finite", "t = 0.1 s"}, run("not_a_number")));
   EXPECT_TRUE(refuses(ErrorCode::numerical, {"'it'", "t = 5 s", "past its limit"}, run("past_the_limit")));
+}
+
+TEST(SharedLibrary, OneThatAbortsIsTriedInAProcessOfItsOwn) {
+  test::Child check({"sh", "-c", "exec '" TANDEM_COMMAND "' check '" + entry("aborts") + "' 2>&1"});
+  EXPECT_EQ(check.word_after("signal "), std::to_string(SIGABRT));
+  EXPECT_EQ(check.status(), 1);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 # Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 """Many exchanges over each transport: memory, open files, threads and latency have to stay as they are.
 
-  soak.py TANDEM FILE.csv [EXCHANGES [TRANSPORT...]]     1 000 000; of tcp unix tls zmq:tcp zmq:curve
+  soak.py TANDEM FILE.csv [EXCHANGES [TRANSPORT...]]     1 000 000; of tcp unix tls zmq:tcp zmq:ipc zmq:curve
 
 A `tandem run` with one side of the two-mass test at a `tandem serve`. Both processes are looked at 50 times a second: after
 a fifth of the exchanges, or after 0.1 s of a run that is too short to show how far it is, they may not grow by more than 4

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "cli/commands.hpp"
+#include "cli/own_process.hpp"
 #include "tandem/error.hpp"
 #include "tandem/nearest.hpp"
 #include "tandem/transports/open.hpp"
@@ -44,9 +45,21 @@ CheckSettings settings_of(const CheckOptions& options, const Subsystem& subsyste
   return settings;
 }
 
-void check_source(const CheckOptions& options, const Context& context) {
+std::vector<Finding> findings_of(const CheckOptions& options, const Context& context, const Tell& tell) {
+  tell(options.source + ", opened");
   const auto settings = settings_of(options, *open(options.source, context.builtins));
-  const auto findings = check([&] { return open(options.source, context.builtins); }, settings);
+  std::vector<Finding> findings;
+  for (const std::string& name : check_names()) {
+    tell(options.source + ", check '" + name + "'");
+    const auto some = check(
+        name, [&] { return open(options.source, context.builtins); }, settings);
+    findings.insert(findings.end(), some.begin(), some.end());
+  }
+  return findings;
+}
+
+void check_source(const CheckOptions& options, const Context& context, const Tell& tell) {
+  const auto findings = findings_of(options, context, tell);
   std::size_t wrong = 0;
   for (const Finding& f : findings) {
     const bool is_wrong = f.kind == Finding::Kind::wrong;
@@ -82,7 +95,9 @@ void add_check(CLI::App& app, Context& context) {
   command->footer(
       "Some 100 own steps: ports, start, steps, early returns, landing, saved states, several instances.\n"
       "Exit status: 0; 1 if something is wrong; 2 if the source can't be opened.");
-  command->callback([options, &context] { check_source(*options, context); });
+  command->callback([options, &context] {
+    in_own_process([&](const Tell& tell) { check_source(*options, context, tell); });
+  });
 }
 
 }  // namespace tandem::cli

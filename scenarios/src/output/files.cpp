@@ -27,7 +27,11 @@ void write_text(const fs::path& file, const std::string& text) {
   std::ofstream out(file, std::ios::binary);
   out << text;
   out.close();
-  if (!out) fail("file", file, std::generic_category().message(errno));
+  if (out) return;
+  const std::string why = std::generic_category().message(errno);
+  std::error_code ignored;
+  if (fs::is_regular_file(file, ignored)) fs::remove(file, ignored);  // half a text is of no use
+  fail("file", file, why);
 }
 
 void replace_text(const fs::path& file, const std::string& text) {

@@ -7,7 +7,8 @@
 
 namespace tandem::output {
 
-/// Writes a file, in place of an earlier one. Throws Error(input_output) with path and reason.
+/// Writes a file, in place of an earlier one. Throws Error(input_output) with path and reason; then none is
+/// there.
 void write_text(const std::filesystem::path& file, const std::string& text);
 
 /// The same by way of FILE.part, which is renamed when it is complete: never half a file.

@@ -11,8 +11,8 @@ import subprocess
 from typing import List, Optional, Sequence, Tuple
 
 from . import wire
+from .address import connected
 from .contract import Clock, Error, Info, Row, Signal
-from .serving import resolve
 
 
 class Remote:
@@ -121,24 +121,7 @@ def connect(uri: str, deadline: float = 5.0, allow_plaintext: bool = False) -> R
                                        env={**os.environ, "TANDEM_FD": str(theirs.fileno())})
         return Remote(wire.Channel(ours, address), parameters, deadline, process)
     try:
-        sock = _connected(address, deadline, allow_plaintext)
+        sock = connected(address, deadline, allow_plaintext)
     except OSError as error:
         raise Error(f"no connection to {address}: {error}", 5) from None
     return Remote(wire.Channel(sock, address), parameters, deadline)
-
-
-def _connected(address: str, deadline: float, allow_plaintext: bool) -> socket.socket:
-    """To the first of the places that an address stands for which takes a connection."""
-    unix = address.startswith("unix:")
-    failure = OSError("the address stands for nothing")
-    places = [(socket.AF_UNIX, address[5:])] if unix else [(p[0], p[4]) for p in resolve(address, allow_plaintext)]
-    for family, place in places:
-        sock = socket.socket(family)
-        sock.settimeout(deadline)
-        try:
-            sock.connect(place)
-            return sock
-        except OSError as error:
-            sock.close()
-            failure = error
-    raise failure

@@ -3,17 +3,16 @@
 
 from __future__ import annotations
 
-import errno
 import os
 import signal
 import socket
-import stat
 import sys
 import threading
 import traceback
 from typing import Any, Callable, Dict, List, Optional, Tuple
 
 from . import wire
+from .address import listen
 from .contract import Abilities, Error, Info, Row
 
 Make = Callable[[Dict[str, str]], Any]
@@ -221,56 +220,6 @@ def _parameters(text: str) -> Dict[str, str]:
     return parameters
 
 
-def _listener(address: str) -> Tuple[socket.socket, str]:
-    try:
-        if address.startswith("unix:"):
-            return _unix_listener(address[5:]), address
-        place = resolve(address, False)[0]
-        sock = socket.create_server(place[4][:2], family=place[0])
-        return sock, f"{address[:address.rindex(':')]}:{sock.getsockname()[1]}"
-    except OSError as error:
-        raise Error(f"no listening at {address}: {error}", 5) from None
-
-
-def _unix_listener(path: str) -> socket.socket:
-    if _is_stale(path):
-        os.unlink(path)
-    sock = socket.socket(socket.AF_UNIX)
-    os.fchmod(sock.fileno(), 0o600)  # before there is a file to connect to
-    sock.bind(path)
-    sock.listen()
-    return sock
-
-
-def _is_stale(path: str) -> bool:
-    """A socket that is left of a server which is gone."""
-    if not os.path.exists(path) or not stat.S_ISSOCK(os.stat(path).st_mode):
-        return False
-    with socket.socket(socket.AF_UNIX) as probe:
-        return probe.connect_ex(path) == errno.ECONNREFUSED
-
-
-def split_address(address: str) -> Tuple[str, int]:
-    host, colon, port = address[6:].rpartition(":")
-    if not address.startswith("tcp://") or not colon or not port.isdigit():
-        raise Error(f"address '{address}' is not of the form tcp://HOST:PORT or unix:PATH")
-    return host.strip("[]"), int(port)
-
-
-def resolve(address: str, allow_plaintext: bool) -> List[Any]:
-    """What tcp://HOST:PORT stands for, as socket.getaddrinfo gives it; all of it has to be this machine."""
-    host, port = split_address(address)
-    places = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)
-    for place in places:
-        if not allow_plaintext and not is_loopback(str(place[4][0])):
-            raise Error(f"address '{address}' is beyond this machine ({place[4][0]}), and tcp is plain text", 2)
-    return places
-
-
-def is_loopback(host: str) -> bool:
-    return host.startswith("127.") or host == "::1"
-
-
 def serve(make: Make, address: Optional[str] = None, once: bool = False, deadline: float = 5.0) -> None:
     """Serves what `make(parameters)` returns, an instance for each session: at `address` ("tcp://HOST:PORT",
     port 0 for a free one, or "unix:PATH"; the address is printed), or, without one, at --listen URI of the
@@ -283,12 +232,12 @@ def serve(make: Make, address: Optional[str] = None, once: bool = False, deadlin
         return
     if address is None:
         raise Error("an address is needed: serve(make, address), or --listen URI")
-    listener, place = _listener(address)
-    if threading.current_thread() is threading.main_thread():
-        for number in (signal.SIGTERM, signal.SIGINT):
-            signal.signal(number, _end)
-    print(f"serving at {place}", flush=True)
+    listener, place = listen(address)
     try:
+        if threading.current_thread() is threading.main_thread():
+            for number in (signal.SIGTERM, signal.SIGINT):
+                signal.signal(number, _end)
+        print(f"serving at {place}", flush=True)
         while True:
             sock, _ = listener.accept()
             session = Session(wire.Channel(sock, place), make, deadline)

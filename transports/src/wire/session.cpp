@@ -168,7 +168,8 @@ void Session::hello(const Frame& request) {
   send();
 }
 
-/// Rows for one reply: as many as are asked for and fit.
+/// Rows for one reply: as many as are asked for and fit. Nothing is written to them, so that the system gives
+/// their memory page by page, as rows come.
 Samples Session::rows(std::uint64_t room) {
   const auto stride = static_cast<std::uint64_t>(subsystem_->info().row_size());
   const std::uint64_t fit = (std::min(longest_, usual_longest) - samples_head) / (8 * stride);
@@ -176,8 +177,11 @@ Samples Session::rows(std::uint64_t room) {
   if (capacity == 0)
     throw Error(ErrorCode::invalid_argument,
                 "there is room for no row of " + std::to_string(8 * stride) + " bytes in a reply");
-  if (memory_.size() < capacity * stride) memory_.resize(capacity * stride);
-  return {memory_.data(), static_cast<std::int64_t>(stride), static_cast<std::int64_t>(capacity)};
+  if (const std::uint64_t numbers = capacity * stride; numbers > held_) {
+    memory_ = std::make_unique_for_overwrite<double[]>(numbers);
+    held_ = numbers;
+  }
+  return {memory_.get(), static_cast<std::int64_t>(stride), static_cast<std::int64_t>(capacity)};
 }
 
 template <class Call>

@@ -34,9 +34,10 @@ Endpoint endpoint_of(const Place& place, const std::string& address, bool allow_
     if (stale(place.path)) ::unlink(place.path.c_str());
     return asio::local::stream_protocol::endpoint(place.path);
   }
-  const auto endpoint = place.resolve().front();
-  if (!allow_plaintext && place.scheme == "tcp") require_loopback(endpoint, address);
-  return endpoint;
+  const auto all = place.resolve();
+  if (!allow_plaintext && place.scheme == "tcp")
+    for (const auto& endpoint : all) require_loopback(endpoint, address);
+  return all.front();
 }
 
 class SocketListener final : public wire::Listener {

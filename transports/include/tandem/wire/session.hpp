@@ -56,7 +56,8 @@ class Session {
   Writer frame_;
   Initialize initialize_;
   Advance advance_;
-  std::vector<double> memory_;
+  std::unique_ptr<double[]> memory_;  ///< of rows
+  std::uint64_t held_ = 0;            ///< numbers there
 };
 
 }  // namespace tandem::wire
