@@ -20,7 +20,7 @@ VectorXd constraint_forces(Terms& terms, const State& s, const VectorXd& x) {
 
 /// z <- (K + d(Phi_q^T lambda)/dq) z, the second part by central differences. K as factorize() left it.
 void multiply_stiffness(Terms& terms, const State& s, VectorXd& z) {
-  const double reach = 1e-6 * (1.0 + s.q.norm());
+  const double reach = 1e-6 * (terms.structure.unit() + s.q.norm());
   State above = s, below = s;
   above.q.head(z.size()) += reach * z;
   below.q.head(z.size()) -= reach * z;
