@@ -17,6 +17,11 @@
 namespace tandem::cli {
 namespace {
 
+std::string frequency(const mbs::Mode& mode) {
+  const double hertz = mode.frequency();
+  return hertz < 0.01 ? fmt::format("{:.3g}", hertz) : fmt::format("{:.3f}", hertz);
+}
+
 /// Without a sign where it is zero as printed.
 double damping(const mbs::Mode& mode) { return std::round(1e4 * mode.damping()) / 1e4 + 0.0; }
 
@@ -26,7 +31,7 @@ void print_mode(const mbs::Mechanism& mechanism, const mbs::Mode& mode) {
   for (std::size_t k = 0; k < std::min<std::size_t>(3, shares.size()) && shares[k].part >= 0.005; ++k)
     most += fmt::format("{}{} {:.0f} %", k > 0 ? ", " : "", shares[k].name, 100.0 * shares[k].part);
   if (mode.oscillates())
-    fmt::print("{:>9.3f} Hz {:>8.4f}  {:<16} {}\n", mode.frequency(), damping(mode), name_of(mechanism, mode),
+    fmt::print("{:>9} Hz {:>8.4f}  {:<16} {}\n", frequency(mode), damping(mode), name_of(mechanism, mode),
                most);
   else
     fmt::print("{:>9.3g} 1/s          {:<16} {}\n", mode.p.real(), name_of(mechanism, mode), most);
