@@ -10,7 +10,8 @@
 namespace tandem::mbs {
 
 /// A model in lengths: x = S q and P Phi by the scales of its structure, so M becomes S^-1 M S^-1, Q S^-1 Q,
-/// Phi_q P Phi_q S^-1, and lambda P^-1 lambda; energies stay. The same model where it has no scales.
+/// Phi_q P Phi_q S^-1, and lambda P^-1 lambda; energies stay. Its structure has no scales of coordinates, but
+/// P still, by which sentences tell Phi in its own unit. The same model where it has no scales.
 class Scaled final : public Model {
  public:
   explicit Scaled(Model& of);  ///< which must outlive it

@@ -31,6 +31,16 @@ TEST(InfoCommand, ShowsAllSubsystemsAndConnectionsOfAScenario) {
                 "first own step: 0.25 s"});
 }
 
+/// A uniform rod of l = 1000 km, which swings with (3 g / 2 l)^(1/2) / 2 pi; its damping is zero without a
+/// sign.
+TEST(ModesCommand, ShowsSlowSwingsOfWhatIsLarge) {
+  const Scratch folder;
+  folder.write("rod.toml",
+               "dimension = 2\ngravity = [0, -9.81]\n[points]\nO = { at = [0, 0], fixed = true }\n"
+               "P = { at = [0, -1e6] }\n[rods]\nrod = { points = ['O', 'P'], mass = 1 }\n");
+  expect_words(tandem(folder, {"modes", "rod.toml"}), {" 0.000611 Hz   0.0000  rod along x", "0 solutions"});
+}
+
 TEST(InfoCommand, RefusesASourceThatIsNotThere) {
   const Scratch folder;
   const Said said = tandem(folder, {"info", "builtin:two_mass.fats"});

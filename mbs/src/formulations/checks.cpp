@@ -24,6 +24,16 @@ std::string constraints_of(const Structure& s, int variable) {
   return names.empty() ? "in no constraint" : "in the constraints " + listed(names);
 }
 
+/// "off by 0.02 m, allowed is 0.01 m": in the constraint's own unit, of a model in lengths too, whose
+/// structure has the scales of constraints alone (scaled.hpp).
+std::string how_far_off(const Structure& s, std::size_t c, double phi, double most) {
+  const bool in_lengths = s.coordinate_scales.empty() && !s.constraint_scales.empty();
+  const double scale = in_lengths ? s.constraint_scales[c] : 1.0;
+  const bool pure = s.constraint_units.empty() || s.constraint_units[c] == "1";
+  const std::string unit = pure ? "" : " " + s.constraint_units[c];
+  return fmt::format("off by {:.3g}{}, allowed is {:.3g}{}", phi / scale, unit, most / scale, unit);
+}
+
 }  // namespace
 
 std::vector<double> most_off(const Structure& s) {
@@ -50,9 +60,9 @@ void refuse_lost_constraint(const Structure& s, const Constraints& at, double ti
           s.constraint_names[c], time));
     if (std::abs(at.phi[c]) > at.most[c])
       fail(fmt::format(
-          "constraint '{}' is lost at t = {} s: it is off by {:.3g}, allowed is {:.3g}; a greater "
-          "penalty, more iterations or shorter steps hold it",
-          s.constraint_names[c], time, at.phi[c], at.most[c]));
+          "constraint '{}' is lost at t = {} s: it is {}; a greater penalty, more iterations or shorter "
+          "steps hold it",
+          s.constraint_names[c], time, how_far_off(s, static_cast<std::size_t>(c), at.phi[c], at.most[c])));
   }
 }
 

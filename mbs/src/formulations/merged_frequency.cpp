@@ -25,7 +25,7 @@ void MergedFrequency::add_constraint_forces(double factor, VectorXd& to) {
 
 /// z <- (K + d(Phi_q^T lambda)/dq) z, the second part by central differences. K as factorize() left it.
 void MergedFrequency::multiply_stiffness(const State& s, VectorXd& z) {
-  const double reach = 1e-6 * (1.0 + s.q.norm());
+  const double reach = 1e-6 * (terms_.structure.unit() + s.q.norm());
   stiffness_rows_.multiply(terms_.matrices.stiffness.data(), z.data(), product_.data());
   moved_.q.head(z.size()) = s.q.head(z.size()) + reach * z;
   add_constraint_forces(0.5 / reach, product_);

@@ -2,6 +2,8 @@
 #pragma once
 #include <algorithm>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "force_set.hpp"
 #include "tandem/mbs/mechanism/force_element.hpp"
@@ -12,7 +14,8 @@ namespace tandem::mbs {
 /// What an element reads, gathered from all coordinates.
 class GatheredElement {
  public:
-  GatheredElement(const ForceElement& element, const Numbering& numbering) : element_(&element) {
+  GatheredElement(const ForceElement& element, const Numbering& numbering, std::vector<double> sizes = {})
+      : element_(&element), sizes_(std::move(sizes)) {
     for (const Coordinate& c : element.coordinates()) to_.push_back(numbering.of(c));
     x_.resize(to_.size());
     v_.resize(to_.size());
@@ -22,7 +25,7 @@ class GatheredElement {
     for (std::size_t i = 0; i < to_.size(); ++i) x_[i] = q[to_[i]], v_[i] = v[to_[i]];
     for (std::size_t i = 0; i < u_.size(); ++i)
       u_[i] = inputs[static_cast<std::size_t>(element_->inputs()[i])].value;
-    return {x_.data(), v_.data(), u_.data()};
+    return {x_.data(), v_.data(), u_.data(), sizes_.empty() ? nullptr : sizes_.data()};
   }
   const ForceElement& element() const { return *element_; }
   const std::vector<int>& coordinates() const { return to_; }
@@ -30,14 +33,15 @@ class GatheredElement {
  private:
   const ForceElement* element_;
   std::vector<int> to_;
+  std::vector<double> sizes_;  ///< as ElementState::size
   std::vector<double> x_, v_, u_;
 };
 
 class ElementSet final : public ForceSet {
  public:
   explicit ElementSet(const std::vector<InputValue>& inputs) : inputs_(inputs) {}
-  void add(const ForceElement& element, const Numbering& numbering) {
-    all_.emplace_back(element, numbering);
+  void add(const ForceElement& element, const Numbering& numbering, std::vector<double> sizes) {
+    all_.emplace_back(element, numbering, std::move(sizes));
     const auto size = static_cast<int>(all_.back().coordinates().size());
     if (size > force_.size()) force_.resize(size);
     k_.emplace_back(size, size);

@@ -14,8 +14,9 @@
 namespace tandem::mbs {
 namespace {
 
-constexpr int most_iterations = 100;
-constexpr double held = 1e-8;  // of the largest stiffness: what holds where nothing else does
+constexpr int most_iterations = 100, most_corrections = 4;
+constexpr double closed = 1e-12;  // of a length
+constexpr double held = 1e-8;     // of the largest stiffness: what holds where nothing else does
 
 /// Newton's method on Q(q, 0) - Phi_q^T lambda = 0, Phi = 0. Multipliers are those of least squares, so that
 /// the error is a function of q alone.
@@ -54,17 +55,35 @@ class Balance {
   /// The error and multipliers at a state.
   void look(State& s) {
     terms_.evaluate(s.q, s.v);
-    Eigen::MatrixXd a = terms_.gradients;
+    const Eigen::MatrixXd a = movable();
     Eigen::VectorXd f = terms_.force;
     for (int i = 0; i < stays_.size(); ++i)
-      if (stays_[i]) a.row(i).setZero(), f[i] = 0.0;
-    if (s.lambda.size() > 0) s.lambda = a.completeOrthogonalDecomposition().solve(f);
+      if (stays_[i]) f[i] = 0.0;
+    if (s.lambda.size() > 0) s.lambda = dense::shortest_solution(a, f);
     unbalanced_ = f - a * s.lambda;
     size_ = std::max(size_, terms_.force.norm());
     error_ = std::hypot(unbalanced_.norm(), size_ * terms_.phi.norm() / unit_);
   }
 
-  /// A step that makes the error smaller, held back more and more; false if none does.
+  /// The gradients' part along what may move.
+  Eigen::MatrixXd movable() const {
+    Eigen::MatrixXd a = terms_.gradients;
+    for (int i = 0; i < stays_.size(); ++i)
+      if (stays_[i]) a.row(i).setZero();
+    return a;
+  }
+
+  /// Back to where the constraints hold, by the shortest way: along a step they bend away, and an error that
+  /// counts this too would fall by the shortest of steps only.
+  void close(State& s) {
+    for (int k = 0; k < most_corrections && terms_.phi.norm() > closed * unit_; ++k) {
+      s.q.head(stays_.size()) -= dense::shortest_solution(movable().transpose(), terms_.phi);
+      terms_.evaluate(s.q, s.v);
+    }
+  }
+
+  /// A step that makes the error smaller: Newton's or a part of it, or, where the stiffness is singular, one
+  /// that is held back more and more; false if none does.
   bool improve() {
     const Eigen::MatrixXd k = terms_.stiffness(state_);
     look(state_);
@@ -72,12 +91,19 @@ class Balance {
     const Eigen::VectorXd force = unbalanced_, phi = terms_.phi;
     const Eigen::MatrixXd gradients = terms_.gradients;
     const State from = state_;
-    for (double hold = held * k.cwiseAbs().maxCoeff(); hold < 1e12; hold *= 10.0) {
-      state_.q.head(force.size()) = from.q.head(force.size()) + step(k, gradients, force, phi, hold);
+    const auto improves = [&](const Eigen::VectorXd& by) {
+      state_.q.head(by.size()) = from.q.head(by.size()) + by;
+      terms_.evaluate(state_.q, state_.v);
+      close(state_);
       look(state_);
-      if (error_ < before) return true;
-      if (hold == 0.0) hold = 1e-6;
-    }
+      return error_ < before;
+    };
+    const double least = held * k.cwiseAbs().maxCoeff();
+    const Eigen::VectorXd newton = step(k, gradients, force, phi, least);
+    for (double part = 1.0; part > 1e-3; part *= 0.5)
+      if (improves(part * newton)) return true;
+    for (double hold = least > 0.0 ? 10.0 * least : 1e-6; hold < 1e12; hold *= 10.0)
+      if (improves(step(k, gradients, force, phi, hold))) return true;
     state_ = from;
     look(state_);
     return false;

@@ -28,6 +28,18 @@ std::unique_ptr<CentralSet<Dimension>> central_set(const Description& in, const 
   return set;
 }
 
+/// As ElementState::size.
+std::vector<double> sizes_of(const Description& in, const ForceElement& element, double unit) {
+  const auto is_length = [&](const Coordinate& c) {
+    if (c.entity >= 0) return is_point(in, c.entity);
+    return !is_angle(in, c) &&
+           in.relatives[static_cast<std::size_t>(c.relative)].kind != Relative::Kind::state;
+  };
+  std::vector<double> sizes;
+  for (const Coordinate& c : element.coordinates()) sizes.push_back(is_length(c) ? unit : 1.0);
+  return sizes;
+}
+
 }  // namespace
 
 void Mechanism::add_forces() {
@@ -50,7 +62,7 @@ void Mechanism::add_forces() {
 void Mechanism::add_elements() {
   auto elements = std::make_unique<ElementSet>(inputs_);
   for (const NamedElement& element : description_.elements) {
-    elements->add(*element.force, numbering_);
+    elements->add(*element.force, numbering_, sizes_of(description_, *element.force, structure_.unit()));
     if (!element.force->symmetric()) structure_.symmetric_forces = false;
   }
   add_if_used(std::move(elements), force_sets_);

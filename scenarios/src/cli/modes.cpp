@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "cli/commands.hpp"
 #include "cli/mechanism_info.hpp"
@@ -18,31 +19,40 @@
 namespace tandem::cli {
 namespace {
 
+std::string frequency(const mbs::Mode& mode) {
+  const double hertz = mode.frequency();
+  return hertz < 0.01 ? fmt::format("{:.3g}", hertz) : fmt::format("{:.3f}", hertz);
+}
+
+/// Without a sign where it is zero as printed.
+double damping(const mbs::Mode& mode) { return std::round(1e4 * mode.damping()) / 1e4 + 0.0; }
+
 void print_mode(const mbs::Mechanism& mechanism, const mbs::Mode& mode) {
   std::string most;
   const auto shares = mbs::shares(mechanism, mode);
   for (std::size_t k = 0; k < std::min<std::size_t>(3, shares.size()) && shares[k].part >= 0.005; ++k)
     most += fmt::format("{}{} {:.0f} %", k > 0 ? ", " : "", shares[k].name, 100.0 * shares[k].part);
   if (mode.oscillates())
-    fmt::print("{:>9.3f} Hz {:>8.4f}  {:<16} {}\n", mode.frequency(), mode.damping(),
-               name_of(mechanism, mode), most);
+    fmt::print("{:>9} Hz {:>8.4f}  {:<16} {}\n", frequency(mode), damping(mode), name_of(mechanism, mode),
+               most);
   else
     fmt::print("{:>9.3g} 1/s          {:<16} {}\n", mode.p.real(), name_of(mechanism, mode), most);
 }
 
-/// Motions that nothing pulls back have p = 0 but for rounding.
+/// Motions that nothing pulls back have p = 0 but for rounding, which is that of a mechanism of its size:
+/// those of a thousand times the length are slower by the root of it.
 void print_modes(mbs::Description description, double start) {
   mbs::Mechanism mechanism(std::move(description));
   const mbs::State s = mbs::initial_state(mechanism, start);
   const auto all = mbs::modes(mechanism, s);
-  constexpr double still = 1e-2;  // [1/s]
+  const double still = 1e-2 / std::sqrt(mechanism.structure().unit());  // [1/s]
   const auto free =
-      std::count_if(all.begin(), all.end(), [](const auto& m) { return std::abs(m.p) < still; });
+      std::count_if(all.begin(), all.end(), [still](const auto& m) { return std::abs(m.p) < still; });
   fmt::print("{}: modes about its start\n  frequency  damping  name             kinetic energy\n",
              mechanism.description().name);
   for (const mbs::Mode& mode : all)
     if (std::abs(mode.p) >= still) print_mode(mechanism, mode);
-  fmt::print("  {} solutions with |p| < {} 1/s: nothing pulls back\n", free, still);
+  fmt::print("  {} solutions with |p| < {:.3g} 1/s: nothing pulls back\n", free, still);
 }
 
 /// Of a mechanism alone, with any values of its file set.

@@ -20,8 +20,9 @@ std::vector<FormulationCase> formulation_cases();
 
 /// A row of results/mbs/formulations.csv and one of errors.csv. order: log2 of the ratio of the two runs'
 /// distances from the truth at the end; energy_drift: by then, as a part of the largest kinetic energy, the
-/// work of constant forces taken off; residuals: largest in the last state; all of the finer run. error: its
-/// distance from the truth [m or rad]; note: the sentence of what failed.
+/// work of constant forces taken off; residuals: largest in the last state; all of the finer run. status: ok;
+/// no order, where that is 0.5 and more below the integrator's; failed. error: the finer run's distance from
+/// the truth [m or rad]; note: the sentence of what failed.
 struct FormulationRow {
   std::string figures, error;
 };

@@ -1,6 +1,11 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 // Free coordinates, relations, slides, distances between places, and elements in files.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <memory>
+#include <utility>
+#include <vector>
 
 #include "refusal.hpp"
 #include "tandem/error.hpp"
@@ -58,6 +63,47 @@ TEST(ReadElements, DragHasItsForceAndPower) {
   m.forces(s.q.data(), s.v.data(), force);
   EXPECT_DOUBLE_EQ(force[0], -7.5);
   EXPECT_DOUBLE_EQ(force[1], -10.0);
+}
+
+/// Pulls a point back to the origin by |x|^2 x + |v|^2 v in units of a length, and leaves its derivatives to
+/// differences.
+class Cubic final : public ForceElement {
+ public:
+  Cubic(std::vector<Coordinate> point, double length) : ForceElement(std::move(point), {}), length_(length) {}
+  void add(const ElementState& at, double* force) const override {
+    const Eigen::Vector2d x(at.x[0], at.x[1]), v(at.v[0], at.v[1]);
+    Eigen::Map<Eigen::Vector2d>(force, 2) -= (x.squaredNorm() * x + v.squaredNorm() * v) / length_ / length_;
+  }
+
+ private:
+  double length_;
+};
+
+/// K = |x|^2 + 2 x x^T and C of the same form, x and v of one length: by differences over a millionth of it
+/// to 1e-12 by curvature, and to 1e-9 by rounding where the nearest power of 1024 is a thirtieth of it.
+TEST(ReadElements, ForceIsDifferentiatedByTheLengthOfItsMechanism) {
+  const ElementKinds kinds = {{"cubic", [](ElementKeys& keys) {
+                                 return std::make_unique<Cubic>(keys.axes(keys.point("point")),
+                                                                keys.positive("length"));
+                               }}};
+  for (const double length : {1e-6, 1.0, 1e3, 1e6}) {
+    Mechanism m(
+        read_mechanism("m",
+                       fmt::format("dimension = 2\n[points]\nO = {{ at = [0, 0], fixed = true }}\n"
+                                   "P = {{ at = [{}, {}] }}\n[rods]\nr = {{ points = ['O', 'P'], mass = "
+                                   "1 }}\n[elements.e]\nkind = 'cubic'\npoint = 'P'\nlength = {}\n",
+                                   0.6 * length, 0.8 * length, length),
+                       kinds));
+    const Eigen::Vector2d n(0.6, 0.8), across(-0.8, 0.6), v = length * across;
+    std::vector<double> k(static_cast<std::size_t>(m.structure().stiffness_values())), c(k);
+    Eigen::VectorXd q = m.described_state().q, rates = Eigen::VectorXd::Zero(q.size());
+    rates.head(2) = v;
+    m.force_derivatives(q.data(), rates.data(), k.data(), c.data());
+    const Eigen::Matrix2d one = Eigen::Matrix2d::Identity();
+    EXPECT_LT((Eigen::Map<Eigen::Matrix2d>(k.data()) - one - 2.0 * n * n.transpose()).norm(), 1e-8) << length;
+    EXPECT_LT((Eigen::Map<Eigen::Matrix2d>(c.data()) - one - 2.0 * across * across.transpose()).norm(), 1e-8)
+        << length;
+  }
 }
 
 }  // namespace

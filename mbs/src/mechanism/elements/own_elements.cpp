@@ -11,15 +11,14 @@ std::vector<Coordinate> ElementKeys::axes(int entity) const {
   return all;
 }
 
-/// Steps of 1e-6 [m, rad]: errors by curvature of 1e-12 and by rounding of 1e-10 of a force.
+/// Steps of a millionth of a length: errors by curvature of 1e-12 and by rounding of 1e-10 of a force.
 void ForceElement::add_derivatives(const ElementState& at, Eigen::Ref<Eigen::MatrixXd> k,
                                    Eigen::Ref<Eigen::MatrixXd> c) const {
-  constexpr double by = 1e-6;
   const auto n = static_cast<Eigen::Index>(coordinates().size());
   Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(at.x, n),
                   v = Eigen::Map<const Eigen::VectorXd>(at.v, n);
-  const auto difference = [&](double& moved) {
-    const double middle = moved;
+  const auto difference = [&](double& moved, double size) {
+    const double middle = moved, by = 1e-6 * size;
     Eigen::VectorXd plus = Eigen::VectorXd::Zero(n), minus = plus;
     moved = middle + by;
     add({x.data(), v.data(), at.u}, plus.data());
@@ -29,8 +28,9 @@ void ForceElement::add_derivatives(const ElementState& at, Eigen::Ref<Eigen::Mat
     return Eigen::VectorXd((minus - plus) / (2.0 * by));
   };
   for (Eigen::Index column = 0; column < n; ++column) {
-    k.col(column) += difference(x[column]);
-    c.col(column) += difference(v[column]);
+    const double size = at.size ? at.size[column] : 1.0;
+    k.col(column) += difference(x[column], size);
+    c.col(column) += difference(v[column], size);
   }
 }
 

@@ -15,6 +15,9 @@ namespace tandem::mbs {
 /// units.
 struct ElementState {
   const double *x, *v, *u;
+  /// By coordinate, what counts as a length of one: the mechanism's (Structure::unit()) [m], of vectors,
+  /// angles and states 1. None: all 1.
+  const double* size = nullptr;
 };
 
 /// A force law of one's own between any coordinates of a mechanism: a tyre, an aerodynamic force, a rotor.
@@ -37,7 +40,7 @@ class ForceElement {
   /// Adds the generalized force on each coordinate.
   virtual void add(const ElementState& at, double* force) const = 0;
   /// Adds K = -dQ/dx and C = -dQ/dv, matrices of as many rows and columns as there are coordinates; by
-  /// central differences unless it is overridden. Small terms may be left out.
+  /// central differences over a millionth of `at.size` unless it is overridden. Small terms may be left out.
   virtual void add_derivatives(const ElementState& at, Eigen::Ref<Eigen::MatrixXd> k,
                                Eigen::Ref<Eigen::MatrixXd> c) const;
   /// K and C are symmetric, but for rows and columns of states.
