@@ -37,9 +37,11 @@ bool depends_on_accelerations(Kind kind) {
 
 }  // namespace
 
-Outputs::Outputs(const Mechanism& mechanism)
+Outputs::Outputs(const Mechanism& mechanism) : Outputs(mechanism, mechanism.description().outputs) {}
+
+Outputs::Outputs(const Mechanism& mechanism, std::vector<Output> outputs)
     : mechanism_(mechanism),
-      outputs_(mechanism.description().outputs),
+      outputs_(std::move(outputs)),
       parts_(connected_parts(mechanism)),
       reactions_(std::any_of(outputs_.begin(), outputs_.end(),
                              [](const Output& o) { return o.kind == Kind::reaction; })),

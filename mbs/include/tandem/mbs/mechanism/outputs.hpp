@@ -9,11 +9,12 @@
 
 namespace tandem::mbs {
 
-/// Evaluates the outputs that a mechanism's description names.
+/// Evaluates the outputs that a mechanism's description names, or others.
 class Outputs {
  public:
   /// `mechanism` must outlive it.
   explicit Outputs(const Mechanism& mechanism);
+  Outputs(const Mechanism& mechanism, std::vector<Output> outputs);
 
   int size() const { return static_cast<int>(outputs_.size()); }
   const std::string& name(int output) const { return outputs_[static_cast<std::size_t>(output)].name; }
@@ -60,7 +61,7 @@ class Outputs {
   double measured_rate(int output, const State& state) const;
 
   const Mechanism& mechanism_;
-  const std::vector<Output>& outputs_;
+  std::vector<Output> outputs_;
   std::vector<int> parts_;  ///< by coordinate, a number that connected ones share
   bool reactions_ = false, has_residuals_ = false;
   std::vector<Support> supports_;  ///< by output; of reactions
