@@ -55,9 +55,10 @@ int run(int argc, char** argv) {
   app.fallthrough();
   tandem::cli::Context context;
   tandem::two_mass::add_builtins(context.builtins);
-  tandem::kart::add_builtins(context.builtins);
-  tandem::mechanisms::add_sources(context.builtins);
-  tandem::diagrams::add_sources(context.builtins, [](const std::string& what) { spdlog::warn("{}", what); });
+  const auto tell = [](const std::string& what) { spdlog::warn("{}", what); };
+  tandem::kart::add_builtins(context.builtins, tell);
+  tandem::mechanisms::add_sources(context.builtins, tell);
+  tandem::diagrams::add_sources(context.builtins, tell);
   tandem::functions::add_sources(context.builtins);
   std::string log_file;
   auto* quiet = app.add_flag("--quiet", context.quiet, "Print results and errors only");

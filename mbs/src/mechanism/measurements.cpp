@@ -5,9 +5,9 @@
 
 namespace tandem::mbs {
 
-Measurements::Measurements(const Mechanism& mechanism)
+Measurements::Measurements(const Mechanism& mechanism, const std::vector<Output>& outputs)
     : mechanism_(mechanism), q_(mechanism.structure().coordinates), v_(q_.size()) {
-  for (const Output& output : mechanism.description().outputs) {
+  for (const Output& output : outputs) {
     ones_.emplace_back();
     if (output.kind == Output::Kind::quantity) add(output, ones_.back());
   }

@@ -13,9 +13,9 @@ namespace tandem::mbs {
 class Measurements {
  public:
   /// `mechanism` must outlive it.
-  explicit Measurements(const Mechanism& mechanism);
+  Measurements(const Mechanism& mechanism, const std::vector<Output>& outputs);
 
-  /// Of an output of kind `quantity`, by its number.
+  /// Of an output of the kind `quantity`, by its number.
   const std::string& unit(int output) const { return one(output).unit; }
   bool follows_inputs(int output) const { return one(output).follows_inputs; }
 

@@ -38,11 +38,13 @@ bool depends_on_accelerations(Kind kind) {
 
 }  // namespace
 
-Outputs::Outputs(const Mechanism& mechanism)
+Outputs::Outputs(const Mechanism& mechanism) : Outputs(mechanism, mechanism.description().outputs) {}
+
+Outputs::Outputs(const Mechanism& mechanism, std::vector<Output> outputs)
     : mechanism_(mechanism),
-      outputs_(mechanism.description().outputs),
+      outputs_(std::move(outputs)),
       parts_(connected_parts(mechanism)),
-      measurements_(std::make_unique<Measurements>(mechanism)),
+      measurements_(std::make_unique<Measurements>(mechanism, outputs_)),
       reactions_(std::any_of(outputs_.begin(), outputs_.end(),
                              [](const Output& o) { return o.kind == Kind::reaction; })),
       phi_(mechanism.structure().constraints),

@@ -20,7 +20,8 @@ Multibody::Machine::Machine(Description description, const SubsystemSettings& se
       stepper(make_stepper(mechanism, settings.stepper)),
       outputs(mechanism),
       inputs(mechanism.description()),
-      dump(settings.dump) {
+      dump(settings.dump),
+      limits(mechanism, settings.tell) {
   for (int k = 0; k < outputs.size(); ++k) derivatives = std::max(derivatives, outputs.derivatives(k));
   mechanism.set_inputs(&inputs);
 }
@@ -64,6 +65,8 @@ void Multibody::start(double t, std::span<const double> u0) {
   machine_->inputs.set_constants(values);
   moving_.start(initial_state(machine_->mechanism, t));
   machine_->outputs.start(moving_.state());
+  machine_->limits.start(moving_.state());
+  machine_->begun = false;
   machine_->inputs.read(t, inputs_);
   machine_->dumped = 0;
   dump_matrices();
@@ -76,8 +79,10 @@ void Multibody::step(const OwnStep& s, std::span<const Signal> u) {
     machine_->mechanism.at_time(s.begin);
     moving_.refresh();
   }
+  if (!std::exchange(machine_->begun, true)) machine_->limits.look(moving_.state());
   moving_.step(s.length, s.end);
   machine_->inputs.read(s.end, inputs_);
+  machine_->limits.look(moving_.state());
   dump_matrices();
 }
 

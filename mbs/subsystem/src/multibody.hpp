@@ -37,6 +37,8 @@ class Multibody {
     SignalInputs inputs;
     MatrixDump dump;
     std::size_t dumped = 0;  ///< of its times
+    Limits limits;
+    bool begun = false;  ///< a step has been taken since the start
   };
 
   void hide_unknown(double* y) const;

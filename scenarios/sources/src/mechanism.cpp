@@ -37,7 +37,8 @@ mbs::MatrixDump dump(Parameters& p) {
 }  // namespace
 
 std::unique_ptr<Subsystem> make_mechanism(const SourceFile& file, Parameters& p,
-                                          const mbs::ElementKinds& kinds, const LookAtMechanism& look) {
+                                          const mbs::ElementKinds& kinds, const LookAtMechanism& look,
+                                          const mbs::TellOfLimit& tell) {
   const text::Document document = file.document();
   take_run_table(document, p);
   mbs::Description description = file.text ? mbs::read_mechanism(file.path.string(), *file.text, kinds)
@@ -49,7 +50,12 @@ std::unique_ptr<Subsystem> make_mechanism(const SourceFile& file, Parameters& p,
                     "' has no own step; give the parameter step, a number above 0 "
                     "[s], or step in the table [run] of its file");
   const double step = p.number("step", 0.0);
-  return mbs::make_subsystem(std::move(description), {step, take_stepper(p), dump(p)});
+  mbs::SubsystemSettings settings{step, take_stepper(p), dump(p)};
+  if (tell)
+    settings.tell = [tell, name = description.name](const std::string& text) {
+      tell("mechanism '" + name + "': " + text);
+    };
+  return mbs::make_subsystem(std::move(description), settings);
 }
 
 }  // namespace tandem

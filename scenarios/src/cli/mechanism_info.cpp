@@ -74,6 +74,13 @@ void print_freedom(mbs::Mechanism& mechanism, const mbs::Assembled& found) {
   if (!contradictory.empty()) fmt::print("  contradictory equations: {}\n", listed(contradictory));
 }
 
+void print_limits(const mbs::Description& in) {
+  constexpr const char* words[] = {"ignore", "warn", "stop"};
+  for (const mbs::Limit& limit : in.limits)
+    fmt::print("  limit {}: {} to {}, {}: {}\n", limit.name, limit.low, limit.high,
+               words[static_cast<int>(limit.on_leaving)], limit.sentence);
+}
+
 void print_tangent(const mbs::Structure& s) {
   const mbs::Tangent tangent(s, mbs::make_solver("auto", mbs::MatrixKind::positive_definite));
   const double n = s.variables;
@@ -134,6 +141,7 @@ void print_mechanism(const std::filesystem::path& file, const Builtins& builtins
   if (!unknown.empty()) fmt::print("  inputs that are not known are taken as 0: {}\n", listed(unknown));
   print_freedom(mechanism, found);
   print_tangent(mechanism.structure());
+  print_limits(mechanism.description());
   text::located(whole, [&] { print_start(mechanism, start); });
   check_run(file, builtins);
 }

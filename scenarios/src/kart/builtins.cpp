@@ -18,20 +18,22 @@ KartSettings settings(Parameters& p) {
 
 }  // namespace
 
-void add_builtins(Builtins& builtins) {
+void add_builtins(Builtins& builtins, const mbs::TellOfLimit& tell) {
   builtins.models["kart.point"] = [](Parameters& p) {
     return make_subsystem(std::make_shared<Point>(KartData{}), settings(p));
   };
-  builtins.models["kart.plane"] = [](Parameters& p) {
+  builtins.models["kart.plane"] = [tell](Parameters& p) {
     const TyreLaw law = tyre_law(p.text("tyre", "magic_formula"));
     const std::string formulas = p.text("formulas", "printed");
     if (formulas != "printed" && formulas != "complete")
       throw Error(ErrorCode::invalid_argument,
                   "parameter 'formulas' is '" + formulas + "'; allowed is printed or complete");
+    KartSettings s = settings(p);
+    if (tell) s.tell = [tell](const std::string& text) { tell("kart.plane: " + text); };
     return make_subsystem(
         std::make_shared<Plane>(KartData{}, law,
                                 formulas == "printed" ? Plane::Formulas::printed : Plane::Formulas::complete),
-        settings(p));
+        s);
   };
 }
 

@@ -20,13 +20,17 @@ using KartVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most, 1>;
 /// The model of a FixedStep. A copy is a state that is kept: it shares the model and its stepper.
 class DrivenKart {
  public:
-  DrivenKart(std::shared_ptr<KartModel> model, const mbs::StepperSettings& settings, double step)
-      : model_(std::move(model)), stepper_(mbs::make_stepper(*model_, settings)), step_(step) {}
+  DrivenKart(std::shared_ptr<KartModel> model, const mbs::StepperSettings& settings, double step,
+             const mbs::TellOfLimit& tell)
+      : model_(std::move(model)),
+        stepper_(mbs::make_stepper(*model_, settings)),
+        bounds_(std::make_shared<mbs::Bounds>(model_->bounds(), tell)),
+        step_(step) {}
   DrivenKart(const DrivenKart& other) { *this = other; }
   DrivenKart& operator=(const DrivenKart& other) {
     memory_ = other.kept_ ? other.memory_ : other.stepper_->memory();
     kept_ = true;
-    model_ = other.model_, stepper_ = other.stepper_;
+    model_ = other.model_, stepper_ = other.stepper_, bounds_ = other.bounds_;
     state_ = other.state_, step_ = other.step_, torque_ = other.torque_, known_ = other.known_;
     return *this;
   }
@@ -54,6 +58,9 @@ class DrivenKart {
     known_ = true;
     model_->torque = torque_ = u[0].value(s.end);
     stepper_->step(state_, s.length, s.end);
+    double values[most];
+    model_->watched(state_, values);
+    bounds_->look(values, state_.time);
   }
 
   /// What follows the torque at once is not told before it is known.
@@ -86,6 +93,7 @@ class DrivenKart {
  private:
   std::shared_ptr<KartModel> model_;
   std::shared_ptr<mbs::Stepper> stepper_;
+  std::shared_ptr<mbs::Bounds> bounds_;
   double step_ = 0.0, torque_ = 0.0;
   mbs::State state_;
   std::vector<double> memory_;
@@ -151,7 +159,7 @@ std::unique_ptr<Subsystem> make_subsystem(std::shared_ptr<KartModel> model, cons
     throw Error(ErrorCode::invalid_argument, "parameter 'step' is " + std::to_string(settings.step) +
                                                  " s; allowed is a finite number above 0");
   return std::make_unique<FixedStep<DrivenKart>>(
-      DrivenKart(std::move(model), stepper_settings(settings), settings.step));
+      DrivenKart(std::move(model), stepper_settings(settings), settings.step, settings.tell));
 }
 
 }  // namespace tandem::kart

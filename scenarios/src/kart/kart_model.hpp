@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "tandem/mbs/mechanism/limits.hpp"
 #include "tandem/mbs/model.hpp"
 #include "tandem/subsystem.hpp"
 
@@ -23,6 +24,9 @@ class KartModel : public mbs::Model {
   virtual SubsystemInfo info() const = 0;
   /// Those of info() and their derivatives, of a state with accelerations.
   virtual void outputs(const mbs::State& state, double* y) const = 0;
+  /// Values between which the model is believed, and where they are in a state.
+  virtual std::vector<mbs::Bound> bounds() const { return {}; }
+  virtual void watched(const mbs::State&, double*) const {}
   /// At rest on the ground.
   mbs::State standing(double t) const;
 
@@ -42,6 +46,7 @@ struct KartSettings {
   double step = 1e-3;
   std::string integrator = "newmark";
   double beta = 0.25;
+  mbs::TellOfLimit tell = {};  ///< takes what the model's bounds tell; null: nobody
 };
 std::unique_ptr<Subsystem> make_subsystem(std::shared_ptr<KartModel> model, const KartSettings& settings);
 

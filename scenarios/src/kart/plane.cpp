@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace tandem::kart {
 namespace {
@@ -120,6 +121,24 @@ void Plane::outputs(const mbs::State& s, double* y) const {
                rates[] = {s.a[turn_rear] - turns * s.a[psi], s.v[psi], s.a[x], 0.0, 0.0, 0.0, 0.0},
                second[] = {0.0, s.a[psi], 0.0, 0.0, 0.0, 0.0, 0.0};
   for (const auto& row : {values, rates, second}) y = std::copy_n(row, 7, y);
+}
+
+std::vector<mbs::Bound> Plane::bounds() const {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  const double largest = largest_load(law_);
+  const std::string beyond = "a tyre's load is beyond its data; what follows goes on in straight lines";
+  return {{"signal 'front_load'", "N", 1e-3, none, "the front wheels are off the ground"},
+          {"signal 'rear_load'", "N", 1e-3, none, "the rear wheels are off the ground"},
+          {"signal 'front_load'", "N", -none, largest, beyond},
+          {"signal 'rear_load'", "N", -none, largest, beyond},
+          {"signal 'pitch'", "rad", -0.7, 0.7, "the kart turns over, and its formulas are for small angles",
+           true}};
+}
+
+void Plane::watched(const mbs::State& s, double* values) const {
+  const double front = 0.5 * contact(Axle::front, s.q.data(), s.v.data()).load,
+               rear = 0.5 * contact(Axle::rear, s.q.data(), s.v.data()).load;
+  for (const double value : {front, rear, front, rear, s.q[psi]}) *values++ = value;
 }
 
 }  // namespace tandem::kart

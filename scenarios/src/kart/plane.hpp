@@ -35,6 +35,9 @@ class Plane final : public KartModel {
   double energy(const double* q, const double* v) const override;  ///< of masses and springs
   SubsystemInfo info() const override;
   void outputs(const mbs::State& state, double* y) const override;
+  /// Told: wheels off the ground, a tyre's load beyond its law's data. A pitch beyond 0.7 rad ends a run.
+  std::vector<mbs::Bound> bounds() const override;
+  void watched(const mbs::State& state, double* values) const override;
 
  private:
   struct Contact {

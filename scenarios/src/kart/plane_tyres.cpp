@@ -57,18 +57,14 @@ class PlaneTyres final : public mbs::ForceElement {
   double potential(const double* x) const override { return 2.0 * data_.potential(x[1]); }
 
   std::vector<Quantity> quantities() const override {
-    return {{"load", "N"},      {"slip", "1"},         {"drive", "N"},       {"spin", "rad/s"},
-            {"slip_loss", "W"}, {"rolling_loss", "W"}, {"damping_loss", "W"}};
+    return {{"load", "N"},     {"excess", "N"},    {"slip", "1"},         {"drive", "N"},
+            {"spin", "rad/s"}, {"slip_loss", "W"}, {"rolling_loss", "W"}, {"damping_loss", "W"}};
   }
   void measure(const ElementState& at, double* values) const override {
     const Contact c = contact(at);
-    const double all[] = {c.load,
-                          c.slip.longitudinal,
-                          c.force,
-                          c.spin,
-                          c.force * c.sliding,
-                          c.resistance * c.spin,
-                          data_.damping_loss(c.height, at.v[1])};
+    const double all[] = {
+        c.load, data_.excess(c.load), c.slip.longitudinal,   c.force,
+        c.spin, c.force * c.sliding,  c.resistance * c.spin, data_.damping_loss(c.height, at.v[1])};
     std::copy(std::begin(all), std::end(all), values);
   }
 

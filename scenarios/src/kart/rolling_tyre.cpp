@@ -46,6 +46,8 @@ double TyreData::load(double height, double rate) const {
   return std::max(0.0, stiffness * (free_radius - height) - damping * rate);
 }
 
+double TyreData::excess(double load) const { return std::max(0.0, load - largest_load(law)); }
+
 double TyreData::resistance(double load, double spin) const {
   return rolling * load * radius * std::tanh(spin * radius / slow);
 }

@@ -21,6 +21,7 @@ struct TyreData {
 
   /// At a height of the centre over the ground [m], rising with `rate` [m/s].
   double load(double height, double rate) const;
+  double excess(double load) const;  ///< beyond the data of its law [N]; 0 if it has none
   /// Couple against rolling [N m] and its derivative by the spin [rad/s].
   double resistance(double load, double spin) const;
   double resistance_rate(double load, double spin) const;

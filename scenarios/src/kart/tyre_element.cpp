@@ -94,20 +94,16 @@ class Tyre final : public mbs::ForceElement {
 
   std::vector<Quantity> quantities() const override {
     const bool presses = ground_ || brake_;
-    return {{"load", "N", ground_},
-            {"slip", "1"},
-            {"side_slip", "1"},
-            {"drive", "N", ground_},
-            {"side", "N", ground_},
-            {"slip_loss", "W", ground_},
-            {"rolling_loss", "W", ground_},
-            {"damping_loss", "W", ground_},
+    return {{"load", "N", ground_},      {"excess", "N", ground_},       {"slip", "1"},
+            {"side_slip", "1"},          {"drive", "N", ground_},        {"side", "N", ground_},
+            {"slip_loss", "W", ground_}, {"rolling_loss", "W", ground_}, {"damping_loss", "W", ground_},
             {"brake_loss", "W", presses}};
   }
   void measure(const ElementState& at, double* values) const override {
     const Contact c = contact(at);
     const double all[] = {
         c.load,
+        data_.excess(c.load),
         c.slip.longitudinal,
         c.slip.lateral,
         c.force.longitudinal,

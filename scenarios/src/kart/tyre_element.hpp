@@ -23,8 +23,9 @@ namespace tandem::kart {
 /// the ground: where the load presses moves by that over the load. `lever` = "height" instead of "radius"
 /// puts F_x on the ground below the centre (-F_x z e_y), as printed in the specification: this wheel makes
 /// F_x (r - z) W. The brake's couple is -T tanh(w r / 0.1 m/s) e on the wheel, the opposite on the upright, w
-/// the wheel's spin over that of the upright. Quantities: load [N], slip, side_slip, drive and side (forces
-/// [N]); slip_loss, rolling_loss, damping_loss (of the load), brake_loss [W], of ground that stands.
+/// the wheel's spin over that of the upright. Quantities: load and excess, that over largest_load() of the
+/// law [N], slip, side_slip, drive and side (forces [N]); slip_loss, rolling_loss, damping_loss (of the
+/// load), brake_loss [W], of ground that stands.
 ///
 /// "plane_tyres", in the plane: both wheels of an axle. Keys: `centre`, `rim` (two points of the wheels'
 /// body), and those above but `lateral`, `ground` and the brake's; numbers are of one tyre, and quantities.

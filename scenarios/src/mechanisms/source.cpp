@@ -32,10 +32,10 @@ void look_at(const text::Document& document, mbs::Description& description, Para
 
 }  // namespace
 
-void add_sources(Builtins& builtins) {
-  builtins.files["mechanism"] = [](const std::filesystem::path& file, Parameters& p) {
+void add_sources(Builtins& builtins, const mbs::TellOfLimit& tell) {
+  builtins.files["mechanism"] = [tell](const std::filesystem::path& file, Parameters& p) {
     return make_mechanism({file}, p, element_kinds([&p](const char* word) { return p.text(word, ""); }),
-                          look_at);
+                          look_at, tell);
   };
 }
 

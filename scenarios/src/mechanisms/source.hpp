@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "tandem/mbs/mechanism/limits.hpp"
 #include "tandem/transports/open.hpp"
 
 namespace tandem::mechanisms {
@@ -9,7 +10,7 @@ namespace tandem::mechanisms {
 /// `animate`, which adds an output for each coordinate of each point and of vectors that move (`tandem view`
 /// draws them); `matrices`, a folder for those of steps, `matrices_at` (times [s] with commas between; by
 /// default the start) and `matrices_format` (mtx, ccs). What is not given is taken from the file's table
-/// [run], else by default; `step` must be given.
-void add_sources(Builtins& builtins);
+/// [run], else by default; `step` must be given. `tell` takes what the limits of a file tell.
+void add_sources(Builtins& builtins, const mbs::TellOfLimit& tell = {});
 
 }  // namespace tandem::mechanisms

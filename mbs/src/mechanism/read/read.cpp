@@ -31,7 +31,8 @@ Description Reader::read() {
       {"relations", &Reader::read_relation}, {"slides", &Reader::read_slide},
       {"inputs", &Reader::read_input},       {"drives", &Reader::read_drive},
       {"springs", &Reader::read_spring},     {"forces", &Reader::read_force},
-      {"elements", &Reader::read_element},   {"outputs", &Reader::read_output}};
+      {"elements", &Reader::read_element},   {"outputs", &Reader::read_output},
+      {"limits", &Reader::read_limit}};
   for (const auto& [key, read] : tables)
     each(root, key, [this, read = read](auto& name, Section& s) { (this->*read)(name, s); });
   read_initial(root);

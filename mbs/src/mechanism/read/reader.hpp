@@ -108,6 +108,10 @@ class Reader {
   void read_initial(Section& root);
   void read_given(Section& initial, const std::string& key, std::vector<Given>& to);
 
+  // limits.cpp
+  void read_limit(const std::string& name, Section& section);
+  Output signal(Section& section) const;
+
   const text::Document& document_;
   std::filesystem::path folder_;
   Description to_;

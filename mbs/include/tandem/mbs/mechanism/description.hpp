@@ -68,6 +68,7 @@ struct Description {
   std::vector<Force> forces;
   std::vector<NamedElement> elements;
   std::vector<Output> outputs;
+  std::vector<Limit> limits;
   std::vector<Given> positions, velocities;  ///< that the assembly and the initial velocity problem keep
   bool equilibrium = false;                  ///< it starts where its forces balance at rest
 };

@@ -94,6 +94,17 @@ struct Output {
   int element = -1, quantity = -1;
 };
 
+/// Values of an output, or of a quantity of an element, between which a mechanism is believed. Where it
+/// leaves them the run ends with the sentence, or it is told once and the run goes on.
+struct Limit {
+  enum class OnLeaving { ignore, warn, stop };
+  std::string name;
+  Output signal;
+  double low, high;      ///< low < high; one of them may be infinite
+  std::string sentence;  ///< why: "a wheel is off the ground"
+  OnLeaving on_leaving = OnLeaving::warn;
+};
+
 /// A coordinate's value that is known at the start.
 struct Given {
   Coordinate coordinate;

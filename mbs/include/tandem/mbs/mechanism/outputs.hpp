@@ -12,11 +12,12 @@ namespace tandem::mbs {
 
 class Measurements;
 
-/// Evaluates the outputs that a mechanism's description names.
+/// Evaluates the outputs that a mechanism's description names, or others.
 class Outputs {
  public:
   /// `mechanism` must outlive it.
   explicit Outputs(const Mechanism& mechanism);
+  Outputs(const Mechanism& mechanism, std::vector<Output> outputs);
   ~Outputs();
 
   int size() const { return static_cast<int>(outputs_.size()); }
@@ -61,7 +62,7 @@ class Outputs {
   double angle(const Output& output, const State& state) const;
 
   const Mechanism& mechanism_;
-  const std::vector<Output>& outputs_;
+  std::vector<Output> outputs_;
   std::vector<int> parts_;  ///< by coordinate, a number that connected ones share
   std::unique_ptr<Measurements> measurements_;
   bool reactions_ = false, has_residuals_ = false;

@@ -7,6 +7,7 @@
 
 #include "tandem/mbs/make_stepper.hpp"
 #include "tandem/mbs/mechanism/description.hpp"
+#include "tandem/mbs/mechanism/limits.hpp"
 #include "tandem/mbs/step_matrices.hpp"
 #include "tandem/subsystem.hpp"
 
@@ -24,6 +25,7 @@ struct SubsystemSettings {
   double step = 0.0;  ///< own step [s]
   StepperSettings stepper = {};
   MatrixDump dump = {};
+  TellOfLimit tell = {};  ///< takes what limits of the description tell; null: nobody
 };
 
 /// A mechanism that integrates itself with a fixed own step. Inputs are those of the description that have no
@@ -33,6 +35,7 @@ struct SubsystemSettings {
 /// prescribed motion is followed by all. Inputs are read at the end of each own step, and at its beginning:
 /// where they differ from what they were at the end of the step before, accelerations and multipliers are
 /// computed anew first (a held input would ruin the trapezoidal rule otherwise). A step may be cut (lands).
+/// Limits are looked at where a run begins and at the end of each own step.
 /// Throws Error for a step that is not finite and above 0, and for what Mechanism and make_stepper() refuse.
 std::unique_ptr<Subsystem> make_subsystem(Description description, const SubsystemSettings& settings);
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <functional>
 
-#include "tandem/mbs/mechanism/description.hpp"
+#include "tandem/mbs/mechanism/limits.hpp"
 #include "tandem/sources/source_file.hpp"
 #include "tandem/text/document.hpp"
 
@@ -13,9 +13,11 @@ using LookAtMechanism = std::function<void(const text::Document&, mbs::Descripti
 
 /// A mechanism's file as a subsystem. Parameters: `step` [s], those of a stepper (take_stepper), `matrices`,
 /// `matrices_at`, `matrices_format`. What is not given is taken from the file's table [run], else by default;
-/// `step` must be given. kinds: of elements, besides those that are built in.
+/// `step` must be given. kinds: of elements, besides those that are built in. tell: takes what
+/// a limit of the file tells.
 std::unique_ptr<Subsystem> make_mechanism(const SourceFile& file, Parameters& parameters,
                                           const mbs::ElementKinds& kinds = {},
-                                          const LookAtMechanism& look = {});
+                                          const LookAtMechanism& look = {},
+                                          const mbs::TellOfLimit& tell = {});
 
 }  // namespace tandem
