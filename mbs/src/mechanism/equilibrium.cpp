@@ -16,6 +16,7 @@ namespace {
 
 constexpr int most_iterations = 100, most_corrections = 4;
 constexpr double closed = 1e-12;  // of a length
+constexpr double longest = 1.0;   // step, of a length
 constexpr double held = 1e-8;     // of the largest stiffness: what holds where nothing else does
 
 /// Newton's method on Q(q, 0) - Phi_q^T lambda = 0, Phi = 0. Multipliers are those of least squares, so that
@@ -82,8 +83,9 @@ class Balance {
     }
   }
 
-  /// A step that makes the error smaller: Newton's or a part of it, or, where the stiffness is singular, one
-  /// that is held back more and more; false if none does.
+  /// A step that makes the error smaller: Newton's, or one that is held back more and more, as far as it is
+  /// not too long (what nothing holds would turn over and over), or else a part of Newton's; false if none
+  /// does.
   bool improve() {
     const Eigen::MatrixXd k = terms_.stiffness(state_);
     look(state_);
@@ -99,11 +101,13 @@ class Balance {
       return error_ < before;
     };
     const double least = held * k.cwiseAbs().maxCoeff();
+    for (double hold = least; hold<1e12; hold = hold> 0.0 ? 10.0 * hold : 1e-6) {
+      const Eigen::VectorXd by = step(k, gradients, force, phi, hold);
+      if (by.norm() <= longest * unit_ && improves(by)) return true;
+    }
     const Eigen::VectorXd newton = step(k, gradients, force, phi, least);
-    for (double part = 1.0; part > 1e-3; part *= 0.5)
+    for (double part = 0.5; part > 1e-3; part *= 0.5)
       if (improves(part * newton)) return true;
-    for (double hold = least > 0.0 ? 10.0 * least : 1e-6; hold < 1e12; hold *= 10.0)
-      if (improves(step(k, gradients, force, phi, hold))) return true;
     state_ = from;
     look(state_);
     return false;
