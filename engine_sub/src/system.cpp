@@ -2,7 +2,9 @@
 #include "tandem/engine/system.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "loop_solver.hpp"
@@ -21,11 +23,20 @@ constexpr double within_errors = 10.0;
 double InputSource::begin_course(double) { return std::numeric_limits<double>::infinity(); }
 
 System::System(const Program& program, InputSource* inputs)
-    : program_(program), inputs_(inputs), image_(program.image) {
+    : program_(program), inputs_(inputs), image_(program.image), inputs_now_(program.inputs.size()) {
   for (const Loop& loop : program.loops) loops_.push_back(std::make_unique<LoopSolver>(program, loop));
 }
 
 System::~System() = default;
+
+/// To the bit.
+bool System::inputs_change(double t) {
+  inputs_->at(t, inputs_now_.data());
+  const double* const before = image_.data() + program_.time + 1;
+  return !std::equal(inputs_now_.begin(), inputs_now_.end(), before, [](double a, double b) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+  });
+}
 
 void System::run_with_loops(int first, int last) {
   for (const auto& solver : loops_) {

@@ -15,12 +15,14 @@ std::int64_t row_size(const Shape& shape) { return Samples::header + shape.signa
 
 void append_rows(const Shape& shape, double end, tandem_samples& y) {
   const double step = 1.0 / shape.samples;
-  for (int k = shape.samples - 1; k >= 0; --k) {
-    double* row = y.rows + y.stride * y.size++;
+  const auto stride = y.stride;
+  double* row = y.rows + stride * y.size;
+  for (int k = shape.samples - 1; k >= 0; --k, row += stride) {
     row[0] = end - k * step;
     row[1] = 0.0;
     std::fill_n(row + Samples::header, shape.signals, 1.0);
   }
+  y.size += shape.samples;
 }
 
 void append_start(const Shape& shape, double start, tandem_samples& y) {

@@ -44,7 +44,7 @@ class PlaneTyres final : public mbs::ForceElement {
     turns << -spin.transpose(), spin.transpose(), 0.0;
     sliding = data_.radius * turns;
     sliding[0] -= 1.0;
-    const double slope = 2.0 * data_.slopes(now.slip, now.load)(0, 0);
+    const double slope = 2.0 * data_.slopes(now.slip, now.load, {now.force, 0.0})(0, 0);
     c.noalias() += slope * TyreData::damping_of_slip(at.v[0]) * sliding.transpose() * sliding;
     c.noalias() += 2.0 * data_.resistance_rate(now.load, now.spin) * turns.transpose() * turns;
     c.col(4) += slope * sliding.transpose();

@@ -78,17 +78,14 @@ double TyreData::slip_rate(double kappa, double s, double v) const {
   return (s - std::abs(v) * kappa) / relaxation;
 }
 
-Eigen::Matrix2d TyreData::slopes(const Slip& slip, double load) const {
+Eigen::Matrix2d TyreData::slopes(const Slip& slip, double load, const TyreForce& there) const {
   constexpr double by = 1e-6;
+  const TyreForce x = tyre_force(law, axle, {slip.longitudinal + by, slip.lateral}, load),
+                  y = tyre_force(law, axle, {slip.longitudinal, slip.lateral + by}, load);
   Eigen::Matrix2d result;
-  for (int direction = 0; direction < 2; ++direction) {
-    Slip more = slip, less = slip;
-    (direction == 0 ? more.longitudinal : more.lateral) += by;
-    (direction == 0 ? less.longitudinal : less.lateral) -= by;
-    const TyreForce a = tyre_force(law, axle, more, load), b = tyre_force(law, axle, less, load);
-    result.col(direction) << a.longitudinal - b.longitudinal, a.lateral - b.lateral;
-  }
-  return result / (2.0 * by);
+  result << x.longitudinal - there.longitudinal, y.longitudinal - there.longitudinal,
+      x.lateral - there.lateral, y.lateral - there.lateral;
+  return result / by;
 }
 
 }  // namespace tandem::kart

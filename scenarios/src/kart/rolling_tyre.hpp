@@ -36,8 +36,8 @@ struct TyreData {
   static double slip(double kappa, double s, double v);
   static double damping_of_slip(double v);  ///< d slip / d s [s/m]
   double slip_rate(double kappa, double s, double v) const;
-  /// Derivatives of both forces (rows) by both slips.
-  Eigen::Matrix2d slopes(const Slip& slip, double load) const;
+  /// Derivatives of both forces (rows) by both slips, where the forces are those.
+  Eigen::Matrix2d slopes(const Slip& slip, double load, const TyreForce& there) const;
 };
 
 }  // namespace tandem::kart

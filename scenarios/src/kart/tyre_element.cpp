@@ -70,7 +70,7 @@ class Tyre final : public mbs::ForceElement {
     const Contact now = contact(at);
     if (now.load > 0.0) k(2, 2) += data_.stiffness, c(2, 2) += data_.damping;
     const auto sliding = sliding_rates(at, now);
-    const Eigen::Matrix2d slopes = data_.slopes(now.slip, now.load);
+    const Eigen::Matrix2d slopes = data_.slopes(now.slip, now.load, now.force);
     const double damping = TyreData::damping_of_slip(now.speed);
     const int slips = upright_ - state_;
     for (int a = 0; a < slips; ++a) {

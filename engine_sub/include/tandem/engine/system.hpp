@@ -57,9 +57,9 @@ class System {
   }
   /// These, after evaluate().
   void evaluate_updates() { run(program_.step_operations, static_cast<int>(program_.operations.size())); }
-  /// The same after evaluate(t) and changes of the inputs alone.
+  /// The same after evaluate(t) and changes of the inputs alone; nothing, if there are none.
   void evaluate_again(double t) {
-    if (inputs_) evaluate(t);
+    if (inputs_ && inputs_change(t)) evaluate(t);
   }
 
   /// After evaluate(): the number of the first crossing from `first` on whose signal has another sign than it
@@ -79,6 +79,7 @@ class System {
   }
   void run_with_loops(int first, int last);
   double band(const Crossing& crossing, double times) const;
+  bool inputs_change(double t);
   void set_time(double t) {
     image_[static_cast<std::size_t>(program_.time)] = t;
     if (inputs_) inputs_->at(t, image_.data() + program_.time + 1);
@@ -86,7 +87,7 @@ class System {
 
   const Program& program_;
   InputSource* inputs_;
-  std::vector<double> image_;
+  std::vector<double> image_, inputs_now_;
   std::vector<std::unique_ptr<LoopSolver>> loops_;
 };
 
