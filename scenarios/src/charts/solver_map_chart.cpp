@@ -91,8 +91,7 @@ std::vector<Curve> curves_of(Picture& picture, const std::vector<SolverTime>& ti
                                   cell, shades[k].colour)});
   curves.push_back(
       {picture.data(frames),
-       fmt::format("using 1:2:($1/{0}):($1*{0}):($2/{0}):($2*{0}) with boxxyerror fs empty border lc rgb "
-                   "'#0072B2'",
+       fmt::format("using 1:2:($1/{0}):($1*{0}):($2/{0}):($2*{0}) with boxxyerror fs empty lc rgb '#0072B2'",
                    0.98 * cell)});
   for (const Letter& l : letters)
     if (best.contains(l.solver))
