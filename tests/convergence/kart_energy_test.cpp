@@ -3,13 +3,11 @@
 // formula has taken it.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
-#include "kart/monolithic.hpp"
 #include "kart/plane.hpp"
 #include "kart_run.hpp"
-#include "tandem/mbs/mechanism/motions.hpp"
+#include "kart_torque.hpp"
 
 namespace tandem::test {
 namespace {
@@ -82,26 +80,13 @@ Account account(const Level& level, mbs::Description d, const std::function<doub
   return sum;
 }
 
-/// The torque of the manoeuvre.
-const std::function<double(double)>& manoeuvre() {
-  static const std::function<double(double)> function = [] {
-    kart::Plane kart(kart::KartData{}, kart::TyreLaw::magic_formula);
-    const auto run = kart::run_monolithic(kart, 1e-4);
-    std::vector<double> times, values;
-    for (const auto& row : run.rows) times.push_back(row.time), values.push_back(row.torque);
-    const auto data = mbs::interpolated(times, values, mbs::Interpolation::linear, "torque");
-    return [data, end = times.back()](double t) { return data(std::min(t, end)).value; };
-  }();
-  return function;
-}
-
 /// Scalar spins miss 0.001 J of 33 kJ. Wheels whose points turn by 2 atan(W h / 2) a step miss (W h)^2 / 12
 /// of their spin's energy: 3.8 J at 1 ms, 1.0 J at 0.5 ms. To save time whole wheels in space go 2 s.
 TEST(KartEnergy, IsAccountedForOverTheManoeuvre) {
   for (const auto& [level, stop, h, part] : {std::tuple(&plane, 10.0, 5e-4, 1e-4),
                                              {&spatial, 2.0, 1e-3, 1e-4},
                                              {&scalar_spin, 10.0, 2e-3, 1e-6}}) {
-    const Account all = account(*level, level->description(), manoeuvre(), stop, h);
+    const Account all = account(*level, level->description(), kart_torque(), stop, h);
     RecordProperty(level->file, std::to_string(all.missing()) + " of " + std::to_string(all.brought));
     EXPECT_GT(all.brought, stop == 10.0 ? 3e4 : 2e3) << level->file;
     EXPECT_LT(std::abs(all.missing()), part * all.brought) << level->file;
@@ -124,7 +109,7 @@ TEST(KartEnergy, IsAccountedForInABrakedTurn) {
 /// As printed: a force F on the ground below a centre at height z makes F (r - z) W, of which slip knows
 /// nothing: 300 J of 33 kJ, as the rear squats by up to 2 mm.
 TEST(KartEnergy, IsMadeByWheelsThatTurnByTheHeightOfTheirCentre) {
-  const Account all = account(plane, plane.description(printed_lever), manoeuvre(), 10.0);
+  const Account all = account(plane, plane.description(printed_lever), kart_torque(), 10.0);
   RecordProperty("missing", std::to_string(all.missing()) + " of " + std::to_string(all.brought));
   EXPECT_NEAR(all.missing() / all.brought, -0.009, 0.001);
 }

@@ -5,29 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kart/monolithic.hpp"
 #include "kart/plane.hpp"
 #include "kart_run.hpp"
-#include "tandem/mbs/mechanism/motions.hpp"
+#include "kart_torque.hpp"
 
 namespace tandem::test {
 namespace {
 
 using kart::KartData;
 using kart::Plane;
-
-/// The torque on the driven shaft of the printed level ii over its manoeuvre.
-const std::function<double(double)>& torque() {
-  static const std::function<double(double)> function = [] {
-    Plane kart(KartData{}, kart::TyreLaw::magic_formula);
-    const auto run = kart::run_monolithic(kart, 1e-4);
-    std::vector<double> times, values;
-    for (const auto& row : run.rows) times.push_back(row.time), values.push_back(row.torque);
-    const auto data = mbs::interpolated(times, values, mbs::Interpolation::linear, "torque");
-    return [data, end = times.back()](double t) { return data(std::min(t, end)).value; };
-  }();
-  return function;
-}
 
 /// Pitch [degrees] at each step.
 std::vector<double> pitches(mbs::Description d, double h, double stop,
@@ -43,7 +29,7 @@ std::vector<double> pitches(mbs::Description d, double h, double stop,
 
 mbs::Description replay(const std::string& text, double scale = 1.0) {
   mbs::Description d = kart(text);
-  set_input(d, "torque", [scale](double t) { return scale * torque()(t); });
+  set_input(d, "torque", [scale](double t) { return scale * kart_torque()(t); });
   return d;
 }
 
@@ -61,7 +47,7 @@ std::vector<double> closed_pitches(double scale, double h, double stop) {
   Eigen::VectorXd y = Eigen::VectorXd::Zero(18);
   const auto rate = [&](double t, const Eigen::VectorXd& at) {
     Eigen::VectorXd k(18);
-    model.torque = scale * torque()(t);
+    model.torque = scale * kart_torque()(t);
     k.head(9) = at.tail(9);
     Eigen::VectorXd force(9);
     model.forces(at.data(), at.data() + 9, force.data());

@@ -101,7 +101,8 @@ class Balance {
       return error_ < before;
     };
     const double least = held * k.cwiseAbs().maxCoeff();
-    for (double hold = least; hold<1e12; hold = hold> 0.0 ? 10.0 * hold : 1e-6) {
+    const auto more = [](double hold) { return hold > 0.0 ? 10.0 * hold : 1e-6; };
+    for (double hold = least; hold < 1e12; hold = more(hold)) {
       const Eigen::VectorXd by = step(k, gradients, force, phi, hold);
       if (by.norm() <= longest * unit_ && improves(by)) return true;
     }

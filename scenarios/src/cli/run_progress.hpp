@@ -6,8 +6,8 @@
 namespace tandem::cli {
 
 /// Lines on standard error: of a run that takes longer than a second how far it has come, of every run that
-/// comes to its end what it has simulated, in which time, and the real-time factor. To be asked after every round; it reads the
-/// clock only about a hundred times a second, however long a round takes.
+/// comes to its end what it has simulated, in which time, and the real-time factor. To be asked after every
+/// round; it reads the clock only about a hundred times a second, however long a round takes.
 class RunProgress {
  public:
   RunProgress(double t_start, double t_stop, bool shown);

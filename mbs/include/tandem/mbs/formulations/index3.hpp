@@ -65,8 +65,8 @@ class Index3 final : public Stepper {
   /// Accelerations and multipliers change by what the forces do, and by gamma: what the projection has left
   /// of the constraints stays left, as forcing it to zero where constraints hardly hold (a flat position)
   /// would make accelerations without bound. As start(), but with the tangent of the last step; if that has
-  /// not settled after ten substitutions (the steps are too short for that), with one of its own, from then on
-  /// always. What has not settled then, where constraints hardly hold, stays as it is.
+  /// not settled after ten substitutions (the steps are too short for that), with one of its own, from then
+  /// on always. What has not settled then, where constraints hardly hold, stays as it is.
   void refresh(State& state) override;
   TangentFactors tangent_factors(double h) const override;
   std::vector<double> memory() const override;

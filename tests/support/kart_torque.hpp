@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <algorithm>
+#include <functional>
+#include <vector>
+
+#include "kart/monolithic.hpp"
+#include "kart/plane.hpp"
+#include "tandem/mbs/mechanism/motions.hpp"
+
+namespace tandem::test {
+
+/// The torque on the driven shaft of the printed level ii over its manoeuvre.
+inline const std::function<double(double)>& kart_torque() {
+  static const std::function<double(double)> function = [] {
+    kart::Plane kart(kart::KartData{}, kart::TyreLaw::magic_formula);
+    const auto run = kart::run_monolithic(kart, 1e-4);
+    std::vector<double> times, values;
+    for (const auto& row : run.rows) times.push_back(row.time), values.push_back(row.torque);
+    const auto data = mbs::interpolated(times, values, mbs::Interpolation::linear, "torque");
+    return [data, end = times.back()](double t) { return data(std::min(t, end)).value; };
+  }();
+  return function;
+}
+
+}  // namespace tandem::test
