@@ -11,6 +11,8 @@ std::uint64_t checksum(std::span<const std::byte> bytes, std::uint64_t before) {
   return sum;
 }
 
+void ByteWriter::grow() { memory_.resize(2 * size_); }
+
 void ByteWriter::put_doubles(std::span<const double> values) {
   if constexpr (std::endian::native == std::endian::little) {
     put_bytes(std::as_bytes(values));
@@ -87,10 +89,9 @@ void ByteReader::end() const {
   if (left() != 0) refuse("has " + std::to_string(left()) + " bytes more than it should");
 }
 
-void ByteReader::need(std::uint64_t bytes) const {
-  if (bytes > left())
-    refuse("ends after " + std::to_string(all_.size()) + " bytes; at byte " + std::to_string(place_) + " " +
-           std::to_string(bytes) + " more were to follow");
+void ByteReader::refuse_length(std::uint64_t bytes) const {
+  refuse("ends after " + std::to_string(all_.size()) + " bytes; at byte " + std::to_string(place_) + " " +
+         std::to_string(bytes) + " more were to follow");
 }
 
 void ByteReader::refuse(const std::string& sentence) const {

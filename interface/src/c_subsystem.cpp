@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 #include <type_traits>
+#include <utility>
 
 #include "tandem/check_info.hpp"
 #include "tandem/error.hpp"
@@ -80,6 +81,14 @@ auto guarded(const std::string& name, const char* call, const Call& make) {
   }
 }
 
+bool same_memory(const tandem_samples& a, const tandem_samples& b) {
+  return a.rows == b.rows && a.stride == b.stride && a.capacity == b.capacity;
+}
+
+bool appended(const tandem_samples& before, const tandem_samples& after) {
+  return same_memory(before, after) && after.size >= before.size && after.size <= before.capacity;
+}
+
 }  // namespace
 
 CSubsystem::CSubsystem(const tandem_subsystem_api* api, const std::string& parameters) : api_(table_of(api)) {
@@ -123,38 +132,48 @@ Clock CSubsystem::clock_from(const tandem_clock& clock) const {
   return {clock.time, clock.next_time, static_cast<Stop>(clock.stop)};
 }
 
-bool CSubsystem::has_rows(const tandem_samples& rows, const Samples& y) {
-  return rows.size >= y.size() && rows.size <= rows.capacity && rows.capacity == y.c_view().capacity;
+/// Fills rows of y by a call. Where what it leaves there is not sound, y is as it was before.
+template <class Call>
+void CSubsystem::fill(Samples& y, const char* name, const Call& make) {
+  const tandem_samples before = y.c_view();
+  tandem_status status = TANDEM_OK;
+  try {
+    status = guarded(info_.name, name, [&] { return make(&y.c_rows()); });
+  } catch (const Error&) {
+    y.c_rows() = before;
+    throw;
+  }
+  if (!appended(before, y.c_rows())) {
+    const tandem_samples after = std::exchange(y.c_rows(), before);
+    if (status == TANDEM_OK) refuse_rows(before, after);
+  }
+  check(status, name);
 }
 
-void CSubsystem::take_rows(const tandem_samples& rows, Samples& y) const {
-  if (!has_rows(rows, y))
-    throw Error(ErrorCode::invalid_argument,
-                "subsystem '" + info_.name + "' says that " + std::to_string(rows.size) +
-                    " sample rows are filled; allowed are " + std::to_string(y.size()) + " to " +
-                    std::to_string(y.c_view().capacity));
-  y.set_size(rows.size);
+void CSubsystem::refuse_rows(const tandem_samples& before, const tandem_samples& after) const {
+  const bool only_size = same_memory(before, after);
+  throw Error(ErrorCode::invalid_argument,
+              "subsystem '" + info_.name + "' " +
+                  (only_size ? "says that " + std::to_string(after.size) + " sample rows are filled"
+                             : "changed where the samples are, their stride or capacity") +
+                  "; allowed " + (only_size ? "are " : "is a size of ") + std::to_string(before.size) +
+                  " to " + std::to_string(before.capacity));
 }
 
 Clock CSubsystem::initialize(double t_start, double t_stop, std::span<const double> u0, Samples& y) {
   tandem_clock clock{};
-  tandem_samples rows = y.c_view();
-  check(guarded(info_.name, "initialize",
-                [&] { return api_.initialize(self_, t_start, t_stop, u0.data(), &rows, &clock); }),
-        "initialize");
-  take_rows(rows, y);
+  fill(y, "initialize", [&](tandem_samples* rows) {
+    return api_.initialize(self_, t_start, t_stop, u0.data(), rows, &clock);
+  });
   return clock_from(clock);
 }
 
 Clock CSubsystem::advance(double t_limit, bool land, std::span<const Signal> u, Samples& y) {
   tandem_clock clock{};
   const auto* signals = reinterpret_cast<const tandem_signal*>(u.data());  // same layout: see signal.hpp
-  tandem_samples rows = y.c_view();
-  const tandem_status status = guarded(info_.name, "advance", [&] {
-    return api_.advance(self_, t_limit, land ? 1 : 0, signals, &rows, &clock);
+  fill(y, "advance", [&](tandem_samples* rows) {
+    return api_.advance(self_, t_limit, land ? 1 : 0, signals, rows, &clock);
   });
-  if (status == TANDEM_OK || has_rows(rows, y)) take_rows(rows, y);
-  check(status, "advance");
   return clock_from(clock);
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <stdexcept>
 
 #include "adapters.hpp"
 #include "c_oscillator.h"
@@ -135,6 +136,46 @@ TEST(CSubsystem, ChecksTheNumberOfRows) {
                         [&] { s.advance(); }));
     EXPECT_EQ(s.y.size(), 1) << "the caller's rows are as they were";
   }
+}
+
+TEST(CSubsystem, KeepsTheRowsWhereTheyAre) {
+  static void (*spoil)(tandem_samples&);
+  static tandem_status status;
+  const auto advanced = [](void* self, double, std::int32_t, const tandem_signal*, tandem_samples* y,
+                           tandem_clock*) -> tandem_status {
+    if (self) spoil(*y);
+    return status;
+  };
+  for (const auto change :
+       {+[](tandem_samples& y) { y.rows = nullptr; }, +[](tandem_samples& y) { ++y.stride; },
+        +[](tandem_samples& y) { y.capacity = y.size = 20; }}) {
+    spoil = change;
+    Spoilt s([&](tandem_subsystem_api& api) { api.advance = advanced; });
+    s.initialize();
+    for (const auto code : {TANDEM_OK, TANDEM_NUMERICAL}) {
+      status = code;
+      const bool well = code == TANDEM_OK;
+      EXPECT_TRUE(refuses(well ? ErrorCode::invalid_argument : ErrorCode::numerical,
+                          {"c_oscillator", well ? "changed" : "advance"}, [&] { s.advance(); }));
+      EXPECT_EQ(s.y.c_view().rows, s.memory);
+      EXPECT_EQ(s.y.c_view().stride, 11);
+      EXPECT_EQ(s.y.c_view().capacity, 10);
+      EXPECT_EQ(s.y.size(), 1);
+    }
+  }
+}
+
+TEST(CSubsystem, ForgetsTheRowsOfACallThatThrew) {
+  Spoilt s([](tandem_subsystem_api& api) {
+    api.advance = [](void*, double, std::int32_t, const tandem_signal*, tandem_samples* y,
+                     tandem_clock*) -> tandem_status {
+      y->size = 5;
+      throw std::runtime_error("lost");
+    };
+  });
+  s.initialize();
+  EXPECT_TRUE(refuses(ErrorCode::internal, {"c_oscillator", "advance", "lost"}, [&] { s.advance(); }));
+  EXPECT_EQ(s.y.size(), 1);
 }
 
 TEST(CSubsystem, ChecksTheReasonToStop) {

@@ -67,9 +67,10 @@ class ByteWriter {
   /// Room for so many bytes at the end, to be filled.
   std::byte* more(std::size_t bytes) {
     size_ += bytes;
-    if (size_ > memory_.size()) memory_.resize(2 * size_);
+    if (size_ > memory_.size()) grow();
     return memory_.data() + size_ - bytes;
   }
+  void grow();
 
   std::vector<std::byte> memory_;
   std::size_t size_ = 0;
@@ -107,7 +108,10 @@ class ByteReader {
   [[noreturn]] void refuse(const std::string& sentence) const;
 
  private:
-  void need(std::uint64_t bytes) const;
+  void need(std::uint64_t bytes) const {
+    if (bytes > left()) refuse_length(bytes);
+  }
+  [[noreturn]] void refuse_length(std::uint64_t bytes) const;
 
   std::span<const std::byte> all_;
   std::string_view what_, kind_;

@@ -33,8 +33,9 @@ class CSubsystem : public Subsystem {
   void check_functions() const;
   void require_saving() const;
   void require_serializing() const;
-  static bool has_rows(const tandem_samples& rows, const Samples& y);
-  void take_rows(const tandem_samples& rows, Samples& y) const;
+  template <class Call>
+  void fill(Samples& y, const char* name, const Call& make);
+  [[noreturn]] void refuse_rows(const tandem_samples& before, const tandem_samples& after) const;
   Clock clock_from(const tandem_clock& clock) const;
 
   tandem_subsystem_api api_;  ///< functions that the table does not reach to are null

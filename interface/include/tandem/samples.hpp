@@ -42,9 +42,12 @@ class Samples {
     return {at(row) + header, static_cast<std::size_t>(data_.stride - header)};
   }
 
-  /// The same rows for the C interface, and their number after a call across it. Precondition of the second:
-  /// at least the present size, at most the capacity.
+  /// The same rows as the C interface has them.
   tandem_samples c_view() const { return data_; }
+  /// These themselves, for a call across it to fill. Whoever makes the call sees to it that in the end
+  /// nothing has changed but the size.
+  tandem_samples& c_rows() { return data_; }
+  /// Precondition: at least the present size, at most the capacity.
   void set_size(std::int64_t size) {
     assert(size >= data_.size && size <= data_.capacity);
     data_.size = size;

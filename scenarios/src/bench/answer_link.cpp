@@ -67,10 +67,9 @@ AnswerLink::Ends AnswerLink::socket_ends(const std::string& transport, double sp
 }
 
 AnswerLink::Ends AnswerLink::zeromq_ends([[maybe_unused]] const std::string& transport,
-                                         [[maybe_unused]] double spin,
                                          [[maybe_unused]] const LinkFolder& folder) {
 #if TANDEM_HAS_ZEROMQ
-  ZmqSettings here{longest_wait, spin, false, {}, {}, {}}, there = here;
+  ZmqSettings here{longest_wait, false, {}, {}, {}}, there = here;
   if (transport == "zmq:curve") {
     here.keys = make_curve_keys();
     there.keys = make_curve_keys();
@@ -86,8 +85,8 @@ AnswerLink::Ends AnswerLink::zeromq_ends([[maybe_unused]] const std::string& tra
 
 AnswerLink::AnswerLink(const std::string& transport, const Shape& shape, double spin,
                        const LinkFolder& folder) {
-  Ends ends = transport.starts_with("zmq:") ? zeromq_ends(transport, spin, folder)
-                                            : socket_ends(transport, spin, folder);
+  Ends ends =
+      transport.starts_with("zmq:") ? zeromq_ends(transport, folder) : socket_ends(transport, spin, folder);
   listener_ = std::move(ends.listener);
   thread_ = std::thread([this, shape] { serve(shape); });
   try {

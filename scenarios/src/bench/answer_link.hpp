@@ -34,7 +34,7 @@ class LinkFolder {
 /// "zmq:curve") with a subsystem that answers, served by a thread pinned to places().there.
 class AnswerLink {
  public:
-  /// spin [s]: how long both ends look before they sleep.
+  /// spin [s]: how long both ends look before they sleep; those of ZeroMQ sleep at once.
   AnswerLink(const std::string& transport, const Shape& shape, double spin, const LinkFolder& folder);
   ~AnswerLink();
   AnswerLink(const AnswerLink&) = delete;
@@ -47,7 +47,7 @@ class AnswerLink {
     std::function<std::unique_ptr<wire::Channel>(const std::string& address)> connect;
   };
   static Ends socket_ends(const std::string& transport, double spin, const LinkFolder& folder);
-  static Ends zeromq_ends(const std::string& transport, double spin, const LinkFolder& folder);
+  static Ends zeromq_ends(const std::string& transport, const LinkFolder& folder);
   void serve(const Shape& shape);
 
   std::unique_ptr<wire::Listener> listener_;

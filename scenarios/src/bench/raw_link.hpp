@@ -18,6 +18,6 @@ class RawLink {
 /// `spins`: looks for bytes without a pause, else by calls that wait. Throws Error(input_output).
 std::unique_ptr<RawLink> raw_sockets(const std::string& transport, const Sizes& sizes, bool spins);
 /// By libzmq at "tcp://..." or "ipc://...", with CURVE keys if asked for; only with ZeroMQ.
-std::unique_ptr<RawLink> raw_zeromq(const std::string& address, const Sizes& sizes, bool spins, bool curve);
+std::unique_ptr<RawLink> raw_zeromq(const std::string& address, const Sizes& sizes, bool curve);
 
 }  // namespace tandem::bench

@@ -3,7 +3,6 @@
 #include <zmq.h>
 
 #include <array>
-#include <chrono>
 #include <thread>
 #include <vector>
 
@@ -43,20 +42,15 @@ void secure_ends(const ZmqSocket& here, const ZmqSocket& there) {
   set_key(here, ZMQ_CURVE_SECRETKEY, client.secret_key);
 }
 
-/// Bytes of the next message; after a millisecond without one it waits.
-int receive(const ZmqSocket& socket, std::vector<std::byte>& to, bool spins) {
-  using Clock = std::chrono::steady_clock;
-  if (spins)
-    for (const auto end = Clock::now() + std::chrono::milliseconds(1); Clock::now() < end;)
-      if (const int size = ::zmq_recv(socket.get(), to.data(), to.size(), ZMQ_DONTWAIT); size >= 0)
-        return size;
+/// Bytes of the next message.
+int receive(const ZmqSocket& socket, std::vector<std::byte>& to) {
   return ::zmq_recv(socket.get(), to.data(), to.size(), 0);
 }
 
 class RawZeroMq final : public RawLink {
  public:
-  RawZeroMq(const std::string& address, const Sizes& sizes, bool spins, bool curve)
-      : spins_(spins), request_(sizes.request), reply_(sizes.reply) {
+  RawZeroMq(const std::string& address, const Sizes& sizes, bool curve)
+      : request_(sizes.request), reply_(sizes.reply) {
     if (curve) secure_ends(here_, there_);
     zmq_sound(::zmq_bind(there_.get(), address.c_str()), "bind");
     std::array<char, 256> place{};
@@ -75,27 +69,26 @@ class RawZeroMq final : public RawLink {
 
   void exchange() override {
     zmq_sound(::zmq_send(here_.get(), request_.data(), request_.size(), 0), "send");
-    zmq_sound(receive(here_, reply_, spins_), "receive");
+    zmq_sound(receive(here_, reply_), "receive");
   }
 
  private:
   void answer_all(const Sizes& sizes) {
     pin(places().there);
     std::vector<std::byte> request(sizes.request), reply(sizes.reply);
-    while (receive(there_, request, spins_) > 0) ::zmq_send(there_.get(), reply.data(), reply.size(), 0);
+    while (receive(there_, request) > 0) ::zmq_send(there_.get(), reply.data(), reply.size(), 0);
   }
 
   std::unique_ptr<void, EndZmq> context_{::zmq_ctx_new()};
   ZmqSocket here_{::zmq_socket(context_.get(), ZMQ_DEALER)}, there_{::zmq_socket(context_.get(), ZMQ_DEALER)};
-  bool spins_;
   std::vector<std::byte> request_, reply_;
   std::thread thread_;
 };
 
 }  // namespace
 
-std::unique_ptr<RawLink> raw_zeromq(const std::string& address, const Sizes& sizes, bool spins, bool curve) {
-  return std::make_unique<RawZeroMq>(address, sizes, spins, curve);
+std::unique_ptr<RawLink> raw_zeromq(const std::string& address, const Sizes& sizes, bool curve) {
+  return std::make_unique<RawZeroMq>(address, sizes, curve);
 }
 
 }  // namespace tandem::bench

@@ -100,8 +100,9 @@ void add_serve(CLI::App& app, Context& context) {
       ->check(positive)
       ->capture_default_str();
   command
-      ->add_option("--spin", options->spin,
-                   "Microseconds to look at the socket without a pause before sleeping")
+      ->add_option(
+          "--spin", options->spin,
+          "Microseconds to look at the socket without a pause before sleeping; ZeroMQ sleeps at once")
       ->check(not_negative)
       ->capture_default_str();
   command

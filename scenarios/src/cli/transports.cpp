@@ -14,7 +14,7 @@ std::unique_ptr<wire::Listener> at_zeromq([[maybe_unused]] const std::string& ad
                                           [[maybe_unused]] const SocketSettings& socket,
                                           [[maybe_unused]] const ServerKeys& keys) {
 #if TANDEM_HAS_ZEROMQ
-  ZmqSettings settings{socket.deadline, socket.spin, socket.allow_plaintext, {}, {}, {}};
+  ZmqSettings settings{socket.deadline, socket.allow_plaintext, {}, {}, {}};
   if (!keys.own.empty())
     settings.keys = {read_curve_key(keys.own + ".pub", false), read_curve_key(keys.own, true)};
   for (const std::string& file : keys.clients) settings.clients.push_back(read_curve_key(file, false));

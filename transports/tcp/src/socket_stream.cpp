@@ -4,6 +4,7 @@
 #include <poll.h>
 #include <sys/socket.h>
 #include <sys/time.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -46,9 +47,11 @@ bool wait_for(int socket, short events, wire::Deadline deadline, bool interrupti
   return false;
 }
 
+SocketStream::~SocketStream() { ::close(descriptor_); }
+
 /// What is there now; nothing if there is none.
 std::optional<std::size_t> SocketStream::receive(std::span<std::byte> to, int flags) {
-  const ssize_t count = ::recv(socket_.native_handle(), to.data(), to.size(), flags);
+  const ssize_t count = ::recv(descriptor_, to.data(), to.size(), flags);
   if (count >= 0) return static_cast<std::size_t>(count);
   if (!would_block()) fail("the connection broke");
   return std::nullopt;
@@ -62,7 +65,7 @@ void SocketStream::set_timeout(wire::Deadline deadline) {
   timeval time{};
   time.tv_sec = static_cast<time_t>(left);
   time.tv_usec = static_cast<suseconds_t>((left - std::floor(left)) * 1e6);
-  if (::setsockopt(socket_.native_handle(), SOL_SOCKET, SO_RCVTIMEO, &time, sizeof time) != 0)
+  if (::setsockopt(descriptor_, SOL_SOCKET, SO_RCVTIMEO, &time, sizeof time) != 0)
     fail("a deadline can't be set");
   timeout_ = left;
 }
@@ -80,17 +83,16 @@ std::optional<std::size_t> SocketStream::read(std::span<std::byte> to, wire::Dea
 
 void SocketStream::write(std::span<const std::byte> bytes, wire::Deadline deadline) {
   while (!bytes.empty()) {
-    const ssize_t count =
-        ::send(socket_.native_handle(), bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+    const ssize_t count = ::send(descriptor_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
     if (count >= 0)
       bytes = bytes.subspan(static_cast<std::size_t>(count));
     else if (!would_block())
       fail("the connection broke");
-    else if (!wait_for(socket_.native_handle(), POLLOUT, deadline))
+    else if (!wait_for(descriptor_, POLLOUT, deadline))
       throw Error(ErrorCode::input_output, "the peer took no data within the deadline");
   }
 }
 
-void SocketStream::shut_down() noexcept { ::shutdown(socket_.native_handle(), SHUT_RDWR); }
+void SocketStream::shut_down() noexcept { ::shutdown(descriptor_, SHUT_RDWR); }
 
 }  // namespace tandem::tcp

@@ -19,7 +19,12 @@ bool wait_for(int socket, short events, wire::Deadline deadline, bool interrupti
 /// A socket in plain text.
 class SocketStream final : public Stream {
  public:
-  SocketStream(Socket socket, double spin) : socket_(std::move(socket)), spin_(spin) {}
+  /// Takes the descriptor out of Asio, which would have each arrival of bytes told to an event queue of the
+  /// system that nobody waits for: 0.25 µs of a round trip.
+  SocketStream(Socket socket, double spin) : descriptor_(socket.release()), spin_(spin) {}
+  ~SocketStream() override;
+  SocketStream(const SocketStream&) = delete;
+  SocketStream& operator=(const SocketStream&) = delete;
 
   std::optional<std::size_t> read(std::span<std::byte> to, wire::Deadline deadline) override;
   void write(std::span<const std::byte> bytes, wire::Deadline deadline) override;
@@ -29,7 +34,7 @@ class SocketStream final : public Stream {
   std::optional<std::size_t> receive(std::span<std::byte> to, int flags);
   void set_timeout(wire::Deadline deadline);
 
-  Socket socket_;
+  int descriptor_;
   double spin_;           ///< [s]
   double timeout_ = 0.0;  ///< as the system knows it [s]
 };

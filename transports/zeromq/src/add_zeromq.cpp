@@ -16,7 +16,6 @@ namespace fs = std::filesystem;
 ZmqSettings settings_from(const Address& address, Parameters& p, bool allow_plaintext) {
   ZmqSettings s;
   s.deadline = positive(p, "deadline", s.deadline);
-  s.spin = 1e-6 * not_negative(p, "spin", 1e6 * s.spin);
   s.allow_plaintext = allow_plaintext;
   const std::string key = p.text("key", ""), server_key = p.text("server_key", "");
   if (key.empty() != server_key.empty())

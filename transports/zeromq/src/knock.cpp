@@ -68,8 +68,7 @@ class ZmqListener final : public wire::Listener {
       }
       bind_to(own, beside(bound_, count_));
       const std::string place = own.get(zmq::sockopt::last_endpoint);
-      auto channel =
-          std::make_unique<ZmqChannel>(std::move(own), "zmq:" + place, settings_.spin, IpcFile(place));
+      auto channel = std::make_unique<ZmqChannel>(std::move(own), "zmq:" + place, IpcFile(place));
       socket_.send(peer, zmq::send_flags::sndmore);
       socket_.send(zmq::buffer(place), zmq::send_flags::dontwait);
       return channel;
@@ -114,7 +113,7 @@ std::unique_ptr<wire::Channel> zmq_connect(const std::string& address, const Zmq
     const std::string place = zeromq::session_place(address, door, settings);
     zmq::socket_t socket(zeromq::context(), zmq::socket_type::dealer);
     zeromq::secure(socket, settings, false);
-    auto channel = std::make_unique<zeromq::ZmqChannel>(std::move(socket), "zmq:" + address, settings.spin);
+    auto channel = std::make_unique<zeromq::ZmqChannel>(std::move(socket), "zmq:" + address);
     channel->connect(place);
     return channel;
   } catch (const zmq::error_t& error) {

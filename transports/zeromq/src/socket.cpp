@@ -73,12 +73,8 @@ bool readable(zmq::socket_t& socket, int milliseconds) {
   return ::zmq_poll(reinterpret_cast<::zmq_pollitem_t*>(&item), 1, milliseconds) > 0;
 }
 
-ZmqChannel::ZmqChannel(zmq::socket_t socket, std::string peer, double spin, IpcFile file)
-    : socket_(std::move(socket)),
-      monitor_(watch(socket_)),
-      file_(std::move(file)),
-      peer_(std::move(peer)),
-      spin_(spin) {}
+ZmqChannel::ZmqChannel(zmq::socket_t socket, std::string peer, IpcFile file)
+    : socket_(std::move(socket)), monitor_(watch(socket_)), file_(std::move(file)), peer_(std::move(peer)) {}
 
 /// ZeroMQ's own thread would wait for ever to tell of an event that nobody listens to any more.
 ZmqChannel::~ZmqChannel() { ::zmq_socket_monitor(socket_.handle(), nullptr, 0); }
@@ -102,13 +98,6 @@ void ZmqChannel::send(std::span<const std::byte> frame, wire::Deadline deadline)
 
 bool ZmqChannel::look() { return there_ = socket_.recv(message_, zmq::recv_flags::dontwait).has_value(); }
 
-bool ZmqChannel::spin() {
-  if (spin_ > 0.0)
-    for (const auto end = wire::in_seconds(spin_); Clock::now() < end;)
-      if (look()) return true;
-  return look();
-}
-
 bool ZmqChannel::heard_of_end() {
   zmq::message_t event;
   return monitor_.recv(event, zmq::recv_flags::dontwait).has_value();
@@ -120,7 +109,9 @@ bool ZmqChannel::lost() {
   return (lost_ || closed_) && !look();
 }
 
-/// Waits in the receiving call itself, which costs half of what zmq_poll does. A signal ends the wait.
+/// Waits in the receiving call itself, which costs half of what zmq_poll does. A signal ends the wait. To
+/// look without a pause first, as sockets do, would keep the processor from ZeroMQ's own thread, which has
+/// the message.
 bool ZmqChannel::doze(wire::Deadline deadline) {
   const int timeout = milliseconds_to(deadline, slice);
   if (timeout != timeout_) socket_.set(zmq::sockopt::rcvtimeo, timeout);
@@ -133,8 +124,7 @@ bool ZmqChannel::doze(wire::Deadline deadline) {
 bool ZmqChannel::wait(wire::Deadline deadline) {
   if (there_) return true;
   try {
-    for (bool first = true; !there_; first = false) {
-      if ((first && spin()) || doze(deadline)) break;
+    while (!doze(deadline)) {
       if (lost()) return true;
       if (Clock::now() > deadline) return false;
     }

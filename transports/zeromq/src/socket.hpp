@@ -29,7 +29,7 @@ bool readable(zmq::socket_t& socket, int milliseconds);
 class ZmqChannel final : public wire::Channel {
  public:
   /// file: of a socket that listens.
-  ZmqChannel(zmq::socket_t socket, std::string peer, double spin, IpcFile file = IpcFile());
+  ZmqChannel(zmq::socket_t socket, std::string peer, IpcFile file = IpcFile());
   ~ZmqChannel() override;
   ZmqChannel(const ZmqChannel&) = delete;
   ZmqChannel& operator=(const ZmqChannel&) = delete;
@@ -43,7 +43,6 @@ class ZmqChannel final : public wire::Channel {
 
  private:
   bool look();
-  bool spin();
   bool doze(wire::Deadline deadline);
   bool heard_of_end();
   bool lost();
@@ -51,7 +50,6 @@ class ZmqChannel final : public wire::Channel {
   zmq::socket_t socket_, monitor_;
   IpcFile file_;
   std::string peer_;
-  double spin_;
   int timeout_ = -1;  ///< of a receiving call, as the socket knows it [ms]
   zmq::message_t message_;
   bool there_ = false;  ///< message_ has been waited for and not yet given out

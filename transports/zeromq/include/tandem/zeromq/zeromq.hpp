@@ -21,7 +21,6 @@ std::string read_curve_key(const std::filesystem::path& file, bool secret);
 
 struct ZmqSettings {
   double deadline = 5.0;                  ///< for the reply to a request [s]
-  double spin = 50e-6;                    ///< looks without a pause for so long before it sleeps [s]
   bool allow_plaintext = false;           ///< without keys also beyond this machine
   CurveKeys keys = {};                    ///< one's own; empty: plain text
   std::string server_key = {};            ///< of a client: the server's public key
@@ -33,7 +32,7 @@ struct ZmqSettings {
 std::unique_ptr<wire::Channel> zmq_connect(const std::string& address, const ZmqSettings& settings);
 std::unique_ptr<wire::Listener> zmq_listen(const std::string& address, const ZmqSettings& settings);
 
-/// Adds "zmq:ADDRESS?deadline=SECONDS&spin=MICROSECONDS&key=FILE&server_key=FILE"; other parameters go to the
+/// Adds "zmq:ADDRESS?deadline=SECONDS&key=FILE&server_key=FILE"; other parameters go to the
 /// subsystem. `key` is the file of the secret key, with the public one in FILE.pub.
 void add_zeromq(Builtins& builtins, bool allow_plaintext = false);
 
