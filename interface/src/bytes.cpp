@@ -5,8 +5,8 @@
 
 namespace tandem {
 
-std::uint64_t checksum(std::span<const std::byte> bytes) {
-  std::uint64_t sum = 0xcbf29ce484222325;
+std::uint64_t checksum(std::span<const std::byte> bytes, std::uint64_t before) {
+  std::uint64_t sum = before;
   for (const std::byte byte : bytes) sum = (sum ^ std::to_integer<std::uint64_t>(byte)) * 0x100000001b3;
   return sum;
 }

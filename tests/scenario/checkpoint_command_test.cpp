@@ -113,7 +113,7 @@ TEST_F(CheckpointFile, IsRefusedWithTheReason) {
       {whole.substr(0, whole.size() / 2), "is truncated"},
       {whole.substr(0, 20), "is truncated"},
       {whole + "x", "has grown"},
-      {of_another_version, "has the format version 7; allowed is 1"},
+      {of_another_version, "has the format version 7; allowed is 2"},
       {"time,fast.x1\n", "is no checkpoint"},
       {"", "is no checkpoint"}};
   for (const auto& [bytes, reason] : cases) {
@@ -152,7 +152,21 @@ TEST_F(CheckpointFile, WithOtherResultsIsRefused) {
   folder.write("o/results.csv", std::string(1 << 20, '\n'));
   said = resumed(whole);
   EXPECT_EQ(said.status, 2);
-  EXPECT_TRUE(contains(said.err, "it is of another run than the checkpoint")) << said.err;
+  EXPECT_TRUE(contains(said.err, "bytes are others than those of the run at the checkpoint")) << said.err;
+}
+
+TEST(CheckpointCommand, ResultsWithAnEarlyRowChangedAreRefusedAndLeftAsTheyAre) {
+  const Scratch folder;
+  const Words run = {"run", two_mass_file("two_mass.toml"), "--no-reference", "--output", "o"};
+  ASSERT_EQ(tandem(folder, joined(run, {"--checkpoint-every", "1"})).status, 0);
+  std::string rows = read_text(folder.path() / "o/results.csv");
+  ASSERT_GT(rows.size(), 1U << 18) << "more than one block of what is read";
+  rows[rows.find('\n') + 1] = '7';
+  folder.write("o/results.csv", rows);
+  const Said said = tandem(folder, joined(run, {"--resume", "o/checkpoint"}));
+  EXPECT_EQ(said.status, 2);
+  EXPECT_TRUE(contains(said.err, "o/results.csv' can't be gone on with: its first ")) << said.err;
+  EXPECT_EQ(read_text(folder.path() / "o/results.csv"), rows);
 }
 
 TEST_F(CheckpointFile, ThatIsNotThereIsRefused) {

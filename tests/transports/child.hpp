@@ -79,4 +79,10 @@ inline bool is_gone(pid_t process) {
   return stat >> number >> name >> state && (state == "Z" || state == "X");
 }
 
+/// It ends within 5 s. (For a process that is nobody's child here.)
+inline bool ends(pid_t process) {
+  for (int k = 0; k < 5000 && !is_gone(process); ++k) ::usleep(1000);
+  return is_gone(process);
+}
+
 }  // namespace tandem::test

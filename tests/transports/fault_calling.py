@@ -23,7 +23,7 @@ WHERE = {1: "hello: ", 2: "info: ", 3: "initialize at t = 0 s: ", 4: " at t = 0 
 
 def said_at(request):
     """What an error has to say of the call that it ends, and of the time in the run."""
-    return WHERE.get(request, " at t = ")
+    return WHERE.get(request, "advance at t = ")
 
 
 class Ramp:

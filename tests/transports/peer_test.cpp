@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
+
+#include "mass2_library.hpp"
 #include "peers.hpp"
 #include "refusal.hpp"
 #include "run_bench.hpp"
@@ -109,17 +112,18 @@ TEST(Peer, AsTheClientItRefusesWhatIsNotRight) {
                       calling("spawn:sleep 60?deadline=0.2")));
 }
 
-TEST(Peer, EndsTheProgramThatItHasStarted) {
+TEST(Peer, EndsTheProgramThatItHasStartedAndWhatThatHasLeft) {
   const Scratch folder;
-  const std::string file = (folder.path() / "process").string();
-  pid_t process = 0;
+  const std::string file = (folder.path() / "processes").string();
+  pid_t process = 0, left = 0;
   {
-    const CSubsystem s(tandem_remote(), "spawn:sh -c 'echo $$ > " + file + "; exec " + oscillator_server() +
-                                            "'?deadline=4&h=0.1");
-    process = std::stoi(read_text(file));
-    EXPECT_FALSE(is_gone(process));
+    const CSubsystem s(tandem_remote(), "spawn:sh -c 'sleep 1000 & echo $$ $! > " + file + "; exec " +
+                                            oscillator_server() + "'?deadline=4&h=0.1");
+    std::istringstream(read_text(file)) >> process >> left;
+    EXPECT_FALSE(is_gone(process) || is_gone(left));
   }
   EXPECT_TRUE(is_gone(process));
+  EXPECT_TRUE(ends(left));
 }
 
 }  // namespace

@@ -6,11 +6,12 @@
 
 namespace tandem::test {
 
-/// A program of transports/examples in Python, which runs without installing the package.
-inline std::string python_program(const std::string& file) {
+/// A program in Python, which runs without installing the package.
+inline std::string python_program(const std::string& file,
+                                  const std::string& folder = TANDEM_SOURCE_DIR "/transports/examples/") {
   return "env PYTHONPATH=" TANDEM_SOURCE_DIR "/transports/python PYTHONDONTWRITEBYTECODE=1 " TANDEM_PYTHON
-         " " TANDEM_SOURCE_DIR "/transports/examples/" +
-         file;
+         " " +
+         folder + file;
 }
 
 /// Mass 2 in Python, as a program that is started.

@@ -40,13 +40,23 @@ TEST(Python, DrivesASubsystemAsItsMasterAndGetsTheSameBits) {
   EXPECT_EQ(master.status(), 0);
 }
 
+/// Sentences of connect() to what is not right; a program that it has started goes with the error.
+TEST(Python, AsTheMasterItRefusesWhatIsNotRightInOneSentence) {
+  const Served server(listen("tcp://127.0.0.1:0", {}), source("builtin:two_mass.slow"));
+  Child master({"sh", "-c",
+                "exec " + python_program("refusals.py", TANDEM_SOURCE_DIR "/tests/programs/") + " '" +
+                    server.address() + "'"});
+  EXPECT_EQ(master.status(), 0);
+}
+
 /// Its socket's file goes with it, and what a killed one left is replaced.
 TEST(Python, AServerListensOnThisMachineOnlyAndLeavesNothing) {
   const auto server = [](const std::string& address) {
     return std::vector<std::string>{"sh", "-c",
                                     "exec " + python_program("mass2.py") + " --listen '" + address + "'"};
   };
-  EXPECT_EQ(Child(server("tcp://0.0.0.0:0")).status(), 1);
+  for (const std::string address : {"tcp://0.0.0.0:0", "nonsense", "unix:/none/socket"})
+    EXPECT_EQ(Child(server(address)).status(), 2) << address;
   const Scratch folder;
   const std::string path = (folder.path() / "socket").string();
   for (const int signal : {SIGKILL, SIGTERM}) {

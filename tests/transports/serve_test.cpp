@@ -74,6 +74,33 @@ TEST(Serve, RefusesWhatIsNotRightBeforeItListens) {
     EXPECT_EQ(status({"--listen", "tcp://127.0.0.1:0", number, "nan"}), 2) << number;
 }
 
+TEST(Serve, RefusesASourceThatIsNotThereAndServesOneThatNeedsAClientsParameters) {
+  const Scratch folder;
+  const std::string file =
+      folder
+          .write("x.toml",
+                 "[blocks]\nx = { kind = 'integrator', input = 'x' }\n[outputs]\nx = { unit = '1' }\n")
+          .string();
+  for (const std::string source : {"builtin:nope", "nope:x", "diagram:nope.toml", "lib:./nope.so"})
+    EXPECT_EQ(Child({command, "serve", source, "--listen", "tcp://127.0.0.1:0"}).status(), 2) << source;
+  Child server({command, "serve", "diagram:" + file, "--listen", "tcp://127.0.0.1:0", "--once"});
+  EXPECT_EQ(open(server.word_after(" at ") + "?step=0.1", all_sources())->info().output_size(), 1);
+}
+
+/// The first one waits for the reply; if none is under way, it is enough.
+TEST(Serve, ASecondCtrlCEndsARunThatWaitsForAServer) {
+  const Scratch folder;
+  Child server({command, "serve", "builtin:two_mass.slow", "--listen", "tcp://127.0.0.1:0"});
+  Child run({command, "--quiet", "run", TANDEM_SOURCE_DIR "/scenarios/two_mass/two_mass.toml",
+             "--no-reference", "--set",
+             "subsystems.slow.source=" + server.word_after(" at ") + "?deadline=1000", "--set",
+             "span.stop=1e9", "--output", folder.path().string()});
+  while (!std::filesystem::exists(folder.path() / "results.csv")) ::usleep(1000);
+  server.signal(SIGSTOP);
+  for (int k = 0; k < 5000 && !is_gone(run.process()); ++k) run.signal(SIGINT), ::usleep(1000);
+  EXPECT_TRUE(is_gone(run.process()));
+}
+
 TEST(Spawn, GivesTheSameBitsAndEndsItsProgramWithTheRun) {
   const std::string uri = "spawn:" + command + " serve builtin:two_mass.slow";
   EXPECT_TRUE(same_bits(served_masses(uri + ratio), served_masses("builtin:two_mass.slow" + ratio)));
@@ -90,6 +117,18 @@ TEST(Spawn, GivesTheSameBitsAndEndsItsProgramWithTheRun) {
   EXPECT_TRUE(is_gone(process));
 }
 
+TEST(Spawn, WhatItsProgramHasStartedAndLeftEndsToo) {
+  const Scratch folder;
+  const std::string file = (folder.path() / "process").string();
+  {
+    const auto s = open(
+        "spawn:sh -c 'sleep 1000 & echo $! > " + file + "; exec " + command + " serve builtin:two_mass.slow'",
+        all_sources());
+    EXPECT_FALSE(is_gone(std::stoi(read_text(file))));
+  }
+  EXPECT_TRUE(ends(std::stoi(read_text(file))));
+}
+
 TEST(Spawn, AProgramThatEndsOrIsNotThereIsNamedWithItsStatus) {
   const auto opening = [](const std::string& uri) { return [uri] { open(uri, all_sources()); }; };
   EXPECT_TRUE(
@@ -97,7 +136,8 @@ TEST(Spawn, AProgramThatEndsOrIsNotThereIsNamedWithItsStatus) {
   EXPECT_TRUE(
       refuses(ErrorCode::input_output, {"'no_such_program'", "127"}, opening("spawn:no_such_program")));
   EXPECT_TRUE(refuses(ErrorCode::input_output, {"signal 6"}, opening("spawn:sh -c 'kill -ABRT $$'")));
-  EXPECT_TRUE(refuses(ErrorCode::input_output, {"spawn:sleep 60", "deadline"},
+  EXPECT_TRUE(refuses(ErrorCode::input_output,
+                      {"spawn:sleep 60", "no reply came within the deadline of 0.2 s"},
                       opening("spawn:sleep 60?deadline=0.2")));
 }
 
@@ -111,8 +151,7 @@ TEST(Spawn, TheProgramEndsWhenTheRunIsKilled) {
   const pid_t process = std::stoi(read_text(file));
   run.signal(SIGKILL);
   EXPECT_EQ(run.status(), -SIGKILL);
-  for (int k = 0; k < 5000 && !is_gone(process); ++k) ::usleep(1000);
-  EXPECT_TRUE(is_gone(process));
+  EXPECT_TRUE(ends(process));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-// Subsystems that break the contract: each ends the run with one Error that names the instance and the time.
+// Subsystems that break the contract: each ends the run with one Error that names the instance, the call and
+// the time.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,7 +28,8 @@ class BrokenContract : public testing::TestWithParam<const char*> {
 
   /// What happens if `bad` does that once it stands at t = 0.5 or later.
   using Deed = std::function<Clock(double t_limit, std::span<const Signal> u, Samples& y)>;
-  testing::AssertionResult refuses_deed(const std::vector<std::string>& texts, const Deed& deed) {
+  testing::AssertionResult refuses_deed(std::vector<std::string> texts, const Deed& deed) {
+    texts.push_back("subsystem 'bad', advance at t = 0.5 s to 0.6");
     bad.instead_of_advance = [this, deed](double t_limit, bool, std::span<const Signal> u, Samples& y) {
       if (bad.grid().time() > 0.45) return deed(t_limit, u, y);
       while (bad.grid().fits(t_limit)) bad.grid().step(), bad.put(u, y);
@@ -49,16 +51,8 @@ TEST_P(BrokenContract, ByAValueThatIsNotFinite) {
     }));
 }
 
-TEST_P(BrokenContract, ByAValueIsToldWithTheInstancesName) {
-  EXPECT_TRUE(refuses_deed({"'bad'"}, [&](double, auto, Samples& y) {
-    bad.grid().step();
-    y.append(bad.grid().time())[0] = NAN;
-    return bad.clock(Stop::limit);
-  })) << "not with its type's, of which there may be several";
-}
-
 TEST_P(BrokenContract, ByGoingPastTheLimit) {
-  EXPECT_TRUE(refuses_deed({"'bad'", "past its limit"}, [&](double t_limit, auto u, Samples& y) {
+  EXPECT_TRUE(refuses_deed({"past its limit"}, [&](double t_limit, auto u, Samples& y) {
     while (bad.grid().time() <= t_limit) bad.grid().step();
     bad.put(u, y);
     return bad.clock(Stop::limit);
@@ -66,16 +60,16 @@ TEST_P(BrokenContract, ByGoingPastTheLimit) {
 }
 
 TEST_P(BrokenContract, ByAClockThatDiffersFromTheNewestSample) {
-  EXPECT_TRUE(refuses_deed({"'bad'", "0.5", "newest sample"}, [&](double, auto u, Samples& y) {
+  EXPECT_TRUE(refuses_deed({"0.5", "newest sample"}, [&](double, auto u, Samples& y) {
     bad.grid().step();
     bad.put(u, y);
     return Clock{0.55, bad.grid().next(), Stop::limit};
   }));
-  EXPECT_TRUE(refuses_deed({"'bad'", "newest sample"}, [&](double, auto, Samples&) {
+  EXPECT_TRUE(refuses_deed({"newest sample"}, [&](double, auto, Samples&) {
     bad.grid().step();  // and no sample
     return bad.clock(Stop::limit);
   }));
-  EXPECT_TRUE(refuses_deed({"'bad'", "nan"}, [&](double, auto u, Samples& y) {
+  EXPECT_TRUE(refuses_deed({"nan"}, [&](double, auto u, Samples& y) {
     bad.grid().step();
     bad.put(u, y);
     return Clock{NAN, bad.grid().next(), Stop::limit};
@@ -84,7 +78,7 @@ TEST_P(BrokenContract, ByAClockThatDiffersFromTheNewestSample) {
 
 TEST_P(BrokenContract, ByANextStepThatDoesNotEndLater) {
   for (const double ahead : {0.0, -0.1, double{-INFINITY}, double{NAN}})
-    EXPECT_TRUE(refuses_deed({"'bad'", "0.6", "not later"}, [&](double, auto u, Samples& y) {
+    EXPECT_TRUE(refuses_deed({"0.6", "not later"}, [&](double, auto u, Samples& y) {
       bad.grid().step();
       bad.put(u, y);
       return Clock{bad.grid().time(), bad.grid().time() + ahead, Stop::limit};
@@ -93,8 +87,7 @@ TEST_P(BrokenContract, ByANextStepThatDoesNotEndLater) {
 
 TEST_P(BrokenContract, ByNotMoving) {
   for (const Stop stop : {Stop::limit, Stop::event, Stop::samples_full})
-    EXPECT_TRUE(
-        refuses_deed({"'bad'", "0.5", "not moved"}, [&](double, auto, Samples&) { return bad.clock(stop); }));
+    EXPECT_TRUE(refuses_deed({"not moved"}, [&](double, auto, Samples&) { return bad.clock(stop); }));
 }
 
 TEST_P(BrokenContract, NotByReturningOftenBetweenItsSteps) {
@@ -115,8 +108,8 @@ TEST_P(BrokenContract, ByTimesThatDoNotRise) {
   }));
 }
 
-TEST_P(BrokenContract, ByAnErrorOfItsOwnPassesThrough) {
-  EXPECT_TRUE(refuses_deed({"no convergence"}, [](double, auto, Samples&) -> Clock {
+TEST_P(BrokenContract, ByAnErrorOfItsOwnIsToldWithTheCall) {
+  EXPECT_TRUE(refuses_deed({" s: no convergence in 20 iterations"}, [](double, auto, Samples&) -> Clock {
     throw Error(ErrorCode::numerical, "no convergence in 20 iterations");
   }));
 }

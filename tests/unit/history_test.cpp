@@ -53,7 +53,8 @@ testing::AssertionResult refuses_row(const std::vector<std::string>& texts, doub
 }
 
 TEST(History, RefusesValuesThatAreNotFiniteByPortAndTime) {
-  EXPECT_TRUE(refuses_row({"'pump'", "p", "not finite", "1.5"}, 1.5, {NAN}));
+  EXPECT_TRUE(refuses_row({"subsystem 'pump', advance at t = 1 s to 2 s: it gave p not finite at t = 1.5"},
+                          1.5, {NAN}));
   EXPECT_TRUE(refuses_row({"'pump'", "q[0]", "not finite"}, 1.5, {0.0, INFINITY}));
   EXPECT_TRUE(refuses_row({"q[1]"}, 1.5, {0.0, 0.0, -INFINITY}));
   EXPECT_TRUE(refuses_row({"q[1] (a derivative)"}, 1.5, {0.0, 0.0, 0.0, 0.0, 0.0, NAN}));
@@ -65,6 +66,14 @@ TEST(History, RefusesTimesThatDoNotRiseOrPassTheLimit) {
   EXPECT_TRUE(refuses_row({"'pump'", "does not come after"}, 1.0, {}));
   EXPECT_TRUE(refuses_row({"does not come after"}, 0.5, {}, true)) << "not even across a jump";
   EXPECT_TRUE(refuses_row({"'pump'", "2.001", "past its limit 2"}, 2.001, {}));
+}
+
+TEST(History, RefusesTheFirstRowAsThatOfTheStart) {
+  const SubsystemInfo pump = info(0);
+  History h("pump", pump, 32);
+  append(h, 1.0, NAN);
+  EXPECT_TRUE(refuses(ErrorCode::numerical, {"'pump', initialize: it gave p not finite"},
+                      [&] { h.commit(1.0, tolerance); }));
 }
 
 TEST(History, NamesTimesOfAnySize) {

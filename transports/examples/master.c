@@ -50,7 +50,9 @@ static int drive(instance* s) {
 
 int main(int argc, char* argv[]) {
   static instance far, near;
-  int sound = argc == 3 && start(&far, tandem_remote(), argv[1]) && start(&near, tandem_subsystem(), argv[2]);
+  int sound = argc == 3;
+  if (!sound) fprintf(stderr, "two words are needed: URI PARAMETERS\n");
+  sound = sound && start(&far, tandem_remote(), argv[1]) && start(&near, tandem_subsystem(), argv[2]);
   sound = sound && drive(&far) && drive(&near) && far.y.size == near.y.size;
   sound = sound && memcmp(far.rows, near.rows, sizeof far.rows) == 0;
   if (far.self) far.api->destroy(far.self);

@@ -21,12 +21,9 @@ void take_query(const std::string& uri, std::string& text, Parameters& parameter
   text.resize(mark);
 }
 
-template <class Builders>
-const typename Builders::mapped_type& find(const Builders& builders, const std::string& name) {
-  const auto it = builders.find(name);
-  if (it != builders.end()) return it->second;
+[[noreturn]] void refuse_builtin(const std::string& name, const Builtins& builtins) {
   std::vector<std::string> known;
-  for (const auto& [key, builder] : builders) known.push_back("builtin:" + key);
+  for (const auto& [key, builder] : builtins.models) known.push_back("builtin:" + key);
   throw Error(ErrorCode::invalid_argument, unknown("source", "builtin:" + name, known));
 }
 
@@ -39,22 +36,28 @@ std::string schemes(const Builtins& builtins) {
 
 }  // namespace
 
+void check_known(const std::string& uri, const Builtins& builtins) {
+  const auto colon = uri.find(':');
+  const std::string scheme = uri.substr(0, colon);
+  if (colon == std::string::npos ||
+      (scheme != "builtin" && !builtins.files.contains(scheme) && !builtins.addresses.contains(scheme)))
+    refuse(uri, "has a scheme that is not known; allowed is " + schemes(builtins));
+  const std::string name = uri.substr(colon + 1, uri.find('?') - colon - 1);
+  if (scheme == "builtin" && !builtins.models.contains(name)) refuse_builtin(name, builtins);
+}
+
 std::unique_ptr<Subsystem> open(const std::string& uri, const Builtins& builtins, Opening opening) {
+  check_known(uri, builtins);
   const auto colon = uri.find(':');
   const std::string scheme = uri.substr(0, colon);
   const auto file = builtins.files.find(scheme);
-  const auto address = builtins.addresses.find(scheme);
-  const bool known =
-      scheme == "builtin" || file != builtins.files.end() || address != builtins.addresses.end();
-  if (colon == std::string::npos || !known)
-    refuse(uri, "has a scheme that is not known; allowed is " + schemes(builtins));
   std::string name = uri.substr(colon + 1);
   Parameters& parameters = opening.parameters;
   take_query(uri, name, parameters);
-  auto subsystem = scheme == "builtin" ? find(builtins.models, name)(parameters)
+  auto subsystem = scheme == "builtin" ? builtins.models.at(name)(parameters)
                    : file != builtins.files.end()
                        ? file->second(opening.folder / name, parameters)
-                       : address->second({uri, scheme, name, opening.folder}, parameters);
+                       : builtins.addresses.at(scheme)({uri, scheme, name, opening.folder}, parameters);
   parameters.refuse_unused("source '" + uri + "'");
   return subsystem;
 }

@@ -33,8 +33,10 @@ T from_wire(std::span<const std::byte> bytes) {
   return std::bit_cast<T>(copy);
 }
 
-/// FNV-1a of 64 bits (G. Fowler, L. C. Noll, K.-P. Vo): no change of a single byte keeps it.
-std::uint64_t checksum(std::span<const std::byte> bytes);
+/// FNV-1a of 64 bits (G. Fowler, L. C. Noll, K.-P. Vo): no change of a single byte keeps it. `before`: that
+/// of the bytes that stand in front of these.
+inline constexpr std::uint64_t empty_checksum = 0xcbf29ce484222325;
+std::uint64_t checksum(std::span<const std::byte> bytes, std::uint64_t before = empty_checksum);
 
 /// Bytes that are put one after another; its memory is used again after clear().
 class ByteWriter {

@@ -18,10 +18,6 @@ namespace {
 
 constexpr int most_idle_calls = 100;
 
-[[noreturn]] void fail(const std::string& name, const std::string& what) {
-  throw Error(ErrorCode::numerical, "subsystem '" + name + "' " + what);
-}
-
 double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
@@ -131,7 +127,7 @@ void Coordinator::start(const Turn& turn) {
   Seat& seat = seats_[static_cast<std::size_t>(turn.who)];
   const auto u = prepare(turn.who, *exchange_);
   const Turn first = next_call(turn);
-  seat.under_way = named(topology_.name(turn.who), [&] {
+  seat.under_way = named_advance(topology_.name(turn.who), seat.time, first.limit, [&] {
     return seat.subsystem->start_advance(first.limit, first.land, u, exchange_->history(turn.who).room());
   });
 }
@@ -177,7 +173,7 @@ void Coordinator::take(const Turn& turn, Exchange& inputs) {
 /// The subsystem's call, or the second half of one that was started; its error names it.
 Clock Coordinator::advance(const Turn& turn, std::span<const Signal> u, Samples& y) {
   Seat& seat = seats_[static_cast<std::size_t>(turn.who)];
-  return named(topology_.name(turn.who), [&] {
+  return named_advance(topology_.name(turn.who), seat.time, turn.limit, [&] {
     return std::exchange(seat.under_way, false) ? seat.subsystem->finish_advance(y)
                                                 : seat.subsystem->advance(turn.limit, turn.land, u, y);
   });
@@ -202,21 +198,22 @@ void Coordinator::check_clock(const Turn& turn, double before, std::int64_t rows
   const auto [who, limit, land] = turn;
   const Samples& y = exchange_->history(who).room();
   const double stands = rows > 0 ? y.time(y.size() - 1) : before;
+  const auto fail = [&](const std::string& what) {
+    throw Error(ErrorCode::numerical, advance_of(topology_.name(turn.who), before, turn.limit) + ": " + what);
+  };
   if (rows < 0 || !(after.time == stands))
-    fail(topology_.name(who), "says that it stands at t = " + number_text(after.time) +
-                                  " s, but its newest sample is of " + number_text(stands) + " s");
+    fail("it says that it stands at t = " + number_text(after.time) + " s, but its newest sample is of " +
+         number_text(stands) + " s");
   if (tolerance_.before(limit, after.time))
-    fail(topology_.name(who),
-         "stands at t = " + number_text(after.time) + " s, past its limit " + number_text(limit) + " s");
+    fail("it stands at t = " + number_text(after.time) + " s, past its limit " + number_text(limit) + " s");
   if (after.stop != Stop::finished && !(after.next_time > after.time))
-    fail(topology_.name(who), "at t = " + number_text(after.time) + " s gives " +
-                                  number_text(after.next_time) +
-                                  " s as the end of its next own step, which is not later");
+    fail("at t = " + number_text(after.time) + " s it gives " + number_text(after.next_time) +
+         " s as the end of its next own step, which is not later");
   int& idle_calls = seats_[static_cast<std::size_t>(who)].idle_calls;
   idle_calls = after.time > before ? 0 : idle_calls + 1;
   if (idle_calls >= most_idle_calls)
-    fail(topology_.name(who), "has not moved from t = " + number_text(after.time) + " s in " +
-                                  std::to_string(most_idle_calls) + " calls");
+    fail("it has not moved from t = " + number_text(after.time) + " s in " + std::to_string(most_idle_calls) +
+         " calls");
 }
 
 bool Coordinator::end() {

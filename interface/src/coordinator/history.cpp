@@ -8,16 +8,10 @@
 #include <utility>
 
 #include "../number_text.hpp"
+#include "named.hpp"
 #include "tandem/error.hpp"
 
 namespace tandem {
-namespace {
-
-[[noreturn]] void fail_sample(const std::string& name, const std::string& what) {
-  throw Error(ErrorCode::numerical, "subsystem '" + name + "' " + what);
-}
-
-}  // namespace
 
 History::History(std::string name, const SubsystemInfo& info, std::int64_t capacity)
     : name_(std::move(name)),
@@ -29,9 +23,18 @@ History::History(std::string name, const SubsystemInfo& info, std::int64_t capac
       data_(static_cast<std::size_t>(capacity_ * stride_)),
       samples_(data_.data(), stride_, capacity_) {}
 
-/// Throws if there is something wrong with the row. (The first row and one after a jump have no earlier
+/// The call that gave the rows began at the one before them; without one it was the start.
+void History::fail(const NewRows& rows, double t_limit, const std::string& what) const {
+  const bool start = rows.first == data_.data();
+  throw Error(ErrorCode::numerical, (start ? "subsystem '" + name_ + "', initialize"
+                                           : advance_of(name_, *(rows.first - stride_), t_limit)) +
+                                        ": " + what);
+}
+
+/// Throws if there is something wrong with the next row. (The first row and one after a jump have no earlier
 /// time.)
-void History::check(std::int64_t row, double t_limit, const TimeTolerance& tolerance) const {
+void History::check(const NewRows& rows, double t_limit, const TimeTolerance& tolerance) const {
+  const std::int64_t row = committed_;
   const double t = time(row);
   const auto y = values(row);
   bool finite = std::isfinite(t);
@@ -41,16 +44,17 @@ void History::check(std::int64_t row, double t_limit, const TimeTolerance& toler
     const auto column = static_cast<int>(bad - y.begin());
     const std::string value =
         bad == y.end() ? "a time that is" : scalar_at(info_->outputs, column % outputs_).name();
-    fail_sample(name_, "gave " + value + (column >= outputs_ ? " (a derivative)" : "") +
-                           " not finite at t = " + number_text(t) + " s");
+    fail(rows, t_limit,
+         "it gave " + value + (column >= outputs_ ? " (a derivative)" : "") +
+             " not finite at t = " + number_text(t) + " s");
   }
   if (tolerance.before(t_limit, t))
-    fail_sample(name_, "gave a sample at t = " + number_text(t) + " s, past its limit " +
-                           number_text(t_limit) + " s");
+    fail(rows, t_limit,
+         "it gave a sample at t = " + number_text(t) + " s, past its limit " + number_text(t_limit) + " s");
   if (row == base_ || t > time(row - 1) || (jump(row) && t == time(row - 1))) return;
-  fail_sample(name_, "gave a sample at t = " + number_text(t) +
-                         " s that does not come after the one before it, at " + number_text(time(row - 1)) +
-                         " s");
+  fail(rows, t_limit,
+       "it gave a sample at t = " + number_text(t) + " s that does not come after the one before it, at " +
+           number_text(time(row - 1)) + " s");
 }
 
 /// Column c = m outputs + i, the m-th derivative of output i, at the time s after the sample:

@@ -1,10 +1,13 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "recorder_file.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
+#include <fstream>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "tandem/error.hpp"
 
@@ -14,11 +17,29 @@ constexpr std::size_t buffer_size = std::size_t{1} << 18;
 constexpr std::size_t longest_number = 32;  // of the shortest form of a double; 24 are needed
 }  // namespace
 
+Beginning beginning_of(const std::filesystem::path& file, std::uint64_t size, Beginning known) {
+  const auto refuse = [&](const std::string& why) {
+    throw Error(ErrorCode::input_output, "file '" + file.string() + "' can't be gone on with: " + why);
+  };
+  errno = 0;
+  std::ifstream in(file, std::ios::binary);
+  if (!in) refuse(std::generic_category().message(errno));
+  in.seekg(static_cast<std::streamoff>(known.size));
+  for (std::vector<char> block(buffer_size); known.size < size; known.size += block.size()) {
+    block.resize(std::min<std::uint64_t>(block.size(), size - known.size));
+    if (!in.read(block.data(), static_cast<std::streamsize>(block.size())))
+      refuse("it is shorter than " + std::to_string(size) + " bytes, as it was at the checkpoint");
+    known.sum = checksum(std::as_bytes(std::span(block)), known.sum);
+  }
+  return known;
+}
+
 CsvFile::CsvFile(std::filesystem::path path) : path_(std::move(path)) { open("wb"); }
 
-CsvFile::CsvFile(std::filesystem::path path, std::uint64_t end) : path_(std::move(path)), size_(end) {
+CsvFile::CsvFile(std::filesystem::path path, Beginning kept)
+    : path_(std::move(path)), size_(kept.size), known_(kept) {
   std::error_code failed;
-  std::filesystem::resize_file(path_, end, failed);
+  std::filesystem::resize_file(path_, size_, failed);
   errno = failed.value();
   if (failed) fail();
   open("ab");
@@ -81,6 +102,8 @@ void CsvFile::flush() {
   size_ += written;
   buffer_.clear();
 }
+
+Beginning CsvFile::written() { return known_ = beginning_of(path_, size_, known_); }
 
 void CsvFile::close() {
   flush();

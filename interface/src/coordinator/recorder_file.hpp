@@ -7,16 +7,26 @@
 #include <string>
 #include <string_view>
 
+#include "tandem/bytes.hpp"
+
 namespace tandem {
+
+/// The first bytes of a file, and what they are known again by.
+struct Beginning {
+  std::uint64_t size = 0, sum = empty_checksum;
+};
+/// The first `size` bytes, of which `known` have been read. Throws Error(input_output) that names the file if
+/// it has fewer.
+Beginning beginning_of(const std::filesystem::path& file, std::uint64_t size, Beginning known = {});
 
 /// A CSV file that is written a row at a time through a text buffer of its own. Every error is an
 /// Error(input_output) with the path; after the first one the file takes nothing more, and ends with the last
 /// row that is whole.
 class CsvFile {
  public:
-  /// A new one, or one that is there, from its byte `end` on.
+  /// A new one, or one that is there, of which the beginning is kept.
   explicit CsvFile(std::filesystem::path path);
-  CsvFile(std::filesystem::path path, std::uint64_t end);
+  CsvFile(std::filesystem::path path, Beginning kept);
 
   void text(std::string_view cell);  ///< quoted where it has to be
   void number(double value);         ///< shortest text that reads back the same
@@ -27,7 +37,8 @@ class CsvFile {
   /// Flushes and closes; a second call does nothing.
   void close();
   const std::filesystem::path& path() const { return path_; }
-  std::uint64_t size() const { return size_; }  ///< bytes, all written after flush()
+  /// After flush(): all of it. What has come since the last call is read from the file.
+  Beginning written();
 
  private:
   struct Close {
@@ -38,7 +49,8 @@ class CsvFile {
   [[noreturn]] void fail();
 
   std::filesystem::path path_;
-  std::uint64_t size_ = 0;
+  std::uint64_t size_ = 0;  ///< bytes on disk
+  Beginning known_;
   std::unique_ptr<std::FILE, Close> file_;
   std::string buffer_;
   bool row_begun_ = false;

@@ -1,9 +1,4 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
-#include <cerrno>
-#include <fstream>
-#include <system_error>
-
 #include "recorder_file.hpp"
 #include "tandem/coordinator/recorder.hpp"
 #include "tandem/error.hpp"
@@ -11,25 +6,7 @@
 namespace tandem {
 namespace {
 
-constexpr std::uint64_t longest_tail = std::uint64_t{1} << 16;  // bytes by which a file is known again
 constexpr std::uint32_t longest_note = 1U << 20;
-
-[[noreturn]] void refuse_file(const std::filesystem::path& path, const std::string& why) {
-  throw Error(ErrorCode::input_output, "file '" + path.string() + "' can't be gone on with: " + why);
-}
-
-/// Checksum of the bytes before `end`.
-std::uint64_t tail_of(const std::filesystem::path& path, std::uint64_t end) {
-  errno = 0;
-  std::ifstream in(path, std::ios::binary);
-  if (!in) refuse_file(path, std::generic_category().message(errno));
-  std::vector<char> tail(std::min(end, longest_tail));
-  in.seekg(static_cast<std::streamoff>(end - tail.size()));
-  in.read(tail.data(), static_cast<std::streamsize>(tail.size()));
-  if (!in)
-    refuse_file(path, "it is shorter than " + std::to_string(end) + " bytes, as it was at the checkpoint");
-  return checksum(std::as_bytes(std::span(tail)));
-}
 
 }  // namespace
 
@@ -42,8 +19,9 @@ void Recorder::flush() {
 void Recorder::save(ByteWriter& to) const {
   to.put(t_start_);
   for (const auto& file : files_) {
-    to.put(file ? file->size() : std::uint64_t{0});
-    to.put(file ? tail_of(file->path(), file->size()) : std::uint64_t{0});
+    const Beginning whole = file ? file->written() : Beginning{};
+    to.put(whole.size);
+    to.put(whole.sum);
   }
   for (const Track& track : tracks_) {
     to.put_list(track.rows);
@@ -72,16 +50,17 @@ void Recorder::resume(ByteReader& from) {
 
 /// All are looked at before the first is cut.
 void Recorder::reopen_files(ByteReader& from) {
-  std::vector<std::uint64_t> ends(what_.own ? tracks_.size() : 1);
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    ends[i] = from.take<std::uint64_t>();
-    const auto tail = from.take<std::uint64_t>();
-    if (ends[i] > 0 && tail_of(path_of(i), ends[i]) != tail)
-      refuse_file(path_of(i), "it is of another run than the checkpoint: up to byte " +
-                                  std::to_string(ends[i]) + " it holds something else");
+  std::vector<Beginning> kept(what_.own ? tracks_.size() : 1);
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    kept[i] = {from.take<std::uint64_t>(), from.take<std::uint64_t>()};
+    if (kept[i].size > 0 && beginning_of(path_of(i), kept[i].size).sum != kept[i].sum)
+      throw Error(ErrorCode::input_output, "file '" + path_of(i).string() +
+                                               "' can't be gone on with: its first " +
+                                               std::to_string(kept[i].size) +
+                                               " bytes are others than those of the run at the checkpoint");
   }
-  for (std::size_t i = 0; i < ends.size(); ++i)
-    files_.push_back(ends[i] > 0 ? std::make_unique<CsvFile>(path_of(i), ends[i]) : nullptr);
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    files_.push_back(kept[i].size > 0 ? std::make_unique<CsvFile>(path_of(i), kept[i]) : nullptr);
 }
 
 }  // namespace tandem

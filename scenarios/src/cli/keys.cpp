@@ -4,6 +4,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 
 #include "cli/commands.hpp"
@@ -29,17 +31,23 @@ struct KeyFile {
   bool secret;
 };
 
+[[noreturn]] void refuse_key(const fs::path& file, const std::string& why) {
+  throw Error(ErrorCode::input_output, "key file '" + file.string() + "' can't be written: " + why);
+}
+
 /// A file that was not there before, and that nobody else may read if it is secret, at no time.
 void write_new(const fs::path& folder, const KeyFile& key) {
   const fs::path file = folder / key.name;
   const int descriptor =
       ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, key.secret ? 0600 : 0644);
-  const bool written = descriptor >= 0 && ::write(descriptor, key.text.data(), key.text.size()) ==
-                                              static_cast<ssize_t>(key.text.size());
-  if (descriptor >= 0) ::close(descriptor);
-  if (!written)
-    throw Error(ErrorCode::input_output,
-                "key file '" + file.string() + "' can't be written; allowed is a file that is not there yet");
+  if (descriptor < 0)
+    refuse_key(file, std::string(std::strerror(errno)) + "; allowed is a file that is not there yet");
+  const ssize_t written = ::write(descriptor, key.text.data(), key.text.size());
+  const int why = errno;
+  ::close(descriptor);
+  if (written == static_cast<ssize_t>(key.text.size())) return;
+  ::unlink(file.c_str());
+  refuse_key(file, std::strerror(written < 0 ? why : ENOSPC));
 }
 
 #if TANDEM_HAS_ZEROMQ

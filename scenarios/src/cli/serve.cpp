@@ -43,11 +43,14 @@ void serve_parent(const std::string& number, const ServeOptions& options, const 
   wire::Session(*channel, maker(options.source, context), options.server.session).serve();
 }
 
-/// Told at once, not when the first session begins. A source may need parameters that only a client gives.
+/// Refused at once, not when the first session begins, if it is not there. Otherwise it is only said why it
+/// can't be opened: it may need parameters that a client gives.
 void try_source(const std::string& source, const Context& context) {
+  check_known(source, context.builtins);
   try {
     open(source, context.builtins);
   } catch (const Error& error) {
+    if (error.code() == ErrorCode::input_output) throw;
     spdlog::warn("tandem: without the parameters of a client this source is refused: {}", error.what());
   }
 }
@@ -62,8 +65,8 @@ void serve(ServeOptions options, const Context& context) {
                 "--listen is needed: tcp://HOST:PORT (port 0: a free one), tls://HOST:PORT, unix:PATH or "
                 "zmq:ADDRESS");
   const InterruptGuard guard;
-  const auto listener = listener_at(options.address, socket, options.keys);
   try_source(options.source, context);
+  const auto listener = listener_at(options.address, socket, options.keys);
   options.server.log = [](const std::string& sentence) { spdlog::info("{}", sentence); };
   fmt::print("serving {} at {}\n", options.source, listener->address());
   std::fflush(stdout);
@@ -119,8 +122,10 @@ void add_serve(CLI::App& app, Context& context) {
       ->take_all();
   command->footer(
       "Parameters come from the client: tcp://HOST:PORT?frequency_ratio=25. A program that spawn: started "
-      "needs no "
-      "--listen.\nExit status: 0 when it was ended; 2 for an address or option that is not right.");
+      "needs no --listen.\n"
+      "Exit status: 0 when it was ended; 2 for a source that is not there, and an address or option that is "
+      "not "
+      "right.");
   command->callback([options, &context] { serve(*options, context); });
 }
 

@@ -41,7 +41,12 @@ std::unique_ptr<wire::Listener> listener_at(const std::string& address, const So
                                                  "' has a '?': parameters follow it in a client's; a server "
                                                  "has options in their place (--deadline, "
                                                  "--spin, --key, ...)");
-  const bool zmq = address.starts_with("zmq:"), tls = address.starts_with("tls:");
+  const std::string scheme = address.substr(0, address.find(':'));
+  const bool zmq = scheme == "zmq", tls = scheme == "tls";
+  if (!zmq && !tls && scheme != "tcp" && scheme != "unix")
+    throw Error(ErrorCode::invalid_argument,
+                "nothing can listen at '" + address +
+                    "'; allowed are tcp://HOST:PORT, tls://HOST:PORT, unix:PATH and zmq:ADDRESS");
   if ((!keys.own.empty() && !zmq && !tls) || (!keys.clients.empty() && !zmq) ||
       (!keys.authority.empty() && !tls))
     throw Error(ErrorCode::invalid_argument,

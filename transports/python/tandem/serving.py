@@ -223,16 +223,31 @@ def _parameters(text: str) -> Dict[str, str]:
 def serve(make: Make, address: Optional[str] = None, once: bool = False, deadline: float = 5.0) -> None:
     """Serves what `make(parameters)` returns, an instance for each session: at `address` ("tcp://HOST:PORT",
     port 0 for a free one, or "unix:PATH"; the address is printed), or, without one, at --listen URI of the
-    command line, or to the run that has started this program by spawn:. SIGTERM and Ctrl-C end the program."""
-    if address is None and "--listen" in sys.argv[:-1]:
-        address = sys.argv[sys.argv.index("--listen") + 1]
-    if address is None and "TANDEM_FD" in os.environ:
+    command line, or to the run that has started this program by spawn:. SIGTERM and Ctrl-C end the program; so does
+    a command line that is not right, with a sentence and status 2."""
+    if address is None:
+        _serve_as_told(make, once, deadline)
+    else:
+        _serve_at(listen(address), make, once, deadline)
+
+
+def _serve_as_told(make: Make, once: bool, deadline: float) -> None:
+    if "--listen" not in sys.argv[:-1] and "TANDEM_FD" in os.environ:
         sock = socket.socket(fileno=int(os.environ["TANDEM_FD"]))
         _serve_one(Session(wire.Channel(sock, "the program that started this one"), make, deadline))
         return
-    if address is None:
-        raise Error("an address is needed: serve(make, address), or --listen URI")
-    listener, place = listen(address)
+    try:
+        if "--listen" not in sys.argv[:-1]:
+            raise Error("an address is needed: --listen URI")
+        found = listen(sys.argv[sys.argv.index("--listen") + 1])
+    except Error as error:
+        print(f"{sys.argv[0]}: {error}", file=sys.stderr)
+        raise SystemExit(2) from None
+    _serve_at(found, make, once, deadline)
+
+
+def _serve_at(found: Tuple[socket.socket, str], make: Make, once: bool, deadline: float) -> None:
+    listener, place = found
     try:
         if threading.current_thread() is threading.main_thread():
             for number in (signal.SIGTERM, signal.SIGINT):

@@ -260,7 +260,7 @@ class Channel:
             try:
                 part = self._socket.recv(min(left, 1 << 20))
             except socket.timeout:
-                raise Error("no frame came within the deadline", 5) from None
+                raise Error(f"no frame came whole within {wait if left == size else deadline} s", 5) from None
             except OSError as error:
                 raise Error(f"the connection broke: {error}", 5) from None
             if not part:

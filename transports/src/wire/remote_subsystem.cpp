@@ -18,6 +18,12 @@ struct Told {
   Error error;
 };
 
+/// A channel is told when, not how long from now that is.
+std::string with_length(std::string sentence, double deadline) {
+  if (sentence.ends_with("within the deadline")) sentence += " of " + number_text(deadline) + " s";
+  return sentence;
+}
+
 }  // namespace
 
 /// An error of the connection ends its use; each error names the address, the call and the time in the run.
@@ -36,7 +42,7 @@ auto RemoteSubsystem::told(const Call& call) {
   } catch (const Told& told) {
     throw Error(told.error.code(), where() + told.error.what());
   } catch (const Error& error) {
-    broken_ = error.what();
+    broken_ = with_length(error.what(), deadline_);
     channel_->close();
     throw Error(error.code(), where() + broken_);
   }

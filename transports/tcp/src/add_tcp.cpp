@@ -1,4 +1,5 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/error.hpp"
 #include "tandem/tcp/tcp.hpp"
 #include "tandem/wire/remote_subsystem.hpp"
 
@@ -32,8 +33,12 @@ void add_tcp(Builtins& builtins, bool allow_plaintext) {
   add("unix", [](const Address& a, const SocketSettings& s) {
     return connect("unix:" + (a.folder / a.place).string(), s);
   });
-  add("spawn",
-      [](const Address& a, const SocketSettings& s) { return spawn(a.place, a.folder.string(), s); });
+  add("spawn", [](const Address& a, const SocketSettings& s) {
+    if (a.place.find_first_not_of(' ') == std::string::npos)
+      throw Error(ErrorCode::invalid_argument,
+                  "source '" + a.uri + "' names no program; allowed is spawn:COMMAND");
+    return spawn(a.place, a.folder.string(), s);
+  });
 }
 
 }  // namespace tandem

@@ -57,22 +57,23 @@ class Program {
       fail(command, "fork");
     }
   }
-  /// By now its socket is closed: a program that reads it ends of its own accord, others are told to.
+  /// By now its socket is closed: a program that reads it ends of its own accord, others are told to. What it
+  /// has started and left is in its group, and goes with it.
   ~Program() {
-    if (ended_within(1.0)) return;
-    ::kill(-process_, SIGTERM);
-    if (ended_within(1.0)) return;
+    if (!ended_within(1.0)) ::kill(-process_, SIGTERM);
+    ended_within(1.0);
     ::kill(-process_, SIGKILL);
     ::waitpid(process_, nullptr, 0);
   }
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
+  /// It keeps its number until ~Program, so that nobody else has it.
   bool ended_within(double seconds) {
     const auto deadline = wire::in_seconds(seconds);
     for (auto pause = std::chrono::microseconds(100); !ended_; pause = std::min(2 * pause, longest_pause)) {
-      const pid_t who = ::waitpid(process_, &status_, WNOHANG);
-      ended_ = who == process_ || (who < 0 && errno == ECHILD);
+      const int failed = ::waitid(P_PID, static_cast<id_t>(process_), &end_, WEXITED | WNOHANG | WNOWAIT);
+      ended_ = end_.si_pid == process_ || (failed && errno == ECHILD);
       if (!ended_ && std::chrono::steady_clock::now() > deadline) return false;
       if (!ended_) std::this_thread::sleep_for(pause);
     }
@@ -83,8 +84,8 @@ class Program {
   std::string fate() {
     const std::string who = "program '" + command_ + "' ";
     if (!ended_within(0.2)) return who + "closed its socket";
-    if (WIFSIGNALED(status_)) return who + "was ended by signal " + std::to_string(WTERMSIG(status_));
-    const int code = WEXITSTATUS(status_);
+    const int code = end_.si_status;
+    if (end_.si_code != CLD_EXITED) return who + "was ended by signal " + std::to_string(code);
     return who + "ended with status " + std::to_string(code) +
            (code == 127   ? " (not found?)"
             : code == 126 ? " (no such folder, or not executable)"
@@ -95,7 +96,7 @@ class Program {
   static constexpr std::chrono::microseconds longest_pause{10'000};
   std::string command_;
   pid_t process_ = -1;
-  int status_ = 0;
+  siginfo_t end_ = {};
   bool ended_ = false;
 };
 

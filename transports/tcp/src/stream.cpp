@@ -45,8 +45,8 @@ std::span<const std::byte> StreamChannel::receive(wire::Deadline deadline) {
                                                " bytes of a frame of " + std::to_string(size) + " or more");
     if (!fill(deadline))
       throw Error(ErrorCode::input_output, size_ == 0 ? "no reply came within the deadline"
-                                                      : "within the deadline only " + std::to_string(size_) +
-                                                            " bytes of a frame came");
+                                                      : "only " + std::to_string(size_) +
+                                                            " bytes of a frame came within the deadline");
   }
   last_ = wanted();
   return std::span(memory_).first(last_);

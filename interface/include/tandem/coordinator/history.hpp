@@ -32,13 +32,13 @@ class History {
   /// Where the subsystem appends. make_room() first.
   Samples& room() { return samples_; }
   /// Makes the appended rows visible, after checking that their values are finite, that times rise (a jump
-  /// may repeat a time) and that none is past t_limit by more than the tolerance. Throws Error naming
-  /// subsystem, port and time.
+  /// may repeat a time) and that none is past t_limit, that of the advance which gave them, by more than the
+  /// tolerance. Throws Error naming subsystem, call, port and time.
   NewRows commit(double t_limit, const TimeTolerance& tolerance) {
     const NewRows rows{row(committed_), base_ + samples_.size() - committed_};
     const double* y = rows.first;
     for (std::int64_t left = rows.count; left > 0; --left, ++committed_, y += stride_)
-      if (!plain(y, t_limit)) check(committed_, t_limit, tolerance);
+      if (!plain(y, t_limit)) check(rows, t_limit, tolerance);
     return rows;
   }
 
@@ -83,7 +83,8 @@ class History {
     for (std::int64_t k = Samples::header; k < stride_; ++k) zero += y[k] - y[k];
     return zero == 0.0 && y[0] <= t_limit && committed_ > base_ && y[0] > y[-stride_];
   }
-  void check(std::int64_t row, double t_limit, const TimeTolerance& tolerance) const;
+  void check(const NewRows& rows, double t_limit, const TimeTolerance& tolerance) const;
+  [[noreturn]] void fail(const NewRows& rows, double t_limit, const std::string& what) const;
   double taylor(const std::vector<double>& sample, int column, double s) const;
   void resize(std::int64_t capacity, std::int64_t keep);
 

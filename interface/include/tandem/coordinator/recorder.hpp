@@ -56,10 +56,10 @@ class Recorder final : public Observer {
   /// Writes all rows that are complete: they are in the files if the process is killed. Throws as above.
   void flush();
 
-  /// After flush(): where the files end, and the samples that still wait; for a checkpoint.
+  /// After flush(): what the files hold, as a checksum, and the samples that still wait; for a checkpoint.
   void save(ByteWriter& to) const;
   /// In place of the first samples: cuts the files of the other run where it was saved, and goes on. Throws
-  /// Error(input_output) for a file that is not there, is shorter, or ends otherwise there.
+  /// Error(input_output) for a file that is not there, is shorter, or holds anything else.
   void resume(ByteReader& from);
 
   /// Writes what is left and closes the files. Also after a failed run: all that it was told of gets written.

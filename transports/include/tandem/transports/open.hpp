@@ -44,4 +44,8 @@ struct Opening {
 /// an error. Throws Error for an unknown scheme or name, and for parameters that the subsystem does not take.
 std::unique_ptr<Subsystem> open(const std::string& uri, const Builtins& builtins, Opening opening = {});
 
+/// Throws Error for what open() refuses whatever the parameters are: a scheme or a builtin's name that is not
+/// there. Nothing is opened.
+void check_known(const std::string& uri, const Builtins& builtins);
+
 }  // namespace tandem

@@ -1,0 +1,100 @@
+# Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+"""What Python says as the master of subsystems that are not there or break the contract. refusals.py tcp://HOST:PORT
+(served: builtin:two_mass.slow). Ends with status 0 if each is refused by its sentence and nothing is left."""
+
+import math
+import os
+import socket
+import sys
+import tempfile
+import threading
+import time
+
+import tandem
+from tandem import serving, wire
+
+
+def refused(sentence, call):
+    try:
+        call()
+    except tandem.Error as error:
+        assert sentence in str(error), f"'{error}' has no '{sentence}'"
+        return
+    raise AssertionError(f"it was not refused: {sentence}")
+
+
+class Broken:
+    """Gives these rows for each advance; stands where the last of them says."""
+
+    def __init__(self, rows):
+        self.given = rows
+
+    def info(self):
+        return tandem.Info("broken", [], [tandem.Port("x", "1")])
+
+    def initialize(self, t_start, t_stop, u0, rows, room):
+        rows.append(tandem.Row(t_start, [0.0]))
+        return tandem.Clock(t_start, t_start + 1.0, tandem.Stop.LIMIT)
+
+    def advance(self, t_limit, land, u, rows, room):
+        rows += self.given
+        return tandem.Clock(rows[-1].time if rows else 7.0, 9.0, tandem.Stop.LIMIT)
+
+
+def advanced(*rows):
+    """One advance from 0 s to 1.5 s of a subsystem that gives those."""
+    ours, theirs = socket.socketpair()
+    session = serving.Session(wire.Channel(theirs, "here"), lambda parameters: Broken(list(rows)))
+    thread = threading.Thread(target=session.serve)
+    thread.start()
+    try:
+        with tandem.Remote(wire.Channel(ours, "there")) as far:
+            far.initialize(0.0, 10.0, [])
+            far.advance(1.5, [])
+    finally:
+        thread.join()
+
+
+def refuses_rows():
+    where = "there, advance at t = 0 s to 1.5 s: "
+    row = tandem.Row
+    advanced(row(0.5, [1.0]), row(0.5, [2.0], True), row(1.0, [3.0]))
+    refused(where + "it gives a value at t = 1.0 s that is not finite", lambda: advanced(row(1.0, [math.nan])))
+    for t in (0.0, -1.0, 1.6, math.nan, math.inf):
+        refused(where + f"it gives a sample at t = {t} s", lambda t=t: advanced(row(t, [0.0])))
+    refused(where + "it gives a sample at t = 0.4", lambda: advanced(row(0.5, [0.0]), row(0.4, [0.0])))
+    refused(where + "it stands at t = 7.0 s", advanced)
+
+
+def refuses_addresses(address):
+    refused("no connection to unix:/none", lambda: tandem.connect("unix:/none"))
+    refused("is not of the form", lambda: tandem.connect("nonsense"))
+    refused("plain text", lambda: tandem.connect("tcp://192.0.2.1:1"))
+    refused(address + ", hello: ", lambda: tandem.connect(address + "?colour=blue"))
+    for text in ("0", "-1", "soon", "nan", "inf"):
+        refused(f"the deadline is '{text}'", lambda text=text: tandem.connect(f"{address}?deadline={text}"))
+    refused("spawn:nope, hello: program 'nope' ended with status 127", lambda: tandem.connect("spawn:nope"))
+    refused("was ended by signal 9", lambda: tandem.connect("spawn:sh -c 'kill -KILL $$'"))
+
+
+def ends_its_program():
+    with tempfile.TemporaryDirectory() as folder:
+        file = os.path.join(folder, "process")
+        command = f"sh -c 'echo $$ > {file}; sleep 1000'"
+        refused("hello: no frame came whole within 0.3 s", lambda: tandem.connect(f"spawn:{command}?deadline=0.3"))
+        with open(file, encoding="ascii") as text:
+            group = int(text.read())
+        until = time.monotonic() + 5.0
+        while True:
+            try:
+                os.killpg(group, 0)
+            except ProcessLookupError:
+                return
+            assert time.monotonic() < until, "a process is left"
+            time.sleep(0.01)
+
+
+if __name__ == "__main__":
+    refuses_rows()
+    refuses_addresses(sys.argv[1])
+    ends_its_program()
