@@ -9,6 +9,7 @@
 #include "force_set.hpp"
 #include "tandem/mbs/mechanism/force_element.hpp"
 #include "tandem/mbs/mechanism/numbering.hpp"
+#include "tandem/mbs/model.hpp"
 
 namespace tandem::mbs {
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "../dense.hpp"
 #include "linear_forces.hpp"
@@ -14,10 +15,11 @@
 namespace tandem::mbs {
 namespace {
 
-constexpr int most_iterations = 100, most_corrections = 4;
-constexpr double closed = 1e-12;  // of a length
-constexpr double longest = 1.0;   // step, of a length
-constexpr double held = 1e-8;     // of the largest stiffness: what holds where nothing else does
+constexpr int most_iterations = 100, most_corrections = 4, most_relaxations = 1000;
+constexpr double balanced = 1e-10, nearly_balanced = 1e-7;  // of the largest force
+constexpr double closed = 1e-12, loosely_closed = 1e-9;     // of a length
+constexpr double longest = 1.0;                             // step, of a length
+constexpr double held = 1e-8;  // of the largest stiffness: what holds where nothing else does
 
 /// Newton's method on Q(q, 0) - Phi_q^T lambda = 0, Phi = 0. Multipliers are those of least squares, so that
 /// the error is a function of q alone.
@@ -36,13 +38,7 @@ class Balance {
   }
 
   State find() {
-    for (int k = 0; k < most_iterations; ++k) {
-      if (error_ <= 1e-10 * size_) return state_;
-      const double before = error_;
-      if (!improve()) break;
-      if (error_ > 0.5 * before && error_ <= 1e-7 * size_) return state_;
-    }
-    if (error_ <= 1e-7 * size_) return state_;
+    if (newton() || relax()) return state_;
     Eigen::Index worst = 0;
     unbalanced_.cwiseAbs().maxCoeff(&worst);
     throw Error(
@@ -53,6 +49,50 @@ class Balance {
   }
 
  private:
+  struct Linear {
+    Eigen::MatrixXd k, gradients;
+    Eigen::VectorXd force, phi;
+    double least;  ///< hold
+  };
+
+  bool balances() const { return error_ <= balanced * size_; }
+  bool balances_nearly() const { return error_ <= nearly_balanced * size_; }
+
+  bool newton() {
+    for (int k = 0; k < most_iterations && !balances(); ++k) {
+      const double before = error_;
+      if (!improve()) break;
+      if (error_ > 0.5 * before && balances_nearly()) break;
+    }
+    return balances_nearly();
+  }
+
+  /// Where no step makes the error smaller, forces still show a way: steps of a motion in which each force is
+  /// a speed, long where they are steady (pseudo-transient continuation, C. T. Kelley, D. E. Keyes, SIAM J.
+  /// Numer. Anal. 35 (1998) 508). One is taken if the forces do work along it, which a potential falls by.
+  bool relax() {
+    const double first = error_ / unit_;
+    double hold = first;
+    for (int k = 0; k < most_relaxations && !balances() && std::isfinite(hold); ++k)
+      hold = follow(hold) ? std::max(0.2 * hold, held * first) : 10.0 * hold;
+    return balances_nearly();
+  }
+
+  bool follow(double hold) {
+    const Linear at = linearize();
+    const State from = state_;
+    const Eigen::VectorXd by = step(at, std::max(hold, at.least));
+    if (by.norm() <= longest * unit_) {
+      const Eigen::VectorXd before = unbalanced_;
+      go(from, by);
+      const auto moved = state_.q.head(by.size()) - from.q.head(by.size());
+      if (terms_.phi.norm() <= loosely_closed * unit_ && (before + unbalanced_).dot(moved) > 0.0) return true;
+    }
+    state_ = from;
+    look(state_);
+    return false;
+  }
+
   /// The error and multipliers at a state.
   void look(State& s) {
     terms_.evaluate(s.q, s.v);
@@ -83,30 +123,37 @@ class Balance {
     }
   }
 
+  Linear linearize() {
+    Eigen::MatrixXd k = terms_.stiffness(state_);
+    look(state_);
+    const double least = held * k.cwiseAbs().maxCoeff();
+    return {std::move(k), terms_.gradients, unbalanced_, terms_.phi, least};
+  }
+
+  void go(const State& from, const Eigen::VectorXd& by) {
+    state_.q.head(by.size()) = from.q.head(by.size()) + by;
+    terms_.evaluate(state_.q, state_.v);
+    close(state_);
+    look(state_);
+  }
+
   /// A step that makes the error smaller: Newton's, or one that is held back more and more, as far as it is
   /// not too long (what nothing holds would turn over and over), or else a part of Newton's; false if none
   /// does.
   bool improve() {
-    const Eigen::MatrixXd k = terms_.stiffness(state_);
-    look(state_);
+    const Linear at = linearize();
     const double before = error_;
-    const Eigen::VectorXd force = unbalanced_, phi = terms_.phi;
-    const Eigen::MatrixXd gradients = terms_.gradients;
     const State from = state_;
     const auto improves = [&](const Eigen::VectorXd& by) {
-      state_.q.head(by.size()) = from.q.head(by.size()) + by;
-      terms_.evaluate(state_.q, state_.v);
-      close(state_);
-      look(state_);
+      go(from, by);
       return error_ < before;
     };
-    const double least = held * k.cwiseAbs().maxCoeff();
     const auto more = [](double hold) { return hold > 0.0 ? 10.0 * hold : 1e-6; };
-    for (double hold = least; hold < 1e12; hold = more(hold)) {
-      const Eigen::VectorXd by = step(k, gradients, force, phi, hold);
+    for (double hold = at.least; hold < 1e12; hold = more(hold)) {
+      const Eigen::VectorXd by = step(at, hold);
       if (by.norm() <= longest * unit_ && improves(by)) return true;
     }
-    const Eigen::VectorXd newton = step(k, gradients, force, phi, least);
+    const Eigen::VectorXd newton = step(at, at.least);
     for (double part = 0.5; part > 1e-3; part *= 0.5)
       if (improves(part * newton)) return true;
     state_ = from;
@@ -114,17 +161,16 @@ class Balance {
     return false;
   }
 
-  Eigen::VectorXd step(const Eigen::MatrixXd& k, const Eigen::MatrixXd& gradients,
-                       const Eigen::VectorXd& force, const Eigen::VectorXd& phi, double hold) const {
-    const auto n = force.size(), m = phi.size();
+  Eigen::VectorXd step(const Linear& at, double hold) const {
+    const auto n = at.force.size(), m = at.phi.size();
     Eigen::MatrixXd a = Eigen::MatrixXd::Zero(n + m, n + m);
     Eigen::VectorXd b(n + m);
-    a.topLeftCorner(n, n) = k;
+    a.topLeftCorner(n, n) = at.k;
     a.topLeftCorner(n, n).diagonal().array() += hold;
-    a.topRightCorner(n, m) = gradients;
-    a.bottomLeftCorner(m, n) = gradients.transpose();
+    a.topRightCorner(n, m) = at.gradients;
+    a.bottomLeftCorner(m, n) = at.gradients.transpose();
     a.bottomRightCorner(m, m).diagonal().setConstant(-1e-12);  // redundant equations
-    b << force, -phi;
+    b << at.force, -at.phi;
     for (int i = 0; i < n; ++i)
       if (stays_[i]) a.row(i).setZero(), a(i, i) = 1.0, b[i] = 0.0;
     return dense::solve_by_lu(a, b).head(n);

@@ -44,6 +44,7 @@ Outputs::Outputs(const Mechanism& mechanism, std::vector<Output> outputs)
     : mechanism_(mechanism),
       outputs_(std::move(outputs)),
       parts_(connected_parts(mechanism)),
+      force_groups_(force_groups(mechanism)),
       measurements_(std::make_unique<Measurements>(mechanism, outputs_)),
       reactions_(std::any_of(outputs_.begin(), outputs_.end(),
                              [](const Output& o) { return o.kind == Kind::reaction; })),
@@ -137,7 +138,7 @@ bool Outputs::depends(int output, int input) const {
   const Description& in = mechanism_.description();
   const Output& o = outputs_[static_cast<std::size_t>(output)];
   for (const Drive& drive : in.drives)
-    if (drive.input == input && connected(output, parts_[mechanism_.numbering().of(drive.coordinate)]))
+    if (drive.input == input && follows(output, parts_[mechanism_.numbering().of(drive.coordinate)]))
       return true;
   if (o.kind == Kind::quantity) return measurements_->follows_inputs(output) && has_input(element(o), input);
   if (!depends_on_accelerations(o.kind)) return false;
@@ -148,6 +149,17 @@ bool Outputs::depends(int output, int input) const {
     for (const int place : places(mechanism_, force))
       if (force.input == input && connected(output, parts_[place])) return true;
   return false;
+}
+
+/// Whether it follows a drive of that part at once: as that part moves, or as forces do to which it belongs.
+bool Outputs::follows(int output, int part) const {
+  if (connected(output, part)) return true;
+  if (!depends_on_accelerations(outputs_[static_cast<std::size_t>(output)].kind)) return false;
+  return std::any_of(force_groups_.begin(), force_groups_.end(), [&](const std::vector<int>& group) {
+    const auto moves = [&](int c) { return parts_[c] == part; };
+    const auto touches = [&](int c) { return connected(output, parts_[c]); };
+    return std::any_of(group.begin(), group.end(), moves) && std::any_of(group.begin(), group.end(), touches);
+  });
 }
 
 const ForceElement& Outputs::element(const Output& o) const {

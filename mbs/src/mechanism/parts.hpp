@@ -10,7 +10,11 @@ namespace tandem::mbs {
 /// matrix or a constraint. The ground passes nothing on: a coordinate that does not move is alone.
 std::vector<int> connected_parts(const Mechanism& mechanism);
 
-/// A coordinate of each point, or the relative coordinate, on which a force acts.
+/// By spring, force along a line and element: the coordinates of its points, or its own. What it does to them
+/// follows from where they stand, and how fast they are, at once.
+std::vector<std::vector<int>> force_groups(const Mechanism& mechanism);
+
+/// The coordinates on which a force acts.
 std::vector<int> places(const Mechanism& mechanism, const Force& force);
 
 }  // namespace tandem::mbs

@@ -1,9 +1,11 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "tandem/mbs/mechanism/outputs.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "refusal.hpp"
 #include "tandem/mbs/formulations/index3.hpp"
@@ -141,6 +143,59 @@ TEST(Outputs, DependOnForcesAndDrivesOfWhatTheyAreConnectedWith) {
     EXPECT_EQ(o.depends(k, 0), on_force[static_cast<std::size_t>(k)]) << o.name(k);
     EXPECT_EQ(o.depends(k, 1), on_drive[static_cast<std::size_t>(k)]) << o.name(k);
   }
+}
+
+/// A base moves one mass by a spring, which moves another: the spring's force follows the base at once, where
+/// the masses are does not.
+TEST(Outputs, FollowADriveThroughASpringByAccelerationAlone) {
+  const Mechanism m(read_mechanism(
+      "m",
+      rod_text +
+          "B = { at = [1, 0] }\nP = { at = [2, 0] }\nQ = { at = [3, 0] }\nG = { at = [4, 0], fixed = true "
+          "}\n[masses]\nb = { point = 'B', mass = 1 }\np = { point = 'P', mass = 1 }\n"
+          "q = { point = 'Q', mass = 1 }\n[springs]\nob = { points = ['O', 'B'], stiffness = 1 }\n"
+          "bp = { points = ['B', 'P'], stiffness = 1 }\npq = { points = ['P', 'Q'], stiffness = 1 }\n"
+          "qg = { points = ['Q', 'G'], stiffness = 1 }\n[inputs]\nu = { unit = 'm' }\n[drives]\n"
+          "d = { coordinate = 'B.x', motion = 'u' }\n[outputs]\nb = { position = 'B.x' }\n"
+          "o = { reaction = 'O.x' }\np = { acceleration = 'P.x' }\nx = { position = 'P.x' }\n"
+          "v = { velocity = 'P.x' }\nq = { acceleration = 'Q.x' }\ng = { reaction = 'G.x' }\n"));
+  const Outputs o(m);
+  const std::vector<bool> expected = {true, true, true, false, false, false, false};
+  for (int k = 0; k < o.size(); ++k)
+    EXPECT_EQ(o.depends(k, 0), expected[static_cast<std::size_t>(k)]) << o.name(k);
+}
+
+/// The axes of a point mass have nothing in common; of one on a rod they have.
+TEST(Outputs, FollowAForceOnAPointMassByItsDirection) {
+  const auto depend = [](const std::string& parts) {
+    const Mechanism m(read_mechanism(
+        "m",
+        rod_text + "P = { at = [1, 0.5] }\n" + parts +
+            "[inputs]\nF = { unit = 'N' }\n[forces]\nf = { point = 'P', direction = [0, 2], magnitude = 'F' "
+            "}\n[outputs]\nx = { acceleration = 'P.x' }\ny = { acceleration = 'P.y' }\n"));
+    const Outputs o(m);
+    return std::pair(o.depends(0, 0), o.depends(1, 0));
+  };
+  EXPECT_EQ(depend("[masses]\nm = { point = 'P', mass = 1, free = true }\n"), std::pair(false, true));
+  EXPECT_EQ(depend("[rods]\nr = { points = ['O', 'P'], mass = 1 }\n"), std::pair(true, true));
+}
+
+/// What happens to the outputs of a mass on a spring when the base stands elsewhere.
+TEST(Outputs, ChangeAtOnceAsTheyDeclare) {
+  const auto at = [](double u) {
+    return outputs(
+        rod_text +
+        fmt::format(
+            "B = {{ at = [1, 0] }}\nP = {{ at = [2, 0] }}\n[masses]\nb = {{ point = 'B', mass = 1 }}\n"
+            "p = {{ point = 'P', mass = 2 }}\n[springs]\ns = {{ points = ['B', 'P'], stiffness = 7, "
+            "free = 0.5 }}\n[inputs]\nu = {{ unit = 'm', value = {} }}\n[drives]\n"
+            "d = {{ coordinate = 'B.x', motion = 'u' }}\n[initial]\npositions = {{ 'P.x' = 2, 'P.y' = 0 "
+            "}}\n[outputs]\na = {{ acceleration = 'P.x' }}\nx = {{ position = 'P.x' }}\n",
+            u));
+  };
+  EXPECT_NEAR(at(1.0)[0], -7.0 * 0.5 / 2.0, 1e-9);
+  EXPECT_NEAR(at(1.2)[0], -7.0 * 0.3 / 2.0, 1e-9);
+  EXPECT_EQ(at(1.0)[1], at(1.2)[1]);
 }
 
 /// A rod of 2 m that has become 1 mm too long and stretches: (|d|^2 - l^2)/l and its derivatives, and

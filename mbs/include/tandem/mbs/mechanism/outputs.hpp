@@ -57,13 +57,15 @@ class Outputs {
   void prepare(const State& state);
   double value(int output, const State& state) const;
   double reaction(const Support& support, const State& state) const;
+  bool follows(int output, int part) const;
   bool connected(int output, int part) const;
   const ForceElement& element(const Output& output) const;
   double angle(const Output& output, const State& state) const;
 
   const Mechanism& mechanism_;
   std::vector<Output> outputs_;
-  std::vector<int> parts_;  ///< by coordinate, a number that connected ones share
+  std::vector<int> parts_;                      ///< by coordinate, a number that connected ones share
+  std::vector<std::vector<int>> force_groups_;  ///< coordinates that a force connects
   std::unique_ptr<Measurements> measurements_;
   bool reactions_ = false, has_residuals_ = false;
   std::vector<Support> supports_;  ///< by output; of reactions
