@@ -107,7 +107,9 @@ TEST(Peer, AsTheClientItRefusesWhatIsNotRight) {
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"deadline"}, calling("tcp://127.0.0.1:1?deadline=soon")));
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"108"}, calling("unix:/" + std::string(107, 'x'))));
   EXPECT_TRUE(refuses(ErrorCode::input_output, {"unix:/none", "No such file"}, calling("unix:/none")));
-  EXPECT_TRUE(refuses(ErrorCode::input_output, {"spawn:exit 3", "hello"}, calling("spawn:exit 3")));
+  EXPECT_TRUE(refuses(ErrorCode::input_output,
+                      {"spawn:no_such_program, hello: program 'no_such_program' ended with status 127"},
+                      calling("spawn:no_such_program")));
   EXPECT_TRUE(refuses(ErrorCode::input_output, {"spawn:sleep 60", "deadline of 0.2 s"},
                       calling("spawn:sleep 60?deadline=0.2")));
 }
