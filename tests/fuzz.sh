@@ -13,6 +13,7 @@ fi
 
 mkdir -p "$folder"
 CC=clang-16 CXX=clang++-16 cmake -G Ninja -S tests/fuzz -B "$folder" -DCMAKE_BUILD_TYPE=RelWithDebInfo \
+  -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -gline-tables-only -DNDEBUG" \
   -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=30 >"$folder/configure.log" 2>&1 ||
   { cat "$folder/configure.log" >&2 && exit 1; }
 cmake --build "$folder"

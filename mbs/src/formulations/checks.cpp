@@ -24,14 +24,15 @@ std::string constraints_of(const Structure& s, int variable) {
   return names.empty() ? "in no constraint" : "in the constraints " + listed(names);
 }
 
-/// "off by 0.02 m, allowed is 0.01 m": in the constraint's own unit, of a model in lengths too, whose
+/// "off by 0.02 m, allowed is 0.005 m": in the constraint's own unit, of a model in lengths too, whose
 /// structure has the scales of constraints alone (scaled.hpp).
 std::string how_far_off(const Structure& s, std::size_t c, double phi, double most) {
   const bool in_lengths = s.coordinate_scales.empty() && !s.constraint_scales.empty();
   const double scale = in_lengths ? s.constraint_scales[c] : 1.0;
   const bool pure = s.constraint_units.empty() || s.constraint_units[c] == "1";
   const std::string unit = pure ? "" : " " + s.constraint_units[c];
-  return fmt::format("off by {:.3g}{}, allowed is {:.3g}{}", phi / scale, unit, most / scale, unit);
+  return fmt::format("off by {:.3g}{}, allowed is {:.3g}{}", s.off(c, phi) / scale, unit,
+                     s.off(c, most) / scale, unit);
 }
 
 }  // namespace

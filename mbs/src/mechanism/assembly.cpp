@@ -56,12 +56,14 @@ std::vector<ScalarProduct> all_products(const Description& in) {
 struct Label {
   std::string name, unit, place;
   double size = 0.0;
+  bool is_distance = false;
 };
 
 void label(Structure& to, const Label& constraint) {
   to.constraint_names.push_back(constraint.name);
   to.constraint_units.push_back(constraint.unit);
   to.constraint_places.push_back(constraint.place);
+  to.are_distances.push_back(constraint.is_distance);
   const double size = constraint.unit == "m" ? to.length : 1.0;
   to.constraint_sizes.push_back(constraint.size > 0.0 ? constraint.size : size);
 }
@@ -75,7 +77,7 @@ std::unique_ptr<ConstraintSet> distance_set(const std::vector<ScalarProduct>& pr
   for (const ScalarProduct& p : products) {
     if (!is_distance(p)) continue;
     set->add(at.entity[p.a.from], at.entity[p.a.to], p.value);
-    label(structure, {name_of(p), "m", p.where, std::sqrt(p.value)});
+    label(structure, {name_of(p), "m", p.where, std::sqrt(p.value), true});
   }
   return set;
 }
@@ -223,7 +225,7 @@ void Mechanism::add_constraints() {
   auto others = std::make_unique<QuadraticSet>(inputs_);
   for (const Quadratic& q : quadratics(in, numbering_, products, structure_.unit())) {
     others->add(q);
-    label(structure_, {q.name, q.unit, q.where, q.size});
+    label(structure_, {q.name, q.unit, q.where, q.size, q.is_distance});
   }
   sets_.push_back(std::move(others));
   std::erase_if(sets_, [](const auto& set) { return set->size() == 0; });

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <utility>
 #include <vector>
@@ -10,6 +11,9 @@
 #include "tandem/mbs/mechanism/numbering.hpp"
 
 namespace tandem::mbs {
+
+/// As ElementState::size, of a mechanism with that unit().
+std::vector<double> sizes_of(const Description& description, const ForceElement& element, double unit);
 
 /// What an element reads, gathered from all coordinates.
 class GatheredElement {
@@ -27,10 +31,35 @@ class GatheredElement {
       u_[i] = inputs[static_cast<std::size_t>(element_->inputs()[i])].value;
     return {x_.data(), v_.data(), u_.data(), sizes_.empty() ? nullptr : sizes_.data()};
   }
+  /// With the inputs of the last gather(), where positions are further by so many seconds of the rates v, and
+  /// rates by so many of the accelerations a.
+  ElementState ahead(const State& s, double by_rates, double by_accelerations) {
+    for (std::size_t i = 0; i < to_.size(); ++i)
+      x_[i] = s.q[to_[i]] + by_rates * s.v[to_[i]], v_[i] = s.v[to_[i]] + by_accelerations * s.a[to_[i]];
+    return {x_.data(), v_.data(), u_.data(), sizes_.empty() ? nullptr : sizes_.data()};
+  }
+  /// The time [s] in which the fastest of the coordinates goes by its size; 1 s if none moves.
+  double time_of_sizes(const State& s) const {
+    double most = 0.0;
+    for (std::size_t i = 0; i < to_.size(); ++i) most = std::max(most, std::abs(s.v[to_[i]]) / size(i));
+    return most > 0.0 ? 1.0 / most : 1.0;
+  }
+  /// The time [s] in which a rate first changes by as much as it is, or, where it is less, by what it has
+  /// after its size from rest; 1 s if none changes.
+  double time_of_rates(const State& s) const {
+    double most = 0.0;
+    for (std::size_t i = 0; i < to_.size(); ++i) {
+      const double a = std::abs(s.a[to_[i]]);
+      if (a > 0.0) most = std::max(most, a / std::max(std::abs(s.v[to_[i]]), std::sqrt(a * size(i))));
+    }
+    return most > 0.0 ? 1.0 / most : 1.0;
+  }
   const ForceElement& element() const { return *element_; }
   const std::vector<int>& coordinates() const { return to_; }
 
  private:
+  double size(std::size_t i) const { return sizes_.empty() ? 1.0 : sizes_[i]; }
+
   const ForceElement* element_;
   std::vector<int> to_;
   std::vector<double> sizes_;  ///< as ElementState::size

@@ -240,6 +240,7 @@ Quadratic equation(const Description& in, const Numbering& at, const Link& link)
   Quadratic e{"distance " + link.name, -length};
   e.where = link.where;
   e.size = length;
+  e.is_distance = true;
   e.add_product(edge, edge, 1.0 / length);
   return e;
 }

@@ -28,7 +28,8 @@ std::unique_ptr<CentralSet<Dimension>> central_set(const Description& in, const 
   return set;
 }
 
-/// As ElementState::size.
+}  // namespace
+
 std::vector<double> sizes_of(const Description& in, const ForceElement& element, double unit) {
   const auto is_length = [&](const Coordinate& c) {
     if (c.entity >= 0) return is_point(in, c.entity);
@@ -39,8 +40,6 @@ std::vector<double> sizes_of(const Description& in, const ForceElement& element,
   for (const Coordinate& c : element.coordinates()) sizes.push_back(is_length(c) ? unit : 1.0);
   return sizes;
 }
-
-}  // namespace
 
 void Mechanism::add_forces() {
   const Description& in = description_;

@@ -29,7 +29,7 @@ std::string with(const Model& model, const std::vector<Known::Value>& known) {
   return text + (known.size() > most ? fmt::format(" and {} more", known.size() - most) : "");
 }
 
-/// what: "the mechanism can't be assembled"; per: what the error's unit is divided by.
+/// what: "the mechanism can't be assembled"; error: Phi, or its rate, with "/s" for what its unit is times.
 [[noreturn]] void impossible(const Model& model, const std::string& what,
                              const std::vector<Known::Value>& known, const VectorXd& error,
                              const std::string& per = "") {
@@ -39,10 +39,12 @@ std::string with(const Model& model, const std::vector<Known::Value>& known) {
   const Structure& s = model.structure();
   const std::string place = s.constraint_places.empty() ? "" : s.constraint_places[worst],
                     unit = s.constraint_units.empty() ? "" : " " + s.constraint_units[worst] + per;
+  const double phi = error[static_cast<int>(worst)],
+               off = per.empty() ? s.off(worst, phi) : s.rate_off(worst, phi);
   refuse(known.empty() ? place : known[0].where,
          fmt::format("{}{}: constraint '{}'{} is off by {:.6g}{}", what, with(model, known),
                      s.constraint_names[worst], known.empty() || place.empty() ? "" : " (" + place + ")",
-                     std::abs(error[static_cast<int>(worst)]), unit));
+                     std::abs(off), unit));
 }
 
 void find_velocities(Model& of, State& s, const Known& known) {
@@ -144,7 +146,8 @@ Assembled assembled(Mechanism& mechanism, double t) {
   mechanism.at_time(t);
   const VectorXd off = find_positions(mechanism, result.state, positions);
   for (int k = 0; k < off.size(); ++k)
-    if (off[k] != 0.0) result.contradictions.push_back({k, off[k]});
+    if (off[k] != 0.0)
+      result.contradictions.push_back({k, mechanism.structure().off(static_cast<std::size_t>(k), off[k])});
   return result;
 }
 

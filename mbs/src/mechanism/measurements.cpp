@@ -2,17 +2,17 @@
 #include "measurements.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace tandem::mbs {
 
 Measurements::Measurements(const Mechanism& mechanism, const std::vector<Output>& outputs)
-    : mechanism_(mechanism), q_(mechanism.structure().coordinates), v_(q_.size()) {
+    : mechanism_(mechanism) {
   for (const Output& output : outputs) {
     ones_.emplace_back();
     if (output.kind == Output::Kind::quantity) add(output, ones_.back());
   }
-  rates_.resize(values_.size());
-  before_.resize(values_.size());
+  for (auto* list : {&rates_, &before_, &after_}) list->resize(values_.size());
 }
 
 void Measurements::add(const Output& output, One& to) {
@@ -30,31 +30,39 @@ std::size_t Measurements::place_of(int element) {
   if (found != elements_.end()) return static_cast<std::size_t>(found - elements_.begin());
   const auto& force = *mechanism_.description().elements[static_cast<std::size_t>(element)].force;
   elements_.push_back(element);
-  measured_.push_back({GatheredElement(force, mechanism_.numbering()), values_.size(), false});
-  values_.resize(values_.size() + force.quantities().size());
+  const std::size_t first = values_.size(), last = first + force.quantities().size();
+  auto sizes = sizes_of(mechanism_.description(), force, mechanism_.structure().unit());
+  measured_.push_back({GatheredElement(force, mechanism_.numbering(), std::move(sizes)), first, last, false});
+  values_.resize(last);
   return measured_.size() - 1;
 }
 
-void Measurements::measure(Measured& of, const double* q, const double* v, std::vector<double>& to) {
-  of.element.element().measure(of.element.gather(q, v, mechanism_.inputs()), to.data() + of.first);
+void Measurements::measure(Measured& of, const ElementState& at, std::vector<double>& to) {
+  of.element.element().measure(at, to.data() + of.first);
 }
 
 void Measurements::measure(const State& s) {
-  for (Measured& m : measured_) measure(m, s.q.data(), s.v.data(), values_);
-}
-
-void Measurements::measure_ahead(const State& s, double by, std::vector<double>& to) {
-  q_ = s.q + by * s.v + 0.5 * by * by * s.a;
-  v_ = s.v + by * s.a;
   for (Measured& m : measured_)
-    if (m.has_rates) measure(m, q_.data(), v_.data(), to);
+    measure(m, m.element.gather(s.q.data(), s.v.data(), mechanism_.inputs()), values_);
 }
 
+/// Of dy/dt = y_q v + y_v a what is along q or along v, by a central difference over a part of the time in
+/// which that changes by what counts as much: errors by curvature of 1e-10 and by rounding of 1e-11.
 void Measurements::measure_rates(const State& s) {
-  constexpr double by = 1e-5;  // [s]
-  measure_ahead(s, by, rates_);
-  measure_ahead(s, -by, before_);
-  for (std::size_t k = 0; k < rates_.size(); ++k) rates_[k] = (rates_[k] - before_[k]) / (2.0 * by);
+  constexpr double part = 1e-5;
+  std::fill(rates_.begin(), rates_.end(), 0.0);
+  for (Measured& m : measured_) {
+    if (!m.has_rates) continue;
+    m.element.gather(s.q.data(), s.v.data(), mechanism_.inputs());
+    add_difference(m, s, part * m.element.time_of_sizes(s), 1.0, 0.0);
+    add_difference(m, s, part * m.element.time_of_rates(s), 0.0, 1.0);
+  }
+}
+
+void Measurements::add_difference(Measured& m, const State& s, double by, double along_q, double along_v) {
+  measure(m, m.element.ahead(s, by * along_q, by * along_v), after_);
+  measure(m, m.element.ahead(s, -by * along_q, -by * along_v), before_);
+  for (std::size_t k = m.first; k < m.last; ++k) rates_[k] += (after_[k] - before_[k]) / (2.0 * by);
 }
 
 }  // namespace tandem::mbs

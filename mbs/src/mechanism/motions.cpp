@@ -94,6 +94,10 @@ std::function<InputValue(double)> interpolated(std::vector<double> times, std::v
   if (how == Interpolation::spline && twice != times.end())
     refuse("",
            fmt::format("{} has the time {} s twice; allowed for a spline are times that rise", name, *twice));
+  for (std::size_t k = 2; k < times.size(); ++k)
+    if (times[k] == times[k - 2])
+      refuse("", fmt::format("{} has the time {} s three times; allowed is once, or twice for a jump", name,
+                             times[k]));
   auto points = std::make_shared<Points>(Points{name, std::move(times), std::move(values), {}});
   points->bends.assign(points->times.size(), 0.0);
   if (how == Interpolation::spline) points->bend();

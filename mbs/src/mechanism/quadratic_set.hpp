@@ -24,7 +24,8 @@ struct Quadratic {
   std::vector<Linear> linear = {};
   std::vector<Product> products = {};
   int input = -1;
-  double size = 0.0;  ///< as Structure::constraint_sizes; 0: nothing tells it
+  double size = 0.0;         ///< as Structure::constraint_sizes; 0: nothing tells it
+  bool is_distance = false;  ///< as Structure::are_distances
   std::string unit = "m", where = {};
 
   void add(const Form& f, double factor);

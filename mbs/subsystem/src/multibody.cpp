@@ -120,6 +120,10 @@ void Multibody::hide_unknown(double* y) const {
 /// No gradient depends on inputs; signals of the last call are gone.
 std::vector<std::string> Multibody::redundant_equations() const {
   Mechanism& m = machine_->mechanism;
+  if (moving_.state().q.size() == 0)
+    throw Error(ErrorCode::wrong_state, "mechanism '" + m.description().name +
+                                            "': redundant equations are asked for before initialize(), where "
+                                            "it stands nowhere yet; allowed is after it");
   m.set_inputs(nullptr);
   const Freedom found = freedom(m, moving_.state());
   m.set_inputs(&machine_->inputs);

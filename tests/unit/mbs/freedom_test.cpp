@@ -3,9 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 #include "four_bar/linkage.hpp"
+#include "refusal.hpp"
 #include "tandem/mbs/mechanism/mechanism.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
+#include "tandem/mbs/subsystem.hpp"
 
 namespace tandem::mbs {
 namespace {
@@ -69,6 +74,21 @@ TEST(Freedom, IsNotTakenByAJointWhereThereIsOneAlready) {
   EXPECT_EQ(f.degrees, 6);
   ASSERT_EQ(f.redundant.size(), 3U);
   for (const int c : f.redundant) EXPECT_EQ(m.structure().constraint_names[c].substr(0, 7), "joint j");
+}
+
+TEST(RedundantEquations, AreRefusedBeforeAMechanismStandsSomewhere) {
+  const auto rod = make_subsystem(
+      read_mechanism("m",
+                     "name = 'rod'\ndimension = 2\n[points]\nO = { at = [0, 0], fixed = true }\n"
+                     "P = { at = [1, 0] }\n[rods]\nr = { points = ['O', 'P'], mass = 1 }\n"
+                     "[distances]\nd = { points = ['O', 'P'] }\n[outputs]\nx = { position = 'P.x' }\n"),
+      {.step = 1e-3});
+  EXPECT_TRUE(test::refuses(ErrorCode::wrong_state, {"mechanism 'rod'", "before initialize()"},
+                            [&] { redundant_equations(*rod); }));
+  std::vector<double> row(static_cast<std::size_t>(rod->info().row_size()));
+  Samples y(row.data(), rod->info().row_size(), 1);
+  rod->initialize(0.0, 1.0, {}, y);
+  EXPECT_EQ(redundant_equations(*rod), std::vector<std::string>{"distance d"});
 }
 
 }  // namespace

@@ -72,6 +72,8 @@ TEST(Motions, RefuseWhatLiesBeyondTheData) {
       refuses(ErrorCode::invalid_argument, {"0.5 s twice"}, made({0, 0.5, 0.5, 1}, Interpolation::spline)));
   EXPECT_TRUE(
       refuses(ErrorCode::invalid_argument, {"begins or ends"}, made({0, 0, 1}, Interpolation::linear)));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"0.5 s three times", "twice for a jump"},
+                      made({0, 0.5, 0.5, 0.5, 1}, Interpolation::linear)));
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -11,6 +13,7 @@
 #include "tandem/error.hpp"
 #include "tandem/mbs/mechanism/freedom.hpp"
 #include "tandem/mbs/mechanism/initial.hpp"
+#include "tandem/mbs/mechanism/outputs.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
 
 namespace tandem::mbs {
@@ -104,6 +107,68 @@ TEST(ReadElements, ForceIsDifferentiatedByTheLengthOfItsMechanism) {
     EXPECT_LT((Eigen::Map<Eigen::Matrix2d>(c.data()) - one - 2.0 * across * across.transpose()).norm(), 1e-8)
         << length;
   }
+}
+
+/// y = (1 + v.v/l^2) sin(x.x/l^2) of a point, in a time unit of which one is as long as a length l.
+class Wavy final : public ForceElement {
+ public:
+  Wavy(std::vector<Coordinate> point, double length, double time)
+      : ForceElement(std::move(point), {}), length_(length), time_(time) {}
+  void add(const ElementState&, double*) const override {}
+  std::vector<Quantity> quantities() const override { return {{"wave", "1"}}; }
+  void measure(const ElementState& at, double* values) const override {
+    const Eigen::Vector2d x(at.x[0] / length_, at.x[1] / length_);
+    const Eigen::Vector2d v(at.v[0] * time_ / length_, at.v[1] * time_ / length_);
+    *values = (1.0 + v.squaredNorm()) * std::sin(x.squaredNorm());
+  }
+  static double rate(const Eigen::Vector2d& x, const Eigen::Vector2d& v, const Eigen::Vector2d& a) {
+    const double square = x.squaredNorm();
+    return 2.0 * v.dot(a) * std::sin(square) + (1.0 + v.squaredNorm()) * std::cos(square) * 2.0 * x.dot(v);
+  }
+
+ private:
+  double length_, time_;
+};
+
+const ElementKinds wavy_kind = {{"wavy", [](ElementKeys& keys) {
+                                   return std::make_unique<Wavy>(keys.axes(keys.point("point")),
+                                                                 keys.positive("length"),
+                                                                 keys.positive("time"));
+                                 }}};
+
+/// The quantity's derivative by time at x, v and a, which are in these lengths and times; likewise.
+double measured_rate(double length, double time, const std::array<Eigen::Vector2d, 3>& motion) {
+  Mechanism m(read_mechanism(
+      "m",
+      fmt::format("dimension = 2\n[points]\nO = {{ at = [0, 0], fixed = true }}\nP = {{ at = [{0}, 0] }}\n"
+                  "[rods]\nr = {{ points = ['O', 'P'], mass = 1 }}\n[elements.e]\nkind = 'wavy'\n"
+                  "point = 'P'\nlength = {0}\ntime = {1}\n[outputs]\n"
+                  "y = {{ element = 'e', quantity = 'wave' }}\n",
+                  length, time),
+      wavy_kind));
+  Outputs outputs(m);
+  State s = m.described_state();
+  s.a = s.v;
+  s.q.head(2) = length * motion[0];
+  s.v.head(2) = length / time * motion[1];
+  s.a.head(2) = length / time / time * motion[2];
+  double rate = 0.0;
+  outputs.derivatives(s, 1, &rate);
+  return time * rate;
+}
+
+/// From a micrometre that turns a thousand million times a second to 1000 km in years, moving, at rest and
+/// with a velocity that hardly changes.
+TEST(ReadElements, QuantitiesHaveRatesAtAnySizeAndSpeed) {
+  const Eigen::Vector2d x(0.6, 0.8), v(-1.6, 1.2), a(3.0, -2.0), none(0.0, 0.0);
+  for (const double length : {1e-6, 1.0, 1e6})
+    for (const double time : {1e-9, 1e-4, 1.0, 1e8})
+      for (const auto& [rate, acceleration] :
+           {std::pair(v, a), std::pair(none, a), std::pair(v, none), std::pair(none, none),
+            std::pair(v, Eigen::Vector2d(1e-6 * a))})
+        EXPECT_NEAR(measured_rate(length, time, {x, rate, acceleration}), Wavy::rate(x, rate, acceleration),
+                    1e-7)
+            << length << " m, " << time << " s";
 }
 
 }  // namespace

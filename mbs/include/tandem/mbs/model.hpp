@@ -33,6 +33,8 @@ struct Structure {
   std::vector<double> constraint_sizes = {};
   /// For sentences that refuse; may be left empty: the unit of each Phi, and its place, "FILE:LINE".
   std::vector<std::string> constraint_units, constraint_places;
+  /// By constraint: it is a distance r, with Phi = (r^2 - l^2)/l and its size l. None: none is.
+  std::vector<bool> are_distances = {};
   double length = 1.0;  ///< of its parts [m]: default tolerances are in proportion to it
   /// Where coordinates are lengths and pure numbers both and `length` is far from 1 m: what each coordinate
   /// and each Phi is multiplied with to become a length [m]. None: all 1. Steppers and the initial problems
@@ -47,6 +49,15 @@ struct Structure {
   }
   /// The power of 1024 nearest to `length` [m]: 1 from 0.03 to 32 m.
   double unit() const { return std::exp2(10.0 * std::round(0.1 * std::log2(length))); }
+  /// For sentences, how far a constraint is off: r - l of a distance, else Phi; and its rate.
+  double off(std::size_t constraint, double phi) const {
+    if (are_distances.empty() || !are_distances[constraint]) return phi;
+    const double l = constraint_sizes[constraint];
+    return l * (std::sqrt(std::max(0.0, 1.0 + phi / l)) - 1.0);
+  }
+  double rate_off(std::size_t constraint, double phi_rate) const {
+    return are_distances.empty() || !are_distances[constraint] ? phi_rate : 0.5 * phi_rate;
+  }
   int jacobian_values() const { return jacobian.size() + jacobian_extra; }  ///< length of that array
   int stiffness_values() const { return stiffness.size() + stiffness_extra; }
 };

@@ -40,7 +40,7 @@ struct SubsystemSettings {
 std::unique_ptr<Subsystem> make_subsystem(Description description, const SubsystemSettings& settings);
 
 /// Constraints of a mechanism that say nothing beside its others where it stands (freedom.hpp), by name. None
-/// of a subsystem that is no mechanism in this process.
+/// of a subsystem that is no mechanism in this process. Throws Error(wrong_state) before initialize().
 std::vector<std::string> redundant_equations(const Subsystem& subsystem);
 
 /// A model that is no mechanism, and how it begins.

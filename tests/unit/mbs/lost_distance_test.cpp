@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// Sentences tell by how much a rod is too long, not what its equation (r^2 - l^2)/l leaves.
+#include <gtest/gtest.h>
+
+#include "refusal.hpp"
+#include "tandem/mbs/make_stepper.hpp"
+#include "tandem/mbs/mechanism/initial.hpp"
+#include "tandem/mbs/mechanism/read.hpp"
+
+namespace tandem::mbs {
+namespace {
+
+/// A rod of 2 mm that a spring pulls to half its length at once, with an angle beside it so that steppers go
+/// by lengths (Structure::constraint_scales).
+Mechanism pulled_rod() {
+  return Mechanism(read_mechanism(
+      "m",
+      "dimension = 2\n[points]\nO = { at = [0, 0], fixed = true }\nP = { at = [2e-3, 0] }\n[vectors]\n"
+      "e = { at = [1, 0], fixed = true }\n[angles]\nt = { from = 'e', to = ['O', 'P'] }\n[rods]\n"
+      "r = { points = ['O', 'P'], mass = 1 }\n[springs]\n"
+      "s = { points = ['O', 'P'], stiffness = 1e20, free = 1e-3 }\n"));
+}
+
+TEST(LostDistance, IsToldInMetres) {
+  Mechanism m = pulled_rod();
+  ASSERT_FALSE(m.structure().constraint_scales.empty());
+  State s = initial_state(m, 0.0);
+  const auto stepper = make_stepper(m, {});
+  stepper->start(s);
+  EXPECT_TRUE(test::refuses(
+      ErrorCode::numerical,
+      {"constraint 'body r: P . P' is lost at t = 0.001 s: it is off by -0.001 m, allowed is 9.98e-06 m"},
+      [&] { stepper->step(s, 1e-3, 1e-3); }));
+}
+
+TEST(LostDistance, IsOffByTheDifferenceOfLengths) {
+  const Mechanism m = pulled_rod();
+  const Structure& structure = m.structure();
+  const double l = 2e-3, r = 2.5e-3;
+  EXPECT_NEAR(structure.off(0, (r * r - l * l) / l), r - l, 1e-18);
+  EXPECT_NEAR(structure.off(0, -l), -l, 1e-18);
+  EXPECT_EQ(structure.off(1, 0.25), 0.25);  // the angle's
+  EXPECT_EQ(structure.rate_off(0, 3.0), 1.5);
+  EXPECT_EQ(structure.rate_off(1, 3.0), 3.0);
+}
+
+}  // namespace
+}  // namespace tandem::mbs
