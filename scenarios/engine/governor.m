@@ -1,6 +1,7 @@
 ## Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-## Speed governor in Octave: proportional and integral, sampled each h; its integral stays within the plate's range. Inputs
-## set and N [rad/s]; output throttle [deg]. Parameters kp [deg s/rad], ki [deg/rad], theta0 [deg], h [s] (README.md).
+## Speed governor in Octave: proportional and integral, sampled each h; its integral stays within the plate's range.
+## Inputs set and N [rad/s]; output throttle [deg]. Parameters kp [deg s/rad], ki [deg/rad], theta0 [deg], h [s]
+## (README.md).
 1;
 
 function model = make (parameters)

@@ -6,12 +6,12 @@ import math
 import os
 import socket
 import sys
-import tempfile
 import threading
 import time
 
 import tandem
 from tandem import serving, wire
+from tandem.program import Program
 
 
 def refused(sentence, call):
@@ -78,20 +78,22 @@ def refuses_addresses(address):
 
 
 def ends_its_program():
-    with tempfile.TemporaryDirectory() as folder:
-        file = os.path.join(folder, "process")
-        command = f"sh -c 'echo $$ > {file}; sleep 1000'"
-        refused("hello: no frame came whole within 0.3 s", lambda: tandem.connect(f"spawn:{command}?deadline=0.3"))
-        with open(file, encoding="ascii") as text:
-            group = int(text.read())
-        until = time.monotonic() + 5.0
-        while True:
-            try:
-                os.killpg(group, 0)
-            except ProcessLookupError:
-                return
-            assert time.monotonic() < until, "a process is left"
-            time.sleep(0.01)
+    program = Program("sh -c 'sleep 1000 & sleep 1000'")
+    group = program._process.pid
+    refused("here, hello: no frame came whole within 0.1 s",
+            lambda: tandem.Remote(wire.Channel(program.socket, "here"), "", 0.1, program))
+    until = time.monotonic() + 5.0
+    while is_there(group):
+        assert time.monotonic() < until, "a process is left"
+        time.sleep(0.01)
+
+
+def is_there(group):
+    try:
+        os.killpg(group, 0)
+        return True
+    except ProcessLookupError:
+        return False
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@
 #include "run_bench.hpp"
 #include "same_bits.hpp"
 #include "scratch.hpp"
+#include "scripted.hpp"
 #include "served.hpp"
 #include "tandem/c_subsystem.hpp"
 
@@ -107,9 +108,34 @@ TEST(Peer, AsTheClientItRefusesWhatIsNotRight) {
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"deadline"}, calling("tcp://127.0.0.1:1?deadline=soon")));
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"108"}, calling("unix:/" + std::string(107, 'x'))));
   EXPECT_TRUE(refuses(ErrorCode::input_output, {"unix:/none", "No such file"}, calling("unix:/none")));
-  EXPECT_TRUE(refuses(ErrorCode::input_output, {"spawn:exit 3", "hello"}, calling("spawn:exit 3")));
+  EXPECT_TRUE(refuses(ErrorCode::input_output,
+                      {"spawn:no_such_program, hello: program 'no_such_program' ended with status 127"},
+                      calling("spawn:no_such_program")));
   EXPECT_TRUE(refuses(ErrorCode::input_output, {"spawn:sleep 60", "deadline of 0.2 s"},
                       calling("spawn:sleep 60?deadline=0.2")));
+}
+
+TEST(Peer, AsTheClientItTakesAJumpThatRepeatsATimeAndNoOtherRowThatDoes) {
+  for (const bool jump : {true, false}) {
+    const Served server(listen("tcp://127.0.0.1:0", {}), [jump](const std::string&) {
+      auto made = std::make_unique<Scripted>(mirror(0.1));
+      made->instead_of_advance = [jump, &s = *made](double, bool, std::span<const Signal> u, Samples& y) {
+        s.grid().step();
+        s.put(u, y);
+        s.put(u, y, jump);
+        return s.clock(Stop::event);
+      };
+      return made;
+    });
+    CSubsystem far(tandem_remote(), server.address());
+    RunBench bench;
+    bench.add("far", far).topology.set_start("far.u", 0.0);
+    if (jump)
+      EXPECT_EQ(bench.run(1.0).all()[0].size(), 21U);
+    else
+      EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"advance at t = 0 s", "a row at t = 0.1"},
+                          [&] { bench.run(1.0); }));
+  }
 }
 
 TEST(Peer, EndsTheProgramThatItHasStartedAndWhatThatHasLeft) {

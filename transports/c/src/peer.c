@@ -1066,10 +1066,30 @@ static tandem_status tell(remote* r, tandem_status status, const char* sentence)
   return status;
 }
 
+/* `end` is how, if it has. It keeps its number until end_program, so that nobody else has it. */
+static int has_ended(pid_t program, double until, siginfo_t* end) {
+  do {
+    memset(end, 0, sizeof *end);
+    if (waitid(P_PID, (id_t)program, end, WEXITED | WNOHANG | WNOWAIT) != 0 || end->si_pid != 0) return 1;
+    poll(NULL, 0, 2);
+  } while (now() < until);
+  return 0;
+}
+
+/* What became of the program, if that is the reason. */
+static void tell_fate(remote* r) {
+  siginfo_t end;
+  if (r->program <= 0 || !has_ended(r->program, now() + 0.1, &end)) return;
+  snprintf(r->reason, sizeof r->reason, "program '%s' %s %d%s", r->address + 6,
+           end.si_code == CLD_EXITED ? "ended with status" : "was ended by signal", end.si_status,
+           end.si_code == CLD_EXITED && end.si_status == 127 ? " (not found?)" : "");
+}
+
 /* An error of the connection, which ends with it. */
 static tandem_status break_off(remote* r) {
   r->broken = 1;
   strcpy(r->reason, r->channel.fault.sentence);
+  tell_fate(r);
   close(r->channel.socket);
   r->channel.socket = -1;
   return tell(r, r->channel.fault.status, r->reason);
@@ -1288,22 +1308,12 @@ static tandem_status start_program(remote* r, const char* command, int* ours) {
   return refuse(&r->channel.fault, TANDEM_INPUT_OUTPUT, "the program can't be started: no process");
 }
 
-/* It keeps its number until end_program, so that nobody else has it. */
-static int has_ended(pid_t program, double until) {
-  do {
-    siginfo_t end;
-    memset(&end, 0, sizeof end);
-    if (waitid(P_PID, (id_t)program, &end, WEXITED | WNOHANG | WNOWAIT) != 0 || end.si_pid != 0) return 1;
-    poll(NULL, 0, 2);
-  } while (now() < until);
-  return 0;
-}
-
 /* By now its socket is closed: a program that reads it ends of its own accord, others are told to. What it
  * has started and left is in its group, and goes with it. */
 static void end_program(pid_t program) {
-  if (!has_ended(program, now() + 1.0)) kill(-program, SIGTERM);
-  has_ended(program, now() + 1.0);
+  siginfo_t end;
+  if (!has_ended(program, now() + 1.0, &end)) kill(-program, SIGTERM);
+  has_ended(program, now() + 1.0, &end);
   kill(-program, SIGKILL);
   waitpid(program, NULL, 0);
 }

@@ -70,8 +70,8 @@ class Coordinator {
   void observe(Observer* observer) { observer_ = observer; }
 
   /// One round of the schedule, after initialize(). False: there was none left, or the observer ended the
-  /// run. Throws Error with name and time if a subsystem breaks the contract, and what a subsystem throws, as
-  /// it is.
+  /// run. Throws Error that names subsystem, call and span if one breaks the contract, and for what one
+  /// throws.
   bool round();
 
   /// initialize(), then rounds to the end.
