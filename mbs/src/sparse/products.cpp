@@ -13,9 +13,6 @@ namespace {
 
 template <int size>
 using Together = Eigen::Matrix<double, size, 1>;
-constexpr std::integral_constant<int, 1> one;
-constexpr std::integral_constant<int, 2> two;
-constexpr std::integral_constant<int, 3> three;
 template <int size>
 Eigen::Map<const Together<size>> at(const double* x) {
   return Eigen::Map<const Together<size>>(x);
@@ -29,32 +26,37 @@ Together<size> sum(int count, const Term& term) {
   return all;
 }
 
+/// body(groups, together): the groups of a column and their size, known to the compiler, or the first is
+/// many.
+template <class Body>
+void with_groups(const Pattern::Run& run, const Body& body) {
+  with_count(run.entries / run.together, [&](auto groups) {
+    if (run.together == 1) body(groups, std::integral_constant<int, 1>());
+    if (run.together == 2) body(groups, std::integral_constant<int, 2>());
+    if (run.together == 3) body(groups, std::integral_constant<int, 3>());
+  });
+}
+
 /// Of a run the part that a thread has, by what comes before it in all runs.
 struct Part {
   int unit, count;  ///< units: what share() counts
   int group, value, row;
 };
 
-/// body(groups, together, part) for runs of `units` in all, with the groups of a unit and their size; both
-/// are known to the compiler, or the first is many.
+/// body(groups, together, part) for runs of `units` in all.
 template <class Body>
 void for_runs(std::span<const Pattern::Run> runs, int units, const Body& body) {
   share(units, [&](int first, int last) {
     Part before{};
-    for (const auto& [entries, count, together] : runs) {
-      const int from = std::max(first - before.unit, 0), to = std::min(last - before.unit, count),
-                groups = entries / together;
+    for (const Pattern::Run& run : runs) {
+      const int from = std::max(first - before.unit, 0), to = std::min(last - before.unit, run.columns);
       const auto after = [&](int n) {
-        return Part{before.unit + n, to - n, before.group + n * groups, before.value + n * entries,
-                    before.row + n * together};
+        return Part{before.unit + n, to - n, before.group + n * (run.entries / run.together),
+                    before.value + n * run.entries, before.row + n * run.together};
       };
       if (from < to)
-        with_count(groups, [&, size = together](auto number) {
-          if (size == 1) body(number, one, after(from));
-          if (size == 2) body(number, two, after(from));
-          if (size == 3) body(number, three, after(from));
-        });
-      before = after(count);
+        with_groups(run, [&](auto groups, auto together) { body(groups, together, after(from)); });
+      before = after(run.columns);
     }
   });
 }
@@ -115,12 +117,12 @@ void Rows::multiply(const double* values, const double* x, double* y) const {
 
 ColumnSquares column_squares(const Pattern& a, const double* values) {
   ColumnSquares found{HUGE_VAL, 0.0};
-  for (const auto& [entries, columns, together] : a.runs())
-    with_count(entries, [&, columns = columns](auto count) {
-      for (int c = 0; c < columns; ++c, values += count) {
-        double sum = count > 0 ? values[0] * values[0] : 0.0;
-        for (int k = 1; k < count; ++k) sum += values[k] * values[k];
-        found = {std::min(found.least, sum), std::max(found.most, sum)};
+  for (const auto& run : a.runs())
+    with_groups(run, [&](auto groups, auto together) {
+      for (int c = 0; c < run.columns; ++c, values += groups * together) {
+        const auto square = [=](int k) { return at<together>(values + k * together).cwiseAbs2(); };
+        const double all = sum<together>(groups, square).sum();
+        found = {std::min(found.least, all), std::max(found.most, all)};
       }
     });
   return found;
