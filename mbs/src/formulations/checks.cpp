@@ -48,9 +48,8 @@ std::vector<double> most_off(const Structure& s) {
 void refuse_lost_constraint(const Structure& s, const Constraints& at, double time) {
   const ColumnSquares squares = column_squares(s.jacobian, at.jacobian);
   const double least = zero * zero * squares.most;
-  double excess = 0.0;
-  for (int c = 0; c < s.constraints; ++c) excess = std::max(excess, std::abs(at.phi[c]) - at.most[c]);
-  if (s.constraints == 0 || (squares.least > least && excess <= 0.0)) return;
+  const Eigen::Map<const Eigen::ArrayXd> phi(at.phi, s.constraints), most(at.most, s.constraints);
+  if (s.constraints == 0 || (squares.least > least && (phi.abs() - most).maxCoeff() <= 0.0)) return;
   const int* const starts = s.jacobian.starts().data();
   for (int c = 0; c < s.constraints; ++c) {
     const double* const row = at.jacobian + starts[c];

@@ -218,13 +218,14 @@ void Index3::project_velocities(State& s, double tolerance) {
   const Timed timed(Task::velocity_projection);
   terms_.model.constraint_rates(s.q.data(), terms_.phi.data());
   terms_.violation(s.v, terms_.phi);
-  const double before = terms_.error.norm();
+  const bool may_grow = settings_.beta < 0.25;
+  const double before = may_grow ? terms_.error.norm() : 0.0;
   for (int k = 1; k <= settings_.projections; ++k) {
     terms_.project(s.v, weight_);
     if (terms_.correction.norm() < tolerance) return;
-    if (k < settings_.projections || settings_.beta < 0.25) terms_.violation(s.v, terms_.phi);
+    if (k < settings_.projections || may_grow) terms_.violation(s.v, terms_.phi);
   }
-  if (settings_.beta < 0.25) refuse_growth(s, before);
+  if (may_grow) refuse_growth(s, before);
 }
 
 /// Below 1e-8 |Phi_q| |q'| it is rounding and the tolerance of Newton's iteration.
@@ -252,7 +253,7 @@ void Index3::project_accelerations(State& s, double tolerance) {
     s.lambda += weight_ * terms_.error;
     if (terms_.correction.norm() < tolerance) break;
   }
-  left_ = terms_.error;
+  left_.swap(terms_.error);
 }
 
 }  // namespace tandem::mbs

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <Eigen/Core>
 #include <cmath>
-#include <cstddef>
 
 #include "constraint_set.hpp"
 #include "team.hpp"
@@ -13,7 +13,10 @@ namespace tandem::mbs {
 template <int Dimension>
 class DistanceSet final : public ConstraintSet {
  public:
-  void add(int a, int b, double square) { pairs_.push_back({a, b, square, 1.0 / std::sqrt(square)}); }
+  void add(int a, int b, double square) {
+    const double scale = 1.0 / std::sqrt(square);
+    pairs_.push_back({a, b, square, scale, 2.0 * scale});
+  }
 
   int size() const override { return static_cast<int>(pairs_.size()); }
   std::vector<int> coordinates(int equation) const override {
@@ -23,42 +26,42 @@ class DistanceSet final : public ConstraintSet {
     return list;
   }
 
+  /// The entries of a point stand one behind the other, as its coordinates do.
   void values(const double* q, double* phi, double* jacobian) const override {
-    share(size(), [=, this](int first, int last) {
-      const int* to = to_.data() + 2 * Dimension * first;
-      for (int k = first; k < last; ++k, to += 2 * Dimension) {
-        const Pair& p = pairs_[k];
-        double square = 0.0;
-        for (int d = 0; d < Dimension; ++d) {
-          const double along = q[p.b + d] - q[p.a + d];
-          square += along * along;
-          jacobian[to[d]] = -2.0 * p.scale * along;
-          jacobian[to[Dimension + d]] = 2.0 * p.scale * along;
-        }
-        phi[first_ + k] = p.scale * (square - p.square);
+    share(size(), [=, pairs = pairs_.data(), to = to_.data(), phi = phi + first_](int first, int last) {
+      const int* at = to + 2 * Dimension * first;
+      for (int k = first; k < last; ++k, at += 2 * Dimension) {
+        const Pair& p = pairs[k];
+        const Vector along = way(p, q), gradient = p.twice_scale * along;
+        Eigen::Map<Vector>(jacobian + at[0]) = -gradient;
+        Eigen::Map<Vector>(jacobian + at[Dimension]) = gradient;
+        phi[k] = p.scale * (square(along) - p.square);
       }
     });
   }
 
   void accelerations(const double*, const double* v, double* gamma) const override {
-    share(size(), [=, this](int first, int last) {
-      for (int k = first; k < last; ++k) {
-        const Pair& p = pairs_[k];
-        double square = 0.0;
-        for (int d = 0; d < Dimension; ++d) {
-          const double along = v[p.b + d] - v[p.a + d];
-          square += along * along;
-        }
-        gamma[first_ + k] = 2.0 * p.scale * square;
-      }
+    share(size(), [=, pairs = pairs_.data(), gamma = gamma + first_](int first, int last) {
+      for (int k = first; k < last; ++k) gamma[k] = pairs[k].twice_scale * square(way(pairs[k], v));
     });
   }
 
  private:
+  using Vector = Eigen::Matrix<double, Dimension, 1>;
   struct Pair {
     int a, b;
-    double square, scale;
+    double square, scale, twice_scale;
   };
+  static Vector way(const Pair& p, const double* x) {
+    return Eigen::Map<const Vector>(x + p.b) - Eigen::Map<const Vector>(x + p.a);
+  }
+  /// In this order in the plane and in space.
+  static double square(const Vector& x) {
+    double sum = x[0] * x[0];
+    for (int d = 1; d < Dimension; ++d) sum += x[d] * x[d];
+    return sum;
+  }
+
   std::vector<Pair> pairs_;
 };
 

@@ -7,137 +7,164 @@
 namespace tandem::mbs::solvers {
 namespace {
 
-/// The trailing rows and columns that elimination has reached, W x W, lower triangle: [c][r - c].
-template <int W>
-using Window = std::array<std::array<double, W>, W>;
+/// Of the upper part and of the lower.
+using Pair = double __attribute__((vector_size(2 * sizeof(double))));
 
-/// A chain is eliminated from both its ends at once, which meet in a block of W columns: two chains of
-/// divisions that don't wait for each other (the twisted factorization; H. A. van der Vorst, Parallel
-/// Computing 5 (1987) 45). Slots of W + 1 values: those of the upper part and the block, row by row, each
-/// from the diagonal to the left; then those of the lower part, mirrored, and the block once more, of which
-/// they hold nothing but what couples it to the lower part. Slot j becomes [1/d, l_1 .. l_W] of column j.
-template <int W>
+/// The trailing rows and columns that elimination has reached, lower triangle: [c][r - c]. Loops over one of
+/// pairs are unrolled, so that it stands in registers: from pivot to pivot nothing waits for memory.
+template <class Real, int size>
+using Window = std::array<std::array<Real, size>, size>;
+
+/// A chain is eliminated from both its ends at once, which meet in a block of B columns, W or W + 1: two
+/// chains of divisions that don't wait for each other (the twisted factorization; H. A. van der Vorst,
+/// Parallel Computing 5 (1987) 45), each operation of both in one instruction. Slots of W + 1 pairs, row by
+/// row, each from the diagonal to the left: first what belongs to the upper part and the block, second what
+/// belongs to the lower part, mirrored, and what couples the block to it. Slot j becomes [1/d, l_1 .. l_W] of
+/// the columns j.
+template <int W, int B>
 class NarrowBand final : public BandFactors {
  public:
-  explicit NarrowBand(int columns)
-      : n_(columns), upper_((columns - W + 1) / 2), lower_(columns - W - upper_) {}
+  explicit NarrowBand(int columns) : n_(columns), half_((columns - B) / 2) {}
 
   Layout layout() const override {
     Layout all;
-    for (int row = 0; row < upper_ + W; ++row)
-      for (int t = 0; t <= W; ++t) all.emplace_back(t <= row ? std::pair(row, row - t) : std::pair(-1, -1));
-    for (int row = 0; row < lower_ + W; ++row)
-      for (int t = 0; t <= W; ++t)
-        all.emplace_back(t <= row && row - t < lower_ ? std::pair(n_ - 1 - row, n_ - 1 - row + t)
-                                                      : std::pair(-1, -1));
+    for (int row = 0; row < half_ + B; ++row)
+      for (int t = 0; t <= W; ++t) {
+        const bool here = t <= row, mirrored = here && row - t < half_ && row < half_ + W;
+        all.emplace_back(here ? std::pair(row, row - t) : std::pair(-1, -1));
+        all.emplace_back(mirrored ? std::pair(n_ - 1 - row, n_ - 1 - row + t) : std::pair(-1, -1));
+      }
     return all;
   }
 
   int factorize(double* a) const override {
-    double *up = a, *low = a + (upper_ + W) * stride;
-    Window<W> upper = begin(up), lower = begin(low);
-    for (int j = 0; j < lower_; ++j, up += stride, low += stride) {
-      if (!eliminate(upper, up)) return j;
-      if (!eliminate(lower, low)) return n_ - 1 - j;
-    }
-    if (upper_ > lower_) {
-      if (!eliminate(upper, up)) return lower_;
-      up += stride;
-    }
-    for (int c = 0; c < W; ++c)
-      for (int r = c; r < W; ++r) upper[c][r - c] += lower[W - 1 - r][r - c];
-    const int bad = eliminate_block(upper, up);
-    return bad < 0 ? -1 : upper_ + bad;
+    Window<Pair, W> w;
+    for (int r = 0; r < W; ++r)
+      for (int c = 0; c <= r; ++c) w[c][r - c] = get(a + r * stride, r - c);
+    for (int j = 0; j < half_; ++j, a += stride)
+      if (!eliminate(w, a)) return above_floor(w[0][0][0], a[0]) ? n_ - 1 - j : j;
+    const int bad = eliminate_block(block(w, a), a);
+    return bad < 0 ? -1 : half_ + bad;
   }
 
   void solve(const double* a, double* x) const override {
-    const double *up = a, *low = a + (upper_ + W) * stride;
-    std::array<double, W> upper, lower;
-    for (int r = 0; r < W; ++r) upper[r] = x[r], lower[r] = r < lower_ ? x[n_ - 1 - r] : 0.0;
     double *top = x, *bottom = x + n_ - 1;
-    for (int j = 0; j < lower_; ++j, up += stride, low += stride, ++top, --bottom) {
-      forward(upper, up, top, top[W]);
-      forward(lower, low, bottom, j + W < lower_ ? bottom[-W] : 0.0);
-    }
-    if (upper_ > lower_) forward(upper, up, top, top[W]), up += stride, ++top;
-    for (int c = 0; c < W; ++c) upper[c] += lower[W - 1 - c];
-    solve_block(upper, up);
-    for (int c = 0; c < W; ++c) top[c] = upper[c], lower[c] = upper[W - 1 - c];
-    if (upper_ > lower_) backward(upper, up -= stride, --top);
-    while (top != x) {
-      backward(upper, up -= stride, --top);
-      backward(lower, low -= stride, ++bottom);
-    }
+    std::array<Pair, W> w;
+#pragma GCC unroll 9
+    for (int r = 0; r < W; ++r) w[r] = Pair{top[r], r < half_ ? bottom[-r] : 0.0};
+    for (int j = 0; j < half_; ++j, a += stride, ++top, --bottom)
+      forward(w, a, {top, bottom}, Pair{top[W], j + W < half_ ? bottom[-W] : 0.0});
+    solve_block(w, a, top);
+    while (top != x) backward(w, a -= stride, {--top, ++bottom});
   }
 
  private:
-  static constexpr int stride = W + 1;
+  static constexpr int stride = 2 * (W + 1);
 
-  static Window<W> begin(const double* slots) {
-    Window<W> w{};
-    for (int r = 0; r < W; ++r)
-      for (int c = 0; c <= r; ++c) w[c][r - c] = slots[r * stride + r - c];
-    return w;
-  }
+  static Pair get(const double* slot, int t) { return Pair{slot[2 * t], slot[2 * t + 1]}; }
+  static void put(double* slot, int t, Pair value) { slot[2 * t] = value[0], slot[2 * t + 1] = value[1]; }
+  static bool above_floor(double pivot, double diagonal) { return pivot > pivot_floor * diagonal; }
 
-  /// Of the first column of the window: false if its pivot is not positive. The row W below enters.
+  /// Of the first columns of the window: false if a pivot is not positive. The rows W below enter.
   /// Products come before they are divided, so that a pivot waits for one division, product and difference.
-  static bool eliminate(Window<W>& w, double* slot) {
+  static bool eliminate(Window<Pair, W>& w, double* slot) {
     const double* const row = slot + W * stride;
-    std::array<double, W + 1> u;
+    std::array<Pair, W + 1> u;
     for (int r = 0; r < W; ++r) u[r] = w[0][r];
-    u[W] = row[W];
-    if (!(u[0] > pivot_floor * slot[0])) return false;
-    const double inverse = 1.0 / u[0];
-    slot[0] = inverse;
+    u[W] = get(row, W);
+    if (!above_floor(u[0][0], slot[0]) || !above_floor(u[0][1], slot[1])) return false;
+    const Pair inverse = 1.0 / u[0];
+    put(slot, 0, inverse);
+#pragma GCC unroll 9
     for (int c = 1; c <= W; ++c) {
-      slot[c] = u[c] * inverse;
+      put(slot, c, u[c] * inverse);
+#pragma GCC unroll 9
       for (int r = c; r <= W; ++r) {
-        const double before = r == W ? row[W - c] : w[c % W][r - c];
+        const Pair before = r == W ? get(row, W - c) : w[c % W][r - c];
         w[c - 1][r - c] = before - u[c] * u[r] * inverse;
       }
     }
     return true;
   }
 
-  /// The block where both ends meet: -1, or the column whose pivot is not positive.
-  static int eliminate_block(Window<W>& w, double* slot) {
-    for (int k = 0; k < W; ++k, slot += stride) {
-      if (!(w[k][0] > pivot_floor * slot[0])) return k;
+  /// Where both ends meet, from its first slot on and what they leave there.
+  static Window<double, B> block(const Window<Pair, W>& left, const double* slots) {
+    Window<double, B> w{};
+    for (int c = 0; c < B; ++c) w[c][B - 1 - c] = B > W ? slots[W * stride + 2 * (B - 1 - c)] : 0.0;
+#pragma GCC unroll 9
+    for (int c = 0; c < W; ++c)
+#pragma GCC unroll 9
+      for (int r = c; r < W; ++r) w[c][r - c] += left[c][r - c][0], w[B - 1 - r][r - c] += left[c][r - c][1];
+    return w;
+  }
+
+  /// -1, or the column whose pivot is not positive.
+  static int eliminate_block(Window<double, B> w, double* slot) {
+#pragma GCC unroll 9
+    for (int k = 0; k < B; ++k, slot += stride) {
+      if (!above_floor(w[k][0], slot[0])) return k;
       const double inverse = 1.0 / w[k][0];
       slot[0] = inverse;
-      for (int c = 1; c < W - k; ++c) {
-        slot[c] = w[k][c] * inverse;
-        for (int r = c; r < W - k; ++r) w[k + c][r - c] -= w[k][c] * w[k][r] * inverse;
+#pragma GCC unroll 9
+      for (int c = 1; c < B - k; ++c) {
+        slot[2 * c] = w[k][c] * inverse;
+#pragma GCC unroll 9
+        for (int r = c; r < B - k; ++r) w[k + c][r - c] -= w[k][c] * w[k][r] * inverse;
       }
     }
     return -1;
   }
 
-  static void forward(std::array<double, W>& w, const double* slot, double* x, double next) {
-    const double y = *x = w[0];
-    for (int r = 1; r <= W; ++r) w[r - 1] = (r == W ? next : w[r % W]) - slot[r] * y;
+  struct Ends {
+    double *top, *bottom;
+  };
+
+  static void forward(std::array<Pair, W>& w, const double* slot, const Ends& x, Pair next) {
+    const Pair y = w[0];
+    *x.top = y[0], *x.bottom = y[1];
+#pragma GCC unroll 9
+    for (int r = 1; r <= W; ++r) w[r - 1] = (r == W ? next : w[r % W]) - get(slot, r) * y;
   }
 
   /// The nearest term comes last: the next value waits for it alone.
-  static void backward(std::array<double, W>& w, const double* slot, double* x) {
-    double sum = slot[0] * *x;
-    for (int r = W; r >= 1; --r) sum -= slot[r] * w[r - 1];
+  static void backward(std::array<Pair, W>& w, const double* slot, const Ends& x) {
+    Pair sum = get(slot, 0) * Pair{*x.top, *x.bottom};
+    for (int r = W; r >= 1; --r) sum -= get(slot, r) * w[r - 1];
     for (int r = W - 1; r >= 1; --r) w[r] = w[r - 1];
-    *x = w[0] = sum;
+    w[0] = sum;
+    *x.top = sum[0], *x.bottom = sum[1];
   }
 
-  static void solve_block(std::array<double, W>& x, const double* slots) {
-    for (int c = 0; c < W; ++c)
-      for (int r = 1; r < W - c; ++r) x[c + r] -= slots[c * stride + r] * x[c];
-    for (int c = W - 1; c >= 0; --c) {
-      x[c] *= slots[c * stride];
-      for (int r = 1; r < W - c; ++r) x[c] -= slots[c * stride + r] * x[c + r];
+  static void solve_block(std::array<Pair, W>& w, const double* slots, double* x) {
+    std::array<double, B> y;
+    y[B - 1] = B > W ? x[B - 1] : 0.0;
+#pragma GCC unroll 9
+    for (int r = 0; r < W; ++r) y[r] = w[r][0];
+#pragma GCC unroll 9
+    for (int r = 0; r < W; ++r) y[B - 1 - r] += w[r][1];
+#pragma GCC unroll 9
+    for (int c = 0; c < B; ++c)
+#pragma GCC unroll 9
+      for (int r = 1; r < B - c; ++r) y[c + r] -= slots[c * stride + 2 * r] * y[c];
+#pragma GCC unroll 9
+    for (int c = B - 1; c >= 0; --c) {
+      y[c] *= slots[c * stride];
+#pragma GCC unroll 9
+      for (int r = 1; r < B - c; ++r) y[c] -= slots[c * stride + 2 * r] * y[c + r];
+      x[c] = y[c];
     }
+#pragma GCC unroll 9
+    for (int r = 0; r < W; ++r) w[r] = Pair{y[r], y[B - 1 - r]};
   }
 
-  int n_, upper_, lower_;  ///< columns in all, and in the parts above and below the block
+  int n_, half_;  ///< columns in all, and in each of the parts
 };
+
+template <int W>
+std::unique_ptr<BandFactors> with_width(int columns) {
+  if ((columns - W) % 2 == 0) return std::make_unique<NarrowBand<W, W>>(columns);
+  return std::make_unique<NarrowBand<W, W + 1>>(columns);
+}
 
 }  // namespace
 
@@ -145,21 +172,21 @@ std::unique_ptr<BandFactors> narrow_band(int columns, int width) {
   assert(width >= 1 && width <= columns);
   switch (width) {
     case 1:
-      return std::make_unique<NarrowBand<1>>(columns);
+      return with_width<1>(columns);
     case 2:
-      return std::make_unique<NarrowBand<2>>(columns);
+      return with_width<2>(columns);
     case 3:
-      return std::make_unique<NarrowBand<3>>(columns);
+      return with_width<3>(columns);
     case 4:
-      return std::make_unique<NarrowBand<4>>(columns);
+      return with_width<4>(columns);
     case 5:
-      return std::make_unique<NarrowBand<5>>(columns);
+      return with_width<5>(columns);
     case 6:
-      return std::make_unique<NarrowBand<6>>(columns);
+      return with_width<6>(columns);
     case 7:
-      return std::make_unique<NarrowBand<7>>(columns);
+      return with_width<7>(columns);
     case 8:
-      return std::make_unique<NarrowBand<8>>(columns);
+      return with_width<8>(columns);
     default:
       return nullptr;
   }

@@ -5,6 +5,20 @@
 #include <cassert>
 
 namespace tandem::mbs {
+namespace {
+
+/// As Pattern::Run::together, of one column.
+int together(std::span<const int> rows) {
+  const auto stand = [&](std::size_t size) {
+    bool all = !rows.empty() && rows.size() % size == 0;
+    for (std::size_t k = 0; all && k < rows.size(); k += size)
+      all = rows[k + size - 1] - rows[k] == static_cast<int>(size) - 1;
+    return all;
+  };
+  return stand(2) ? 2 : stand(3) ? 3 : 1;
+}
+
+}  // namespace
 
 Pattern::Pattern(int rows, int columns, std::vector<std::pair<int, int>> entries) : rows_(rows) {
   const auto by_column = [](const auto& a, const auto& b) {
@@ -19,8 +33,12 @@ Pattern::Pattern(int rows, int columns, std::vector<std::pair<int, int>> entries
     ++starts_[static_cast<std::size_t>(column) + 1];
   }
   for (std::size_t c = 1; c < starts_.size(); ++c) {
-    if (runs_.empty() || runs_.back().entries != starts_[c]) runs_.push_back({starts_[c], 0});
-    ++runs_.back().columns;
+    const int count = starts_[c];
+    const Run alike{count, 1, together(indices().subspan(starts_[c - 1], count))};
+    if (runs_.empty() || runs_.back().entries != count || runs_.back().together != alike.together)
+      runs_.push_back(alike);
+    else
+      ++runs_.back().columns;
     starts_[c] += starts_[c - 1];
   }
 }

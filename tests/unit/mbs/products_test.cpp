@@ -84,6 +84,36 @@ TEST(Products, AreThoseOfDenseMatrices) {
   }
 }
 
+/// Columns for points of so many coordinates each: one point alone, two that follow each other, two apart,
+/// none; then one for a single coordinate behind them.
+Matrix of_points(int dimension) {
+  const std::vector<std::vector<int>> columns = {{0}, {0}, {0, 1}, {1, 3}, {2, 3}, {}};
+  std::vector<std::pair<int, int>> entries = {{4 * dimension, 6}, {1, 6}};
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    for (const int point : columns[c])
+      for (int d = 0; d < dimension; ++d) entries.emplace_back(point * dimension + d, static_cast<int>(c));
+  Matrix a{Pattern(4 * dimension + 1, 7, std::move(entries)), {}};
+  for (int k = 0; k < a.pattern.size(); ++k) a.values.push_back(1.0 / (1.0 + k));
+  return a;
+}
+
+TEST(Products, TakeThePairsAndTriplesOfPoints) {
+  for (const int dimension : {2, 3}) {
+    const Matrix a = of_points(dimension);
+    EXPECT_EQ(a.pattern.runs()[0], (Pattern::Run{dimension, 2, dimension}));
+    const MatrixXd full = dense(a.pattern, a.values);
+    const VectorXd x = VectorXd::LinSpaced(a.pattern.rows(), -1.0, 1.0), y = VectorXd::LinSpaced(7, 0.3, 1.0);
+    VectorXd transposed(7), rows(a.pattern.rows());
+    multiply_transposed(a.pattern, a.values.data(), x.data(), transposed.data());
+    Rows(a.pattern).multiply(a.values.data(), y.data(), rows.data());
+    EXPECT_LT((transposed - full.transpose() * x).norm(), rounding);
+    EXPECT_LT((rows - full * y).norm(), rounding);
+    const ColumnSquares squares = column_squares(a.pattern, a.values.data());
+    EXPECT_EQ(squares.least, 0.0);
+    EXPECT_NEAR(squares.most, full.colwise().squaredNorm().maxCoeff(), rounding);
+  }
+}
+
 TEST(RankUpdate, IsThatOfDenseMatricesOnEitherTriangleOrBoth) {
   for (unsigned seed = 0; seed < 20; ++seed) {
     const Matrix a = random_matrix(8, 7, 20, seed);

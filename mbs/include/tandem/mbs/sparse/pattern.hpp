@@ -21,10 +21,11 @@ class Pattern {
   std::span<const int> starts() const { return starts_; }
   /// Of each position its row.
   std::span<const int> indices() const { return indices_; }
-  /// Columns next to each other with equally many entries, in order: what loops over columns go by, so that
-  /// they ask for the number once a run.
+  /// Columns next to each other that are alike, in order: what loops over columns go by, so that they ask for
+  /// the numbers once a run.
   struct Run {
     int entries, columns;
+    int together;  ///< 2 or 3: the entries of each column stand in pairs or triples of rows without a gap
     bool operator==(const Run&) const = default;
   };
   std::span<const Run> runs() const { return runs_; }

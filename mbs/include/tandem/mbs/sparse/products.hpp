@@ -14,7 +14,8 @@ void multiply_symmetric(const Matrix& a, const double* x, double* y);
 void multiply_transposed(const Pattern& a, const double* values, const double* x, double* y);
 
 /// The rows of a matrix that is stored by columns, so that y = A x is a dot product of each row, too: nothing
-/// is written twice, and threads can share the rows. With A = Phi_q^T, constraint forces of multipliers.
+/// is written twice, and threads can share the rows. With A = Phi_q^T, constraint forces of multipliers. Two
+/// or three rows with entries in the same columns, as those of a point, are multiplied together.
 class Rows {
  public:
   explicit Rows(const Pattern& a);
@@ -23,10 +24,12 @@ class Rows {
 
  private:
   struct Entry {
-    int position, column;
+    int position, column;  ///< the first: in the first row of its block
   };
-  Pattern transposed_;
-  std::vector<Entry> entries_;
+  void add(const Pattern& a, int row, const std::vector<int>& columns, int together);
+  std::vector<Pattern::Run> runs_;  ///< of blocks of one row or `together`, with so many entries in all
+  std::vector<Entry> entries_;      ///< of the first rows
+  int blocks_ = 0;
 };
 
 /// The least and the greatest sum of squares of a column; infinity and 0 if there is no column.
