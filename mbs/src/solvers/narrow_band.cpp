@@ -7,8 +7,13 @@
 namespace tandem::mbs::solvers {
 namespace {
 
-/// Of the upper part and of the lower.
-using Pair = double __attribute__((vector_size(2 * sizeof(double))));
+/// Of the upper part and of the lower: what is done to both is one instruction where the processor has it.
+struct Pair {
+  double upper, lower;
+  friend Pair operator*(Pair a, Pair b) { return {a.upper * b.upper, a.lower * b.lower}; }
+  friend Pair operator-(Pair a, Pair b) { return {a.upper - b.upper, a.lower - b.lower}; }
+  friend Pair operator/(double a, Pair b) { return {a / b.upper, a / b.lower}; }
+};
 
 /// The trailing rows and columns that elimination has reached, lower triangle: [c][r - c]. Loops over one of
 /// pairs are unrolled, so that it stands in registers: from pivot to pivot nothing waits for memory.
@@ -42,7 +47,7 @@ class NarrowBand final : public BandFactors {
     for (int r = 0; r < W; ++r)
       for (int c = 0; c <= r; ++c) w[c][r - c] = get(a + r * stride, r - c);
     for (int j = 0; j < half_; ++j, a += stride)
-      if (!eliminate(w, a)) return above_floor(w[0][0][0], a[0]) ? n_ - 1 - j : j;
+      if (!eliminate(w, a)) return above_floor(w[0][0].upper, a[0]) ? n_ - 1 - j : j;
     const int bad = eliminate_block(block(w, a), a);
     return bad < 0 ? -1 : half_ + bad;
   }
@@ -62,7 +67,9 @@ class NarrowBand final : public BandFactors {
   static constexpr int stride = 2 * (W + 1);
 
   static Pair get(const double* slot, int t) { return Pair{slot[2 * t], slot[2 * t + 1]}; }
-  static void put(double* slot, int t, Pair value) { slot[2 * t] = value[0], slot[2 * t + 1] = value[1]; }
+  static void put(double* slot, int t, Pair value) {
+    slot[2 * t] = value.upper, slot[2 * t + 1] = value.lower;
+  }
   static bool above_floor(double pivot, double diagonal) { return pivot > pivot_floor * diagonal; }
 
   /// Of the first columns of the window: false if a pivot is not positive. The rows W below enter.
@@ -72,7 +79,7 @@ class NarrowBand final : public BandFactors {
     std::array<Pair, W + 1> u;
     for (int r = 0; r < W; ++r) u[r] = w[0][r];
     u[W] = get(row, W);
-    if (!above_floor(u[0][0], slot[0]) || !above_floor(u[0][1], slot[1])) return false;
+    if (!above_floor(u[0].upper, slot[0]) || !above_floor(u[0].lower, slot[1])) return false;
     const Pair inverse = 1.0 / u[0];
     put(slot, 0, inverse);
 #pragma GCC unroll 9
@@ -94,7 +101,8 @@ class NarrowBand final : public BandFactors {
 #pragma GCC unroll 9
     for (int c = 0; c < W; ++c)
 #pragma GCC unroll 9
-      for (int r = c; r < W; ++r) w[c][r - c] += left[c][r - c][0], w[B - 1 - r][r - c] += left[c][r - c][1];
+      for (int r = c; r < W; ++r)
+        w[c][r - c] += left[c][r - c].upper, w[B - 1 - r][r - c] += left[c][r - c].lower;
     return w;
   }
 
@@ -121,7 +129,7 @@ class NarrowBand final : public BandFactors {
 
   static void forward(std::array<Pair, W>& w, const double* slot, const Ends& x, Pair next) {
     const Pair y = w[0];
-    *x.top = y[0], *x.bottom = y[1];
+    *x.top = y.upper, *x.bottom = y.lower;
 #pragma GCC unroll 9
     for (int r = 1; r <= W; ++r) w[r - 1] = (r == W ? next : w[r % W]) - get(slot, r) * y;
   }
@@ -129,19 +137,19 @@ class NarrowBand final : public BandFactors {
   /// The nearest term comes last: the next value waits for it alone.
   static void backward(std::array<Pair, W>& w, const double* slot, const Ends& x) {
     Pair sum = get(slot, 0) * Pair{*x.top, *x.bottom};
-    for (int r = W; r >= 1; --r) sum -= get(slot, r) * w[r - 1];
+    for (int r = W; r >= 1; --r) sum = sum - get(slot, r) * w[r - 1];
     for (int r = W - 1; r >= 1; --r) w[r] = w[r - 1];
     w[0] = sum;
-    *x.top = sum[0], *x.bottom = sum[1];
+    *x.top = sum.upper, *x.bottom = sum.lower;
   }
 
   static void solve_block(std::array<Pair, W>& w, const double* slots, double* x) {
     std::array<double, B> y;
     y[B - 1] = B > W ? x[B - 1] : 0.0;
 #pragma GCC unroll 9
-    for (int r = 0; r < W; ++r) y[r] = w[r][0];
+    for (int r = 0; r < W; ++r) y[r] = w[r].upper;
 #pragma GCC unroll 9
-    for (int r = 0; r < W; ++r) y[B - 1 - r] += w[r][1];
+    for (int r = 0; r < W; ++r) y[B - 1 - r] += w[r].lower;
 #pragma GCC unroll 9
     for (int c = 0; c < B; ++c)
 #pragma GCC unroll 9
