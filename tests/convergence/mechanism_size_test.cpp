@@ -155,8 +155,10 @@ TEST(SizeOfATurningRod, IsNoMatterToTheFrequencyThatLimitsTheStep) {
   for (const double size : {0x1p-20, 0x1p20}) EXPECT_EQ(refused(size, {.beta = 1.0 / 12.0}), expected);
 }
 
+/// A hundredth of l in (r^2 - l^2)/l is a rod that is (sqrt(1.01) - 1) l too long.
 TEST(SizeOfATurningRod, IsThatOfItsConstraintWhereItIsLost) {
-  for (const auto& [length, allowed] : {std::pair{1e6, "allowed is 4.99e+03 m"}, {1e-6, "allowed is 4.99e-09 m"}}) {
+  for (const auto& [length, allowed] :
+       {std::pair{1e6, "allowed is 4.99e+03 m"}, {1e-6, "allowed is 4.99e-09 m"}}) {
     const std::string sentence = refused(length, {.penalty = 1.0, .tolerance = 1e6});
     EXPECT_NE(sentence.find("constraint 'body rod"), std::string::npos) << sentence;
     EXPECT_NE(sentence.find(allowed), std::string::npos) << sentence;
