@@ -1,4 +1,5 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Core>
 #include <array>
 #include <cassert>
 
@@ -7,12 +8,15 @@
 namespace tandem::mbs::solvers {
 namespace {
 
-/// Of the upper part and of the lower: what is done to both is one instruction where the processor has it.
-struct Pair {
+/// Of the upper part and of the lower: what elimination does to both is one instruction where the processor
+/// has it.
+using Pair = Eigen::Array2d;
+
+/// The same in a substitution, where the compiler keeps no array of Eigen's in registers.
+struct Ends {
   double upper, lower;
-  friend Pair operator*(Pair a, Pair b) { return {a.upper * b.upper, a.lower * b.lower}; }
-  friend Pair operator-(Pair a, Pair b) { return {a.upper - b.upper, a.lower - b.lower}; }
-  friend Pair operator/(double a, Pair b) { return {a / b.upper, a / b.lower}; }
+  friend Ends operator*(Ends a, Ends b) { return {a.upper * b.upper, a.lower * b.lower}; }
+  friend Ends operator-(Ends a, Ends b) { return {a.upper - b.upper, a.lower - b.lower}; }
 };
 
 /// The trailing rows and columns that elimination has reached, lower triangle: [c][r - c]. Loops over one of
@@ -47,18 +51,18 @@ class NarrowBand final : public BandFactors {
     for (int r = 0; r < W; ++r)
       for (int c = 0; c <= r; ++c) w[c][r - c] = get(a + r * stride, r - c);
     for (int j = 0; j < half_; ++j, a += stride)
-      if (!eliminate(w, a)) return above_floor(w[0][0].upper, a[0]) ? n_ - 1 - j : j;
+      if (!eliminate(w, a)) return above_floor(w[0][0][0], a[0]) ? n_ - 1 - j : j;
     const int bad = eliminate_block(block(w, a), a);
     return bad < 0 ? -1 : half_ + bad;
   }
 
   void solve(const double* a, double* x) const override {
     double *top = x, *bottom = x + n_ - 1;
-    std::array<Pair, W> w;
+    std::array<Ends, W> w;
 #pragma GCC unroll 9
-    for (int r = 0; r < W; ++r) w[r] = Pair{top[r], r < half_ ? bottom[-r] : 0.0};
+    for (int r = 0; r < W; ++r) w[r] = Ends{top[r], r < half_ ? bottom[-r] : 0.0};
     for (int j = 0; j < half_; ++j, a += stride, ++top, --bottom)
-      forward(w, a, {top, bottom}, Pair{top[W], j + W < half_ ? bottom[-W] : 0.0});
+      forward(w, a, {top, bottom}, Ends{top[W], j + W < half_ ? bottom[-W] : 0.0});
     solve_block(w, a, top);
     while (top != x) backward(w, a -= stride, {--top, ++bottom});
   }
@@ -66,10 +70,9 @@ class NarrowBand final : public BandFactors {
  private:
   static constexpr int stride = 2 * (W + 1);
 
-  static Pair get(const double* slot, int t) { return Pair{slot[2 * t], slot[2 * t + 1]}; }
-  static void put(double* slot, int t, Pair value) {
-    slot[2 * t] = value.upper, slot[2 * t + 1] = value.lower;
-  }
+  static Pair get(const double* slot, int t) { return Eigen::Map<const Pair>(slot + 2 * t); }
+  static Ends ends(const double* slot, int t) { return {slot[2 * t], slot[2 * t + 1]}; }
+  static void put(double* slot, int t, const Pair& value) { Eigen::Map<Pair>(slot + 2 * t) = value; }
   static bool above_floor(double pivot, double diagonal) { return pivot > pivot_floor * diagonal; }
 
   /// Of the first columns of the window: false if a pivot is not positive. The rows W below enter.
@@ -79,7 +82,7 @@ class NarrowBand final : public BandFactors {
     std::array<Pair, W + 1> u;
     for (int r = 0; r < W; ++r) u[r] = w[0][r];
     u[W] = get(row, W);
-    if (!above_floor(u[0].upper, slot[0]) || !above_floor(u[0].lower, slot[1])) return false;
+    if (!above_floor(u[0][0], slot[0]) || !above_floor(u[0][1], slot[1])) return false;
     const Pair inverse = 1.0 / u[0];
     put(slot, 0, inverse);
 #pragma GCC unroll 9
@@ -101,8 +104,7 @@ class NarrowBand final : public BandFactors {
 #pragma GCC unroll 9
     for (int c = 0; c < W; ++c)
 #pragma GCC unroll 9
-      for (int r = c; r < W; ++r)
-        w[c][r - c] += left[c][r - c].upper, w[B - 1 - r][r - c] += left[c][r - c].lower;
+      for (int r = c; r < W; ++r) w[c][r - c] += left[c][r - c][0], w[B - 1 - r][r - c] += left[c][r - c][1];
     return w;
   }
 
@@ -123,27 +125,27 @@ class NarrowBand final : public BandFactors {
     return -1;
   }
 
-  struct Ends {
+  struct Places {
     double *top, *bottom;
   };
 
-  static void forward(std::array<Pair, W>& w, const double* slot, const Ends& x, Pair next) {
-    const Pair y = w[0];
+  static void forward(std::array<Ends, W>& w, const double* slot, const Places& x, Ends next) {
+    const Ends y = w[0];
     *x.top = y.upper, *x.bottom = y.lower;
 #pragma GCC unroll 9
-    for (int r = 1; r <= W; ++r) w[r - 1] = (r == W ? next : w[r % W]) - get(slot, r) * y;
+    for (int r = 1; r <= W; ++r) w[r - 1] = (r == W ? next : w[r % W]) - ends(slot, r) * y;
   }
 
   /// The nearest term comes last: the next value waits for it alone.
-  static void backward(std::array<Pair, W>& w, const double* slot, const Ends& x) {
-    Pair sum = get(slot, 0) * Pair{*x.top, *x.bottom};
-    for (int r = W; r >= 1; --r) sum = sum - get(slot, r) * w[r - 1];
+  static void backward(std::array<Ends, W>& w, const double* slot, const Places& x) {
+    Ends sum = ends(slot, 0) * Ends{*x.top, *x.bottom};
+    for (int r = W; r >= 1; --r) sum = sum - ends(slot, r) * w[r - 1];
     for (int r = W - 1; r >= 1; --r) w[r] = w[r - 1];
     w[0] = sum;
     *x.top = sum.upper, *x.bottom = sum.lower;
   }
 
-  static void solve_block(std::array<Pair, W>& w, const double* slots, double* x) {
+  static void solve_block(std::array<Ends, W>& w, const double* slots, double* x) {
     std::array<double, B> y;
     y[B - 1] = B > W ? x[B - 1] : 0.0;
 #pragma GCC unroll 9
@@ -162,7 +164,7 @@ class NarrowBand final : public BandFactors {
       x[c] = y[c];
     }
 #pragma GCC unroll 9
-    for (int r = 0; r < W; ++r) w[r] = Pair{y[r], y[B - 1 - r]};
+    for (int r = 0; r < W; ++r) w[r] = Ends{y[r], y[B - 1 - r]};
   }
 
   int n_, half_;  ///< columns in all, and in each of the parts

@@ -124,8 +124,7 @@ void add_serve(CLI::App& app, Context& context) {
       "Parameters come from the client: tcp://HOST:PORT?frequency_ratio=25. A program that spawn: started "
       "needs no --listen.\n"
       "Exit status: 0 when it was ended; 2 for a source that is not there, and an address or option that is "
-      "not "
-      "right.");
+      "not right.");
   command->callback([options, &context] { serve(*options, context); });
 }
 
