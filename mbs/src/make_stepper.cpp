@@ -45,6 +45,7 @@ const std::vector<IntegratorEntry>& integrators() {
       {"newmark", [](const S& s) -> P { return std::make_unique<NewmarkFamily>(s.newmark); }},
       {"rk2", [](const S&) -> P { return std::make_unique<RungeKutta>(midpoint_rule()); }},
       {"rk4", [](const S&) -> P { return std::make_unique<RungeKutta>(classical_runge_kutta()); }},
+      {"rk8", [](const S&) -> P { return std::make_unique<RungeKutta>(dormand_prince8()); }},
       {"generalized_alpha",
        [](const S& s) -> P { return std::make_unique<NewmarkFamily>(s.generalized_alpha); }}};
   return all;

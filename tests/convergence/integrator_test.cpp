@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <numeric>
 
 #include "refusal.hpp"
 #include "tandem/mbs/integrators/frequency.hpp"
@@ -57,22 +58,36 @@ double error(Integrator& method, int steps) {
 }
 
 TEST(Integrators, HaveTheirOrders) {
-  RungeKutta rk2(midpoint_rule()), rk4(classical_runge_kutta());
+  RungeKutta rk2(midpoint_rule()), rk4(classical_runge_kutta()), rk8(dormand_prince8());
   NewmarkFamily newmark(NewmarkSettings{.tolerance = 1e-13}),
       alpha(GeneralizedAlphaSettings{.spectral_radius = 0.5, .tolerance = 1e-13});
-  const auto order = [](Integrator& m) { return std::log2(error(m, 200) / error(m, 400)); };
+  const auto order = [](Integrator& m, int steps = 200) {
+    return std::log2(error(m, steps) / error(m, 2 * steps));
+  };
   EXPECT_NEAR(order(rk2), 2.0, 0.2);
   EXPECT_NEAR(order(rk4), 4.0, 0.2);
+  EXPECT_NEAR(order(rk8, 10), 8.0, 0.4);
   EXPECT_NEAR(order(newmark), 2.0, 0.2);
   EXPECT_NEAR(order(alpha), 2.0, 0.2);
 }
 
 /// The evaluation at a step's end is the first stage of the next step.
 TEST(RungeKutta, TakesAsManyEvaluationsAsItHasStages) {
-  Oscillators problem(Eigen::VectorXd::Ones(1));
-  RungeKutta rk4(classical_runge_kutta());
-  run(rk4, problem, resting(1.0), 0.1, 10);
-  EXPECT_EQ(problem.evaluations, 41);
+  for (const auto& [table, stages] : {std::pair{classical_runge_kutta(), 4}, {dormand_prince8(), 12}}) {
+    Oscillators problem(Eigen::VectorXd::Ones(1));
+    RungeKutta method(table);
+    run(method, problem, resting(1.0), 0.1, 10);
+    EXPECT_EQ(problem.evaluations, 10 * stages + 1);
+  }
+}
+
+/// A stage stands at its time: sum a_ij = c_i.
+TEST(RungeKutta, HasTablesWhoseStagesStandAtTheirTimes) {
+  for (const RungeKuttaTable& t : {midpoint_rule(), classical_runge_kutta(), dormand_prince8()})
+    for (std::size_t i = 0; i < t.c.size(); ++i) {
+      EXPECT_EQ(t.a[i].size(), i);
+      EXPECT_NEAR(std::accumulate(t.a[i].begin(), t.a[i].end(), 0.0), t.c[i], 1e-14) << i;
+    }
 }
 
 /// Radians by which y'' = -y is behind after 16.25 periods: from rest y_k = cos(phi k) with

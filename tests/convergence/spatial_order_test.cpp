@@ -76,7 +76,7 @@ void place_slider_crank(const Mechanism& m, State& s) {
 
 class SpatialMechanism : public testing::TestWithParam<StepperNames> {
  protected:
-  static double order() { return GetParam().integrator == "rk4" ? 4.0 : 2.0; }
+  static double order() { return test::order_of(GetParam().integrator); }
   static StepperSettings settings() {
     StepperSettings named;
     named.formulation = GetParam().formulation;
@@ -104,7 +104,14 @@ class SpatialMechanism : public testing::TestWithParam<StepperNames> {
     test::expect_order(errors(steps), errors(2 * steps), order());
   }
 };
-INSTANTIATE_TEST_SUITE_P(Each, SpatialMechanism, testing::ValuesIn(stepper_names()),
+/// Order 8 is seen in the plane alone: here steps that are short enough for it leave rounding.
+std::vector<StepperNames> up_to_order_four() {
+  auto all = stepper_names();
+  std::erase_if(all, [](const StepperNames& names) { return test::order_of(names.integrator) > 4.0; });
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, SpatialMechanism, testing::ValuesIn(up_to_order_four()),
                          [](const auto& p) { return p.param.formulation + "_" + p.param.integrator; });
 
 TEST_P(SpatialMechanism, IsMovedWithTheOrderOfItsStepperIfItIsARotor) {

@@ -11,6 +11,9 @@ void Penalty::solve(State& s) {
   terms_.weights = alpha_ * terms_.error;
   terms_.correct(s, terms_.weights, 1.0);
   s.a.head(size()) += terms_.correction;
+}
+
+void Penalty::multipliers(State& s) {
   terms_.violation(s.a, rhs_);
   s.lambda = alpha_ * terms_.error;
 }

@@ -46,6 +46,7 @@ void Stabilized::start(State& s) {
   prepare(s);
   terms_.refuse_lost(s);
   solve_at_start(s);
+  multipliers(s);
 }
 
 bool Stabilized::begin(const State& s, Motion& motion) {
@@ -60,12 +61,14 @@ bool Stabilized::begin(const State& s, Motion& motion) {
 
 void Stabilized::finish(const Motion&, State& s) {
   terms_.refuse_lost(at_);
+  multipliers(at_);
   s = at_;
 }
 
 void Stabilized::refresh(State& s) {
   prepare(s);
   solve(s);
+  multipliers(s);
 }
 
 }  // namespace tandem::mbs

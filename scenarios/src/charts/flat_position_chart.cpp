@@ -16,7 +16,7 @@ namespace tandem::charts {
 namespace {
 
 constexpr std::array<const char*, 4> formulations = {"index3", "penalty", "index1", "null_space"};
-constexpr std::array<const char*, 4> integrators = {"newmark", "rk2", "rk4", "generalized_alpha"};
+constexpr std::array<const char*, 5> integrators = {"newmark", "rk2", "rk4", "rk8", "generalized_alpha"};
 
 constexpr const char* cross = "with points pt 2 ps 1.1 lw 2 lc rgb '#404040'";
 
@@ -60,7 +60,7 @@ void draw_legend(Picture& picture) {
   for (int k = 0; k < static_cast<int>(integrators.size()); ++k)
     curves.push_back({"", "with lines " + line_of(k), integrators[k]});
   curves.push_back({"", cross, "the run ended"});
-  picture.legend({0.05, 0.95, 0.905, 0.945}, curves, 5);
+  picture.legend({0.05, 0.95, 0.905, 0.945}, curves, 6);
 }
 
 void draw_panel(Picture& picture, const std::vector<Passage>& passages, std::size_t row, std::size_t column) {

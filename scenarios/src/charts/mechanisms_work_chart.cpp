@@ -26,8 +26,11 @@ struct Integrator {
 };
 constexpr std::array<Formulation, 4> formulations = {
     {{"index3", "#000000"}, {"penalty", "#E69F00"}, {"index1", "#0072B2"}, {"null_space", "#009E73"}}};
-constexpr std::array<Integrator, 4> integrators = {
-    {{"newmark", "1", 7}, {"rk2", "'-'", 9}, {"rk4", "1", 5}, {"generalized_alpha", "'.'", 13}}};
+constexpr std::array<Integrator, 5> integrators = {{{"newmark", "1", 7},
+                                                    {"rk2", "'-'", 9},
+                                                    {"rk4", "1", 5},
+                                                    {"rk8", "'_'", 11},
+                                                    {"generalized_alpha", "'.'", 13}}};
 constexpr std::size_t columns = 4;
 
 std::string style_of(const Formulation& f, const Integrator& i) {
@@ -96,7 +99,7 @@ void draw_legends(Picture& picture) {
     by_colour.push_back({"", fmt::format("with lines lw 3 lc rgb '{}'", f.colour), f.name});
   for (const Integrator& i : integrators) by_marker.push_back({"", style_of({"", "#606060"}, i), i.name});
   picture.legend({0.05, 0.95, 0.945, 0.965}, by_colour, 4);
-  picture.legend({0.05, 0.95, 0.92, 0.94}, by_marker, 4);
+  picture.legend({0.05, 0.95, 0.92, 0.94}, by_marker, 5);
 }
 
 void draw(Picture& picture, const Works& work, const std::string& mechanism, const Box& box) {

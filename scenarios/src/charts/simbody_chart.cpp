@@ -23,8 +23,8 @@ constexpr std::array<Family, 5> families = {
     {{"Rod", "#D55E00", 9, "Simbody, L equations (Rod)"},
      {"PointOnLine", "#E69F00", 8, "Simbody, 2L equations (PointOnLine)"},
      {"index3", "#0072B2", 7, "tandem, index3"},
-     {"penalty", "#009E73", 4, "tandem, penalty with rk4"},
-     {"index1", "#000000", 12, "tandem, index1 with rk4"}}};
+     {"penalty", "#009E73", 4, "tandem, penalty with rk4 or rk8"},
+     {"index1", "#000000", 12, "tandem, index1 with rk4 or rk8"}}};
 
 constexpr double least = 5e-6, limit = 1.0, top = 8.0;  // [m] above the limit: a strip for what is no result
 

@@ -60,7 +60,8 @@ std::string key_of(const FormulationCase& c, int steps) {
 
 /// Without order where half the step gains less than its integrator's: what is left is another error.
 const char* status(const FormulationCase& c, double order) {
-  const double expected = c.names.integrator == "rk4" ? 4.0 : 2.0;
+  const std::string& integrator = c.names.integrator;
+  const double expected = integrator == "rk8" ? 8.0 : integrator == "rk4" ? 4.0 : 2.0;
   return order > expected - 0.5 ? "ok" : "no order";
 }
 
@@ -72,11 +73,12 @@ std::string cell(std::string sentence) {
 
 }  // namespace
 
+/// rk8 takes longer steps: with those of the others its errors are rounding.
 std::vector<FormulationCase> formulation_cases() {
   std::vector<FormulationCase> all;
   for (const Example& example : examples())
     for (const mbs::StepperNames& names : mbs::stepper_names())
-      all.push_back({&example, names, example.steps});
+      all.push_back({&example, names, names.integrator == "rk8" ? example.steps / 16 : example.steps});
   return all;
 }
 

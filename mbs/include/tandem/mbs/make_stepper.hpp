@@ -17,7 +17,7 @@ namespace tandem::mbs {
 /// is not chosen must be as they are here.
 struct StepperSettings {
   std::string formulation = "index3";  ///< index3, penalty, index1, null_space
-  std::string integrator = "newmark";  ///< newmark, rk2, rk4, generalized_alpha; index3 has newmark merged in
+  std::string integrator = "newmark";  ///< or rk2, rk4, rk8, generalized_alpha; index3 has newmark merged in
   Index3Settings index3{};             ///< beta and the tolerance of newmark with it stand here
   PenaltySettings penalty{};
   Index1Settings index1{};

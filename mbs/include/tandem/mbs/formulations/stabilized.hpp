@@ -32,8 +32,10 @@ class Stabilized : public Formulation {
   /// penalty 0: 1e7 times the largest mass term. Throws Error for a setting that is not allowed.
   Stabilized(const char* owner, Model& model, const Baumgarte& settings);
 
-  /// Accelerations and multipliers of a state from those at hand; T is factorized.
+  /// Accelerations of a state from those at hand, and multipliers if they go with them; T is factorized.
   virtual void solve(State& s) = 0;
+  /// Multipliers after that, if they don't.
+  virtual void multipliers(State& /*s*/) {}
   virtual void solve_at_start(State& s) = 0;
 
   Terms terms_;
