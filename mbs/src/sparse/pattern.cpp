@@ -7,7 +7,7 @@
 namespace tandem::mbs {
 namespace {
 
-/// As Pattern::Run::together, of one column.
+/// As Run::together, of one column.
 int together(std::span<const int> rows) {
   const auto stand = [&](std::size_t size) {
     bool all = !rows.empty() && rows.size() % size == 0;
@@ -34,11 +34,8 @@ Pattern::Pattern(int rows, int columns, std::vector<std::pair<int, int>> entries
   }
   for (std::size_t c = 1; c < starts_.size(); ++c) {
     const int count = starts_[c];
-    const Run alike{count, 1, together(indices().subspan(starts_[c - 1], count))};
-    if (runs_.empty() || runs_.back().entries != count || runs_.back().together != alike.together)
-      runs_.push_back(alike);
-    else
-      ++runs_.back().columns;
+    const int size = together(indices().subspan(starts_[c - 1], count));
+    append(runs_, count / size, size);
     starts_[c] += starts_[c - 1];
   }
 }

@@ -26,54 +26,65 @@ Together<size> sum(int count, const Term& term) {
   return all;
 }
 
-/// body(groups, together): the groups of a column and their size, known to the compiler, or the first is
-/// many.
+/// body(groups, together): both known to the compiler, or the first is many.
 template <class Body>
-void with_groups(const Pattern::Run& run, const Body& body) {
-  with_count(run.entries / run.together, [&](auto groups) {
+void with_groups(const Run& run, const Body& body) {
+  with_count(run.groups, [&](auto groups) {
     if (run.together == 1) body(groups, std::integral_constant<int, 1>());
     if (run.together == 2) body(groups, std::integral_constant<int, 2>());
     if (run.together == 3) body(groups, std::integral_constant<int, 3>());
   });
 }
 
-/// Of a run the part that a thread has, by what comes before it in all runs.
-struct Part {
-  int unit, count;  ///< units: what share() counts
-  int group, value, row;
-};
-
-/// body(groups, together, part) for runs of `units` in all.
+/// body(groups, together, part): of each run what a thread has of it.
 template <class Body>
-void for_runs(std::span<const Pattern::Run> runs, int units, const Body& body) {
-  share(units, [&](int first, int last) {
-    Part before{};
-    for (const Pattern::Run& run : runs) {
-      const int from = std::max(first - before.unit, 0), to = std::min(last - before.unit, run.columns);
-      const auto after = [&](int n) {
-        return Part{before.unit + n, to - n, before.group + n * (run.entries / run.together),
-                    before.value + n * run.entries, before.row + n * run.together};
-      };
-      if (from < to)
-        with_groups(run, [&](auto groups, auto together) { body(groups, together, after(from)); });
-      before = after(run.columns);
+void for_runs(std::span<const Run> runs, const Body& body) {
+  if (runs.empty()) return;
+  share(runs.back().unit + runs.back().units, [&](int first, int last) {
+    for (const Run& run : runs) {
+      const int from = std::max(first - run.unit, 0), to = std::min(last - run.unit, run.units);
+      if (from >= to) continue;
+      const Run part{run.groups,
+                     run.together,
+                     to - from,
+                     run.unit + from,
+                     run.row + from * run.together,
+                     run.group + from * run.groups,
+                     run.value + from * run.groups * run.together};
+      with_groups(run, [&](auto groups, auto together) { body(groups, together, part); });
     }
   });
+}
+
+/// Columns of so many groups: of each the dot product with x.
+template <int together, class Groups>
+void multiply_columns(Groups groups, int columns, const int* row, const double* value, const double* x,
+                      double* y) {
+  for (const double* const end = y + columns; y < end; ++y) {
+    const auto product = [=](int k) {
+      return at<together>(value + k * together).cwiseProduct(at<together>(x + row[k * together]));
+    };
+    *y = sum<together>(groups, product).sum();
+    row += groups * together, value += groups * together;
+  }
+}
+
+/// Blocks of rows of so many groups.
+template <int together, class Groups, class Entry>
+void multiply_rows(Groups groups, int blocks, const Entry* entry, const double* values, const double* x,
+                   double* y) {
+  for (const double* const end = y + blocks * together; y < end; y += together) {
+    const auto product = [=](int k) { return x[entry[k].column] * at<together>(values + entry[k].position); };
+    Eigen::Map<Together<together>>{y} = sum<together>(groups, product);
+    entry += groups;
+  }
 }
 
 }  // namespace
 
 void multiply_transposed(const Pattern& a, const double* values, const double* x, double* y) {
-  for_runs(a.runs(), a.columns(), [&](auto groups, auto together, const Part& part) {
-    const int* row = a.indices().data() + part.value;
-    const double* value = values + part.value;
-    for (int c = part.unit, end = c + part.count; c < end; ++c) {
-      const auto product = [=](int k) {
-        return at<together>(value + k * together).cwiseProduct(at<together>(x + row[k * together]));
-      };
-      y[c] = sum<together>(groups, product).sum();
-      row += groups * together, value += groups * together;
-    }
+  for_runs(a.runs(), [=, rows = a.indices().data()](auto groups, auto together, const Run& part) {
+    multiply_columns<together>(groups, part.units, rows + part.value, values + part.value, x, y + part.unit);
   });
 }
 
@@ -95,23 +106,12 @@ Rows::Rows(const Pattern& a) {
 
 void Rows::add(const Pattern& a, int row, const std::vector<int>& columns, int together) {
   for (const int column : columns) entries_.push_back({a.find(row, column), column});
-  const Pattern::Run run{together * static_cast<int>(columns.size()), 1, together};
-  if (runs_.empty() || runs_.back().entries != run.entries || runs_.back().together != together)
-    runs_.push_back(run);
-  else
-    ++runs_.back().columns;
-  ++blocks_;
+  append(runs_, static_cast<int>(columns.size()), together);
 }
 
 void Rows::multiply(const double* values, const double* x, double* y) const {
-  for_runs(runs_, blocks_, [&](auto groups, auto together, const Part& part) {
-    const Entry* entry = entries_.data() + part.group;
-    for (double *to = y + part.row, *end = to + part.count * together; to < end; to += together) {
-      Eigen::Map<Together<together>> rows(to);
-      rows = sum<together>(
-          groups, [&](int k) { return x[entry[k].column] * at<together>(values + entry[k].position); });
-      entry += groups;
-    }
+  for_runs(runs_, [=, entries = entries_.data()](auto groups, auto together, const Run& part) {
+    multiply_rows<together>(groups, part.units, entries + part.group, values, x, y + part.row);
   });
 }
 
@@ -119,7 +119,7 @@ ColumnSquares column_squares(const Pattern& a, const double* values) {
   ColumnSquares found{HUGE_VAL, 0.0};
   for (const auto& run : a.runs())
     with_groups(run, [&](auto groups, auto together) {
-      for (int c = 0; c < run.columns; ++c, values += groups * together) {
+      for (int c = 0; c < run.units; ++c, values += groups * together) {
         const auto square = [=](int k) { return at<together>(values + k * together).cwiseAbs2(); };
         const double all = sum<together>(groups, square).sum();
         found = {std::min(found.least, all), std::max(found.most, all)};

@@ -100,7 +100,7 @@ Matrix of_points(int dimension) {
 TEST(Products, TakeThePairsAndTriplesOfPoints) {
   for (const int dimension : {2, 3}) {
     const Matrix a = of_points(dimension);
-    EXPECT_EQ(a.pattern.runs()[0], (Pattern::Run{dimension, 2, dimension}));
+    EXPECT_EQ(a.pattern.runs()[0], (mbs::Run{1, dimension, 2}));
     const MatrixXd full = dense(a.pattern, a.values);
     const VectorXd x = VectorXd::LinSpaced(a.pattern.rows(), -1.0, 1.0), y = VectorXd::LinSpaced(7, 0.3, 1.0);
     VectorXd transposed(7), rows(a.pattern.rows());

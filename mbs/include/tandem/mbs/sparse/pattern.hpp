@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "tandem/mbs/sparse/run.hpp"
+
 namespace tandem::mbs {
 
 /// Which entries of a sparse matrix are stored: compressed columns, rows ascending within each. The values
@@ -21,13 +23,7 @@ class Pattern {
   std::span<const int> starts() const { return starts_; }
   /// Of each position its row.
   std::span<const int> indices() const { return indices_; }
-  /// Columns next to each other that are alike, in order: what loops over columns go by, so that they ask for
-  /// the numbers once a run.
-  struct Run {
-    int entries, columns;
-    int together;  ///< 2 or 3: the entries of each column stand in pairs or triples of rows without a gap
-    bool operator==(const Run&) const = default;
-  };
+  /// Its columns.
   std::span<const Run> runs() const { return runs_; }
   /// Position of an entry; -1 if it is not stored.
   int find(int row, int column) const;

@@ -27,9 +27,8 @@ class Rows {
     int position, column;  ///< the first: in the first row of its block
   };
   void add(const Pattern& a, int row, const std::vector<int>& columns, int together);
-  std::vector<Pattern::Run> runs_;  ///< of blocks of one row or `together`, with so many entries in all
-  std::vector<Entry> entries_;      ///< of the first rows
-  int blocks_ = 0;
+  std::vector<Run> runs_;       ///< of blocks of `together` rows, a group for each column with entries
+  std::vector<Entry> entries_;  ///< by group
 };
 
 /// The least and the greatest sum of squares of a column; infinity and 0 if there is no column.
