@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "tandem/mbs/integrators/runge_kutta.hpp"
 
+#include "tandem/mbs/sparse/products.hpp"
+
 namespace tandem::mbs {
 
 RungeKuttaTable midpoint_rule() { return {{0.0, 0.5}, {{}, {0.5}}, {0.0, 1.0}}; }
@@ -45,8 +47,11 @@ void RungeKutta::stages(FirstOrder& problem, double t, double h) {
 /// x += h sum of weights times rates.
 void RungeKutta::add(const std::vector<double>& weights, double h, const Eigen::MatrixXd& rates,
                      Eigen::VectorXd& x) {
-  for (std::size_t j = 0; j < weights.size(); ++j)
-    if (weights[j] != 0.0) x += h * weights[j] * rates.col(static_cast<int>(j));
+  const double* rate = rates.data();
+  for (const double weight : weights) {
+    if (weight != 0.0) add_scaled(x.size(), x.data(), h * weight, rate, x.data());
+    rate += x.size();
+  }
 }
 
 }  // namespace tandem::mbs
