@@ -15,10 +15,8 @@ Index1::Index1(Model& model, const Index1Settings& s)
 
 void Index1::solve(State& s) {
   if (!settings_.carry_multipliers) s.lambda.setZero();
-  if (terms_.settle(s, rhs_, alpha_, settings_.tolerance, settings_.multiplier_iterations) == 0)
+  if (terms_.settle(s, alpha_, settings_.tolerance, settings_.multiplier_iterations) == 0)
     refuse_unsettled(settings_.multiplier_iterations, s.time);
 }
-
-void Index1::solve_at_start(State& s) { solve(s); }
 
 }  // namespace tandem::mbs

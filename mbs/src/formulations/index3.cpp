@@ -51,7 +51,7 @@ MatrixKind kind_of_tangent(const Structure& s) {
 bool goes_on_to_settle(Terms& terms, State& s, double weight) {
   double before = terms.correction.norm();
   for (int left = most_substitutions - 2; left >= 0; --left) {
-    if (terms.settle(s, terms.gamma, weight, settled, 1) > 0) return true;
+    if (terms.settle(s, weight, settled, 1) > 0) return true;
     const double change = terms.correction.norm();
     const double allowed = settled * (s.a.norm() + terms.force.norm() / terms.largest_mass);
     if (!(change * std::pow(change / before, left) <= allowed)) return false;
@@ -104,7 +104,8 @@ bool Index3::settle(State& s, int most) {
   terms_.forces(s);
   terms_.model.constraint_accelerations(s.q.data(), s.v.data(), terms_.gamma.data());
   terms_.gamma -= left_;
-  return terms_.settle(s, terms_.gamma, weight_, settled, most) > 0;
+  terms_.violation(s.a, terms_.gamma);
+  return terms_.settle(s, weight_, settled, most) > 0;
 }
 
 void Index3::refresh(State& s) {

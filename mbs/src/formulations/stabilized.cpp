@@ -11,6 +11,7 @@ Stabilized::Stabilized(const char* owner, Model& model, const Baumgarte& s)
     : terms_(model, s.solver, MatrixKind::positive_definite),
       alpha_(s.penalty > 0.0 ? s.penalty : 1e7 * terms_.largest_mass),
       rhs_(terms_.structure.constraints),
+      with_velocities_(terms_.structure.coordinates),
       xi_(s.xi),
       omega_(s.omega) {
   Setting{owner, "penalty", s.penalty}.at_least(0.0, "a number above 0");
@@ -18,7 +19,7 @@ Stabilized::Stabilized(const char* owner, Model& model, const Baumgarte& s)
   Setting{owner, "omega", s.omega}.at_least(0.0, "0 or more [rad/s]");
 }
 
-/// T, Q and Baumgarte's right-hand side at a state.
+/// T, Q and Phi_q q'' + rhs at a state, in one product with Phi_q.
 void Stabilized::prepare(const State& s) {
   terms_.model.at_time(s.time);
   terms_.constraints(s);
@@ -26,8 +27,10 @@ void Stabilized::prepare(const State& s) {
   terms_.forces(s);
   terms_.model.constraint_accelerations(s.q.data(), s.v.data(), terms_.gamma.data());
   terms_.model.constraint_rates(s.q.data(), rhs_.data());
-  terms_.violation(s.v, rhs_);
-  rhs_ = terms_.gamma + 2.0 * xi_ * omega_ * terms_.error + omega_ * omega_ * terms_.phi;
+  const double damping = 2.0 * xi_ * omega_;
+  rhs_ = terms_.gamma + damping * rhs_ + omega_ * omega_ * terms_.phi;
+  with_velocities_ = s.a + damping * s.v;
+  terms_.violation(with_velocities_, rhs_);
 }
 
 void Stabilized::accelerations(double t, const double* y, const double* v, double* a) {
@@ -41,12 +44,13 @@ void Stabilized::accelerations(double t, const double* y, const double* v, doubl
   std::copy_n(at_.a.data(), n, a);
 }
 
+/// From accelerations that may be far off: once more takes off what rounding left.
 void Stabilized::start(State& s) {
   s.lambda.setZero(terms_.structure.constraints);
   prepare(s);
   terms_.refuse_lost(s);
-  solve_at_start(s);
-  multipliers(s);
+  solve(s);
+  refresh(s);
 }
 
 bool Stabilized::begin(const State& s, Motion& motion) {

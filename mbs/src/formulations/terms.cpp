@@ -137,6 +137,11 @@ void Terms::violation(const Eigen::VectorXd& x, const Eigen::VectorXd& rhs) {
   error += rhs;
 }
 
+void Terms::follow_correction() {
+  weights = error;
+  violation(correction, weights);
+}
+
 void Terms::project(Eigen::VectorXd& x, double weight) {
   error *= -weight;
   jacobian_rows.multiply(matrices.jacobian.data(), error.data(), correction.data());
@@ -144,16 +149,15 @@ void Terms::project(Eigen::VectorXd& x, double weight) {
   x.head(structure.variables) += correction;
 }
 
-int Terms::settle(State& s, const Eigen::VectorXd& rhs, double penalty, double tolerance, int most) {
+int Terms::settle(State& s, double penalty, double tolerance, int most) {
   const double floor = force.norm() / largest_mass;
-  violation(s.a, rhs);
   double before = 0.0;
   for (int iteration = 1; iteration <= most; ++iteration) {
     weights = s.lambda + penalty * error;
     const double change = correct(s, weights, 1.0),
                  rate = iteration > 1 ? std::min(change / before, 1.0) : 1.0;
     s.a.head(structure.variables) += correction;
-    violation(s.a, rhs);
+    follow_correction();
     s.lambda += penalty * error;
     if (change * rate <= tolerance * (s.a.norm() + floor)) return iteration;
     before = change;

@@ -32,7 +32,6 @@ class Index1 final : public Stabilized {
 
  private:
   void solve(State& s) override;
-  void solve_at_start(State& s) override;
 
   Index1Settings settings_;
 };

@@ -28,7 +28,6 @@ class Penalty final : public Stabilized {
  private:
   void solve(State& s) override;
   void multipliers(State& s) override;
-  void solve_at_start(State& s) override;
 };
 
 }  // namespace tandem::mbs

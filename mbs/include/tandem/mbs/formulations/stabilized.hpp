@@ -32,19 +32,19 @@ class Stabilized : public Formulation {
   /// penalty 0: 1e7 times the largest mass term. Throws Error for a setting that is not allowed.
   Stabilized(const char* owner, Model& model, const Baumgarte& settings);
 
-  /// Accelerations of a state from those at hand, and multipliers if they go with them; T is factorized.
+  /// Accelerations of a state from those at hand, and multipliers if they go with them; T is factorized, and
+  /// terms_.error is Phi_q q'' + rhs.
   virtual void solve(State& s) = 0;
   /// Multipliers after that, if they don't.
   virtual void multipliers(State& /*s*/) {}
-  virtual void solve_at_start(State& s) = 0;
 
   Terms terms_;
   double alpha_;
-  Eigen::VectorXd rhs_;
 
  private:
   void prepare(const State& s);
 
+  Eigen::VectorXd rhs_, with_velocities_;
   double xi_, omega_;
   State at_;  ///< where the last evaluation was
 };

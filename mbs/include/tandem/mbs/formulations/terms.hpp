@@ -38,17 +38,19 @@ struct Terms {
 
   /// error <- Phi_q x + rhs.
   void violation(const Eigen::VectorXd& x, const Eigen::VectorXd& rhs);
+  /// error <- Phi_q (x + correction) + rhs, from Phi_q x + rhs.
+  void follow_correction();
   /// x <- x - T^-1 Phi_q^T weight error.
   void project(Eigen::VectorXd& x, double weight);
 
-  /// Augmented Lagrangian of index 1 from the a and lambda at hand, after forces() and factorize(): with
-  /// e = Phi_q a + rhs
+  /// Augmented Lagrangian of index 1 from the a, lambda and error = Phi_q a + rhs at hand, after forces() and
+  /// factorize(): with e the error
   ///   a <- a + T^-1 [Q - M a - Phi_q^T (lambda + penalty e)], then lambda <- lambda + penalty e
   /// until the next |da|, at the rate of the last two, is <= tolerance (|a| + |Q| / largest mass term).
   /// penalty: that in T; other terms in T change the way but not the end. The residual, not the right-hand
   /// side, is multiplied by T^-1 as in the second penalty |rhs| is lost to rounding. Returns the iterations,
   /// 0 if these were not enough.
-  int settle(State& s, const Eigen::VectorXd& rhs, double penalty, double tolerance, int most);
+  int settle(State& s, double penalty, double tolerance, int most);
 
   /// T, not factorized.
   void assemble(const State& s, const TangentFactors& factors);
