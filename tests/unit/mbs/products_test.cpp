@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
+#include <map>
 #include <random>
 
 #include "tandem/mbs/sparse/permutation.hpp"
@@ -128,6 +129,43 @@ TEST(RankUpdate, IsThatOfDenseMatricesOnEitherTriangleOrBoth) {
       RankUpdate(a.pattern, entries).run(a.values.data(), 0.7, base.data(), result.data());
       for (std::size_t k = 0; k < entries.size(); ++k)
         EXPECT_NEAR(result[k], 0.25 + expected(entries[k].first, entries[k].second), rounding);
+    }
+  }
+}
+
+/// Layouts of all entries in an order of their own: column by column, so that the coordinates of a point
+/// stand together; row by row, so that they don't; of the lower triangle either way, with room for none
+/// between and the diagonal named twice.
+std::vector<std::vector<std::pair<int, int>>> layouts(int n) {
+  std::vector<std::vector<std::pair<int, int>>> all(4);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      all[0].emplace_back(j, i);
+      all[1].emplace_back(i, j);
+      if (j >= i) all[2].emplace_back(j, i);
+      all[3].emplace_back(j <= i ? std::pair(i, j) : std::pair(-1, -1));
+    }
+  for (int i = 0; i < n; ++i) all[2].emplace_back(i, i);
+  return all;
+}
+
+TEST(RankUpdate, TakesTheCoordinatesOfPointsTogetherWhereTheyStandTogether) {
+  for (const int dimension : {2, 3}) {
+    const Matrix a = of_points(dimension);
+    const int n = a.pattern.rows();
+    const MatrixXd full = dense(a.pattern, a.values), expected = 0.7 * full * full.transpose();
+    for (const auto& layout : layouts(n)) {
+      const std::vector<double> base(layout.size(), 0.25);
+      std::vector<double> result(layout.size());
+      RankUpdate(a.pattern, layout).run(a.values.data(), 0.7, base.data(), result.data());
+      std::map<std::pair<int, int>, double>
+          found;  // both triangles and entries named twice have the same bits
+      for (std::size_t k = 0; k < layout.size(); ++k) {
+        const auto [row, column] = layout[k];
+        ASSERT_NEAR(result[k], 0.25 + (row < 0 ? 0.0 : expected(row, column)), rounding)
+            << row << " " << column;
+        EXPECT_EQ(result[k], found.try_emplace(std::minmax(row, column), result[k]).first->second);
+      }
     }
   }
 }
