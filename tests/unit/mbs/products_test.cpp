@@ -101,7 +101,7 @@ Matrix of_points(int dimension) {
 TEST(Products, TakeThePairsAndTriplesOfPoints) {
   for (const int dimension : {2, 3}) {
     const Matrix a = of_points(dimension);
-    EXPECT_EQ(a.pattern.runs()[0], (Pattern::Run{dimension, 2, dimension}));
+    EXPECT_EQ(a.pattern.runs()[0], (Pattern::Run{0, 2, 0, 1, dimension, 1}));
     const MatrixXd full = dense(a.pattern, a.values);
     const VectorXd x = VectorXd::LinSpaced(a.pattern.rows(), -1.0, 1.0), y = VectorXd::LinSpaced(7, 0.3, 1.0);
     VectorXd transposed(7), rows(a.pattern.rows());
@@ -112,6 +112,26 @@ TEST(Products, TakeThePairsAndTriplesOfPoints) {
     const ColumnSquares squares = column_squares(a.pattern, a.values.data());
     EXPECT_EQ(squares.least, 0.0);
     EXPECT_NEAR(squares.most, full.colwise().squaredNorm().maxCoeff(), rounding);
+  }
+}
+
+/// Columns beside each other whose rows are those before plus one, in pairs and in triples, and one by itself
+/// with as many entries; then entries of the diagonal alone, three.
+TEST(Products, TakeColumnsAbreast) {
+  for (const int size : {2, 3}) {
+    std::vector<std::pair<int, int>> entries = {{0, size}, {2, size}, {7, size}};
+    for (int c = 0; c < size; ++c) entries.insert(entries.end(), {{c, c}, {c + 3, c}, {c + 7, c}});
+    for (int c = size + 1; c < size + 4; ++c) entries.emplace_back(c, c);
+    Matrix a{Pattern(10, size + 4, std::move(entries)), {}};
+    for (int k = 0; k < a.pattern.size(); ++k) a.values.push_back(1.0 / (1.0 + k));
+    ASSERT_EQ(a.pattern.runs().size(), 3U);
+    EXPECT_EQ(a.pattern.runs()[0], (Pattern::Run{0, size, 0, 3, 1, size}));
+    EXPECT_EQ(a.pattern.runs()[1], (Pattern::Run{size, 1, 3 * size, 3, 1, 1}));
+    EXPECT_EQ(a.pattern.runs()[2], (Pattern::Run{size + 1, 3, 3 * size + 3, 1, 1, 3}));
+    const VectorXd x = VectorXd::LinSpaced(10, -1.0, 1.0);
+    VectorXd y(size + 4);
+    multiply_transposed(a.pattern, a.values.data(), x.data(), y.data());
+    EXPECT_LT((y - dense(a.pattern, a.values).transpose() * x).norm(), rounding);
   }
 }
 

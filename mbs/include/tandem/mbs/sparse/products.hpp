@@ -27,9 +27,10 @@ class Rows {
     int position, column;  ///< the first: in the first row of its block
   };
   void add(const Pattern& a, int row, const std::vector<int>& columns, int together);
-  std::vector<Pattern::Run> runs_;  ///< of blocks of one row or `together`, with so many entries in all
-  std::vector<Entry> entries_;      ///< of the first rows
-  int blocks_ = 0;
+  void multiply(const double* values, const double* x, double* y, int first, int last) const;
+  std::vector<Pattern::Run> runs_;  ///< of rows here, not of columns; start: the first entry
+  std::vector<Entry> entries_;      ///< of the first row of each block
+  int rows_;
 };
 
 /// The least and the greatest sum of squares of a column; infinity and 0 if there is no column.
