@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numeric>
+#include <tuple>
 
 namespace tandem::mbs {
 namespace {
 
-/// As Run::together, of one column.
+/// As Pattern::Run::together, of one column.
 int together(std::span<const int> rows) {
   const auto stand = [&](std::size_t size) {
     bool all = !rows.empty() && rows.size() % size == 0;
@@ -32,12 +34,29 @@ Pattern::Pattern(int rows, int columns, std::vector<std::pair<int, int>> entries
     indices_.push_back(row);
     ++starts_[static_cast<std::size_t>(column) + 1];
   }
-  for (std::size_t c = 1; c < starts_.size(); ++c) {
-    const int count = starts_[c];
-    const int size = together(indices().subspan(starts_[c - 1], count));
-    append(runs_, count / size, size);
-    starts_[c] += starts_[c - 1];
+  std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
+  add_runs();
+}
+
+void Pattern::add_runs() {
+  const auto rows = [&](int c) { return indices().subspan(starts_[c], starts_[c + 1] - starts_[c]); };
+  const auto follows = [&](int c) {
+    return std::equal(rows(c).begin(), rows(c).end(), rows(c - 1).begin(), rows(c - 1).end(),
+                      [](int row, int before) { return row == before + 1; });
+  };
+  for (int c = 0, next = 1; c < columns(); c = next++) {
+    const int entries = static_cast<int>(rows(c).size()), size = together(rows(c));
+    while (size == 1 && entries > 0 && next < columns() && follows(next)) ++next;
+    append(runs_, {c, next - c, starts_[c], entries / size, size, size == 1 ? in_step(next - c) : 1});
   }
+}
+
+void append(std::vector<Pattern::Run>& runs, const Pattern::Run& next) {
+  const auto kind = [](const Pattern::Run& r) { return std::tuple(r.groups, r.together, r.abreast); };
+  if (runs.empty() || kind(runs.back()) != kind(next))
+    runs.push_back(next);
+  else
+    runs.back().columns += next.columns;
 }
 
 int Pattern::find(int row, int column) const {

@@ -18,6 +18,14 @@ Eigen::Map<const Together<size>> at(const double* x) {
   return Eigen::Map<const Together<size>>(x);
 }
 
+/// Numbers so far apart.
+template <int size, class Distance>
+auto across(const double* x, Distance distance) {
+  constexpr int known = std::is_integral_v<Distance> ? Eigen::Dynamic : static_cast<int>(Distance());
+  return Eigen::Map<const Together<size>, 0, Eigen::InnerStride<known>>(x,
+                                                                        Eigen::InnerStride<known>(distance));
+}
+
 template <int size, class Term>
 Together<size> sum(int count, const Term& term) {
   Together<size> all = Together<size>::Zero();
@@ -26,56 +34,67 @@ Together<size> sum(int count, const Term& term) {
   return all;
 }
 
-/// body(groups, together): both known to the compiler, or the first is many.
-template <class Body>
-void with_groups(const Run& run, const Body& body) {
-  with_count(run.groups, [&](auto groups) {
-    if (run.together == 1) body(groups, std::integral_constant<int, 1>());
-    if (run.together == 2) body(groups, std::integral_constant<int, 2>());
-    if (run.together == 3) body(groups, std::integral_constant<int, 3>());
-  });
+/// Of a run the part within first .. last, counted from its begin, in whole blocks of `size`.
+std::pair<int, int> part(const Pattern::Run& run, int size, int first, int last) {
+  const auto up = [=](int n) { return (n + size - 1) / size * size; };
+  const int from = first - run.first, to = last - run.first;
+  return {from <= 0 ? 0 : std::min(up(from), run.columns),
+          to >= run.columns ? run.columns : std::max(up(to), 0)};
 }
 
-/// body(groups, together, part): of each run what a thread has of it.
-template <class Body>
-void for_runs(std::span<const Run> runs, const Body& body) {
-  if (runs.empty()) return;
-  share(runs.back().unit + runs.back().units, [&](int first, int last) {
-    for (const Run& run : runs) {
-      const int from = std::max(first - run.unit, 0), to = std::min(last - run.unit, run.units);
-      if (from >= to) continue;
-      const Run part{run.groups,
-                     run.together,
-                     to - from,
-                     run.unit + from,
-                     run.row + from * run.together,
-                     run.group + from * run.groups,
-                     run.value + from * run.groups * run.together};
-      with_groups(run, [&](auto groups, auto together) { body(groups, together, part); });
-    }
-  });
-}
-
-/// Columns of so many groups: of each the dot product with x.
+/// y = a dot product with x for each column of so many groups of `together` rows. What functions like this
+/// one take is in registers: parts of a lambda's captures would be stored, and waited for.
 template <int together, class Groups>
-void multiply_columns(Groups groups, int columns, const int* row, const double* value, const double* x,
-                      double* y) {
-  for (const double* const end = y + columns; y < end; ++y) {
-    const auto product = [=](int k) {
+void multiply_each(Groups groups, const int* row, const double* value, const double* x, std::span<double> y) {
+  for (double& product : y) {
+    const auto term = [=](int k) {
       return at<together>(value + k * together).cwiseProduct(at<together>(x + row[k * together]));
     };
-    *y = sum<together>(groups, product).sum();
+    product = sum<together>(groups, term).sum();
     row += groups * together, value += groups * together;
   }
 }
 
-/// Blocks of rows of so many groups.
+/// The same for columns of so many entries, `abreast` at a time.
+template <int abreast, class Entries>
+void multiply_abreast(Entries entries, const int* row, const double* value, const double* x,
+                      std::span<double> y) {
+  for (double *to = y.data(), *end = to + y.size(); to < end; to += abreast) {
+    const auto term = [=](int k) {
+      return across<abreast>(value + k, entries).cwiseProduct(at<abreast>(x + row[k]));
+    };
+    Eigen::Map<Together<abreast>>{to} = sum<abreast>(entries, term);
+    row += entries * abreast, value += entries * abreast;
+  }
+}
+
+void multiply_columns(const Pattern& a, const double* values, const double* x, double* y, int first,
+                      int last) {
+  for (const Pattern::Run& run : a.runs()) {
+    const auto [from, to] = part(run, run.abreast, first, last);
+    const int start = a.starts()[run.first + from];
+    const int* const row = a.indices().data() + start;
+    const double* const value = values + start;
+    const std::span<double> result(y + run.first + from, y + run.first + to);
+    with_count(run.groups, [=](auto groups) {
+      if (run.together == 1 && run.abreast == 1) multiply_each<1>(groups, row, value, x, result);
+      if (run.together == 2) multiply_each<2>(groups, row, value, x, result);
+      if (run.together == 3) multiply_each<3>(groups, row, value, x, result);
+      if (run.abreast == 2) multiply_abreast<2>(groups, row, value, x, result);
+      if (run.abreast == 3) multiply_abreast<3>(groups, row, value, x, result);
+    });
+  }
+}
+
+/// y = so many rows at a time, with entries in so many columns.
 template <int together, class Groups, class Entry>
-void multiply_rows(Groups groups, int blocks, const Entry* entry, const double* values, const double* x,
-                   double* y) {
-  for (const double* const end = y + blocks * together; y < end; y += together) {
-    const auto product = [=](int k) { return x[entry[k].column] * at<together>(values + entry[k].position); };
-    Eigen::Map<Together<together>>{y} = sum<together>(groups, product);
+void multiply_blocks(Groups groups, const Entry* entry, const double* values, const double* x,
+                     std::span<double> y) {
+  for (double *to = y.data(), *end = to + y.size(); to < end; to += together) {
+    const auto term = [=](int k) -> Together<together> {
+      return x[entry[k].column] * at<together>(values + entry[k].position);
+    };
+    Eigen::Map<Together<together>>{to} = sum<together>(groups, term);
     entry += groups;
   }
 }
@@ -83,9 +102,7 @@ void multiply_rows(Groups groups, int blocks, const Entry* entry, const double* 
 }  // namespace
 
 void multiply_transposed(const Pattern& a, const double* values, const double* x, double* y) {
-  for_runs(a.runs(), [=, rows = a.indices().data()](auto groups, auto together, const Run& part) {
-    multiply_columns<together>(groups, part.units, rows + part.value, values + part.value, x, y + part.unit);
-  });
+  share(a.columns(), [=, &a](int first, int last) { multiply_columns(a, values, x, y, first, last); });
 }
 
 void multiply_symmetric(const Matrix& a, const double* x, double* y) {
@@ -93,37 +110,55 @@ void multiply_symmetric(const Matrix& a, const double* x, double* y) {
 }
 
 /// Rows that have entries in the same columns come in blocks of two or three, if they come out even.
-Rows::Rows(const Pattern& a) {
+Rows::Rows(const Pattern& a) : rows_(a.rows()) {
   std::vector<std::vector<int>> columns(static_cast<std::size_t>(a.rows()));
   for (const auto& [row, column] : a.entries()) columns[static_cast<std::size_t>(row)].push_back(column);
   for (auto first = columns.begin(); first != columns.end();) {
     const auto last = std::find_if(first, columns.end(), [&](const auto& other) { return other != *first; });
-    const int alike = static_cast<int>(last - first), together = alike % 2 == 0 ? 2 : alike % 3 == 0 ? 3 : 1;
+    const int together = in_step(static_cast<int>(last - first));
     for (; first != last; first += together)
       add(a, static_cast<int>(first - columns.begin()), *first, together);
   }
 }
 
 void Rows::add(const Pattern& a, int row, const std::vector<int>& columns, int together) {
+  const int start = static_cast<int>(entries_.size()), groups = static_cast<int>(columns.size());
+  append(runs_, {row, together, start, groups, together, 1});
   for (const int column : columns) entries_.push_back({a.find(row, column), column});
-  append(runs_, static_cast<int>(columns.size()), together);
 }
 
 void Rows::multiply(const double* values, const double* x, double* y) const {
-  for_runs(runs_, [=, entries = entries_.data()](auto groups, auto together, const Run& part) {
-    multiply_rows<together>(groups, part.units, entries + part.group, values, x, y + part.row);
-  });
+  share(rows_, [=, this](int first, int last) { multiply(values, x, y, first, last); });
+}
+
+void Rows::multiply(const double* values, const double* x, double* y, int first, int last) const {
+  for (const auto& run : runs_) {
+    const auto [from, to] = part(run, run.together, first, last);
+    const Entry* const entry =
+        entries_.data() + run.start + (from == 0 ? 0 : from / run.together * run.groups);
+    const std::span<double> result(y + run.first + from, y + run.first + to);
+    with_count(run.groups, [=](auto groups) {
+      if (run.together == 1) multiply_blocks<1>(groups, entry, values, x, result);
+      if (run.together == 2) multiply_blocks<2>(groups, entry, values, x, result);
+      if (run.together == 3) multiply_blocks<3>(groups, entry, values, x, result);
+    });
+  }
 }
 
 ColumnSquares column_squares(const Pattern& a, const double* values) {
   ColumnSquares found{HUGE_VAL, 0.0};
+  const auto take = [&](const Pattern::Run& run, auto groups, auto together) {
+    for (int c = 0; c < run.columns; ++c, values += groups * together) {
+      const auto square = [=](int k) { return at<together>(values + k * together).cwiseAbs2(); };
+      const double all = sum<together>(groups, square).sum();
+      found = {std::min(found.least, all), std::max(found.most, all)};
+    }
+  };
   for (const auto& run : a.runs())
-    with_groups(run, [&](auto groups, auto together) {
-      for (int c = 0; c < run.units; ++c, values += groups * together) {
-        const auto square = [=](int k) { return at<together>(values + k * together).cwiseAbs2(); };
-        const double all = sum<together>(groups, square).sum();
-        found = {std::min(found.least, all), std::max(found.most, all)};
-      }
+    with_count(run.groups, [&](auto groups) {
+      if (run.together == 1) take(run, groups, std::integral_constant<int, 1>());
+      if (run.together == 2) take(run, groups, std::integral_constant<int, 2>());
+      if (run.together == 3) take(run, groups, std::integral_constant<int, 3>());
     });
   return found;
 }

@@ -5,8 +5,9 @@
 #include <array>
 #include <cassert>
 #include <map>
+#include <tuple>
 
-#include "small_count.hpp"
+#include "block_products.hpp"
 #include "team.hpp"
 
 namespace tandem::mbs {
@@ -14,27 +15,7 @@ namespace {
 
 constexpr int worth_colouring = 4000;  ///< columns: sums stand in another order with colours
 
-/// By (row, column) below the diagonal the positions of a layout that hold it.
-class Lower {
- public:
-  Lower(int columns, std::span<const std::pair<int, int>> target)
-      : columns_(static_cast<std::size_t>(columns)) {
-    for (std::size_t e = 0; e < target.size(); ++e)
-      if (const auto [low, high] = std::minmax(target[e].first, target[e].second); low >= 0)
-        columns_[low].push_back({high, static_cast<std::int32_t>(e)});
-    for (auto& column : columns_) std::sort(column.begin(), column.end());
-  }
-  std::int32_t first(int row, int column) const {
-    const auto& entries = columns_[std::min(row, column)];
-    const auto at = std::lower_bound(entries.begin(), entries.end(), std::pair(std::max(row, column), 0));
-    assert(at != entries.end() && at->first == std::max(row, column));
-    return at->second;
-  }
-  const auto& columns() const { return columns_; }
-
- private:
-  std::vector<std::vector<std::pair<int, std::int32_t>>> columns_;  ///< (row, position), sorted
-};
+using Target = std::vector<std::pair<int, int>>;
 
 std::span<const int> rows_of(const Pattern& a, int column) {
   const auto starts = a.starts();
@@ -59,65 +40,130 @@ std::vector<int> colours(const Pattern& a) {
   return of;
 }
 
-}  // namespace
-
-RankUpdate::RankUpdate(const Pattern& a, std::span<const std::pair<int, int>> target)
-    : size_(target.size()), coloured_(a.columns() >= worth_colouring) {
-  const Lower lower(a.rows(), target);
-  const auto colour = coloured_ ? colours(a) : std::vector<int>(a.columns());
-  std::map<std::pair<std::size_t, int>, std::vector<int>> groups;
-  for (int c = 0; c < a.columns(); ++c) groups[{rows_of(a, c).size(), colour[c]}].push_back(c);
-  for (const auto& [kind, columns] : groups) {
-    groups_.push_back({kind.first, static_cast<int>(columns.size())});
-    for (const int c : columns) {
-      const auto rows = rows_of(a, c);
-      starts_.push_back(a.starts()[c]);
-      for (std::size_t i = 0; i < rows.size(); ++i)
-        for (std::size_t j = 0; j <= i; ++j) targets_.push_back(lower.first(rows[i], rows[j]));
-    }
+/// By (row, column) the positions of a layout that hold it.
+class Positions {
+ public:
+  Positions(int columns, const Target& target) : columns_(static_cast<std::size_t>(columns)) {
+    for (std::size_t e = 0; e < target.size(); ++e)
+      if (const auto [row, column] = target[e]; row >= 0)
+        columns_[column].push_back({row, static_cast<std::int32_t>(e)});
+    for (auto& column : columns_) std::sort(column.begin(), column.end());
   }
-  for (const auto& column : lower.columns())
-    for (std::size_t k = 1, first = 0; k < column.size(); ++k)
-      if (column[k].first == column[first].first)
-        copies_.push_back({column[first].second, column[k].second});
-      else
-        first = k;
+  /// -1: none.
+  std::int32_t first(int row, int column) const {
+    const auto& entries = columns_[column];
+    const auto at = std::lower_bound(entries.begin(), entries.end(), std::pair(row, 0));
+    return at != entries.end() && at->first == row ? at->second : -1;
+  }
+  /// Whether A A^T is there as a whole, both triangles.
+  bool have_all(const Pattern& a) const {
+    for (int c = 0; c < a.columns(); ++c)
+      for (const int row : rows_of(a, c))
+        for (const int column : rows_of(a, c))
+          if (first(row, column) < 0) return false;
+    return true;
+  }
+  const auto& columns() const { return columns_; }
+
+ private:
+  std::vector<std::vector<std::pair<int, std::int32_t>>> columns_;  ///< (row, position), sorted
+};
+
+Target lower(Target target) {
+  for (auto& [row, column] : target)
+    if (row < column) std::swap(row, column);
+  return target;
 }
 
-/// result[targets] += factor (a a^T) for columns of so many entries; entries: known to the compiler or not.
-template <class Entries>
-void RankUpdate::add(Entries entries, std::span<const std::int32_t> starts, const std::int32_t* target,
-                     const double* a, double factor, double* result) {
-  constexpr std::size_t most = 8;
-  for (const std::int32_t start : starts) {
-    const double* column = a + start;
-    std::array<double, most> local;
-    if constexpr (!std::is_integral_v<Entries>) {  // or they would be read again after each store
-      for (std::size_t k = 0; k < entries; ++k) local[k] = column[k];
-      column = local.data();
+/// Where add_products() puts the blocks of a column of A with these rows; none if the rows of a block do not
+/// stand together there.
+std::vector<std::int32_t> block_targets(const Positions& positions, std::span<const int> rows, bool both,
+                                        std::size_t together) {
+  std::vector<std::int32_t> all;
+  bool stand = rows.size() % together == 0;
+  const auto add = [&](std::span<const int> block, int column) {
+    all.push_back(positions.first(block[0], column));
+    assert(all.back() >= 0);
+    for (std::size_t i = 1; i < block.size(); ++i)
+      stand = stand && positions.first(block[i], column) == all.back() + static_cast<int>(i);
+  };
+  for (std::size_t q = 0; stand && q < rows.size(); q += together)
+    for (std::size_t p = q; p < rows.size(); p += together) {
+      for (std::size_t d = 0; d < together; ++d) {
+        const std::size_t above = p == q && !both ? d : 0;
+        add(rows.subspan(p + above, together - above), rows[q + d]);
+      }
+      for (std::size_t d = 0; both && p > q && d < together; ++d) add(rows.subspan(q, together), rows[p + d]);
     }
-    for (std::size_t i = 0; i < entries; ++i) {
-      const double scaled = factor * column[i];
-      for (std::size_t j = 0; j <= i; ++j) result[*target++] += scaled * column[j];
-    }
+  return stand ? all : std::vector<std::int32_t>();
+}
+
+/// Whether points have two coordinates rather than three: pairs of other rows would be stored one way and
+/// loaded another, which waits.
+bool are_planar(const Pattern& a) {
+  int pairs = 0, triples = 0;
+  for (int c = 0; c < a.columns(); ++c) {
+    pairs += rows_of(a, c).size() % 2 == 0;
+    triples += rows_of(a, c).size() % 3 == 0;
   }
+  return pairs >= triples;
+}
+
+/// (from, to): entries that a layout names again.
+std::vector<std::pair<std::int32_t, std::int32_t>> repeated(const Positions& positions) {
+  std::vector<std::pair<std::int32_t, std::int32_t>> all;
+  for (const auto& column : positions.columns())
+    for (std::size_t k = 1, first = 0; k < column.size(); ++k)
+      if (column[k].first == column[first].first)
+        all.emplace_back(column[first].second, column[k].second);
+      else
+        first = k;
+  return all;
+}
+
+}  // namespace
+
+RankUpdate::RankUpdate(const Pattern& a, std::span<const std::pair<int, int>> layout)
+    : size_(layout.size()), coloured_(a.columns() >= worth_colouring) {
+  const Target target(layout.begin(), layout.end());
+  Positions positions(a.rows(), target);
+  both_ = positions.have_all(a);
+  if (!both_) positions = Positions(a.rows(), lower(target));
+  copies_ = repeated(positions);
+  const auto colour = coloured_ ? colours(a) : std::vector<int>(a.columns());
+  const bool planar = are_planar(a);
+  std::map<std::tuple<int, int, int>, Group> groups;
+  for (int c = 0; c < a.columns(); ++c) {
+    const auto rows = rows_of(a, c);
+    auto targets = planar ? block_targets(positions, rows, both_, 2) : std::vector<std::int32_t>();
+    const int together = targets.empty() ? 1 : 2, blocks = static_cast<int>(rows.size()) / together;
+    if (together == 1) targets = block_targets(positions, rows, both_, 1);
+    Group& group = groups[{blocks, together, colour[c]}];
+    group.blocks = blocks, group.together = together;
+    group.starts.push_back(a.starts()[c]);
+    group.targets.insert(group.targets.end(), targets.begin(), targets.end());
+  }
+  for (auto& [kind, group] : groups) groups_.push_back(std::move(group));
 }
 
 void RankUpdate::run(const double* a, double factor, const double* base, double* result) const {
   if (base != result)
     share(static_cast<int>(size_),
           [=](int first, int last) { std::copy(base + first, base + last, result + first); });
-  const std::int32_t *start = starts_.data(), *target = targets_.data();
   for (const Group& group : groups_) {
-    const std::size_t products = group.entries * (group.entries + 1) / 2;
-    const auto add_columns = [=](int first, int last) {
-      with_count(group.entries, [=](auto entries) {
-        add(entries, {start + first, start + last}, target + products * first, a, factor, result);
+    const int blocks = both_ ? group.blocks * group.blocks : group.blocks * (group.blocks + 1) / 2;
+    const auto add_columns = [&](int first, int last) {
+      const std::span starts(group.starts.data() + first, group.starts.data() + last);
+      const BlockSum sum{result, group.targets.data() + first * blocks * group.together};
+      with_count(group.blocks, [&](auto count) {
+        if (both_ && group.together == 1) add_products<true, 1>(count, starts, a, factor, sum);
+        if (both_ && group.together == 2) add_products<true, 2>(count, starts, a, factor, sum);
+        if (!both_ && group.together == 1) add_products<false, 1>(count, starts, a, factor, sum);
+        if (!both_ && group.together == 2) add_products<false, 2>(count, starts, a, factor, sum);
       });
     };
-    coloured_ ? share(group.columns, add_columns) : add_columns(0, group.columns);
-    start += group.columns;
-    target += products * group.columns;
+    const int columns = static_cast<int>(group.starts.size());
+    coloured_ ? share(columns, add_columns) : add_columns(0, columns);
   }
   for (const auto& [from, to] : copies_) result[to] = base[to] + (result[from] - base[from]);
 }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
+#include <map>
 #include <random>
 
 #include "tandem/mbs/sparse/permutation.hpp"
@@ -100,7 +101,7 @@ Matrix of_points(int dimension) {
 TEST(Products, TakeThePairsAndTriplesOfPoints) {
   for (const int dimension : {2, 3}) {
     const Matrix a = of_points(dimension);
-    EXPECT_EQ(a.pattern.runs()[0], (mbs::Run{1, dimension, 2}));
+    EXPECT_EQ(a.pattern.runs()[0], (Pattern::Run{0, 2, 0, 1, dimension, 1}));
     const MatrixXd full = dense(a.pattern, a.values);
     const VectorXd x = VectorXd::LinSpaced(a.pattern.rows(), -1.0, 1.0), y = VectorXd::LinSpaced(7, 0.3, 1.0);
     VectorXd transposed(7), rows(a.pattern.rows());
@@ -111,6 +112,26 @@ TEST(Products, TakeThePairsAndTriplesOfPoints) {
     const ColumnSquares squares = column_squares(a.pattern, a.values.data());
     EXPECT_EQ(squares.least, 0.0);
     EXPECT_NEAR(squares.most, full.colwise().squaredNorm().maxCoeff(), rounding);
+  }
+}
+
+/// Columns beside each other whose rows are those before plus one, in pairs and in triples, and one by itself
+/// with as many entries; then entries of the diagonal alone, three.
+TEST(Products, TakeColumnsAbreast) {
+  for (const int size : {2, 3}) {
+    std::vector<std::pair<int, int>> entries = {{0, size}, {2, size}, {7, size}};
+    for (int c = 0; c < size; ++c) entries.insert(entries.end(), {{c, c}, {c + 3, c}, {c + 7, c}});
+    for (int c = size + 1; c < size + 4; ++c) entries.emplace_back(c, c);
+    Matrix a{Pattern(10, size + 4, std::move(entries)), {}};
+    for (int k = 0; k < a.pattern.size(); ++k) a.values.push_back(1.0 / (1.0 + k));
+    ASSERT_EQ(a.pattern.runs().size(), 3U);
+    EXPECT_EQ(a.pattern.runs()[0], (Pattern::Run{0, size, 0, 3, 1, size}));
+    EXPECT_EQ(a.pattern.runs()[1], (Pattern::Run{size, 1, 3 * size, 3, 1, 1}));
+    EXPECT_EQ(a.pattern.runs()[2], (Pattern::Run{size + 1, 3, 3 * size + 3, 1, 1, 3}));
+    const VectorXd x = VectorXd::LinSpaced(10, -1.0, 1.0);
+    VectorXd y(size + 4);
+    multiply_transposed(a.pattern, a.values.data(), x.data(), y.data());
+    EXPECT_LT((y - dense(a.pattern, a.values).transpose() * x).norm(), rounding);
   }
 }
 
@@ -128,6 +149,43 @@ TEST(RankUpdate, IsThatOfDenseMatricesOnEitherTriangleOrBoth) {
       RankUpdate(a.pattern, entries).run(a.values.data(), 0.7, base.data(), result.data());
       for (std::size_t k = 0; k < entries.size(); ++k)
         EXPECT_NEAR(result[k], 0.25 + expected(entries[k].first, entries[k].second), rounding);
+    }
+  }
+}
+
+/// Layouts of all entries in an order of their own: column by column, so that the coordinates of a point
+/// stand together; row by row, so that they don't; of the lower triangle either way, with room for none
+/// between and the diagonal named twice.
+std::vector<std::vector<std::pair<int, int>>> layouts(int n) {
+  std::vector<std::vector<std::pair<int, int>>> all(4);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      all[0].emplace_back(j, i);
+      all[1].emplace_back(i, j);
+      if (j >= i) all[2].emplace_back(j, i);
+      all[3].emplace_back(j <= i ? std::pair(i, j) : std::pair(-1, -1));
+    }
+  for (int i = 0; i < n; ++i) all[2].emplace_back(i, i);
+  return all;
+}
+
+TEST(RankUpdate, TakesTheCoordinatesOfPointsTogetherWhereTheyStandTogether) {
+  for (const int dimension : {2, 3}) {
+    const Matrix a = of_points(dimension);
+    const int n = a.pattern.rows();
+    const MatrixXd full = dense(a.pattern, a.values), expected = 0.7 * full * full.transpose();
+    for (const auto& layout : layouts(n)) {
+      const std::vector<double> base(layout.size(), 0.25);
+      std::vector<double> result(layout.size());
+      RankUpdate(a.pattern, layout).run(a.values.data(), 0.7, base.data(), result.data());
+      std::map<std::pair<int, int>, double>
+          found;  // both triangles and entries named twice have the same bits
+      for (std::size_t k = 0; k < layout.size(); ++k) {
+        const auto [row, column] = layout[k];
+        ASSERT_NEAR(result[k], 0.25 + (row < 0 ? 0.0 : expected(row, column)), rounding)
+            << row << " " << column;
+        EXPECT_EQ(result[k], found.try_emplace(std::minmax(row, column), result[k]).first->second);
+      }
     }
   }
 }

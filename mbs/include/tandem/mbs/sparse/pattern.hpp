@@ -4,8 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "tandem/mbs/sparse/run.hpp"
-
 namespace tandem::mbs {
 
 /// Which entries of a sparse matrix are stored: compressed columns, rows ascending within each. The values
@@ -23,7 +21,16 @@ class Pattern {
   std::span<const int> starts() const { return starts_; }
   /// Of each position its row.
   std::span<const int> indices() const { return indices_; }
-  /// Its columns.
+  /// Columns next to each other that are alike, in order: what loops over columns go by, so that they ask for
+  /// the numbers once a run.
+  struct Run {
+    int first, columns;
+    int start;     ///< position of the first entry
+    int groups;    ///< of entries, in each column
+    int together;  ///< rows of a group: 2 or 3 if entries come in pairs or triples of rows without a gap
+    int abreast;  ///< 2 or 3 if entries stand alone: of so many columns each has the rows of the last, plus 1
+    bool operator==(const Run&) const = default;
+  };
   std::span<const Run> runs() const { return runs_; }
   /// Position of an entry; -1 if it is not stored.
   int find(int row, int column) const;
@@ -35,10 +42,17 @@ class Pattern {
   bool operator==(const Pattern&) const = default;
 
  private:
+  void add_runs();
   int rows_ = 0;
   std::vector<int> starts_ = {0}, indices_;
   std::vector<Run> runs_;
 };
+
+/// Lengthens the last run, or begins the next if it is not alike.
+void append(std::vector<Pattern::Run>& runs, const Pattern::Run& next);
+
+/// 2 or 3 if so many things come out even in pairs or triples, else 1.
+inline int in_step(int count) { return count % 2 == 0 ? 2 : count % 3 == 0 ? 3 : 1; }
 
 /// The entries of both. Precondition: the same shape.
 Pattern unite(const Pattern& a, const Pattern& b);

@@ -27,8 +27,10 @@ class Rows {
     int position, column;  ///< the first: in the first row of its block
   };
   void add(const Pattern& a, int row, const std::vector<int>& columns, int together);
-  std::vector<Run> runs_;       ///< of blocks of `together` rows, a group for each column with entries
-  std::vector<Entry> entries_;  ///< by group
+  void multiply(const double* values, const double* x, double* y, int first, int last) const;
+  std::vector<Pattern::Run> runs_;  ///< of rows here, not of columns; start: the first entry
+  std::vector<Entry> entries_;      ///< of the first row of each block
+  int rows_;
 };
 
 /// The least and the greatest sum of squares of a column; infinity and 0 if there is no column.

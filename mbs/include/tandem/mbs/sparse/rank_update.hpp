@@ -12,35 +12,31 @@ namespace tandem::mbs {
 
 /// base + factor A A^T at given entries, A in compressed columns (Phi_q^T alpha Phi_q: A = Phi_q^T): a
 /// symmetric rank-k update, prepared as a list of where the products of each column with itself go
-/// (F. Gonzalez, doctoral thesis, A Coruna 2010, chapter 3). The columns of an A of 4000 or more are
-/// coloured: those of one colour have no row in common, so threads can share them, and sums are the same with
-/// any number of threads. Those of a smaller one are not shared.
+/// (F. Gonzalez, doctoral thesis, A Coruna 2010, chapter 3), the rows of a point together where they stand
+/// together. The columns of an A of 4000 or more are coloured: those of one colour have no row in common, so
+/// threads can share them, and sums are the same with any number of threads. Those of a smaller one are not
+/// shared.
 class RankUpdate {
  public:
-  /// target: by position of the result the (row, column) it holds; (-1, -1) for none. Precondition: it has
-  /// all entries of A A^T, in either triangle or in both.
-  RankUpdate(const Pattern& a, std::span<const std::pair<int, int>> target);
-  /// result[e] = base[e] + factor (A A^T)[e]. They may be the same array if the target names no entry twice.
+  /// layout: by position of the result the (row, column) it holds; (-1, -1) for none. Precondition: it has
+  /// all entries of A A^T, in either triangle or in both, which get the same bits.
+  RankUpdate(const Pattern& a, std::span<const std::pair<int, int>> layout);
+  /// result[e] = base[e] + factor (A A^T)[e]. They may be the same array if the layout names no entry twice.
   void run(const double* a, double factor, const double* base, double* result) const;
 
  private:
-  /// Columns of A of one colour with equally many entries, so that nothing is asked within.
+  /// Columns of A of one colour with equally many blocks of equally many rows, so that nothing is asked
+  /// within.
   struct Group {
-    std::size_t entries;
-    int columns;
+    int blocks, together;
+    std::vector<std::int32_t> starts;   ///< by column: its first position in A
+    std::vector<std::int32_t> targets;  ///< where its products go, in the order of add_products()
   };
-  struct Copy {
-    std::int32_t from, to;  ///< an entry that the target names again
-  };
-  template <class Entries>
-  static void add(Entries entries, std::span<const std::int32_t> starts, const std::int32_t* targets,
-                  const double* a, double factor, double* result);
   std::vector<Group> groups_;
-  std::vector<std::int32_t> starts_;   ///< by column, in order of the groups: its first position in A
-  std::vector<std::int32_t> targets_;  ///< of its products, those of each entry with itself and those before
-  std::vector<Copy> copies_;
+  std::vector<std::pair<std::int32_t, std::int32_t>>
+      copies_;        ///< (from, to): entries that the layout names again
   std::size_t size_;  ///< of the result
-  bool coloured_;
+  bool coloured_, both_;
 };
 
 }  // namespace tandem::mbs
