@@ -5,7 +5,8 @@
 namespace tandem::mbs {
 
 /// Throws Error where nothing moves, for points without mass, angles and lengths that are not defined as
-/// drawn, and bodies that are connected to nothing while they don't say that they are free.
+/// drawn, names of those that are coordinates of points, and bodies that are connected to nothing while they
+/// do not say that they are free.
 void check(const Description& in);
 
 }  // namespace tandem::mbs

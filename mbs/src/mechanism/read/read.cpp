@@ -144,7 +144,7 @@ int Reader::point(Section& section, const std::string& key, const std::string& n
 Edge Reader::two_points(Section& section, const std::string& key) const {
   const std::string allowed = "the names of two points";
   const auto names = section.texts(key);
-  if (names.empty()) section.missing(key, allowed);
+  if (!section.node(key)) section.missing(key, allowed);
   if (names.size() != 2) section.wrong(key, fmt::format("{} names", names.size()), allowed);
   const Edge edge{point(section, key, names[1]), point(section, key, names[0])};
   if (edge.to == edge.from) section.wrong(key, "'" + names[0] + "' twice", allowed);
