@@ -5,8 +5,7 @@
 namespace tandem::mbs {
 
 /// Throws Error where nothing moves, for points without mass, angles and lengths that are not defined as
-/// drawn, names of those that are coordinates of points, and bodies that are connected to nothing while they
-/// do not say that they are free.
+/// drawn, and bodies that are connected to nothing while they don't say that they are free.
 void check(const Description& in);
 
 }  // namespace tandem::mbs
