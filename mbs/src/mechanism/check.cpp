@@ -175,18 +175,6 @@ void check_relatives(const Description& in) {
   }
 }
 
-/// "P.x" is a coordinate of the point P.
-void check_names(const Description& in) {
-  const std::string axes = in.dimension == 2 ? "xy" : "xyz";
-  for (const Relative& r : in.relatives)
-    for (const Entity& e : in.entities)
-      for (const char axis : axes)
-        if (r.name == e.name + "." + axis)
-          refuse(r.where,
-                 fmt::format("the name '{}' is that of a coordinate of '{}'; allowed is a name of its own",
-                             r.name, e.name));
-}
-
 /// Without a variable there is nothing to assemble.
 void check_moving(const Description& in) {
   const auto fixed = [](const Entity& e) { return e.fixed; };
@@ -199,7 +187,6 @@ void check_moving(const Description& in) {
 
 void check(const Description& in) {
   check_moving(in);
-  check_names(in);
   check_points(in);
   check_masses(in);
   check_islands(in);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "refusal.hpp"
 #include "tandem/mbs/mechanism/initial.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
 
@@ -39,6 +40,12 @@ TEST(Angles, FixedHoldsWhatEverTheLengths) {
       "velocities = { 'Q.x' = 1, 'Q.y' = 0 }\n");
   EXPECT_NEAR(s.q[5], 2.0, 1e-8);  // 5 times as drawn
   EXPECT_NEAR(s.v[5], 0.4, 1e-8);
+}
+
+TEST(Angles, TurnAboutVectorsAlone) {
+  EXPECT_TRUE(test::refuses(ErrorCode::invalid_argument,
+                            {"m:13: angles.t.axis is the point 'Q'; allowed is the name of a vector"},
+                            [] { state_of("[angles]\nt = { from = 'x', to = ['O', 'P'], axis = 'Q' }\n"); }));
 }
 
 }  // namespace

@@ -21,20 +21,6 @@ TEST(Check, RefusesAMechanismInWhichNothingMoves) {
                         [&] { Mechanism(read_mechanism("m", fixed + more)); }));
 }
 
-TEST(Check, RefusesARelativeCoordinateNamedLikeThatOfAPoint) {
-  const std::string text =
-      "dimension = 2\n[points]\nO = { at = [0, 0], fixed = true }\nP = { at = [1, 0] }\n"
-      "[rods]\nr = { points = ['O', 'P'], mass = 1 }\n[lengths]\n";
-  const auto named = [&](const std::string& name) {
-    Mechanism(read_mechanism("m", text + "'" + name + "' = { points = ['O', 'P'] }\n"));
-  };
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument,
-                      {"m:8: the name 'P.x' is that of a coordinate of 'P'; allowed is a name of its own"},
-                      [&] { named("P.x"); }));
-  EXPECT_NO_THROW(named("P.z"));
-  EXPECT_NO_THROW(named("P"));
-}
-
 /// Whether it holds as drawn or not.
 TEST(Check, RefusesAnEquationOfWhatIsFixedAlone) {
   const std::string text =
