@@ -22,6 +22,7 @@ Scaled::Scaled(Model& of)
       q_(structure_.coordinates),
       v_(structure_.coordinates) {
   structure_.coordinate_scales.clear();
+  structure_.constraint_scales.clear();
   divide(structure_.mass.pattern, structure_.mass.values.data());
   for (std::size_t c = 0; c < structure_.constraint_sizes.size(); ++c)
     structure_.constraint_sizes[c] *= p_[static_cast<Eigen::Index>(c)];
@@ -59,6 +60,11 @@ void Scaled::constraint_rates(const double* x, double* phi_t) const {
 void Scaled::constraint_accelerations(const double* x, const double* v, double* gamma) const {
   model_.constraint_accelerations(restored(x, q_), restored(v, v_), gamma);
   multiply_constraints(gamma);
+}
+
+Off Scaled::off(int constraint, const double* x, double phi) const {
+  const Off off = model_.off(constraint, restored(x, q_), phi / p_[constraint]);
+  return {off.now, off.per_phi / p_[constraint]};
 }
 
 void Scaled::forces(const double* x, const double* v, double* force) const {

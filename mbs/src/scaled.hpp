@@ -10,8 +10,8 @@
 namespace tandem::mbs {
 
 /// A model in lengths: x = S q and P Phi by the scales of its structure, so M becomes S^-1 M S^-1, Q S^-1 Q,
-/// Phi_q P Phi_q S^-1, and lambda P^-1 lambda; energies stay. Its structure has no scales of coordinates, but
-/// P still, by which sentences tell Phi in its own unit. The same model where it has no scales.
+/// Phi_q P Phi_q S^-1, and lambda P^-1 lambda; energies stay. Its structure has no scales. The same model
+/// where it has no scales.
 class Scaled final : public Model {
  public:
   explicit Scaled(Model& of);  ///< which must outlive it
@@ -21,6 +21,7 @@ class Scaled final : public Model {
   void constraints(const double* x, double* phi, double* jacobian) const override;
   void constraint_rates(const double* x, double* phi_t) const override;
   void constraint_accelerations(const double* x, const double* v, double* gamma) const override;
+  Off off(int constraint, const double* x, double phi) const override;
   void forces(const double* x, const double* v, double* force) const override;
   void force_derivatives(const double* x, const double* v, double* k, double* c) const override;
   double energy(const double* x, const double* v) const override;

@@ -60,6 +60,7 @@ std::vector<ElementCase> element_cases() {
       {"space_product", space + "[products]\np = { edges = ['u', ['O', 'P']], value = 0.3 }\n"},
       {"space_distance", space + "[distances]\nd = { points = ['B', 'P'] }\n"},
       {"space_fixed_angle", space + "[fixed_angles]\np = { edges = ['f', 'v'] }\n"},
+      {"space_fixed_angle_of_points", space + "[fixed_angles]\np = { edges = [['A', 'P'], ['B', 'P']] }\n"},
       {"space_angle", space + "[angles]\nt = { from = 'u', to = ['A', 'P'], axis = 'w' }\n"},
       {"space_angle_about_fixed", space + "[angles]\nt = { from = ['O', 'P'], to = 'v', axis = 'f' }\n"},
       {"space_spring", space + "[springs]\ns = { points = ['O', 'B'], stiffness = [10, 3], damping = 2 }\n"}};

@@ -99,14 +99,29 @@ TEST(RunCommand, DumpsTheMatricesOfAMechanism) {
   const Said none = tandem(folder, {"run", test::two_mass_file("two_mass.toml"), "--dump-matrices", "m"});
   EXPECT_EQ(none.status, 2);
   EXPECT_NE(none.err.find("no subsystem of the scenario has the source mechanism:FILE"), std::string::npos);
-  const Said wrong =
-      tandem(folder, {"run", mechanism_file("spring_pendulum"), "--dump-matrices", "m", "--dump-at", "x"});
-  EXPECT_EQ(wrong.status, 2);
-  EXPECT_NE(wrong.err.find("'matrices_at' is the text 'x'"), std::string::npos) << wrong.err;
-  const Said beyond = tandem(
-      folder, {"run", mechanism_file("spring_pendulum"), "--dump-matrices", "m", "--dump-at", "0,1e9"});
+}
+
+TEST(RunCommand, RefusesTimesOfMatricesThatAreNone) {
+  const Scratch folder;
+  const auto dump = [&](const std::string& into, const std::string& at) {
+    return tandem(folder,
+                  {"run", mechanism_file("spring_pendulum"), "--dump-matrices", into, "--dump-at", at});
+  };
+  for (const char* none : {"", "x", "nan", "0,", ",0", "0,,0.1", "0 ", "1e400"}) {
+    const Said said = dump("m", none);
+    EXPECT_EQ(said.status, 2) << none;
+    EXPECT_NE(said.err.find(std::string("--dump-at is '") + none + "', of which '"), std::string::npos)
+        << said.err;
+    EXPECT_NE(said.err.find("allowed are times in s with a comma between, as 0,0.5"), std::string::npos)
+        << said.err;
+  }
+  const Said beyond = dump("m", "0,1e9");
   EXPECT_EQ(beyond.status, 2);
   EXPECT_NE(beyond.err.find("--dump-at: 1000000000 s is outside the run"), std::string::npos) << beyond.err;
+  const Said nowhere = dump("", "0");
+  EXPECT_EQ(nowhere.status, 2);
+  EXPECT_NE(nowhere.err.find("--dump-matrices is ''; allowed is the name of a folder"), std::string::npos)
+      << nowhere.err;
 }
 
 /// Arguments after the file, and words of the sentence.
@@ -119,6 +134,8 @@ TEST(RunCommand, RefusesWhatAMechanismCanNotDo) {
   const BadArguments list[] = {
       {{"--set", "run.formulation=index4"}, {"'index4'", "index3"}},
       {{"--set", "run.integrator=rk4"}, {"index3 has Newmark's method merged in"}},
+      {{"--set", "run.formulation='index3'", "--set", "run.beta=0.3"},
+       {"--set run.beta=0.3: ", "beta is 0.3"}},
       {{"--set", "run.step=-1"}, {"step is -1 s", "above 0"}},
       {{"--set", "run.solver=cluck"}, {"'cluck'", "klu"}},
       {{"--set", "run.penality=1"}, {"'penality'", "did you mean 'penalty'?"}},
@@ -129,7 +146,8 @@ TEST(RunCommand, RefusesWhatAMechanismCanNotDo) {
       {{"--set", "run.penalty=0"}, {"'penalty' is 0", "above 0, or to leave it out"}},
       {{"--set", "run.step=1000"}, {"run.step is the number 1000", "from run.start to run.stop"}},
       {{"--set", "gravity=3"}, {"run.KEY"}},
-      {{"--set", "run.stop=-3"}, {"run.stop", "-3"}}};
+      {{"--set", "run.stop=-3"}, {"run.stop", "-3"}},
+      {{"--set", "run.matrices_at='0'"}, {"'matrices_at' is given without 'matrices'"}}};
   for (const BadArguments& bad : list) {
     std::vector<std::string> arguments = {"run", mechanism_file("pendulum")};
     arguments.insert(arguments.end(), bad.arguments.begin(), bad.arguments.end());
@@ -137,6 +155,21 @@ TEST(RunCommand, RefusesWhatAMechanismCanNotDo) {
     EXPECT_EQ(said.status, 2) << said.err;
     for (const std::string& word : bad.words)
       EXPECT_NE(said.err.find(word), std::string::npos) << word << " in: " << said.err;
+  }
+}
+
+TEST(RunCommand, AFileThatHoldsNothingIsToldOfTheKinds) {
+  const Scratch folder;
+  for (const char* text : {"", "\n", "# a mechanism, some day\n"}) {
+    folder.write("m.toml", text);
+    for (const char* command : {"run", "info", "validate"}) {
+      const Said said = tandem(folder, {command, "m.toml"});
+      EXPECT_EQ(said.status, 2);
+      EXPECT_NE(said.err.find("m.toml: the file holds nothing; allowed is a scenario, with tables "
+                              "[subsystems.NAME], a mechanism, with points, or a diagram, with blocks"),
+                std::string::npos)
+          << said.err;
+    }
   }
 }
 

@@ -16,11 +16,18 @@ using test::Scratch;
 
 TEST(TimeTable, ReadsColumnsEmptyCellsAndQuotedNames) {
   const Scratch folder;
-  const TimeTable t = TimeTable::read(folder.write("r.csv", "time,\"a,\"\"b\"\"\",c\r\n0,1,2\r\n1e-3,,-4.5\r\n"));
+  const TimeTable t =
+      TimeTable::read(folder.write("r.csv", "time,\"a,\"\"b\"\"\",c\r\n0,1,2\r\n1e-3,,-4.5\r\n"));
   EXPECT_EQ(t.names, (std::vector<std::string>{"a,\"b\"", "c"}));
   EXPECT_EQ(t.times, (std::vector<double>{0.0, 0.001}));
   EXPECT_TRUE(std::isnan(t.columns[0][1]));
   EXPECT_EQ(t.columns[1][1], -4.5);
+}
+
+TEST(TimeTable, LooksOverTheMarkOfUtf8) {
+  const Scratch folder;
+  EXPECT_EQ(TimeTable::read(folder.write("r.csv", "\xEF\xBB\xBFtime,x\r\n0,1\r\n")).times,
+            (std::vector{0.0}));
 }
 
 TEST(TimeTable, TakesTheFolderThatHoldsResults) {
@@ -37,6 +44,8 @@ TEST(TimeTable, NamesFileLineAndTextOfWhatIsWrong) {
   EXPECT_TRUE(refused("time,x\n0,1\n1,abc\n", {"r.csv:3", "column x", "'abc'"}));
   EXPECT_TRUE(refused("time,x\n0,1\n1,2e\n", {"r.csv:3", "'2e'"}));
   EXPECT_TRUE(refused("time,x\n0,inf\n", {"r.csv:2", "'inf'"}));
+  EXPECT_TRUE(refused("time,x\n0,1\n,2\n", {"r.csv:3: column time is empty; allowed is a finite number"}));
+  EXPECT_TRUE(refused("time,\"x\n0,1\n", {"r.csv:1: a quotation mark is not closed"}));
   EXPECT_TRUE(refused("time,x\n0\n", {"r.csv:2", "1 cells", "2"}));
   EXPECT_TRUE(refused("time,x\n1,1\n0,1\n", {"r.csv:3", "time falls to 0"}));
   EXPECT_TRUE(refused("x,time\n1,1\n", {"r.csv:1", "'x'", "time"}));

@@ -23,7 +23,7 @@ class Lines {
 
   bool next(std::vector<std::string>& cells) {
     if (!std::getline(in_, line_)) return false;
-    ++place_.line;
+    if (++place_.line == 1 && line_.starts_with("\xEF\xBB\xBF")) line_.erase(0, 3);  // UTF-8's mark
     if (line_.ends_with('\r')) line_.pop_back();
     cells.assign(1, {});
     bool quoted = false;
@@ -37,6 +37,7 @@ class Lines {
         cells.back() += c;
       before = c;
     }
+    if (quoted) refuse(place_, "a quotation mark is not closed; allowed are pairs of them");
     return true;
   }
   const Place& place() const { return place_; }
@@ -48,10 +49,11 @@ class Lines {
 };
 
 double number(const std::string& cell, const std::string& column, const Place& place) {
+  if (cell.empty()) refuse(place, "column " + column + " is empty; allowed is a finite number");
   double value = 0.0;
   const auto [end, code] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
   if (code != std::errc{} || end != cell.data() + cell.size() || !std::isfinite(value))
-    refuse(place, "column " + column + " holds '" + cell + "'; allowed is a finite number, or nothing");
+    refuse(place, "column " + column + " holds '" + cell + "'; allowed is a finite number");
   return value;
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -24,15 +25,14 @@ std::string constraints_of(const Structure& s, int variable) {
   return names.empty() ? "in no constraint" : "in the constraints " + listed(names);
 }
 
-/// "off by 0.02 m, allowed is 0.005 m": in the constraint's own unit, of a model in lengths too, whose
-/// structure has the scales of constraints alone (scaled.hpp).
-std::string how_far_off(const Structure& s, std::size_t c, double phi, double most) {
-  const bool in_lengths = s.coordinate_scales.empty() && !s.constraint_scales.empty();
-  const double scale = in_lengths ? s.constraint_scales[c] : 1.0;
-  const bool pure = s.constraint_units.empty() || s.constraint_units[c] == "1";
-  const std::string unit = pure ? "" : " " + s.constraint_units[c];
-  return fmt::format("off by {:.3g}{}, allowed is {:.3g}{}", s.off(c, phi) / scale, unit,
-                     s.off(c, most) / scale, unit);
+/// "off by 0.02 m, allowed is 0.005 m". Where an angle is off by more than a quarter of a turn, what is
+/// allowed is told for a little of Phi.
+std::string how_far_off(const Model& model, int c, const double* q, const Constraints& at) {
+  const Off off = model.off(c, q, at.phi[c]);
+  const double most = std::copysign(at.most[c], at.phi[c]);
+  const double allowed = std::min(std::abs(model.off(c, q, most).now), std::abs(off.per_phi * most));
+  const std::string unit = model.structure().unit_of(c);
+  return fmt::format("off by {:.3g}{}, allowed is {:.3g}{}", off.now, unit, allowed, unit);
 }
 
 }  // namespace
@@ -45,7 +45,8 @@ std::vector<double> most_off(const Structure& s) {
 }
 
 /// In each step: no name is looked for before something is wrong.
-void refuse_lost_constraint(const Structure& s, const Constraints& at, double time) {
+void refuse_lost_constraint(const Model& model, const State& state, const Constraints& at) {
+  const Structure& s = model.structure();
   const ColumnSquares squares = column_squares(s.jacobian, at.jacobian);
   const double least = zero * zero * squares.most;
   const Eigen::Map<const Eigen::ArrayXd> phi(at.phi, s.constraints), most(at.most, s.constraints);
@@ -57,12 +58,12 @@ void refuse_lost_constraint(const Structure& s, const Constraints& at, double ti
     if (square <= least)
       fail(fmt::format(
           "the row of the Jacobian of constraint '{}' vanishes at t = {} s: it holds nothing there",
-          s.constraint_names[c], time));
+          s.constraint_names[c], state.time));
     if (std::abs(at.phi[c]) > at.most[c])
       fail(fmt::format(
           "constraint '{}' is lost at t = {} s: it is {}; a greater penalty, more iterations or shorter "
           "steps hold it",
-          s.constraint_names[c], time, how_far_off(s, static_cast<std::size_t>(c), at.phi[c], at.most[c])));
+          s.constraint_names[c], state.time, how_far_off(model, c, state.q.data(), at)));
   }
 }
 

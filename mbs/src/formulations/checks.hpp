@@ -13,7 +13,7 @@ struct Constraints {
 };
 /// A constraint whose row of the Jacobian vanishes: it is below 1e-12 of the largest row; or one with |Phi|
 /// above `most`.
-void refuse_lost_constraint(const Structure& structure, const Constraints& at, double time);
+void refuse_lost_constraint(const Model& model, const State& state, const Constraints& at);
 /// The first variable at which the forces are not finite.
 void refuse_wrong_force(const Structure& structure, const Eigen::VectorXd& force, double time);
 /// The matrix named is singular at a variable, or not positive definite; its constraints are named too.

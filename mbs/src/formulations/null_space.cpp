@@ -149,14 +149,14 @@ bool NullSpace::begin(const State& s, Motion& motion) {
   at_ = s;
   model_.at_time(s.time);
   constraints();
-  refuse_lost_constraint(structure_, {phi_.data(), most_off_.data(), jacobian_values_.data()}, s.time);
+  refuse_lost_constraint(model_, s, {phi_.data(), most_off_.data(), jacobian_values_.data()});
   const bool changed = choose();
   motion = {s.time, s.q(independent_), s.v(independent_), s.a(independent_)};
   return changed;
 }
 
 void NullSpace::finish(const Motion&, State& s) {
-  refuse_lost_constraint(structure_, {phi_.data(), most_off_.data(), jacobian_values_.data()}, at_.time);
+  refuse_lost_constraint(model_, at_, {phi_.data(), most_off_.data(), jacobian_values_.data()});
   solve_multipliers();
   s = at_;
 }

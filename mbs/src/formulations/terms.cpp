@@ -51,7 +51,7 @@ void Terms::constraints(const State& s) {
 }
 
 void Terms::refuse_lost(const State& s) const {
-  refuse_lost_constraint(structure, {phi.data(), most_off_.data(), matrices.jacobian.data()}, s.time);
+  refuse_lost_constraint(model, s, {phi.data(), most_off_.data(), matrices.jacobian.data()});
 }
 
 void Terms::forces(const State& s) {

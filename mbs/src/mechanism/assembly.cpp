@@ -6,12 +6,13 @@
 #include <set>
 #include <utility>
 
-#include "angle_set.hpp"
+#include "angles.hpp"
 #include "check.hpp"
 #include "constraint_set.hpp"
 #include "distance_set.hpp"
 #include "equations.hpp"
 #include "force_set.hpp"
+#include "label.hpp"
 #include "refuse.hpp"
 #include "tandem/mbs/mechanism/body_mass.hpp"
 #include "tandem/mbs/mechanism/mechanism.hpp"
@@ -52,22 +53,6 @@ std::vector<ScalarProduct> all_products(const Description& in) {
   return all;
 }
 
-/// What Structure says of a constraint. Size 0: 1, or the structure's length if Phi is in m.
-struct Label {
-  std::string name, unit, place;
-  double size = 0.0;
-  bool is_distance = false;
-};
-
-void label(Structure& to, const Label& constraint) {
-  to.constraint_names.push_back(constraint.name);
-  to.constraint_units.push_back(constraint.unit);
-  to.constraint_places.push_back(constraint.place);
-  to.are_distances.push_back(constraint.is_distance);
-  const double size = constraint.unit == "m" ? to.length : 1.0;
-  to.constraint_sizes.push_back(constraint.size > 0.0 ? constraint.size : size);
-}
-
 bool is_distance(const ScalarProduct& p) { return p.a == p.b && p.a.from >= 0; }
 
 template <int Dimension>
@@ -77,7 +62,7 @@ std::unique_ptr<ConstraintSet> distance_set(const std::vector<ScalarProduct>& pr
   for (const ScalarProduct& p : products) {
     if (!is_distance(p)) continue;
     set->add(at.entity[p.a.from], at.entity[p.a.to], p.value);
-    label(structure, {name_of(p), "m", p.where, std::sqrt(p.value), true});
+    label(structure, {name_of(p), "m", p.where, std::sqrt(p.value)});
   }
   return set;
 }
@@ -92,7 +77,8 @@ std::vector<Quadratic> quadratics(const Description& in, const Numbering& at,
   for (int b = 0; b < static_cast<int>(in.bodies.size()); ++b) append(dependent_entities(in, at, b));
   for (const ScalarProduct& p : products)
     if (!is_distance(p)) all.push_back(equation(in, at, p, unit));
-  for (const FixedAngle& angle : in.fixed_angles) all.push_back(equation(in, at, angle, unit));
+  for (const FixedAngle& angle : in.fixed_angles)
+    if (in.dimension == 2) all.push_back(equation(in, at, angle, unit));
   for (const Joint& joint : in.joints) append(equations(in, at, joint));
   for (int r = 0; r < static_cast<int>(in.relatives.size()); ++r)
     if (in.relatives[r].kind == Relative::Kind::length) all.push_back(length_equation(in, at, r));
@@ -101,32 +87,6 @@ std::vector<Quadratic> quadratics(const Description& in, const Numbering& at,
   for (const Slide& slide : in.slides) append(equations(in, at, slide));
   for (const Drive& drive : in.drives) all.push_back(equation(in, at, drive));
   return all;
-}
-
-template <int Dimension>
-std::unique_ptr<ConstraintSet> angle_set(const Description& in, const Numbering& at, Structure& structure) {
-  auto set = std::make_unique<AngleSet<Dimension>>();
-  const auto edge = [&](const Edge& e) {
-    return EdgeCoordinates{at.entity[e.to], e.from < 0 ? at.zero : at.entity[e.from]};
-  };
-  for (std::size_t r = 0; r < in.relatives.size(); ++r) {
-    const Relative& angle = in.relatives[r];
-    if (angle.kind != Relative::Kind::angle) continue;
-    const bool directions = angle.a.from < 0 && angle.b.from < 0;
-    label(structure, {"angle " + angle.name, directions ? "1" : "m", angle.where});
-    const Eigen::Vector3d a = drawn(in, angle.a), b = drawn(in, angle.b);
-    const auto [first, second] = lengths(in, angle.a, angle.b, structure.unit());
-    const double size = std::max(first, second);
-    if (Dimension == 2) {
-      set->add({edge(angle.a), edge(angle.b), at.zero, at.relative[r], 1.0 / size, 1.0 / size, 0.0});
-      continue;
-    }
-    const Eigen::Vector3d n = in.entities[angle.axis].at;
-    const double length = n.norm(), scale = 1.0 / (size * length);
-    set->add({edge(angle.a), edge(angle.b), at.entity[angle.axis], at.relative[r], scale, scale * length,
-              scale * n.dot(a) * n.dot(b) / length});
-  }
-  return set;
 }
 
 /// The largest body's, or else the longest edge of a product or length; 1 m where there is none.
@@ -220,12 +180,12 @@ void Mechanism::add_constraints() {
   if (!points_alone(in)) structure_.length = structure_.unit();
   sets_.push_back(plane ? distance_set<2>(products, numbering_, structure_)
                         : distance_set<3>(products, numbering_, structure_));
-  sets_.push_back(plane ? angle_set<2>(in, numbering_, structure_)
-                        : angle_set<3>(in, numbering_, structure_));
+  sets_.push_back(angle_set(in, numbering_, structure_));
+  sets_.push_back(fixed_angle_set(in, numbering_, structure_));
   auto others = std::make_unique<QuadraticSet>(inputs_);
   for (const Quadratic& q : quadratics(in, numbering_, products, structure_.unit())) {
     others->add(q);
-    label(structure_, {q.name, q.unit, q.where, q.size, q.is_distance});
+    label(structure_, {q.name, q.unit, q.where, q.size});
   }
   sets_.push_back(std::move(others));
   std::erase_if(sets_, [](const auto& set) { return set->size() == 0; });

@@ -29,10 +29,15 @@ MatrixXd second_moments(const Description& in, const Body& body) {
 void check_mass(const Description& in, const Body& body) {
   if (!(body.mass > 0.0))
     refuse_body(body, fmt::format("has a mass of {} kg; allowed is above 0", body.mass));
-  const MatrixXd second = second_moments(in, body);
-  if (const double least = dense::symmetric_eigenvalues(second)[0]; least < -1e-9 * std::abs(second.trace()))
-    refuse_body(body,
-                fmt::format("has an inertia tensor that no body has: a second moment is {} kg m^2", least));
+  const VectorXd second = dense::symmetric_eigenvalues(second_moments(in, body));
+  if (second[0] >= -1e-9 * std::abs(second.sum())) return;
+  const VectorXd principal = in.dimension == 2 ? VectorXd(VectorXd::Constant(1, body.inertia(2, 2)))
+                                               : dense::symmetric_eigenvalues(body.inertia);
+  refuse_body(
+      body,
+      fmt::format("has an inertia tensor that no body has, with principal moments of {:.6g} kg m^2; allowed "
+                  "is none below 0 and none above the sum of the others",
+                  fmt::join(principal.data(), principal.data() + principal.size(), ", ")));
 }
 
 /// Integral of (1, x)(1, x)^T dm in the body's coordinates.

@@ -3,6 +3,8 @@
 #include <utility>
 #include <vector>
 
+#include "tandem/mbs/model.hpp"
+
 namespace tandem::mbs {
 
 /// Equations of one kind, evaluated in one loop: theirs are size() equations from first_ on. Coordinates are
@@ -20,6 +22,8 @@ class ConstraintSet {
   virtual void rates(double*) const {}
   /// gamma in Phi'' = Phi_q q'' + gamma.
   virtual void accelerations(const double* q, const double* v, double* gamma) const = 0;
+  /// Model::off() of one of its equations.
+  virtual Off off(int /*equation*/, const double* /*q*/, double phi) const { return {phi, 1.0}; }
 
   /// first: number of the set's first equation. to: for each of its entries the position in the Jacobian.
   void place(int first, std::vector<int> to) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "constraint_set.hpp"
+#include "off.hpp"
 #include "team.hpp"
 
 namespace tandem::mbs {
@@ -44,6 +45,10 @@ class DistanceSet final : public ConstraintSet {
     share(size(), [=, pairs = pairs_.data(), gamma = gamma + first_](int first, int last) {
       for (int k = first; k < last; ++k) gamma[k] = pairs[k].twice_scale * square(way(pairs[k], v));
     });
+  }
+
+  Off off(int equation, const double*, double phi) const override {
+    return off_of_distance(std::sqrt(pairs_[equation].square), phi);
   }
 
  private:

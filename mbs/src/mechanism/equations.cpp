@@ -8,6 +8,7 @@
 #include <cmath>
 #include <set>
 
+#include "off.hpp"
 #include "refuse.hpp"
 #include "tandem/mbs/mechanism/body_mass.hpp"
 
@@ -143,6 +144,7 @@ std::vector<Quadratic> dependent_entities(const Description& in, const Numbering
     for (int k = 0; k < in.dimension; ++k) {
       equations.push_back({fmt::format("body {}: {}.{}", body.name, entity.name, axis_names[k])});
       equations.back().where = body.where;
+      if (entity.kind == Entity::Kind::vector) equations.back().unit = "1";
       equations.back().add(own[k], 1.0);
       equations.back().add(from[k], -1.0);
     }
@@ -183,39 +185,32 @@ Quadratic equation(const Description& in, const Numbering& at, const ScalarProdu
   return e;
 }
 
-/// In the plane with the drawn angle phi: (a x b) cos(phi) - (a . b) sin(phi) = 0, whose gradient never
-/// vanishes.
-Quadratic equation(const Description& in, const Numbering& at, const FixedAngle& angle, double unit) {
-  const Eigen::Vector3d a = drawn(in, angle.a), b = drawn(in, angle.b), cross = a.cross(b);
-  const auto [first, second] = lengths(in, angle.a, angle.b, unit);
-  if (!(a.norm() * b.norm() > 0.0))
+void refuse_without_length(const Description& in, const FixedAngle& angle) {
+  if (!(drawn(in, angle.a).norm() * drawn(in, angle.b).norm() > 0.0))
     refuse(angle.where, "fixed angle '" + angle.name + "' is of an edge of length 0");
-  const double phi = in.dimension == 2 ? std::atan2(cross[2], a.dot(b)) : std::atan2(cross.norm(), a.dot(b));
+}
+
+/// With the drawn angle phi: (a x b) cos(phi) - (a . b) sin(phi) = 0, whose gradient never vanishes.
+Quadratic equation(const Description& in, const Numbering& at, const FixedAngle& angle, double unit) {
+  refuse_without_length(in, angle);
+  const Eigen::Vector3d a = drawn(in, angle.a), b = drawn(in, angle.b);
+  const auto [first, second] = lengths(in, angle.a, angle.b, unit);
+  const double phi = std::atan2(a.cross(b)[2], a.dot(b)), scale = 1.0 / std::max(first, second);
   const Forms fa = forms_of(in, at, angle.a), fb = forms_of(in, at, angle.b);
-  const double scale = 1.0 / std::max(first, second);
   Quadratic e{"fixed angle " + angle.name};
   e.where = angle.where;
-  if (angle.a.from < 0 && angle.b.from < 0) e.unit = "1";
-  e.size = std::min(a.norm(), b.norm());
-  if (in.dimension == 2) {
-    add_cross(e, fa, fb, scale * std::cos(phi));
-    e.add_product(fa, fb, -scale * std::sin(phi));
-    return e;
-  }
-  if (std::sin(phi) < 1e-4)
-    refuse(angle.where,
-           fmt::format("fixed angle '{}' is {} rad as drawn; allowed in space is an angle other "
-                       "than 0 and pi, where its gradient vanishes (a joint keeps axes parallel)",
-                       angle.name, phi));
-  e.constant = -scale * a.dot(b);
-  e.add_product(fa, fb, scale);
+  e.unit = "rad";
+  e.size = scale * a.norm() * b.norm();
+  e.off = off_of_angle(fa, fb, phi, scale);
+  add_cross(e, fa, fb, scale * std::cos(phi));
+  e.add_product(fa, fb, -scale * std::sin(phi));
   return e;
 }
 
 Quadratic equation(const Description& in, const Numbering& at, const Drive& drive) {
   Quadratic e{"drive " + drive.name};
   e.where = drive.where;
-  if (is_angle(in, drive.coordinate)) e.unit = "rad";
+  e.unit = in.inputs[static_cast<std::size_t>(drive.input)].unit;
   e.linear.push_back({1.0, at.of(drive.coordinate)});
   e.input = drive.input;
   return e;
@@ -231,6 +226,7 @@ Quadratic length_equation(const Description& in, const Numbering& at, int relati
   const double scale = 1.0 / e.size;
   e.add_product(edge, edge, scale);
   e.products.push_back({-scale, s, s});
+  e.off = off_of_length(s, scale);
   return e;
 }
 
@@ -240,7 +236,7 @@ Quadratic equation(const Description& in, const Numbering& at, const Link& link)
   Quadratic e{"distance " + link.name, -length};
   e.where = link.where;
   e.size = length;
-  e.is_distance = true;
+  e.off = [=](const double*, double phi) { return off_of_distance(length, phi); };
   e.add_product(edge, edge, 1.0 / length);
   return e;
 }

@@ -24,6 +24,8 @@ std::string name_of(const ScalarProduct& product);
 std::vector<int> own_equations(const Description& in, const Structure& structure, const Numbering& at,
                                int body);
 Quadratic equation(const Description& in, const Numbering& at, const ScalarProduct& product, double unit);
+void refuse_without_length(const Description& in, const FixedAngle& angle);
+/// In the plane.
 Quadratic equation(const Description& in, const Numbering& at, const FixedAngle& angle, double unit);
 Quadratic equation(const Description& in, const Numbering& at, const Drive& drive);
 /// The definition of a length, (|b - a|^2 - s^2) / s0 = 0, s0 as drawn.

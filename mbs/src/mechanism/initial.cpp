@@ -29,22 +29,29 @@ std::string with(const Model& model, const std::vector<Known::Value>& known) {
   return text + (known.size() > most ? fmt::format(" and {} more", known.size() - most) : "");
 }
 
-/// what: "the mechanism can't be assembled"; error: Phi, or its rate, with "/s" for what its unit is times.
-[[noreturn]] void impossible(const Model& model, const std::string& what,
-                             const std::vector<Known::Value>& known, const VectorXd& error,
-                             const std::string& per = "") {
+/// What can't be found, as a sentence begins, and from what.
+struct Problem {
+  const char* sentence;
+  const std::vector<Known::Value>& known;
+  bool of_rates;
+};
+
+/// error: Phi at q, or its rate.
+[[noreturn]] void impossible(const Model& model, const VectorXd& q, const Problem& problem,
+                             const VectorXd& error) {
   std::size_t worst = 0;
   for (std::size_t k = 0; k < static_cast<std::size_t>(error.size()); ++k)
     if (!(std::abs(error[static_cast<int>(k)]) <= std::abs(error[static_cast<int>(worst)]))) worst = k;
   const Structure& s = model.structure();
-  const std::string place = s.constraint_places.empty() ? "" : s.constraint_places[worst],
-                    unit = s.constraint_units.empty() ? "" : " " + s.constraint_units[worst] + per;
-  const double phi = error[static_cast<int>(worst)],
-               off = per.empty() ? s.off(worst, phi) : s.rate_off(worst, phi);
+  const std::string place = s.constraint_places.empty() ? "" : s.constraint_places[worst];
+  const int number = static_cast<int>(worst);
+  const Off off = model.off(number, q.data(), error[number]);
+  const auto& known = problem.known;
   refuse(known.empty() ? place : known[0].where,
-         fmt::format("{}{}: constraint '{}'{} is off by {:.6g}{}", what, with(model, known),
+         fmt::format("{}{}: constraint '{}'{} is off by {:.6g}{}", problem.sentence, with(model, known),
                      s.constraint_names[worst], known.empty() || place.empty() ? "" : " (" + place + ")",
-                     std::abs(off), unit));
+                     std::abs(problem.of_rates ? off.per_phi * error[number] : off.now),
+                     s.unit_of(number, problem.of_rates)));
 }
 
 void find_velocities(Model& of, State& s, const Known& known) {
@@ -63,8 +70,8 @@ void find_velocities(Model& of, State& s, const Known& known) {
   }
   model.restore(s);
   if (!(largest(error) <= limit))
-    impossible(of, "no velocities fit the constraints", known.velocities, model.restored_constraints(error),
-               "/s");
+    impossible(of, s.q, {"no velocities fit the constraints", known.velocities, true},
+               model.restored_constraints(error));
 }
 
 /// Positions that close the constraints, where they come nearest; then Phi of those that stay above the
@@ -123,7 +130,8 @@ void balance(Mechanism& mechanism, State& s, const Known& given) {
 State consistent_state(Model& model, State s, const Known& known) {
   model.at_time(s.time);
   const VectorXd off = find_positions(model, s, known.positions);
-  if (off.size() > 0) impossible(model, "the mechanism can't be assembled", known.positions, off);
+  if (off.size() > 0)
+    impossible(model, s.q, {"the mechanism can't be assembled", known.positions, false}, off);
   find_velocities(model, s, known);
   return s;
 }
@@ -147,7 +155,7 @@ Assembled assembled(Mechanism& mechanism, double t) {
   const VectorXd off = find_positions(mechanism, result.state, positions);
   for (int k = 0; k < off.size(); ++k)
     if (off[k] != 0.0)
-      result.contradictions.push_back({k, mechanism.structure().off(static_cast<std::size_t>(k), off[k])});
+      result.contradictions.push_back({k, mechanism.off(k, result.state.q.data(), off[k]).now});
   return result;
 }
 

@@ -56,6 +56,12 @@ void Mechanism::constraint_accelerations(const double* q, const double* v, doubl
   for (const auto& set : sets_) set->accelerations(q, v, gamma);
 }
 
+Off Mechanism::off(int constraint, const double* q, double phi) const {
+  auto set = sets_.begin();
+  for (; constraint >= (*set)->size(); ++set) constraint -= (*set)->size();
+  return (*set)->off(constraint, q, phi);
+}
+
 void Mechanism::forces(const double* q, const double* v, double* force) const {
   if (force_sets_.empty()) {
     std::copy_n(weight_.data(), structure_.variables, force);

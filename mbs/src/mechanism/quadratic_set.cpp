@@ -37,6 +37,7 @@ void QuadraticSet::add(const Quadratic& e) {
       entries_.push_back({c, i, end});
   }
   equations_.push_back({e.constant, e.input, static_cast<int>(entries_.size())});
+  offs_.push_back(e.off);
 }
 
 std::vector<int> QuadraticSet::coordinates(int equation) const {
@@ -74,6 +75,11 @@ void QuadraticSet::rates(double* phi_t) const {
     if (e.input >= 0) *phi_t = -inputs_[static_cast<std::size_t>(e.input)].rate;
     ++phi_t;
   }
+}
+
+Off QuadraticSet::off(int equation, const double* q, double phi) const {
+  const OffOf& off = offs_[static_cast<std::size_t>(equation)];
+  return off ? off(q, phi) : ConstraintSet::off(equation, q, phi);
 }
 
 void QuadraticSet::accelerations(const double*, const double* v, double* gamma) const {

@@ -1,11 +1,15 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <functional>
 #include <string>
 
 #include "constraint_set.hpp"
 #include "form.hpp"
 
 namespace tandem::mbs {
+
+/// Model::off() of an equation.
+using OffOf = std::function<Off(const double* q, double phi)>;
 
 /// An equation of second degree in the coordinates, less an input:
 ///   constant + sum c q_i + sum c q_i q_j - u(t) = 0.
@@ -24,9 +28,9 @@ struct Quadratic {
   std::vector<Linear> linear = {};
   std::vector<Product> products = {};
   int input = -1;
-  double size = 0.0;         ///< as Structure::constraint_sizes; 0: nothing tells it
-  bool is_distance = false;  ///< as Structure::are_distances
+  double size = 0.0;  ///< as Structure::constraint_sizes; 0: nothing tells it
   std::string unit = "m", where = {};
+  OffOf off = {};  ///< none: Phi itself is how far it is off
 
   void add(const Form& f, double factor);
   /// factor * a * b.
@@ -46,6 +50,7 @@ class QuadraticSet final : public ConstraintSet {
   void values(const double* q, double* phi, double* jacobian) const override;
   void rates(double* phi_t) const override;
   void accelerations(const double* q, const double* v, double* gamma) const override;
+  Off off(int equation, const double* q, double phi) const override;
 
  private:
   struct Slope {
@@ -62,6 +67,7 @@ class QuadraticSet final : public ConstraintSet {
   };
   const std::vector<InputValue>& inputs_;
   std::vector<Equation> equations_;
+  std::vector<OffOf> offs_;  ///< by equation
   std::vector<Entry> entries_;
   std::vector<Slope> slopes_;
 };

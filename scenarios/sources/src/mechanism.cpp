@@ -1,8 +1,12 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "tandem/sources/mechanism.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <sstream>
+#include <charconv>
+#include <cmath>
+#include <limits>
 
 #include "tandem/error.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
@@ -13,28 +17,41 @@
 namespace tandem {
 namespace {
 
-/// Numbers with commas between them.
-std::vector<double> list(const std::string& name, const std::string& text) {
-  std::vector<double> all;
-  std::istringstream in(text);
-  for (std::string word; std::getline(in, word, ',');) {
-    Parameters one;
-    one.set(name, word);
-    all.push_back(one.number(name, 0.0));
-  }
-  std::sort(all.begin(), all.end());
-  return all;
-}
-
 mbs::MatrixDump dump(Parameters& p) {
   mbs::MatrixDump d;
+  for (const char* name : {"matrices_at", "matrices_format"})
+    if (p.has(name) && !p.has("matrices"))
+      throw Error(ErrorCode::invalid_argument,
+                  fmt::format("parameter '{}' is given without 'matrices', the folder "
+                              "that the matrices are written to",
+                              name));
   d.folder = p.text("matrices", "");
-  d.times = list("matrices_at", p.text("matrices_at", "-inf"));
+  d.times = {-std::numeric_limits<double>::infinity()};
+  if (p.has("matrices_at")) d.times = matrix_times("parameter 'matrices_at'", p.text("matrices_at", ""));
   d.format = mbs::matrix_format(p.text("matrices_format", "mtx"));
   return d;
 }
 
 }  // namespace
+
+std::vector<double> matrix_times(const std::string& name, const std::string& text) {
+  std::vector<double> all;
+  for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {
+    end = text.find(',', begin);
+    const std::string word = text.substr(begin, end == std::string::npos ? end : end - begin);
+    double t = 0.0;
+    const auto [stop, code] = std::from_chars(word.data(), word.data() + word.size(), t);
+    if (code != std::errc{} || stop != word.data() + word.size() || !std::isfinite(t))
+      throw Error(
+          ErrorCode::invalid_argument,
+          fmt::format("{} is '{}', of which '{}' is no time; allowed are times in s with a comma between, as "
+                      "0,0.5",
+                      name, text, word));
+    all.push_back(t);
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
 
 std::unique_ptr<Subsystem> make_mechanism(const SourceFile& file, Parameters& p,
                                           const mbs::ElementKinds& kinds, const LookAtMechanism& look,

@@ -62,8 +62,8 @@ void print_freedom(mbs::Mechanism& mechanism, const mbs::Assembled& found) {
   const auto name = [&](int c) { return s.constraint_names[static_cast<std::size_t>(c)]; };
   std::vector<std::string> redundant, contradictory;
   for (const mbs::Contradiction& c : found.contradictions)
-    contradictory.push_back(fmt::format("{} (off by {:.3g} {})", name(c.constraint), std::abs(c.off),
-                                        s.constraint_units[static_cast<std::size_t>(c.constraint)]));
+    contradictory.push_back(
+        fmt::format("{} (off by {:.3g}{})", name(c.constraint), std::abs(c.off), s.unit_of(c.constraint)));
   for (const int c : freedom.redundant)
     if (std::none_of(found.contradictions.begin(), found.contradictions.end(),
                      [c](const mbs::Contradiction& other) { return other.constraint == c; }))

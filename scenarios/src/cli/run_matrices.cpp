@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <sstream>
 
 #include "tandem/error.hpp"
+#include "tandem/sources/mechanism.hpp"
 
 namespace tandem::cli {
 
@@ -15,33 +15,30 @@ using scenario::Scenario;
 
 namespace {
 
-/// What is not a number is refused where the mechanism reads it.
 void check_times(const std::string& times, const Scenario& scenario) {
-  std::istringstream list(times);
-  for (std::string word; std::getline(list, word, ',');) {
-    std::istringstream number(word);
-    double t = scenario.start;
-    if (number >> t && !(t >= scenario.start && t <= scenario.stop))
+  for (const double t : matrix_times("--dump-at", times))
+    if (!(t >= scenario.start && t <= scenario.stop))
       throw Error(ErrorCode::invalid_argument,
                   fmt::format("--dump-at: {} s is outside the run; allowed is {} to {} s", t, scenario.start,
                               scenario.stop));
-  }
 }
 
 }  // namespace
 
 Scenario with_matrices(Scenario scenario, const Matrices& matrices) {
-  if (matrices.folder.empty()) return scenario;
-  check_times(matrices.times, scenario);
+  if (!matrices.folder) return scenario;
+  if (matrices.folder->empty())
+    throw Error(ErrorCode::invalid_argument, "--dump-matrices is ''; allowed is the name of a folder");
+  if (matrices.times) check_times(*matrices.times, scenario);
   bool found = false;
   for (auto& entry : scenario.subsystems) {
     if (!entry.source.starts_with("mechanism:")) continue;
     found = true;
     const auto set = [&](const char* name, const std::string& value) {
-      if (!value.empty()) entry.parameters.push_back({name, value, entry.place});
+      entry.parameters.push_back({name, value, entry.place});
     };
-    set("matrices", fs::absolute(fs::path(matrices.folder) / entry.name).string());
-    set("matrices_at", matrices.times);
+    set("matrices", fs::absolute(fs::path(*matrices.folder) / entry.name).string());
+    if (matrices.times) set("matrices_at", *matrices.times);
     set("matrices_format", matrices.format);
   }
   if (!found)

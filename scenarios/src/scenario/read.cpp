@@ -22,6 +22,11 @@ class Reader {
   Reader(const Document& document, Scenario& scenario) : document_(document), to_(scenario) {}
 
   void read() {
+    if (document_.table().empty())
+      refuse(
+          Place{to_.file.string()},
+          "the file holds nothing; allowed is a scenario, with tables [subsystems.NAME], a mechanism, with "
+          "points, or a diagram, with blocks");
     Section root(document_, document_.table(), "");
     to_.name = root.text("name").value_or(to_.file.stem().string());
     to_.description = root.text("description").value_or("");

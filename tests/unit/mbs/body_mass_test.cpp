@@ -169,7 +169,11 @@ TEST(BodyMass, WhatNoBodyHasIsRefused) {
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'rod'", "mass of -1 kg"}, [&] { body_mass(in, body); }));
   body = uniform_rod(in, "rod", 0, 1, 1.0);
   body.inertia = Vector3d(1.0, 1.0, 5.0).asDiagonal();
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'rod'", "no body has"}, [&] { body_mass(in, body); }));
+  EXPECT_TRUE(refuses(
+      ErrorCode::invalid_argument,
+      {"'rod'",
+       "no body has, with principal moments of 1, 1, 5 kg m^2; allowed is none below 0 and none above"},
+      [&] { body_mass(in, body); }));
   in.entities[1].at = in.entities[0].at;
   body = uniform_rod(in, "rod", 0, 1, 1.0);
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'rod'", "no two points"}, [&] { body_mass(in, body); }));

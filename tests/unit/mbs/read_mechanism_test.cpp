@@ -145,6 +145,13 @@ TEST(ReadMechanism, RefusesElementsWithWhatIsAllowed) {
       {"p.toml:17", "body 'loose' is connected to nothing that is fixed"}));
   EXPECT_TRUE(refused("[fixed_angles]\na = { edges = ['u', ['O', 'P']] }\n", {"vector 'u' is not there"}));
   EXPECT_TRUE(refused("[fixed_angles]\na = { edges = [['O', 'P']] }\n", {"two edges"}));
+  for (const char* table : {"[lengths]\n'P.x' = { points = ['O', 'P'] }\n",
+                            "[angles]\n'P.x' = { from = ['O', 'P'], to = ['P', 'O'] }\n",
+                            "[coordinates]\n'P.x' = { unit = 'm', inertia = 1 }\n"})
+    EXPECT_TRUE(refused(table, {"p.toml:14: the name 'P.x' has a dot, as coordinates of points have"}));
+  EXPECT_TRUE(refused("[lengths]\ns = { points = ['O', 'P'] }\n[relations]\nr = { terms = { s = 0 } }\n",
+                      {"p.toml:16: relations.r.terms.s is 0; allowed is another factor"}));
+  EXPECT_TRUE(refused("[lengths]\ns = { points = [] }\n", {"p.toml:14: lengths.s.points is 0 names"}));
 }
 
 TEST(ReadMechanism, RefusesWhatSaysNothing) {

@@ -31,10 +31,9 @@ struct Structure {
   /// By constraint, in the unit of its Phi: a state that is off by a hundredth of it is no state of the
   /// mechanism any more. All 1 if there are none.
   std::vector<double> constraint_sizes = {};
-  /// For sentences that refuse; may be left empty: the unit of each Phi, and its place, "FILE:LINE".
+  /// For sentences that refuse; may be left empty: the unit in which each constraint is off (Off), and its
+  /// place, "FILE:LINE".
   std::vector<std::string> constraint_units, constraint_places;
-  /// By constraint: it is a distance r, with Phi = (r^2 - l^2)/l and its size l. None: none is.
-  std::vector<bool> are_distances = {};
   double length = 1.0;  ///< of its parts [m]: default tolerances are in proportion to it
   /// Where coordinates are lengths and pure numbers both and `length` is far from 1 m: what each coordinate
   /// and each Phi is multiplied with to become a length [m]. None: all 1. Steppers and the initial problems
@@ -49,14 +48,12 @@ struct Structure {
   }
   /// The power of 1024 nearest to `length` [m]: 1 from 0.03 to 32 m.
   double unit() const { return std::exp2(10.0 * std::round(0.1 * std::log2(length))); }
-  /// For sentences, how far a constraint is off: r - l of a distance, else Phi; and its rate.
-  double off(std::size_t constraint, double phi) const {
-    if (are_distances.empty() || !are_distances[constraint]) return phi;
-    const double l = constraint_sizes[constraint];
-    return l * (std::sqrt(std::max(0.0, 1.0 + phi / l)) - 1.0);
-  }
-  double rate_off(std::size_t constraint, double phi_rate) const {
-    return are_distances.empty() || !are_distances[constraint] ? phi_rate : 0.5 * phi_rate;
+  /// Behind a number in a sentence: " m", " rad/s" of a rate, nothing for a pure number.
+  std::string unit_of(int constraint, bool rate = false) const {
+    if (constraint_units.empty()) return "";
+    const std::string& unit = constraint_units[static_cast<std::size_t>(constraint)];
+    if (rate) return " " + unit + "/s";
+    return unit == "1" ? "" : " " + unit;
   }
   int jacobian_values() const { return jacobian.size() + jacobian_extra; }  ///< length of that array
   int stiffness_values() const { return stiffness.size() + stiffness_extra; }
@@ -67,6 +64,12 @@ struct State {
   double time = 0.0;        ///< [s]
   Eigen::VectorXd q, v, a;  ///< positions, velocities, accelerations; those of fixed ones are zero
   Eigen::VectorXd lambda;   ///< multipliers: the constraint forces are -Phi_q^T lambda
+};
+
+/// How sentences tell that a constraint is off: a rod by r - l, an angle by rad.
+struct Off {
+  double now;      ///< in the unit of its constraint
+  double per_phi;  ///< what 1 of Phi is in that unit, for a little of it; of either sign
 };
 
 /// A multibody system M q'' + Phi_q^T lambda = Q(t, q, q'), Phi(t, q) = 0, with constant M. Pointers are to
@@ -86,6 +89,9 @@ class Model {
   virtual void constraint_rates(const double* q, double* phi_t) const = 0;
   /// gamma in Phi'' = Phi_q q'' + gamma = 0.
   virtual void constraint_accelerations(const double* q, const double* v, double* gamma) const = 0;
+
+  /// How far a constraint is off at q, where its Phi is `phi`.
+  virtual Off off(int /*constraint*/, const double* /*q*/, double phi) const { return {phi, 1.0}; }
 
   /// Q, of the variables.
   virtual void forces(const double* q, const double* v, double* force) const = 0;

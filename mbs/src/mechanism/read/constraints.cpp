@@ -104,9 +104,10 @@ void Reader::read_angle(const std::string& name, Section& section) {
   angle.b = edge(section, "to", section.node("to"));
   angle.where = section.place().text();
   if (to_.dimension == 3)
-    angle.axis = find(entities_, section, "axis", "vector",
-                      section.required_text("axis", "the vector that it turns about"));
-  this->name(relatives_, section, name, to_.relatives.size());
+    angle.axis =
+        vector_named(section, "axis", section.required_text("axis", "the vector that it turns about"),
+                     "the name of a vector");
+  relative_name(section, name);
   to_.relatives.push_back(angle);
 }
 
@@ -115,7 +116,7 @@ void Reader::read_length(const std::string& name, Section& section) {
   Relative length{name, Relative::Kind::length};
   length.where = section.place().text();
   section.node("points") ? void(length.a = two_points(section, "points")) : void(length.ends = ends(section));
-  this->name(relatives_, section, name, to_.relatives.size());
+  relative_name(section, name);
   to_.relatives.push_back(std::move(length));
 }
 

@@ -13,7 +13,7 @@ void Reader::read_coordinate(const std::string& name, Section& section) {
   free.turns = unit == "rad";
   free.at = section.number("at").value_or(0.0);
   free.where = section.place().text();
-  this->name(relatives_, section, name, to_.relatives.size());
+  relative_name(section, name);
   if (const auto inertia = section.positive("inertia"))
     to_.inertias.push_back({{-1, 0, static_cast<int>(to_.relatives.size())}, *inertia});
   to_.relatives.push_back(std::move(free));
@@ -24,9 +24,12 @@ void Reader::read_relation(const std::string& name, Section& section) {
   relation.where = section.place().text();
   const toml::table* terms = section.table("terms");
   if (!terms || terms->empty()) section.missing("terms", "{ COORDINATE = FACTOR }");
-  for (const auto& [key, node] : text::in_file_order(*terms))
-    relation.terms.push_back({text::number_of(document_, *node, section.name("terms") + "." + key),
-                              coordinate(section, "terms", key)});
+  for (const auto& [key, node] : text::in_file_order(*terms)) {
+    const std::string path = section.name("terms") + "." + key;
+    relation.terms.push_back({text::number_of(document_, *node, path), coordinate(section, "terms", key)});
+    if (relation.terms.back().factor == 0.0)
+      text::refuse(document_.place(*node), path + " is 0; allowed is another factor, or to leave it out");
+  }
   read_products(section, relation);
   double as_drawn = 0.0;
   for (const auto& [factor, c] : relation.terms)

@@ -63,9 +63,9 @@ void Reader::read_data(Section& section, const std::string& file, Input& input) 
       table.columns[static_cast<std::size_t>(find(columns, section, "column", "column", column))];
   for (std::size_t k = 0; k < values.size(); ++k)
     if (!(values[k] == values[k]))
-      section.wrong("column",
-                    fmt::format("'{}' with an empty cell in {}:{}", column, table.file.string(), k + 2),
-                    "one with a number in each row");
+      text::refuse(section.place("column"),
+                   fmt::format("{}:{}: column {} is empty; an input's column has a finite number in each row",
+                               table.file.string(), k + 2, column));
   const std::string how = section.text("interpolation").value_or("linear");
   if (how != "linear" && how != "spline") section.wrong("interpolation", "'" + how + "'", "linear or spline");
   input.smooth = how == "spline";

@@ -121,6 +121,13 @@ void Reader::name(Names& names, const Section& section, const std::string& name,
     refuse(section.place(), "the name '" + name + "' is there twice; allowed is a name of its own");
 }
 
+void Reader::relative_name(const Section& section, const std::string& name) {
+  this->name(relatives_, section, name, to_.relatives.size());
+  if (name.find('.') != std::string::npos)
+    refuse(section.place(),
+           "the name '" + name + "' has a dot, as coordinates of points have; allowed is a name without");
+}
+
 void Reader::port_name(const Section& section, const std::string& name) const {
   if (name.find_first_of(not_in_names) != std::string::npos)
     refuse(section.place(),
@@ -141,10 +148,17 @@ int Reader::point(Section& section, const std::string& key, const std::string& n
   return e;
 }
 
+int Reader::vector_named(Section& section, const std::string& key, const std::string& name,
+                         const std::string& allowed) const {
+  const int e = find(entities_, section, key, "vector", name);
+  if (is_point(to_, e)) section.wrong(key, "the point '" + name + "'", allowed);
+  return e;
+}
+
 Edge Reader::two_points(Section& section, const std::string& key) const {
   const std::string allowed = "the names of two points";
   const auto names = section.texts(key);
-  if (names.empty()) section.missing(key, allowed);
+  if (!section.node(key)) section.missing(key, allowed);
   if (names.size() != 2) section.wrong(key, fmt::format("{} names", names.size()), allowed);
   const Edge edge{point(section, key, names[1]), point(section, key, names[0])};
   if (edge.to == edge.from) section.wrong(key, "'" + names[0] + "' twice", allowed);
@@ -173,10 +187,7 @@ Edge Reader::edge(Section& section, const std::string& key, const toml::node* no
   if (!node) section.missing(key, allowed);
   const toml::array* array = node->as_array();
   if (const auto text = node->value<std::string>()) {
-    const int e = find(entities_, section, key, "vector", *text);
-    if (to_.entities[e].kind != Entity::Kind::vector)
-      section.wrong(key, "the point '" + *text + "'", allowed);
-    return {e};
+    return {vector_named(section, key, *text, allowed)};
   }
   if (!array || array->size() != 2 || !array->get(0)->is_string() || !array->get(1)->is_string())
     section.wrong(key, text::described(*node), allowed);

@@ -34,6 +34,8 @@ class Reader {
   double required_positive(Section& section, const std::string& key, const std::string& unit) const;
   /// A number or an array of numbers; empty if it is not there.
   std::vector<double> numbers(Section& section, const std::string& key) const;
+  /// A name of an angle, length or free coordinate; of what belongs to a point a dot tells.
+  void relative_name(const Section& section, const std::string& name);
   /// Refuses a name that is there twice.
   void name(Names& names, const Section& section, const std::string& name, std::size_t index) const;
   int find(const Names& names, const Section& section, const std::string& key, const std::string& kind,
@@ -41,6 +43,9 @@ class Reader {
   /// Refuses a name that a port can't have.
   void port_name(const Section& section, const std::string& name) const;
   int point(Section& section, const std::string& key, const std::string& name) const;
+  /// The number of a vector that is named; `allowed` is told where it is none.
+  int vector_named(Section& section, const std::string& key, const std::string& name,
+                   const std::string& allowed) const;
   /// The two points of a key, apart from each other as drawn.
   Edge two_points(Section& section, const std::string& key) const;
   /// A vector's name, or an array of two points.

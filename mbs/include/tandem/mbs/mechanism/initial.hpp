@@ -32,7 +32,7 @@ State initial_state(Mechanism& mechanism, double t);
 /// A constraint that can't hold beside the others and the given positions.
 struct Contradiction {
   int constraint;
-  double off;  ///< how far it is off where the assembly comes nearest (Structure::off)
+  double off;  ///< how far it is off where the assembly comes nearest (Model::off)
 };
 /// The positions of initial_state(), or where the assembly comes nearest and what contradicts there.
 struct Assembled {

@@ -36,6 +36,7 @@ class Mechanism final : public Model {
   void constraints(const double* q, double* phi, double* jacobian) const override;
   void constraint_rates(const double* q, double* phi_t) const override;
   void constraint_accelerations(const double* q, const double* v, double* gamma) const override;
+  Off off(int constraint, const double* q, double phi) const override;
   void forces(const double* q, const double* v, double* force) const override;
   void force_derivatives(const double* q, const double* v, double* k, double* c) const override;
   double energy(const double* q, const double* v) const override { return kinetic(v) + potential(q); }

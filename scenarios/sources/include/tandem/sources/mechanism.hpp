@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "tandem/mbs/mechanism/limits.hpp"
 #include "tandem/sources/source_file.hpp"
@@ -10,6 +12,10 @@ namespace tandem {
 
 /// What is done with a mechanism that has been read, before it is made.
 using LookAtMechanism = std::function<void(const text::Document&, mbs::Description&, Parameters&)>;
+
+/// Times [s] from a text with commas between them, in rising order. Throws Error for what is none, which
+/// begins with `name`.
+std::vector<double> matrix_times(const std::string& name, const std::string& text);
 
 /// A mechanism's file as a subsystem. Parameters: `step` [s], those of a stepper (take_stepper), `matrices`,
 /// `matrices_at`, `matrices_format`. What is not given is taken from the file's table [run], else by default;
