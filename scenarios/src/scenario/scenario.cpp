@@ -66,17 +66,17 @@ Place ConnectionEntry::place_named_in(const std::string& sentence) const {
   return place;
 }
 
-/// That of the parameter whose value the sentence tells ("index-3 formulation: beta is 0.3"), else of the
-/// first that it names.
+/// That of the first parameter whose value the sentence tells ("index-3 formulation: beta is 0.3"), else of
+/// the first that it names.
 Place SubsystemEntry::place_named_in(const std::string& sentence) const {
-  std::size_t first = std::string::npos;
   Place found = source_place;
+  std::pair best(true, std::string::npos);  // told no value, where
   for (const Parameter& parameter : parameters) {
     const auto at = mention(sentence, parameter.name);
     if (at == std::string::npos) continue;
     const auto rest = std::string_view(sentence).substr(at + parameter.name.size());
-    if (rest.starts_with(" is ") || rest.starts_with("' is ")) return parameter.place;
-    if (at < first) first = at, found = parameter.place;
+    const bool told = rest.starts_with(" is ") || rest.starts_with("' is ");
+    if (std::pair(!told, at) < best) best = {!told, at}, found = parameter.place;
   }
   return found;
 }

@@ -53,8 +53,11 @@ Coupling coupling(const Case& c) {
   const auto down = Reconstruction::parse(s.to_lower), up = Reconstruction::parse(s.to_upper);
   for (const std::string axis : {"x", "y"}) {
     coupling.connections.push_back({"upper." + axis, "lower." + axis, down});
-    coupling.connections.push_back({"lower.R" + axis, "upper.F" + axis, up, -1.0});
-    if (c.rods.carried_mass != 0.0) coupling.connections.push_back({"lower.a" + axis, "upper.a" + axis, up});
+    coupling.connections.push_back(
+        {.from = "lower.R" + axis, .to = "upper.F" + axis, .how = up, .gain = -1.0, .lag = s.lag});
+    if (c.rods.carried_mass != 0.0)
+      coupling.connections.push_back(
+          {.from = "lower.a" + axis, .to = "upper.a" + axis, .how = up, .lag = s.lag});
   }
   return coupling;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "split_pendulum/model.hpp"
+#include "tandem/coordinator/topology.hpp"
 
 namespace tandem::split_pendulum {
 
@@ -14,6 +15,7 @@ struct Scheme {
   std::string schedule = {}, to_lower = {}, to_upper = {}, fast = "lower";
   std::string formulation = "null_space";  ///< of both sides, with Newmark's method
   double ratio = 10.0;                     ///< of the steps
+  Lag lag = Lag::none;  ///< of what the upper rod takes: the force, a carried mass's acceleration
   bool monolithic() const { return schedule == "monolithic"; }
 };
 

@@ -48,7 +48,11 @@ bool stable(const Scheme& s, double mass) {
   const Coupling pair{
       {{"taker", taker, giver_fast ? step : small}, {"giver", giver, giver_fast ? small : step}},
       {{"taker.x", "giver.x", Reconstruction::parse(s.to_lower)},
-       {"giver.R", "taker.F", Reconstruction::parse(s.to_upper), -1.0}},
+       {.from = "giver.R",
+        .to = "taker.F",
+        .how = Reconstruction::parse(s.to_upper),
+        .gain = -1.0,
+        .lag = s.lag}},
       s.formulation,
       s.schedule,
       last_time};
