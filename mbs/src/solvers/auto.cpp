@@ -26,21 +26,21 @@ struct TimeModel {
 using enum MatrixKind;
 using enum Shape;
 constexpr TimeModel time_models[] = {
-    {positive_definite, "band", band, 0, 0, 4.513, 0.0709},
-    {positive_definite, "prepared", sparse, 0, 11.2, 7.197, 0.3951},
-    {positive_definite, "lapack_band", band, 0, 67.49, 6.898, 0.005191},
-    {positive_definite, "lapack", dense, 0, 65.61, 3.546, 0.009192},
-    {positive_definite, "mumps", sparse, 2.549e5, 1153, 14.52, 0.1451},
-    {symmetric, "klu", sparse, 0, 0, 20.49, 4.969},
-    {symmetric, "eigen_dense", dense, 0, 12.75, 6.896, 0.04681},
-    {symmetric, "lapack_band", band, 0, 90.99, 16.65, 0.02241},
-    {symmetric, "lapack", dense, 0, 108, 6.122, 0.01047},
-    {symmetric, "mumps", sparse, 6.463e4, 3481, 51.7, 0.9924},
-    {unsymmetric, "klu", sparse, 0, 42.11, 8.804, 2.314},
-    {unsymmetric, "eigen_dense", dense, 0, 45.11, 3.111, 0.07123},
-    {unsymmetric, "lapack_band", band, 0, 98.79, 10.01, 0.02849},
-    {unsymmetric, "lapack_lu", dense, 0, 104.2, 4.054, 0.02198},
-    {unsymmetric, "mumps", sparse, 2.254e5, 1460, 31.78, 0.259},
+    {positive_definite, "band", band, 0, 0, 3.189, 0.04532},
+    {positive_definite, "prepared", sparse, 0, 16.74, 5.176, 0.1732},
+    {positive_definite, "lapack_band", band, 142.2, 58.84, 4.721, 0.004743},
+    {positive_definite, "lapack", dense, 993.8, 13.33, 2.786, 0.008253},
+    {positive_definite, "mumps", sparse, 7.863e4, 868.5, 12.7, 0.09289},
+    {symmetric, "klu", sparse, 0, 0, 16.46, 3.382},
+    {symmetric, "eigen_dense", dense, 42.27, 0, 6.037, 0.02221},
+    {symmetric, "lapack_band", band, 0, 63.85, 13.2, 0.01915},
+    {symmetric, "lapack", dense, 574.7, 15.43, 4.918, 0.007447},
+    {symmetric, "mumps", sparse, 7.02e4, 1070, 90.58, 0.4805},
+    {unsymmetric, "klu", sparse, 0, 25.71, 11.7, 1.329},
+    {unsymmetric, "eigen_dense", dense, 108.2, 0, 4.966, 0.02484},
+    {unsymmetric, "lapack_band", band, 0, 75.24, 8.329, 0.01313},
+    {unsymmetric, "lapack_lu", dense, 431.7, 9.345, 4.434, 0.01386},
+    {unsymmetric, "mumps", sparse, 1.097e5, 855.8, 28.33, 0.08008},
 };
 
 double expected(const TimeModel& m, const EliminationCost& cost) {
