@@ -9,12 +9,13 @@
 
 namespace tandem::bench {
 
-/// Steps of 1.25 ms of the linkage before its first flat position, over and over.
+/// Steps of 1.25 ms of the linkage before its first flat position, over and over. Threads share loops from a
+/// size on at which they lose, so that it is seen where they gain.
 class LinkageSteps {
  public:
   explicit LinkageSteps(int loops, int threads = 1)
       : linkage_(mbs::read_mechanism("four_bar", four_bar::text(loops))),
-        stepper_(linkage_, {.penalty = 1e8, .tolerance = 1e-5, .threads = threads}),
+        stepper_(linkage_, {.penalty = 1e8, .tolerance = 1e-5, .threads = threads, .threads_from = 1000}),
         start_(linkage_.described_state()) {
     stepper_.start(start_);
     now_ = start_;

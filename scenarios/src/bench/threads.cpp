@@ -22,7 +22,7 @@ Timing thread_timing(int loops, int threads) {
 }  // namespace
 
 Table threads() {
-  const std::vector<int> sizes = {50, 100, 200, 400, 800, 1600, 4000};
+  const std::vector<int> sizes = {100, 400, 800, 1600, 4000, 10'000, 20'000};
   std::vector<int> counts;
   for (int k = 1; k <= static_cast<int>(std::thread::hardware_concurrency()); k *= 2) counts.push_back(k);
   std::vector<Timing> timings;
