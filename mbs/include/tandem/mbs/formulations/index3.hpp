@@ -26,7 +26,7 @@ struct Index3Settings {
   /// that share the loops over a large model's constraints, variables and matrix entries; the states are the
   /// same, bit for bit, with any number. More than 1 needs a build with OpenMP
   int threads = 1;
-  int threads_from = 20000;  ///< loops over fewer elements are not shared (docs/threads.md)
+  int threads_from = 40000;  ///< loops over fewer elements are not shared (docs/threads.md)
 
   bool operator==(const Index3Settings&) const = default;
 };
