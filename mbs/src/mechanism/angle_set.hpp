@@ -27,9 +27,7 @@ class AngleSet final : public ConstraintSet {
   int size() const override { return static_cast<int>(angles_.size()); }
   std::vector<int> coordinates(int equation) const override {
     const Angle& angle = angles_[equation];
-    std::vector<int> list;
-    for (const int first : {angle.a.to, angle.a.from, angle.b.to, angle.b.from})
-      for (int d = 0; d < Dimension; ++d) list.push_back(first + d);
+    std::vector<int> list = coordinates_of<Dimension>(angle.a, angle.b);
     if constexpr (Dimension == 3) list.insert(list.end(), {angle.axis, angle.axis + 1, angle.axis + 2});
     list.push_back(angle.theta);
     return list;

@@ -22,11 +22,7 @@ class FixedAngleSet final : public ConstraintSet {
 
   int size() const override { return static_cast<int>(angles_.size()); }
   std::vector<int> coordinates(int equation) const override {
-    const Angle& angle = angles_[equation];
-    std::vector<int> list;
-    for (const int first : {angle.a.to, angle.a.from, angle.b.to, angle.b.from})
-      for (int d = 0; d < 3; ++d) list.push_back(first + d);
-    return list;
+    return coordinates_of<3>(angles_[equation].a, angles_[equation].b);
   }
 
   /// The edges may share points, so entries add up.
