@@ -94,6 +94,13 @@ tandem_status restore(void*, std::int64_t, tandem_clock* clock) {
   return any_status();
 }
 tandem_status release(void*, std::int64_t) { return any_status(); }
+tandem_status serialize(void*, std::int64_t, const void** state, std::int64_t* size) {
+  static constexpr char known[8] = {};
+  *state = bytes->ConsumeBool() ? known : nullptr;
+  *size = bytes->ConsumeIntegralInRange<std::int64_t>(-2, sizeof known);
+  return any_status();
+}
+tandem_status deserialize(void*, const void*, std::int64_t, std::int64_t* id) { return save(nullptr, id); }
 
 template <class Function>
 Function* maybe(Function* function) {
@@ -113,7 +120,9 @@ tandem_subsystem_api any_table() {
           maybe(advance),
           maybe(save),
           maybe(restore),
-          maybe(release)};
+          maybe(release),
+          maybe(serialize),
+          maybe(deserialize)};
 }
 
 void drive(Subsystem& s) {
@@ -130,6 +139,7 @@ void drive(Subsystem& s) {
   if (y.size() > room) std::abort();
   if (!s.info().abilities.saves_state) return;
   const StateId state = s.save_state();
+  if (s.info().abilities.serializes_state) s.release_state(s.deserialize_state(s.serialize_state(state)));
   s.restore_state(state);
   s.release_state(state);
 }

@@ -200,6 +200,17 @@ TEST(ModesCommand, SetsValuesOfTheMechanismOrOfTheScenario) {
   EXPECT_NE(port.err.find("input 'push'"), std::string::npos) << port.err;
 }
 
+TEST(ModesCommand, TellsAStructureFromAMechanism) {
+  const Scratch folder;
+  folder.write(
+      "truss.toml",
+      "dimension = 2\n[points]\nA = { at = [0, 0], fixed = true }\nB = { at = [1, 0], fixed = true }\n"
+      "C = { at = [0, 1] }\n[rods]\nAC = { points = ['A', 'C'], mass = 1 }\n"
+      "BC = { points = ['B', 'C'], mass = 1 }\n");
+  expect_words(tandem(folder, {"modes", "truss.toml"}),
+               {"truss.toml: no modes, for its constraints leave no motion"});
+}
+
 TEST(InfoCommand, TakesAFileWithPointsForAMechanism) {
   const Scratch folder;
   folder.write("m.toml", "dimensoin = 2\n[points]\nO = { at = [0, 0], fixed = true }\n");
@@ -209,7 +220,8 @@ TEST(InfoCommand, TakesAFileWithPointsForAMechanism) {
                empty = tandem(folder, {command, "empty.toml"});
     EXPECT_EQ(misspelt.status, 2);
     EXPECT_EQ(misspelt.err.find("subsystems"), std::string::npos) << misspelt.err;
-    EXPECT_NE(empty.err.find("a mechanism, with points, or a diagram, with blocks"), std::string::npos) << empty.err;
+    EXPECT_NE(empty.err.find("a mechanism, with points, or a diagram, with blocks"), std::string::npos)
+        << empty.err;
   }
 }
 

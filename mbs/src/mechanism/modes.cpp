@@ -55,8 +55,10 @@ std::vector<Mode> modes(Model& of, const State& at) {
   model.scale(s);
   terms.evaluate(s.q, s.v);
   if (s.lambda.size() > 0) s.lambda = dense::shortest_solution(terms.gradients, terms.force);
-  const MatrixXd r = free_motions(terms.gradients), k = dense::reduced(terms.stiffness(s), r),
-                 c = dense::reduced(terms.damping(s), r), m = dense::reduced(terms.mass(), r);
+  const MatrixXd r = free_motions(terms.gradients);
+  if (r.cols() == 0) return {};
+  const MatrixXd k = dense::reduced(terms.stiffness(s), r), c = dense::reduced(terms.damping(s), r),
+                 m = dense::reduced(terms.mass(), r);
   const auto [values, vectors] = dense::spectrum(first_order(m, k, c));
   std::vector<Mode> all;
   for (int i = 0; i < values.size(); ++i) {

@@ -45,11 +45,12 @@ void print_modes(mbs::Description description, double start) {
   mbs::Mechanism mechanism(std::move(description));
   const mbs::State s = mbs::initial_state(mechanism, start);
   const auto all = mbs::modes(mechanism, s);
+  const std::string& name = mechanism.description().name;
+  if (all.empty()) return fmt::print("{}: no modes, for its constraints leave no motion\n", name);
   const double still = 1e-2 / std::sqrt(mechanism.structure().unit());  // [1/s]
   const auto free =
       std::count_if(all.begin(), all.end(), [still](const auto& m) { return std::abs(m.p) < still; });
-  fmt::print("{}: modes about its start\n  frequency  damping  name             kinetic energy\n",
-             mechanism.description().name);
+  fmt::print("{}: modes about its start\n  frequency  damping  name             kinetic energy\n", name);
   for (const mbs::Mode& mode : all)
     if (std::abs(mode.p) >= still) print_mode(mechanism, mode);
   fmt::print("  {} solutions with |p| < {:.3g} 1/s: nothing pulls back\n", free, still);

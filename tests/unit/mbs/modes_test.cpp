@@ -80,5 +80,14 @@ TEST(Modes, MassOnADampedSpring) {
   EXPECT_EQ(name_of(m, all[1]), "load along y");
 }
 
+/// Eigen's solver has no answer for a matrix without rows.
+TEST(Modes, AStructureHasNone) {
+  Mechanism m(read_mechanism(
+      "truss", plane + "[points]\nA = { at = [0, 0], fixed = true }\nB = { at = [1, 0], fixed = true }\n"
+                       "C = { at = [0.5, 1] }\n[masses.load]\npoint = \"C\"\nmass = 1\n"
+                       "[distances]\nAC = { points = [\"A\", \"C\"] }\nBC = { points = [\"B\", \"C\"] }\n"));
+  EXPECT_TRUE(modes(m, initial_state(m, 0.0)).empty());
+}
+
 }  // namespace
 }  // namespace tandem::mbs
