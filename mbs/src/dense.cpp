@@ -3,6 +3,9 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <string>
+
+#include "tandem/error.hpp"
 
 template class Eigen::ColPivHouseholderQR<Eigen::MatrixXd>;
 
@@ -29,6 +32,9 @@ VectorXd symmetric_eigenvalues(const MatrixXd& a) {
 
 Spectrum spectrum(const MatrixXd& a) {
   const Eigen::EigenSolver<MatrixXd> solver(a);
+  if (solver.info() != Eigen::Success)
+    throw Error(ErrorCode::numerical, "the eigenvalues of a matrix of " + std::to_string(a.rows()) +
+                                          " rows are not found by Eigen's QR algorithm");
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
 

@@ -24,7 +24,7 @@ VectorXd shortest_solution(const MatrixXd& a, const VectorXd& b);
 VectorXd solve_by_lu(const MatrixXd& a, const VectorXd& b);
 /// Ascending.
 VectorXd symmetric_eigenvalues(const MatrixXd& a);
-/// Of any square matrix of a row and more; each vector is of length 1.
+/// Of any square matrix of a row and more; each vector is of length 1. Throws Error where it is not found.
 struct Spectrum {
   Eigen::VectorXcd values;
   Eigen::MatrixXcd vectors;

@@ -211,6 +211,17 @@ TEST(ModesCommand, TellsAStructureFromAMechanism) {
                {"truss.toml: no modes, for its constraints leave no motion"});
 }
 
+TEST(ModesCommand, TakesInputsThatNothingGivesAsZeroAndSaysSo) {
+  const Scratch folder;
+  folder.write("pushed.toml",
+               "dimension = 2\ngravity = [0, -9.81]\n[points]\nO = { at = [0, 0], fixed = true }\n"
+               "P = { at = [0, -1] }\n[rods]\nrod = { points = ['O', 'P'], mass = 1 }\n"
+               "[inputs]\npush = { unit = 'N' }\n"
+               "[forces]\npush = { point = 'P', direction = [1, 0], magnitude = 'push' }\n");
+  expect_words(tandem(folder, {"modes", "pushed.toml"}),
+               {"inputs that are not known are taken as 0: push\n", " 0.611 Hz   0.0000  rod along x"});
+}
+
 TEST(InfoCommand, TakesAFileWithPointsForAMechanism) {
   const Scratch folder;
   folder.write("m.toml", "dimensoin = 2\n[points]\nO = { at = [0, 0], fixed = true }\n");

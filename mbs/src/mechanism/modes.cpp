@@ -38,6 +38,10 @@ MatrixXd first_order(const MatrixXd& m, const MatrixXd& k, const MatrixXd& c) {
   a.topRightCorner(n, n).setIdentity();
   a.bottomLeftCorner(n, n) = -mass.solve(k);
   a.bottomRightCorner(n, n) = -mass.solve(c);
+  if (!a.allFinite())
+    throw Error(ErrorCode::numerical,
+                "stiffness or damping is not finite where it stands; allowed are inputs with values and "
+                "forces that are finite");
   return a;
 }
 

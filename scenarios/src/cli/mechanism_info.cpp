@@ -22,17 +22,6 @@
 namespace tandem::cli {
 namespace {
 
-/// As a run does where nothing is connected yet. Names of the inputs.
-std::vector<std::string> set_unknown(mbs::Description& description) {
-  std::vector<std::string> names;
-  for (mbs::Input& input : description.inputs) {
-    if (input.function || !std::isnan(input.value)) continue;
-    input.value = 0.0;
-    names.push_back(input.name);
-  }
-  return names;
-}
-
 /// Names of the variables, and of those of first order, which are states of elements.
 std::pair<std::vector<std::string>, std::vector<std::string>> coordinates_and_states(
     const mbs::Structure& s) {
@@ -123,6 +112,16 @@ void check_run(const std::filesystem::path& file, const Builtins& builtins) {
 
 }  // namespace
 
+std::string take_unknown_inputs_as_zero(mbs::Description& description) {
+  std::vector<std::string> names;
+  for (mbs::Input& input : description.inputs) {
+    if (input.function || !std::isnan(input.value)) continue;
+    input.value = 0.0;
+    names.push_back(input.name);
+  }
+  return names.empty() ? "" : fmt::format("  inputs that are not known are taken as 0: {}\n", listed(names));
+}
+
 double start_of(const std::filesystem::path& file) {
   return text::Document(file).table()["run"]["start"].value<double>().value_or(0.0);
 }
@@ -132,13 +131,13 @@ bool is_mechanism(const std::filesystem::path& file) { return scenario::kind_alo
 void print_mechanism(const std::filesystem::path& file, const Builtins& builtins) {
   mbs::Description description = mbs::read_mechanism(file, element_kinds());
   mechanisms::read_view(text::Document(file), description);
-  const auto unknown = set_unknown(description);
+  const std::string told = take_unknown_inputs_as_zero(description);
   mbs::Mechanism mechanism(description);
   const double start = start_of(file);
   const text::Place whole{file.string()};
   const auto found = text::located(whole, [&] { return mbs::assembled(mechanism, start); });
   print_size(mechanism);
-  if (!unknown.empty()) fmt::print("  inputs that are not known are taken as 0: {}\n", listed(unknown));
+  fmt::print("{}", told);
   print_freedom(mechanism, found);
   print_tangent(mechanism.structure());
   print_limits(mechanism.description());

@@ -2,6 +2,7 @@
 #pragma once
 #include <filesystem>
 
+#include "tandem/mbs/mechanism/description.hpp"
 #include "tandem/transports/open.hpp"
 
 namespace tandem::cli {
@@ -11,6 +12,9 @@ bool is_mechanism(const std::filesystem::path& file);
 
 /// [s]: of the table [run].
 double start_of(const std::filesystem::path& file);
+
+/// Those that the file gives no value. A line that tells which, or "".
+std::string take_unknown_inputs_as_zero(mbs::Description& description);
 
 /// Prints variables, constraints, degrees of freedom, redundant and contradictory equations and the filling
 /// of the tangent. Then throws Error for what a run of it would refuse: a start that can't be, and what its

@@ -42,6 +42,7 @@ void print_mode(const mbs::Mechanism& mechanism, const mbs::Mode& mode) {
 /// Motions that nothing pulls back have p = 0 but for rounding, which is that of a mechanism of its size:
 /// those of a thousand times the length are slower by the root of it.
 void print_modes(mbs::Description description, double start) {
+  const std::string told = take_unknown_inputs_as_zero(description);
   mbs::Mechanism mechanism(std::move(description));
   const mbs::State s = mbs::initial_state(mechanism, start);
   const auto all = mbs::modes(mechanism, s);
@@ -50,7 +51,8 @@ void print_modes(mbs::Description description, double start) {
   const double still = 1e-2 / std::sqrt(mechanism.structure().unit());  // [1/s]
   const auto free =
       std::count_if(all.begin(), all.end(), [still](const auto& m) { return std::abs(m.p) < still; });
-  fmt::print("{}: modes about its start\n  frequency  damping  name             kinetic energy\n", name);
+  fmt::print("{}: modes about its start\n{}  frequency  damping  name             kinetic energy\n", name,
+             told);
   for (const mbs::Mode& mode : all)
     if (std::abs(mode.p) >= still) print_mode(mechanism, mode);
   fmt::print("  {} solutions with |p| < {:.3g} 1/s: nothing pulls back\n", free, still);

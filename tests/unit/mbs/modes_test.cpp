@@ -89,5 +89,13 @@ TEST(Modes, AStructureHasNone) {
   EXPECT_TRUE(modes(m, initial_state(m, 0.0)).empty());
 }
 
+TEST(Modes, AnInputWithoutAValueIsRefused) {
+  Mechanism m(read_mechanism(
+      "pushed", plane + "[points]\nP = { at = [0, 0] }\n[masses.load]\npoint = \"P\"\nmass = 1\n"
+                        "[inputs.push]\nunit = \"N\"\n"
+                        "[forces.push]\npoint = \"P\"\ndirection = [1, 0]\nmagnitude = \"push\"\n"));
+  EXPECT_THROW(modes(m, initial_state(m, 0.0)), Error);
+}
+
 }  // namespace
 }  // namespace tandem::mbs
