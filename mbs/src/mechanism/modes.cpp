@@ -45,6 +45,14 @@ MatrixXd first_order(const MatrixXd& m, const MatrixXd& k, const MatrixXd& c) {
   return a;
 }
 
+/// In the model's own units, with the largest entry 1.
+Eigen::VectorXcd shape(const Scaled& model, Eigen::VectorXcd scaled) {
+  for (int c = 0; c < scaled.size(); ++c) scaled[c] /= model.coordinate_scale(c);
+  Eigen::Index largest = 0;
+  scaled.cwiseAbs().maxCoeff(&largest);
+  return scaled / scaled[largest];
+}
+
 }  // namespace
 
 double Mode::frequency() const { return std::abs(p) / (2.0 * std::numbers::pi); }
@@ -67,12 +75,7 @@ std::vector<Mode> modes(Model& of, const State& at) {
   std::vector<Mode> all;
   for (int i = 0; i < values.size(); ++i) {
     if (values[i].imag() < 0.0) continue;
-    Mode mode{values[i], r * vectors.col(i).head(r.cols())};
-    for (int c = 0; c < mode.shape.size(); ++c) mode.shape[c] /= model.coordinate_scale(c);
-    Eigen::Index largest = 0;
-    mode.shape.cwiseAbs().maxCoeff(&largest);
-    mode.shape /= mode.shape[largest];
-    all.push_back(std::move(mode));
+    all.push_back({values[i], shape(model, r * vectors.col(i).head(r.cols()))});
   }
   std::stable_sort(all.begin(), all.end(),
                    [](const Mode& a, const Mode& b) { return std::abs(a.p) < std::abs(b.p); });

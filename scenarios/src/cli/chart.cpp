@@ -67,12 +67,12 @@ void add_chart(CLI::App& app, Context& context) {
       "simbody the times at 1 mm");
   auto options = std::make_shared<ChartOptions>();
   command
-      ->add_option(
-          "scene", options->scene,
-          "A sweep: two_mass, engine, engine_linkage, kart, mechanisms, four_bar; a ladder; or a benchmark: "
-          "four_bar_cost "
-          "(of bench four_bar), engine_linkage_elsewhere (of bench engine_linkage), "
-          "solvers, dense, threads, transports, simbody")
+      ->add_option("scene", options->scene,
+                   "A sweep: two_mass, split_pendulum, engine, engine_linkage, kart, mechanisms, four_bar; a "
+                   "ladder; or a benchmark: "
+                   "four_bar_cost "
+                   "(of bench four_bar), engine_linkage_elsewhere (of bench engine_linkage), "
+                   "solvers, dense, threads, transports, simbody")
       ->required()
       ->check(CLI::IsMember(scene_names()));
   command

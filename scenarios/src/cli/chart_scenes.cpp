@@ -13,6 +13,7 @@
 #include "charts/mechanisms_work_chart.hpp"
 #include "charts/simbody_chart.hpp"
 #include "charts/solver_map_chart.hpp"
+#include "charts/split_pendulum_chart.hpp"
 #include "charts/style.hpp"
 #include "charts/threads_chart.hpp"
 #include "charts/transports_chart.hpp"
@@ -34,6 +35,13 @@ Drawing two_mass(const fs::path& folder) {
            charts::energy_fr30_chart(traces, caption), charts::motion_fr30_chart(traces, caption),
            charts::work_precision_chart(work, caption), charts::best_scheme_chart(sweep, caption)},
           charts::short_table(sweep)};
+}
+
+Drawing split_pendulum(const fs::path& folder) {
+  const auto caption = conditions_caption(folder / "conditions.json", 180);
+  return {
+      {charts::split_pendulum_chart(charts::read_split_pendulum_schemes(folder / "schemes.csv"), caption)},
+      ""};
 }
 
 Drawing mechanisms(const fs::path& folder) {
@@ -130,6 +138,11 @@ const ChartScene scenes[] = {
      "sweep two_mass --output {} --resume",
      {"sweep.csv", "traces.csv", "work.csv", "conditions.json"},
      two_mass},
+    {"split_pendulum",
+     "results/split_pendulum",
+     "sweep split_pendulum --output {}",
+     {"schemes.csv", "conditions.json"},
+     split_pendulum},
     {"mechanisms",
      "results/mbs",
      "sweep mechanisms --output {}",

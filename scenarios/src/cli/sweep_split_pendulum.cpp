@@ -5,6 +5,7 @@
 
 #include "cli/interrupt.hpp"
 #include "cli/progress.hpp"
+#include "output/conditions.hpp"
 #include "output/files.hpp"
 #include "output/parallel.hpp"
 #include "split_pendulum/sweep.hpp"
@@ -37,6 +38,11 @@ void sweep_split_pendulum(const std::filesystem::path& output, unsigned threads,
   };
   write("schemes.csv", split_pendulum::schemes_header, 0, cases.size());
   write("limits.csv", split_pendulum::limits_header, cases.size(), rows.size());
+  output::write_text(
+      output / "conditions.json",
+      output::conditions({"Lagrange's equations to 1e-9 m", "largest distance of the elbow from it", "1"})
+              .dump(2) +
+          "\n");
 }
 
 }  // namespace tandem::cli

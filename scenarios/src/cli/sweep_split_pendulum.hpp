@@ -6,8 +6,8 @@
 
 namespace tandem::cli {
 
-/// Every scheme on the split pendulum, and the ratio of masses that each stands: schemes.csv and limits.csv
-/// in that folder. Throws RunFailed if it is interrupted.
+/// Every scheme on the split pendulum, and the ratio of masses that each stands: schemes.csv, limits.csv and
+/// conditions.json in that folder. Throws RunFailed if it is interrupted.
 void sweep_split_pendulum(const std::filesystem::path& output, unsigned threads, const Context& context);
 
 }  // namespace tandem::cli
