@@ -17,10 +17,10 @@ using Schemes = std::vector<SplitPendulumScheme>;
 
 constexpr std::array schedules = {"slowest-first", "fastest-first", "parallel"};
 constexpr std::array displacements = {"lagrange2",        "lagrange3",        "lagrange4",
-                                      "hermite",          "least_squares2_2", "least_squares3_2",
-                                      "least_squares1_2", "matched_hold"};
+                                      "hermite",          "least_squares1_2", "least_squares2_2",
+                                      "least_squares3_2", "matched_hold"};
 constexpr const char* displacement_tics =
-    "('degree 2' 0, '3' 1, '4' 2, 'hermite' 3, 'least sq. 2' 4, '3' 5, '1' 6, 'hold' 7)";
+    "('degree 2' 0, '3' 1, '4' 2, 'hermite' 3, 'least sq. 1' 4, '2' 5, '3' 6, 'hold' 7)";
 constexpr double top = 1.0, bottom = 1e-5;  // [m]; crosses stand at the first
 
 struct Force {
@@ -130,10 +130,11 @@ Picture split_pendulum_chart(const Schemes& schemes, const std::vector<std::stri
   for (std::size_t k = 0; k < 2 * schedules.size(); ++k) {
     const bool carries = k >= schedules.size();
     const std::size_t column = k % schedules.size();
-    const double left = 0.065 + 0.315 * static_cast<double>(column), bottom_edge = carries ? 0.16 : 0.55;
+    const double left = 0.065 + 0.315 * static_cast<double>(column), bottom_edge = carries ? 0.17 : 0.56;
     picture.command(fmt::format("set title '{}, {}' offset 0,-0.6", schedules[column],
                                 carries ? "a quarter of the lower rod carried" : "nothing carried"));
     picture.command(column == 0 ? "set ylabel 'error [m]'" : "unset ylabel");
+    picture.command(carries ? "set xlabel 'displacement (hold: matched hold)'" : "unset xlabel");
     picture.panel({left, left + 0.275, bottom_edge, bottom_edge + 0.28});
     picture.plot(curves_of(picture, panel_of(schemes, schedules[column], carries ? 0.025 : 0.0), monolithic));
   }
