@@ -2,8 +2,8 @@
 # Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 """mutations.py TANDEM FOLDER [RUNS [SEED]]: the project's own mechanisms, diagrams and scenarios, with numbers, names and
 lines changed, through the commands that read and run them (default: 10 000 of them, seed 1). Each has to end in
-minutes by a status that the command names, with a sentence where it is not 0, and where it is 0 without a nan in what it
-writes. What does otherwise is left in FOLDER, and the status is 1."""
+minutes by a status that the command names, with a sentence where it is not 0, and where it is 0 without a nan in its
+results. What does otherwise is left in FOLDER, and the status is 1."""
 
 import pathlib
 import random
@@ -75,8 +75,8 @@ def fault(tandem, command, file, output):
         return f"ends with status {ended.returncode}: {ended.stderr[-400:]}"
     if ended.returncode:
         return None if re.search("^tandem: ", ended.stderr, re.MULTILINE) else f"says '{ended.stderr[:200]}'"
-    written = ended.stdout + "".join(f.read_text() for f in output.glob("results*.csv"))
-    return "writes nan" if re.search(r"\bnan\b", written) else None
+    results = "".join(file.read_text() for file in output.glob("results*.csv"))
+    return "writes nan" if "nan" in results else None
 
 
 def main(tandem, folder, runs=10000, seed=1):

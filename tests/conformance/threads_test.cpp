@@ -2,8 +2,11 @@
 // Steps of large models whose loops threads share.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "four_bar/linkage.hpp"
 #include "refusal.hpp"
+#include "solver_bench.hpp"
 #include "tandem/mbs/formulations/index3.hpp"
 #include "tandem/mbs/mechanism/mechanism.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
@@ -50,6 +53,18 @@ TEST(Threads, GiveTheSameBitsFromWhateverSizeOn) {
     EXPECT_EQ(shared.v, alone.v) << loops << " " << from;
     EXPECT_EQ(shared.lambda, alone.lambda) << loops << " " << from;
   }
+}
+
+std::ptrdiff_t threads_of_this_process() {
+  return std::distance(std::filesystem::directory_iterator("/proc/self/task"), {});
+}
+
+/// Eigen shares dense products among all cores unless it is told not to.
+TEST(Threads, NoneIsMadeThatNobodyAskedFor) {
+  const Eigen::MatrixXd a = Eigen::MatrixXd::Identity(400, 400) + Eigen::MatrixXd::Constant(400, 400, 0.1);
+  const std::ptrdiff_t before = threads_of_this_process();
+  EXPECT_EQ(test::SolverBench("eigen_dense", MatrixKind::unsymmetric, test::pattern_of(a)).factorize(a), -1);
+  EXPECT_EQ(threads_of_this_process(), before);
 }
 
 TEST(Threads, AreAtLeastOne) {
