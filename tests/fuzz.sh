@@ -27,7 +27,10 @@ export ASAN_SYMBOLIZER_PATH
 report() {
   tail -60 "$folder/$1.log"
   for input in "$folder/$1"-{crash,timeout,oom,slow-unit,leak}-*; do
-    [[ -f $input ]] && echo "$input:" && gzip -9c "$input" | base64
+    if [[ -f $input ]]; then
+      echo "$input:"
+      gzip -9c "$input" | base64
+    fi
   done
 }
 
@@ -38,8 +41,8 @@ for target in server client table mechanism diagram scenario; do
   # A run may take 20 s and 3 GB; inputs have up to 8 KiB.
   words=()
   [[ $target =~ ^(mechanism|diagram|scenario)$ ]] && words=(-dict="$folder/seeds/words")
-  "$folder/${target}_fuzz" "${words[@]}" -runs="$runs" -seed="$seed" -max_len=8192 -timeout=20 -rss_limit_mb=3000 -verbosity=0 -print_final_stats=1 \
-    -artifact_prefix="$folder/$target-" "$folder/corpus/$target" "$folder/seeds/$target" >"$folder/$target.log" 2>&1 ||
+  "$folder/${target}_fuzz" "${words[@]}" -runs="$runs" -seed="$seed" -max_len=8192 -timeout=20 -rss_limit_mb=3000 \
+    -verbosity=0 -print_final_stats=1 -artifact_prefix="$folder/$target-" "$folder/corpus/$target" "$folder/seeds/$target" >"$folder/$target.log" 2>&1 ||
     { report "$target" >&2; status=1; }
   sed -n 's/^stat::number_of_executed_units: */  executed: /p' "$folder/$target.log"
 done

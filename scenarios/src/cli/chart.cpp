@@ -69,10 +69,8 @@ void add_chart(CLI::App& app, Context& context) {
   command
       ->add_option("scene", options->scene,
                    "A sweep: two_mass, split_pendulum, engine, engine_linkage, kart, mechanisms, four_bar; a "
-                   "ladder; or a benchmark: "
-                   "four_bar_cost "
-                   "(of bench four_bar), engine_linkage_elsewhere (of bench engine_linkage), "
-                   "solvers, dense, threads, transports, simbody")
+                   "ladder; or a benchmark: four_bar_cost (of bench four_bar), engine_linkage_elsewhere (of "
+                   "bench engine_linkage), solvers, dense, threads, transports, simbody")
       ->required()
       ->check(CLI::IsMember(scene_names()));
   command
