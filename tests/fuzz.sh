@@ -42,7 +42,8 @@ for target in server client table mechanism diagram scenario; do
   words=()
   [[ $target =~ ^(mechanism|diagram|scenario)$ ]] && words=(-dict="$folder/seeds/words")
   "$folder/${target}_fuzz" "${words[@]}" -runs="$runs" -seed="$seed" -max_len=8192 -timeout=20 -rss_limit_mb=3000 \
-    -verbosity=0 -print_final_stats=1 -artifact_prefix="$folder/$target-" "$folder/corpus/$target" "$folder/seeds/$target" >"$folder/$target.log" 2>&1 ||
+    -verbosity=0 -print_final_stats=1 -artifact_prefix="$folder/$target-" \
+    "$folder/corpus/$target" "$folder/seeds/$target" >"$folder/$target.log" 2>&1 ||
     { report "$target" >&2; status=1; }
   sed -n 's/^stat::number_of_executed_units: */  executed: /p' "$folder/$target.log"
 done

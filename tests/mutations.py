@@ -59,8 +59,8 @@ def commands(chance, text):
     formulation = chance.choice(("index3", "penalty", "index1", "null_space"))
     methods = ("newmark", "rk2", "rk4", "rk8", "generalized_alpha")
     integrator = "newmark" if formulation == "index3" else chance.choice(methods)
-    return [["info"], ["modes"],
-            ["run", "--set", "run.stop=0.02", "--set", f"run.formulation={formulation}", "--set", f"run.integrator={integrator}"]]
+    by = ["--set", f"run.formulation={formulation}", "--set", f"run.integrator={integrator}"]
+    return [["info"], ["modes"], ["run", "--set", "run.stop=0.02", *by]]
 
 
 def fault(tandem, command, file, output):

@@ -2,14 +2,13 @@
 // Steps of large models whose loops threads share.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "four_bar/linkage.hpp"
 #include "refusal.hpp"
 #include "solver_bench.hpp"
 #include "tandem/mbs/formulations/index3.hpp"
 #include "tandem/mbs/mechanism/mechanism.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
+#include "this_process.hpp"
 
 namespace tandem::mbs {
 namespace {
@@ -42,29 +41,26 @@ TEST(Threads, GiveTheSameBitsWhateverTheirNumber) {
   }
 }
 
-/// Each loop of a small linkage, and no loop of a large one.
+/// Each loop of a small linkage, and no loop of a large one. By one thread without OpenMP.
 TEST(Threads, GiveTheSameBitsFromWhateverSizeOn) {
-  if (!threads_are_built_in()) GTEST_SKIP() << "built without OpenMP";
+  const int threads = threads_are_built_in() ? 3 : 1;
   for (const auto& [loops, from] : {std::pair(30, 1), {30, 50}, {2100, 100000}}) {
     Mechanism linkage(read_mechanism("linkage", four_bar::text(loops)));
     const State alone = after_five_steps(linkage, {.penalty = 1e8});
-    const State shared = after_five_steps(linkage, {.penalty = 1e8, .threads = 3, .threads_from = from});
+    const State shared =
+        after_five_steps(linkage, {.penalty = 1e8, .threads = threads, .threads_from = from});
     EXPECT_EQ(shared.q, alone.q) << loops << " " << from;
     EXPECT_EQ(shared.v, alone.v) << loops << " " << from;
     EXPECT_EQ(shared.lambda, alone.lambda) << loops << " " << from;
   }
 }
 
-std::ptrdiff_t threads_of_this_process() {
-  return std::distance(std::filesystem::directory_iterator("/proc/self/task"), {});
-}
-
 /// Eigen shares dense products among all cores unless it is told not to.
 TEST(Threads, NoneIsMadeThatNobodyAskedFor) {
   const Eigen::MatrixXd a = Eigen::MatrixXd::Identity(400, 400) + Eigen::MatrixXd::Constant(400, 400, 0.1);
-  const std::ptrdiff_t before = threads_of_this_process();
+  const std::ptrdiff_t before = test::running_threads();
   EXPECT_EQ(test::SolverBench("eigen_dense", MatrixKind::unsymmetric, test::pattern_of(a)).factorize(a), -1);
-  EXPECT_EQ(threads_of_this_process(), before);
+  EXPECT_EQ(test::running_threads(), before);
 }
 
 TEST(Threads, AreAtLeastOne) {

@@ -122,14 +122,12 @@ TEST_P(SpatialMechanism, IsMovedWithTheOrderOfItsStepperIfItIsARotor) {
 /// omega of 10 rad/s.
 TEST_P(SpatialMechanism, IsMovedWithTheOrderOfItsStepperIfItIsASliderCrank) {
   StepperSettings those = settings();
-  const std::string& formulation = those.formulation;
+  const bool index1 = those.formulation == "index1", penalty = those.formulation == "penalty";
+  if (order() > 2.0 && index1) those.index1.penalty = 1e4;
+  if (order() > 2.0 && penalty) those.penalty.omega = 300.0;
   double end = 0.125;  // [s]
-  int steps = order() > 2.0 ? 32 : 64;
-  if (order() > 2.0 && formulation == "index1") those.index1.penalty = 1e4;
-  if (order() > 2.0 && formulation == "penalty") those.penalty.omega = 300.0, steps = 128;
-  if (order() > 4.0) steps = formulation == "index1" ? 8 : formulation == "penalty" ? 16 : 128;
-  if (order() > 4.0 && formulation == "index1") end = 0.16;
-  if (order() > 4.0 && formulation == "null_space") end = 0.5;
+  int steps = order() == 2.0 ? 64 : penalty ? 128 : 32;
+  if (order() == 8.0) end = index1 ? 0.16 : penalty ? 0.125 : 0.5, steps = index1 ? 8 : penalty ? 16 : 128;
   expect_order("spatial_slider_crank", place_slider_crank, end, steps, those);
 }
 

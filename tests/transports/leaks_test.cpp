@@ -8,18 +8,15 @@
 
 #include "curve_pair.hpp"
 #include "served.hpp"
+#include "this_process.hpp"
 #include "tls_pair.hpp"
 
 namespace tandem::test {
 namespace {
 
-std::ptrdiff_t entries(const std::string& folder) {
-  return std::distance(std::filesystem::directory_iterator(folder), {});
-}
-
 /// Open files and threads of this process.
 struct Held {
-  std::ptrdiff_t files = entries("/proc/self/fd"), threads = entries("/proc/self/task");
+  std::ptrdiff_t files = open_files(), threads = running_threads();
 };
 
 /// Within 10 s; what ends does so in other threads.

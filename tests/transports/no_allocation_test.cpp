@@ -2,14 +2,12 @@
 // Exchanges with a server allocate nothing once the run has settled, on either side. Sockets only: OpenSSL
 // allocates within itself for each record, libzmq for each message.
 #include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <fstream>
 
 #include "counted_malloc.hpp"
 #include "run_bench.hpp"
 #include "scratch.hpp"
 #include "served.hpp"
+#include "this_process.hpp"
 
 #if TANDEM_OWN_MALLOC
 namespace tandem::test {
@@ -44,13 +42,6 @@ TEST(NoAllocationOver, Sockets) {
   const Scratch folder;
   allocates_nothing("tcp://127.0.0.1:0");
   allocates_nothing("unix:" + (folder.path() / "socket").string());
-}
-
-/// Bytes of this process that are in the machine's memory.
-std::int64_t resident() {
-  std::int64_t all = 0, pages = 0;
-  std::ifstream("/proc/self/statm") >> all >> pages;
-  return pages * ::sysconf(_SC_PAGESIZE);
 }
 
 TEST(Room, ThatAClientAsksForTakesNoMemoryBeforeItIsUsed) {

@@ -19,9 +19,9 @@ struct SplitPendulumScheme {
 std::vector<SplitPendulumScheme> read_split_pendulum_schemes(const std::filesystem::path& file);
 
 /// Largest error by `null_space` with the lower rod of 0.1 kg fast, ten of its steps in one: a column of
-/// panels for each schedule, a row without and with a quarter of the lower rod's mass carried; displacements
-/// side by side, a force by its colour and marker, crosses where a scheme is unstable or lost. Throws Error
-/// if there is no such row.
+/// panels for each schedule but staggered (which has matched hold alone, and is lost), a row without and with
+/// a quarter of the lower rod's mass carried; displacements side by side, a force by its colour and marker,
+/// crosses where a scheme is unstable or lost. Throws Error if there is no such row.
 Picture split_pendulum_chart(const std::vector<SplitPendulumScheme>& schemes,
                              const std::vector<std::string>& caption);
 
