@@ -31,13 +31,14 @@ double side(double x, const double* limits) { return x < limits[0] ? -1.0 : x > 
 
 }  // namespace
 
-std::string Program::not_finite(const double* image, int last) const {
-  const auto finite = [image](int slot) { return std::isfinite(image[slot]); };
+std::string Program::not_finite(const double* signals, int last) const {
+  const auto finite = [signals](int slot) { return std::isfinite(signals[slot]); };
   for (int k = 0; k < last; ++k) {
     const Operation& o = operations[static_cast<std::size_t>(k)];
     const auto from = reads(o);
     if (!finite(o.out) && std::all_of(from.begin(), from.end(), finite))
-      return fmt::format("{} gives {}", named(signal_blocks[static_cast<std::size_t>(o.out)]), image[o.out]);
+      return fmt::format("{} gives {}", named(signal_blocks[static_cast<std::size_t>(o.out)]),
+                         signals[o.out]);
   }
   return "";
 }

@@ -11,7 +11,23 @@ std::uint64_t checksum(std::span<const std::byte> bytes, std::uint64_t before) {
   return sum;
 }
 
-void ByteWriter::grow() { memory_.resize(2 * size_); }
+void ByteWriter::grow(std::size_t capacity) {
+  auto memory = std::make_unique_for_overwrite<std::byte[]>(capacity);
+  if (size_ > 0) std::memcpy(memory.get(), memory_.get(), size_);
+  memory_ = std::move(memory);
+  capacity_ = capacity;
+}
+
+std::byte* ByteWriter::room(std::size_t place, std::size_t bytes) {
+  if (place + bytes > capacity_) grow(place + bytes);
+  return memory_.get() + place;
+}
+
+void ByteWriter::release_beyond(std::size_t most) {
+  if (capacity_ <= most) return;
+  memory_.reset();
+  size_ = capacity_ = 0;
+}
 
 void ByteWriter::put_doubles(std::span<const double> values) {
   if constexpr (std::endian::native == std::endian::little) {

@@ -6,8 +6,10 @@
 #include <type_traits>
 #include <utility>
 
+#include "number_text.hpp"
 #include "tandem/check_info.hpp"
 #include "tandem/error.hpp"
+#include "tandem/library_file.hpp"
 
 namespace tandem {
 namespace {
@@ -68,21 +70,16 @@ SubsystemInfo info_from(const tandem_info* c) {
   return info;
 }
 
-/// C functions don't throw; what a library in C++ lets pass all the same becomes an error with its name.
-template <class Call>
-auto guarded(const std::string& name, const char* call, const Call& make) {
-  try {
-    return make();
-  } catch (const std::exception& error) {
-    throw Error(ErrorCode::internal,
-                "subsystem '" + name + "', " + call + ": threw through its C function: " + error.what());
-  } catch (...) {
-    throw Error(ErrorCode::internal, "subsystem '" + name + "', " + call + ": threw through its C function");
-  }
-}
-
 bool same_memory(const tandem_samples& a, const tandem_samples& b) {
   return a.rows == b.rows && a.stride == b.stride && a.capacity == b.capacity;
+}
+
+/// The first row after those before of which the flag is neither 0 nor 1; null if there is none.
+const double* wrong_flag(const tandem_samples& before, const tandem_samples& after) {
+  const double* row = after.rows + before.size * after.stride;
+  for (std::int64_t left = after.size - before.size; left > 0; --left, row += after.stride)
+    if (row[1] != 0.0 && row[1] != 1.0) return row;
+  return nullptr;
 }
 
 bool appended(const tandem_samples& before, const tandem_samples& after) {
@@ -91,13 +88,33 @@ bool appended(const tandem_samples& before, const tandem_samples& after) {
 
 }  // namespace
 
-CSubsystem::CSubsystem(const tandem_subsystem_api* api, const std::string& parameters) : api_(table_of(api)) {
+/// C functions don't throw; what a library in C++ lets pass all the same becomes an error with its name.
+template <class Call>
+auto CSubsystem::guarded(const char* call, const Call& make) const {
+  const LibraryCall in_library(library_.empty() ? nullptr : library_.c_str());
   try {
-    check(guarded("", "create", [&] { return api_.create(parameters.c_str(), &self_); }), "create");
-    info_ = info_from(guarded("", "info", [&] { return api_.info(self_); }));
-    check_functions();
+    return make();
+  } catch (const std::exception& error) {
+    throw Error(ErrorCode::internal, "subsystem '" + info_.name + "', " + call +
+                                         ": threw through its C function: " + error.what());
   } catch (...) {
-    if (self_) api_.destroy(self_);
+    throw Error(ErrorCode::internal,
+                "subsystem '" + info_.name + "', " + call + ": threw through its C function");
+  }
+}
+
+CSubsystem::CSubsystem(const tandem_subsystem_api* api, const std::string& parameters, std::string library)
+    : api_(table_of(api)), library_(std::move(library)) {
+  try {
+    check(guarded("create", [&] { return api_.create(parameters.c_str(), &self_); }), "create");
+    if (!self_)
+      throw Error(ErrorCode::invalid_argument,
+                  "create gave no instance and no error; allowed is one of the two");
+    info_ = info_from(guarded("info", [&] { return api_.info(self_); }));
+    check_functions();
+    newest_row_.resize(static_cast<std::size_t>(info_.row_size()));
+  } catch (...) {
+    destroy();
     throw;
   }
 }
@@ -113,11 +130,21 @@ void CSubsystem::check_functions() const {
         "subsystem '" + info_.name + "' says that it gives its state as bytes, but has not the functions");
 }
 
-CSubsystem::~CSubsystem() { api_.destroy(self_); }
+CSubsystem::~CSubsystem() { destroy(); }
+
+void CSubsystem::destroy() noexcept {
+  const LibraryCall in_library(library_.empty() ? nullptr : library_.c_str());
+  if (self_) api_.destroy(self_);
+}
+
+/// How errors call it of which the library is to blame.
+std::string CSubsystem::who() const {
+  return "subsystem '" + info_.name + "'" + (library_.empty() ? "" : " of " + library_);
+}
 
 void CSubsystem::check(tandem_status status, const char* call) const {
   if (status == TANDEM_OK) return;
-  const char* sentence = self_ ? api_.last_error(self_) : nullptr;
+  const char* sentence = self_ ? guarded("last_error", [&] { return api_.last_error(self_); }) : nullptr;
   const bool known = status >= TANDEM_INVALID_ARGUMENT && status <= TANDEM_INTERNAL;
   throw Error(known ? static_cast<ErrorCode>(status) : ErrorCode::internal,
               "subsystem '" + info_.name + "', " + call + ": " +
@@ -126,19 +153,21 @@ void CSubsystem::check(tandem_status status, const char* call) const {
 
 Clock CSubsystem::clock_from(const tandem_clock& clock) const {
   if (clock.stop < TANDEM_STOP_LIMIT || clock.stop > TANDEM_STOP_FINISHED)
-    throw Error(ErrorCode::invalid_argument, "subsystem '" + info_.name + "' gives " +
-                                                 std::to_string(clock.stop) +
+    throw Error(ErrorCode::invalid_argument, who() + " gives " + std::to_string(clock.stop) +
                                                  " as its reason to stop; allowed are 0 to 3");
   return {clock.time, clock.next_time, static_cast<Stop>(clock.stop)};
 }
 
-/// Fills rows of y by a call. Where what it leaves there is not sound, y is as it was before.
+/// Fills rows of y by a call. Where what it leaves there is not sound, y is as it was before. Of the rows
+/// that were there before only the newest is looked at again.
 template <class Call>
 void CSubsystem::fill(Samples& y, const char* name, const Call& make) {
   const tandem_samples before = y.c_view();
+  const std::span<double> newest = newest_row(before);
+  std::copy(newest.begin(), newest.end(), newest_row_.begin());
   tandem_status status = TANDEM_OK;
   try {
-    status = guarded(info_.name, name, [&] { return make(&y.c_rows()); });
+    status = guarded(name, [&] { return make(&y.c_rows()); });
   } catch (const Error&) {
     y.c_rows() = before;
     throw;
@@ -147,13 +176,39 @@ void CSubsystem::fill(Samples& y, const char* name, const Call& make) {
     const tandem_samples after = std::exchange(y.c_rows(), before);
     if (status == TANDEM_OK) refuse_rows(before, after);
   }
+  if (!newest.empty() && std::memcmp(newest.data(), newest_row_.data(), newest.size_bytes()) != 0) {
+    std::copy_n(newest_row_.begin(), newest.size(), newest.begin());
+    y.c_rows() = before;
+    refuse_rewriting(newest[0]);
+  }
+  if (const double* wrong = wrong_flag(before, y.c_rows())) {
+    const double flag = wrong[1], t = wrong[0];
+    y.c_rows() = before;
+    refuse_flag(flag, t);
+  }
   check(status, name);
+}
+
+std::span<double> CSubsystem::newest_row(const tandem_samples& rows) const {
+  if (rows.size == 0) return {};
+  return {rows.rows + (rows.size - 1) * rows.stride, newest_row_.size()};
+}
+
+void CSubsystem::refuse_rewriting(double t) const {
+  throw Error(ErrorCode::invalid_argument, who() + " rewrote the row that it had given at t = " +
+                                               number_text(t) + " s; allowed is to append");
+}
+
+void CSubsystem::refuse_flag(double flag, double t) const {
+  throw Error(ErrorCode::invalid_argument, who() + " gives " + number_text(flag) +
+                                               " as the jump flag of the row at t = " + number_text(t) +
+                                               " s; allowed is 0 or 1");
 }
 
 void CSubsystem::refuse_rows(const tandem_samples& before, const tandem_samples& after) const {
   const bool only_size = same_memory(before, after);
   throw Error(ErrorCode::invalid_argument,
-              "subsystem '" + info_.name + "' " +
+              who() + " " +
                   (only_size ? "says that " + std::to_string(after.size) + " sample rows are filled"
                              : "changed where the samples are, their stride or capacity") +
                   "; allowed " + (only_size ? "are " : "is a size of ") + std::to_string(before.size) +
@@ -185,21 +240,20 @@ void CSubsystem::require_saving() const {
 StateId CSubsystem::save_state() {
   require_saving();
   StateId id = 0;
-  check(guarded(info_.name, "save_state", [&] { return api_.save_state(self_, &id); }), "save_state");
+  check(guarded("save_state", [&] { return api_.save_state(self_, &id); }), "save_state");
   return id;
 }
 
 Clock CSubsystem::restore_state(StateId id) {
   require_saving();
   tandem_clock clock{};
-  check(guarded(info_.name, "restore_state", [&] { return api_.restore_state(self_, id, &clock); }),
-        "restore_state");
+  check(guarded("restore_state", [&] { return api_.restore_state(self_, id, &clock); }), "restore_state");
   return clock_from(clock);
 }
 
 void CSubsystem::release_state(StateId id) {
   require_saving();
-  check(guarded(info_.name, "release_state", [&] { return api_.release_state(self_, id); }), "release_state");
+  check(guarded("release_state", [&] { return api_.release_state(self_, id); }), "release_state");
 }
 
 void CSubsystem::require_serializing() const {
@@ -212,9 +266,8 @@ std::vector<std::byte> CSubsystem::serialize_state(StateId id) {
   require_serializing();
   const void* bytes = nullptr;
   std::int64_t size = 0;
-  check(
-      guarded(info_.name, "serialize_state", [&] { return api_.serialize_state(self_, id, &bytes, &size); }),
-      "serialize_state");
+  check(guarded("serialize_state", [&] { return api_.serialize_state(self_, id, &bytes, &size); }),
+        "serialize_state");
   if (size < 0 || (size > 0 && !bytes))
     throw Error(ErrorCode::invalid_argument, "subsystem '" + info_.name + "' gives a state of " +
                                                  std::to_string(size) + " bytes without them");
@@ -225,7 +278,7 @@ std::vector<std::byte> CSubsystem::serialize_state(StateId id) {
 StateId CSubsystem::deserialize_state(std::span<const std::byte> bytes) {
   require_serializing();
   StateId id = 0;
-  check(guarded(info_.name, "deserialize_state",
+  check(guarded("deserialize_state",
                 [&] {
                   return api_.deserialize_state(self_, bytes.data(), static_cast<std::int64_t>(bytes.size()),
                                                 &id);

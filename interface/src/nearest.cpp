@@ -31,15 +31,23 @@ std::size_t distance(std::string_view a, std::string_view b) {
 std::string nearest(std::string_view text, const std::vector<std::string>& candidates) {
   std::string best;
   std::size_t best_distance = text.size() / 2 + 1;
+  const auto longer = [&](const std::string& candidate) {
+    return std::max(text.size(), candidate.size()) - std::min(text.size(), candidate.size());
+  };
   for (const std::string& candidate : candidates)
-    if (const std::size_t d = distance(text, candidate); d < best_distance)
+    if (longer(candidate) >= best_distance)
+      continue;  // it has as many insertions or deletions at least
+    else if (const std::size_t d = distance(text, candidate); d < best_distance)
       best_distance = d, best = candidate;
   return best;
 }
 
 std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 1000;
   std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  for (std::size_t k = 0; k < std::min(names.size(), most); ++k)
+    text += (text.empty() ? "" : ", ") + names[k];
+  if (names.size() > most) text += " and " + std::to_string(names.size() - most) + " more";
   return text.empty() ? "none" : text;
 }
 

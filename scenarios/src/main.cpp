@@ -1,20 +1,21 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
-#include <spdlog/sinks/basic_file_sink.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <atomic>
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <new>
 
 #include "cli/commands.hpp"
+#include "cli/log_file.hpp"
 #include "cli/transports.hpp"
-#include "kart/builtins.hpp"
-#include "mechanisms/source.hpp"
-#include "sources/diagram.hpp"
-#include "sources/functions.hpp"
+#include "sources/all.hpp"
 #include "tandem/error.hpp"
 #include "tandem/nearest.hpp"
-#include "two_mass/masses.hpp"
 
 namespace {
 
@@ -28,14 +29,15 @@ void set_up_log(const tandem::cli::Context& context, const std::string& file) {
                       : context.verbose ? spdlog::level::debug
                                         : spdlog::level::info);
   try {
-    if (!file.empty()) sinks.push_back(std::make_shared<spdlog::sinks::basic_file_sink_mt>(file, true));
-  } catch (const spdlog::spdlog_ex&) {
-    throw tandem::Error(tandem::ErrorCode::input_output, "log file '" + file + "' can't be written");
+    if (!file.empty()) sinks.push_back(std::make_shared<tandem::cli::LogFile>(file));
+  } catch (const tandem::Error& error) {
+    throw tandem::Error(error.code(), std::string("log ") + error.what());
   }
   auto log = std::make_shared<spdlog::logger>("tandem", sinks.begin(), sinks.end());
   log->set_level(spdlog::level::debug);
-  log->set_error_handler([file](const std::string& why) {
-    if (!log_failed) fmt::print(stderr, "tandem: log file '{}' can't be written: {}\n", file, why);
+  log->flush_on(spdlog::level::debug);  // whoever is killed has told all
+  log->set_error_handler([](const std::string& why) {
+    if (!log_failed) fmt::print(stderr, "tandem: log {}\n", why);
     log_failed = true;
   });
   spdlog::set_default_logger(log);
@@ -54,12 +56,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.fallthrough();
   tandem::cli::Context context;
-  tandem::two_mass::add_builtins(context.builtins);
-  const auto tell = [](const std::string& what) { spdlog::warn("{}", what); };
-  tandem::kart::add_builtins(context.builtins, tell);
-  tandem::mechanisms::add_sources(context.builtins, tell);
-  tandem::diagrams::add_sources(context.builtins, tell);
-  tandem::functions::add_sources(context.builtins);
+  tandem::add_sources(context.builtins, [](const std::string& what) { spdlog::warn("{}", what); });
   std::string log_file;
   auto* quiet = app.add_flag("--quiet", context.quiet, "Print results and errors only");
   app.add_flag("--verbose", context.verbose, "Print more of what is done")->excludes(quiet);
@@ -107,15 +104,46 @@ int run_and_report(int argc, char** argv) {
   } catch (const tandem::cli::RunFailed& failure) {
     spdlog::error("tandem: {}", failure.what());
     return 1;
+  } catch (const std::bad_alloc& shortage) {
+    spdlog::error("tandem: {}", tandem::sentence_of(shortage));
+    return 1;
   } catch (const std::exception& error) {
     spdlog::error("tandem: {}", error.what());
     return 2;
   }
 }
 
+std::atomic<bool> memory_was_short = false;
+
+/// A library may throw where nothing can be caught: nlohmann-json allocates as it frees, toml++ in functions
+/// that say they don't throw. What was thrown there is not always to be had.
+[[noreturn]] void end_for_want_of_memory() {
+  bool short_of_memory = memory_was_short;
+  try {
+    if (std::current_exception()) std::rethrow_exception(std::current_exception());
+  } catch (const std::bad_alloc&) {
+    short_of_memory = true;
+  } catch (...) {  // a mistake of the program's
+    short_of_memory = false;
+  }
+  if (!short_of_memory) std::abort();
+  std::fputs("tandem: there is no memory for it\n", stderr);
+  std::_Exit(1);
+}
+
 int main(int argc, char** argv) {
-  set_up_log({}, "");
+  std::set_new_handler([] {
+    memory_was_short = true;
+    throw std::bad_alloc();
+  });
+  std::set_terminate(end_for_want_of_memory);
   std::signal(SIGXFSZ, SIG_IGN);  // a limit of the size of files is told as a full disk is
+  try {
+    set_up_log({}, "");
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "tandem: %s\n", tandem::sentence_of(error).c_str());
+    return 1;
+  }
   const int status = run_and_report(argc, argv);
   spdlog::default_logger()->flush();
   return status == 0 && log_failed ? 1 : status;

@@ -1,5 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 // A library of which every entry breaks the contract in its own way; x' = 0 otherwise, with a step of 0.1 s.
+#include <unistd.h>
+
 #include <cstdlib>
 #include <limits>
 #include <stdexcept>
@@ -68,6 +70,11 @@ tandem_subsystem_api with(Advance call) {
 
 extern "C" {
 
+int counter = 3;
+extern const int constant;
+const int constant = 3;
+thread_local int of_a_thread = 3;
+
 const tandem_subsystem_api* no_table() { return nullptr; }
 const tandem_subsystem_api* entry_throws() { throw std::runtime_error("not today"); }
 
@@ -112,6 +119,79 @@ const tandem_subsystem_api* aborts() {
   static const tandem_subsystem_api api =
       with([](void*, double, std::int32_t, const tandem_signal*, tandem_samples*,
               tandem_clock*) -> tandem_status { std::abort(); });
+  return &api;
+}
+
+const tandem_subsystem_api* exits() {
+  static const tandem_subsystem_api api =
+      with([](void*, double, std::int32_t, const tandem_signal*, tandem_samples*,
+              tandem_clock*) -> tandem_status { std::exit(0); });
+  return &api;
+}
+
+const tandem_subsystem_api* exits_quickly() {
+  static const tandem_subsystem_api api =
+      with([](void*, double, std::int32_t, const tandem_signal*, tandem_samples*,
+              tandem_clock*) -> tandem_status { std::quick_exit(0); });
+  return &api;
+}
+
+const tandem_subsystem_api* exits_at_once() {
+  static const tandem_subsystem_api api =
+      with([](void*, double, std::int32_t, const tandem_signal*, tandem_samples*,
+              tandem_clock*) -> tandem_status { ::_exit(0); });
+  return &api;
+}
+
+const tandem_subsystem_api* exits_in_create() {
+  static tandem_subsystem_api api = sound();
+  api.create = [](const char*, void**) -> tandem_status { std::exit(0); };
+  return &api;
+}
+
+const tandem_subsystem_api* exits_in_destroy() {
+  static tandem_subsystem_api api = sound();
+  api.destroy = [](void*) { std::exit(0); };
+  return &api;
+}
+
+const tandem_subsystem_api* exits_as_entry() { std::exit(0); }
+
+/// A process of its own, which may end as it likes.
+const tandem_subsystem_api* forks() {
+  static const tandem_subsystem_api api =
+      with([](void* self, double, std::int32_t, const tandem_signal*, tandem_samples* y, tandem_clock* c) {
+        if (::fork() == 0) std::exit(0);
+        return step(self, 0.1, 1.0, y, c);
+      });
+  return &api;
+}
+
+const tandem_subsystem_api* creates_nothing() {
+  static tandem_subsystem_api api = sound();
+  api.create = [](const char*, void** self) {
+    *self = nullptr;
+    return TANDEM_OK;
+  };
+  return &api;
+}
+
+const tandem_subsystem_api* rewrites() {
+  static const tandem_subsystem_api api =
+      with([](void* self, double, std::int32_t, const tandem_signal*, tandem_samples* y, tandem_clock* c) {
+        if (y->size > 0) y->rows[(y->size - 1) * y->stride + 2] = 7.0;
+        return step(self, 0.1, 1.0, y, c);
+      });
+  return &api;
+}
+
+const tandem_subsystem_api* flag_of_a_half() {
+  static const tandem_subsystem_api api =
+      with([](void* self, double, std::int32_t, const tandem_signal*, tandem_samples* y, tandem_clock* c) {
+        const tandem_status status = step(self, 0.1, 1.0, y, c);
+        y->rows[(y->size - 1) * y->stride + 1] = 0.5;
+        return status;
+      });
   return &api;
 }
 

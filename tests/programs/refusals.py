@@ -59,11 +59,16 @@ def refuses_rows():
     where = "there, advance at t = 0 s to 1.5 s: "
     row = tandem.Row
     advanced(row(0.5, [1.0]), row(0.5, [2.0], True), row(1.0, [3.0]))
-    refused(where + "it gives a value at t = 1.0 s that is not finite", lambda: advanced(row(1.0, [math.nan])))
-    for t in (0.0, -1.0, 1.6, math.nan, math.inf):
-        refused(where + f"it gives a sample at t = {t} s", lambda t=t: advanced(row(t, [0.0])))
-    refused(where + "it gives a sample at t = 0.4", lambda: advanced(row(0.5, [0.0]), row(0.4, [0.0])))
-    refused(where + "it stands at t = 7.0 s", advanced)
+    for bad, sentence in ((row(1.0, [math.nan]), "gives x not finite at t = 1 s"),
+                          (row(0.0, [0.0]), "has a sample at t = 0 s that does not come after t = 0 s"),
+                          (row(-1.0, [0.0]), "has a sample at t = -1 s that does not come after t = 0 s"),
+                          (row(1.6, [0.0]), "has a sample at t = 1.6 s, past the limit 1.5 s"),
+                          (row(math.nan, [0.0]), "has a sample whose time is not finite"),
+                          (row(math.inf, [0.0]), "has a sample whose time is not finite")):
+        refused(where + "the reply " + sentence, lambda bad=bad: advanced(bad))
+    refused(where + "the reply has a sample at t = 0.4 s that does not come after t = 0.5 s",
+            lambda: advanced(row(0.5, [0.0]), row(0.4, [0.0])))
+    refused(where + "the reply says that it stands at t = 7 s, but its newest sample is of 0 s", advanced)
 
 
 def refuses_addresses(address):
@@ -74,12 +79,12 @@ def refuses_addresses(address):
     for text in ("0", "-1", "soon", "nan", "inf"):
         refused(f"the deadline is '{text}'", lambda text=text: tandem.connect(f"{address}?deadline={text}"))
     refused("spawn:nope, hello: program 'nope' ended with status 127", lambda: tandem.connect("spawn:nope"))
-    refused("was ended by signal 9", lambda: tandem.connect("spawn:sh -c 'kill -KILL $$'"))
+    refused("ended with status 137 (signal 9?)", lambda: tandem.connect("spawn:sh -c 'kill -KILL $$'"))
 
 
 def ends_its_program():
     program = Program("sh -c 'sleep 1000 & sleep 1000'")
-    group = program._process.pid
+    group = program._group
     refused("here, hello: no frame came whole within 0.1 s",
             lambda: tandem.Remote(wire.Channel(program.socket, "here"), "", 0.1, program))
     until = time.monotonic() + 5.0

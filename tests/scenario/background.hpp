@@ -45,11 +45,16 @@ class Background {
   /// Signals it (SIGINT: as Ctrl-C does) and waits for its end: the exit status, -1 for a signal.
   int end_by(int signal) {
     kill(process_, signal);
+    return end();
+  }
+  /// Waits for its end, likewise.
+  int end() {
     int status = 0;
     waitpid(process_, &status, 0);
     process_ = -1;
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
+  pid_t process() const { return process_; }
   std::string err() const { return read_text(err_); }
 
  private:

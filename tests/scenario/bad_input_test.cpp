@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(
     Of, BadScenario,
     testing::Values(
         Bad{"syntax", "frequency_ratio = 25.0", "frequency_ratio = = 25.0", {"not TOML"}},
-        Bad{"key_twice", "stop = 1.0", "stop = 1.0\nstop = 2.0", {"stop"}, 1},
+        Bad{"key_twice", "stop = 1.0", "stop = 1.0\nstop = 2.0", {"column 8", "it is there twice"}, 1},
         Bad{"unknown_key",
             "schedule =",
             "shedule =",

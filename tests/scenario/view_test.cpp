@@ -82,6 +82,26 @@ TEST_F(ViewCommand, ASceneSaysHowToRecordWhereItsPointsAre) {
   EXPECT_EQ(with.status, 0) << with.err;
 }
 
+TEST_F(ViewCommand, OfMoreRowsThanAPageCanShowItHasBandsAndSaysSo) {
+  constexpr int rows = 500'000;
+  std::string text = "time,x\n";
+  for (int k = 0; k < rows; ++k)
+    text += std::to_string(k) + (k == 4321 ? ",9\n" : k % 2 == 0 ? ",1\n" : ",0\n");
+  folder.write("long.csv", text);
+  const Said said = tandem(folder, {"view", "long.csv"});
+  const std::string note =
+      "long.csv has 500000 rows, too many for a page: of each 6 the smallest and the largest value";
+  EXPECT_TRUE(says(said, "note: " + note)) << said.err;
+  const auto data = data_in(folder.path() / "long.html");
+  EXPECT_TRUE(test::contains(data["notes"].back(), note));
+  const auto& table = data["results"][0]["tables"][0];
+  EXPECT_LE(table["rows"], 200'000);
+  EXPECT_EQ(table["left_out"].get<int>() + table["rows"].get<int>(), rows);
+  ASSERT_EQ(tandem(folder, {"view", "long.csv", "--every", "1"}).status, 0);
+  const auto all = data_in(folder.path() / "long.html");
+  EXPECT_EQ(all["results"][0]["tables"][0]["rows"], rows);
+}
+
 TEST_F(ViewCommand, RefusesWhatItCanNotShow) {
   EXPECT_TRUE(says(tandem(folder, {"view", "nowhere"}), "'nowhere' is not there"));
   EXPECT_TRUE(says(tandem(folder, {"view", "."}), "results.json' is missing; 'tandem run' writes it"));
@@ -139,7 +159,7 @@ TEST_F(ViewCommand, KeepsOneOfSoManyRowsIfToldAndTheLast) {
   const auto data = data_in(folder.path() / "o" / "view.html");
   EXPECT_EQ(data["results"][0]["tables"][0]["rows"], 4);
   EXPECT_EQ(data["results"][0]["tables"][0]["left_out"], 22);
-  EXPECT_EQ(data["notes"][0], "One of each 10 rows of the run is shown, 4 of 26.");
+  EXPECT_EQ(data["notes"][0], "One of each 10 rows of results.csv is shown, 4 of 26.");
 }
 
 }  // namespace

@@ -14,6 +14,13 @@ from tandem import wire
 
 DEADLINE = 0.5
 SLACK = 3.0  # the starting of processes on a busy machine
+STRANGE = "\x1bc\x07\u202e\x9b\x00\udcff"  # a stranger's text, and how it has to be shown
+STRANGE_SHOWN = "\\x1bc\\x07\\u202e\\u009b\\x00\\xff"
+
+
+def is_plain(text):
+    """Nothing in it that a terminal obeys, but the ends of lines."""
+    return all(character == "\n" or character.isprintable() for character in text)
 
 
 class Keys:
@@ -55,9 +62,10 @@ class Listener:
 
 
 class Stream:
-    """tcp and unix. `local`: what stands before the path of a socket's file, in a URI; None of those with a port."""
+    """tcp and unix. `local`: what stands before the path of a socket's file, in a URI; None of those with a port.
+    `layered`: whether there is a handshake beneath the frames."""
 
-    local = None
+    local, layered = None, False
 
     def __init__(self, name, folder):
         self.name, self._folder, self.remote = name, folder, f"{name}://"
@@ -99,6 +107,8 @@ class Stream:
 
 
 class Tls(Stream):
+    layered = True
+
     def __init__(self, folder, keys):
         super().__init__("tls", folder)
         self.keys = keys
@@ -121,6 +131,8 @@ class Tls(Stream):
 
 
 class ZeroMq(Stream):
+    layered = True
+
     def __init__(self, name, folder, keys):
         super().__init__(name, folder)
         self.keys, self.curve, self.remote = keys, name == "zmq:curve", "zmq:tcp://"

@@ -7,82 +7,38 @@ import signal
 import ssl
 import struct
 import subprocess
+import tempfile
 import time
 
 import fault_zeromq
 import tandem
-from fault_calling import INFINITY, NAN, in_a_process, put
-from fault_peers import DEADLINE, SLACK
+from fault_calling import in_a_process
+from fault_peers import DEADLINE, SLACK, is_plain
+from fault_requests import HELLO, OPEN, advance, frame, serving_faults
 from tandem import wire
 
 IDLE = 1.0
 
 
-def frame(kind, number, payload=b""):
-    return wire.HEADER.pack(len(payload), kind, number) + payload
-
-
-def advance(number=4, t_limit=1.0, room=100, value=0.0):
-    return frame(4, number, wire.put_advance(t_limit, False, room, [tandem.constant(value)]))
-
-
-HELLO = frame(1, 1, wire.put_hello(""))
-INFO = frame(2, 2)
-INITIALIZE = frame(3, 3, wire.put_initialize(0.0, 10.0, 1, [0.0]))
-OPEN = [HELLO, INFO, INITIALIZE]
-
-
-def serving_faults():
-    """(kind, frames, what is answered to the last of them: error, ok, or nothing as it is cut)."""
-    faults = []
-    for k, name in enumerate(["hello", "info", "initialize", "advance"]):
-        all_four = OPEN + [advance()]
-        faults += [(f"dropped_before_{name}", all_four[:k], "ok"), (f"dropped_after_{name}", all_four[:k + 1], "ok"),
-                   (f"dropped_within_{name}", all_four[:k] + [all_four[k][:-3]], "cut")]
-    advanced = put(16, "d", 1.0)(advance())
-    return faults + [
-        ("silent_peer", [], "silent"),
-        ("half_a_header", [HELLO[:7]], "error"),
-        ("truncated_payload", OPEN + [put(0, "Q", len(advance()) - 24)(advance())[:-8]], "error"),
-        ("length_2_to_the_40", OPEN + [put(0, "Q", 1 << 40)(advance())], "error"),
-        ("length_2_to_the_64_less_1", OPEN + [put(0, "Q", (1 << 64) - 1)(advance())], "error"),
-        ("unknown_type", OPEN + [put(8, "I", 99)(advance())], "error"),
-        ("a_reply_as_request", OPEN + [put(8, "I", 5)(advance())], "error"),
-        ("wrong_version", [frame(1, 1, put(8, "Q", (9 << 32) | 8)(wire.put_hello("")))], "error"),
-        ("text_protocol", [b"GET / HTTP/1.1\r\nHost: localhost\r\n\r\n"], "error"),
-        ("tls_hello", [bytes.fromhex("16030100c8010000c403030102030405060708")], "error"),
-        ("limit_too_small", [frame(1, 1, put(16, "Q", 10)(wire.put_hello("")))], "error"),
-        ("unknown_parameter", [frame(1, 1, wire.put_hello("colour=blue"))], "error"),
-        ("advance_before_hello", [advance(1)], "error"),
-        ("advance_before_initialize", [HELLO, INFO, advance(3)], "error"),
-        ("save_before_initialize", [HELLO, INFO, frame(6, 3)], "error"),
-        ("hello_twice", [HELLO, frame(1, 2, wire.put_hello(""))], "error"),
-        ("duplicate_request", OPEN + [advance(), advance()], "error"),
-        ("replayed_request", OPEN + [advance(), INITIALIZE], "error"),
-        ("skipped_number", OPEN + [advance(9)], "error"),
-        ("wrong_count_of_inputs", OPEN + [frame(4, 4, wire.put_advance(1.0, False, 9, []))], "error"),
-        ("input_not_a_number", OPEN + [advance(value=NAN)], "error"),
-        ("input_infinite", OPEN + [advance(value=INFINITY)], "error"),
-        ("limit_not_a_number", OPEN + [put(16, "d", NAN)(advance())], "error"),
-        ("limit_infinite", OPEN + [put(16, "d", INFINITY)(advance())], "error"),
-        ("limit_backward", OPEN + [advanced, advance(5, -3.0)], "ok"),
-        ("no_room", OPEN + [advance(room=0)], "error"),
-        ("room_2_to_the_64_less_1", OPEN + [advance(room=(1 << 64) - 1)], "ok"),
-        ("state_never_saved", OPEN + [frame(7, 4, struct.pack("<q", 77))], "error"),
-        ("bytes_left_over", OPEN + [frame(6, 4, b"more")], "error"),
-    ]
+def sentence_of(answer):
+    """Of an error as it came; "" of the end of a connection."""
+    if answer is None:
+        return ""
+    length, = struct.unpack_from("<I", answer[2], 4)
+    return bytes(answer[2][8:8 + length]).decode("utf-8", "surrogateescape")
 
 
 class Served:
     """One server (`tandem serve`, or another program) for all faults of a transport."""
 
-    def __init__(self, command, transport, folder, program=None):
-        self.command = [program] if program else [command, "serve", "builtin:two_mass.fast"]
-        self.transport, self.folder, self.rows = transport, folder, []
+    def __init__(self, command, transport, folder, program=None, sessions=20, deadline=DEADLINE, idle=IDLE):
+        self.command = program or [command, "serve", "builtin:two_mass.fast"]
+        self.transport, self.rows = transport, []
+        self.log = tempfile.TemporaryFile("w+", dir=folder, encoding="utf-8", errors="surrogateescape")
         self.process = subprocess.Popen(
-            [*self.command, "--listen", transport.free_address(), *transport.options, "--sessions",
-             "20", "--deadline", str(DEADLINE), "--idle", str(IDLE)],
-            stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+            [*self.command, "--listen", transport.free_address(), *transport.options, "--sessions", str(sessions),
+             "--deadline", str(deadline), "--idle", str(idle)],
+            stdout=subprocess.PIPE, stderr=self.log, text=True)
         self.uri = self.process.stdout.readline().split(" at ")[1].strip()
 
     def held(self):
@@ -95,14 +51,14 @@ class Served:
                     children += len(file.read().split())
         return len(os.listdir(place + "/fd")), len(os.listdir(place + "/task")), children
 
-    def is_alive(self):
+    def is_alive(self, patience=10.0):
         """It opens a session and computes."""
         try:
             channel = self.transport.connect(self.uri)
             with channel.raw:
                 for request in OPEN:
                     channel.raw.sendall(request)
-                    answer = channel.receive(10.0, 10.0)
+                    answer = channel.receive(patience)
                 return answer is not None and answer[0] == wire.Type.SAMPLES
         except (tandem.Error, OSError):
             return False
@@ -112,7 +68,7 @@ class Served:
 
     def say(self, kind, frames, expected):
         begin = time.monotonic()
-        outcome = "ok"
+        outcome, sentence = "ok", ""
         channel = self.transport.connect(self.uri)
         with channel.raw:
             try:
@@ -121,18 +77,16 @@ class Served:
                     whole = len(request) >= 16 and len(request) - 16 >= wire.HEADER.unpack(request[:16])[0]
                     if expected == "cut" and not whole:
                         break
-                    answer = channel.receive(DEADLINE + SLACK, DEADLINE + SLACK)
+                    answer = channel.receive(DEADLINE + SLACK)
                     if answer is None or answer[0] == wire.Type.ERROR:
-                        outcome = "error"
-                if expected == "silent":
-                    answer = channel.receive(IDLE + SLACK, DEADLINE)
-                    outcome = "error" if answer is None or answer[0] == wire.Type.ERROR else "ok"
+                        outcome, sentence = "error", sentence_of(answer)
             except (tandem.Error, OSError):
                 outcome = "error"
         seconds = time.monotonic() - begin
-        wanted = "error" if expected in ("error", "silent") else "ok"
+        wanted = "ok" if expected in ("ok", "cut") else "error"
+        said = expected in ("ok", "cut", "error") or expected in sentence and is_plain(sentence)
         self.row(kind, outcome, seconds,
-                 outcome == wanted and seconds < IDLE + DEADLINE + SLACK and self.is_alive())
+                 outcome == wanted and said and seconds < IDLE + DEADLINE + SLACK and self.is_alive(), sentence)
 
     def timed(self, kind, work):
         begin = time.monotonic()
@@ -168,7 +122,7 @@ class Served:
                 for byte in HELLO[:8]:
                     channel.raw.sendall(bytes([byte]))
                     time.sleep(0.25)
-                return "error" if channel.receive(1.0, 1.0)[0] == wire.Type.ERROR else "ok"
+                return "error" if channel.receive(1.0)[0] == wire.Type.ERROR else "ok"
             except (OSError, tandem.Error, TypeError):
                 return "error"
 
@@ -177,7 +131,7 @@ class Served:
             channel = self.transport.connect(self.uri)
             for request in requests:
                 channel.raw.sendall(request)
-                channel.receive(3.0, 3.0)
+                channel.receive(3.0)
             os.kill(os.getpid(), number)
 
         client = in_a_process(work)
@@ -270,6 +224,12 @@ class Served:
         gone = not local or not os.path.exists(self.uri[len(local):])
         self.row("ended_by_sigterm", "ok", 0.0, status == 0 and gone, str(status))
 
+    def said_nothing_strange(self):
+        """In its log, which has the sentences of sessions that broke."""
+        self.log.seek(0)
+        said = self.log.read()
+        self.row("log_is_printable", "ok", 0.0, is_plain(said) and "no text" in said, said if not is_plain(said) else "")
+
     def all(self):
         assert self.is_alive()
         before = self.held()
@@ -286,3 +246,4 @@ class Served:
         self.second_server()
         self.nothing_is_left(before)
         self.ends()
+        self.said_nothing_strange()

@@ -1,14 +1,16 @@
 # Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 """Peers of zmq: for the faults, by libzmq through ctypes: they do what the protocol forbids."""
 
+import contextlib
 import ctypes
+import os
 import struct
 import time
 
 import tandem
 from tandem import wire
 
-DEALER, ROUTER = 5, 6
+DEALER, ROUTER, ROUTING_ID = 5, 6, 5
 LINGER, SEND_TIMEOUT, RECEIVE_TIMEOUT, LAST_ENDPOINT = 17, 28, 27, 32
 CURVE_SERVER, CURVE_PUBLIC, CURVE_SECRET, CURVE_SERVER_KEY = 47, 48, 49, 50
 SEND_MORE, RECEIVE_MORE = 2, 13
@@ -89,19 +91,34 @@ class Socket:
         self.close()
 
 
+@contextlib.contextmanager
+def as_error():
+    """What the system refuses, as a channel tells it."""
+    try:
+        yield
+    except OSError as error:
+        raise tandem.Error(f"the connection broke: {error}", 5) from None
+
+
 class Channel(wire.Channel):
     """Frames of one session."""
 
     def __init__(self, raw, peer):  # not that of a plain socket
-        self.raw, self.peer = raw, peer
+        self.raw, self.peer, self._begun = raw, peer, None
 
     def send(self, kind, number, payload, deadline):
-        self.raw.sendall(wire.HEADER.pack(len(payload), kind, number) + payload)
+        with as_error():
+            self.raw.sendall(wire.HEADER.pack(len(payload), kind, number) + payload)
 
-    def receive(self, first, deadline):
-        data = self.raw.message(60.0 if first is None else first)
-        if data is None:
+    def wait(self, seconds):
+        with as_error():
+            self._begun = self._begun or self.raw.message(seconds)
+        return self._begun is not None
+
+    def receive(self, deadline):
+        if not self.wait(deadline):
             raise tandem.Error("no frame came within the deadline", 5)
+        data, self._begun = self._begun, None
         length, kind, number = wire.HEADER.unpack(data[:16])
         return wire.Type(kind), number, memoryview(data)[16:]
 
@@ -130,13 +147,15 @@ class Listener:
 
 def connect(address, keys, seconds):
     """A socket for a session with the server at tcp://HOST:PORT or ipc://PATH, or OSError."""
+    token = os.urandom(16).hex().encode()
     with Socket(DEALER, keys) as door:
         door.connect(address)
-        door.sendall(KNOCK)
+        door.sendall(KNOCK, more=True)
+        door.sendall(token)
         place = door.message(seconds)
     if place is None:
         raise OSError("no answer to the knock")
-    session = Socket(DEALER, keys)
+    session = Socket(DEALER, [*keys, (ROUTING_ID, token)])
     session.connect(place.decode())
     return session
 

@@ -133,7 +133,8 @@ TEST(Peer, AsTheClientItTakesAJumpThatRepeatsATimeAndNoOtherRowThatDoes) {
     if (jump)
       EXPECT_EQ(bench.run(1.0).all()[0].size(), 21U);
     else
-      EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"advance at t = 0 s", "a row at t = 0.1"},
+      EXPECT_TRUE(refuses(ErrorCode::numerical,
+                          {"advance at t = 0 s", "a sample at t = 0.1 s that does not come after t = 0.1 s"},
                           [&] { bench.run(1.0); }));
   }
 }

@@ -4,6 +4,9 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <sstream>
+#include <thread>
+
 #include "child.hpp"
 #include "refusal.hpp"
 #include "run_bench.hpp"
@@ -129,6 +132,18 @@ TEST(Spawn, WhatItsProgramHasStartedAndLeftEndsToo) {
   EXPECT_TRUE(ends(std::stoi(read_text(file))));
 }
 
+/// Variables, changes of folder and chains of commands as in a shell; the last that serves is the subsystem.
+TEST(Spawn, IsWhatTheShellDoesWithTheCommand) {
+  const std::string serve = command + " serve builtin:two_mass.slow";
+  for (const std::string& line :
+       {"X=1 Y=2 " + serve, "cd / && " + serve, "true; " + serve, "(" + serve + ")", "false || " + serve,
+        serve + " 2>/dev/null | cat", "for k in 1; do " + serve + "; done", "exec " + serve}) {
+    EXPECT_TRUE(
+        same_bits(served_masses("spawn:" + line + ratio), served_masses("builtin:two_mass.slow" + ratio)))
+        << line;
+  }
+}
+
 TEST(Spawn, AProgramThatEndsOrIsNotThereIsNamedWithItsStatus) {
   const auto opening = [](const std::string& uri) { return [uri] { open(uri, all_sources()); }; };
   EXPECT_TRUE(
@@ -141,17 +156,33 @@ TEST(Spawn, AProgramThatEndsOrIsNotThereIsNamedWithItsStatus) {
                       opening("spawn:sleep 60?deadline=0.2")));
 }
 
-TEST(Spawn, TheProgramEndsWhenTheRunIsKilled) {
-  const Scratch folder;
-  const std::string file = (folder.path() / "process").string();
-  const auto scenario = folder.write("run.toml", "[subsystems.s]\nsource = \"spawn:sh -c 'echo $$ > " + file +
-                                                     "; exec sleep 1000'\"\n[span]\nstop = 1.0\n");
-  Child run({command, "run", scenario.string(), "--output", folder.path().string()});
-  while (read_text(file).empty()) ::usleep(1000);
-  const pid_t process = std::stoi(read_text(file));
-  run.signal(SIGKILL);
-  EXPECT_EQ(run.status(), -SIGKILL);
-  EXPECT_TRUE(ends(process));
+/// Also what it has started, and what does not look at the socket.
+TEST(Spawn, TheWholeGroupEndsWhenTheRunIsKilled) {
+  for (const char* origin :
+       {"source = \"spawn:sleep 1000 & sleep 1000 & echo $$ $! > processes; wait\"",
+        "source = \"spawn:cd . && sh -c 'sleep 1000 & echo $$ $! > processes; wait' && true\"",
+        "command = [\"sh\", \"-c\", \"sleep 1000 & echo $$ $! > processes; wait\"]"}) {
+    const Scratch folder;
+    const auto scenario = folder.write("run.toml", std::string("[subsystems.s]\n") + origin +
+                                                       "\nparameters.deadline = 100\n[span]\nstop = 1.0\n");
+    Child run({command, "run", scenario.string(), "--output", folder.path().string()});
+    while (!read_text(folder.path() / "processes").ends_with('\n')) ::usleep(1000);
+    pid_t program = 0, grandchild = 0;
+    std::istringstream(read_text(folder.path() / "processes")) >> program >> grandchild;
+    run.signal(SIGKILL);
+    EXPECT_EQ(run.status(), -SIGKILL);
+    EXPECT_TRUE(ends(program)) << origin;
+    EXPECT_TRUE(ends(grandchild)) << origin;
+  }
+}
+
+/// A thread that has made a subsystem may go before it.
+TEST(Spawn, TheProgramLivesOnWithoutTheThreadThatStartedIt) {
+  std::unique_ptr<Subsystem> s;
+  std::thread([&] { s = open("spawn:" + command + " serve builtin:two_mass.slow", all_sources()); }).join();
+  std::vector<double> row(static_cast<std::size_t>(s->info().row_size()));
+  Samples y(row.data(), s->info().row_size(), 1);
+  EXPECT_EQ(s->initialize(0.0, 1.0, std::vector<double>(1, 0.5), y).time, 0.0);
 }
 
 }  // namespace

@@ -32,6 +32,67 @@ TEST(SharedLibrary, OneThatIsNotThereOrNoLibraryIsRefusedByName) {
   EXPECT_TRUE(refuses(ErrorCode::input_output, {"text.so", "can't be loaded"}, opening("lib:" + text)));
 }
 
+/// The system's loader ends the program by a signal where a page of the file is not there.
+TEST(SharedLibrary, ThatEndsBeforeItsSegmentsDoIsRefusedAtAnyLength) {
+  const test::Scratch scratch;
+  const std::string whole = test::read_text(faulty);
+  for (std::size_t size = 0; size < whole.size(); size += whole.size() / 97) {
+    const std::string half = scratch.write("half.so", whole.substr(0, size)).string();
+    for (const std::string scheme : {"lib:", "three_functions:"}) {
+      const bool refused =
+          refuses(ErrorCode::input_output, {"library '" + half + "'"}, opening(scheme + half + "?step=1"));
+      EXPECT_TRUE(refused || size > whole.size() / 2) << scheme << " with " << size << " bytes";
+      if (!refused) break;  // only what no segment holds is cut off
+    }
+  }
+  const std::string half = scratch.write("half.so", whole.substr(0, whole.size() / 2)).string();
+  EXPECT_TRUE(refuses(ErrorCode::input_output, {"half.so' is truncated: it has ", "allowed are "},
+                      opening("lib:" + half)));
+}
+
+TEST(SharedLibrary, ASymbolThatIsDataIsNotCalled) {
+  for (const std::string name : {"counter", "constant", "of_a_thread", "environ"}) {
+    EXPECT_TRUE(refuses(ErrorCode::invalid_argument,
+                        {"library '" + faulty + "'", "'" + name + "' is data; allowed is a function"},
+                        opening(entry(name))));
+    EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'" + name + "' is data"},
+                        opening("three_functions:" + faulty + "?step=1&initiate=" + name)));
+  }
+}
+
+/// Each ends its process: it is tried through the command, in a run, a check and a served session.
+class LibraryThatExits : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Entries, LibraryThatExits,
+                         testing::Values("exits", "exits_quickly", "exits_at_once", "exits_in_create",
+                                         "exits_in_destroy", "exits_as_entry"),
+                         [](const auto& one) { return one.param; });
+
+TEST_P(LibraryThatExits, GivesNoStatusOfSuccess) {
+  const test::Scratch scratch;
+  const auto scenario = scratch.write(
+      "s.toml", "[subsystems.it]\nsource = \"" + entry(GetParam()) + "\"\n[span]\nstart = 0\nstop = 1\n");
+  const std::string tandem = "exec '" TANDEM_COMMAND "' ", output = (scratch.path() / "o").string();
+  for (const std::string& command : {tandem + "run " + scenario.string() + " --quiet --output " + output,
+                                     tandem + "check '" + entry(GetParam()) + "'"}) {
+    test::Child child({"sh", "-c", command + " 2>&1"});
+    EXPECT_EQ(child.word_after("tandem: library '" + faulty + "' ended the program in the middle of a "),
+              "call;")
+        << command;
+    EXPECT_EQ(child.status(), 1) << command;
+  }
+}
+
+TEST(SharedLibrary, AProcessThatALibraryMakesMayEndAsItLikes) {
+  const test::Scratch scratch;
+  const auto scenario = scratch.write(
+      "s.toml", "[subsystems.it]\nsource = \"" + entry("forks") + "\"\n[span]\nstart = 0\nstop = 1\n");
+  test::Child child({"sh", "-c",
+                     "'" TANDEM_COMMAND "' run " + scenario.string() + " --quiet --output " +
+                         (scratch.path() / "o").string() + " 2>&1; echo status $?"});
+  EXPECT_EQ(child.word_after("status "), "0");
+  EXPECT_EQ(child.status(), 0);
+}
+
 TEST(SharedLibrary, IsLookedForInTheFolderOfTheScenario) {
   const std::filesystem::path file(faulty);
   Opening from{{}, file.parent_path()};
@@ -50,6 +111,7 @@ TEST(SharedLibrary, ATableThatCanNotBeUsedIsRefusedWithTheNameOfTheFile) {
   EXPECT_TRUE(says("missing_function", ErrorCode::invalid_argument, "lacks"));
   EXPECT_TRUE(says("garbage_size", ErrorCode::invalid_argument, "2000000000 scalars"));
   EXPECT_TRUE(says("garbage_count", ErrorCode::invalid_argument, "-7 ports"));
+  EXPECT_TRUE(says("creates_nothing", ErrorCode::invalid_argument, "create gave no instance and no error"));
 }
 
 TEST(SharedLibrary, WhatBreaksTheContractInARunEndsItWithASentence) {
@@ -62,6 +124,13 @@ TEST(SharedLibrary, WhatBreaksTheContractInARunEndsItWithASentence) {
   EXPECT_TRUE(refuses(ErrorCode::internal, {"'it'", "advance", "no oil"}, run("throws")));
   EXPECT_TRUE(refuses(ErrorCode::numerical, {"'it'", "x", "not finite", "t = 0.1 s"}, run("not_a_number")));
   EXPECT_TRUE(refuses(ErrorCode::numerical, {"'it'", "t = 5 s", "past its limit"}, run("past_the_limit")));
+  const std::string library = "of library '" + faulty + "'";
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument,
+                      {"'it'", library, "rewrote the row that it had given at t = 0 s"}, run("rewrites")));
+  EXPECT_TRUE(
+      refuses(ErrorCode::invalid_argument,
+              {"'it'", library, "gives 0.5 as the jump flag of the row at t = 0.1 s; allowed is 0 or 1"},
+              run("flag_of_a_half")));
 }
 
 TEST(SharedLibrary, OneThatAbortsIsTriedInAProcessOfItsOwn) {

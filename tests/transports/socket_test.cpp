@@ -67,6 +67,8 @@ TEST(Sockets, AnAddressThatCanNotBeUsedIsRefusedByName) {
       refuses(ErrorCode::invalid_argument, {"65536", "of the form"}, opening("tcp://localhost:65536")));
   EXPECT_TRUE(
       refuses(ErrorCode::not_supported, {"192.0.2.1", "--allow-plaintext"}, opening("tcp://192.0.2.1:1")));
+  for (const std::string address : {"tcp://*:0", "tls://*:0"})
+    EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {address, "0.0.0.0"}, [&] { listen(address, {}); }));
   EXPECT_TRUE(refuses(ErrorCode::not_supported, {"0.0.0.0", "--allow-plaintext"},
                       [] { listen("tcp://0.0.0.0:0", {}); }));
   EXPECT_TRUE(

@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "refusal.hpp"
 #include "run_bench.hpp"
@@ -93,7 +94,20 @@ TEST(Tls, FilesThatCanNotBeUsedAreRefusedByName) {
   const auto listening = [](const SocketSettings& settings) { return [=] { listen(here, settings); }; };
   SocketSettings wrong = keys.settings();
   wrong.tls.authority = keys.file("none.crt");
-  EXPECT_TRUE(refuses(ErrorCode::input_output, {"none.crt", "No such file"}, listening(wrong)));
+  EXPECT_TRUE(
+      refuses(ErrorCode::input_output, {"certificate file", "none.crt' is not there"}, listening(wrong)));
+  for (const std::string name : {"fifo.crt", "fifo.key"})
+    ASSERT_EQ(::mkfifo(keys.file(name).c_str(), 0600), 0);
+  wrong.tls.authority = keys.file("fifo.crt");
+  EXPECT_TRUE(refuses(ErrorCode::input_output, {"fifo.crt", "it is a FIFO; allowed is a regular file"},
+                      listening(wrong)));
+  wrong = keys.settings();
+  wrong.tls.key = keys.file("fifo.key");
+  EXPECT_TRUE(refuses(ErrorCode::input_output, {"key file", "fifo.key", "it is a FIFO"}, listening(wrong)));
+  fs::remove(keys.file("fifo.key"));
+  fs::copy_file(keys.file("server.key"), keys.file("fifo.key"));  // its certificate is the FIFO
+  EXPECT_TRUE(
+      refuses(ErrorCode::input_output, {"certificate file", "fifo.crt", "it is a FIFO"}, listening(wrong)));
   wrong = keys.settings();
   wrong.tls.key = keys.file("server.crt");
   EXPECT_TRUE(refuses(ErrorCode::input_output, {"server.crt", "mode 600"}, listening(wrong)));

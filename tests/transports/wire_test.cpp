@@ -77,14 +77,14 @@ std::vector<Bytes> frames_of_the_codec() {
   talk.say(Type::info, 2);
   talk.say(Type::info, 2, [](Writer& w) { put_info(w, mass2()); });
   talk.say(Type::initialize, 3, [](Writer& w) { put_initialize(w, {0.0, 10.0, 4, {0.5}}); });
-  talk.say(Type::samples, 3, [&](Writer& w) { put_samples(w, {0.0, 0.25, Stop::limit}, start, 0); });
+  talk.say(Type::samples, 3, [&](Writer& w) { put_samples(w, {0.0, 0.25, Stop::limit}, start); });
   const Segment pieces[] = {{0.25, 0.25, {0.5, -1.0}}, {0.5, 0.5, {0.25, -1.0}}};
   const Signal u(pieces, 2, 1);
   talk.say(Type::advance, 4, [&](Writer& w) { put_advance(w, {0.5, false, 4}, {&u, 1}); });
   Samples y(memory, 8, 2);
   put_row(y, 0.25, {0.96875, -0.25, -0.25, -1, -1, 0});
   put_row(y, 0.5, {0.875, -0.5, -0.5, -0.75, -0.75, 0});
-  talk.say(Type::samples, 4, [&](Writer& w) { put_samples(w, {0.5, 0.75, Stop::limit}, y, 0); });
+  talk.say(Type::samples, 4, [&](Writer& w) { put_samples(w, {0.5, 0.75, Stop::limit}, y); });
   const auto state = [](Writer& w) { put_id(w, 1); };
   talk.say(Type::save, 5).say(Type::save, 5, state).say(Type::restore, 6, state);
   talk.say(Type::restore, 6, [](Writer& w) { put_clock(w, {0.5, 0.75, Stop::limit}); });
@@ -231,7 +231,7 @@ TEST(Wire, RowsBeforeAnErrorComeWithIt) {
   y.append(0.1)[0] = 7.0;
   Writer frame;
   begin(frame, Type::error, 1);
-  put_error(frame, Error(ErrorCode::numerical, "no convergence"), y, 0);
+  put_error(frame, Error(ErrorCode::numerical, "no convergence"), y);
   finish(frame);
   const Error error = read_error(payload(bytes_of(frame)), &got);
   EXPECT_EQ(error.code(), ErrorCode::numerical);

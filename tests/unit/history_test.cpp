@@ -52,6 +52,20 @@ testing::AssertionResult refuses_row(const std::vector<std::string>& texts, doub
   return refuses(ErrorCode::numerical, texts, [&] { h.commit(2.0, tolerance); });
 }
 
+TEST(History, RefusesAJumpFlagThatIsNone) {
+  for (const double flag : {0.5, 7.0, -1.0}) {
+    const SubsystemInfo pump = info(0);
+    History h("pump", pump, 32);
+    append(h, 1.0, 0.0);
+    append(h, 1.5, 0.0);
+    h.room().c_rows().rows[5 + 1] = flag;
+    EXPECT_TRUE(refuses(ErrorCode::numerical,
+                        {"'pump'", " as the jump flag of its sample at t = 1.5 s", "0 or 1"},
+                        [&] { h.commit(2.0, tolerance); }))
+        << flag;
+  }
+}
+
 TEST(History, RefusesValuesThatAreNotFiniteByPortAndTime) {
   EXPECT_TRUE(refuses_row({"subsystem 'pump', advance at t = 1 s to 2 s: it gave p not finite at t = 1.5"},
                           1.5, {NAN}));

@@ -15,9 +15,10 @@ using test::Scripted;
 /// One builtin, "ramp.slow", whose own step is its parameter h.
 Builtins ramps() {
   Builtins builtins;
-  builtins.models["ramp.slow"] = [](Parameters& p) {
-    return std::make_unique<Scripted>(test::source(p.number("h", 0.5), [](double t) { return t; }));
-  };
+  builtins.models["ramp.slow"] = {
+      words_by(Setter::client, {"h"}), [](const Address&, Parameters& p) {
+        return std::make_unique<Scripted>(test::source(p.number("h", 0.5), [](double t) { return t; }));
+      }};
   return builtins;
 }
 
@@ -34,6 +35,33 @@ TEST(Open, TakesParametersFromTheUriAndBesideIt) {
   Parameters p;
   p.set("h", 0.125);
   EXPECT_EQ(first_step(*open("builtin:ramp.slow", ramps(), {p})), 0.125);
+}
+
+/// A source that is code: `make` must not be reached.
+Builtins programs() {
+  Builtins builtins;
+  builtins.schemes["code"] = {words_by(Setter::operator_only, {"h"}),
+                              [](const Address&, Parameters&) -> std::unique_ptr<Subsystem> {
+                                throw Error(ErrorCode::internal, "code was run");
+                              },
+                              false, true, [](const Address&, Parameters& p) { p.number("h", 0.0); }};
+  builtins.schemes["unseen"] = {{}, builtins.schemes["code"].make, false, true};
+  return builtins;
+}
+
+TEST(Open, LooksAtCodeWithoutARunOfIt) {
+  EXPECT_NO_THROW(look_at("code:x?h=1", programs(), {}));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'h'", "'fast'"},
+                      [] { look_at("code:x?h=fast", programs(), {}); }));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'k' is not there"},
+                      [] { look_at("code:x?k=1", programs(), {}); }));
+  EXPECT_NO_THROW(look_at("unseen:x?k=1", programs(), {}));
+  EXPECT_TRUE(refuses(ErrorCode::internal, {"run"}, [] { open("code:x", programs()); }));
+}
+
+TEST(Open, ShowsACommandAsAScenarioHasIt) {
+  EXPECT_EQ(shown({"prog", "a b", "\"\\"}), "[\"prog\", \"a b\", \"\\\"\\\\\"]");
+  EXPECT_EQ(shown({"\x1b[2K"}), "[\"\\x1b[2K\"]");
 }
 
 TEST(Open, RefusesAParameterGivenTwice) {

@@ -34,6 +34,27 @@ class TopologyTest : public testing::Test {
   Topology topology;
 };
 
+/// As of a connection to what is not known here.
+TEST_F(TopologyTest, HalfAConnectionIsLookedForAndCountsAsOne) {
+  const auto half = [&](const char* port, bool output) {
+    return [this, port, output] { topology.connect_half(port, output); };
+  };
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'shaft'", "input 'sped'", "did you mean 'speed'"},
+                      half("shaft.sped", false)));
+  EXPECT_TRUE(
+      refuses(ErrorCode::invalid_argument, {"'motor'", "output 'torque'"}, half("motor.torque", true)));
+  EXPECT_TRUE(
+      refuses(ErrorCode::invalid_argument, {"no element 3", "0 to 2"}, half("shaft.loads[3]", false)));
+  half("shaft.forces", true)();
+  for (const char* input : {"motor.torque", "shaft.speed", "shaft.angle", "shaft.loads[0]", "shaft.loads[2]"})
+    half(input, false)();
+  EXPECT_TRUE(
+      refuses(ErrorCode::invalid_argument, {"shaft.loads[1] is not connected"}, [&] { topology.check(); }));
+  half("shaft.loads", false)();
+  EXPECT_NO_THROW(topology.check());
+  EXPECT_TRUE(topology.lines().empty());
+}
+
 TEST_F(TopologyTest, UnknownInstancesAndPortsAreNamedWithTheNearestKnownOne) {
   EXPECT_TRUE(refuses_connection(connection("motr.angle", "shaft.angle"),
                                  {"'motr'", "did you mean 'motor'", "motor, shaft"}));

@@ -5,13 +5,10 @@
 
 #include "tandem/error.hpp"
 #include "tandem/nearest.hpp"
+#include "tandem/printable.hpp"
 
 namespace tandem {
 namespace {
-
-[[noreturn]] void refuse(const std::string& uri, const std::string& why) {
-  throw Error(ErrorCode::invalid_argument, "source '" + uri + "' " + why);
-}
 
 /// Takes "?key=value&key=value" off the end of `text` into `parameters`.
 void take_query(const std::string& uri, std::string& text, Parameters& parameters) {
@@ -23,43 +20,73 @@ void take_query(const std::string& uri, std::string& text, Parameters& parameter
 
 [[noreturn]] void refuse_builtin(const std::string& name, const Builtins& builtins) {
   std::vector<std::string> known;
-  for (const auto& [key, builder] : builtins.models) known.push_back("builtin:" + key);
+  for (const auto& [key, source] : builtins.models) known.push_back("builtin:" + key);
   throw Error(ErrorCode::invalid_argument, unknown("source", "builtin:" + name, known));
 }
 
 std::string schemes(const Builtins& builtins) {
   std::string text = "builtin:NAME";
-  for (const auto& [scheme, builder] : builtins.files) text += ", " + scheme + ":FILE";
-  for (const auto& [scheme, builder] : builtins.addresses) text += ", " + scheme + ":...";
+  for (const auto& [scheme, source] : builtins.schemes)
+    text += ", " + scheme + (source.elsewhere ? ":..." : ":FILE");
   return text;
+}
+
+/// A URI taken apart, with its parameters beside the others; those that are the source's own are declared.
+Address taken_apart(const std::string& uri, const Source& source, Opening& opening) {
+  const auto colon = uri.find(':');
+  Address address{uri, uri.substr(0, colon), uri.substr(colon + 1), opening.folder, opening.command};
+  take_query(uri, address.place, opening.parameters);
+  opening.parameters.declare(source.words);
+  opening.parameters.refuse_foreign(address.name());
+  return address;
 }
 
 }  // namespace
 
-void check_known(const std::string& uri, const Builtins& builtins) {
+const Source& source_of(const std::string& uri, const Builtins& builtins) {
   const auto colon = uri.find(':');
   const std::string scheme = uri.substr(0, colon);
-  if (colon == std::string::npos ||
-      (scheme != "builtin" && !builtins.files.contains(scheme) && !builtins.addresses.contains(scheme)))
-    refuse(uri, "has a scheme that is not known; allowed is " + schemes(builtins));
-  const std::string name = uri.substr(colon + 1, uri.find('?') - colon - 1);
-  if (scheme == "builtin" && !builtins.models.contains(name)) refuse_builtin(name, builtins);
+  if (scheme == "builtin" && colon != std::string::npos) {
+    const std::string name = uri.substr(colon + 1, uri.find('?') - colon - 1);
+    const auto model = builtins.models.find(name);
+    if (model == builtins.models.end()) refuse_builtin(name, builtins);
+    return model->second;
+  }
+  const auto source = builtins.schemes.find(scheme);
+  if (colon == std::string::npos || source == builtins.schemes.end())
+    throw Error(ErrorCode::invalid_argument,
+                "source '" + uri + "' has a scheme that is not known; allowed is " + schemes(builtins));
+  return source->second;
 }
 
 std::unique_ptr<Subsystem> open(const std::string& uri, const Builtins& builtins, Opening opening) {
-  check_known(uri, builtins);
-  const auto colon = uri.find(':');
-  const std::string scheme = uri.substr(0, colon);
-  const auto file = builtins.files.find(scheme);
-  std::string name = uri.substr(colon + 1);
-  Parameters& parameters = opening.parameters;
-  take_query(uri, name, parameters);
-  auto subsystem = scheme == "builtin" ? builtins.models.at(name)(parameters)
-                   : file != builtins.files.end()
-                       ? file->second(opening.folder / name, parameters)
-                       : builtins.addresses.at(scheme)({uri, scheme, name, opening.folder}, parameters);
-  parameters.refuse_unused("source '" + uri + "'");
+  const Source& source = source_of(uri, builtins);
+  const Address address = taken_apart(uri, source, opening);
+  auto subsystem = source.make(address, opening.parameters);
+  opening.parameters.refuse_unused(address.name());
   return subsystem;
+}
+
+void look_at(const std::string& uri, const Builtins& builtins, Opening opening) {
+  const Source& source = source_of(uri, builtins);
+  const Address address = taken_apart(uri, source, opening);
+  if (!source.look) return;
+  source.look(address, opening.parameters);
+  opening.parameters.refuse_unused(address.name());
+}
+
+std::string Address::name() const {
+  return command.empty() ? "source '" + printable(uri) + "'" : "command " + shown(command);
+}
+
+std::string shown(const std::vector<std::string>& command) {
+  std::string text;
+  for (const std::string& word : command) {
+    text += text.empty() ? "\"" : ", \"";
+    for (const char c : word) text += (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
+    text += '"';
+  }
+  return "[" + printable(text) + "]";
 }
 
 }  // namespace tandem

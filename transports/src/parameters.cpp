@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "tandem/transports/parameters.hpp"
 
+#include <algorithm>
 #include <charconv>
 
 #include "tandem/error.hpp"
@@ -31,9 +32,50 @@ std::string text_of(const Parameters::Value& value) {
               "parameter '" + name + "' is " + text_of(value) + "; allowed is a number " + allowed);
 }
 
+/// "prefix.*" stands for all that begin with "prefix.".
+bool stands_for(const std::string& word, const std::string& name) {
+  return word.ends_with(".*") ? name.starts_with(word.substr(0, word.size() - 1)) : word == name;
+}
+
 }  // namespace
 
-void Parameters::read(const std::string& pairs, const std::string& owner) {
+Words words_by(Setter setter, std::initializer_list<const char*> names) {
+  Words all;
+  for (const char* name : names) all.push_back({name, setter});
+  return all;
+}
+
+Words operator+(Words a, const Words& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+void Parameters::declare(const Words& words) {
+  if (!words_) words_.emplace();
+  for (const Word& word : words)
+    if (!declared(word.name)) words_->push_back(word);
+}
+
+const Word* Parameters::declared(const std::string& name) const {
+  const auto it = std::find_if(words_->begin(), words_->end(),
+                               [&](const Word& word) { return stands_for(word.name, name); });
+  return it == words_->end() ? nullptr : &*it;
+}
+
+void Parameters::refuse_foreign(const std::string& owner) const {
+  std::vector<std::string> allowed;
+  for (const Word& word : *words_)
+    if (word.setter == Setter::client) allowed.push_back(word.name);
+  for (const std::string& name : from_client_)
+    if (const Word* word = declared(name); word && word->setter == Setter::operator_only)
+      throw Error(ErrorCode::invalid_argument,
+                  owner + ": parameter '" + name +
+                      "' comes from a client, and only who serves the source may set it; allowed to a client "
+                      "are the model's own parameters" +
+                      (allowed.empty() ? "" : " and " + listed(allowed)));
+}
+
+void Parameters::read(const std::string& pairs, const std::string& owner, Setter by) {
   const std::string all = pairs + "&";
   for (std::size_t begin = 0, end; (end = all.find('&', begin)) != std::string::npos; begin = end + 1) {
     const std::string pair = all.substr(begin, end - begin);
@@ -43,6 +85,7 @@ void Parameters::read(const std::string& pairs, const std::string& owner) {
     if (has(pair.substr(0, equals)))
       throw Error(ErrorCode::invalid_argument, owner + " gives '" + pair.substr(0, equals) + "' twice");
     set(pair.substr(0, equals), pair.substr(equals + 1));
+    if (by == Setter::client) from_client_.insert(pair.substr(0, equals));
   }
 }
 
@@ -60,6 +103,9 @@ std::string Parameters::rest() {
 }
 
 const Parameters::Value* Parameters::find(const std::string& name) {
+  if (words_ && !declared(name))
+    throw Error(ErrorCode::internal,
+                "parameter '" + name + "' is asked for by a source that does not declare it");
   asked_.insert(name);
   const auto it = values_.find(name);
   return it == values_.end() ? nullptr : &it->second;

@@ -5,16 +5,17 @@
 
 namespace tandem::engine {
 
-Description read_diagram(const std::filesystem::path& file, const ParameterValues& parameters) {
-  DiagramFiles files;
-  return files.read(file, parameters);
+Description read_diagram(const std::filesystem::path& file, const ParameterValues& parameters,
+                         const FileBounds& bounds) {
+  DiagramFiles files(bounds.folder);
+  return files.read(file, {parameters, bounds.parameters});
 }
 
-Description read_diagram(const std::string& name, const std::string& text,
-                         const ParameterValues& parameters) {
-  DiagramFiles files;
+Description read_diagram(const std::string& name, const std::string& text, const ParameterValues& parameters,
+                         const FileBounds& bounds) {
+  DiagramFiles files(bounds.folder);
   const text::Document document(name, text);
-  return DiagramReader({document, document.table(), ""}, parameters, files).read();
+  return DiagramReader({document, document.table(), ""}, {parameters, bounds.parameters}, files).read();
 }
 
 }  // namespace tandem::engine

@@ -12,13 +12,41 @@ namespace tandem::engine {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+constexpr int most_blocks = 20'000, deepest = 50;
+
+}  // namespace
+
 const text::Document& DiagramFiles::document(const fs::path& file) {
   auto& document = documents_[fs::weakly_canonical(file)];
   if (!document) document = std::make_unique<text::Document>(file);
   return *document;
 }
 
-Description DiagramFiles::read(const fs::path& file, const ParameterValues& parameters) {
+bool DiagramFiles::in_bounds(const fs::path& file) const {
+  const fs::path path = fs::weakly_canonical(file);
+  return std::mismatch(bound_.begin(), bound_.end(), path.begin(), path.end()).first == bound_.end();
+}
+
+void DiagramFiles::count_block(const text::Place& place) {
+  if (++blocks_ > most_blocks)
+    text::refuse(place, fmt::format("there are more than {} blocks, with those of the diagrams in blocks; "
+                                    "allowed are up to {}",
+                                    most_blocks, most_blocks));
+}
+
+template <class Read>
+Description DiagramFiles::nested(const text::Place& place, const Read& read) {
+  if (depth_ == deepest)
+    text::refuse(place, fmt::format("diagrams stand in each other more than {} deep", deepest));
+  ++depth_;
+  Description inner = read();
+  --depth_;
+  return inner;
+}
+
+Description DiagramFiles::read(const fs::path& file, const Given& given) {
   const text::Document& found = document(file);
   const fs::path path = fs::weakly_canonical(file);
   const auto first = std::find(open_.begin(), open_.end(), path);
@@ -31,7 +59,7 @@ Description DiagramFiles::read(const fs::path& file, const ParameterValues& para
                             found.file(), fmt::join(chain, " > ")));
   }
   open_.push_back(path);
-  Description all = DiagramReader({found, found.table(), ""}, parameters, *this).read();
+  Description all = DiagramReader({found, found.table(), ""}, given, *this).read();
   open_.pop_back();
   all.folder = file.parent_path();
   return all;
@@ -96,9 +124,11 @@ void DiagramReader::read_parameter(const std::string& name, Section& section) {
     parameters_[name] = given_or(name, *section.text("value"), section);
     const auto words = section.texts("allowed");
     const auto& word = std::get<std::string>(parameters_[name]);
-    if (!words.empty() && std::find(words.begin(), words.end(), word) == words.end())
+    const bool listed_there = std::find(words.begin(), words.end(), word) != words.end();
+    if (!words.empty() && !listed_there)
       text::refuse(section.place(),
                    fmt::format("parameter '{}' is '{}'; allowed is {}", name, word, listed(words)));
+    if (listed_there || word == *section.text("value")) given_.bounded.erase(name);
   } else {
     parameters_[name] = given_or(name, *section.number("value"), section);
     unit = section.required_text("unit", "its unit, \"kg m^2\"");
@@ -109,8 +139,8 @@ void DiagramReader::read_parameter(const std::string& name, Section& section) {
 /// What is given must be of the type that stands in the file.
 ParameterValue DiagramReader::given_or(const std::string& name, const ParameterValue& value,
                                        Section& section) const {
-  const auto it = given_.find(name);
-  if (it == given_.end()) return value;
+  const auto it = given_.values.find(name);
+  if (it == given_.values.end()) return value;
   if (it->second.index() == value.index()) return it->second;
   text::refuse(section.place(), fmt::format("parameter '{}' is {}; allowed is {}", name,
                                             value.index() == 0 ? "given as a text" : "given as a number",
@@ -118,7 +148,7 @@ ParameterValue DiagramReader::given_or(const std::string& name, const ParameterV
 }
 
 void DiagramReader::refuse_unknown_parameters() const {
-  for (const auto& [name, value] : given_)
+  for (const auto& [name, value] : given_.values)
     if (parameters_.count(name) == 0)
       throw Error(ErrorCode::invalid_argument,
                   document().file() + ": " + unknown("parameter", name, known()));
@@ -142,6 +172,23 @@ Wire DiagramReader::wire(const toml::node& node, const std::string& key) const {
   return std::get<std::string>(it->second);
 }
 
+/// Whether it is "$NAME" of a parameter with a value that names files only below a folder.
+bool DiagramReader::is_bounded(const toml::node& node) const {
+  const auto text = node.value<std::string>();
+  return text && text->starts_with("$") && given_.bounded.contains(text->substr(1));
+}
+
+void DiagramReader::refuse_beyond_bounds(const toml::node& node, const std::string& key) const {
+  if (!is_bounded(node)) return;
+  const Wire name = wire(node, key);
+  if (const auto* file = std::get_if<std::string>(&name); file && !files_.in_bounds(to_.folder / *file))
+    text::refuse(
+        document().place(node),
+        fmt::format("{} is '{}'; allowed from a client is what stands in the diagram, or a file below "
+                    "its folder",
+                    key, *file));
+}
+
 std::optional<std::string> DiagramReader::text(Section& section, const std::string& key) const {
   auto found = section.text(key);
   if (!found || !found->starts_with("$")) return found;
@@ -163,6 +210,7 @@ Value DiagramReader::value(const toml::node& node, const std::string& key) const
 }
 
 void DiagramReader::read_block(const std::string& name, Section& section) {
+  files_.count_block(section.place());
   Block block{name, section.required_text("kind", "the kind of the block"), {}, section.place().text()};
   if (block.kind == "diagram" || block.kind == "triggered")
     read_nested(block, section);
@@ -176,6 +224,7 @@ void DiagramReader::read_values(Block& block, Section& section, const std::vecto
     if (std::find(besides.begin(), besides.end(), key) != besides.end()) continue;
     section.node(key);
     block.places.emplace(key, document().place(*node).text());
+    if (key == "file") refuse_beyond_bounds(*node, section.name(key));
     if (!read_tables(block, key, *node, section)) block.values.emplace(key, value(*node, section.name(key)));
   }
 }
@@ -200,15 +249,17 @@ bool DiagramReader::read_tables(Block& block, const std::string& key, const toml
 /// Keys are those of the block and of the diagram in it: values of its parameters, and sources of its inputs.
 void DiagramReader::read_nested(Block& block, Section& section) {
   const auto file = text(section, "file");
+  if (file) refuse_beyond_bounds(*section.node("file"), section.name("file"));
   const toml::table* table = section.table("diagram");
   if (file && table) section.wrong("diagram", "a table beside file", "one of them");
   if (!file && !table) section.missing("file", "the name of a diagram's file, or a table diagram");
   text::located(section.place(file ? "file" : "diagram"), [&] {
     const fs::path path = to_.folder / file.value_or("");
     const auto given = given_to(file ? files_.document(path).table() : *table, block, section);
-    Description inner =
-        file ? files_.read(path, given)
-             : DiagramReader({document(), *table, section.name("diagram")}, given, files_).read();
+    Description inner = files_.nested(section.place(), [&] {
+      return file ? files_.read(path, given)
+                  : DiagramReader({document(), *table, section.name("diagram")}, given, files_).read();
+    });
     block.diagram = std::make_shared<const Description>(std::move(inner));
   });
   std::vector<std::string> besides = {"kind", "file", "diagram"};
@@ -217,11 +268,10 @@ void DiagramReader::read_nested(Block& block, Section& section) {
   read_values(block, section, besides);
 }
 
-ParameterValues DiagramReader::given_to(const toml::table& inner, Block& block,
-                                        const Section& section) const {
-  ParameterValues values;
+Given DiagramReader::given_to(const toml::table& inner, Block& block, const Section& section) const {
+  Given all;
   const toml::table* parameters = inner["parameters"].as_table();
-  if (!parameters) return values;
+  if (!parameters) return all;
   for (const auto& [name, node] : *parameters) {
     const std::string key(name.str());
     const toml::node* given = section.table().get(key);
@@ -234,13 +284,14 @@ ParameterValues DiagramReader::given_to(const toml::table& inner, Block& block,
                    fmt::format("block '{}': {} is {}; allowed for that parameter is a {}", block.name, key,
                                text::described(*given), takes_text ? "text" : "number"));
     if (takes_text) {
-      values[key] = std::get<std::string>(value);
+      all.values[key] = std::get<std::string>(value);
+      if (is_bounded(*given)) all.bounded.insert(key);
       continue;
     }
-    values[key] = std::get<double>(value);
+    all.values[key] = std::get<double>(value);
     refuse_other_unit(*given, own ? (*own)["unit"].value_or(std::string()) : "", section.name(key));
   }
-  return values;
+  return all;
 }
 
 /// A parameter that is handed on to one of a diagram in a block has the unit of that one.

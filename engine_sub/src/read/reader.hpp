@@ -12,23 +12,42 @@
 
 namespace tandem::engine {
 
+/// Values of parameters, and those of them that name files only below a folder.
+struct Given {
+  ParameterValues values;
+  std::set<std::string> bounded;
+};
+
 /// Files of diagrams that one reading needs, each read once.
 class DiagramFiles {
  public:
+  explicit DiagramFiles(const std::filesystem::path& bound)
+      : bound_(std::filesystem::weakly_canonical(bound.empty() ? "." : bound)) {}
+
   /// Refuses a diagram that contains itself, with the files from the one to the other.
-  Description read(const std::filesystem::path& file, const ParameterValues& parameters);
+  Description read(const std::filesystem::path& file, const Given& given);
   const text::Document& document(const std::filesystem::path& file);
+  /// Counts a block; refuses more than a system can have. (A few files that contain each other twice, and so
+  /// on, stand for millions.)
+  void count_block(const text::Place& place);
+  /// Reads a nested diagram by `read`, one deeper.
+  template <class Read>
+  Description nested(const text::Place& place, const Read& read);
+  /// Whether it is below the folder of bounded values, links resolved.
+  bool in_bounds(const std::filesystem::path& file) const;
 
  private:
+  std::filesystem::path bound_;
   std::map<std::filesystem::path, std::unique_ptr<text::Document>> documents_;
   std::vector<std::filesystem::path> open_;
+  int blocks_ = 0, depth_ = 0;
 };
 
 /// Fills a Description, table by table.
 class DiagramReader {
  public:
   /// root: the whole document, or the table in a block that holds a diagram.
-  DiagramReader(text::Section root, ParameterValues given, DiagramFiles& files)
+  DiagramReader(text::Section root, Given given, DiagramFiles& files)
       : root_(std::move(root)), given_(std::move(given)), files_(files) {}
 
   Description read();
@@ -42,6 +61,7 @@ class DiagramReader {
   void read_loops();
   void read_parameter(const std::string& name, Section& section);
   ParameterValue given_or(const std::string& name, const ParameterValue& value, Section& section) const;
+  void refuse_beyond_bounds(const toml::node& node, const std::string& key) const;
   void refuse_unknown_parameters() const;
   std::vector<std::string> known() const;
 
@@ -52,7 +72,7 @@ class DiagramReader {
   void read_values(Block& block, Section& section, const std::vector<std::string>& besides);
   bool read_tables(Block& block, const std::string& key, const toml::node& node, const Section& section);
   void read_nested(Block& block, Section& section);
-  ParameterValues given_to(const toml::table& inner, Block& block, const Section& section) const;
+  Given given_to(const toml::table& inner, Block& block, const Section& section) const;
   void refuse_other_unit(const toml::node& given, const std::string& unit, const std::string& key) const;
   void read_output(const std::string& name, Section& section);
   void read_limit(const std::string& name, Section& section);
@@ -61,7 +81,10 @@ class DiagramReader {
   std::optional<std::string> text(Section& section, const std::string& key) const;
 
   Section root_;
-  ParameterValues given_, parameters_;
+  bool is_bounded(const toml::node& node) const;
+
+  Given given_;
+  ParameterValues parameters_;
   DiagramFiles& files_;
   Description to_;
 };

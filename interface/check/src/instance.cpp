@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "instance.hpp"
 
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 
 #include "number_text.hpp"
 
@@ -23,10 +24,10 @@ void require_same(const Rows& found, const Rows& expected, const std::string& wh
   for (std::size_t row = 0; row < found.size(); ++row)
     for (std::size_t k = 0; k < found[row].size(); ++k) {
       const double a = found[row][k], b = expected[row][k];
-      require(std::memcmp(&a, &b, sizeof a) == 0, what + ": sample " + std::to_string(row) +
-                                                      " at t = " + number_text(expected[row][0]) + " s has " +
-                                                      number_text(a) + " in its column " + std::to_string(k) +
-                                                      "; allowed is " + number_text(b) + ", to the last bit");
+      require(std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b),
+              what + ": sample " + std::to_string(row) + " at t = " + number_text(expected[row][0]) +
+                  " s has " + number_text(a) + " in its column " + std::to_string(k) + "; allowed is " +
+                  number_text(b) + ", to the last bit");
     }
 }
 

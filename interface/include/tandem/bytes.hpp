@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -38,12 +39,13 @@ T from_wire(std::span<const std::byte> bytes) {
 inline constexpr std::uint64_t empty_checksum = 0xcbf29ce484222325;
 std::uint64_t checksum(std::span<const std::byte> bytes, std::uint64_t before = empty_checksum);
 
-/// Bytes that are put one after another; its memory is used again after clear().
+/// Bytes that are put one after another; its memory is used again after clear(). What is not written yet
+/// takes room, but no page of the system's memory.
 class ByteWriter {
  public:
   void clear() { size_ = 0; }
   std::size_t size() const { return size_; }
-  std::span<const std::byte> bytes() const { return {memory_.data(), size_}; }
+  std::span<const std::byte> bytes() const { return {memory_.get(), size_}; }
 
   template <class T>
   void put(T value) {
@@ -54,7 +56,7 @@ class ByteWriter {
   template <class T>
   void put_at(std::size_t place, T value) {
     const auto bytes = to_wire(value);
-    std::copy(bytes.begin(), bytes.end(), memory_.data() + place);
+    std::copy(bytes.begin(), bytes.end(), memory_.get() + place);
   }
   void put_doubles(std::span<const double> values);
   /// Their number as u32, then the numbers.
@@ -62,18 +64,24 @@ class ByteWriter {
   /// Length as u32, then the bytes.
   void put_text(std::string_view text);
   void put_bytes(std::span<const std::byte> bytes);
+  /// Room for so many bytes from `place` on, which may be filled before they are put: by put_filled().
+  std::byte* room(std::size_t place, std::size_t bytes);
+  /// So many bytes that were filled behind the end.
+  void put_filled(std::size_t bytes) { size_ += bytes; }
+  /// Gives back memory beyond `most` bytes, with what it holds.
+  void release_beyond(std::size_t most);
 
  private:
   /// Room for so many bytes at the end, to be filled.
   std::byte* more(std::size_t bytes) {
+    if (size_ + bytes > capacity_) grow(2 * (size_ + bytes));
     size_ += bytes;
-    if (size_ > memory_.size()) grow();
-    return memory_.data() + size_ - bytes;
+    return memory_.get() + size_ - bytes;
   }
-  void grow();
+  void grow(std::size_t capacity);
 
-  std::vector<std::byte> memory_;
-  std::size_t size_ = 0;
+  std::unique_ptr<std::byte[]> memory_;
+  std::size_t size_ = 0, capacity_ = 0;
 };
 
 /// Bytes that are taken one after another. Whatever is not there is refused, before anything is allocated

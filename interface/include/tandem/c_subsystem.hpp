@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <span>
 #include <string>
+#include <vector>
 
 #include "tandem/subsystem.h"
 #include "tandem/subsystem.hpp"
@@ -13,8 +15,8 @@ class CSubsystem : public Subsystem {
  public:
   /// A new instance of what `api` makes from `parameters` ("key=value&key=value"). `api` must outlive it.
   /// Throws Error for another ABI version, a table too small, a missing function, or ports that make no
-  /// sense.
-  CSubsystem(const tandem_subsystem_api* api, const std::string& parameters);
+  /// sense. library: how errors call where it comes from, "library 'FILE'"; empty: this program.
+  CSubsystem(const tandem_subsystem_api* api, const std::string& parameters, std::string library = "");
   ~CSubsystem() override;
   CSubsystem(const CSubsystem&) = delete;
   CSubsystem& operator=(const CSubsystem&) = delete;
@@ -29,18 +31,27 @@ class CSubsystem : public Subsystem {
   StateId deserialize_state(std::span<const std::byte> bytes) override;
 
  private:
+  template <class Call>
+  auto guarded(const char* call, const Call& make) const;
+  void destroy() noexcept;
+  std::string who() const;
   void check(tandem_status status, const char* call) const;
   void check_functions() const;
   void require_saving() const;
   void require_serializing() const;
   template <class Call>
   void fill(Samples& y, const char* name, const Call& make);
+  std::span<double> newest_row(const tandem_samples& rows) const;
+  [[noreturn]] void refuse_rewriting(double t) const;
+  [[noreturn]] void refuse_flag(double flag, double t) const;
   [[noreturn]] void refuse_rows(const tandem_samples& before, const tandem_samples& after) const;
   Clock clock_from(const tandem_clock& clock) const;
 
   tandem_subsystem_api api_;  ///< functions that the table does not reach to are null
+  std::string library_;
   void* self_ = nullptr;
   SubsystemInfo info_;
+  std::vector<double> newest_row_;  ///< as it was before a call
 };
 
 }  // namespace tandem

@@ -27,4 +27,7 @@ class Error : public std::runtime_error {
   ErrorCode code_;
 };
 
+/// What an exception says, in words that a user of the library understands: "there is no memory for it".
+std::string sentence_of(const std::exception& exception);
+
 }  // namespace tandem

@@ -1,7 +1,11 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 // What a run goes by, as bytes and back.
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <string>
+#include <vector>
 
 #include "../number_text.hpp"
 #include "named.hpp"
@@ -9,25 +13,53 @@
 #include "tandem/error.hpp"
 
 namespace tandem {
+namespace {
+
+constexpr std::int64_t most_rows = std::int64_t{1} << 60;  // that a run gives
+
+bool all_finite(std::span<const double> values) {
+  double zero = 0.0;  // NaN if there is one, or an infinity, among the values
+  for (const double v : values) zero += v - v;
+  return zero == 0.0;
+}
+
+}  // namespace
 
 void History::write(ByteWriter& to) const {
   for (const std::int64_t number : {base_, committed_, seeds_, capacity_}) to.put(number);
   to.put_list({data_.data(), static_cast<std::size_t>(samples_.size() * stride_)});
 }
 
+/// The capacity of the other run is not taken over: memory grows anew as far as these rows, which are there,
+/// need it, and no sample depends on it.
 void History::read(ByteReader& from) {
   const auto base = from.take<std::int64_t>(), committed = from.take<std::int64_t>(),
-             seeds = from.take<std::int64_t>(), capacity = from.take<std::int64_t>();
+             seeds = from.take<std::int64_t>();
+  from.take<std::int64_t>();  // the capacity
   const auto rows = from.take_list();
   const auto count = static_cast<std::int64_t>(rows.size()) / stride_;
-  if (static_cast<std::int64_t>(rows.size()) != count * stride_ || capacity < count || base < 0 ||
-      committed < base || committed > base + count)
+  if (static_cast<std::int64_t>(rows.size()) != count * stride_ || count < 1 || base < 0 ||
+      base > most_rows || committed != base + count || seeds < 0 || seeds > committed || !are_rows(rows))
     from.refuse("has a history of subsystem '" + name_ + "' with " + std::to_string(rows.size()) +
-                " numbers; allowed are rows of " + std::to_string(stride_));
-  base_ = base, committed_ = committed, seeds_ = seeds, capacity_ = capacity;
+                " numbers; allowed are rows of " + std::to_string(stride_) + " that follow each other");
+  base_ = base, committed_ = committed, seeds_ = seeds;
+  while (count > capacity_ / 2) capacity_ *= 2;
   data_ = rows;
   data_.resize(static_cast<std::size_t>(capacity_ * stride_));
   samples_ = Samples(data_.data(), stride_, capacity_, count);
+}
+
+/// Whether they are what commit() lets pass.
+bool History::are_rows(std::span<const double> rows) const {
+  double before = -std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < rows.size(); k += static_cast<std::size_t>(stride_)) {
+    const auto row = rows.subspan(k, static_cast<std::size_t>(stride_));
+    const bool jump = row[1] == 1.0;
+    if (!all_finite(row) || !(jump || row[1] == 0.0) || !(row[0] > before || (jump && row[0] == before)))
+      return false;
+    before = row[0];
+  }
+  return true;
 }
 
 void Link::write(ByteWriter& to) const {
@@ -50,18 +82,36 @@ void Link::read(ByteReader& from) {
   fitted_ = from.take<std::int64_t>();
   from.take_list(differences_);
   capacity_ = follows_ ? samples_->capacity() : 1;
-  if (count < 0 || count > capacity_)
-    from.refuse("has " + std::to_string(count) + " segments; allowed are up to " + std::to_string(capacity_));
+  check(count, from);
   count_ = count;
   segments_.assign(lanes_.size() * static_cast<std::size_t>(capacity_), Segment{});
   first_ = segments_.data();
   for (std::size_t l = 0; l < lanes_.size(); ++l)
-    for (std::int32_t k = 0; k < count_; ++k) {
-      Segment& s = first_[static_cast<std::int64_t>(l) * capacity_ + k];
-      s.end = from.take<double>();
-      s.origin = from.take<double>();
-      from.take_doubles(s.c);
-    }
+    read({first_ + static_cast<std::int64_t>(l) * capacity_, static_cast<std::size_t>(count_)}, from);
+}
+
+/// Each segment is of a row that is there, and so are the rows that the next one is fitted to.
+void Link::check(std::int32_t count, const ByteReader& from) const {
+  const std::int64_t rows = samples_->newest() + 1 - samples_->oldest(), fewest = follows_ ? 1 : 0;
+  if (count < fewest || count > (follows_ ? rows : 0))
+    from.refuse("has " + std::to_string(count) + " segments; allowed are " + std::to_string(fewest) + " to " +
+                std::to_string(rows));
+  if (fitted_ < 0 || std::min<std::int64_t>(fitted_, how_.samples() - 1) > rows)
+    from.refuse("has " + std::to_string(fitted_) + " rows to be fitted together, of " + std::to_string(rows) +
+                " that are there");
+  if (!all_finite(differences_)) from.refuse("has differences of samples that are not finite");
+}
+
+void Link::read(std::span<Segment> lane, ByteReader& from) {
+  double before = -std::numeric_limits<double>::infinity();
+  for (Segment& s : lane) {
+    s.end = from.take<double>();
+    s.origin = from.take<double>();
+    from.take_doubles(s.c);
+    if (!all_finite(s.c) || !std::isfinite(s.origin) || !std::isfinite(s.end) || s.end < before)
+      from.refuse("has a segment that is not finite, or ends before the one before it");
+    before = s.end;
+  }
 }
 
 void Exchange::write(ByteWriter& to) const {
@@ -105,26 +155,53 @@ void Coordinator::save(ByteWriter& to) const {
   exchange_->write(to);
 }
 
+/// All numbers are looked at before the first subsystem gets its state.
 void Coordinator::restore(ByteReader& from) {
-  for (int i = 0; i < topology_.size(); ++i) {
-    Seat& seat = seats_[static_cast<std::size_t>(i)];
-    Member& member = members_[static_cast<std::size_t>(i)];
+  std::vector<std::span<const std::byte>> states;
+  for (std::size_t i = 0; i < seats_.size(); ++i) {
+    Seat& seat = seats_[i];
+    Member& member = members_[i];
     for (double* time : {&seat.time, &member.time, &member.next}) *time = from.take<double>();
     seat.idle_calls = from.take<std::int32_t>();
     for (std::int64_t* number : {&seat.told, &seat.effort.exchanges, &seat.effort.steps})
       *number = from.take<std::int64_t>();
-    const auto bytes = from.take_bytes(from.take<std::uint64_t>());
-    const Clock clock = named(topology_.name(i), [&] {
-      const StateId id = seat.subsystem->deserialize_state(bytes);
-      const Clock there = seat.subsystem->restore_state(id);
-      seat.subsystem->release_state(id);
-      return there;
-    });
-    if (clock.time != seat.time)
-      from.refuse("has the state of subsystem '" + topology_.name(i) + "' at t = " + number_text(clock.time) +
-                  " s; allowed is " + number_text(seat.time) + " s");
+    states.push_back(from.take_bytes(from.take<std::uint64_t>()));
   }
   exchange_->read(from);
+  for (int i = 0; i < topology_.size(); ++i) check_seat(i, from);
+  for (int i = 0; i < topology_.size(); ++i) restore_state(i, states[static_cast<std::size_t>(i)], from);
+}
+
+/// Where it stands is the time of its newest sample, within the span, and its next step ends after that.
+void Coordinator::check_seat(int who, const ByteReader& from) const {
+  const Seat& seat = seats_[static_cast<std::size_t>(who)];
+  const Member& member = members_[static_cast<std::size_t>(who)];
+  const History& history = exchange_->history(who);
+  const bool in_span = !tolerance_.before(seat.time, t_start_) && !tolerance_.before(t_stop_, seat.time);
+  const bool stands = member.finished() ? member.time == Member::never
+                                        : member.time == seat.time && member.next > seat.time &&
+                                              !tolerance_.before(t_stop_, member.next);
+  if (seat.time != history.time(history.newest()) || !in_span || !stands)
+    from.refuse("has subsystem '" + topology_.name(who) + "' at t = " + number_text(seat.time) +
+                " s with a next step to " + number_text(member.next) +
+                " s; allowed is the time of its newest sample, within the run, and a later one");
+  if (seat.idle_calls < 0 || seat.idle_calls >= most_idle_calls || seat.told < history.oldest() - 1 ||
+      seat.told > history.newest() || seat.effort.exchanges < 0 || seat.effort.steps < 0)
+    from.refuse("has a number of calls, steps or samples of subsystem '" + topology_.name(who) +
+                "' that no run has");
+}
+
+void Coordinator::restore_state(int who, std::span<const std::byte> bytes, const ByteReader& from) {
+  const Seat& seat = seats_[static_cast<std::size_t>(who)];
+  const Clock clock = named(topology_.name(who), [&] {
+    const StateId id = seat.subsystem->deserialize_state(bytes);
+    const Clock there = seat.subsystem->restore_state(id);
+    seat.subsystem->release_state(id);
+    return there;
+  });
+  if (clock.time != seat.time)
+    from.refuse("has the state of subsystem '" + topology_.name(who) + "' at t = " + number_text(clock.time) +
+                " s; allowed is " + number_text(seat.time) + " s");
 }
 
 }  // namespace tandem

@@ -16,8 +16,6 @@
 namespace tandem {
 namespace {
 
-constexpr int most_idle_calls = 100;
-
 double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
@@ -49,7 +47,7 @@ void Coordinator::initialize() {
   observer_ = observer;
   for (int i = 0; i < topology_.size(); ++i) {
     seats_[static_cast<std::size_t>(i)].told = exchange_->history(i).first_own() - 1;
-    if (observer_) tell(i);
+    tell(i);
   }
 }
 
@@ -181,14 +179,14 @@ Clock Coordinator::advance(const Turn& turn, std::span<const Signal> u, Samples&
 
 void Coordinator::commit(int who, double limit) {
   const std::int64_t count = exchange_->commit(who, limit);
-  if (observer_ && count > 0) tell(who);
+  if (count > 0) tell(who);
 }
 
-/// The observer, once of each row.
+/// The observer, if there is one, once of each row.
 void Coordinator::tell(int who) {
   const History& history = exchange_->history(who);
   const std::int64_t first = std::exchange(seats_[static_cast<std::size_t>(who)].told, history.newest()) + 1;
-  if (first <= history.newest() && !observer_->samples(who, history, first, history.newest()))
+  if (observer_ && first <= history.newest() && !observer_->samples(who, history, first, history.newest()))
     stopped_ = true;
 }
 

@@ -51,6 +51,10 @@ void History::check(const NewRows& rows, double t_limit, const TimeTolerance& to
   if (tolerance.before(t_limit, t))
     fail(rows, t_limit,
          "it gave a sample at t = " + number_text(t) + " s, past its limit " + number_text(t_limit) + " s");
+  if (const double flag = this->row(row)[1]; flag != 0.0 && flag != 1.0)
+    fail(rows, t_limit,
+         "it gave " + number_text(flag) + " as the jump flag of its sample at t = " + number_text(t) +
+             " s; allowed is 0 or 1");
   if (row == base_ || t > time(row - 1) || (jump(row) && t == time(row - 1))) return;
   fail(rows, t_limit,
        "it gave a sample at t = " + number_text(t) + " s that does not come after the one before it, at " +

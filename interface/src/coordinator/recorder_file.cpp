@@ -2,14 +2,12 @@
 #include "recorder_file.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
-#include <fstream>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "tandem/error.hpp"
+#include "tandem/input_file.hpp"
 
 namespace tandem {
 namespace {
@@ -18,46 +16,33 @@ constexpr std::size_t longest_number = 32;  // of the shortest form of a double;
 }  // namespace
 
 Beginning beginning_of(const std::filesystem::path& file, std::uint64_t size, Beginning known) {
-  const auto refuse = [&](const std::string& why) {
-    throw Error(ErrorCode::input_output, "file '" + file.string() + "' can't be gone on with: " + why);
-  };
-  errno = 0;
-  std::ifstream in(file, std::ios::binary);
-  if (!in) refuse(std::generic_category().message(errno));
-  in.seekg(static_cast<std::streamoff>(known.size));
-  for (std::vector<char> block(buffer_size); known.size < size; known.size += block.size()) {
+  InputFile in(file);
+  in.seek(known.size);
+  for (std::vector<std::byte> block(buffer_size); known.size < size; known.size += block.size()) {
     block.resize(std::min<std::uint64_t>(block.size(), size - known.size));
-    if (!in.read(block.data(), static_cast<std::streamsize>(block.size())))
-      refuse("it is shorter than " + std::to_string(size) + " bytes, as it was at the checkpoint");
-    known.sum = checksum(std::as_bytes(std::span(block)), known.sum);
+    if (in.read(block) < block.size())
+      throw Error(ErrorCode::input_output, "file '" + file.string() +
+                                               "' can't be gone on with: it is shorter than " +
+                                               std::to_string(size) + " bytes, as it was at the checkpoint");
+    known.sum = checksum(block, known.sum);
+    known.whole_row = block.back() == std::byte{'\n'};
   }
   return known;
 }
 
-CsvFile::CsvFile(std::filesystem::path path) : path_(std::move(path)) { open("wb"); }
+CsvFile::CsvFile(std::filesystem::path path) : path_(std::move(path)) { open(OutputFile::Begin::empty); }
 
 CsvFile::CsvFile(std::filesystem::path path, Beginning kept)
     : path_(std::move(path)), size_(kept.size), known_(kept) {
-  std::error_code failed;
-  std::filesystem::resize_file(path_, size_, failed);
-  errno = failed.value();
-  if (failed) fail();
-  open("ab");
+  open(OutputFile::Begin::kept);
 }
 
-void CsvFile::open(const char* mode) {
-  file_.reset(std::fopen(path_.c_str(), mode));
-  if (!file_) fail();
-  std::setvbuf(file_.get(), nullptr, _IONBF, 0);
+void CsvFile::open(OutputFile::Begin begin) {
+  file_ = std::make_unique<OutputFile>(path_, begin);
   buffer_.reserve(buffer_size + buffer_size / 4);
 }
 
-void CsvFile::fail() {
-  const std::string why = std::generic_category().message(errno);
-  file_.reset();
-  buffer_.clear();
-  throw Error(ErrorCode::input_output, "file '" + path_.string() + "' can't be written: " + why);
-}
+void CsvFile::cut_to_beginning() { file_->cut(size_); }
 
 void CsvFile::separate() {
   if (std::exchange(row_begun_, true)) buffer_ += ',';
@@ -91,23 +76,30 @@ void CsvFile::end_row() {
 /// Of a write that fails in the middle, on a full disk, the rows that are whole are kept.
 void CsvFile::flush() {
   if (!file_) return buffer_.clear();
-  const std::size_t written = std::fwrite(buffer_.data(), 1, buffer_.size(), file_.get());
-  if (written < buffer_.size()) {
-    const int why = errno;
-    std::error_code is_no_file;
-    std::filesystem::resize_file(path_, size_ + buffer_.substr(0, written).rfind('\n') + 1, is_no_file);
-    errno = why;
-    fail();
+  const std::uint64_t before = file_->written();
+  try {
+    file_->write(buffer_);
+  } catch (const Error&) {
+    end_with_row(static_cast<std::size_t>(file_->written() - before));
+    throw;
   }
-  size_ += written;
+  size_ += buffer_.size();
   buffer_.clear();
+}
+
+/// So many bytes of the buffer are in the file. The error of the write is the one to be heard of.
+void CsvFile::end_with_row(std::size_t written) try {
+  const auto file = std::exchange(file_, nullptr);
+  const std::string rows = std::exchange(buffer_, {});
+  file->cut(size_ + rows.substr(0, written).rfind('\n') + 1);
+} catch (const Error&) {
 }
 
 Beginning CsvFile::written() { return known_ = beginning_of(path_, size_, known_); }
 
 void CsvFile::close() {
   flush();
-  if (file_ && std::fclose(file_.release()) != 0) fail();
+  if (const auto file = std::exchange(file_, nullptr)) file->close();
 }
 
 }  // namespace tandem

@@ -1,19 +1,20 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
 
 #include "tandem/bytes.hpp"
+#include "tandem/output_file.hpp"
 
 namespace tandem {
 
 /// The first bytes of a file, and what they are known again by.
 struct Beginning {
   std::uint64_t size = 0, sum = empty_checksum;
+  bool whole_row = true;  ///< it ends with the end of a row
 };
 /// The first `size` bytes, of which `known` have been read. Throws Error(input_output) that names the file if
 /// it has fewer.
@@ -24,9 +25,10 @@ Beginning beginning_of(const std::filesystem::path& file, std::uint64_t size, Be
 /// row that is whole.
 class CsvFile {
  public:
-  /// A new one, or one that is there, of which the beginning is kept.
+  /// A new one; or one that is there, of which the beginning is kept: cut_to_beginning() comes first.
   explicit CsvFile(std::filesystem::path path);
   CsvFile(std::filesystem::path path, Beginning kept);
+  void cut_to_beginning();
 
   void text(std::string_view cell);  ///< quoted where it has to be
   void number(double value);         ///< shortest text that reads back the same
@@ -41,17 +43,14 @@ class CsvFile {
   Beginning written();
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
   void separate();
-  void open(const char* mode);
-  [[noreturn]] void fail();
+  void open(OutputFile::Begin begin);
+  void end_with_row(std::size_t written);
 
   std::filesystem::path path_;
   std::uint64_t size_ = 0;  ///< bytes on disk
   Beginning known_;
-  std::unique_ptr<std::FILE, Close> file_;
+  std::unique_ptr<OutputFile> file_;
   std::string buffer_;
   bool row_begun_ = false;
 };

@@ -1,7 +1,12 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include "recorder_file.hpp"
 #include "tandem/coordinator/recorder.hpp"
 #include "tandem/error.hpp"
+#include "tandem/printable.hpp"
 
 namespace tandem {
 namespace {
@@ -33,34 +38,54 @@ void Recorder::save(ByteWriter& to) const {
 }
 
 void Recorder::resume(ByteReader& from) {
-  start(from.take<double>());
-  reopen_files(from);
-  for (Track& track : tracks_) {
-    const auto rows = from.take_list();
-    track.cursor = from.take<std::uint64_t>();
-    track.end_noted = from.take<std::uint8_t>() != 0;
-    if (rows.size() % track.width() != 0 || track.cursor > rows.size() / track.width())
-      from.refuse("has " + std::to_string(rows.size()) + " recorded numbers; allowed are rows of " +
-                  std::to_string(track.width()));
-    track.rows.assign(rows.begin(), rows.end());
-  }
+  const auto t_start = from.take<double>();
+  if (!std::isfinite(t_start)) from.refuse("has a recording that begins at no time");
+  start(t_start);
+  auto files = reopened_files(from);
+  for (Track& track : tracks_) read_track(track, from);
   const std::uint64_t notes = from.take_count(sizeof(std::uint32_t));
-  for (std::uint64_t k = 0; k < notes; ++k) notes_.push_back(from.take_text(longest_note));
+  for (std::uint64_t k = 0; k < notes; ++k) notes_.push_back(printable(from.take_text(longest_note)));
+  from.end();
+  for (auto& file : files)
+    if (file) file->cut_to_beginning();
+  files_ = std::move(files);
 }
 
-/// All are looked at before the first is cut.
-void Recorder::reopen_files(ByteReader& from) {
+void Recorder::read_track(Track& track, ByteReader& from) const {
+  const auto rows = from.take_list();
+  const auto cursor = from.take<std::uint64_t>();
+  track.end_noted = from.take<std::uint8_t>() != 0;
+  if (rows.size() % track.width() != 0 || cursor > rows.size() / track.width())
+    from.refuse("has " + std::to_string(rows.size()) + " recorded numbers and is at row " +
+                std::to_string(cursor) + " of them; allowed are rows of " + std::to_string(track.width()));
+  bool sound = std::all_of(rows.begin(), rows.end(), [](double v) { return std::isfinite(v); });
+  track.rows.assign(rows.begin(), rows.end());
+  track.cursor = cursor;
+  for (std::size_t row = 1; row < track.size(); ++row)
+    sound = sound && track.time(row - 1) <= track.time(row);
+  if (!sound) from.refuse("has recorded rows that are not finite, or not in the order of time");
+}
+
+/// All are looked at, and opened; none is changed.
+std::vector<std::unique_ptr<CsvFile>> Recorder::reopened_files(ByteReader& from) const {
   std::vector<Beginning> kept(what_.own ? tracks_.size() : 1);
   for (std::size_t i = 0; i < kept.size(); ++i) {
-    kept[i] = {from.take<std::uint64_t>(), from.take<std::uint64_t>()};
-    if (kept[i].size > 0 && beginning_of(path_of(i), kept[i].size).sum != kept[i].sum)
+    const auto size = from.take<std::uint64_t>(), sum = from.take<std::uint64_t>();
+    const bool is_written = !what_.own || !tracks_[i].outputs.empty();
+    if ((size > 0) != is_written)
+      from.refuse("has " + std::to_string(size) + " bytes of " + path_of(i).filename().string() +
+                  "; allowed are " + (is_written ? "1 or more" : "none"));
+    if (size == 0) continue;
+    kept[i] = beginning_of(path_of(i), size);
+    if (kept[i].sum != sum || !kept[i].whole_row)
       throw Error(ErrorCode::input_output, "file '" + path_of(i).string() +
-                                               "' can't be gone on with: its first " +
-                                               std::to_string(kept[i].size) +
+                                               "' can't be gone on with: its first " + std::to_string(size) +
                                                " bytes are others than those of the run at the checkpoint");
   }
+  std::vector<std::unique_ptr<CsvFile>> files;
   for (std::size_t i = 0; i < kept.size(); ++i)
-    files_.push_back(kept[i].size > 0 ? std::make_unique<CsvFile>(path_of(i), kept[i]) : nullptr);
+    files.push_back(kept[i].size > 0 ? std::make_unique<CsvFile>(path_of(i), kept[i]) : nullptr);
+  return files;
 }
 
 }  // namespace tandem

@@ -25,7 +25,8 @@ int Topology::add(const std::string& name, const SubsystemInfo& info) {
   for (const Instance& i : instances_)
     if (i.name == name) refuse_topology("instance name '" + name + "' is used twice");
   check_info(name, info);
-  Instance instance{name, &info, {}, std::vector<char>(static_cast<std::size_t>(info.input_size()))};
+  const std::vector<char> none(static_cast<std::size_t>(info.input_size()));
+  Instance instance{name, &info, {}, none, none};
   for (const Port& port : info.inputs)
     instance.start.insert(instance.start.end(), static_cast<std::size_t>(port.size), port.start);
   instances_.push_back(std::move(instance));
@@ -110,6 +111,12 @@ void Topology::connect_scalars(const Connection& c, const Place& from, const Pla
     lines_.push_back({from.instance, from.first + k, to.instance, to.first + k, c.how, gain, offset, c.lag});
 }
 
+void Topology::connect_half(std::string_view port, bool output) {
+  const Place place = find(port, output);
+  auto& half = instances_[static_cast<std::size_t>(place.instance)].half;
+  if (!output) std::fill_n(half.begin() + place.first, place.count, 1);
+}
+
 void Topology::set_start(std::string_view port, double value) {
   if (!std::isfinite(value)) refuse_topology("start value of " + std::string(port) + " is not finite");
   const Place place = find(port, false);
@@ -126,7 +133,8 @@ int Topology::lines_to(int instance, int input) const {
 void Topology::check() const {
   for (int i = 0; i < size(); ++i)
     for (int k = 0; k < info(i).input_size(); ++k)
-      if (lines_to(i, k) == 0 && std::isnan(start(i)[static_cast<std::size_t>(k)]))
+      if (lines_to(i, k) == 0 && !at(i).half[static_cast<std::size_t>(k)] &&
+          std::isnan(start(i)[static_cast<std::size_t>(k)]))
         refuse_topology("input " + input_name(i, k) + " is not connected and has no start value");
   check_loops();
 }

@@ -4,40 +4,37 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 #include <utility>
+
+#include "tandem/input_file.hpp"
+#include "tandem/text/nesting.hpp"
 
 namespace tandem::text {
 namespace {
 
-std::string read_text(const std::filesystem::path& file) {
-  if (!std::filesystem::exists(file))
-    throw Error(ErrorCode::input_output, "file '" + file.string() + "' is not there");
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  if (!in || std::filesystem::is_directory(file))
-    throw Error(ErrorCode::input_output, "file '" + file.string() + "' can't be read");
-  return text.str();
-}
-
-/// What the words of the library mean where a port or block is there twice.
-const char* twice(const toml::parse_error& error) {
-  const bool again = error.description().find("redefine") != std::string_view::npos;
-  return again ? "; it is there twice, allowed is once" : "";
+/// Without the file's text, which the library's own sentence quotes: it may be no TOML at all, and nobody's
+/// business. Of "Error while parsing key-value pair: ..." the words before the colon are the library's.
+std::string not_toml(const toml::parse_error& error) {
+  constexpr std::string_view before = "Error while parsing ";
+  const std::string_view said = error.description();
+  std::string sentence = "not TOML at column " + std::to_string(error.source().begin.column);
+  if (said.starts_with(before) && said.find(':') != std::string_view::npos)
+    sentence += " (" + std::string(said.substr(before.size(), said.find(':') - before.size())) + ")";
+  const bool again = said.find("redefine") != std::string_view::npos;
+  return sentence + (again ? "; it is there twice, allowed is once" : "");
 }
 
 }  // namespace
 
-Document::Document(const std::filesystem::path& file) : Document(file.string(), read_text(file)) {}
+Document::Document(const std::filesystem::path& file)
+    : Document(file.string(), read_file(file, longest_document)) {}
 
 Document::Document(std::string name, const std::string& text) : file_(std::move(name)) {
+  if (const int line = deeper_than(text, deepest_nesting); line > 0) refuse({file_, line}, too_deep);
   try {
     table_ = toml::parse(std::string_view(text), std::string_view(file_));
   } catch (const toml::parse_error& error) {
-    refuse({file_, static_cast<int>(error.source().begin.line)},
-           "not TOML: " + std::string(error.description()) + twice(error));
+    refuse({file_, static_cast<int>(error.source().begin.line)}, not_toml(error));
   }
 }
 

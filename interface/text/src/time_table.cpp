@@ -4,25 +4,26 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <string_view>
 
+#include "tandem/input_file.hpp"
 #include "tandem/text/place.hpp"
 
 namespace tandem::text {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::size_t most_columns = std::size_t{1} << 20;
+
 /// One line at a time into cells; a cell may be quoted, with "" for a quote in it.
 class Lines {
  public:
-  explicit Lines(const fs::path& file) : place_{file.string()}, in_(file, std::ios::binary) {
-    if (!in_) refuse(place_, "the file can't be read", ErrorCode::input_output);
-  }
+  explicit Lines(const fs::path& file) : place_{file.string()}, in_(file) {}
 
   bool next(std::vector<std::string>& cells) {
-    if (!std::getline(in_, line_)) return false;
+    if (!in_.line(line_)) return false;
     if (++place_.line == 1 && line_.starts_with("\xEF\xBB\xBF")) line_.erase(0, 3);  // UTF-8's mark
     if (line_.ends_with('\r')) line_.pop_back();
     cells.assign(1, {});
@@ -32,7 +33,7 @@ class Lines {
       if (c == '"') quoted = !quoted;
       const bool second_of_pair = c == '"' && before == '"' && quoted;
       if (c == ',' && !quoted)
-        cells.emplace_back();
+        add_cell(cells);
       else if (c != '"' || second_of_pair)
         cells.back() += c;
       before = c;
@@ -43,40 +44,50 @@ class Lines {
   const Place& place() const { return place_; }
 
  private:
+  void add_cell(std::vector<std::string>& cells) const {
+    if (cells.size() == most_columns)
+      refuse(place_, "there are more than " + std::to_string(most_columns) + " columns, the most allowed");
+    cells.emplace_back();
+  }
+
   Place place_;
-  std::ifstream in_;
+  InputFile in_;
   std::string line_;
 };
 
-double number(const std::string& cell, const std::string& column, const Place& place) {
-  if (cell.empty()) refuse(place, "column " + column + " is empty; allowed is a finite number");
+/// column: from 0. What stands there is not told: the file may be none of ours.
+double number(const std::string& cell, std::size_t column, const Place& place) {
   double value = 0.0;
   const auto [end, code] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
   if (code != std::errc{} || end != cell.data() + cell.size() || !std::isfinite(value))
-    refuse(place, "column " + column + " holds '" + cell + "'; allowed is a finite number");
+    refuse(place, "column " + std::to_string(column + 1) +
+                      (cell.empty() ? " is empty" : " holds something else") +
+                      "; allowed is a finite number");
   return value;
 }
 
 void read_header(TimeTable& table, const std::vector<std::string>& cells, const Place& place) {
-  if (cells[0] != "time") refuse(place, "the first column is '" + cells[0] + "'; allowed is time");
+  if (cells[0] != "time") refuse(place, "the first column has another name; allowed is time");
   table.names.assign(cells.begin() + 1, cells.end());
   table.columns.resize(table.names.size());
-  for (const std::string& name : table.names)
-    if (std::count(table.names.begin(), table.names.end(), name) > 1)
-      refuse(place, "column " + name + " is there twice");
+  std::vector<std::string> sorted = table.names;
+  std::sort(sorted.begin(), sorted.end());
+  const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+  if (twice == sorted.end()) return;
+  const auto second = std::find(std::find(cells.begin() + 1, cells.end(), *twice) + 1, cells.end(), *twice);
+  refuse(place, "the name of column " + std::to_string(second - cells.begin() + 1) + " is there twice");
 }
 
 void read_row(TimeTable& table, const std::vector<std::string>& cells, const Place& place) {
   if (cells.size() != table.names.size() + 1)
     refuse(place, "the row has " + std::to_string(cells.size()) + " cells; the header has " +
                       std::to_string(table.names.size() + 1));
-  const double time = number(cells[0], "time", place);
-  if (!table.times.empty() && time < table.times.back())
-    refuse(place, "time falls to " + cells[0] + " s; it must rise or stay");
+  const double time = number(cells[0], 0, place);
+  if (!table.times.empty() && time < table.times.back()) refuse(place, "time falls; it must rise or stay");
   table.times.push_back(time);
   for (std::size_t k = 0; k < table.names.size(); ++k)
     table.columns[k].push_back(cells[k + 1].empty() ? std::numeric_limits<double>::quiet_NaN()
-                                                    : number(cells[k + 1], table.names[k], place));
+                                                    : number(cells[k + 1], k + 1, place));
 }
 
 }  // namespace
@@ -84,8 +95,6 @@ void read_row(TimeTable& table, const std::vector<std::string>& cells, const Pla
 TimeTable TimeTable::read(const fs::path& place) {
   TimeTable table;
   table.file = fs::is_directory(place) ? place / "results.csv" : place;
-  if (!fs::exists(table.file))
-    throw Error(ErrorCode::input_output, "file '" + table.file.string() + "' is not there");
   Lines lines(table.file);
   std::vector<std::string> cells;
   if (!lines.next(cells)) refuse(lines.place(), "the file is empty; a header row is missing");

@@ -7,6 +7,7 @@
 #include <boost/dll/shared_library.hpp>
 
 #include "tandem/error.hpp"
+#include "tandem/library_file.hpp"
 #include "tandem/mbs/functions/model_functions.h"
 
 namespace tandem::mbs {
@@ -26,23 +27,31 @@ tandem_model_term function(const tandem_model_api& api, Term term) {
 
 class Library final : public Functions {
  public:
-  explicit Library(const std::filesystem::path& file) : file_(file.string()) {
+  explicit Library(const std::filesystem::path& file)
+      : file_(file.string()), name_("model library '" + file_ + "'") {
+    LibraryCall::guard_exit();
+    const LibraryCall in_library(name_.c_str());
     load(file);
     check_table();
     try {
       check(api_->create(&self_), "create");
+      if (!self_) refuse(ErrorCode::invalid_argument, "create gave no instance and no error");
       take_info();
     } catch (...) {
       if (self_) api_->destroy(self_);
       throw;
     }
   }
-  ~Library() override { api_->destroy(self_); }
+  ~Library() override {
+    const LibraryCall in_library(name_.c_str());
+    api_->destroy(self_);
+  }
   Library(const Library&) = delete;
   Library& operator=(const Library&) = delete;
 
   const FunctionsInfo& info() const override { return info_; }
   void evaluate(Term term, double t, const double* q, const double* v, std::span<double> values) override {
+    const LibraryCall in_library(name_.c_str());
     if (function(*api_, term)(self_, t, q, v, values.data()) != 0)
       refuse(ErrorCode::numerical, fmt::format("{} at t = {} s: {}", name(term), t, last_error()));
   }
@@ -53,9 +62,14 @@ class Library final : public Functions {
   }
 
   void load(const std::filesystem::path& file) {
+    check_library_file(file, "model library");
     try {
       library_.load(file, boost::dll::load_mode::rtld_now);
-      api_ = library_.get<const tandem_model_api*()>("tandem_model")();
+      auto& give = library_.get<const tandem_model_api*()>("tandem_model");
+      check_function(reinterpret_cast<const void*>(&give), name_, "tandem_model");
+      api_ = give();
+    } catch (const Error&) {
+      throw;
     } catch (const std::exception& error) {
       refuse(ErrorCode::invalid_argument, error.what());
     }
@@ -105,7 +119,7 @@ class Library final : public Functions {
     if (status != 0) refuse(ErrorCode::invalid_argument, fmt::format("{}: {}", call, last_error()));
   }
 
-  std::string file_;
+  std::string file_, name_;
   boost::dll::shared_library library_;
   const tandem_model_api* api_ = nullptr;
   void* self_ = nullptr;

@@ -4,11 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <limits>
-#include <system_error>
 
 #include "number_file.hpp"
+#include "tandem/output_file.hpp"
 
 namespace tandem::mbs {
 namespace {
@@ -16,13 +15,9 @@ namespace {
 constexpr int most = std::numeric_limits<int>::max();
 
 void write_text(const std::filesystem::path& file, const std::string& text) {
-  errno = 0;
-  std::ofstream out(file, std::ios::binary);
-  out << text;
+  OutputFile out(file, OutputFile::Begin::empty);
+  out.write(text);
   out.close();
-  if (!out)
-    throw Error(ErrorCode::input_output,
-                file.string() + ": can't be written: " + std::generic_category().message(errno));
 }
 
 /// Whether the matrix is given by its lower triangle.
@@ -38,9 +33,10 @@ bool read_header(NumberFile& in) {
                      (field == "real" || field == "integer") &&
                      (symmetry == "general" || symmetry == "symmetric");
   if (!known)
-    in.refuse("the first line is '" + found +
-              "'; allowed is '%%MatrixMarket matrix coordinate', then real or integer, then general or "
-              "symmetric");
+    in.refuse(
+        "the first line is something else; allowed is '%%MatrixMarket matrix coordinate', then real or "
+        "integer, "
+        "then general or symmetric");
   return symmetry == "symmetric";
 }
 

@@ -3,26 +3,25 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 #include <string>
 
 #include "tandem/error.hpp"
+#include "tandem/input_file.hpp"
 
 namespace tandem::mbs {
 
-/// A text file read number by number; lines that begin with % are left out. Errors name file and line.
+/// A text file read number by number; lines that begin with % are left out. Errors name file and line, but no
+/// text of it: it may be none of ours.
 class NumberFile {
  public:
-  explicit NumberFile(const std::filesystem::path& file) : name_(file.string()), in_(file) {
-    if (!in_) refuse("can't be read");
-  }
+  explicit NumberFile(const std::filesystem::path& file) : name_(file.string()), in_(file) {}
 
   /// The first line as it is.
   std::string first_line() {
     std::string text;
     ++line_;
-    std::getline(in_, text);
+    in_.line(text);
     return text;
   }
 
@@ -36,7 +35,7 @@ class NumberFile {
     return value;
   }
   void end() {
-    if (next()) refuse("there is more than the numbers of entries says: '" + word_ + "'");
+    if (next()) refuse("there is more than the numbers of entries says");
   }
 
   [[noreturn]] void refuse(const std::string& sentence) const {
@@ -49,7 +48,7 @@ class NumberFile {
   bool next() {
     while (!(words_ >> word_)) {
       std::string text;
-      if (!std::getline(in_, text)) return false;
+      if (!in_.line(text)) return false;
       ++line_;
       words_ = std::istringstream(text.starts_with('%') ? "" : text);
     }
@@ -64,12 +63,12 @@ class NumberFile {
     Value value{};
     const auto [stop, error] = std::from_chars(begin, end, value);
     if (error != std::errc() || stop != end || !std::isfinite(static_cast<double>(value)))
-      refuse(what + " is '" + word_ + "'; allowed is " + allowed);
+      refuse(what + " is something else; allowed is " + allowed);
     return value;
   }
 
   std::string name_;
-  std::ifstream in_;
+  InputFile in_;
   std::istringstream words_;
   std::string word_;
   int line_ = 0;

@@ -16,17 +16,22 @@ engine::ParameterValue value(Parameters& p, const engine::Parameter& parameter) 
   return p.text(parameter.name, std::get<std::string>(parameter.value));
 }
 
-engine::Description read(const SourceFile& file, const engine::ParameterValues& values) {
-  return file.text ? engine::read_diagram(file.path.string(), *file.text, values)
-                   : engine::read_diagram(file.path, values);
+engine::Description read(const SourceFile& file, const engine::ParameterValues& values,
+                         const engine::FileBounds& bounds) {
+  return file.text ? engine::read_diagram(file.path.string(), *file.text, values, bounds)
+                   : engine::read_diagram(file.path, values, bounds);
 }
 
 /// The diagram with the parameters that are given.
 engine::Description read(const SourceFile& file, Parameters& p) {
   engine::ParameterValues values;
-  for (const engine::Parameter& parameter : read(file, values).parameters)
+  engine::FileBounds bounds{file.path.parent_path(), {}};
+  for (const engine::Parameter& parameter : read(file, values, bounds).parameters) {
+    p.declare({{parameter.name, Setter::client}});
     if (p.has(parameter.name)) values[parameter.name] = value(p, parameter);
-  return read(file, values);
+    if (p.from_client(parameter.name)) bounds.parameters.insert(parameter.name);
+  }
+  return read(file, values, bounds);
 }
 
 /// Inputs for which there is a parameter data.NAME, "FILE" or "FILE:COLUMN": a column of a CSV file, of the
@@ -58,8 +63,16 @@ void take(Parameters& p, engine::AdaptiveSettings& s) {
 
 }  // namespace
 
+Words diagram_words() {
+  return words_by(Setter::client,
+                  {"step", "integrator", "locate_events", "relative_tolerance", "absolute_tolerance",
+                   "absolute_tolerance.*", "longest_step", "shortest_step", "most_steps"}) +
+         words_by(Setter::operator_only, {"data.*"});
+}
+
 std::unique_ptr<Subsystem> make_diagram(const SourceFile& file, Parameters& p,
                                         std::vector<engine::CompiledBlock> kinds, const TellOfDiagram& tell) {
+  p.declare(diagram_words());
   take_run_table(file.document(), p);
   engine::Description diagram = read(file, p);
   take_data(diagram, p);

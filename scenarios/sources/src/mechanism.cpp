@@ -34,6 +34,11 @@ mbs::MatrixDump dump(Parameters& p) {
 
 }  // namespace
 
+Words mechanism_words() {
+  return words_by(Setter::client, {"step"}) + stepper_words() +
+         words_by(Setter::operator_only, {"matrices", "matrices_at", "matrices_format"});
+}
+
 std::vector<double> matrix_times(const std::string& name, const std::string& text) {
   std::vector<double> all;
   for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {

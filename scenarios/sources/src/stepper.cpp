@@ -67,6 +67,13 @@ void take_integrator(Parameters& p, mbs::StepperSettings& s) {
 
 }  // namespace
 
+Words stepper_words() {
+  return words_by(Setter::client, {"formulation", "integrator", "penalty", "beta", "tolerance",
+                                   "most_iterations", "multiplier_iterations", "projections",
+                                   "carry_multipliers", "solver", "xi", "omega", "spectral_radius"}) +
+         words_by(Setter::operator_only, {"threads", "threads_from"});
+}
+
 mbs::StepperSettings take_stepper(Parameters& p) {
   mbs::StepperSettings s;
   s.formulation = p.text("formulation", s.formulation);

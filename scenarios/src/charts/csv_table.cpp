@@ -3,22 +3,25 @@
 
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <limits>
 
 #include "tandem/error.hpp"
+#include "tandem/input_file.hpp"
 
 namespace tandem::charts {
+namespace {
+
+constexpr std::size_t most_cells = 100'000;  // of a row
+
+}  // namespace
 
 CsvTable CsvTable::read(const std::filesystem::path& file, const std::vector<std::string>& columns) {
-  std::ifstream in(file);
-  if (!in || std::filesystem::is_directory(file))
-    throw Error(ErrorCode::input_output, "file '" + file.string() + "' can't be read");
+  InputFile in(file);
   CsvTable table(file);
   std::string line;
-  std::getline(in, line);
+  in.line(line);
   table.take_header(line, columns);
-  while (std::getline(in, line)) table.take_row(line);
+  while (in.line(line)) table.take_row(line);
   return table;
 }
 
@@ -32,10 +35,12 @@ std::vector<std::string> CsvTable::cells_of(const std::string& line, std::size_t
   bool quoted = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
     const char c = line[i];
-    if (c == '"' && quoted && line.substr(i + 1, 1) == "\"")
+    if (c == '"' && quoted && line.compare(i + 1, 1, "\"") == 0)
       cells.back() += line[++i];
     else if (c == '"')
       quoted = !quoted;
+    else if (c == ',' && !quoted && cells.size() == most_cells)
+      refuse(number, "more than " + std::to_string(most_cells) + " cells, the most allowed");
     else if (c == ',' && !quoted)
       cells.emplace_back();
     else if (c != '\r')
@@ -48,7 +53,7 @@ std::vector<std::string> CsvTable::cells_of(const std::string& line, std::size_t
 void CsvTable::take_header(const std::string& line, const std::vector<std::string>& required) {
   for (const std::string& name : cells_of(line, 1))
     if (!columns_.emplace(name, columns_.size()).second)
-      refuse(1, "column '" + name + "' stands there twice");
+      refuse(1, "the name of column " + std::to_string(columns_.size() + 1) + " stands there twice");
   for (const std::string& name : required)
     if (columns_.count(name) == 0) refuse(1, "column '" + name + "' is missing");
 }
@@ -67,8 +72,16 @@ const std::string& CsvTable::Row::text(std::string_view column) const {
   return table_.rows_[index_][found->second];
 }
 
+const std::string& CsvTable::Row::name(std::string_view column) const {
+  const std::string& cell = text(column);
+  constexpr std::string_view allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
+  if (cell.find_first_not_of(allowed) != std::string::npos || cell.empty())
+    refuse(column, "a name of letters, digits and _");
+  return cell;
+}
+
 void CsvTable::Row::refuse(std::string_view column, const std::string& allowed) const {
-  table_.refuse(index_ + 2, std::string(column) + " is '" + text(column) + "'; allowed is " + allowed);
+  table_.refuse(index_ + 2, std::string(column) + " is something else; allowed is " + allowed);
 }
 
 double CsvTable::Row::number(std::string_view column) const {

@@ -12,11 +12,13 @@ namespace tandem::charts {
 /// commas, and "" for a quote; no cell spans lines.
 class CsvTable {
  public:
-  /// One row; it lives as long as its table. All of these throw Error naming file, line, column and what
-  /// stands there.
+  /// One row; it lives as long as its table. All of these throw Error naming file, line and column, but
+  /// nothing that stands there: the file may be none of ours.
   class Row {
    public:
     const std::string& text(std::string_view column) const;
+    /// Letters, digits and _ only: what the name of a picture may be made of.
+    const std::string& name(std::string_view column) const;
     /// NaN where the cell is empty.
     double number(std::string_view column) const;
     /// Finite and above 0: what a logarithmic axis can show.

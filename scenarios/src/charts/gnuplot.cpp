@@ -8,6 +8,7 @@
 #include "charts/program.hpp"
 #include "output/files.hpp"
 #include "tandem/error.hpp"
+#include "tandem/output_file.hpp"
 
 namespace tandem::charts {
 
@@ -28,10 +29,11 @@ bool ends_with(const std::filesystem::path& file, const std::string& mark) {
 
 std::string quote(std::string_view text) {
   std::string quoted = "'";
-  for (const char c : text) {
-    if (c == '\'') quoted += '\'';
-    quoted += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-  }
+  for (const char c : text)
+    if (c == '\'')
+      quoted += "’";
+    else
+      quoted += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
   return quoted + "'";
 }
 
@@ -115,9 +117,11 @@ std::string Picture::script() const { return head_ + data_ + commands_ + "unset 
 std::filesystem::path Picture::draw(const std::filesystem::path& folder, Format format) const {
   const std::string script_file = name_ + ".gp", ending = format == Format::svg ? "svg" : "png";
   output::write_text(folder / script_file, script());
+  const std::filesystem::path file = folder / (name_ + "." + ending);
+  if (std::filesystem::exists(file))
+    OutputFile(file, OutputFile::Begin::kept);  // gnuplot would wait at a FIFO
   run_program({"gnuplot", "-e", "format='" + ending + "'", script_file}, folder,
               "Debian package gnuplot-nox");
-  const std::filesystem::path file = folder / (name_ + "." + ending);
   if (!ends_with(file, format == Format::svg ? "</svg>" : "IEND"))
     throw Error(ErrorCode::input_output, "file '" + file.string() + "' was not written to its end");
   return file;

@@ -27,14 +27,15 @@ struct Curve {
   std::string title = {};
 };
 
-/// A text as gnuplot reads it: in single quotes, on one line.
+/// A text as gnuplot reads it: in single quotes, on one line, its own single quotes as ’. (Gnuplot takes two
+/// of them for one, but not where a text begins.)
 std::string quote(std::string_view text);
 
 /// A picture of one or more panels, written as a gnuplot script that holds its data, so that it can be drawn
 /// again or changed by hand: `gnuplot NAME.gp`, or `gnuplot -e "format='png'" NAME.gp`.
 class Picture {
  public:
-  /// `name` is the stem of the files; the size is in pixels.
+  /// `name` is the stem of the files, of letters, digits and _; the size is in pixels.
   Picture(std::string name, int width, int height);
 
   const std::string& name() const { return name_; }

@@ -80,7 +80,7 @@ std::vector<KartLevel> read_kart_traces(const std::filesystem::path& file) {
   std::vector<KartLevel> levels;
   for (std::size_t k = 0; k < table.size(); ++k) {
     const auto row = table[k];
-    if (levels.empty() || levels.back().name != row.text("level")) levels.push_back({row.text("level"), {}});
+    if (levels.empty() || levels.back().name != row.name("level")) levels.push_back({row.name("level"), {}});
     KartLevel::Run& run = levels.back().runs[row.text("run")];
     run.scheme = row.text("schedule") + ", " + row.text("to_fast") + ", " + row.text("to_slow");
     for (const char* c : columns) run.columns[c].push_back({row.number("time"), row.number(c)});

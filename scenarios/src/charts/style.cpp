@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "output/json.hpp"
 #include "tandem/error.hpp"
 
 namespace tandem::charts {
@@ -26,16 +26,6 @@ constexpr std::array<Mark, 6> marks = {{{"#000000", "1", 6},
                                         {"#D55E00", "1", 12},
                                         {"#0072B2", "'.'", 10},
                                         {"#009E73", "'-.'", 14}}};
-
-nlohmann::json read_json(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) throw Error(ErrorCode::input_output, "file '" + file.string() + "' can't be read");
-  try {
-    return nlohmann::json::parse(in);
-  } catch (const nlohmann::json::parse_error& error) {
-    throw Error(ErrorCode::input_output, "file '" + file.string() + "': " + error.what());
-  }
-}
 
 std::string value_of(const nlohmann::json& conditions, const std::string& key,
                      const std::filesystem::path& file) {
@@ -67,7 +57,7 @@ std::string line_and_marker_of(int k) {
 }
 
 std::vector<std::string> conditions_caption(const std::filesystem::path& file, std::size_t width) {
-  const nlohmann::json conditions = read_json(file);
+  const auto conditions = output::read_json(file);
   const std::pair<const char*, const char*> keys[] = {
       {"processor", "processor"}, {"compiler", "compiler"},     {"commit", "commit"},
       {"reference", "reference"}, {"error_norm", "error norm"}, {"repetitions", "repetitions"}};
@@ -81,7 +71,7 @@ std::vector<std::string> conditions_caption(const std::filesystem::path& file, s
 }
 
 double conditions_number(const std::filesystem::path& file, const std::string& key) {
-  const nlohmann::json conditions = read_json(file);
+  const auto conditions = output::read_json(file);
   const std::string text = value_of(conditions, key, file);
   if (!conditions[key].is_number())
     throw Error(ErrorCode::input_output,

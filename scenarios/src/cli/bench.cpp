@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.hpp"
+#include "cli/kept_folder.hpp"
 #include "cli/progress.hpp"
 #include "output/conditions.hpp"
 #include "output/files.hpp"
@@ -14,7 +15,7 @@ namespace {
 void run_benchmark(const bench::Benchmark& benchmark, const std::filesystem::path& folder,
                    const Context& context) {
   if (!context.quiet) fmt::print("{}; {}, {}\n", benchmark.about, output::processor_model(), TANDEM_COMPILER);
-  output::make_folder(folder);
+  const KeptFolder kept(folder);
   std::vector<bench::Table> tables;
   {
     Progress progress(benchmark.name, 100, !context.quiet);

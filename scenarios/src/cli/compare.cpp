@@ -4,13 +4,12 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "cli/commands.hpp"
 #include "scenario/comparison.hpp"
 #include "tandem/error.hpp"
 #include "tandem/nearest.hpp"
+#include "view/about.hpp"
 
 namespace tandem::cli {
 namespace {
@@ -26,13 +25,8 @@ namespace fs = std::filesystem;
 /// The files of a folder's results, as its results.json says; results.csv without one; none for a file.
 std::vector<std::string> files_in(const fs::path& place) {
   if (!fs::is_directory(place)) return {};
-  std::ifstream in(place / "results.json");
-  if (!in) return {"results.csv"};
-  const auto json = nlohmann::json::parse(in, nullptr, false);
-  if (!json.is_object() || !json.contains("files") || !json["files"].is_array())
-    throw Error(ErrorCode::input_output,
-                "file '" + (place / "results.json").string() + "' is not one of a run");
-  return json["files"].get<std::vector<std::string>>();
+  if (!fs::exists(place / "results.json")) return {"results.csv"};
+  return view::read_about(place)["files"].get<std::vector<std::string>>();
 }
 
 /// The pairs of files that belong together.

@@ -6,8 +6,10 @@
 
 #include "cli/commands.hpp"
 #include "cli/diagram_info.hpp"
+#include "cli/looking.hpp"
 #include "cli/mechanism_info.hpp"
-#include "scenario/assembly.hpp"
+#include "mechanisms/source.hpp"
+#include "tandem/nearest.hpp"
 
 namespace tandem::cli {
 namespace {
@@ -73,11 +75,24 @@ void print(const std::string& name, Subsystem& subsystem, const Span& span,
   fmt::print("  first own step: {:.6g} s\n", own_step(subsystem, span, start));
 }
 
+void print_words(const Source& source) {
+  const auto of = [&](Setter setter) {
+    std::vector<std::string> names;
+    for (const Word& word : source.words)
+      if (word.setter == setter) names.push_back(word.name);
+    return listed(names);
+  };
+  fmt::print("  parameters that a client of a server may set: {}; and those of the model itself\n",
+             of(Setter::client));
+  fmt::print("  parameters that only who serves it may set: {}\n", of(Setter::operator_only));
+}
+
 void print_source(const std::string& uri, const Context& context) {
   const auto subsystem = open(uri, context.builtins);
   Topology topology;
   topology.add("source", subsystem->info());
   print(uri, *subsystem, {}, topology.start(0));
+  print_words(source_of(uri, context.builtins));
 }
 
 std::string extras(const Connection& c) {
@@ -89,35 +104,42 @@ std::string extras(const Connection& c) {
   return text + (c.lag == Lag::memory ? ", memory" : c.lag == Lag::delay ? ", delay" : "");
 }
 
-void print_scenario(const std::string& file, const std::vector<std::string>& overrides,
-                    const Context& context) {
-  const auto scenario = scenario::read(file, overrides);
-  const scenario::Assembly assembly(scenario, context.builtins);
-  const Topology& topology = assembly.topology();
+struct InfoOptions {
+  std::string what;
+  std::vector<std::string> overrides;
+  bool dot = false, run_programs = false;
+};
+
+void print_scenario(const InfoOptions& options, const Context& context) {
+  const auto scenario = scenario::read(options.what, options.overrides);
+  const scenario::Parts parts(scenario, mechanisms::without_matrices(context.builtins),
+                              options.run_programs ? scenario::Code::run : scenario::Code::leave_out);
+  const Topology& topology = parts.topology();
   fmt::print("{}{}{}\n", scenario.name, scenario.description.empty() ? "" : ": ", scenario.description);
   fmt::print("from {} to {} s, schedule {}\n", scenario.start, scenario.stop,
              Schedule::name(scenario.coordination.schedule));
   for (int i = 0; i < topology.size(); ++i)
-    print(topology.name(i), assembly.subsystem(i), {scenario.start, scenario.stop}, topology.start(i));
+    if (Subsystem* subsystem = parts.subsystem(i))
+      print(topology.name(i), *subsystem, {scenario.start, scenario.stop}, topology.start(i));
+    else
+      fmt::print("{}: not opened\n", topology.name(i));
   fmt::print("connections:{}\n", scenario.connections.empty() ? " none" : "");
   for (const scenario::ConnectionEntry& entry : scenario.connections) {
     const Connection& c = entry.connection;
     fmt::print("  {} -> {}  {}{}\n", c.from, c.to, c.how.name(), extras(c));
   }
+  fmt::print("{}", in_part(scenario, parts));
 }
 
-/// "builtin:NAME" and the like: letters, then a colon. "C:\..." is no source, nor is a file that is there.
+/// "builtin:NAME", "three_functions:FILE" and the like: letters, then a colon. "C:\..." is no source, nor is
+/// a file that is there.
 bool is_source(const std::string& text) {
   std::size_t letters = 0;
-  while (letters < text.size() && std::isalpha(static_cast<unsigned char>(text[letters]))) ++letters;
+  while (letters < text.size() &&
+         (std::isalpha(static_cast<unsigned char>(text[letters])) || text[letters] == '_'))
+    ++letters;
   return letters > 1 && letters < text.size() && text[letters] == ':';
 }
-
-struct InfoOptions {
-  std::string what;
-  std::vector<std::string> overrides;
-  bool dot = false;
-};
 
 }  // namespace
 
@@ -137,9 +159,15 @@ void add_info(CLI::App& app, Context& context) {
       ->expected(1)
       ->take_all();
   command->add_flag("--dot", options->dot, "Print the graph of a diagram in the language of Graphviz");
-  command->footer("Exit status: 0, or 2 for what is not right.");
+  add_run_programs(*command, options->run_programs);
+  command->footer(
+      "A source is opened, code or not. Of a scenario those that are code are opened with --run-programs "
+      "only.\n"
+      "Exit status: 0, or 2 for what is not right.");
   command->callback([options, &context] {
     const bool source = is_source(options->what);
+    if (source && options->run_programs)
+      throw Error(ErrorCode::invalid_argument, "--run-programs belongs to a scenario; a source is opened");
     if (source && !options->overrides.empty())
       throw Error(ErrorCode::invalid_argument, "--set belongs to a scenario; a source takes its values as " +
                                                    options->what + "?KEY=VALUE");
@@ -147,7 +175,7 @@ void add_info(CLI::App& app, Context& context) {
     const bool mechanism = is_mechanism(options->what), diagram = !mechanism && is_diagram(options->what);
     if (options->dot && !diagram)
       throw Error(ErrorCode::invalid_argument, "--dot belongs to a diagram; " + options->what + " is none");
-    if (!mechanism && !diagram) return print_scenario(options->what, options->overrides, context);
+    if (!mechanism && !diagram) return print_scenario(*options, context);
     if (!options->overrides.empty())
       throw Error(ErrorCode::invalid_argument, "--set belongs to a scenario; " + options->what + " is a " +
                                                    (mechanism ? "mechanism" : "diagram"));

@@ -10,20 +10,20 @@ volatile std::sig_atomic_t seen = 0;
 
 extern "C" void note_signal(int signal) {
   seen = 1;
-  std::signal(signal, SIG_DFL);
+  static_cast<void>(std::signal(signal, SIG_DFL));
 }
 
 }  // namespace
 
 InterruptGuard::InterruptGuard() {
   seen = 0;
-  std::signal(SIGINT, note_signal);
-  std::signal(SIGTERM, note_signal);
+  static_cast<void>(std::signal(SIGINT, note_signal));
+  static_cast<void>(std::signal(SIGTERM, note_signal));
 }
 
 InterruptGuard::~InterruptGuard() {
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
+  static_cast<void>(std::signal(SIGINT, SIG_DFL));
+  static_cast<void>(std::signal(SIGTERM, SIG_DFL));
 }
 
 bool InterruptGuard::interrupted() { return seen != 0; }

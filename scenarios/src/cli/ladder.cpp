@@ -6,6 +6,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/kept_folder.hpp"
 #include "cli/progress.hpp"
 #include "output/conditions.hpp"
 #include "output/files.hpp"
@@ -51,7 +52,7 @@ void climb(const LadderOptions& options, const Context& context) {
   scenario::Ladder ladder(scene, options.overrides, context.builtins);
   const fs::path folder =
       options.output.empty() ? fs::path("results") / "ladder" / options.file.stem() : options.output;
-  output::make_folder(folder);
+  const KeptFolder kept(folder);
   const auto runs = run_rungs(ladder, folder, options.repetitions, !context.quiet);
   const auto columns = ladder.columns(runs);
   output::write_text(folder / "ladder.csv",
@@ -92,6 +93,7 @@ void add_ladder(CLI::App& app, Context& context) {
       "Writes ladder.csv, verdict.txt, conditions.json and NAME/results.csv of each rung; `tandem chart "
       "ladder --results DIR`\n"
       "draws differences against processor time. docs/ladder.md tells of the table [ladder].\n"
+      "A scenario is code: the programs and libraries that its rungs name are run with your rights.\n"
       "Exit status: 0; 1 if it was interrupted; 2 for bad input, or if the richest rung fails.");
   command->callback([options, &context] { climb(*options, context); });
 }

@@ -46,9 +46,9 @@ void print_scenarios(const fs::path& folder, bool asked) {
 
 void print_words(const Context& context) {
   fmt::print("sources:\n");
-  for (const auto& [name, builder] : context.builtins.models) fmt::print("  builtin:{}\n", name);
-  for (const auto& [scheme, builder] : context.builtins.files) fmt::print("  {}:FILE\n", scheme);
-  for (const auto& [scheme, builder] : context.builtins.addresses) fmt::print("  {}:...\n", scheme);
+  for (const auto& [name, source] : context.builtins.models) fmt::print("  builtin:{}\n", name);
+  for (const auto& [scheme, source] : context.builtins.schemes)
+    fmt::print("  {}:{}\n", scheme, source.elsewhere ? "..." : "FILE");
   fmt::print("schedules:");
   for (const auto kind : {Schedule::Kind::slowest_first, Schedule::Kind::fastest_first,
                           Schedule::Kind::staggered, Schedule::Kind::parallel})

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "mechanisms/view_table.hpp"
-#include "scenario/assembly.hpp"
+#include "scenario/parts.hpp"
 #include "scenario/scenario.hpp"
 #include "sources/elements.hpp"
 #include "tandem/mbs/mechanism/freedom.hpp"
@@ -101,7 +101,7 @@ void check_run(const std::filesystem::path& file, const Builtins& builtins) {
   const toml::table* run = document.table()["run"].as_table();
   if (!run) return;
   if (run->contains("stop")) {
-    scenario::Assembly::opened(scenario::read(file).subsystems[0], builtins);
+    scenario::Parts::opened(scenario::read(file).subsystems[0], builtins);
     return;
   }
   Opening opening{{}, file.parent_path()};

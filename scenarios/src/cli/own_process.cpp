@@ -51,7 +51,7 @@ void in_own_process(const std::function<void(const Tell&)>& work) {
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0)
     throw Error(ErrorCode::input_output, std::string("no pipe: ") + std::strerror(errno));
-  std::fflush(nullptr);
+  static_cast<void>(std::fflush(nullptr));
   const pid_t child = ::fork();
   if (child == 0) {
 #ifdef __linux__

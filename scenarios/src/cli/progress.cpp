@@ -16,7 +16,7 @@ Progress::Progress(std::string what, std::size_t total, bool shown)
     : what_(std::move(what)), total_(total), shown_(shown), terminal_(isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
-  if (open_line_) std::fputc('\n', stderr);
+  if (open_line_) static_cast<void>(std::fputc('\n', stderr));
 }
 
 void Progress::update(std::size_t done) {
@@ -44,7 +44,7 @@ void Progress::draw(std::size_t done) {
   const std::string line = fmt::format("{} [{}{}] {}/{}  {}", what_, std::string(filled, '#'),
                                        std::string(30 - filled, '.'), done, total_, left);
   fmt::print(stderr, "{}{}{}", terminal_ ? "\r" : "", line, terminal_ ? "   " : "\n");
-  std::fflush(stderr);
+  static_cast<void>(std::fflush(stderr));
   open_line_ = terminal_;
 }
 

@@ -9,9 +9,12 @@
 
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/kept_folder.hpp"
+#include "cli/looking.hpp"
 #include "cli/run_matrices.hpp"
 #include "cli/run_progress.hpp"
 #include "cli/run_reference.hpp"
+#include "mechanisms/source.hpp"
 #include "output/files.hpp"
 #include "scenario/checkpoint.hpp"
 #include "scenario/results.hpp"
@@ -29,8 +32,16 @@ struct RunOptions {
   std::optional<double> checkpoint_every;  ///< [s], simulated
   std::vector<std::string> overrides;
   Matrices matrices;
-  bool dry = false, profile = false, no_reference = false;
+  bool dry = false, run_programs = false, profile = false, no_reference = false;
 };
+
+Scenario scenario_of(const RunOptions& options) {
+  return with_matrices(scenario::read(options.file, options.overrides), options.matrices);
+}
+
+fs::path folder_of(const RunOptions& options) {
+  return options.output.empty() ? fs::path("results") / options.file.stem() : options.output;
+}
 
 double slowest_time(const Coordinator& run) {
   double time = run.time(0);
@@ -44,9 +55,11 @@ class Run {
   Run(const RunOptions& options, const Context& context)
       : options_(options),
         context_(context),
-        scenario_(with_matrices(scenario::read(options.file, options.overrides), options.matrices)),
+        scenario_(scenario_of(options)),
+        folder_(folder_of(options)),
+        kept_(options.dry ? nullptr : std::make_unique<KeptFolder>(folder_)),
+        kept_of_matrices_(kept_of_matrices()),
         assembly_(scenario_, context.builtins, options.profile),
-        folder_(options.output.empty() ? fs::path("results") / options.file.stem() : options.output),
         recorder_(assembly_.recorder(folder_)),
         checkpoint_(scenario_, context.builtins, assembly_, *recorder_),
         began_at_(scenario_.start) {
@@ -66,6 +79,7 @@ class Run {
     if (options_.resume.empty()) assembly_.coordinator().observe(recorder_.get());
     assembly_.initialize();
     if (!options_.resume.empty()) resume();
+    output::remove_part(checkpoint_file());  // of a run that was killed
     tell_coordination();
     simulate();
     close();
@@ -76,6 +90,11 @@ class Run {
   }
 
  private:
+  std::unique_ptr<KeptFolder> kept_of_matrices() const {
+    const auto& folder = options_.matrices.folder;
+    return folder && kept_ && !kept_->keeps(*folder) ? std::make_unique<KeptFolder>(*folder) : nullptr;
+  }
+
   void check_checkpoints() const {
     if (options_.checkpoint_every && !(*options_.checkpoint_every > 0.0))
       throw Error(
@@ -109,7 +128,7 @@ class Run {
       }
       if (InterruptGuard::interrupted()) interrupted(slowest_time(run));
     } catch (const std::exception& error) {
-      fail("failed", scenario::with_address(scenario_, context_.builtins, error.what()));
+      fail("failed", scenario::with_address(scenario_, context_.builtins, sentence_of(error)));
     }
     end_.seconds = progress.seconds();
     if (end_.status == "ok") progress.end(slowest_time(run));
@@ -191,8 +210,9 @@ class Run {
   const RunOptions& options_;
   const Context& context_;
   Scenario scenario_;
-  Assembly assembly_;
   fs::path folder_;
+  std::unique_ptr<KeptFolder> kept_, kept_of_matrices_;  ///< null in a dry run
+  Assembly assembly_;
   std::unique_ptr<Recorder> recorder_;
   scenario::Checkpoint checkpoint_;
   double began_at_;                  ///< [s]: where the stepping began
@@ -201,7 +221,22 @@ class Run {
   RunEnd end_;
 };
 
+/// Up to the first step, with nothing written; unless it was said that they may be run, without sources that
+/// are code.
+void run_dry(const RunOptions& options, const Context& context) {
+  const Scenario scenario = scenario_of(options);
+  Context looking = context;
+  looking.builtins = mechanisms::without_matrices(context.builtins);
+  if (options.run_programs || !scenario::names_code(scenario, looking.builtins))
+    return Run(options, looking).dry();
+  output::check_folder(folder_of(options));
+  check_in_part(scenario, looking.builtins, !options.no_reference);
+}
+
 constexpr const char* footer = R"(
+A scenario is code: the programs and libraries that it names are run with your rights. Of a stranger's scenario,
+tandem validate SCENARIO names them and runs none.
+
 Any value of the scenario can be set by its path:
   --set coordination.schedule=fastest-first         --set parameters.frequency_ratio=25
   --set connections[0].reconstruction=lagrange1     --set connections[fast.x2].gain=2 (by `to`)
@@ -210,6 +245,7 @@ Any value of the scenario can be set by its path:
 Results: results.csv (or results.INSTANCE.csv with record.clock = "own"), results.json (status, units, how cells were
 interpolated, the scenario with what was set, versions), machine.json (steps, exchanges, seconds, real-time factor:
 simulated seconds in a second; with --profile the seconds of each subsystem, and of the coordinator with the recording).
+One run at a time writes to a folder: another is refused before it changes anything there.
 
 Checkpoints (docs/checkpoints.md): a run that is resumed gives the same results to the last bit; every subsystem has to
 have the ability to give its state as bytes. Rows are in results.csv at least once a second.
@@ -230,7 +266,9 @@ void add_run(CLI::App& app, Context& context) {
   command
       ->add_option("--output", options->output, "Folder of the results (default: results/NAME of the file)")
       ->type_name("DIR");
-  command->add_flag("--dry-run", options->dry, "Check everything up to the first step, and write nothing");
+  auto* dry = command->add_flag("--dry-run", options->dry,
+                                "Check everything up to the first step, and write nothing");
+  add_run_programs(*command, options->run_programs)->needs(dry);
   command->add_flag("--profile", options->profile,
                     "Take the seconds of each subsystem too (two clock readings a call)");
   command->add_flag("--no-reference", options->no_reference,
@@ -260,10 +298,8 @@ void add_run(CLI::App& app, Context& context) {
       ->type_name("FILE")
       ->excludes(dump);
   command->footer(footer);
-  command->callback([options, &context] {
-    Run run(*options, context);
-    options->dry ? run.dry() : run.make();
-  });
+  command->callback(
+      [options, &context] { options->dry ? run_dry(*options, context) : Run(*options, context).make(); });
 }
 
 }  // namespace tandem::cli

@@ -34,6 +34,10 @@ Scenario with_matrices(Scenario scenario, const Matrices& matrices) {
   for (auto& entry : scenario.subsystems) {
     if (!entry.source.starts_with("mechanism:")) continue;
     found = true;
+    if (entry.name.find('/') != std::string::npos || entry.name.starts_with("."))
+      scenario::refuse(entry.place, "subsystem '" + entry.name +
+                                        "' gives its name to a folder of matrices; allowed is one without / "
+                                        "and a dot at its beginning");
     const auto set = [&](const char* name, const std::string& value) {
       entry.parameters.push_back({name, value, entry.place});
     };

@@ -26,7 +26,7 @@ RunProgress::RunProgress(double t_start, double t_stop, bool shown)
       drawn_(began_) {}
 
 RunProgress::~RunProgress() {
-  if (open_line_) std::fputc('\n', stderr);
+  if (open_line_) static_cast<void>(std::fputc('\n', stderr));
 }
 
 double RunProgress::seconds() const { return seconds_between(began_, Clock::now()); }
@@ -41,7 +41,7 @@ void RunProgress::show(double time) {
   const double factor = (time - t_start_) / seconds_between(began_, now);
   fmt::print(stderr, "{}t = {:.6g} of {:.6g} s, {:.3g} x real time{}", terminal_ ? "\r" : "", time, t_stop_,
              factor, terminal_ ? "   " : "\n");
-  std::fflush(stderr);
+  static_cast<void>(std::fflush(stderr));
   open_line_ = terminal_;
 }
 

@@ -4,6 +4,9 @@
 
 #include <charconv>
 #include <cstdlib>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
@@ -26,12 +29,12 @@ struct ServeOptions {
 wire::MakeSubsystem maker(const std::string& source, const Context& context) {
   return [source, &context](const std::string& parameters) {
     Opening opening;
-    if (!parameters.empty()) opening.parameters.read(parameters, "the client");
+    if (!parameters.empty()) opening.parameters.read(parameters, "the client", Setter::client);
     return open(source, context.builtins, std::move(opening));
   };
 }
 
-/// The one session of a program that spawn: has started.
+/// The one session of a program that a run has started.
 void serve_parent(const std::string& number, const ServeOptions& options, const SocketSettings& socket,
                   const Context& context) {
   int descriptor = -1;
@@ -46,7 +49,7 @@ void serve_parent(const std::string& number, const ServeOptions& options, const 
 /// Refused at once, not when the first session begins, if it is not there. Otherwise it is only said why it
 /// can't be opened: it may need parameters that a client gives.
 void try_source(const std::string& source, const Context& context) {
-  check_known(source, context.builtins);
+  source_of(source, context.builtins);
   try {
     open(source, context.builtins);
   } catch (const Error& error) {
@@ -55,7 +58,16 @@ void try_source(const std::string& source, const Context& context) {
   }
 }
 
+/// The memory of a large request or reply goes back to the system when it is freed; glibc would keep blocks
+/// of up to 32 MiB once it has seen one go.
+void return_large_blocks() {
+#ifdef __GLIBC__
+  mallopt(M_MMAP_THRESHOLD, 1 << 20);
+#endif
+}
+
 void serve(ServeOptions options, const Context& context) {
+  return_large_blocks();
   SocketSettings socket{options.server.session.deadline, 1e-6 * options.spin, context.allow_plaintext};
   options.server.session.software = std::string("tandem ") + TANDEM_VERSION;
   const char* descriptor = std::getenv("TANDEM_FD");
@@ -69,7 +81,7 @@ void serve(ServeOptions options, const Context& context) {
   const auto listener = listener_at(options.address, socket, options.keys);
   options.server.log = [](const std::string& sentence) { spdlog::info("{}", sentence); };
   fmt::print("serving {} at {}\n", options.source, listener->address());
-  std::fflush(stdout);
+  static_cast<void>(std::fflush(stdout));
   wire::Server(*listener, maker(options.source, context), options.server).run(InterruptGuard::interrupted);
 }
 
@@ -121,7 +133,7 @@ void add_serve(CLI::App& app, Context& context) {
       ->expected(1)
       ->take_all();
   command->footer(
-      "Parameters come from the client: tcp://HOST:PORT?frequency_ratio=25. A program that spawn: started "
+      "Parameters come from the client: tcp://HOST:PORT?frequency_ratio=25. A program that a run has started "
       "needs no --listen.\n"
       "Exit status: 0 when it was ended; 2 for a source that is not there, and an address or option that is "
       "not right.");

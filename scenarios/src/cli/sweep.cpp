@@ -6,12 +6,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
 
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/kept_folder.hpp"
 #include "cli/progress.hpp"
 #include "cli/sweep_engine.hpp"
 #include "cli/sweep_engine_linkage.hpp"
@@ -23,6 +23,7 @@
 #include "output/conditions.hpp"
 #include "output/files.hpp"
 #include "tandem/error.hpp"
+#include "tandem/input_file.hpp"
 
 namespace tandem::cli {
 namespace {
@@ -30,6 +31,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int work_repetitions = 5;
+constexpr std::uint64_t longest_settings = 1U << 20;  // bytes
 
 struct SweepOptions {
   std::string scene;
@@ -61,8 +63,8 @@ std::string settings() {
 /// all are complete.
 class TwoMassSweep {
  public:
-  TwoMassSweep(const SweepOptions& options, const Context& context) : options_(options), context_(context) {
-    output::make_folder(options.output);
+  TwoMassSweep(const SweepOptions& options, const Context& context)
+      : folder_(options.output), options_(options), context_(context) {
     if (!options.resume || !made_alike())
       for (const char* name : {"sweep.csv", "sweep_timings.csv", "work.csv", "traces.csv"})
         fs::remove(options.output / name);
@@ -85,8 +87,7 @@ class TwoMassSweep {
   bool made_alike() const {
     const fs::path file = options_.output / "sweep.json";
     if (!fs::exists(file)) return false;
-    std::ifstream in(file);
-    const std::string before((std::istreambuf_iterator<char>(in)), {});
+    const std::string before = read_file(file, longest_settings);
     if (before != settings())
       spdlog::info("The sweep in {} was made by other code or with other settings; it is made anew.",
                    options_.output.string());
@@ -144,6 +145,7 @@ class TwoMassSweep {
   }
 
   const InterruptGuard guard_;  // from before the first file is written
+  const KeptFolder folder_;
   const SweepOptions& options_;
   const Context& context_;
 };
@@ -198,6 +200,9 @@ void add_sweep(CLI::App& app, Context& context) {
                     "Leave out what only the charts need (traces, run times)");
   command->add_option("--threads", options->threads, "Number of threads (default: all cores)")
       ->check(CLI::Range(1U, 1024U));
+  command->footer(
+      "A scenario is code: the programs and libraries that those of the folders name are run with your "
+      "rights.");
   command->callback([options, &context] {
     const std::string& scene = options->scene;
     if (options->output.empty())

@@ -3,23 +3,24 @@
 
 #include <fmt/format.h>
 
+#include "cli/kept_folder.hpp"
 #include "engine_models/sweep.hpp"
 #include "output/conditions.hpp"
 #include "output/files.hpp"
+#include "tandem/input_file.hpp"
 
 namespace tandem::cli {
 
 void sweep_engine(const std::filesystem::path& diagrams, const std::filesystem::path& output,
                   const Context& context) {
-  output::make_folder(output);
+  const KeptFolder folder(output);
   const auto write = [&](const char* name, const std::string& text) {
     output::write_text(output / name, text);
     if (!context.quiet) fmt::print("wrote {}\n", (output / name).string());
   };
   write("torque_map.csv", engine_models::torque_map(diagrams));
   const char* const printed = "printed_torque_map.csv";
-  std::filesystem::copy_file(diagrams / printed, output / printed,
-                             std::filesystem::copy_options::overwrite_existing);
+  output::write_text(output / printed, read_file(diagrams / printed, std::uint64_t{1} << 20));
   write("step_response.csv", engine_models::step_response(diagrams));
   write("manoeuvre.csv", engine_models::manoeuvre(diagrams));
   const auto conditions = output::conditions(

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "cli/interrupt.hpp"
+#include "cli/kept_folder.hpp"
 #include "cli/progress.hpp"
 #include "engine_linkage/sweep.hpp"
 #include "output/conditions.hpp"
@@ -30,7 +31,7 @@ class EngineLinkageRuns {
         truth_(engine_, 1, engine_linkage::t_stop) {}
 
   void make() {
-    output::make_folder(settings_.output);
+    const KeptFolder folder(settings_.output);
     if (!settings_.only_table) std::filesystem::remove(conditions_file());
     run_scene();
     write_schemes("equal_steps.csv", engine_linkage::equal_step_cases());

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "cli/interrupt.hpp"
+#include "cli/kept_folder.hpp"
 #include "cli/progress.hpp"
 #include "four_bar/sweep.hpp"
 #include "output/conditions.hpp"
@@ -47,7 +48,7 @@ std::vector<four_bar::Result> run_cases(const std::vector<four_bar::Case>& cases
 
 void sweep_four_bar(const std::filesystem::path& folder, unsigned threads, const Context& context) {
   const InterruptGuard guard;
-  output::make_folder(folder);
+  const KeptFolder kept(folder);
   const auto cases = four_bar::sweep_cases();
   const auto results = run_cases(cases, threads, !context.quiet);
   if (InterruptGuard::interrupted()) throw RunFailed("interrupted; nothing is written");

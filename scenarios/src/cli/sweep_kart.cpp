@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "cli/interrupt.hpp"
+#include "cli/kept_folder.hpp"
 #include "cli/progress.hpp"
 #include "kart/sweep.hpp"
 #include "output/conditions.hpp"
@@ -19,13 +20,13 @@ namespace {
 class KartRuns {
  public:
   KartRuns(const KartSweep& settings, const Context& context)
-      : settings_(settings),
+      : folder_(settings.output),
+        settings_(settings),
         context_(context),
         scene_{settings.scene, context.builtins},
         schemes_(kart::schemes()),
         levels_(settings.levels),
         progress_("sweep", size(), !context.quiet) {
-    output::make_folder(settings_.output);
     std::filesystem::remove(settings_.output / conditions_);
     open("multirate.csv", kart::multirate_header);
     open("schemes.csv", kart::schemes_header);
@@ -109,6 +110,7 @@ class KartRuns {
   }
 
   static constexpr const char* conditions_ = "conditions.json";  // there when all else is
+  const KeptFolder folder_;
   const KartSweep& settings_;
   const Context& context_;
   kart::Scene scene_;

@@ -3,14 +3,14 @@
 
 #include <fmt/format.h>
 
+#include "cli/kept_folder.hpp"
 #include "kart/monolithic.hpp"
 #include "kart/plane.hpp"
-#include "output/files.hpp"
 
 namespace tandem::cli {
 
 void sweep_kart_drive(const std::filesystem::path& output, const Context& context) {
-  output::make_folder(output);
+  const KeptFolder folder(output);
   kart::Plane plane(kart::KartData{}, kart::TyreLaw::magic_formula);
   kart::write_drive(kart::run_monolithic(plane, 1e-4), output / "drive.csv");
   if (!context.quiet) fmt::print("wrote {}\n", (output / "drive.csv").string());

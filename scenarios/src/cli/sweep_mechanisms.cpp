@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "cli/interrupt.hpp"
+#include "cli/kept_folder.hpp"
 #include "cli/progress.hpp"
 #include "mechanisms/formulations.hpp"
 #include "output/conditions.hpp"
@@ -67,7 +68,7 @@ void sweep_mechanisms(const MechanismSweep& sweep, const Context& context) {
   const InterruptGuard guard;
   if (!std::filesystem::is_directory(sweep.mechanisms))
     throw Error(ErrorCode::input_output, "folder '" + sweep.mechanisms.string() + "' is not there");
-  output::make_folder(sweep.output);
+  const KeptFolder folder(sweep.output);
   write_figures(sweep, !context.quiet);
   if (!sweep.only_table) write_work(sweep, !context.quiet);
   if (!context.quiet) fmt::print("wrote {}\n", (sweep.output / "formulations.csv").string());

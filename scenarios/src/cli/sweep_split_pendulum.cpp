@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "cli/interrupt.hpp"
+#include "cli/kept_folder.hpp"
 #include "cli/progress.hpp"
 #include "output/conditions.hpp"
 #include "output/files.hpp"
@@ -14,7 +15,7 @@ namespace tandem::cli {
 
 void sweep_split_pendulum(const std::filesystem::path& output, unsigned threads, const Context& context) {
   const InterruptGuard guard;
-  output::make_folder(output);
+  const KeptFolder folder(output);
   const auto cases = split_pendulum::sweep_cases();
   const auto schemes = split_pendulum::limit_schemes();
   std::vector<std::string> rows(cases.size() + schemes.size());

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 struct ViewOptions {
   fs::path results, with, output;
-  int every = 1;
+  int every = 0;
   bool plots_only = false;
 };
 
@@ -31,6 +31,20 @@ view::Run read(const fs::path& place, bool plots_only) {
   return run;
 }
 
+void add_note_of_rows(std::vector<std::string>& notes, const text::TimeTable& table, int every) {
+  const view::Thinning thinning = view::thinning_of(table, every);
+  const std::string file = table.file.filename().string();
+  const std::size_t rows = table.times.size();
+  if (thinning.most_in_band() > 1)
+    notes.push_back(
+        fmt::format("{} has {} rows, too many for a page: of each {} the smallest and the largest value are "
+                    "drawn, and positions of the first and the last; --every 1 keeps every row.",
+                    file, rows, thinning.most_in_band()));
+  else if (every > 1)
+    notes.push_back(
+        fmt::format("One of each {} rows of {} is shown, {} of {}.", every, file, thinning.rows(), rows));
+}
+
 /// What is not as one might expect it.
 std::vector<std::string> notes(const view::Content& content, const ViewOptions& options) {
   std::vector<std::string> all;
@@ -39,11 +53,8 @@ std::vector<std::string> notes(const view::Content& content, const ViewOptions& 
   else if (std::all_of(content.runs.begin(), content.runs.end(),
                        [](const view::Run& run) { return run.mechanisms.empty(); }))
     all.emplace_back("No subsystem of this run is a mechanism from a file: there are plots only.");
-  if (content.every == 1) return all;
-  std::size_t rows = 0;
-  for (const auto& table : content.runs[0].tables) rows = std::max(rows, table.times.size());
-  all.push_back(fmt::format("One of each {} rows of the run is shown, {} of {}.", content.every,
-                            view::kept(rows, content.every).size(), rows));
+  for (const view::Run& run : content.runs)
+    for (const auto& table : run.tables) add_note_of_rows(all, table, content.every);
   return all;
 }
 
@@ -65,8 +76,8 @@ void view_results(const ViewOptions& options, const Context& context) {
   const std::string page = view::page(view::data_of(content));
   const fs::path file = output_of(options);
   output::replace_text(file, page);
-  if (static_cast<double>(page.size()) > large && options.every == 1)
-    spdlog::info("note: the page has {:.0f} MB and opens slowly; --every 10 keeps one of each ten rows",
+  if (static_cast<double>(page.size()) > large)
+    spdlog::info("note: the page has {:.0f} MB and opens slowly; a larger N of --every makes it smaller",
                  1e-6 * static_cast<double>(page.size()));
   if (!context.quiet) fmt::print("wrote {}\n", file.string());
 }
@@ -84,10 +95,12 @@ void add_view(CLI::App& app, Context& context) {
       ->type_name("RESULTS");
   command->add_option("--output", options->output, "The page (default: view.html in the folder)")
       ->type_name("FILE");
-  command->add_option("--every", options->every, "Keep one of each N rows")
+  command
+      ->add_option("--every", options->every,
+                   "Keep one of each N rows, 1 all of them (default: all, and of too many the smallest and "
+                   "largest values)")
       ->check(CLI::PositiveNumber)
-      ->type_name("N")
-      ->capture_default_str();
+      ->type_name("N");
   command->add_flag("--plots-only", options->plots_only, "Leave the mechanisms out");
   command->footer(
       "A mechanism that runs alone records where its points are; in a scenario record.animate = true does "

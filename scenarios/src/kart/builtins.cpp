@@ -19,10 +19,11 @@ KartSettings settings(Parameters& p) {
 }  // namespace
 
 void add_builtins(Builtins& builtins, const mbs::TellOfLimit& tell) {
-  builtins.models["kart.point"] = [](Parameters& p) {
+  const Words own = words_by(Setter::client, {"step", "integrator", "beta"});
+  const auto point = [](const Address&, Parameters& p) {
     return make_subsystem(std::make_shared<Point>(KartData{}), settings(p));
   };
-  builtins.models["kart.plane"] = [tell](Parameters& p) {
+  const auto plane = [tell](const Address&, Parameters& p) {
     const TyreLaw law = tyre_law(p.text("tyre", "magic_formula"));
     const std::string formulas = p.text("formulas", "printed");
     if (formulas != "printed" && formulas != "complete")
@@ -35,6 +36,8 @@ void add_builtins(Builtins& builtins, const mbs::TellOfLimit& tell) {
                                 formulas == "printed" ? Plane::Formulas::printed : Plane::Formulas::complete),
         s);
   };
+  builtins.models["kart.point"] = {own, point};
+  builtins.models["kart.plane"] = {own + words_by(Setter::client, {"tyre", "formulas"}), plane};
 }
 
 }  // namespace tandem::kart

@@ -33,10 +33,22 @@ void look_at(const text::Document& document, mbs::Description& description, Para
 }  // namespace
 
 void add_sources(Builtins& builtins, const mbs::TellOfLimit& tell) {
-  builtins.files["mechanism"] = [tell](const std::filesystem::path& file, Parameters& p) {
-    return make_mechanism({file}, p, element_kinds([&p](const char* word) { return p.text(word, ""); }),
-                          look_at, tell);
+  const auto make = [tell](const Address& address, Parameters& p) {
+    return make_mechanism({address.file()}, p,
+                          element_kinds([&p](const char* word) { return p.text(word, ""); }), look_at, tell);
   };
+  builtins.schemes["mechanism"] = {mechanism_words() + words_by(Setter::client, {"animate", "tyre", "lever"}),
+                                   make};
+}
+
+Builtins without_matrices(Builtins builtins) {
+  Source& mechanism = builtins.schemes["mechanism"];
+  mechanism.make = [make = mechanism.make](const Address& address, Parameters& p) {
+    p.text("matrices", "");  // refuses what is no text
+    p.set("matrices", std::string());
+    return make(address, p);
+  };
+  return builtins;
 }
 
 }  // namespace tandem::mechanisms

@@ -13,4 +13,7 @@ namespace tandem::mechanisms {
 /// [run], else by default; `step` must be given. `tell` takes what the limits of a file tell.
 void add_sources(Builtins& builtins, const mbs::TellOfLimit& tell = {});
 
+/// The same sources; their mechanisms write no matrices, whatever is said.
+Builtins without_matrices(Builtins builtins);
+
 }  // namespace tandem::mechanisms

@@ -5,10 +5,10 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <fstream>
 #include <system_error>
 
 #include "tandem/error.hpp"
+#include "tandem/output_file.hpp"
 
 namespace tandem::output {
 namespace {
@@ -20,83 +20,72 @@ namespace fs = std::filesystem;
               what + " '" + path.string() + "' can't be " + (what == "file" ? "written: " : "made: ") + why);
 }
 
+std::string_view text_of(std::span<const std::byte> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+/// Puts a folder's names on the disk.
+void sync_folder(const fs::path& folder) {
+  const int number = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  const bool done = number >= 0 && ::fsync(number) == 0;
+  const int why = errno;
+  if (number >= 0) ::close(number);
+  if (!done) fail("file", folder, std::generic_category().message(why));
+}
+
+/// What stands there is a regular file, or nothing: a rename would take the place of anything else too.
+void check_replaced(const fs::path& file) {
+  std::error_code ignored;
+  const auto status = fs::status(file, ignored);
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    fail("file", file, "what is there is no regular file");
+}
+
+/// Writes FILE.part and renames it; whatever goes wrong, no FILE.part is left.
+void replace(const fs::path& file, std::string_view text, bool durably) {
+  check_replaced(file);
+  const fs::path part = part_of(file);
+  remove_part(file);
+  try {
+    OutputFile out(part, OutputFile::Begin::fresh);
+    out.write(text);
+    if (durably) out.sync();
+    out.close();
+    std::error_code failed;
+    fs::rename(part, file, failed);
+    if (failed) fail("file", file, failed.message());
+  } catch (...) {
+    remove_part(file);
+    throw;
+  }
+  if (durably) sync_folder(fs::absolute(file).parent_path());
+}
+
 }  // namespace
 
 void write_text(const fs::path& file, const std::string& text) {
-  errno = 0;
-  std::ofstream out(file, std::ios::binary);
-  out << text;
-  out.close();
-  if (out) return;
-  const std::string why = std::generic_category().message(errno);
-  std::error_code ignored;
-  if (fs::is_regular_file(file, ignored)) fs::remove(file, ignored);  // half a text is of no use
-  fail("file", file, why);
-}
-
-void replace_text(const fs::path& file, const std::string& text) {
-  fs::path part = file;
-  part += ".part";
-  write_text(part, text);
-  std::error_code failed;
-  fs::rename(part, file, failed);
-  if (failed) fail("file", file, failed.message());
-}
-
-namespace {
-
-/// An open file, which closes with it.
-class Descriptor {
- public:
-  Descriptor(const fs::path& path, int flags)
-      : path_(path), number_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {
-    check(number_ >= 0);
-  }
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-
-  void write(std::span<const std::byte> bytes) {
-    while (!bytes.empty()) {
-      const auto written = ::write(number_, bytes.data(), bytes.size());
-      if (written < 0 && errno == EINTR) continue;
-      check(written > 0);
-      bytes = bytes.subspan(static_cast<std::size_t>(written));
-    }
-  }
-  void sync() { check(::fsync(number_) == 0); }
-
- private:
-  void check(bool done) const {
-    if (!done) fail("file", path_, std::generic_category().message(errno));
-  }
-  const fs::path& path_;
-  int number_;
-};
-
-}  // namespace
-
-void replace_durably(const fs::path& file, std::span<const std::byte> bytes) {
-  fs::path part = file;
-  part += ".part";
-  std::error_code failed;
+  OutputFile out(file, OutputFile::Begin::empty);
   try {
-    Descriptor out(part, O_WRONLY | O_CREAT | O_TRUNC);
-    out.write(bytes);
-    out.sync();
+    out.write(text);
+    out.close();
   } catch (...) {
-    fs::remove(part, failed);
+    std::error_code ignored;
+    if (fs::is_regular_file(file, ignored)) fs::remove(file, ignored);  // half a text is of no use
     throw;
   }
-  fs::rename(part, file, failed);
-  if (failed) fail("file", file, failed.message());
-  const fs::path folder = fs::absolute(file).parent_path();
-  Descriptor(folder, O_RDONLY | O_DIRECTORY).sync();
 }
 
-void sync(const fs::path& file) { Descriptor(file, O_RDONLY).sync(); }
+fs::path part_of(const fs::path& file) { return fs::path(file) += ".part"; }
+
+void remove_part(const fs::path& file) noexcept { ::unlink(part_of(file).c_str()); }
+
+void replace_text(const fs::path& file, const std::string& text) { replace(file, text, false); }
+
+void replace_durably(const fs::path& file, std::span<const std::byte> bytes) {
+  replace(file, text_of(bytes), true);
+}
+
+void sync(const fs::path& file) { OutputFile(file, OutputFile::Begin::kept).sync(); }
 
 void make_folder(const fs::path& folder) {
   std::error_code failed;

@@ -5,19 +5,20 @@
 
 #include <array>
 #include <charconv>
-#include <fstream>
 #include <string_view>
 
 #include "output/files.hpp"
 #include "tandem/error.hpp"
+#include "tandem/input_file.hpp"
 
 namespace tandem::output {
 namespace {
 
-std::vector<std::string> split(const std::string& line) {
+/// At commas; what is beyond `most` cells stays in the last.
+std::vector<std::string> split(const std::string& line, std::size_t most) {
   std::vector<std::string> cells(1);
   for (const char c : line)
-    if (c == ',')
+    if (c == ',' && cells.size() < most)
       cells.emplace_back();
     else
       cells.back() += c;
@@ -41,24 +42,25 @@ std::string cell(const std::optional<double>& value) {
 }
 
 void KeyedTable::read(const std::filesystem::path& file) {
-  std::ifstream in(file);
+  InputFile in(file);
   std::string line;
   int number = 1;
   const auto fail = [&](const std::string& why) {
     throw Error(ErrorCode::input_output, fmt::format("{}:{}: {}", file.string(), number, why));
   };
-  if (!in || !std::getline(in, line) || line != header_) fail("the header is not " + header_);
-  const auto columns = split(header_);
-  while (std::getline(in, line)) {
+  if (!in.line(line) || line != header_) fail("the header is not " + header_);
+  const auto columns = split(header_, header_.size());
+  while (in.line(line)) {
     ++number;
-    const auto cells = split(line);
+    const auto cells = split(line, columns.size() + 1);
     if (cells.size() != columns.size())
-      fail(fmt::format("the row has {} cells; the header has {}", cells.size(), columns.size()));
+      fail(fmt::format("the row has {} cells{}; the header has {}", cells.size(),
+                       cells.size() > columns.size() ? " or more" : "", columns.size()));
     std::size_t end = 0;
     for (int k = 0; k < key_cells_; ++k) end = line.find(',', end) + 1;
     for (std::size_t k = 0; k < cells.size(); ++k)
       if (!is_right(cells[k], columns[k]))
-        fail(fmt::format("'{}' is no {}", cells[k], columns[k] == "status" ? "status" : "number"));
+        fail(columns[k] + (columns[k] == "status" ? " is neither ok nor failed" : " is no number"));
     rows_[line.substr(0, end - 1)] = line.substr(end);
   }
 }

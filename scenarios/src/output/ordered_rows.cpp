@@ -1,15 +1,10 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "output/ordered_rows.hpp"
 
-#include <cerrno>
-#include <system_error>
-
-#include "tandem/error.hpp"
-
 namespace tandem::output {
 
 OrderedRows::OrderedRows(const std::filesystem::path& file, const std::string& header)
-    : path_(file), file_(file, std::ios::binary) {
+    : file_(file, OutputFile::Begin::empty) {
   put(header);
 }
 
@@ -25,11 +20,6 @@ std::size_t OrderedRows::written() const {
   return written_;
 }
 
-void OrderedRows::put(const std::string& line) {
-  file_ << line << '\n' << std::flush;
-  if (!file_)
-    throw Error(ErrorCode::input_output,
-                "file '" + path_.string() + "' can't be written: " + std::generic_category().message(errno));
-}
+void OrderedRows::put(const std::string& line) { file_.write(line + '\n'); }
 
 }  // namespace tandem::output

@@ -2,10 +2,11 @@
 #pragma once
 #include <cstddef>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <mutex>
 #include <string>
+
+#include "tandem/output_file.hpp"
 
 namespace tandem::output {
 
@@ -25,8 +26,7 @@ class OrderedRows {
  private:
   void put(const std::string& line);
 
-  std::filesystem::path path_;
-  std::ofstream file_;
+  OutputFile file_;
   mutable std::mutex mutex_;
   std::map<std::size_t, std::string> waiting_;
   std::size_t written_ = 0;

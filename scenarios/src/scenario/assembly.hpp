@@ -3,13 +3,12 @@
 #include <memory>
 #include <vector>
 
-#include "scenario/scenario.hpp"
-#include "tandem/transports/open.hpp"
+#include "scenario/parts.hpp"
 
 namespace tandem::scenario {
 
-/// A scenario made ready to run: subsystems opened, connections checked. Errors name the file and line that
-/// is to blame.
+/// A scenario made ready to run: its parts, with what coordinates them. Errors name the file and line that is
+/// to blame.
 class Assembly {
  public:
   /// `scenario` must outlive the assembly. profile: see Coordination.
@@ -17,8 +16,8 @@ class Assembly {
   Assembly(const Assembly&) = delete;
   Assembly& operator=(const Assembly&) = delete;
 
-  const Topology& topology() const { return topology_; }
-  Subsystem& subsystem(int instance) const { return *subsystems_[static_cast<std::size_t>(instance)]; }
+  const Topology& topology() const { return parts_.topology(); }
+  Subsystem& subsystem(int instance) const { return *parts_.subsystem(instance); }
   Coordinator& coordinator() { return *coordinator_; }
   const Coordinator& coordinator() const { return *coordinator_; }
 
@@ -29,18 +28,11 @@ class Assembly {
   /// The coordinator's, and equations of mechanisms that are redundant where they started.
   std::vector<std::string> notes() const;
 
-  /// One subsystem alone; throws Error that names the place of what is to blame.
-  static std::unique_ptr<Subsystem> opened(const SubsystemEntry& entry, const Builtins& builtins);
-
  private:
-  void check_judge() const;
-  void check_plots() const;
   void add_positions(std::vector<std::string>& ports) const;
-  std::vector<std::string> outputs() const;
 
   const Scenario& scenario_;
-  std::vector<std::unique_ptr<Subsystem>> subsystems_;
-  Topology topology_;
+  Parts parts_;
   std::unique_ptr<Coordinator> coordinator_;
   std::vector<std::string> redundant_;
 };

@@ -3,14 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <fstream>
-#include <iterator>
-#include <system_error>
+#include <limits>
 
 #include "output/files.hpp"
+#include "output/json.hpp"
 #include "tandem/bytes.hpp"
 #include "tandem/error.hpp"
+#include "tandem/input_file.hpp"
+#include "tandem/printable.hpp"
 
 namespace tandem::scenario {
 namespace {
@@ -26,14 +26,9 @@ constexpr std::uint32_t longest_identity = 1U << 28;  // bytes
   throw Error(ErrorCode::invalid_argument, fmt::format("checkpoint '{}' {}", file.string(), why));
 }
 
-std::string contents(const fs::path& file) {
-  errno = 0;
-  std::ifstream in(file, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (!in && !in.eof())
-    throw Error(ErrorCode::input_output, fmt::format("file '{}' can't be read: {}", file.string(),
-                                                     std::generic_category().message(errno)));
-  return text;
+/// Of any length: it is what was written, or a checksum is made of it.
+std::string contents(const fs::path& file, const std::string& what = "file") {
+  return read_file(file, std::numeric_limits<std::uint64_t>::max(), what);
 }
 
 /// What follows the head, after all checks of the file itself.
@@ -67,8 +62,15 @@ Json ports_of(const std::vector<Port>& ports) {
 }
 
 /// The value at a path, for a sentence.
-std::string value_at(const Json& json, const Json::json_pointer& path) {
-  return json.contains(path) ? json.at(path).dump() : "nothing";
+std::string value_at(const nlohmann::json& json, const nlohmann::json::json_pointer& path) {
+  return json.contains(path) ? printable(json.at(path).dump(), 200) : "nothing";
+}
+
+[[noreturn]] void refuse_other_run(const fs::path& file, const std::string& path, const nlohmann::json& there,
+                                   const nlohmann::json& here) {
+  const nlohmann::json::json_pointer at(path);
+  refuse_file(file, fmt::format("is of another run: {} is {} there; allowed is {}, as it is here",
+                                printable(path.substr(1), 200), value_at(there, at), value_at(here, at)));
 }
 
 }  // namespace
@@ -88,9 +90,13 @@ Json Checkpoint::identity() const {
     one = {{"name", info.name}, {"inputs", ports_of(info.inputs)}, {"outputs", ports_of(info.outputs)}};
     const std::string source = entry.source.substr(0, entry.source.find('?'));
     const std::string kind = source.substr(0, source.find(':'));
-    if (builtins_.addresses.count(kind) != 0 && all["scenario"].contains("subsystems"))
-      all["scenario"]["subsystems"][entry.name]["source"] = "elsewhere" + entry.source.substr(source.size());
-    if (builtins_.files.count(kind) == 0) continue;
+    const bool elsewhere = source_of(entry.source, builtins_).elsewhere;
+    if (elsewhere && all["scenario"].contains("subsystems")) {
+      Json& there = all["scenario"]["subsystems"][entry.name];
+      there["source"] = "elsewhere" + entry.source.substr(source.size());
+      there.erase("command");
+    }
+    if (elsewhere || kind == "builtin") continue;
     const std::string text =
         contents(fs::path(entry.place.file).parent_path() / source.substr(kind.size() + 1));
     one["checksum of its file"] = fmt::format("{:016x}", checksum(std::as_bytes(std::span(text))));
@@ -99,14 +105,17 @@ Json Checkpoint::identity() const {
 }
 
 void Checkpoint::check_identity(const std::string& text, const fs::path& file) const {
-  const Json there = Json::parse(text, nullptr, false), here = Json::parse(identity().dump());
-  if (there.is_discarded()) refuse_file(file, "does not say what it is a checkpoint of");
-  const Json difference = Json::diff(there, here);
-  if (difference.empty()) return;
-  const std::string path = difference[0]["path"];
-  const Json::json_pointer at(path);
-  refuse_file(file, fmt::format("is of another run: {} is {} there; allowed is {}, as it is here",
-                                path.substr(1), value_at(there, at), value_at(here, at)));
+  const std::string own = identity().dump();
+  if (text == own) return;
+  const nlohmann::json there =
+      output::parse_json(text, fmt::format("checkpoint '{}': what it is of", file.string()));
+  const nlohmann::json here = nlohmann::json::parse(own);
+  if (!there.is_object()) refuse_file(file, "does not say what it is a checkpoint of");
+  for (const char* part : {"tandem", "scenario", "subsystems"}) {
+    const nlohmann::json difference =
+        nlohmann::json::diff({{part, there.value(part, nlohmann::json())}}, {{part, here.at(part)}});
+    if (!difference.empty()) refuse_other_run(file, difference[0]["path"], there, here);
+  }
 }
 
 void Checkpoint::write(const fs::path& file) {
@@ -128,13 +137,12 @@ void Checkpoint::write(const fs::path& file) {
 }
 
 void Checkpoint::resume(const fs::path& file) {
-  if (!fs::is_regular_file(file)) refuse_file(file, "is not there, or no file");
-  const std::string text = contents(file);
+  if (!fs::exists(file)) refuse_file(file, "is not there");
+  const std::string text = contents(file, "checkpoint");
   ByteReader from(payload_of(std::as_bytes(std::span(text)), file), file.native(), "checkpoint");
   check_identity(from.take_text(longest_identity), file);
   assembly_.coordinator().restore(from);
   recorder_.resume(from);
-  from.end();
 }
 
 }  // namespace tandem::scenario

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "tandem/error.hpp"
@@ -16,16 +19,29 @@ namespace {
 
 [[noreturn]] void fail(const std::string& sentence) { throw Error(ErrorCode::invalid_argument, sentence); }
 
-std::size_t index_of(const TimeTable& table, const std::string& column) {
-  const auto it = std::find(table.names.begin(), table.names.end(), column);
-  if (it == table.names.end()) fail(table.file.string() + ": " + unknown("column", column, table.names));
-  return static_cast<std::size_t>(it - table.names.begin());
-}
+/// Columns of a table by name.
+class Columns {
+ public:
+  explicit Columns(const TimeTable& table) : table_(table) {
+    for (std::size_t k = 0; k < table.names.size(); ++k) index_.emplace(table.names[k], k);
+  }
+  bool has(const std::string& name) const { return index_.contains(name); }
+  std::size_t index_of(const std::string& name) const {
+    const auto it = index_.find(name);
+    if (it == index_.end()) fail(table_.file.string() + ": " + unknown("column", name, table_.names));
+    return it->second;
+  }
+
+ private:
+  const TimeTable& table_;
+  std::unordered_map<std::string_view, std::size_t> index_;
+};
 
 std::vector<std::string> common(const TimeTable& a, const TimeTable& b) {
+  const Columns in_b(b);
   std::vector<std::string> names;
   for (const std::string& name : a.names)
-    if (std::find(b.names.begin(), b.names.end(), name) != b.names.end()) names.push_back(name);
+    if (in_b.has(name)) names.push_back(name);
   if (names.empty())
     fail("no column is in both: " + a.file.string() + " has " + listed(a.names) + ", " + b.file.string() +
          " has " + listed(b.names));
@@ -82,14 +98,15 @@ void note(Difference& d, double time, double a, double b) {
 /// Two tables side by side at the times of the one with fewer rows.
 class SideBySide {
  public:
-  SideBySide(const TimeTable& a, const TimeTable& b) : a_(a), b_(b), rows_a_(a), rows_b_(b) {
+  SideBySide(const TimeTable& a, const TimeTable& b)
+      : a_(a), b_(b), columns_a_(a), columns_b_(b), rows_a_(a), rows_b_(b) {
     const double begin = std::max(a.times.front(), b.times.front()),
                  end = std::min(a.times.back(), b.times.back());
     coarse_ = rows_a_.count_between(begin, end) < rows_b_.count_between(begin, end) ? &a : &b;
   }
 
   void add(const std::string& column) {
-    index_.emplace_back(index_of(a_, column), index_of(b_, column));
+    index_.emplace_back(columns_a_.index_of(column), columns_b_.index_of(column));
     result_.columns.push_back({column});
   }
 
@@ -131,6 +148,7 @@ class SideBySide {
   }
 
   const TimeTable &a_, &b_;
+  Columns columns_a_, columns_b_;
   Rows rows_a_, rows_b_;
   const TimeTable* coarse_;
   std::vector<std::pair<std::size_t, std::size_t>> index_;
@@ -146,9 +164,10 @@ Comparison compare(const TimeTable& a, const TimeTable& b, const std::vector<std
   const auto names = columns.empty() ? common(a, b) : columns;
   for (const std::string& name : names) both.add(name);
   Comparison comparison = both.compared();
+  const std::unordered_set<std::string_view> compared(names.begin(), names.end());
   for (const TimeTable* table : {&a, &b})
     for (const std::string& name : table->names)
-      if (columns.empty() && std::find(names.begin(), names.end(), name) == names.end())
+      if (columns.empty() && !compared.contains(name))
         comparison.uncompared.push_back("column " + name + " is in " + table->file.string() + " only");
   return comparison;
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "output/lock.hpp"
 #include "scenario/assembly.hpp"
 #include "tandem/coordinator/units.hpp"
 
@@ -93,6 +94,7 @@ RungRun Ladder::run(std::size_t index, const std::filesystem::path& folder,
   RungRun result{entry.name, {}, "", 0.0};
   const auto names = take_quantities(rungs_[index], entry);
   try {
+    const output::FolderLock kept(folder / entry.name, [](const std::string&) {});
     Assembly assembly(rungs_[index], builtins_);
     const auto recorder = assembly.recorder(folder / entry.name);
     assembly.coordinator().observe(recorder.get());

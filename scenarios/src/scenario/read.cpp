@@ -116,12 +116,12 @@ class Reader {
   }
 
   void read_subsystem(const std::string& name, Section section) {
-    SubsystemEntry entry{name,
-                         section.required_text("source", "a source like \"builtin:NAME\""),
-                         shared_,
-                         {},
-                         section.place(),
-                         section.place("source")};
+    SubsystemEntry entry{name, "", shared_, {}, section.place(), section.place("source")};
+    if (section.node("command"))
+      read_command(section, entry);
+    else
+      entry.source = section.required_text(
+          "source", "a source like \"builtin:NAME\", or command, a program and its arguments");
     if (const auto* table = section.table("parameters"))
       for (Parameter& own : parameters(*table, section.name("parameters"))) {
         std::erase_if(entry.parameters, [&](const Parameter& p) { return p.name == own.name; });
@@ -132,6 +132,17 @@ class Reader {
         read_start(entry, port, *node, section.name("inputs." + port));
     section.refuse_unknown();
     to_.subsystems.push_back(std::move(entry));
+  }
+
+  void read_command(Section& section, SubsystemEntry& entry) const {
+    const std::string allowed = "an array of texts, a program and its arguments";
+    if (section.node("source")) section.wrong("command", "given beside source", "one of them");
+    if (!section.node("command")->is_array())
+      section.wrong("command", described(*section.node("command")), allowed);
+    entry.command = section.texts("command");
+    if (entry.command.empty()) section.wrong("command", "empty", allowed);
+    entry.source = "spawn:";
+    entry.source_place = section.place("command");
   }
 
   void read_start(SubsystemEntry& entry, const std::string& port, const toml::node& node,

@@ -4,6 +4,8 @@
 #include <array>
 #include <cctype>
 
+#include "tandem/transports/open.hpp"
+
 namespace tandem::scenario {
 namespace {
 
@@ -64,6 +66,10 @@ Place ConnectionEntry::place_named_in(const std::string& sentence) const {
   for (const Place& end : {from_place, to_place, how_place})
     if (!end.set_by.empty()) return end;
   return place;
+}
+
+std::string SubsystemEntry::address() const {
+  return command.empty() ? source.substr(0, source.find('?')) : "command " + shown(command);
 }
 
 /// That of the first parameter whose value the sentence tells ("index-3 formulation: beta is 0.3"), else of

@@ -31,10 +31,14 @@ struct StartValue {
 };
 
 struct SubsystemEntry {
-  std::string name, source;
+  std::string name, source;           ///< source: of a command "spawn:"
   std::vector<Parameter> parameters;  ///< those that all subsystems share are among them
   std::vector<StartValue> inputs;
   Place place, source_place;
+  std::vector<std::string> command = {};  ///< a program and its arguments; empty: there is a source
+
+  /// "lib:./x.so", without parameters, or "command [...]".
+  std::string address() const;
 
   /// The place that an error of opening it is about: of the parameter that the sentence names first, else the
   /// source.

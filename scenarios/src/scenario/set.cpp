@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "tandem/nearest.hpp"
+#include "tandem/printable.hpp"
 #include "tandem/text/document.hpp"
+#include "tandem/text/nesting.hpp"
 
 namespace tandem::scenario {
 namespace {
@@ -71,6 +73,9 @@ class Override {
       refuse_setting("'" + text + "' is not of the form KEY=VALUE");
     steps_ = split(text.substr(0, equals));
     value_ = text.substr(equals + 1);
+    if (steps_.size() > text::deepest_nesting ||
+        text::deeper_than("v = " + value_, text::deepest_nesting) > 0)
+      refuse_setting("'" + printable(text, 60) + "': " + text::too_deep);
     try {
       if (toml::parse(std::string_view("v = " + value_)).size() == 1) return;
     } catch (const toml::parse_error&) {  // not TOML: a text
@@ -112,7 +117,14 @@ class Override {
       refuse_setting(unknown("subsystem", step.text, keys(table)));
     if (node && i + 1 < steps_.size()) return go_on(*node, i + 1);
     toml::table made = parsed(i);
+    if (i == 2 && steps_[0].text == "subsystems") leave_one_origin(table, step.text);
     made.get(step.text)->visit([&](auto& value) { table.insert_or_assign(step.text, std::move(value)); });
+  }
+
+  /// A source takes the place of a command, and the other way round.
+  static void leave_one_origin(toml::table& subsystem, const std::string& key) {
+    if (key == "source") subsystem.erase("command");
+    if (key == "command") subsystem.erase("source");
   }
 
   void go_on(toml::node& node, std::size_t i) {

@@ -6,9 +6,10 @@
 namespace tandem::diagrams {
 
 void add_sources(Builtins& builtins, const TellOfDiagram& tell) {
-  builtins.files["diagram"] = [tell](const std::filesystem::path& file, Parameters& p) {
-    return make_diagram({file}, p, engine_models::compiled_kinds(), tell);
+  const auto make = [tell](const Address& address, Parameters& p) {
+    return make_diagram({address.file()}, p, engine_models::compiled_kinds(), tell);
   };
+  builtins.schemes["diagram"] = {diagram_words(), make};
 }
 
 }  // namespace tandem::diagrams

@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "sources/functions.hpp"
 
+#include <optional>
+
 #include "tandem/error.hpp"
 #include "tandem/mbs/functions/function_model.hpp"
 #include "tandem/mbs/functions/library.hpp"
@@ -11,27 +13,44 @@
 namespace tandem::functions {
 namespace {
 
-std::unique_ptr<mbs::Functions> open(const std::filesystem::path& file, Parameters& p) {
-  if (file.extension() != ".m") return mbs::open_library(file);
-  mbs::OctaveSettings settings;
-  settings.command = p.text("octave", settings.command);
-  settings.deadline = p.number("deadline", settings.deadline);
-  return mbs::open_octave(file, settings);
-}
+/// What the parameters say, and whether the file is there.
+struct Asked {
+  double step;
+  mbs::StepperSettings stepper;
+  std::optional<mbs::OctaveSettings> octave;  ///< none: a library
+};
 
-std::unique_ptr<Subsystem> make(const std::filesystem::path& file, Parameters& p) {
+Asked asked(const std::filesystem::path& file, Parameters& p) {
   if (!p.has("step"))
     throw Error(ErrorCode::invalid_argument,
                 "model " + file.string() + " has no own step; give the parameter step, a number above 0 [s]");
-  const double step = p.number("step", 0.0);
-  const mbs::StepperSettings stepper = take_stepper(p);
-  auto model = std::make_shared<mbs::FunctionModel>(open(file, p));
+  Asked a{p.number("step", 0.0), take_stepper(p), {}};
+  if (file.extension() == ".m") {
+    a.octave.emplace();
+    a.octave->command = p.text("octave", a.octave->command);
+    a.octave->deadline = p.number("deadline", a.octave->deadline);
+  }
+  if (!std::filesystem::exists(file))
+    throw Error(ErrorCode::input_output, "model " + file.string() + " is not there");
+  return a;
+}
+
+std::unique_ptr<Subsystem> make(const Address& address, Parameters& p) {
+  const std::filesystem::path file = address.file();
+  const Asked a = asked(file, p);
+  auto model = std::make_shared<mbs::FunctionModel>(a.octave ? mbs::open_octave(file, *a.octave)
+                                                             : mbs::open_library(file));
   return mbs::make_subsystem({model->info().name, model, model->initial(0.0), model->info().units},
-                             {step, stepper});
+                             {a.step, a.stepper});
 }
 
 }  // namespace
 
-void add_sources(Builtins& builtins) { builtins.files["functions"] = make; }
+void add_sources(Builtins& builtins) {
+  const Words own =
+      words_by(Setter::operator_only, {"octave", "deadline"}) + words_by(Setter::client, {"step"});
+  builtins.schemes["functions"] = {own + stepper_words(), make, false, true,
+                                   [](const Address& address, Parameters& p) { asked(address.file(), p); }};
+}
 
 }  // namespace tandem::functions

@@ -177,25 +177,24 @@ void BothMasses::read(ByteReader& from) {
 }
 
 void add_builtins(Builtins& builtins) {
-  builtins.models["two_mass.fast"] = [](Parameters& p) {
-    return std::make_unique<FixedStep<FastMass>>(FastMass(Model(Settings::from(p)), {}));
+  const auto add = [&](const char* name, const Words& besides, const auto& make) {
+    builtins.models[std::string("two_mass.") + name] = {
+        Settings::words() + besides, [make](const Address&, Parameters& p) -> std::unique_ptr<Subsystem> {
+          return std::make_unique<FixedStep<decltype(make(Model({}), p))>>(make(Model(Settings::from(p)), p));
+        }};
   };
-  builtins.models["two_mass.slow"] = [](Parameters& p) {
-    const Model model(Settings::from(p));
-    return std::make_unique<FixedStep<SlowMass>>(
-        SlowMass(model, {.reuse_acceleration = p.flag("reuse_acceleration", false)}));
-  };
-  builtins.models["two_mass.fast_force"] = [](Parameters& p) {
-    const Model model(Settings::from(p));
-    return std::make_unique<FixedStep<FastMass>>(FastMass(model, {true, p.number("carried_mass", 0.0)}));
-  };
-  builtins.models["two_mass.slow_force"] = [](Parameters& p) {
-    const Model model(Settings::from(p));
-    return std::make_unique<FixedStep<SlowMass>>(SlowMass(model, {true, p.number("carried_mass", 0.0)}));
-  };
-  builtins.models["two_mass.both"] = [](Parameters& p) {
-    return std::make_unique<FixedStep<BothMasses>>(BothMasses(Model(Settings::from(p))));
-  };
+  const Words force = words_by(Setter::client, {"carried_mass"});
+  add("fast", {}, [](const Model& m, Parameters&) { return FastMass(m, {}); });
+  add("slow", words_by(Setter::client, {"reuse_acceleration"}), [](const Model& m, Parameters& p) {
+    return SlowMass(m, {.reuse_acceleration = p.flag("reuse_acceleration", false)});
+  });
+  add("fast_force", force, [](const Model& m, Parameters& p) {
+    return FastMass(m, {true, p.number("carried_mass", 0.0)});
+  });
+  add("slow_force", force, [](const Model& m, Parameters& p) {
+    return SlowMass(m, {true, p.number("carried_mass", 0.0)});
+  });
+  add("both", {}, [](const Model& m, Parameters&) { return BothMasses(m); });
 }
 
 }  // namespace tandem::two_mass

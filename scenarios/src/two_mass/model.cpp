@@ -29,20 +29,30 @@ std::string stiffness_range(double frequency_ratio, double a) {
                      std::max(0.0, (s + a) / (s + 1.0)), below, frequency_ratio);
 }
 
+constexpr std::pair<const char*, double Settings::*> numbers[] = {
+    {"frequency_ratio", &Settings::frequency_ratio},
+    {"c11", &Settings::c11},
+    {"c11_over_c13", &Settings::c11_over_c13},
+    {"c11_over_c23", &Settings::c11_over_c23},
+    {"c23_over_c21", &Settings::c23_over_c21},
+    {"k2", &Settings::k2},
+    {"phase1", &Settings::phase1},
+    {"phase2", &Settings::phase2},
+    {"steps_per_cycle", &Settings::steps_per_cycle},
+};
+
 }  // namespace
 
 Settings Settings::from(Parameters& p) {
   Settings s;
-  s.frequency_ratio = p.number("frequency_ratio", s.frequency_ratio);
-  s.c11 = p.number("c11", s.c11);
-  s.c11_over_c13 = p.number("c11_over_c13", s.c11_over_c13);
-  s.c11_over_c23 = p.number("c11_over_c23", s.c11_over_c23);
-  s.c23_over_c21 = p.number("c23_over_c21", s.c23_over_c21);
-  s.k2 = p.number("k2", s.k2);
-  s.phase1 = p.number("phase1", s.phase1);
-  s.phase2 = p.number("phase2", s.phase2);
-  s.steps_per_cycle = p.number("steps_per_cycle", s.steps_per_cycle);
+  for (const auto& [name, member] : numbers) s.*member = p.number(name, s.*member);
   return s;
+}
+
+Words Settings::words() {
+  Words all;
+  for (const auto& [name, member] : numbers) all.push_back({name, Setter::client});
+  return all;
 }
 
 Model::Model(const Settings& s) : k2(s.k2), phase1(s.phase1), phase2(s.phase2) {

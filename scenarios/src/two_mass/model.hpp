@@ -19,6 +19,7 @@ struct Settings {
 
   /// Takes the members by name.
   static Settings from(Parameters& parameters);
+  static Words words();
 };
 
 struct Motion {

@@ -15,46 +15,45 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-std::vector<double> picked(const std::vector<double>& values, const std::vector<std::size_t>& rows) {
-  std::vector<double> some;
-  some.reserve(rows.size());
-  for (const std::size_t row : rows) some.push_back(values[row]);
-  return some;
-}
-
-Json column(const Run& run, const std::string& name, const std::vector<double>& values) {
+Json column(const Run& run, const std::string& name, const std::vector<double>& values,
+            const Thinning& thinning) {
   Json json{{"name", name}, {"unit", run.unit(name)}};
   if (drawn_only(run, name)) {
+    const auto kept = thinning.ends(values);
     json["position"] = true;
-    json["f4"] = base64(std::vector<float>(values.begin(), values.end()));
+    json["f4"] = base64(std::vector<float>(kept.begin(), kept.end()));
   } else {
-    json["f8"] = base64(values);
+    json["f8"] = base64(thinning.bands(values));
   }
   return json;
 }
 
 Json table(const Run& run, const text::TimeTable& from, int every) {
-  const auto rows = kept(from.times.size(), every);
+  const Thinning thinning = thinning_of(from, every);
   Json columns = Json::array();
   for (std::size_t k = 0; k < from.names.size(); ++k)
     if (!stands_still(run, from.names[k]))
-      columns.push_back(column(run, from.names[k], picked(from.columns[k], rows)));
-  return {{"rows", rows.size()},
-          {"left_out", from.times.size() - rows.size()},
-          {"time", base64(picked(from.times, rows))},
+      columns.push_back(column(run, from.names[k], from.columns[k], thinning));
+  return {{"rows", thinning.rows()},
+          {"left_out", from.times.size() - thinning.rows()},
+          {"time", base64(thinning.ends(from.times))},
           {"columns", columns}};
 }
 
 /// How a run was made, for its reader.
 Json details(const Run& run) {
   Json all = Json::object();
-  if (run.about.contains("scenario")) {
-    all["scenario"] = run.about["scenario"].value("file", "");
-    if (const auto& set = run.about["scenario"]["overrides"]; !set.empty()) all["set"] = set;
+  if (const auto scenario = run.about.find("scenario"); scenario != run.about.end()) {
+    all["scenario"] = scenario->value("file", "");
+    if (const auto set = scenario->find("overrides"); set != scenario->end() && !set->empty())
+      all["set"] = *set;
   }
-  if (run.about.contains("coordination")) all["schedule"] = run.about["coordination"].value("schedule", "");
-  if (run.about.contains("notes") && !run.about["notes"].empty()) all["notes"] = run.about["notes"];
-  if (run.about.contains("versions")) all["versions"] = run.about["versions"];
+  if (const auto how = run.about.find("coordination"); how != run.about.end())
+    all["schedule"] = how->value("schedule", "");
+  if (const auto notes = run.about.find("notes"); notes != run.about.end() && !notes->empty())
+    all["notes"] = *notes;
+  if (const auto versions = run.about.find("versions"); versions != run.about.end())
+    for (const char* of : {"tandem", "commit", "compiler"}) all["versions"][of] = versions->value(of, "");
   return all;
 }
 
@@ -90,22 +89,19 @@ std::vector<std::string> labels(const std::vector<Run>& runs) {
 
 }  // namespace
 
-std::vector<std::size_t> kept(std::size_t rows, int every) {
-  std::vector<std::size_t> all;
-  for (std::size_t k = 0; k < rows; k += static_cast<std::size_t>(every)) all.push_back(k);
-  if (rows > 0 && all.back() != rows - 1) all.push_back(rows - 1);
-  return all;
+Thinning thinning_of(const text::TimeTable& table, int every) {
+  return {table.times.size(), table.names.size(), every};
 }
 
 Json data_of(const Content& content) {
   const Run& first = content.runs[0];
   const auto names = labels(content.runs);
-  Json scenario = first.about.value("scenario", Json::object());
+  const auto scenario = first.about.value("scenario", nlohmann::json::object());
   Json results = Json::array();
   for (std::size_t k = 0; k < content.runs.size(); ++k)
     results.push_back(result(content.runs[k], names[k], content.every));
   return {{"title", scenario.value("name", names[0])},
-          {"description", scenario.value("values", Json::object()).value("description", "")},
+          {"description", scenario.value("values", nlohmann::json::object()).value("description", "")},
           {"tandem", std::string(TANDEM_VERSION) + " (" + output::source_commit() + ")"},
           {"notes", content.notes},
           {"plots", plots_at_first(first)},

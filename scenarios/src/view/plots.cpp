@@ -27,7 +27,7 @@ const mbs::Entity* entity_of(const Run& run, const std::string& column) {
 std::vector<std::string> asked_for(const Run& run) {
   std::vector<std::string> names;
   if (!run.about.contains("scenario")) return names;
-  const auto& values = run.about["scenario"]["values"];
+  const auto& values = run.about.at("scenario").at("values");
   if (!values.contains("dimension") && values.contains("view") && values["view"].contains("plots"))
     return values["view"]["plots"].get<std::vector<std::string>>();
   for (const RunMechanism& m : run.mechanisms)
@@ -39,7 +39,7 @@ std::vector<std::string> asked_for(const Run& run) {
 std::vector<std::string> by_interest(const Run& run) {
   std::vector<std::string> first, rest, positions;
   if (run.about.contains("scenario"))
-    if (const auto& values = run.about["scenario"]["values"]; values.contains("judge"))
+    if (const auto& values = run.about.at("scenario").at("values"); values.contains("judge"))
       first.push_back(values["judge"].value("quantity", ""));
   std::set<std::string> units;
   for (const text::TimeTable& table : run.tables)
@@ -64,11 +64,11 @@ bool stands_still(const Run& run, const std::string& column) {
 std::vector<std::string> plots_at_first(const Run& run) {
   std::vector<std::string> chosen;
   const auto asked = asked_for(run);
-  for (const std::string& name : asked.empty() ? by_interest(run) : asked)
-    if (run.has(name) && !stands_still(run, name) &&
-        std::find(chosen.begin(), chosen.end(), name) == chosen.end())
-      chosen.push_back(name);
-  if (asked.empty()) chosen.resize(std::min(chosen.size(), plots_in_sight));
+  std::set<std::string> seen;
+  for (const std::string& name : asked.empty() ? by_interest(run) : asked) {
+    if (asked.empty() && chosen.size() == plots_in_sight) break;
+    if (run.has(name) && !stands_still(run, name) && seen.insert(name).second) chosen.push_back(name);
+  }
   return chosen;
 }
 

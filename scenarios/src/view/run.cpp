@@ -4,34 +4,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
+#include <unordered_map>
 
 #include "sources/elements.hpp"
 #include "tandem/error.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
+#include "view/about.hpp"
 
 namespace tandem::view {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 [[noreturn]] void refuse(const std::string& sentence, ErrorCode code = ErrorCode::input_output) {
   throw Error(code, sentence);
 }
 
-Json read_about(const fs::path& folder) {
-  const fs::path file = folder / "results.json";
-  std::ifstream in(file);
-  if (!in) refuse(fmt::format("file '{}' is missing; 'tandem run' writes it", file.string()));
-  Json json = Json::parse(in, nullptr, false);
-  if (!json.is_object() || !json.contains("files") || !json.contains("scenario"))
-    refuse(fmt::format("file '{}' is not one of a run", file.string()));
-  return json;
-}
-
 /// Name and source of each subsystem; a mechanism that ran alone is its own source.
-std::vector<std::pair<std::string, std::string>> sources(const Json& values, const fs::path& file) {
+std::vector<std::pair<std::string, std::string>> sources(const nlohmann::json& values, const fs::path& file) {
   std::vector<std::pair<std::string, std::string>> all;
   if (values.contains("dimension"))
     all.emplace_back(file.stem().string(), "mechanism:" + file.filename().string());
@@ -52,38 +42,53 @@ RunMechanism read_mechanism(const std::string& instance, const fs::path& file, c
   return mechanism;
 }
 
+/// A browser lists them all beside each plot.
+void check_columns(const text::TimeTable& table) {
+  constexpr std::size_t most = 100'000;
+  if (table.names.size() > most)
+    refuse(fmt::format("file '{}' has {} columns; a page can show up to {}", table.file.string(),
+                       table.names.size(), most),
+           ErrorCode::invalid_argument);
+}
+
+/// Names of subsystems in the order in which the results have them first.
+std::unordered_map<std::string, std::size_t> order_of(const Run& run) {
+  std::unordered_map<std::string, std::size_t> order;
+  for (const text::TimeTable& table : run.tables)
+    for (const std::string& column : table.names)
+      order.emplace(column.substr(0, column.find('.')), order.size());
+  return order;
+}
+
 /// Whether it is a run of a mechanism's file, not of a scenario.
-bool alone(const Run& run) { return run.about["scenario"]["values"].contains("dimension"); }
+bool alone(const Run& run) { return run.about.at("scenario").at("values").contains("dimension"); }
 
 }  // namespace
 
 std::string Run::unit(const std::string& column) const {
-  return about.contains("units") ? about["units"].value(column, "") : "";
-}
-
-bool Run::has(const std::string& column) const {
-  return std::any_of(tables.begin(), tables.end(), [&](const text::TimeTable& table) {
-    return std::find(table.names.begin(), table.names.end(), column) != table.names.end();
-  });
+  const auto units = about.find("units");
+  return units == about.end() ? "" : units->value(column, "");
 }
 
 Run read_run(const fs::path& place) {
-  Run run{place, Json::object(), {}, {}};
+  Run run{place, nlohmann::json::object(), {}, {}, {}};
   if (!fs::exists(place))
     refuse(fmt::format("'{}' is not there; allowed is the folder of a run, or a CSV file", place.string()));
   if (!fs::is_directory(place)) {
     run.tables.push_back(text::TimeTable::read(place));
-    return run;
+  } else {
+    run.about = read_about(place);
+    for (const auto& file : run.about["files"])
+      run.tables.push_back(text::TimeTable::read(place / file.get<std::string>()));
   }
-  run.about = read_about(place);
-  for (const auto& file : run.about["files"])
-    run.tables.push_back(text::TimeTable::read(place / file.get<std::string>()));
+  for (const text::TimeTable& table : run.tables) check_columns(table);
+  for (const text::TimeTable& table : run.tables) run.columns.insert(table.names.begin(), table.names.end());
   return run;
 }
 
 void read_mechanisms(Run& run) {
   if (!run.about.contains("scenario")) return;
-  const Json& scenario = run.about["scenario"];
+  const nlohmann::json& scenario = run.about["scenario"];  // with values: read_about()
   const fs::path file = scenario.value("file", "");
   constexpr std::string_view scheme = "mechanism:";
   for (const auto& [name, source] : sources(scenario["values"], file)) {
@@ -91,6 +96,13 @@ void read_mechanisms(Run& run) {
     const std::string path = source.substr(scheme.size(), source.find('?') - scheme.size());
     run.mechanisms.push_back(read_mechanism(name, file.parent_path() / path, run.place));
   }
+  const auto order = order_of(run);
+  const auto place = [&](const RunMechanism& mechanism) {
+    const auto it = order.find(mechanism.instance);
+    return it == order.end() ? order.size() : it->second;
+  };
+  std::stable_sort(run.mechanisms.begin(), run.mechanisms.end(),
+                   [&](const RunMechanism& a, const RunMechanism& b) { return place(a) < place(b); });
 }
 
 void check_positions(const Run& run) {

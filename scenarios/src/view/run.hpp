@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 #include "mechanisms/view_table.hpp"
@@ -21,12 +22,13 @@ struct RunMechanism {
 /// Results as they are read back.
 struct Run {
   std::filesystem::path place;
-  nlohmann::ordered_json about;  ///< results.json; an empty object for a CSV file alone
+  nlohmann::json about;  ///< results.json; an empty object for a CSV file alone
   std::vector<text::TimeTable> tables;
+  std::unordered_set<std::string> columns;  ///< names of all tables
   std::vector<RunMechanism> mechanisms;
 
   std::string unit(const std::string& column) const;  ///< empty if it is not known
-  bool has(const std::string& column) const;
+  bool has(const std::string& column) const { return columns.contains(column); }
 };
 
 /// place: the folder of a run, or a CSV file alone. Throws Error with what is missing.

@@ -39,7 +39,8 @@ class StandIn {
 };
 
 TEST(Gnuplot, TextsAreQuotedSoThatNothingInThemIsACommand) {
-  EXPECT_EQ(quote("it's"), "'it''s'");
+  EXPECT_EQ(quote("it's"), "'it’s'");
+  EXPECT_EQ(quote("'a"), "'’a'");
   EXPECT_EQ(quote("a\n`system`\t\"b\""), "'a `system` \"b\"'");
 }
 
@@ -49,7 +50,7 @@ TEST(Gnuplot, TheScriptHoldsItsData) {
   picture.plot({{block, "with lines", "it's"}, {"0", "with lines"}});
   const std::string script = picture.script();
   EXPECT_TRUE(holds(script, "$d1 << END\n1 0.1\n2 nan\nEND\n"));
-  EXPECT_TRUE(holds(script, "plot $d1 with lines title 'it''s' noenhanced, \\\n     0 with lines notitle\n"));
+  EXPECT_TRUE(holds(script, "plot $d1 with lines title 'it’s' noenhanced, \\\n     0 with lines notitle\n"));
   EXPECT_LT(script.find("$d1 <<"), script.find("\nplot "));
 }
 

@@ -33,6 +33,14 @@ const std::string point =
     "point,worst,parallel,lagrange3,lagrange3,0,0.25,3,1,20,-0.25,0,,,,\n"
     "point,best,fastest-first,lagrange1,mean,0,0.125,3,1,20,-0.375,0,,,,\n";
 
+/// The level is part of the name of a file and of the script.
+TEST(KartCharts, ALevelThatIsNoNameIsRefused) {
+  for (const char* level : {"x'; system('touch x'); y='", "../x", "a b", ""})
+    EXPECT_TRUE(test::refuses(ErrorCode::input_output, {"line 2", "level", "letters, digits and _"}, [&] {
+      traces_of(level + point.substr(5));
+    })) << level;
+}
+
 TEST(KartCharts, ShowPitchAndDifferencesOfWorstAndBestWithTheGearsMarked) {
   const auto levels = traces_of(point);
   ASSERT_EQ(levels.size(), 1U);

@@ -54,7 +54,7 @@ TEST(LinkageRuns, RatiosSayWhoTakesHowLongAndHowManyTimesAsLong) {
 
 TEST(LinkageRuns, OfOtherTablesAreRefused) {
   EXPECT_TRUE(test::refuses(ErrorCode::input_output, {"simbody.csv", "no rows"}, [] { runs_of(""); }));
-  EXPECT_TRUE(test::refuses(ErrorCode::input_output, {"line 2", "seconds is '0'"},
+  EXPECT_TRUE(test::refuses(ErrorCode::input_output, {"line 2", "seconds is something else"},
                             [] { runs_of("tandem,hanging,1,index3,1,1,1e-3,0,ok\n"); }));
 }
 

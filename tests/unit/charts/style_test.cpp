@@ -52,7 +52,7 @@ TEST(Style, BadConditionsAreNamed) {
   EXPECT_TRUE(refused(R"({"processor": "P"})", "key 'compiler' is missing"));
   EXPECT_TRUE(refused("[]", "key 'processor' is missing"));
   EXPECT_TRUE(refused("{\n\"processor\" 1}", "line 2"));
-  EXPECT_TRUE(refuses(ErrorCode::input_output, {"absent.json", "can't be read"},
+  EXPECT_TRUE(refuses(ErrorCode::input_output, {"absent.json", "is not there"},
                       [&] { conditions_caption(scratch.path() / "absent.json", 100); }));
 }
 

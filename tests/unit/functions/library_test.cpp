@@ -40,7 +40,7 @@ TEST(FunctionLibrary, RefusesAFileThatIsNone) {
   folder.write("text.so", "no library");
   EXPECT_TRUE(
       refuses(ErrorCode::invalid_argument, {"text.so"}, [&] { open_library(folder.path() / "text.so"); }));
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"absent.so"},
+  EXPECT_TRUE(refuses(ErrorCode::input_output, {"absent.so", "is not there"},
                       [&] { open_library(folder.path() / "absent.so"); }));
   EXPECT_TRUE(
       refuses(ErrorCode::invalid_argument, {"tandem_model"}, [] { open_library(library("no_symbol")); }));

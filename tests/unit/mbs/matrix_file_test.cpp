@@ -50,13 +50,14 @@ TEST(MatrixFile, TellsFileLineAndWhatIsAllowed) {
   const std::string head = "%%MatrixMarket matrix coordinate real general\n";
   const auto code = ErrorCode::input_output;
   EXPECT_TRUE(
-      refuses(code, {"none.mtx", "can't be read"}, [&] { read_matrix_market(folder.path() / "none.mtx"); }));
-  EXPECT_TRUE(refuses(code, {"bad.mtx:1", "array"}, market("%%MatrixMarket matrix array real general\n")));
+      refuses(code, {"none.mtx", "is not there"}, [&] { read_matrix_market(folder.path() / "none.mtx"); }));
+  EXPECT_TRUE(
+      refuses(code, {"bad.mtx:1", "coordinate"}, market("%%MatrixMarket matrix array real general\n")));
   EXPECT_TRUE(refuses(code, {"bad.mtx:3", "a row is 3", "1 to 2"}, market(head + "2 2 1\n3 1 1\n")));
-  EXPECT_TRUE(refuses(code, {"bad.mtx:3", "'x'"}, market(head + "2 2 1\n1 1 x\n")));
-  EXPECT_TRUE(refuses(code, {"'nan'"}, market(head + "2 2 1\n1 1 nan\n")));
+  EXPECT_TRUE(refuses(code, {"bad.mtx:3", "a value"}, market(head + "2 2 1\n1 1 x\n")));
+  EXPECT_TRUE(refuses(code, {"finite"}, market(head + "2 2 1\n1 1 nan\n")));
   EXPECT_TRUE(refuses(code, {"ends where a row"}, market(head + "2 2 2\n1 1 1\n")));
-  EXPECT_TRUE(refuses(code, {"more", "'2'"}, market(head + "2 2 1\n1 1 1\n2 2 2\n")));
+  EXPECT_TRUE(refuses(code, {"bad.mtx:4", "more"}, market(head + "2 2 1\n1 1 1\n2 2 2\n")));
   EXPECT_TRUE(refuses(code, {"bad.ccs:2", "start"}, columns("2 2 2\n0 3 2\n0 1\n1 1\n")));
   EXPECT_TRUE(refuses(code, {"bad.ccs:3", "a row is 0", "1 to 1"}, columns("2 1 2\n0 2\n0 0\n1 1\n")));
   EXPECT_TRUE(refuses(code, {"can't be written"},

@@ -60,6 +60,13 @@ TEST(Set, ReadsTomlAndElseAText) {
       "builtin:a?b=c");
 }
 
+TEST(Set, OfSourceAndCommandTheNewOneStays) {
+  const toml::table table = with("subsystems.fast.command=[\"prog\", \"a\"]");
+  const toml::table& fast = *table.at_path("subsystems.fast").as_table();
+  EXPECT_EQ(fast["command"].as_array()->size(), 2U);
+  EXPECT_FALSE(fast.contains("source"));
+}
+
 TEST(Set, NamesAConnectionByIndexOrByItsInputOrAll) {
   EXPECT_EQ(with("connections[1].gain=3").at_path("connections[1].gain").value<int>(), 3);
   EXPECT_EQ(with("connections[slow.u].gain=3").at_path("connections[1].gain").value<int>(), 3);

@@ -77,8 +77,10 @@ TEST(KeyedTable, RefusesAFileThatIsNotOneOfItsOwn) {
   };
   EXPECT_TRUE(refused("a,b\n", {"sweep.csv:1: the header is not schedule,"}));
   EXPECT_TRUE(refused(header + "a,b,c,3,0\n", {"sweep.csv:2: the row has 5 cells; the header has 13"}));
-  EXPECT_TRUE(refused(header + "a,b,c,3,zzz,0,0,0,0,0,0,ok,\n", {"sweep.csv:2: 'zzz' is no number"}));
-  EXPECT_TRUE(refused(header + "a,b,c,3,0,0,0,0,0,0,0,okk,\n", {"sweep.csv:2: 'okk' is no status"}));
+  EXPECT_TRUE(
+      refused(header + "a,b,c,3,zzz,0,0,0,0,0,0,ok,\n", {"sweep.csv:2: position_error is no number"}));
+  EXPECT_TRUE(
+      refused(header + "a,b,c,3,0,0,0,0,0,0,0,okk,\n", {"sweep.csv:2: status is neither ok nor failed"}));
 }
 
 }  // namespace

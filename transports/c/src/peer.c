@@ -1,13 +1,18 @@
 /* Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause */
 /* One file, so that a program takes it along easily. In this order: bytes, frames on a socket, addresses, a
  * session that is served, the server, a remote subsystem. */
+#ifdef __linux__
+#define _GNU_SOURCE /* accept4 */
+#else
 #define _POSIX_C_SOURCE 200809L
+#endif
 #include "tandem/peer.h"
 
 #include <arpa/inet.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <float.h>
+#include <limits.h>
 #include <math.h>
 #include <netdb.h>
 #include <netinet/in.h>
@@ -25,9 +30,6 @@
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
-#ifdef __linux__
-#include <sys/prctl.h>
-#endif
 
 extern char** environ;
 
@@ -54,10 +56,15 @@ enum {
   SAMPLES_HEAD = 32,
   LONGEST_NAME = 4096,
   SHORTEST_LIMIT = 4096,
-  MAX_SESSIONS = 1024
+  MAX_SESSIONS = 1024,
+  LONGEST_SHOWN = 1000, /* bytes of a stranger's sentence */
+  LONGEST_TOLD = 4000,  /* bytes of a sentence of ours */
+  MAX_STATES = 1000     /* saved ones of a session */
 };
 #define LONGEST ((uint64_t)1 << 26)
 #define LONGEST_TEXT ((uint32_t)1 << 20)
+#define USUAL_MEMORY ((size_t)1 << 22)      /* more is given back when a request has been answered */
+#define MAX_STATE_BYTES ((uint64_t)1 << 25) /* of all saved states of a session */
 static const char magic[8] = {'T', 'A', 'N', 'D', 'E', 'M', '\r', '\n'};
 static const char* const type_names[] = {"none",    "hello", "info",      "initialize", "advance",
                                          "samples", "save",  "restore",   "release",    "ping",
@@ -74,6 +81,67 @@ static tandem_status refuse(fault* f, tandem_status status, const char* format, 
   vsnprintf(f->sentence, sizeof f->sentence, format, arguments);
   va_end(arguments);
   return f->status = status;
+}
+
+/* The code of the first character of a text, and its bytes: 0 if it is no UTF-8 (RFC 3629, section 4:
+ * shortest form, no surrogates, up to U+10FFFF). */
+static uint32_t first_character(const unsigned char* text, size_t length, size_t* bytes) {
+  static const uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
+  const size_t wanted = text[0] < 0x80 ? 1 : text[0] >= 0xf0 ? 4 : text[0] >= 0xe0 ? 3 : 2;
+  uint32_t code = wanted == 1 ? text[0] : text[0] & (0x7fU >> wanted);
+  size_t k;
+  *bytes = 0;
+  if ((text[0] >= 0x80 && text[0] < 0xc2) || text[0] > 0xf4 || length < wanted) return text[0];
+  for (k = 1; k < wanted; ++k) {
+    if ((text[k] & 0xc0) != 0x80) return text[0];
+    code = code << 6 | (text[k] & 0x3fU);
+  }
+  if (code < least[wanted] || code > 0x10ffff || (code >= 0xd800 && code < 0xe000)) return text[0];
+  *bytes = wanted;
+  return code;
+}
+
+/* Those that a terminal obeys, also such as turn the direction of writing. */
+static int is_control(uint32_t code) {
+  return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0x61c || code == 0x200e || code == 0x200f ||
+         (code >= 0x2028 && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
+}
+
+/* A stranger's text as a terminal, a log and a file can take it: UTF-8 as it is, control characters as \x1b
+ * or \u202e, bytes that are no UTF-8 as \xff, what is beyond `longest` bytes as "...". `shown` has room for
+ * longest + 4 bytes, or is NULL: then only the length is told. */
+static size_t printable(char* shown, size_t longest, const char* text, size_t length) {
+  const unsigned char* at = (const unsigned char*)text;
+  size_t size = 0, bytes;
+  while (length > 0) {
+    const uint32_t code = first_character(at, length, &bytes);
+    const int plain = bytes > 0 && !is_control(code), narrow = bytes == 0 || code < 0x80;
+    const size_t needed = plain ? bytes : narrow ? 4 : 6;
+    if (size + needed > longest) {
+      if (shown) strcpy(shown + size, "...");
+      return size + 3;
+    }
+    if (shown && plain)
+      memcpy(shown + size, at, bytes);
+    else if (shown)
+      sprintf(shown + size, narrow ? "\\x%02x" : "\\u%04x", (unsigned)code);
+    size += needed;
+    at += bytes ? bytes : 1;
+    length -= bytes ? bytes : 1;
+  }
+  if (shown) shown[size] = 0;
+  return size;
+}
+
+/* Whether it is so already. */
+static int is_printable(const char* text, size_t length) {
+  const unsigned char* at = (const unsigned char*)text;
+  size_t bytes;
+  for (; length > 0; at += bytes, length -= bytes) {
+    const uint32_t code = first_character(at, length, &bytes);
+    if (bytes == 0 || is_control(code)) return 0;
+  }
+  return 1;
 }
 
 typedef struct buffer {
@@ -132,6 +200,13 @@ static void put_double(buffer* b, double value) { put_doubles(b, &value, 1); }
 static void put_bytes(buffer* b, const void* bytes, size_t count) {
   unsigned char* at = more(b, count);
   if (at && count) memcpy(at, bytes, count);
+}
+static void release(buffer* b) {
+  free(b->bytes);
+  memset(b, 0, sizeof *b);
+}
+static void release_large(buffer* b) {
+  if (b->capacity > USUAL_MEMORY) release(b);
 }
 static void put_text(buffer* b, const char* text, size_t longest) {
   size_t length = strlen(text);
@@ -197,15 +272,15 @@ static double take_finite(reader* in, const char* name) {
 }
 
 /* A text of C: it is moved onto its length, so that there is a byte for its end. */
-static char* take_text(reader* in, uint32_t longest) {
-  const uint32_t length = take_u32(in);
-  unsigned char* text;
-  if (length > longest) wrong(in, "has a text of %u bytes; allowed are up to %u", length, longest);
-  if (!(text = take(in, length))) return NULL;
-  if (memchr(text, 0, length)) wrong(in, "has a text with a zero byte");
-  memmove(text - 4, text, length);
-  text[(ptrdiff_t)length - 4] = 0;
-  return (char*)text - 4;
+static char* take_text(reader* in, uint32_t longest, size_t* length) {
+  unsigned char* const place = in->at;
+  const unsigned char* text;
+  *length = take_u32(in);
+  if (*length > longest) wrong(in, "has a text of %zu bytes; allowed are up to %u", *length, longest);
+  if (!(text = take(in, *length))) return NULL;
+  memmove(place, text, *length);
+  place[*length] = 0;
+  return (char*)place;
 }
 
 /* Of things that need so many bytes each. */
@@ -267,10 +342,8 @@ static void set_up(channel* c, int socket, double deadline) {
 static void tear_down(channel* c) {
   if (c->socket >= 0) close(c->socket);
   c->socket = -1;
-  free(c->in.bytes);
-  free(c->out.bytes);
-  memset(&c->in, 0, sizeof c->in);
-  memset(&c->out, 0, sizeof c->out);
+  release(&c->in);
+  release(&c->out);
 }
 
 static void begin(channel* c, int type, uint32_t number) {
@@ -303,11 +376,12 @@ static tandem_status send_frame(channel* c) {
   return TANDEM_OK;
 }
 
-/* Reads until there are so many bytes, and what has come besides; memory grows with what has come. Nothing at
- * all is no error where the connection is closed between two frames. */
+/* Reads until there are so many bytes, and a little of what has come besides; memory grows with what has
+ * come. Nothing at all is no error where the connection is closed between two frames. */
 static tandem_status fill(channel* c, size_t least, double until) {
   while (c->in.size < least) {
-    const size_t part = c->in.size + 65536;
+    const size_t wanted = least - c->in.size, grown = c->in.size;
+    const size_t part = (wanted < grown ? wanted : grown) + 65536;
     ssize_t count;
     if (!reserve(&c->in, c->in.size + part))
       return refuse(&c->fault, TANDEM_INTERNAL, "there is no memory for a frame");
@@ -338,13 +412,26 @@ static tandem_status check_header(channel* c) {
   return TANDEM_OK;
 }
 
+/* The frame that was received last is not needed any more. */
+static void forget(channel* c) {
+  const size_t left = c->in.size - c->frame;
+  buffer rest = {NULL, 0, 0, 0};
+  if (c->in.capacity > USUAL_MEMORY) put_bytes(&rest, c->in.bytes + c->frame, left);
+  if (c->in.capacity > USUAL_MEMORY && !rest.lost) {
+    release(&c->in);
+    c->in = rest;
+  } else {
+    if (c->frame && left) memmove(c->in.bytes, c->in.bytes + c->frame, left);
+    c->in.size = left;
+  }
+  c->frame = 0;
+}
+
 /* The next frame, whole within the deadline; *type is 0 if the connection was closed before it. */
 static tandem_status receive(channel* c, int* type, uint32_t* number, reader* in) {
   const double until = now() + c->deadline;
   tandem_status status;
-  c->in.size -= c->frame;
-  if (c->in.size) memmove(c->in.bytes, c->in.bytes + c->frame, c->in.size);
-  c->frame = 0;
+  forget(c);
   *type = 0;
   status = fill(c, HEADER, until);
   if (status != TANDEM_OK || c->in.size == 0) return status;
@@ -362,6 +449,27 @@ static tandem_status receive(channel* c, int* type, uint32_t* number, reader* in
 
 /* ---- Addresses ---- */
 
+#ifndef SOCK_CLOEXEC /* then a program that another thread starts meanwhile inherits it */
+#define SOCK_CLOEXEC 0
+#endif
+
+/* A socket that programs started from here do not inherit; or -1. */
+static int open_socket(int family) {
+  const int s = socket(family, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  if (s >= 0 && !SOCK_CLOEXEC) fcntl(s, F_SETFD, FD_CLOEXEC);
+  return s;
+}
+
+static int accept_connection(int listening) {
+#ifdef __linux__
+  return accept4(listening, NULL, NULL, SOCK_CLOEXEC);
+#else
+  const int s = accept(listening, NULL, NULL);
+  if (s >= 0) fcntl(s, F_SETFD, FD_CLOEXEC);
+  return s;
+#endif
+}
+
 static int close_with(int socket, int error) {
   close(socket);
   errno = error;
@@ -370,7 +478,7 @@ static int close_with(int socket, int error) {
 
 /* A connected socket, or -1 and errno. */
 static int attempt(const struct sockaddr* place, socklen_t size, double until) {
-  const int s = socket(place->sa_family, SOCK_STREAM, 0);
+  const int s = open_socket(place->sa_family);
   socklen_t length = sizeof(int);
   int error = 0;
   if (s < 0) return -1;
@@ -456,22 +564,28 @@ static tandem_status connect_to(const char* address, int allow_plaintext, double
 
 /* ---- A session that is served ---- */
 
-int64_t tandem_row_size(const tandem_info* info) {
-  int64_t outputs = 0, blocks = 1;
+static int64_t scalars_of(const tandem_port* ports, int32_t count) {
+  int64_t scalars = 0;
   int32_t i;
-  for (i = 0; i < info->output_count; ++i) {
-    outputs += info->outputs[i].size;
+  for (i = 0; i < count; ++i) scalars += ports[i].size;
+  return scalars;
+}
+static int64_t input_size(const tandem_info* info) { return scalars_of(info->inputs, info->input_count); }
+static int64_t output_size(const tandem_info* info) { return scalars_of(info->outputs, info->output_count); }
+
+int64_t tandem_row_size(const tandem_info* info) {
+  int64_t blocks = 1;
+  int32_t i;
+  for (i = 0; i < info->output_count; ++i)
     if (info->outputs[i].derivatives >= blocks) blocks = info->outputs[i].derivatives + 1;
-  }
-  return 2 + outputs * blocks;
+  return 2 + output_size(info) * blocks;
 }
 
-static int64_t input_size(const tandem_info* info) {
-  int64_t inputs = 0;
-  int32_t i;
-  for (i = 0; i < info->input_count; ++i) inputs += info->inputs[i].size;
-  return inputs;
-}
+/* A saved state that is not released. */
+typedef struct kept_state {
+  int64_t id;
+  uint64_t bytes; /* as far as it is known */
+} kept_state;
 
 typedef struct session {
   channel channel;
@@ -481,8 +595,10 @@ typedef struct session {
   const tandem_info* info;
   int initialized;
   uint32_t number;
-  /* Memory of a call: buffers of doubles, signals and segments */
-  buffer rows, u0, signals, segments;
+  buffer u0, signals, segments; /* memory of a call */
+  kept_state states[MAX_STATES];
+  int state_count;
+  uint64_t states_bytes, state_bytes; /* of all of them, and of one */
 } session;
 
 static void put_ports(buffer* b, const tandem_port* ports, int32_t count) {
@@ -526,6 +642,7 @@ typedef struct greeting {
   uint32_t lowest, highest;
   uint64_t longest;
   const char* text;
+  size_t text_length;
 } greeting;
 
 static tandem_status read_hello(reader* in, greeting* g) {
@@ -536,13 +653,14 @@ static tandem_status read_hello(reader* in, greeting* g) {
   g->highest = take_u32(in);
   g->longest = take_u64(in);
   take_u32(in); /* capabilities, of which version 1 knows none */
-  g->text = take_text(in, LONGEST_TEXT);
+  g->text = take_text(in, LONGEST_TEXT, &g->text_length);
   return done(in);
 }
 
 static tandem_status answer_hello(session* s, reader* in) {
   fault* f = &s->channel.fault;
   greeting g;
+  char shown[204];
   if (read_hello(in, &g) != TANDEM_OK) return f->status;
   if (g.lowest > VERSION || g.highest < VERSION)
     return refuse(f, TANDEM_NOT_SUPPORTED, "the peer speaks version %u to %u of the protocol; allowed is %d",
@@ -551,6 +669,10 @@ static tandem_status answer_hello(session* s, reader* in) {
     return refuse(f, TANDEM_NOT_SUPPORTED,
                   "the peer takes payloads of up to %llu bytes; allowed are %d or more",
                   (unsigned long long)g.longest, SHORTEST_LIMIT);
+  if (!is_printable(g.text, g.text_length)) {
+    printable(shown, sizeof shown - 4, g.text, g.text_length);
+    return refuse(f, TANDEM_INVALID_ARGUMENT, "the parameters hold what is no text: '%s'", shown);
+  }
   s->channel.longest = g.longest;
   if (s->api->create(g.text, &s->self) != TANDEM_OK)
     return refuse(f, TANDEM_INVALID_ARGUMENT, "%s",
@@ -561,28 +683,23 @@ static tandem_status answer_hello(session* s, reader* in) {
   return send_frame(&s->channel);
 }
 
-/* Rows for one reply: as many as are asked for and fit. */
+/* Rows for one reply: as many as are asked for and fit. They are made where the reply has them. */
 static tandem_status make_rows(session* s, uint64_t room, tandem_samples* y) {
   const uint64_t stride = (uint64_t)tandem_row_size(s->info);
   const uint64_t longest = s->channel.longest < LONGEST ? s->channel.longest : LONGEST;
   const uint64_t fit = (longest - SAMPLES_HEAD) / (8 * stride), capacity = room < fit ? room : fit;
+  const size_t before = HEADER + SAMPLES_HEAD, spare = LONGEST_TOLD; /* an error's head is longer */
   if (capacity == 0)
     return refuse(&s->channel.fault, TANDEM_INVALID_ARGUMENT,
                   "there is room for no row of %llu bytes in a reply", (unsigned long long)(8 * stride));
-  if (!reserve(&s->rows, 8 * capacity * stride))
+  if (!reserve(&s->channel.out, before + 8 * capacity * stride + spare))
     return refuse(&s->channel.fault, TANDEM_INTERNAL, "there is no memory for %llu rows",
                   (unsigned long long)capacity);
-  y->rows = (double*)(void*)s->rows.bytes;
+  y->rows = (double*)(void*)(s->channel.out.bytes + before);
   y->stride = (int64_t)stride;
   y->capacity = (int64_t)capacity;
   y->size = 0;
   return TANDEM_OK;
-}
-
-static void put_rows(buffer* b, const tandem_samples* y) {
-  put_u32(b, (uint32_t)y->stride);
-  put_u64(b, (uint64_t)y->size);
-  put_doubles(b, y->rows, (size_t)(y->size * y->stride));
 }
 
 static void put_clock(buffer* b, const tandem_clock* clock) {
@@ -591,17 +708,31 @@ static void put_clock(buffer* b, const tandem_clock* clock) {
   put_u32(b, (uint32_t)clock->stop);
 }
 
-static tandem_status reply_error(session* s, tandem_status code, const char* sentence,
-                                 const tandem_samples* y) {
+/* Rows that stand in the reply already, behind what has been put and these two numbers. */
+static void put_rows(buffer* b, const tandem_samples* y) {
+  put_u32(b, (uint32_t)y->stride);
+  put_u64(b, (uint64_t)y->size);
+  put_doubles(b, y->rows, (size_t)(y->size * y->stride));
+}
+
+static tandem_status reply_error(session* s, tandem_status code, const char* sentence, tandem_samples* y) {
+  buffer* const out = &s->channel.out;
+  char told[LONGEST_TOLD + 4];
+  const size_t length = printable(told, LONGEST_TOLD, sentence, strlen(sentence));
+  if (y) {
+    double* const place = (double*)(void*)(out->bytes + HEADER + 20 + length);
+    memmove(place, y->rows, 8 * (size_t)(y->size * y->stride));
+    y->rows = place;
+  }
   begin(&s->channel, T_ERROR, s->number);
-  put_u32(&s->channel.out, (uint32_t)code);
-  put_text(&s->channel.out, sentence, LONGEST_TEXT);
-  if (y) put_rows(&s->channel.out, y);
+  put_u32(out, (uint32_t)code);
+  put_text(out, told, length);
+  if (y) put_rows(out, y);
   return send_frame(&s->channel);
 }
 
 /* What the subsystem has done; its own errors leave the session as it is. */
-static tandem_status reply_samples(session* s, tandem_status status, const tandem_samples* y,
+static tandem_status reply_samples(session* s, tandem_status status, tandem_samples* y,
                                    const tandem_clock* clock) {
   if (status != TANDEM_OK) return reply_error(s, status, s->api->last_error(s->self), y);
   begin(&s->channel, T_SAMPLES, s->number);
@@ -628,6 +759,7 @@ static tandem_status answer_initialize(session* s, reader* in) {
   u0 = (double*)(void*)s->u0.bytes;
   if (!in->bad) take_doubles(in, u0, inputs);
   if ((status = done(in)) != TANDEM_OK || (status = make_rows(s, room, &y)) != TANDEM_OK) return status;
+  forget(&s->channel);
   s->initialized = 1;
   memset(&clock, 0, sizeof clock);
   status = s->api->initialize(s->self, t_start, t_stop, u0, &y, &clock);
@@ -643,27 +775,55 @@ static void read_segment(reader* in, uint32_t degree, tandem_segment* segment) {
   for (k = 0; k <= degree; ++k) segment->c[k] = take_finite(in, "coefficient of an input");
 }
 
+typedef struct signal_head {
+  uint32_t count, degree;
+} signal_head;
+
+static signal_head take_signal_head(reader* in) {
+  signal_head head;
+  head.count = take_u32(in);
+  head.degree = take_u32(in);
+  if (!in->bad && (head.count == 0 || head.degree >= TANDEM_MAX_COEFFICIENTS ||
+                   head.count > in->left / (8 * (head.degree + 3))))
+    wrong(in, "has an input of %u segments of degree %u; allowed are 1 or more that follow, of degree 0 to 5",
+          head.count, head.degree);
+  return head;
+}
+
 /* Reads one input into the segments from `next` on, and gives the next free one. */
 static tandem_segment* read_signal(reader* in, tandem_signal* signal, tandem_segment* next) {
-  const uint32_t count = take_u32(in), degree = take_u32(in);
+  const signal_head head = take_signal_head(in);
   uint32_t k;
-  if (!in->bad && (count == 0 || degree >= TANDEM_MAX_COEFFICIENTS || count > in->left / (8 * (degree + 3))))
-    wrong(in, "has an input of %u segments of degree %u; allowed are 1 or more that follow, of degree 0 to 5",
-          count, degree);
   memset(signal, 0, sizeof *signal);
   signal->segments = next;
-  signal->count = (int32_t)count;
-  signal->degree = (int32_t)degree;
-  for (k = 0; !in->bad && k < count; ++k) read_segment(in, degree, next++);
+  signal->count = (int32_t)head.count;
+  signal->degree = (int32_t)head.degree;
+  for (k = 0; !in->bad && k < head.count; ++k) read_segment(in, head.degree, next++);
   return next;
 }
 
+/* Of all inputs, which may take no more memory than a request. */
+static size_t count_segments(reader* in, size_t inputs) {
+  reader ahead = *in;
+  size_t i, all = 0;
+  for (i = 0; !ahead.bad && i < inputs; ++i) {
+    const signal_head head = take_signal_head(&ahead);
+    take(&ahead, head.count * (size_t)(8 * (head.degree + 3)));
+    all += head.count;
+  }
+  in->bad = ahead.bad;
+  if (all * sizeof(tandem_segment) + inputs * sizeof(tandem_signal) > LONGEST)
+    wrong(in, "has %zu inputs of %zu segments, which take more than %llu bytes", inputs, all,
+          (unsigned long long)LONGEST);
+  return in->bad ? 0 : all;
+}
+
 static void read_signals(session* s, reader* in, size_t inputs) {
-  const size_t segments = in->left / 24 + 1; /* the shortest has 24 bytes */
+  const size_t segments = count_segments(in, inputs);
   tandem_segment* next;
   size_t i;
-  if (!reserve(&s->signals, (inputs + 1) * sizeof(tandem_signal)) ||
-      !reserve(&s->segments, segments * sizeof(tandem_segment)))
+  if (!in->bad && (!reserve(&s->signals, (inputs + 1) * sizeof(tandem_signal)) ||
+                   !reserve(&s->segments, (segments + 1) * sizeof(tandem_segment))))
     wrong(in, "has %zu inputs; there is no memory for them", inputs);
   next = (tandem_segment*)(void*)s->segments.bytes;
   for (i = 0; !in->bad && i < inputs; ++i)
@@ -682,6 +842,7 @@ static tandem_status answer_advance(session* s, reader* in) {
   check_inputs(s, in, inputs);
   if (!in->bad) read_signals(s, in, inputs);
   if ((status = done(in)) != TANDEM_OK || (status = make_rows(s, room, &y)) != TANDEM_OK) return status;
+  forget(&s->channel);
   memset(&clock, 0, sizeof clock);
   status = s->api->advance(s->self, t_limit, (int32_t)land, (const tandem_signal*)(void*)s->signals.bytes, &y,
                            &clock);
@@ -695,48 +856,118 @@ static int can(const session* s, int type) {
          (!bytes || ((s->info->abilities & TANDEM_SERIALIZES_STATE) && s->api->table_size >= sizeof *s->api));
 }
 
+/* A peer may leave states for as long as it likes, but only so many; one is as large as the model makes it.
+ */
+static tandem_status require_room_for_state(session* s, uint64_t bytes) {
+  if (s->state_count == 0 || (s->state_count < MAX_STATES && s->states_bytes + bytes <= MAX_STATE_BYTES))
+    return TANDEM_OK;
+  return refuse(
+      &s->channel.fault, TANDEM_NOT_SUPPORTED,
+      "the session keeps %d saved states of %llu bytes; allowed are up to %d, and %llu bytes in all: "
+      "release some",
+      s->state_count, (unsigned long long)s->states_bytes, MAX_STATES, (unsigned long long)MAX_STATE_BYTES);
+}
+
+static void forget_state(session* s, int64_t id) {
+  int k = 0;
+  while (k < s->state_count && s->states[k].id != id) ++k;
+  if (k == s->state_count) return;
+  s->states_bytes -= s->states[k].bytes;
+  s->states[k] = s->states[--s->state_count];
+}
+
+static void keep_state(session* s, int64_t id, uint64_t bytes) {
+  forget_state(s, id);
+  s->states[s->state_count].id = id;
+  s->states[s->state_count++].bytes = bytes;
+  s->states_bytes += bytes;
+}
+
+/* What the subsystem says, if it does not do it. */
+static tandem_status told(session* s, tandem_status status) {
+  if (status == TANDEM_OK) return TANDEM_OK;
+  return refuse(&s->channel.fault, status, "%s", s->api->last_error(s->self));
+}
+
+/* How large its states are is asked once. */
+static tandem_status save(session* s, int64_t* id) {
+  const void* bytes;
+  int64_t size = 0;
+  tandem_status status = require_room_for_state(s, s->state_bytes);
+  if (status != TANDEM_OK || (status = told(s, s->api->save_state(s->self, id))) != TANDEM_OK) return status;
+  if (s->state_bytes == 0 && can(s, T_SERIALIZE)) {
+    status = told(s, s->api->serialize_state(s->self, *id, &bytes, &size));
+    s->state_bytes = (uint64_t)size;
+  }
+  keep_state(s, *id, s->state_bytes);
+  return status;
+}
+
+static tandem_status deserialize(session* s, const reader* in, int64_t* id) {
+  const uint64_t size = in->left;
+  tandem_status status = require_room_for_state(s, size);
+  if (status != TANDEM_OK) return status;
+  status = told(s, s->api->deserialize_state(s->self, in->at, (int64_t)size, id));
+  if (status == TANDEM_OK) keep_state(s, *id, size);
+  return status;
+}
+
+/* Puts the bytes into the reply, if the peer takes that many. */
+static tandem_status serialize(session* s, int64_t id) {
+  const uint64_t most = s->channel.longest < LONGEST ? s->channel.longest : LONGEST;
+  const void* bytes = NULL;
+  int64_t size = 0;
+  const tandem_status status = told(s, s->api->serialize_state(s->self, id, &bytes, &size));
+  if (status != TANDEM_OK) return status;
+  if ((uint64_t)size > most)
+    return refuse(&s->channel.fault, TANDEM_NOT_SUPPORTED,
+                  "the state has %lld bytes; a reply may have up to %llu", (long long)size,
+                  (unsigned long long)most);
+  put_bytes(&s->channel.out, bytes, (size_t)size);
+  return TANDEM_OK;
+}
+
 /* Does what is asked, and puts what it gives into the reply. */
 static tandem_status do_state(session* s, int type, int64_t id, const reader* in) {
   buffer* const out = &s->channel.out;
   tandem_clock clock = {0.0, 0.0, 0, 0};
-  const void* bytes = NULL;
-  int64_t size = 0;
   tandem_status status;
-  if (type == T_SAVE)
-    status = s->api->save_state(s->self, &id);
-  else if (type == T_RESTORE)
-    status = s->api->restore_state(s->self, id, &clock);
-  else if (type == T_RELEASE)
-    status = s->api->release_state(s->self, id);
-  else if (type == T_SERIALIZE)
-    status = s->api->serialize_state(s->self, id, &bytes, &size);
-  else
-    status = s->api->deserialize_state(s->self, in->at, (int64_t)in->left, &id);
   begin(&s->channel, type, s->number);
+  if (type == T_SERIALIZE) return serialize(s, id);
+  if (type == T_SAVE)
+    status = save(s, &id);
+  else if (type == T_RESTORE)
+    status = told(s, s->api->restore_state(s->self, id, &clock));
+  else if (type == T_RELEASE)
+    status = told(s, s->api->release_state(s->self, id));
+  else
+    status = deserialize(s, in, &id);
+  if (status != TANDEM_OK) return status;
+  if (type == T_RELEASE) forget_state(s, id);
   if (type == T_SAVE || type == T_DESERIALIZE) put_u64(out, (uint64_t)id);
   if (type == T_RESTORE) put_clock(out, &clock);
-  if (status == TANDEM_OK && type == T_SERIALIZE) put_bytes(out, bytes, (size_t)size);
-  return status;
+  return TANDEM_OK;
 }
 
 static tandem_status answer_state(session* s, int type, reader* in) {
+  const int bytes_too = type == T_SERIALIZE || type == T_DESERIALIZE;
   const int64_t id = type == T_SAVE || type == T_DESERIALIZE ? 0 : (int64_t)take_u64(in);
   tandem_status status;
   if (type != T_DESERIALIZE && (status = done(in)) != TANDEM_OK) return status;
   if (!can(s, type))
     return reply_error(s, TANDEM_NOT_SUPPORTED,
-                       type == T_SERIALIZE || type == T_DESERIALIZE
-                           ? "the subsystem has no ability to give its state as bytes"
-                           : "the subsystem has no ability to save its state",
+                       bytes_too ? "the subsystem has no ability to give its state as bytes"
+                                 : "the subsystem has no ability to save its state",
                        NULL);
   if ((status = do_state(s, type, id, in)) != TANDEM_OK)
-    return reply_error(s, status, s->api->last_error(s->self), NULL);
+    return reply_error(s, status, s->channel.fault.sentence, NULL);
   return send_frame(&s->channel);
 }
 
 static tandem_status answer_ping(session* s, reader* in) {
   begin(&s->channel, T_PING, s->number);
   put_bytes(&s->channel.out, in->at, in->left);
+  forget(&s->channel);
   return send_frame(&s->channel);
 }
 
@@ -770,18 +1001,29 @@ static tandem_status handle(session* s, int type, reader* in) {
   }
 }
 
+/* Memory that a request or its reply has left. */
+static void release_memory(session* s, void (*give_back)(buffer*)) {
+  give_back(&s->channel.out);
+  give_back(&s->u0);
+  give_back(&s->signals);
+  give_back(&s->segments);
+}
+
 /* One request; *more is 0 after the last one. */
 static tandem_status answer(session* s, int* more) {
   channel* c = &s->channel;
   const uint32_t allowed = s->number + 1;
+  const double patience = s->info ? s->idle : c->deadline;
   uint32_t number;
   reader in;
   int type;
   *more = 0;
   s->number = 0; /* of what goes wrong before the request's own is known to be right */
-  if (c->in.size == c->frame && !wait_for(c->socket, POLLIN, now() + s->idle))
-    return refuse(&c->fault, TANDEM_INPUT_OUTPUT, "no request came within %g s, so the session ends",
-                  s->idle);
+  release_memory(s, release_large);
+  forget(c);
+  if (c->in.size == 0 && !wait_for(c->socket, POLLIN, now() + patience))
+    return refuse(&c->fault, TANDEM_INPUT_OUTPUT, "no %s came within %g s, so the session ends",
+                  s->info ? "request" : "hello", patience);
   if (receive(c, &type, &number, &in) != TANDEM_OK) return c->fault.status;
   if (type == 0) return TANDEM_OK;
   if (number != allowed)
@@ -797,6 +1039,13 @@ static tandem_status answer(session* s, int* more) {
   return handle(s, type, &in);
 }
 
+/* On standard error. A peer's text may be in it. */
+static void say(const char* sentence) {
+  char shown[LONGEST_SHOWN + 4];
+  printable(shown, LONGEST_SHOWN, sentence, strlen(sentence));
+  fprintf(stderr, "%s\n", shown);
+}
+
 /* Serves one session on a connected socket, which it closes. 0, or 1 if it broke. */
 static int serve_session(const tandem_subsystem_api* api, int socket, double deadline, double idle) {
   session s;
@@ -808,15 +1057,14 @@ static int serve_session(const tandem_subsystem_api* api, int socket, double dea
   s.idle = idle;
   while ((status = answer(&s, &more)) == TANDEM_OK && more) continue;
   if (status != TANDEM_OK) {
-    fprintf(stderr, "session ends: %s\n", s.channel.fault.sentence);
+    char sentence[sizeof s.channel.fault.sentence + 16];
+    snprintf(sentence, sizeof sentence, "session ends: %s", s.channel.fault.sentence);
+    say(sentence);
     reply_error(&s, status, s.channel.fault.sentence, NULL);
   }
   if (s.self) api->destroy(s.self);
+  release_memory(&s, release);
   tear_down(&s.channel);
-  free(s.rows.bytes);
-  free(s.u0.bytes);
-  free(s.signals.bytes);
-  free(s.segments.bytes);
   return status != TANDEM_OK;
 }
 
@@ -830,6 +1078,8 @@ typedef struct server {
   int listener, count; /* of the sessions under way, each a process */
   pid_t sessions[MAX_SESSIONS];
   int begun, broken; /* a session has begun; the last to end was broken */
+  int shortage;      /* errno of the last connection, if it could not be taken */
+  struct stat file;  /* of a Unix socket */
   fault fault;
 } server;
 
@@ -851,13 +1101,22 @@ static tandem_status listen_unix(server* s) {
   tandem_status status = unix_place(s->address, &place, &s->fault);
   if (status != TANDEM_OK) return status;
   if (is_stale(&place)) unlink(place.sun_path);
-  s->listener = socket(AF_UNIX, SOCK_STREAM, 0);
-  fchmod(s->listener, S_IRUSR | S_IWUSR); /* before there is a file to connect to */
-  if (bind(s->listener, (const struct sockaddr*)&place, sizeof place) != 0 ||
-      listen(s->listener, SOMAXCONN) != 0)
+  s->listener = open_socket(AF_UNIX);
+  if (s->listener < 0 ||
+      fchmod(s->listener, S_IRUSR | S_IWUSR) != 0 || /* before there is a file to connect to */
+      bind(s->listener, (const struct sockaddr*)&place, sizeof place) != 0 ||
+      listen(s->listener, SOMAXCONN) != 0 || lstat(place.sun_path, &s->file) != 0)
     return refuse(&s->fault, TANDEM_INPUT_OUTPUT, "no listening at %s: %s", s->address, strerror(errno));
   printf("serving at %s\n", s->address);
   return TANDEM_OK;
+}
+
+/* The file of a Unix socket goes with it, unless another has come in its place. */
+static void remove_file(const server* s) {
+  struct stat there;
+  if (strncmp(s->address, "unix:", 5) == 0 && lstat(s->address + 5, &there) == 0 &&
+      there.st_ino == s->file.st_ino && there.st_dev == s->file.st_dev)
+    unlink(s->address + 5);
 }
 
 static tandem_status listen_tcp(server* s) {
@@ -869,9 +1128,10 @@ static tandem_status listen_tcp(server* s) {
   socklen_t size = sizeof place;
   const tandem_status status = resolve(s->address, s->allow_plaintext, &all, &s->fault);
   if (status != TANDEM_OK) return status;
-  s->listener = socket(all->ai_family, SOCK_STREAM, 0);
+  s->listener = open_socket(all->ai_family);
   setsockopt(s->listener, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
-  failed = bind(s->listener, all->ai_addr, all->ai_addrlen) != 0 || listen(s->listener, SOMAXCONN) != 0;
+  failed = s->listener < 0 || bind(s->listener, all->ai_addr, all->ai_addrlen) != 0 ||
+           listen(s->listener, SOMAXCONN) != 0;
   if (failed) refuse(&s->fault, TANDEM_INPUT_OUTPUT, "no listening at %s: %s", s->address, strerror(errno));
   freeaddrinfo(all);
   if (failed) return s->fault.status;
@@ -892,22 +1152,29 @@ static void clear_away(server* s) {
 }
 
 /* Its request is not awaited: whoever connects and says nothing costs nothing. */
-static void turn_away(const server* s, int socket) {
+static void turn_away(int socket, const char* why) {
   session guest;
-  char sentence[128];
+  char sentence[256];
   memset(&guest, 0, sizeof guest);
   set_up(&guest.channel, socket, 0.1);
   guest.number = 1;
-  snprintf(sentence, sizeof sentence,
-           "the server has %d sessions open, the most that it allows; try again later", s->most);
+  snprintf(sentence, sizeof sentence, "turned away, as the server %s", why);
+  say(sentence);
+  snprintf(sentence, sizeof sentence, "the server %s; try again later", why);
   reply_error(&guest, TANDEM_NOT_SUPPORTED, sentence, NULL);
   tear_down(&guest.channel);
 }
 
 static void take_guest(server* s, int socket) {
-  pid_t process;
-  if (s->count >= s->most || (process = fork()) < 0) {
-    turn_away(s, socket);
+  char why[128];
+  pid_t process = -1;
+  if (s->count >= s->most) clear_away(s); /* one may have ended since */
+  if (s->count >= s->most)
+    snprintf(why, sizeof why, "has %d sessions open, the most that it allows", s->most);
+  else if ((process = fork()) < 0)
+    snprintf(why, sizeof why, "can make no process: %s", strerror(errno));
+  if (process < 0) {
+    turn_away(socket, why);
     return;
   }
   if (process == 0) {
@@ -921,15 +1188,33 @@ static void take_guest(server* s, int socket) {
   close(socket);
 }
 
+/* There is no descriptor or memory for another connection, which waits. Told once, and tried again at
+ * leisure. */
+static void wait_out(server* s, int shortage) {
+  char sentence[256];
+  snprintf(sentence, sizeof sentence, "further connections wait: %s", strerror(shortage));
+  if (shortage != s->shortage) say(sentence);
+  s->shortage = shortage;
+  poll(NULL, 0, 100);
+}
+
+static void take_next(server* s) {
+  const int guest = accept_connection(s->listener);
+  if (guest >= 0) {
+    s->shortage = 0;
+    take_guest(s, guest);
+  } else if (errno == EMFILE || errno == ENFILE || errno == ENOBUFS || errno == ENOMEM) {
+    wait_out(s, errno);
+  }
+}
+
 static void serve_all(server* s) {
   while (!ended && !(s->once && s->begun && s->count == 0)) {
     clear_away(s);
-    if (s->once && s->begun) {
+    if (s->once && s->begun)
       poll(NULL, 0, 5);
-    } else if (wait_for(s->listener, POLLIN, now() + 0.1)) {
-      const int guest = accept(s->listener, NULL, NULL);
-      if (guest >= 0) take_guest(s, guest);
-    }
+    else if (wait_for(s->listener, POLLIN, now() + 0.1))
+      take_next(s);
   }
   while (s->count > 0) {
     kill(s->sessions[--s->count], SIGKILL);
@@ -957,25 +1242,45 @@ static void catch_signals(signals* before) {
   sigprocmask(SIG_UNBLOCK, &both, &before->mask);
 }
 
+/* That of TANDEM_FD. */
+static tandem_status find_socket(server* s, int* socket) {
+  const char* const number = getenv("TANDEM_FD");
+  char* end;
+  const long found = strtol(number, &end, 10);
+  int type;
+  socklen_t size = sizeof type;
+  if (end == number || *end || found < 0 || found > INT_MAX ||
+      getsockopt((int)found, SOL_SOCKET, SO_TYPE, &type, &size) != 0)
+    return refuse(&s->fault, TANDEM_INVALID_ARGUMENT,
+                  "the variable TANDEM_FD is '%s'; allowed is the number of a socket that is open", number);
+  *socket = (int)found;
+  return TANDEM_OK;
+}
+
 /* The session of TANDEM_FD, or all of --listen; the status of the program. */
 static int serve_there(server* s) {
-  const char* number = getenv("TANDEM_FD");
   signals before;
-  if (!s->address) return serve_session(s->api, atoi(number), s->deadline, s->idle);
-  if ((strncmp(s->address, "unix:", 5) == 0 ? listen_unix(s) : listen_tcp(s)) != TANDEM_OK) {
-    fprintf(stderr, "%s\n", s->fault.sentence);
+  int socket = -1;
+  if (!s->address) {
+    if (find_socket(s, &socket) == TANDEM_OK) return serve_session(s->api, socket, s->deadline, s->idle);
+  } else if (strncmp(s->address, "unix:", 5) == 0) {
+    listen_unix(s);
+  } else {
+    listen_tcp(s);
+  }
+  if (s->fault.status != TANDEM_OK) {
+    say(s->fault.sentence);
     return 2;
   }
   fflush(stdout);
   fcntl(s->listener, F_SETFL, O_NONBLOCK);
-  fcntl(s->listener, F_SETFD, FD_CLOEXEC);
   catch_signals(&before);
   serve_all(s);
   sigaction(SIGTERM, &before.terminate, NULL);
   sigaction(SIGINT, &before.interrupt, NULL);
   sigprocmask(SIG_SETMASK, &before.mask, NULL);
   close(s->listener);
-  if (strncmp(s->address, "unix:", 5) == 0) unlink(s->address + 5);
+  remove_file(s);
   return s->once && s->broken;
 }
 
@@ -1032,15 +1337,23 @@ int tandem_serve(const tandem_subsystem_api* api, int argc, char* const argv[]) 
 
 /* ---- A remote subsystem ---- */
 
+/* A text of a peer that could not stay as it was, in a list. */
+typedef struct shown_text {
+  struct shown_text* next;
+  char text[];
+} shown_text;
+
 typedef struct remote {
   channel channel;
   char* address;
-  pid_t program; /* of spawn: */
-  int request;   /* the type of the last one */
+  pid_t program, group; /* of spawn: */
+  int held_open;        /* the end of a pipe, by the group */
+  int request;          /* the type of the last one */
   uint32_t number;
   double t_start, time, goal; /* of the run, where it stands, where it was told to go */
   tandem_info info;
   void* info_memory[4]; /* names, inputs, outputs, feedthrough */
+  shown_text* shown;    /* and names that hold control characters */
   int broken;           /* the connection; `reason` says why */
   char reason[1024], error[2048];
 } remote;
@@ -1079,10 +1392,13 @@ static int has_ended(pid_t program, double until, siginfo_t* end) {
 /* What became of the program, if that is the reason. */
 static void tell_fate(remote* r) {
   siginfo_t end;
+  char hint[32] = "";
   if (r->program <= 0 || !has_ended(r->program, now() + 0.1, &end)) return;
+  if (end.si_code == CLD_EXITED && end.si_status > 128)
+    snprintf(hint, sizeof hint, " (signal %d?)", end.si_status - 128);
   snprintf(r->reason, sizeof r->reason, "program '%s' %s %d%s", r->address + 6,
            end.si_code == CLD_EXITED ? "ended with status" : "was ended by signal", end.si_status,
-           end.si_code == CLD_EXITED && end.si_status == 127 ? " (not found?)" : "");
+           end.si_code == CLD_EXITED && end.si_status == 127 ? " (not found?)" : hint);
 }
 
 /* An error of the connection, which ends with it. */
@@ -1133,17 +1449,21 @@ static void read_clock(reader* in, tandem_clock* clock) {
   clock->reserved = 0;
 }
 
-static const char* take_error(reader* in, tandem_status* status) {
+/* Its sentence goes into `shown`. */
+static void take_error(reader* in, tandem_status* status, char shown[LONGEST_SHOWN + 4]) {
   const uint32_t code = take_u32(in);
   const int known = code >= TANDEM_INVALID_ARGUMENT && code <= TANDEM_INTERNAL;
+  size_t length;
+  const char* const text = take_text(in, LONGEST_TEXT, &length);
   *status = known ? (tandem_status)code : TANDEM_INTERNAL;
-  return take_text(in, LONGEST_TEXT);
+  printable(shown, LONGEST_SHOWN, text, text ? length : 0);
 }
 
 /* What the subsystem says; the connection is as sound as before. Rows may have come before the error. */
 static tandem_status read_error(remote* r, reader* in, tandem_samples* y) {
   tandem_status status;
-  const char* const sentence = take_error(in, &status);
+  char sentence[LONGEST_SHOWN + 4];
+  take_error(in, &status, sentence);
   if (y && !in->bad && in->left) read_rows(in, y);
   if (in->bad) return break_off(r);
   return tell(r, status, sentence);
@@ -1152,7 +1472,8 @@ static tandem_status read_error(remote* r, reader* in, tandem_samples* y) {
 /* Why the server ended the session. */
 static tandem_status hear(remote* r, reader* in) {
   tandem_status status;
-  const char* const sentence = take_error(in, &status);
+  char sentence[LONGEST_SHOWN + 4];
+  take_error(in, &status, sentence);
   if (!in->bad) refuse(&r->channel.fault, status, "%s", sentence);
   return break_off(r);
 }
@@ -1211,14 +1532,31 @@ static tandem_status greet(remote* r, const char* parameters) {
   return TANDEM_OK;
 }
 
-static tandem_port* read_ports(reader* in, int32_t* count, int64_t* scalars) {
+/* A name or a unit, to be shown. It stays where it came if it can. */
+static const char* take_name(remote* r, reader* in) {
+  size_t length, size;
+  const char* const text = take_text(in, LONGEST_NAME, &length);
+  shown_text* other;
+  if (!text || is_printable(text, length)) return text;
+  size = printable(NULL, LONGEST_NAME, text, length);
+  if (!(other = malloc(sizeof *other + size + 1))) {
+    wrong(in, "has a name of %zu bytes; there is no memory for it", size);
+    return NULL;
+  }
+  printable(other->text, LONGEST_NAME, text, length);
+  other->next = r->shown;
+  r->shown = other;
+  return other->text;
+}
+
+static tandem_port* read_ports(remote* r, reader* in, int32_t* count, int64_t* scalars) {
   tandem_port* const ports = calloc(1 + (size_t)(*count = (int32_t)take_count(in, 24)), sizeof *ports);
   int32_t i;
   if (!ports) wrong(in, "has %d ports; there is no memory for them", *count);
   for (i = 0; !in->bad && i < *count; ++i) {
     tandem_port* const p = ports + i;
-    p->name = take_text(in, LONGEST_NAME);
-    p->unit = take_text(in, LONGEST_NAME);
+    p->name = take_name(r, in);
+    p->unit = take_name(r, in);
     p->size = (int32_t)take_u32(in);
     p->derivatives = (int32_t)take_u32(in);
     p->start = take_double(in);
@@ -1247,42 +1585,74 @@ static tandem_feedthrough* read_feedthrough(reader* in, int32_t* count, const in
   return pairs;
 }
 
-/* The texts of the info stay where they came, in memory that the channel gives up. */
+/* The texts of the info stay where they are, in memory of its own. */
 static tandem_status ask_info(remote* r) {
   int64_t scalars[2] = {0, 0};
   reader in;
   tandem_status status = begin_request(r, T_INFO);
   if ((status = exchange(r, T_INFO, &in, NULL)) != TANDEM_OK) return status;
-  r->info_memory[0] = r->channel.in.bytes;
-  memset(&r->channel.in, 0, sizeof r->channel.in);
-  r->channel.frame = 0;
-  r->info.name = take_text(&in, LONGEST_NAME);
+  if (!(r->info_memory[0] = malloc(in.size + 1))) {
+    wrong(&in, "has %zu bytes; there is no memory for it", in.size);
+    return break_off(r);
+  }
+  in.at = memcpy(r->info_memory[0], in.at, in.size);
+  r->info.name = take_name(r, &in);
   r->info.abilities = take_u32(&in);
-  r->info.inputs = r->info_memory[1] = read_ports(&in, &r->info.input_count, &scalars[0]);
-  r->info.outputs = r->info_memory[2] = read_ports(&in, &r->info.output_count, &scalars[1]);
+  r->info.inputs = r->info_memory[1] = read_ports(r, &in, &r->info.input_count, &scalars[0]);
+  r->info.outputs = r->info_memory[2] = read_ports(r, &in, &r->info.output_count, &scalars[1]);
   r->info.feedthrough = r->info_memory[3] = read_feedthrough(&in, &r->info.feedthrough_count, scalars);
   return finish(r, &in);
 }
 
-/* A program with one end of a socket, in a group of its own. */
+/* A group of processes that ends with this one, however that ends: a shell in it waits for the end of its
+ * standard input, which only this process holds open, and then kills the group. */
+static int start_group(remote* r) {
+  int ends[2];
+  if (pipe(ends) != 0) return 0;
+  fcntl(ends[0], F_SETFD, FD_CLOEXEC);
+  fcntl(ends[1], F_SETFD, FD_CLOEXEC);
+  r->group = fork();
+  if (r->group == 0) {
+    setpgid(0, 0);
+    dup2(ends[0], STDIN_FILENO);
+    fcntl(STDIN_FILENO, F_SETFD, 0);
+    execl("/bin/sh", "sh", "-c", "trap '' HUP INT TERM; read x; kill -KILL 0", (char*)NULL);
+    _exit(127);
+  }
+  close(ends[0]);
+  r->held_open = ends[1];
+  if (r->group > 0) return setpgid(r->group, r->group), 1; /* here too: whoever joins may come first */
+  close(ends[1]);
+  return 0;
+}
+
+static void end_group(remote* r) {
+  kill(-r->group, SIGKILL);
+  close(r->held_open);
+  waitpid(r->group, NULL, 0);
+}
+
+/* sh -c COMMAND with one end of a socket, in a group of its own. */
 static tandem_status start_program(remote* r, const char* command, int* ours) {
-  char *line = malloc(strlen(command) + 6), variable[32];
-  char* arguments[] = {(char*)"sh", (char*)"-c", line, NULL};
+  char variable[32];
+  char* arguments[] = {(char*)"sh", (char*)"-c", (char*)command, NULL};
   char** variables;
   size_t count = 0, kept = 0, k;
   int ends[2];
-  const pid_t parent = getpid();
   while (environ[count]) ++count;
   variables = malloc((count + 2) * sizeof *variables);
-  if (!line || !variables || socketpair(AF_UNIX, SOCK_STREAM, 0, ends) != 0) {
-    free(line);
+  if (!variables || !start_group(r)) {
     free(variables);
     return refuse(&r->channel.fault, TANDEM_INPUT_OUTPUT, "the program can't be started: %s",
                   strerror(errno));
   }
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
+    const int why = errno;
+    end_group(r);
+    free(variables);
+    return refuse(&r->channel.fault, TANDEM_INPUT_OUTPUT, "the program can't be started: %s", strerror(why));
+  }
   /* All that allocates is done before the fork. */
-  strcpy(line, "exec ");
-  strcat(line, command);
   snprintf(variable, sizeof variable, "TANDEM_FD=%d", ends[1]);
   for (k = 0; k < count; ++k)
     if (strncmp(environ[k], "TANDEM_FD=", 10) != 0) variables[kept++] = environ[k];
@@ -1291,31 +1661,27 @@ static tandem_status start_program(remote* r, const char* command, int* ours) {
   fcntl(ends[0], F_SETFD, FD_CLOEXEC);
   r->program = fork();
   if (r->program == 0) {
-    setpgid(0, 0);
-#ifdef __linux__
-    prctl(PR_SET_PDEATHSIG, SIGKILL); /* ended with this process, also if it is killed */
-#endif
-    if (getppid() != parent) _exit(0);
-    execve("/bin/sh", arguments, variables);
+    fcntl(ends[1], F_SETFD, 0);
+    if (setpgid(0, r->group) == 0) execve("/bin/sh", arguments, variables);
     _exit(127);
   }
-  free(line);
   free(variables);
   close(ends[1]);
   *ours = ends[0];
   if (r->program > 0) return TANDEM_OK;
   close(ends[0]);
+  end_group(r);
   return refuse(&r->channel.fault, TANDEM_INPUT_OUTPUT, "the program can't be started: no process");
 }
 
 /* By now its socket is closed: a program that reads it ends of its own accord, others are told to. What it
  * has started and left is in its group, and goes with it. */
-static void end_program(pid_t program) {
+static void end_program(remote* r) {
   siginfo_t end;
-  if (!has_ended(program, now() + 1.0, &end)) kill(-program, SIGTERM);
-  has_ended(program, now() + 1.0, &end);
-  kill(-program, SIGKILL);
-  waitpid(program, NULL, 0);
+  if (!has_ended(r->program, now() + 1.0, &end)) kill(-r->group, SIGTERM);
+  if (!has_ended(r->program, now() + 1.0, &end)) kill(r->program, SIGKILL);
+  waitpid(r->program, NULL, 0);
+  end_group(r);
 }
 
 static tandem_status open_channel(remote* r, int allow_plaintext, double deadline) {
@@ -1387,8 +1753,13 @@ static void destroy(void* self) {
     send_frame(&r->channel);
   }
   tear_down(&r->channel);
-  if (r->program > 0) end_program(r->program);
+  if (r->program > 0) end_program(r);
   for (k = 0; k < sizeof r->info_memory / sizeof *r->info_memory; ++k) free(r->info_memory[k]);
+  while (r->shown) {
+    shown_text* const text = r->shown;
+    r->shown = text->next;
+    free(text);
+  }
   free(r->address);
   free(r);
 }
@@ -1397,44 +1768,136 @@ static const tandem_info* info(void* self) { return &((remote*)self)->info; }
 
 static const char* last_error(void* self) { return ((remote*)self)->error; }
 
-/* Time and values of a row of an advance, after one at time `before`. */
+/* What a reply does not hold. */
+static void refuse_reply(reader* in, const char* format, ...) {
+  char sentence[512];
+  va_list arguments;
+  va_start(arguments, format);
+  vsnprintf(sentence, sizeof sentence, format, arguments);
+  va_end(arguments);
+  if (!in->bad) refuse(in->fault, TANDEM_NUMERICAL, "the reply %s", sentence);
+  in->bad = 1;
+  in->left = 0;
+}
+
+/* The name of output k, flattened. */
+static void name_output(const tandem_info* info, int64_t k, char name[256]) {
+  const tandem_port* p = info->outputs;
+  for (; k >= p->size; ++p) k -= p->size;
+  snprintf(name, 256, p->size == 1 ? "%s" : "%s[%lld]", p->name, (long long)k);
+}
+
+static void check_value(const remote* r, reader* in, const double* row, int64_t k, const char* when) {
+  const int64_t outputs = output_size(&r->info);
+  char name[256];
+  if (isfinite(row[2 + k])) return;
+  name_output(&r->info, k % outputs, name);
+  refuse_reply(in, "gives %s%s not finite at %s", name, k >= outputs ? " (a derivative)" : "", when);
+}
+
+/* Whether no input that is not known feeds through to the output. */
+static int knows(const remote* r, const double* u0, int64_t output) {
+  int32_t k;
+  for (k = 0; k < r->info.feedthrough_count; ++k)
+    if (r->info.feedthrough[k].output == output && isnan(u0[r->info.feedthrough[k].input])) return 0;
+  return 1;
+}
+
+/* Samples of the start, the newest finite but for outputs that nobody can know yet. */
+static void check_first(const remote* r, reader* in, const double* u0, const tandem_samples* y,
+                        int64_t first) {
+  const int64_t outputs = output_size(&r->info);
+  char found[32], start[32];
+  int64_t k;
+  if (y->size == first) refuse_reply(in, "has no first sample");
+  for (k = first; k < y->size; ++k)
+    if (y->rows[k * y->stride] != r->t_start) {
+      shortest(found, y->rows[k * y->stride]);
+      shortest(start, r->t_start);
+      refuse_reply(in, "has a sample at t = %s s; allowed is the start, %s s", found, start);
+    }
+  for (k = 0; !in->bad && k < outputs; ++k)
+    if (knows(r, u0, k)) check_value(r, in, y->rows + (y->size - 1) * y->stride, k, "the start");
+}
+
+static int is_sound(const double* row, int64_t stride, double before, double limit) {
+  const int jump = row[1] != 0.0; /* may repeat a time */
+  int64_t k;
+  for (k = 0; k < stride; ++k)
+    if (k != 1 && !isfinite(row[k])) return 0;
+  return (row[0] > before || (jump && row[0] == before)) && row[0] <= limit;
+}
+
+/* A row of an advance, after one at time `before`. */
 static void check_row(const remote* r, reader* in, const double* row, int64_t stride, double before) {
   const double width = 6.0 * DBL_EPSILON * fmax(fmax(fabs(row[0]), fabs(r->goal)), fabs(r->t_start));
+  char time[32], last[32], limit[32], when[40];
   int64_t k;
-  const int later = row[0] > before || (row[1] == 1.0 && row[0] == before); /* a jump may repeat a time */
-  if (!(later && isfinite(row[0]) && row[0] <= r->goal + width))
-    wrong(in, "has a row at t = %.17g s; allowed are times past %.17g s up to %.17g s", row[0], before,
-          r->goal);
-  for (k = 1; k < stride; ++k)
-    if (!isfinite(row[k])) wrong(in, "has a value at t = %.17g s that is not finite", row[0]);
+  if (is_sound(row, stride, before, r->goal + width)) return;
+  shortest(time, row[0]);
+  shortest(last, before);
+  shortest(limit, r->goal);
+  snprintf(when, sizeof when, "t = %s s", time);
+  if (!isfinite(row[0])) refuse_reply(in, "has a sample whose time is not finite");
+  for (k = 0; !in->bad && k < stride - 2; ++k) check_value(r, in, row, k, when);
+  if (row[0] > r->goal + width)
+    refuse_reply(in, "has a sample at t = %s s, past the limit %s s", time, limit);
+  refuse_reply(in, "has a sample at t = %s s that does not come after t = %s s", time, last);
 }
 
-/* The rows from `first` on, and the clock, which has to be that of the newest. */
-static void check_samples(const remote* r, reader* in, const tandem_samples* y, int64_t first,
-                          const tandem_clock* clock) {
+/* Wherever it stands. */
+static void check_next(reader* in, const tandem_clock* clock) {
+  char time[32], next[32];
+  if (!isfinite(clock->time)) refuse_reply(in, "gives a time that is not finite");
+  if (clock->stop == TANDEM_STOP_FINISHED || clock->next_time > clock->time) return;
+  shortest(time, clock->time);
+  shortest(next, clock->next_time);
+  refuse_reply(in, "gives %s s as the end of the next own step, which is not later than %s s", next, time);
+}
+
+/* The clock has to be that of the newest sample. */
+static void check_clock(reader* in, const tandem_clock* clock, double stands) {
+  char time[32], newest[32];
+  if (clock->time != stands) {
+    shortest(time, clock->time);
+    shortest(newest, stands);
+    refuse_reply(in, "says that it stands at t = %s s, but its newest sample is of %s s", time, newest);
+  }
+  check_next(in, clock);
+}
+
+/* The rows from `first` on, and the clock. */
+static void check_samples(const remote* r, reader* in, const double* u0, const tandem_samples* y,
+                          int64_t first, const tandem_clock* clock) {
   double time = r->time;
   int64_t i;
-  for (i = first; !in->bad && i < y->size; ++i) {
+  if (r->request == T_INITIALIZE) check_first(r, in, u0, y, first);
+  for (i = first; r->request == T_ADVANCE && !in->bad && i < y->size; ++i) {
     const double* const row = y->rows + i * y->stride;
-    if (r->request == T_ADVANCE) check_row(r, in, row, y->stride, time);
+    check_row(r, in, row, y->stride, time);
     time = row[0];
   }
-  if (clock->time != time || !(clock->next_time > time || clock->stop == TANDEM_STOP_FINISHED))
-    wrong(
-        in,
-        "stands at t = %.17g s and goes on to %.17g s; allowed is the time of the newest row, %.17g s, and a "
-        "later one",
-        clock->time, clock->next_time, time);
+  if (!in->bad) check_clock(in, clock, time);
 }
 
-static tandem_status exchange_samples(remote* r, tandem_samples* y, tandem_clock* clock) {
+/* They are the caller's. */
+static tandem_status require_rows(remote* r, const tandem_samples* y) {
+  const int64_t wanted = tandem_row_size(&r->info);
+  if (y->stride == wanted) return TANDEM_OK;
+  snprintf(r->error, sizeof r->error, "%s: the samples have rows of %lld numbers; allowed are %lld",
+           r->address, (long long)y->stride, (long long)wanted);
+  return TANDEM_INVALID_ARGUMENT;
+}
+
+/* u0: of initialize. */
+static tandem_status exchange_samples(remote* r, const double* u0, tandem_samples* y, tandem_clock* clock) {
   const int64_t first = y->size;
   reader in;
   const tandem_status status = exchange(r, T_SAMPLES, &in, y);
   if (status != TANDEM_OK) return status;
   read_clock(&in, clock);
   read_rows(&in, y);
-  if (!in.bad) check_samples(r, &in, y, first, clock);
+  if (!in.bad) check_samples(r, &in, u0, y, first, clock);
   if (in.bad) y->size = first;
   if (finish(r, &in) != TANDEM_OK) return r->channel.fault.status;
   r->time = clock->time;
@@ -1448,13 +1911,14 @@ static tandem_status initialize(void* self, double t_start, double t_stop, const
   const size_t inputs = (size_t)input_size(&r->info);
   tandem_status status;
   r->t_start = r->time = t_start;
+  if ((status = require_rows(r, y)) != TANDEM_OK) return status;
   if ((status = begin_request(r, T_INITIALIZE)) != TANDEM_OK) return status;
   put_double(b, t_start);
   put_double(b, t_stop);
   put_u64(b, room_of(y));
   put_u32(b, (uint32_t)inputs);
   put_doubles(b, u0, inputs);
-  return exchange_samples(r, y, clock);
+  return exchange_samples(r, u0, y, clock);
 }
 
 static void put_signal(buffer* b, const tandem_signal* u) {
@@ -1475,13 +1939,14 @@ static tandem_status advance(void* self, double t_limit, int32_t land, const tan
   size_t i;
   tandem_status status;
   r->goal = t_limit;
+  if ((status = require_rows(r, y)) != TANDEM_OK) return status;
   if ((status = begin_request(r, T_ADVANCE)) != TANDEM_OK) return status;
   put_double(&r->channel.out, t_limit);
   put_u32(&r->channel.out, land != 0);
   put_u32(&r->channel.out, (uint32_t)inputs);
   put_u64(&r->channel.out, room_of(y));
   for (i = 0; i < inputs; ++i) put_signal(&r->channel.out, u + i);
-  return exchange_samples(r, y, clock);
+  return exchange_samples(r, NULL, y, clock);
 }
 
 /* Refused unless the subsystem has the abilities. */
@@ -1510,6 +1975,7 @@ static tandem_status restore_state(void* self, int64_t id, tandem_clock* clock) 
   put_u64(&r->channel.out, (uint64_t)id);
   if ((status = exchange(r, T_RESTORE, &in, NULL)) != TANDEM_OK) return status;
   read_clock(&in, clock);
+  if (!in.bad) check_next(&in, clock);
   if ((status = finish(r, &in)) == TANDEM_OK) r->time = clock->time;
   return status;
 }

@@ -4,8 +4,8 @@
 ## status = tandem_serve (make, "--listen", URI, "--once", ...)
 ##
 ## Serves a model to tandem: at "tcp://HOST:PORT" or "unix:PATH", or, without --listen, to the run that has started this
-## program by spawn:. Without options here those of the command line are taken, from --listen on. (Options:
-## docs/c.md.) Each session has a model of its own, model = make (parameters), where parameters is a struct of the
+## program by spawn:. Without options here those of the command line are taken, from the first one on: --listen URI,
+## --once, --sessions N, --deadline S, --idle S, --allow-plaintext (docs/c.md). Each session has a model of its own, model = make (parameters), where parameters is a struct of the
 ## texts that the client gives. A model is a struct:
 ##
 ##   name         its name
@@ -26,7 +26,8 @@ function status = tandem_serve (make, varargin)
   words = varargin;
   if (isempty (words))
     words = argv ()';
-    words = words(find (strcmp (words, "--listen"), 1) : end);
+    ours = {"--listen", "--once", "--sessions", "--deadline", "--idle", "--allow-plaintext"};
+    words = words(find (ismember (words, ours), 1) : end);
   endif
   if (! iscellstr (words))
     error ("tandem_serve: the options are not texts");

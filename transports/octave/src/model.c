@@ -228,6 +228,7 @@ static tandem_status advance(void* self, double t_limit, int32_t land, const tan
   mxArray* const inputs = inputs_as_array(u, inputs_of(&s->info));
   tandem_status status = TANDEM_OK;
   int more = 1;
+  if (!inputs) return refuse(s, TANDEM_NOT_SUPPORTED, "the inputs have more than 131072 segments%s", "");
   while (status == TANDEM_OK && more && y->size < y->capacity) {
     status = take_step(s, t_limit, land, inputs, &more);
     if (status == TANDEM_OK && more) status = append(s, y);

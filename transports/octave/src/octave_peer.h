@@ -10,7 +10,9 @@
  * gives. Valid during the call of the MEX file. */
 const tandem_subsystem_api* octave_model(mxArray* make);
 
-/* Inputs as tandem_signal.m makes them, a struct array with an element for each; and its element k. */
+/* Inputs as tandem_signal.m makes them, a struct array with an element for each, NULL if they have more
+ * segments: Octave copies them for each step. And its element k. */
+enum { MAX_SEGMENTS = 131072 };
 mxArray* inputs_as_array(const tandem_signal* u, size_t count);
 tandem_signal signal_of(const mxArray* u, mwIndex k);
 

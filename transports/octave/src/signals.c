@@ -1,10 +1,18 @@
 /* Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause */
 #include "octave_peer.h"
 
+static size_t segments_of(const tandem_signal* u, size_t count) {
+  size_t i, all = 0;
+  for (i = 0; i < count; ++i) all += (size_t)u[i].count;
+  return all;
+}
+
 mxArray* inputs_as_array(const tandem_signal* u, size_t count) {
   static const char* names[] = {"end", "origin", "c"};
-  mxArray* const all = mxCreateStructMatrix(1, count, 3, names);
+  mxArray* all;
   size_t i, j, k;
+  if (segments_of(u, count) > MAX_SEGMENTS) return NULL;
+  all = mxCreateStructMatrix(1, count, 3, names);
   for (i = 0; i < count; ++i) {
     const size_t n = (size_t)u[i].count;
     mxArray* const end = mxCreateDoubleMatrix(n, 1, mxREAL);

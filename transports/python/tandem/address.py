@@ -12,25 +12,43 @@ from typing import Any, List, Tuple
 from .contract import Error
 
 
-def listen(address: str) -> Tuple[socket.socket, str]:
-    """A socket that listens there, and the address with the port that was found."""
-    try:
-        if address.startswith("unix:"):
-            return _unix_listener(address[5:]), address
-        place = resolve(address, False)[0]
-        sock = socket.create_server(place[4][:2], family=place[0])
-        return sock, f"{address[:address.rindex(':')]}:{sock.getsockname()[1]}"
-    except OSError as error:
-        raise Error(f"no listening at {address}: {error}", 5) from None
+class Listener:
+    """Listens at an address. place: the same, with the port that was found."""
+
+    def __init__(self, address: str) -> None:
+        self._path = address[5:] if address.startswith("unix:") else ""
+        try:
+            if self._path:
+                self.socket, self.place = _unix_listener(self._path), address
+                self._file = os.lstat(self._path)
+                return
+            found = resolve(address, False)[0]
+            self.socket = socket.create_server(found[4][:2], family=found[0])
+            self.place = f"{address[:address.rindex(':')]}:{self.socket.getsockname()[1]}"
+        except OSError as error:
+            raise Error(f"no listening at {address}: {error}", 5) from None
+
+    def close(self) -> None:
+        """The file of a Unix socket goes with it, unless another has come in its place."""
+        self.socket.close()
+        try:
+            if self._path and os.path.samestat(os.lstat(self._path), self._file):
+                os.unlink(self._path)
+        except OSError:  # gone already
+            pass
 
 
 def _unix_listener(path: str) -> socket.socket:
     if _is_stale(path):
         os.unlink(path)
     sock = socket.socket(socket.AF_UNIX)
-    os.fchmod(sock.fileno(), 0o600)  # before there is a file to connect to
-    sock.bind(path)
-    sock.listen()
+    try:
+        os.fchmod(sock.fileno(), 0o600)  # before there is a file to connect to
+        sock.bind(path)
+        sock.listen()
+    except OSError:
+        sock.close()
+        raise
     return sock
 
 
@@ -39,6 +57,7 @@ def _is_stale(path: str) -> bool:
     if not os.path.exists(path) or not stat.S_ISSOCK(os.stat(path).st_mode):
         return False
     with socket.socket(socket.AF_UNIX) as probe:
+        probe.settimeout(0.1)
         return probe.connect_ex(path) == errno.ECONNREFUSED
 
 

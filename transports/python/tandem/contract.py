@@ -258,11 +258,10 @@ class FixedStep:
 
     def deserialize_state(self, data: bytes) -> int:
         assert self._grid is not None
-        place, numbers = self._parts(data)
-        TimeGrid(self._grid.t_start, self._grid.h).put(place)
-        expected = len(self.model.state())  # type: ignore[attr-defined]
-        if len(numbers) != expected:
-            raise Error(f"the state has {len(numbers)} numbers; allowed are {expected}")
+        expected = struct.calcsize("<dddqB") + 8 * len(self.model.state())  # type: ignore[attr-defined]
+        if len(data) != expected:
+            raise Error(f"the state has {len(data)} bytes; allowed are {expected}")
+        TimeGrid(self._grid.t_start, self._grid.h).put(self._parts(data)[0])
         return self._keep(bytes(data))
 
     def _keep(self, data: bytes) -> int:
@@ -278,8 +277,6 @@ class FixedStep:
     @staticmethod
     def _parts(data: bytes) -> Tuple[bytes, Tuple[float, ...]]:
         head = struct.calcsize("<dddqB")
-        if len(data) < head or (len(data) - head) % 8:
-            raise Error(f"the state has {len(data)} bytes; allowed are {head} and 8 for each number")
         return bytes(data[:head]), struct.unpack(f"<{(len(data) - head) // 8}d", data[head:])
 
     def _append(self, rows: List[Row]) -> None:

@@ -10,17 +10,30 @@ import subprocess
 from typing import Optional
 
 
+GUARD = "trap '' HUP INT TERM; read x; kill -KILL 0"
+
+
 class Program:
-    """COMMAND of spawn:, run by the shell in a session of its own. `socket` is this side's end of the one that the
-    variable TANDEM_FD tells it."""
+    """COMMAND of spawn:, as `sh -c COMMAND` runs it, in a group of its own. `socket` is this side's end of the one that
+    the variable TANDEM_FD tells it. The group ends with this process, however that ends: a shell in it waits for the end
+    of its standard input, which only this process holds open, and then kills the group."""
 
     def __init__(self, command: str) -> None:
         self.command = command
+        self._guard = subprocess.Popen(["/bin/sh", "-c", GUARD], stdin=subprocess.PIPE, preexec_fn=os.setpgrp)
+        self._group = self._guard.pid
+        try:
+            self._start(command)
+        except BaseException:
+            self._end_group()
+            raise
+
+    def _start(self, command: str) -> None:
         self.socket, theirs = socket.socketpair()
         with theirs:
-            self._process = subprocess.Popen(["/bin/sh", "-c", "exec " + command], pass_fds=[theirs.fileno()],
+            self._process = subprocess.Popen(["/bin/sh", "-c", command], pass_fds=[theirs.fileno()],
                                              env={**os.environ, "TANDEM_FD": str(theirs.fileno())},
-                                             start_new_session=True)
+                                             preexec_fn=lambda: os.setpgid(0, self._group))
 
     def fate(self) -> Optional[str]:
         """What became of it; None while it lives."""
@@ -28,16 +41,25 @@ class Program:
             return None
         status = self._process.returncode
         who = f"program '{self.command}' "
-        return who + (f"ended with status {status}" if status >= 0 else f"was ended by signal {-status}")
+        if status < 0:
+            return who + f"was ended by signal {-status}"
+        return who + f"ended with status {status}" + (f" (signal {status - 128}?)" if status > 128 else "")
 
     def end(self) -> None:
         """By now its socket is closed: one that reads it ends of its own accord, others are told to. What it has
         started and left goes with it."""
         if not self._ended_within(1.0):
             self._tell(signal.SIGTERM)
-            self._ended_within(1.0)
-        self._tell(signal.SIGKILL)
+        if not self._ended_within(1.0):
+            self._process.kill()
         self._process.wait()
+        self._end_group()
+
+    def _end_group(self) -> None:
+        self._tell(signal.SIGKILL)
+        assert self._guard.stdin is not None
+        self._guard.stdin.close()
+        self._guard.wait()
 
     def _ended_within(self, seconds: float) -> bool:
         try:
@@ -48,6 +70,6 @@ class Program:
 
     def _tell(self, number: int) -> None:
         try:
-            os.killpg(self._process.pid, number)
+            os.killpg(self._group, number)
         except OSError:  # nobody is left
             pass

@@ -7,9 +7,9 @@ import math
 import struct
 from typing import Any, Callable, List, Optional, Sequence, Tuple
 
-from . import wire
+from . import reply_checks, wire
 from .address import connected
-from .contract import Clock, Error, Info, Row, Signal, Stop, before
+from .contract import Clock, Error, Info, Row, Signal
 from .program import Program
 
 
@@ -21,10 +21,12 @@ class Remote:
                  program: Optional[Program] = None) -> None:
         self._channel, self._deadline, self._program = channel, deadline, program
         self._number = 0
+        self._longest = wire.LONGEST  # that the server takes
+        self._broken = ""  # why the connection is not used any more
         self._t_start = self._time = math.nan  # where the subsystem started, and stands
         try:
-            self._exchange(wire.Type.HELLO, wire.put_hello(parameters), _read_hello)
-            self._info = self._exchange(wire.Type.INFO, b"", wire.read_info)
+            self._longest = self._exchange(wire.Type.HELLO, wire.put_hello(parameters), _read_hello)
+            self._info = self._exchange(wire.Type.INFO, b"", _read_info)
         except Error:
             self._end()
             raise
@@ -34,46 +36,39 @@ class Remote:
 
     def initialize(self, t_start: float, t_stop: float, u0: Sequence[float]) -> Tuple[Clock, List[Row]]:
         self._t_start, self._time = t_start, t_start
-        return self._exchange(wire.Type.INITIALIZE, wire.put_initialize(t_start, t_stop, 1, u0),
-                              lambda data: wire.read_samples(data, self._info, 1))
+        clock, rows = self._exchange(wire.Type.INITIALIZE, wire.put_initialize(t_start, t_stop, 1, u0),
+                                     lambda data: self._first(data, u0))
+        return clock, rows
 
     def advance(self, t_limit: float, u: Sequence[Signal], land: bool = False,
                 room: int = 1000) -> Tuple[Clock, List[Row]]:
         """All own steps that fit; `clock.stop` is SAMPLES_FULL if there were more than `room`: call again."""
         clock, rows = self._exchange(wire.Type.ADVANCE, wire.put_advance(t_limit, land, room, u),
-                                     lambda data: self._checked(wire.read_samples(data, self._info, room), t_limit),
-                                     f" to {_text(t_limit)} s")
+                                     lambda data: self._further(data, room, t_limit),
+                                     f" to {reply_checks.seconds(t_limit)}")
         self._time = clock.time
         return clock, rows
 
-    def _checked(self, there: Tuple[Clock, List[Row]], t_limit: float) -> Tuple[Clock, List[Row]]:
-        """Rows of an advance, and a clock that is of the newest."""
-        clock, rows = there
-        last = self._time
-        for row in rows:
-            later = row.time > last or row.jump and row.time == last
-            if not later or not math.isfinite(row.time) or before(t_limit, row.time, self._t_start):
-                raise Error(f"it gives a sample at t = {row.time} s; allowed are times after {last} s up to "
-                            f"{t_limit} s", 4)
-            if not all(map(math.isfinite, row.values)):
-                raise Error(f"it gives a value at t = {row.time} s that is not finite", 4)
-            last = row.time
-        if clock.time != last or not (clock.next_time > last or clock.stop == Stop.FINISHED):
-            raise Error(f"it stands at t = {clock.time} s and goes on to {clock.next_time} s; allowed is the time of "
-                        f"its newest sample, {last} s, and a later one", 4)
-        return there
+    def _first(self, data: memoryview, u0: Sequence[float]) -> Tuple[Clock, List[Row]]:
+        reply = wire.read_samples(data, self._info, 1)
+        reply_checks.check_first(self._info, self._t_start, u0, reply)
+        return reply
+
+    def _further(self, data: memoryview, room: int, t_limit: float) -> Tuple[Clock, List[Row]]:
+        reply = wire.read_samples(data, self._info, room)
+        reply_checks.check_rows(self._info, (self._t_start, self._time, t_limit), reply)
+        return reply
 
     def save_state(self) -> int:
         return self._exchange(wire.Type.SAVE, b"", _read_number)
 
     def restore_state(self, state: int) -> Clock:
-        clock = self._exchange(wire.Type.RESTORE, struct.pack("<q", state),
-                               lambda data: wire.read_clock(wire.Reader(data, "restore")))
+        clock = self._exchange(wire.Type.RESTORE, struct.pack("<q", state), _read_clock)
         self._time = clock.time
         return clock
 
     def release_state(self, state: int) -> None:
-        self._exchange(wire.Type.RELEASE, struct.pack("<q", state))
+        self._exchange(wire.Type.RELEASE, struct.pack("<q", state), lambda data: wire.Reader(data, "release").end())
 
     def serialize_state(self, state: int) -> bytes:
         return self._exchange(wire.Type.SERIALIZE, struct.pack("<q", state), bytes)
@@ -82,14 +77,16 @@ class Remote:
         return self._exchange(wire.Type.DESERIALIZE, data, _read_number)
 
     def close(self) -> None:
-        self._number += 1
-        try:
-            self._channel.send(wire.Type.BYE, self._number, b"", self._deadline)
-        except Error:
-            pass
+        if not self._broken:
+            self._number += 1
+            try:
+                self._channel.send(wire.Type.BYE, self._number, b"", self._deadline)
+            except Error:
+                pass
         self._end()
 
     def _end(self) -> None:
+        self._broken = self._broken or "it was closed"
         self._channel.close()
         if self._program is not None:
             self._program.end()
@@ -100,27 +97,35 @@ class Remote:
     def __exit__(self, *_: object) -> None:
         self.close()
 
-    def _exchange(self, kind: wire.Type, payload: bytes, read: Callable[[memoryview], Any] = lambda data: None,
-                  goal: str = "") -> Any:
-        """The reply to a request, as `read` takes it apart."""
+    def _exchange(self, kind: wire.Type, payload: bytes, read: Callable[[memoryview], Any], goal: str = "") -> Any:
+        """The reply to a request, as `read` takes it apart. An error of the connection ends its use."""
+        if self._broken:
+            raise Error(f"{self._channel.peer}: the connection ended before: {self._broken}", 3)
         self._number += 1
+        when = "" if math.isnan(self._time) else f" at t = {reply_checks.seconds(self._time)}"
+        where = f"{self._channel.peer}, {kind.name.lower()}{when}{goal}: "
         try:
             self._send(kind, payload)
             return read(self._reply(wire.Type.SAMPLES if kind in _GIVE_SAMPLES else kind))
+        except _Told as told:
+            raise Error(f"{where}{told.error}", told.error.code) from None
         except Error as error:
-            when = "" if math.isnan(self._time) else f" at t = {_text(self._time)} s"
-            raise Error(f"{self._channel.peer}, {kind.name.lower()}{when}{goal}: {error}", error.code) from None
+            self._broken = str(error)
+            self._channel.close()
+            raise Error(f"{where}{error}", error.code) from None
 
     def _reply(self, expected: wire.Type) -> memoryview:
         try:
-            frame = self._channel.receive(self._deadline, self._deadline)
+            frame = self._channel.receive(self._deadline)
         except Error as error:
             raise self._lost(error) from None
         if frame is None:
             raise self._lost(Error("the peer closed the connection", 5))
         answer, number, data = frame
-        if answer == wire.Type.ERROR:
+        if answer == wire.Type.ERROR and number == 0:
             raise wire.read_error(data)
+        if answer == wire.Type.ERROR and number == self._number:
+            raise _Told(wire.read_error(data))
         if number != self._number or answer != expected:
             raise Error(f"the reply is of type {answer.name.lower()} and number {number}; allowed are "
                         f"{expected.name.lower()} and {self._number}", 3)
@@ -128,11 +133,13 @@ class Remote:
 
     def _send(self, kind: wire.Type, payload: bytes) -> None:
         """A server that ended the session may have said why before it closed."""
+        if len(payload) > self._longest:
+            raise Error(f"the request has {len(payload)} bytes; the peer takes up to {self._longest}", 2)
         try:
             self._channel.send(kind, self._number, payload, self._deadline)
         except Error as error:
             try:
-                frame = self._channel.receive(0.1, 0.1)
+                frame = self._channel.receive(0.1)
             except Error:
                 frame = None
             if frame is not None and frame[0] == wire.Type.ERROR:
@@ -145,22 +152,41 @@ class Remote:
         return Error(fate, 5) if fate else error
 
 
+class _Told(Exception):
+    """What the subsystem itself says; the connection is as sound as before."""
+
+    def __init__(self, error: Error) -> None:
+        super().__init__(error)
+        self.error = error
+
+
 _GIVE_SAMPLES = (wire.Type.INITIALIZE, wire.Type.ADVANCE)
 
 
-def _read_hello(data: memoryview) -> None:
-    lowest, highest, _, _ = wire.read_hello(data)
+def _read_hello(data: memoryview) -> int:
+    """The longest payload that the server takes."""
+    lowest, highest, longest, _ = wire.read_hello(data)
     if (lowest, highest) != (wire.VERSION, wire.VERSION):
         raise Error(f"the peer speaks version {lowest} to {highest}; allowed is {wire.VERSION}", 2)
+    return longest
+
+
+def _read_info(data: memoryview) -> Info:
+    info = wire.read_info(data)
+    reply_checks.check_info(info)
+    return info
 
 
 def _read_number(data: memoryview) -> int:
-    return wire.Reader(data, "state").take("q")[0]
+    return wire.read_state(data, "state")
 
 
-def _text(time: float) -> str:
-    text = repr(float(time))
-    return text[:-2] if text.endswith(".0") else text
+def _read_clock(data: memoryview) -> Clock:
+    reader = wire.Reader(data, "restore")
+    clock = wire.read_clock(reader)
+    reader.end()
+    reply_checks.check_next(clock)
+    return clock
 
 
 def connect(uri: str, deadline: float = 5.0, allow_plaintext: bool = False) -> Remote:

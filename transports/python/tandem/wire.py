@@ -1,37 +1,28 @@
 # Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-"""The protocol of docs/wire_protocol.md: bytes to values and back, and frames on a socket."""
+"""The payloads of docs/wire_protocol.md: bytes to values and back."""
 
 from __future__ import annotations
 
-import enum
+import array
 import math
-import socket
 import struct
-import time
-from typing import List, Optional, Sequence, Tuple
+import sys
+from typing import List, Sequence, Tuple
 
+from .channel import HEADER, LONGEST, Channel, Payload, Type
 from .contract import Abilities, Clock, Error, Info, Port, Row, Segment, Signal, Stop
+from .printable import printable
+
+__all__ = ["HEADER", "LONGEST", "Channel", "Payload", "Type"]
 
 VERSION = 1
 MAGIC = b"TANDEM\r\n"
-LONGEST = 1 << 26
-HEADER = struct.Struct("<QII")
-
-
-class Type(enum.IntEnum):
-    HELLO = 1
-    INFO = 2
-    INITIALIZE = 3
-    ADVANCE = 4
-    SAMPLES = 5
-    SAVE = 6
-    RESTORE = 7
-    RELEASE = 8
-    PING = 9
-    ERROR = 10
-    BYE = 11
-    SERIALIZE = 12
-    DESERIALIZE = 13
+LONGEST_NAME = 4096  # bytes
+LONGEST_SENTENCE = 1 << 20  # bytes that are read
+LONGEST_TOLD = 4000  # bytes of a sentence of ours
+#: that a request may have: as objects they take up to 400 bytes each
+MOST_SEGMENTS = 1 << 17
+AT_ONCE = 1 << 12  # numbers of a row that are put into a reply
 
 
 class Reader:
@@ -51,13 +42,28 @@ class Reader:
         self._place += size
         return values
 
+    def take_doubles(self, count: int) -> array.array:
+        """They take no more memory than their bytes did."""
+        if 8 * count > self.left():
+            self.refuse(f"ends after {len(self._data)} bytes, within {count} numbers")
+        values = array.array("d")
+        values.frombytes(self._data[self._place:self._place + 8 * count])
+        self._place += 8 * count
+        if sys.byteorder == "big":
+            values.byteswap()
+        return values
+
     def text(self, longest: int) -> str:
         (length,) = self.take("I")
         if length > min(longest, self.left()):
             self.refuse(f"has a text of {length} bytes; allowed are up to {min(longest, self.left())}")
         data = bytes(self._data[self._place:self._place + length])
         self._place += length
-        return data.decode("utf-8", "replace")
+        return data.decode("utf-8", "surrogateescape")
+
+    def name(self) -> str:
+        """A name or a unit, to be shown."""
+        return printable(self.text(LONGEST_NAME), LONGEST_NAME)
 
     def count(self, bytes_each: int) -> int:
         (count,) = self.take("I")
@@ -74,7 +80,7 @@ class Reader:
 
 
 def put_text(text: str) -> bytes:
-    data = text.encode()
+    data = text.encode("utf-8", "surrogateescape")
     return struct.pack("<I", len(data)) + data
 
 
@@ -89,7 +95,7 @@ def read_hello(data: memoryview) -> Tuple[int, int, int, str]:
         reader.refuse("does not begin with TANDEM, so the peer speaks something else")
     reader.take("8s")
     lowest, highest, longest, _ = reader.take("IIQI")
-    text = reader.text(1 << 20)
+    text = reader.text(LONGEST_SENTENCE)
     reader.end()
     return lowest, highest, longest, text
 
@@ -107,11 +113,11 @@ def put_info(info: Info) -> bytes:
 
 def read_info(data: memoryview) -> Info:
     reader = Reader(data, "info")
-    name = reader.text(4096)
+    name = reader.name()
     abilities = Abilities(reader.take("I")[0] & 63)
     ports: List[List[Port]] = []
     for _ in range(2):
-        ports.append([Port(reader.text(4096), reader.text(4096), *reader.take("iid"))
+        ports.append([Port(reader.name(), reader.name(), *reader.take("iid"))
                       for _ in range(reader.count(24))])
     feedthrough = [reader.take("ii") for _ in range(reader.count(8))]
     reader.end()
@@ -122,11 +128,13 @@ def put_initialize(t_start: float, t_stop: float, room: int, u0: Sequence[float]
     return struct.pack(f"<ddQI{len(u0)}d", t_start, t_stop, room, len(u0), *u0)
 
 
-def read_initialize(data: memoryview, inputs: int) -> Tuple[float, float, int, List[float]]:
+def read_initialize(data: memoryview, inputs: int) -> Tuple[float, float, int, array.array]:
     reader = Reader(data, "initialize")
     t_start, t_stop, room = reader.take("ddQ")
+    if not (math.isfinite(t_start) and math.isfinite(t_stop)):
+        reader.refuse(f"has the times {t_start} and {t_stop}; allowed are finite ones")
     check_inputs(reader, reader.count(8), inputs)
-    u0 = list(reader.take(f"{inputs}d"))
+    u0 = reader.take_doubles(inputs)
     reader.end()
     return t_start, t_stop, room, u0
 
@@ -153,42 +161,50 @@ def read_advance(data: memoryview, inputs: int) -> Tuple[float, bool, int, List[
     if land > 1 or not math.isfinite(t_limit):
         reader.refuse(f"has t_limit {t_limit} and land {land}; allowed are a finite time, and 0 or 1")
     check_inputs(reader, count, inputs)
-    return t_limit, bool(land), room, [read_signal(reader) for _ in range(count)] + end_of(reader)
-
-
-def end_of(reader: Reader) -> List[Signal]:
+    u: List[Signal] = []
+    segments = 0
+    for _ in range(count):
+        u.append(read_signal(reader, MOST_SEGMENTS - segments))
+        segments += len(u[-1].segments)
     reader.end()
-    return []
+    return t_limit, bool(land), room, u
 
 
-def read_signal(reader: Reader) -> Signal:
+def read_signal(reader: Reader, most: int) -> Signal:
     count, degree = reader.take("II")
     if count == 0 or degree > 5 or count * 8 * (degree + 3) > reader.left():
         reader.refuse(f"has an input of {count} segments of degree {degree}; allowed are 1 or more that follow, "
                       "of degree 0 to 5")
-    segments = []
-    for _ in range(count):
-        end, origin, *c = reader.take(f"{degree + 3}d")
-        if not all(math.isfinite(x) for x in c) or not math.isfinite(origin) or math.isnan(end):
-            reader.refuse("has an input that is not finite")
-        segments.append(Segment(end, origin, tuple(c)))
-    return Signal(segments)
+    if count > most:
+        reader.refuse(f"has inputs of more than {MOST_SEGMENTS} segments, the most that are taken here")
+    return Signal([read_segment(reader, degree) for _ in range(count)])
+
+
+def read_segment(reader: Reader, degree: int) -> Segment:
+    end, origin, *c = reader.take(f"{degree + 3}d")
+    if not all(map(math.isfinite, c)) or not math.isfinite(origin) or math.isnan(end):
+        reader.refuse("has an input that is not finite")
+    return Segment(end, origin, tuple(c))
 
 
 def put_clock(clock: Clock) -> bytes:
     return struct.pack("<ddI", clock.time, clock.next_time, int(clock.stop))
 
 
-def put_rows(rows: Sequence[Row], stride: int) -> bytes:
-    parts = [struct.pack("<IQ", stride, len(rows))]
+def put_rows(head: bytes, rows: Sequence[Row], stride: int) -> bytearray:
+    """The rows behind a clock or an error."""
+    data = bytearray(head) + struct.pack("<IQ", stride, len(rows))
     for row in rows:
         if len(row.values) != stride - 2:
             raise Error(f"the sample at t = {row.time} s has {len(row.values)} values; allowed are {stride - 2}")
         try:
-            parts.append(struct.pack(f"<{stride}d", row.time, float(row.jump), *row.values))
+            data += struct.pack("<dd", row.time, float(row.jump))
+            for k in range(0, stride - 2, AT_ONCE):
+                some = row.values[k:k + AT_ONCE]
+                data += struct.pack(f"<{len(some)}d", *some)
         except struct.error:
-            raise Error(f"the sample at t = {row.time} s has {list(row.values)}; allowed are numbers") from None
-    return b"".join(parts)
+            raise Error(f"the sample at t = {row.time} s has {list(row.values)[:10]}; allowed are numbers") from None
+    return data
 
 
 def read_clock(reader: Reader) -> Clock:
@@ -196,6 +212,14 @@ def read_clock(reader: Reader) -> Clock:
     if stop > 3:
         reader.refuse(f"gives {stop} as the reason to stop; allowed are 0 to 3")
     return Clock(time_, next_time, Stop(stop))
+
+
+def read_state(data: memoryview, what: str) -> int:
+    """The identity of a saved one."""
+    reader = Reader(data, what)
+    (state,) = reader.take("q")
+    reader.end()
+    return state
 
 
 def read_samples(data: memoryview, info: Info, room: int) -> Tuple[Clock, List[Row]]:
@@ -213,65 +237,10 @@ def read_samples(data: memoryview, info: Info, room: int) -> Tuple[Clock, List[R
 
 
 def put_error(error: Error) -> bytes:
-    return struct.pack("<I", error.code) + put_text(str(error))
+    return struct.pack("<I", error.code) + put_text(printable(str(error), LONGEST_TOLD))
 
 
 def read_error(data: memoryview) -> Error:
     reader = Reader(data, "error")
     (code,) = reader.take("I")
-    return Error(reader.text(1 << 20), code if 1 <= code <= 6 else 6)
-
-
-class Channel:
-    """Frames on a connected socket."""
-
-    def __init__(self, sock: socket.socket, peer: str) -> None:
-        self._socket, self.peer = sock, peer
-        if sock.family in (socket.AF_INET, socket.AF_INET6):
-            sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-
-    def send(self, kind: Type, number: int, payload: bytes, deadline: float) -> None:
-        self._socket.settimeout(deadline)
-        try:
-            self._socket.sendall(HEADER.pack(len(payload), kind, number) + payload)
-        except OSError as error:
-            raise Error(f"the connection broke: {error}", 5) from None
-
-    def receive(self, first: Optional[float], deadline: float) -> Optional[Tuple[Type, int, memoryview]]:
-        """The next frame; None at the end of the connection. first: seconds until it begins (None: for ever)."""
-        head = self._read(HEADER.size, first, deadline, True)
-        if head is None:
-            return None
-        length, kind, number = HEADER.unpack(head)
-        if not 1 <= kind <= max(Type):
-            raise Error(f"the frame has the type {kind}; allowed are 1 to {max(Type)}")
-        if length > LONGEST:
-            raise Error(f"the frame announces {length} bytes; allowed are up to {LONGEST}")
-        payload = self._read(length, deadline, deadline, False)
-        assert payload is not None
-        return Type(kind), number, memoryview(payload)
-
-    def _read(self, size: int, first: Optional[float], deadline: float, may_end: bool) -> Optional[bytes]:
-        parts: List[bytes] = []
-        left, until = size, time.monotonic() + deadline
-        while left:
-            wait = first if left == size else max(until - time.monotonic(), 1e-3)
-            self._socket.settimeout(wait)
-            try:
-                part = self._socket.recv(min(left, 1 << 20))
-            except socket.timeout:
-                raise Error(f"no frame came whole within {wait if left == size else deadline} s", 5) from None
-            except OSError as error:
-                raise Error(f"the connection broke: {error}", 5) from None
-            if not part:
-                if may_end and left == size:
-                    return None
-                raise Error("the peer closed the connection within a frame", 5)
-            if left == size:
-                until = time.monotonic() + deadline
-            parts.append(part)
-            left -= len(part)
-        return b"".join(parts)
-
-    def close(self) -> None:
-        self._socket.close()
+    return Error(printable(reader.text(LONGEST_SENTENCE)), code if 1 <= code <= 6 else 6)

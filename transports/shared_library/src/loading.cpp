@@ -2,20 +2,29 @@
 #include "loading.hpp"
 
 #include "tandem/error.hpp"
+#include "tandem/library_file.hpp"
 
 namespace tandem {
 
 std::string library_named(const std::filesystem::path& file) { return "library '" + file.string() + "'"; }
 
+void require_library(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file))
+    throw Error(ErrorCode::input_output, library_named(file) + " is not there");
+}
+
 boost::dll::shared_library load_library(const std::filesystem::path& file,
                                         const std::filesystem::path& from) {
   namespace load_mode = boost::dll::load_mode;
-  if (!std::filesystem::exists(file))
-    throw Error(ErrorCode::input_output, library_named(file) + " is not there");
+  require_library(file);
+  check_library_file(from, "library");
+  LibraryCall::guard_exit();
+  const std::string name = library_named(file);
+  const LibraryCall beginning(name.c_str());  // of what it does when it is loaded
   try {
     return boost::dll::shared_library(from, load_mode::rtld_now | load_mode::rtld_local);
   } catch (const std::exception& error) {
-    throw Error(ErrorCode::input_output, library_named(file) + " can't be loaded: " + error.what());
+    throw Error(ErrorCode::input_output, name + " can't be loaded: " + error.what());
   }
 }
 

@@ -9,6 +9,8 @@ namespace tandem {
 
 /// "library 'FILE'".
 std::string library_named(const std::filesystem::path& file);
+/// Throws Error(input_output) that names it.
+void require_library(const std::filesystem::path& file);
 /// The whole of it at once: a symbol that it lacks is told here, not in the middle of a run. Throws
 /// Error(input_output) that names `file`, of which `from` may be a copy.
 boost::dll::shared_library load_library(const std::filesystem::path& file, const std::filesystem::path& from);

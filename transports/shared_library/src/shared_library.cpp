@@ -4,6 +4,7 @@
 #include "loading.hpp"
 #include "tandem/c_subsystem.hpp"
 #include "tandem/error.hpp"
+#include "tandem/library_file.hpp"
 #include "tandem/shared_library/three_functions.hpp"
 
 namespace tandem {
@@ -17,8 +18,12 @@ const tandem_subsystem_api* table(const dll::shared_library& library, const fs::
   if (!library.has(entry))
     throw Error(ErrorCode::invalid_argument, library_named(file) + " has no symbol '" + entry +
                                                  "'; name the one that it exports by ?entry=NAME");
+  const std::string name = library_named(file);
+  auto& give = library.get<const tandem_subsystem_api*()>(entry);
+  check_function(reinterpret_cast<const void*>(&give), name, entry);
+  const LibraryCall in_library(name.c_str());
   try {
-    return library.get<const tandem_subsystem_api*()>(entry)();
+    return give();
   } catch (const std::exception& error) {
     throw Error(ErrorCode::internal, library_named(file) + ": '" + entry + "' threw: " + error.what());
   } catch (...) {
@@ -33,12 +38,13 @@ struct Loaded {
 
 class LibrarySubsystem final : Loaded, public CSubsystem {
  public:
-  LibrarySubsystem(dll::shared_library loaded, const tandem_subsystem_api* api, const std::string& parameters)
-      : Loaded{std::move(loaded)}, CSubsystem(api, parameters) {}
+  LibrarySubsystem(dll::shared_library loaded, const tandem_subsystem_api* api, const std::string& parameters,
+                   const std::string& library)
+      : Loaded{std::move(loaded)}, CSubsystem(api, parameters, library) {}
 };
 
 /// "three_functions:FILE": what the library does not say of itself are parameters.
-std::unique_ptr<Subsystem> three_functions(const Address& address, Parameters& p) {
+ThreeFunctions functions_of(Parameters& p) {
   ThreeFunctions what;
   what.initiate = p.text("initiate", what.initiate);
   what.step = p.text("advance", what.step);
@@ -46,7 +52,27 @@ std::unique_ptr<Subsystem> three_functions(const Address& address, Parameters& p
   what.own_step = positive(p, "step", what.own_step);
   what.inputs = ports_of_text("parameter inputs", p.text("inputs", ""));
   what.outputs = ports_of_text("parameter outputs", p.text("outputs", ""), &what.start);
-  return load_three_functions(address.folder / address.place, std::move(what));
+  return what;
+}
+
+std::unique_ptr<Subsystem> three_functions(const Address& address, Parameters& p) {
+  return load_three_functions(address.file(), functions_of(p));
+}
+
+void look_at_three_functions(const Address& address, Parameters& p) {
+  require_library(address.file());
+  functions_of(p);
+}
+
+std::unique_ptr<Subsystem> lib(const Address& address, Parameters& p) {
+  const std::string entry = p.text("entry", default_entry);
+  return load_subsystem(address.file(), entry, p.rest());
+}
+
+void look_at_lib(const Address& address, Parameters& p) {
+  require_library(address.file());
+  p.text("entry", default_entry);
+  p.rest();
 }
 
 }  // namespace
@@ -56,18 +82,17 @@ std::unique_ptr<Subsystem> load_subsystem(const fs::path& file, const std::strin
   dll::shared_library library = load_library(file, file);
   const tandem_subsystem_api* api = table(library, file, entry);
   try {
-    return std::make_unique<LibrarySubsystem>(std::move(library), api, parameters);
+    return std::make_unique<LibrarySubsystem>(std::move(library), api, parameters, library_named(file));
   } catch (const Error& error) {
     throw Error(error.code(), library_named(file) + ": " + error.what());
   }
 }
 
 void add_shared_library(Builtins& builtins) {
-  builtins.addresses["three_functions"] = three_functions;
-  builtins.addresses["lib"] = [](const Address& address, Parameters& parameters) {
-    const std::string entry = parameters.text("entry", default_entry);
-    return load_subsystem(address.folder / address.place, entry, parameters.rest());
-  };
+  builtins.schemes["three_functions"] = {
+      words_by(Setter::operator_only, {"initiate", "advance", "clean_up", "step", "inputs", "outputs"}),
+      three_functions, true, true, look_at_three_functions};
+  builtins.schemes["lib"] = {words_by(Setter::operator_only, {"entry"}), lib, true, true, look_at_lib};
 }
 
 }  // namespace tandem

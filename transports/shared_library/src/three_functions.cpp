@@ -12,6 +12,7 @@
 
 #include "loading.hpp"
 #include "tandem/error.hpp"
+#include "tandem/library_file.hpp"
 #include "tandem/time_grid.hpp"
 #include "tandem/transports/parameters.hpp"
 
@@ -51,7 +52,7 @@ class Copy {
 };
 
 boost::dll::shared_library load_copy(const fs::path& file) {
-  if (!fs::exists(file)) return load_library(file, file);
+  check_library_file(file, "library");
   const Copy copy(file);
   return load_library(file, copy.path());
 }
@@ -62,13 +63,16 @@ Function* function(const boost::dll::shared_library& library, const fs::path& fi
     throw Error(ErrorCode::invalid_argument,
                 library_named(file) + " has no symbol '" + name +
                     "'; name its three functions by initiate, advance, clean_up");
-  return library.get<Function>(name);
+  Function* const found = &library.get<Function>(name);
+  check_function(reinterpret_cast<const void*>(found), library_named(file), name);
+  return found;
 }
 
 class ThreeFunctionLibrary final : public Subsystem {
  public:
   ThreeFunctionLibrary(const fs::path& file, ThreeFunctions what)
-      : what_(std::move(what)),
+      : name_(library_named(file)),
+        what_(std::move(what)),
         library_(load_copy(file)),
         initiate_(function<void()>(library_, file, what_.initiate)),
         step_(function<void(const double*, double*)>(library_, file, what_.step)),
@@ -80,12 +84,14 @@ class ThreeFunctionLibrary final : public Subsystem {
     TimeGrid(0.0, what_.own_step);  // refuses a step that is none
   }
   ~ThreeFunctionLibrary() override {
+    const LibraryCall in_library(name_.c_str());
     if (initiated_) clean_up_();
   }
 
   const SubsystemInfo& info() const override { return info_; }
 
   Clock initialize(double t_start, double, std::span<const double>, Samples& y) override {
+    const LibraryCall in_library(name_.c_str());
     if (std::exchange(initiated_, true)) clean_up_();
     initiate_();
     grid_ = TimeGrid(t_start, what_.own_step);
@@ -94,6 +100,7 @@ class ThreeFunctionLibrary final : public Subsystem {
   }
 
   Clock advance(double t_limit, bool, std::span<const Signal> u, Samples& y) override {
+    const LibraryCall in_library(name_.c_str());
     values_.resize(u.size());
     while (grid_.fits(t_limit)) {
       if (y.full()) return clock(Stop::samples_full);
@@ -107,6 +114,7 @@ class ThreeFunctionLibrary final : public Subsystem {
  private:
   Clock clock(Stop stop) const { return {grid_.time(), grid_.next(), stop}; }
 
+  std::string name_;
   ThreeFunctions what_;
   boost::dll::shared_library library_;
   void (*initiate_)();

@@ -5,17 +5,22 @@
 #include <cstring>
 
 #include "tandem/check_info.hpp"
+#include "tandem/printable.hpp"
 
 namespace tandem::wire {
 namespace {
 
 constexpr char magic[] = {'T', 'A', 'N', 'D', 'E', 'M', '\r', '\n'};
-constexpr std::uint32_t longest_name = 4096, longest_parameters = 1U << 20;  // bytes
+constexpr std::uint32_t longest_name = 4096, longest_sentence = 1U << 20;  // bytes
+constexpr std::size_t longest_told = 4000;                                 // bytes of a sentence of ours
+
+/// A name or a unit, to be shown.
+std::string read_name(Reader& in) { return printable(in.take_text(longest_name), longest_name); }
 
 Port read_port(Reader& in) {
   Port port;
-  port.name = in.take_text(longest_name);
-  port.unit = in.take_text(longest_name);
+  port.name = read_name(in);
+  port.unit = read_name(in);
   port.size = in.take<std::int32_t>();
   port.derivatives = in.take<std::int32_t>();
   port.start = in.take<double>();
@@ -61,12 +66,36 @@ Segment read_segment(Reader& in, std::uint32_t degree) {
   return s;
 }
 
-/// Adds the segments to the list, and views them there.
-Signal read_signal(Reader& in, std::vector<Segment>& segments) {
+struct SignalHead {
+  std::uint32_t count, degree;
+  std::size_t segment_size() const { return 8 * (degree + std::size_t{3}); }
+};
+
+SignalHead read_signal_head(Reader& in) {
   const auto count = in.take<std::uint32_t>(), degree = in.take<std::uint32_t>();
   if (count == 0 || degree >= TANDEM_MAX_COEFFICIENTS || count > in.left() / (8 * (degree + 3)))
     in.refuse("has an input of " + std::to_string(count) + " segments of degree " + std::to_string(degree) +
               "; allowed are 1 or more that follow, of degree 0 to 5");
+  return {count, degree};
+}
+
+/// Of all signals, which may take no more memory than a request.
+std::size_t count_segments(Reader in, int inputs) {
+  std::uint64_t all = 0;
+  for (int i = 0; i < inputs; ++i) {
+    const SignalHead head = read_signal_head(in);
+    in.take_bytes(head.count * head.segment_size());
+    all += head.count;
+  }
+  if (all * sizeof(Segment) + static_cast<std::uint64_t>(inputs) * sizeof(Signal) > usual_longest)
+    in.refuse("has " + std::to_string(inputs) + " inputs of " + std::to_string(all) +
+              " segments, which take more than " + std::to_string(usual_longest) + " bytes");
+  return all;
+}
+
+/// Adds the segments to the list, and views them there.
+Signal read_signal(Reader& in, std::vector<Segment>& segments) {
+  const auto [count, degree] = read_signal_head(in);
   const std::size_t first = segments.size();
   for (std::uint32_t k = 0; k < count; ++k) segments.push_back(read_segment(in, degree));
   return {segments.data() + first, static_cast<std::int32_t>(count), static_cast<std::int32_t>(degree)};
@@ -83,11 +112,19 @@ Clock read_clock(Reader& in) {
   return clock;
 }
 
-void put_rows(Writer& frame, const Samples& y, std::int64_t before) {
+/// Puts a head of so many bytes and the rows behind it, which are moved there first if they stand elsewhere.
+template <class PutHead>
+void put_with_rows(Writer& frame, std::size_t head, const Samples& y, const PutHead& put_head) {
   const tandem_samples c = y.c_view();
+  const std::span<double> rows(c.rows, static_cast<std::size_t>(c.size * c.stride));
+  if constexpr (std::endian::native == std::endian::big)
+    for (double& value : rows) value = std::bit_cast<double>(to_wire(value));
+  std::byte* const place = frame.room(frame.size() + head, rows.size_bytes());
+  if (!rows.empty()) std::memmove(place, rows.data(), rows.size_bytes());
+  put_head();
   frame.put(static_cast<std::uint32_t>(c.stride));
-  frame.put(static_cast<std::uint64_t>(c.size - before));
-  frame.put_doubles({c.rows + before * c.stride, static_cast<std::size_t>((c.size - before) * c.stride)});
+  frame.put(static_cast<std::uint64_t>(c.size));
+  frame.put_filled(rows.size_bytes());
 }
 
 void read_rows(Reader& in, Samples& y) {
@@ -129,7 +166,7 @@ Hello read_hello(std::span<const std::byte> payload) {
   hello.highest_version = in.take<std::uint32_t>();
   hello.longest = in.take<std::uint64_t>();
   hello.capabilities = in.take<std::uint32_t>();
-  hello.text = in.take_text(longest_parameters);
+  hello.text = in.take_text(longest_sentence);
   in.end();
   return hello;
 }
@@ -149,7 +186,7 @@ void put_info(Writer& frame, const SubsystemInfo& info) {
 SubsystemInfo read_info(std::span<const std::byte> payload) {
   Reader in(payload, "info");
   SubsystemInfo info;
-  info.name = in.take_text(longest_name);
+  info.name = read_name(in);
   info.abilities = abilities_from(in.take<std::uint32_t>());
   info.inputs = read_ports(in);
   info.outputs = read_ports(in);
@@ -211,15 +248,22 @@ void read_advance(std::span<const std::byte> payload, int inputs, Advance& reque
   check_inputs(in, in.take_count(8), inputs);
   request.room = in.take<std::uint64_t>();
   request.segments.clear();
-  request.segments.reserve(in.left() / (3 * sizeof(double)));  // so that it stands still under the signals
+  request.segments.reserve(count_segments(in, inputs));  // so that it stands still under the signals
   request.signals.clear();
+  request.signals.reserve(static_cast<std::size_t>(inputs));
   for (int i = 0; i < inputs; ++i) request.signals.push_back(read_signal(in, request.segments));
   in.end();
 }
 
-void put_samples(Writer& frame, const Clock& clock, const Samples& y, std::int64_t before) {
-  put_clock(frame, clock);
-  put_rows(frame, y, before);
+Samples room_for_rows(Writer& frame, std::int64_t stride, std::int64_t capacity) {
+  const auto numbers = static_cast<std::size_t>(stride * capacity);
+  const std::size_t spare = samples_head + longest_told + 3;  // an error's head is longer
+  std::byte* const head = frame.room(frame.size(), spare + sizeof(double) * numbers);
+  return {reinterpret_cast<double*>(head + samples_head), stride, capacity};
+}
+
+void put_samples(Writer& frame, const Clock& clock, const Samples& y) {
+  put_with_rows(frame, samples_head, y, [&] { put_clock(frame, clock); });
 }
 
 Clock read_samples(std::span<const std::byte> payload, Samples& y) {
@@ -253,18 +297,18 @@ StateId read_id(std::span<const std::byte> payload) {
 
 void put_error(Writer& frame, ErrorCode code, std::string_view sentence) {
   frame.put(static_cast<std::uint32_t>(code));
-  frame.put_text(sentence.substr(0, longest_parameters));
+  frame.put_text(printable(sentence, longest_told));
 }
 
-void put_error(Writer& frame, const Error& error, const Samples& y, std::int64_t before) {
-  put_error(frame, error.code(), error.what());
-  put_rows(frame, y, before);
+void put_error(Writer& frame, const Error& error, const Samples& y) {
+  const std::size_t head = 20 + printable(error.what(), longest_told).size();
+  put_with_rows(frame, head, y, [&] { put_error(frame, error.code(), error.what()); });
 }
 
 Error read_error(std::span<const std::byte> payload, Samples* y) {
   Reader in(payload, "error");
   const ErrorCode code = code_from(in.take<std::uint32_t>());
-  const std::string sentence = in.take_text(longest_parameters);
+  const std::string sentence = printable(in.take_text(longest_sentence));
   if (y && in.left() > 0) read_rows(in, *y);
   return {code, sentence};
 }

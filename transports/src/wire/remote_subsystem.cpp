@@ -3,6 +3,7 @@
 
 #include <charconv>
 
+#include "reply_checks.hpp"
 #include "tandem/error.hpp"
 
 namespace tandem::wire {
@@ -141,15 +142,19 @@ std::uint64_t RemoteSubsystem::room(const Samples& y) const {
 }
 
 Clock RemoteSubsystem::initialize(double t_start, double t_stop, std::span<const double> u0, Samples& y) {
+  tolerance_ = TimeTolerance(t_start);
   time_ = t_start;
   return told([&] {
+    const std::int64_t first = y.size();
     initialize_.t_start = t_start;
     initialize_.t_stop = t_stop;
     initialize_.room = room(y);
     initialize_.u0.assign(u0.begin(), u0.end());
     begin(Type::initialize);
     put_initialize(frame_, initialize_);
-    return read_samples(exchange(Type::samples, &y).payload, y);
+    const Clock clock = read_samples(exchange(Type::samples, &y).payload, y);
+    check_first({info_, y, first, clock}, t_start, u0);
+    return clock;
   });
 }
 
@@ -169,7 +174,12 @@ bool RemoteSubsystem::start_advance(double t_limit, bool land, std::span<const S
 }
 
 Clock RemoteSubsystem::finish_advance(Samples& y) {
-  const Clock clock = told([&] { return read_samples(receive(Type::samples, &y).payload, y); });
+  const Clock clock = told([&] {
+    const std::int64_t first = y.size();
+    const Clock reply = read_samples(receive(Type::samples, &y).payload, y);
+    check_rows({info_, y, first, reply}, {time_, goal_}, tolerance_);
+    return reply;
+  });
   time_ = clock.time;
   return clock;
 }
@@ -192,7 +202,9 @@ Clock RemoteSubsystem::restore_state(StateId id) {
   const Clock clock = told([&] {
     begin(Type::restore);
     put_id(frame_, id);
-    return read_clock(exchange(Type::restore).payload);
+    const Clock reply = read_clock(exchange(Type::restore).payload);
+    check_clock(reply);
+    return reply;
   });
   time_ = clock.time;
   return clock;

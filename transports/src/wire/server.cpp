@@ -2,9 +2,11 @@
 #include "tandem/wire/server.hpp"
 
 #include <atomic>
+#include <new>
 #include <thread>
 
 #include "tandem/error.hpp"
+#include "tandem/printable.hpp"
 
 namespace tandem::wire {
 
@@ -22,14 +24,15 @@ Server::~Server() { clear_away(true); }
 
 void Server::run(const std::function<bool()>& stop) {
   while (!stop()) {
-    std::unique_ptr<Channel> channel;
-    try {
-      channel = listener_.accept(in_seconds(0.1));
-    } catch (const Error& error) {  // of that one connection
-      log(error.what());
-    }
     clear_away(false);
-    if (channel) take(std::move(channel));
+    try {
+      if (auto channel = listener_.accept(in_seconds(0.1))) {
+        take(std::move(channel));
+        shortage_.clear();
+      }
+    } catch (const std::exception& error) {
+      wait_out(error);
+    }
     if (settings_.once && !guests_.empty()) {
       while (!stop() && !guests_.empty()) {
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -41,34 +44,53 @@ void Server::run(const std::function<bool()>& stop) {
   clear_away(true);
 }
 
-void Server::take(std::unique_ptr<Channel> channel) {
-  if (static_cast<int>(guests_.size()) >= settings_.most_sessions) return turn_away(*channel);
-  Guest& guest = guests_.emplace_back(std::move(channel));
-  log(guest.channel->peer() + ": session begins");
-  guest.thread = std::thread([this, &guest] { serve(guest); });
+/// There is no descriptor or memory for another connection, which waits. Told once, and tried again at
+/// leisure.
+void Server::wait_out(const std::exception& error) noexcept {
+  try {
+    const std::string why = sentence_of(error);
+    if (shortage_ != why) log("further connections wait: " + why);
+    shortage_ = why;
+  } catch (const std::exception&) {  // no memory for the sentence
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
 }
 
-/// Its request is not awaited: whoever connects and says nothing costs nothing.
-void Server::turn_away(Channel& channel) {
-  log(channel.peer() + ": turned away, " + std::to_string(settings_.most_sessions) + " sessions are open");
+void Server::take(std::unique_ptr<Channel> channel) {
+  clear_away(false);  // one may have ended while this one was awaited
+  if (static_cast<int>(guests_.size()) >= settings_.most_sessions)
+    return turn_away(*channel, "has " + std::to_string(settings_.most_sessions) +
+                                   " sessions open, the most that it allows");
+  guests_.emplace_back(std::move(channel));
+  Guest& guest = guests_.back();
   try {
-    Writer frame;
-    begin(frame, Type::error, 1);
-    put_error(frame, ErrorCode::not_supported,
-              "the server has " + std::to_string(settings_.most_sessions) +
-                  " sessions open, the most that it allows; try again later");
-    finish(frame);
-    channel.send(frame.bytes(), in_seconds(0.1));
-  } catch (const Error&) {  // gone already
+    guest.thread = std::thread([this, &guest] { serve(guest); });
+  } catch (const std::exception& error) {
+    turn_away(*guest.channel, "can make no thread: " + sentence_of(error));
+    guests_.pop_back();
   }
 }
 
-void Server::serve(Guest& guest) {
+/// Its request is not awaited: whoever connects and says nothing costs nothing.
+void Server::turn_away(Channel& channel, const std::string& why) {
   try {
+    log(channel.peer() + ": turned away, as the server " + why);
+    Writer frame;
+    begin(frame, Type::error, 1);
+    put_error(frame, ErrorCode::not_supported, "the server " + why + "; try again later");
+    finish(frame);
+    channel.send(frame.bytes(), in_seconds(0.1));
+  } catch (const std::exception&) {  // gone already, or no memory for the sentence
+  }
+}
+
+void Server::serve(Guest& guest) noexcept {
+  try {
+    log(guest.channel->peer() + ": session begins");
     Session(*guest.channel, make_, settings_.session).serve();
     log(guest.channel->peer() + ": session ends");
   } catch (const std::exception& error) {
-    log(guest.channel->peer() + ": session ends: " + error.what());
+    log_end(guest, error);
   }
   guest.channel->close();
   guest.ended = true;
@@ -87,8 +109,16 @@ void Server::clear_away(bool all) {
   }
 }
 
+/// What a peer has sent may be in it.
 void Server::log(const std::string& sentence) const {
-  if (settings_.log) settings_.log(sentence);
+  if (settings_.log) settings_.log(printable(sentence));
+}
+
+void Server::log_end(const Guest& guest, const std::exception& why) const noexcept {
+  try {
+    log(guest.channel->peer() + ": session ends: " + sentence_of(why));
+  } catch (const std::exception&) {  // no memory for the sentence; the session ends all the same
+  }
 }
 
 }  // namespace tandem::wire

@@ -7,11 +7,12 @@
 #include <utility>
 
 #include "tandem/error.hpp"
+#include "tandem/printable.hpp"
 
 namespace tandem::wire {
 namespace {
 
-/// What the subsystem says: an answer like any other.
+/// The same with an Error in place of any other exception.
 template <class Call>
 auto asked(const Call& call) {
   try {
@@ -19,8 +20,18 @@ auto asked(const Call& call) {
   } catch (const Error&) {
     throw;
   } catch (const std::exception& error) {
-    throw Error(ErrorCode::internal, error.what());
+    throw Error(ErrorCode::internal, sentence_of(error));
+  } catch (...) {
+    throw Error(ErrorCode::internal, "it threw what is no exception");
   }
+}
+
+/// Memory that a request or a reply has left is given back if it is more.
+constexpr std::size_t usual_memory = 1 << 22;  // bytes
+
+template <class T>
+void release_large(std::vector<T>& memory) {
+  if (memory.capacity() * sizeof(T) > usual_memory) memory = std::vector<T>();
 }
 
 std::string seconds_text(double seconds) {
@@ -35,7 +46,7 @@ Session::Session(Channel& channel, MakeSubsystem make, SessionSettings settings)
 
 void Session::serve() {
   try {
-    while (answer()) {
+    while (asked([this] { return answer(); })) {
     }
   } catch (const Error& error) {
     try {
@@ -50,12 +61,14 @@ void Session::serve() {
 /// with the number 0.
 bool Session::answer() {
   const std::uint32_t last = std::exchange(number_, 0);
-  if (!channel_.wait(in_seconds(settings_.idle)))
-    throw Error(ErrorCode::input_output,
-                "no request came within " + seconds_text(settings_.idle) + " s, so the session ends");
+  const double patience = subsystem_ ? settings_.idle : settings_.deadline;
+  if (!channel_.wait(in_seconds(patience)))
+    throw Error(ErrorCode::input_output, std::string("no ") + (subsystem_ ? "request" : "hello") +
+                                             " came within " + seconds_text(patience) +
+                                             " s, so the session ends");
   const auto bytes = channel_.receive(in_seconds(settings_.deadline));
   if (bytes.empty()) return false;
-  const Frame request = Frame::read(bytes, usual_longest);
+  const Frame request = Frame::read(bytes, channel_.longest());
   check_number(request.header, last + 1);
   if (request.header.type == Type::bye) {
     say_bye();
@@ -110,6 +123,7 @@ void Session::handle(const Frame& request) {
     case Type::ping:
       reply(Type::ping);
       frame_.put_bytes(request.payload);
+      channel_.forget();
       return send();
     case Type::save:
     case Type::restore:
@@ -129,22 +143,62 @@ void Session::handle_state(const Frame& request) {
   const StateId id = names_one ? read_id(request.payload) : 0;
   try {
     reply(type);
-    if (type == Type::save) put_id(frame_, asked([&] { return subsystem_->save_state(); }));
+    if (type == Type::save) put_id(frame_, save());
     if (type == Type::restore) put_clock(frame_, asked([&] { return subsystem_->restore_state(id); }));
-    if (type == Type::release) asked([&] { subsystem_->release_state(id); });
+    if (type == Type::release) release(id);
     if (type == Type::serialize) frame_.put_bytes(asked([&] { return bytes_of(id); }));
-    if (type == Type::deserialize)
-      put_id(frame_, asked([&] { return subsystem_->deserialize_state(request.payload); }));
+    if (type == Type::deserialize) put_id(frame_, deserialize(request.payload));
     send();
   } catch (const Error& error) {
     send_error(error);
   }
 }
 
+/// A peer may leave states for as long as it likes, but only so many.
+void Session::require_room_for_state(std::uint64_t bytes) const {
+  if (states_.size() < most_states && states_bytes_ + bytes <= most_state_bytes) return;
+  if (states_.empty()) return;  // one is as large as the model makes it
+  throw Error(ErrorCode::not_supported,
+              "the session keeps " + std::to_string(states_.size()) + " saved states of " +
+                  std::to_string(states_bytes_) + " bytes; allowed are up to " + std::to_string(most_states) +
+                  ", and " + std::to_string(most_state_bytes) + " bytes in all: release some");
+}
+
+void Session::keep(StateId id, std::uint64_t bytes) {
+  states_bytes_ += bytes - std::exchange(states_[id], bytes);
+}
+
+/// How large its states are is asked once, and again where one is given as bytes.
+StateId Session::save() {
+  require_room_for_state(state_bytes_);
+  const StateId id = asked([&] { return subsystem_->save_state(); });
+  keep(id, state_bytes_);
+  if (state_bytes_ == 0 && subsystem_->info().abilities.serializes_state) {
+    state_bytes_ = asked([&] { return subsystem_->serialize_state(id).size(); });
+    keep(id, state_bytes_);
+  }
+  return id;
+}
+
+StateId Session::deserialize(std::span<const std::byte> bytes) {
+  require_room_for_state(bytes.size());
+  const StateId id = asked([&] { return subsystem_->deserialize_state(bytes); });
+  keep(id, bytes.size());
+  return id;
+}
+
+void Session::release(StateId id) {
+  asked([&] { subsystem_->release_state(id); });
+  const auto state = states_.find(id);
+  if (state == states_.end()) return;
+  states_bytes_ -= state->second;
+  states_.erase(state);
+}
+
 /// Of a state, if the peer takes that many.
 std::vector<std::byte> Session::bytes_of(StateId id) {
   auto bytes = subsystem_->serialize_state(id);
-  if (const auto most = std::min(longest_, usual_longest); bytes.size() > most)
+  if (const auto most = longest_; bytes.size() > most)
     throw Error(ErrorCode::not_supported, "the state has " + std::to_string(bytes.size()) +
                                               " bytes; a reply may have up to " + std::to_string(most));
   return bytes;
@@ -161,40 +215,43 @@ void Session::hello(const Frame& request) {
     throw Error(ErrorCode::not_supported, "the peer takes payloads of up to " +
                                               std::to_string(hello.longest) + " bytes; allowed are " +
                                               std::to_string(shortest_limit) + " or more");
-  longest_ = hello.longest;
+  if (printable(hello.text, hello.text.size()) != hello.text)
+    throw Error(ErrorCode::invalid_argument,
+                "the parameters hold what is no text: '" + printable(hello.text, 200) + "'");
+  longest_ = std::min(hello.longest, channel_.longest());
   subsystem_ = asked([&] { return make_(hello.text); });
   reply(Type::hello);
-  put_hello(frame_, {.text = settings_.software});
+  put_hello(frame_, {.longest = channel_.longest(), .text = settings_.software});
   send();
 }
 
-/// Rows for one reply: as many as are asked for and fit. Nothing is written to them, so that the system gives
-/// their memory page by page, as rows come.
+/// Rows for one reply: as many as are asked for and fit. They are made where the reply has them, and the
+/// system gives their memory page by page, as they come.
 Samples Session::rows(std::uint64_t room) {
   const auto stride = static_cast<std::uint64_t>(subsystem_->info().row_size());
-  const std::uint64_t fit = (std::min(longest_, usual_longest) - samples_head) / (8 * stride);
+  const std::uint64_t fit = (longest_ - samples_head) / (8 * stride);
   const std::uint64_t capacity = std::min(room, fit);
   if (capacity == 0)
     throw Error(ErrorCode::invalid_argument,
                 "there is room for no row of " + std::to_string(8 * stride) + " bytes in a reply");
-  if (const std::uint64_t numbers = capacity * stride; numbers > held_) {
-    memory_ = std::make_unique_for_overwrite<double[]>(numbers);
-    held_ = numbers;
-  }
-  return {memory_.get(), static_cast<std::int64_t>(stride), static_cast<std::int64_t>(capacity)};
+  return room_for_rows(frame_, static_cast<std::int64_t>(stride), static_cast<std::int64_t>(capacity));
 }
 
 template <class Call>
 void Session::reply_with_rows(std::uint64_t room, const Call& call) {
+  channel_.forget();
+  reply(Type::samples);
   Samples y = rows(room);
   try {
     const Clock clock = asked([&] { return call(y); });
-    reply(Type::samples);
-    put_samples(frame_, clock, y, 0);
+    put_samples(frame_, clock, y);
   } catch (const Error& error) {
-    reply(Type::error);
-    put_error(frame_, error, y, 0);
+    frame_.put_at(type_place, static_cast<std::uint32_t>(Type::error));
+    put_error(frame_, error, y);
   }
+  release_large(advance_.segments);
+  release_large(advance_.signals);
+  release_large(initialize_.u0);
   send();
 }
 
@@ -218,6 +275,7 @@ void Session::reply(Type type) { begin(frame_, type, number_); }
 void Session::send() {
   finish(frame_);
   channel_.send(frame_.bytes(), in_seconds(settings_.deadline));
+  frame_.release_beyond(usual_memory);
 }
 
 void Session::send_error(const Error& error) {

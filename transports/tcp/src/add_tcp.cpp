@@ -18,27 +18,48 @@ SocketSettings settings_from(const Address& address, Parameters& p, bool allow_p
   return settings;
 }
 
+/// The words of a command as they are, or a line for the shell.
+ProgramStart program_of(const Address& a) {
+  const bool shell = a.command.empty();
+  if (shell ? a.place.find_first_not_of(' ') == std::string::npos : a.command[0].empty())
+    throw Error(ErrorCode::invalid_argument, a.name() + " names no program; allowed is " +
+                                                 (shell ? "spawn:COMMAND" : "a text that is not empty"));
+  ProgramStart start{a.command, a.folder, shown(a.command), "command " + shown(a.command)};
+  if (shell) start = {{"/bin/sh", "-c", a.place}, a.folder, "'" + a.place + "'", "spawn:" + a.place};
+  for (const std::string& word : start.words)
+    if (word.find('\0') != std::string::npos)
+      throw Error(ErrorCode::invalid_argument,
+                  a.name() + " holds a character 0, where a program's arguments end");
+  return start;
+}
+
+void look_at_program(const Address& address, Parameters& parameters) {
+  program_of(address);
+  settings_from(address, parameters, false);
+  parameters.rest();
+}
+
 }  // namespace
 
 void add_tcp(Builtins& builtins, bool allow_plaintext) {
   const auto add = [&](const std::string& scheme, auto channel) {
-    builtins.addresses[scheme] = [=](const Address& address, Parameters& parameters) {
+    Words own = words_by(Setter::operator_only, {"deadline", "spin"});
+    if (scheme == "tls") own = own + words_by(Setter::operator_only, {"key", "authority"});
+    const auto make = [=](const Address& address, Parameters& parameters) {
       const SocketSettings settings = settings_from(address, parameters, allow_plaintext);
       return std::make_unique<wire::RemoteSubsystem>(channel(address, settings), parameters.rest(),
                                                      settings.deadline);
     };
+    builtins.schemes[scheme] = {own, make, true};
   };
   add("tcp", [](const Address& a, const SocketSettings& s) { return connect("tcp:" + a.place, s); });
   add("tls", [](const Address& a, const SocketSettings& s) { return connect("tls:" + a.place, s); });
   add("unix", [](const Address& a, const SocketSettings& s) {
     return connect("unix:" + (a.folder / a.place).string(), s);
   });
-  add("spawn", [](const Address& a, const SocketSettings& s) {
-    if (a.place.find_first_not_of(' ') == std::string::npos)
-      throw Error(ErrorCode::invalid_argument,
-                  "source '" + a.uri + "' names no program; allowed is spawn:COMMAND");
-    return spawn(a.place, a.folder.string(), s);
-  });
+  add("spawn", [](const Address& a, const SocketSettings& s) { return spawn(program_of(a), s); });
+  builtins.schemes["spawn"].code = true;
+  builtins.schemes["spawn"].look = look_at_program;
 }
 
 }  // namespace tandem

@@ -26,6 +26,11 @@ Place Place::parse(const std::string& address) {
   const std::string port = host.substr(colon + 1);
   host.resize(colon);
   if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
+  if (host == "*")
+    throw Error(ErrorCode::invalid_argument,
+                "address '" + address +
+                    "' has the host '*'; allowed is a name or a number, which is "
+                    "0.0.0.0 or [::] to listen at every interface");
   const bool number = !port.empty() && port.size() <= 5 &&
                       port.find_first_not_of("0123456789") == std::string::npos && std::stoi(port) < 65536;
   if (!number) refuse(address);

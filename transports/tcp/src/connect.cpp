@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "address.hpp"
+#include "descriptors.hpp"
 #include "tandem/error.hpp"
 #include "tandem/tcp/tcp.hpp"
 #include "tls.hpp"
@@ -20,7 +21,6 @@ namespace asio = boost::asio;
 
 /// Connected by then, or the number of the error.
 int attempt(Socket& socket, const Endpoint& endpoint, wire::Deadline deadline) {
-  socket = Socket(context(), endpoint.protocol());
   socket.native_non_blocking(true);
   const int handle = socket.native_handle();
   while (::connect(handle, endpoint.data(), static_cast<socklen_t>(endpoint.size())) != 0) {
@@ -60,7 +60,7 @@ Socket connected(const std::string& address, const SocketSettings& settings, wir
   const Place place = Place::parse(address);
   int error = 0;
   for (const Endpoint& endpoint : endpoints(place, address, settings.allow_plaintext)) {
-    Socket socket(context());
+    Socket socket = open_socket(endpoint.protocol());
     error = attempt(socket, endpoint, deadline);
     if (error != 0) continue;
     socket.native_non_blocking(false);

@@ -5,9 +5,12 @@
 
 #include <boost/asio/basic_socket_acceptor.hpp>
 #include <boost/asio/local/stream_protocol.hpp>
-#include <thread>
+#include <cerrno>
+#include <cstring>
+#include <utility>
 
 #include "address.hpp"
+#include "descriptors.hpp"
 #include "tandem/error.hpp"
 #include "tandem/tcp/tcp.hpp"
 #include "tls.hpp"
@@ -23,11 +26,34 @@ using Acceptor = asio::basic_socket_acceptor<asio::generic::stream_protocol>;
 bool stale(const std::string& path) {
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0 || !S_ISSOCK(status.st_mode)) return false;
-  asio::local::stream_protocol::socket probe(context());
+  const Endpoint place = asio::local::stream_protocol::endpoint(path);
+  Socket probe = open_socket(place.protocol());
   boost::system::error_code code;
-  probe.connect(path, code);
+  probe.connect(place, code);
   return code == asio::error::connection_refused;
 }
+
+/// The file of a Unix socket, which goes with its owner unless another has come in its place.
+class SocketFile {
+ public:
+  SocketFile() = default;
+  explicit SocketFile(std::string path) : path_(std::move(path)) { ::stat(path_.c_str(), &there_); }
+  ~SocketFile() {
+    struct stat now {};
+    if (path_.empty() || ::lstat(path_.c_str(), &now) != 0) return;
+    if (now.st_ino == there_.st_ino && now.st_dev == there_.st_dev) ::unlink(path_.c_str());
+  }
+  SocketFile(SocketFile&& other) noexcept : path_(std::exchange(other.path_, {})), there_(other.there_) {}
+  SocketFile& operator=(SocketFile&& other) noexcept {
+    std::swap(path_, other.path_);
+    std::swap(there_, other.there_);
+    return *this;
+  }
+
+ private:
+  std::string path_;
+  struct stat there_ {};
+};
 
 Endpoint endpoint_of(const Place& place, const std::string& address, bool allow_plaintext) {
   if (place.is_unix()) {
@@ -54,16 +80,13 @@ class SocketListener final : public wire::Listener {
       throw Error(ErrorCode::input_output, "no listening at " + address + ": " + error.code().message());
     }
   }
-  ~SocketListener() override {
-    if (place_.is_unix()) ::unlink(place_.path.c_str());
-  }
 
   std::unique_ptr<wire::Channel> accept(wire::Deadline deadline) override {
     if (!wait_for(acceptor_.native_handle(), POLLIN, deadline, true)) return nullptr;
+    const int descriptor = accept_connection(acceptor_.native_handle());
+    if (descriptor < 0) return no_connection(errno);
     boost::system::error_code code;
-    Socket socket(context());
-    acceptor_.accept(socket, code);
-    if (code) return nullptr;
+    Socket socket(context(), protocol_, descriptor);
     if (!place_.is_unix()) socket.set_option(asio::ip::tcp::no_delay(true), code);
     const std::string peer = place_.is_unix() ? address_ : name_of(socket);
     auto stream = std::make_unique<SocketStream>(std::move(socket), settings_.spin);
@@ -73,15 +96,26 @@ class SocketListener final : public wire::Listener {
   const std::string& address() const override { return address_; }
 
  private:
+  /// One that went again before it was taken is none.
+  static std::unique_ptr<wire::Channel> no_connection(int error) {
+    if (error == EMFILE || error == ENFILE || error == ENOBUFS || error == ENOMEM)
+      throw Error(ErrorCode::input_output, std::strerror(error));
+    return nullptr;
+  }
+
   void open(const Endpoint& endpoint) {
-    acceptor_.open(endpoint.protocol());
+    protocol_ = endpoint.protocol();
+    acceptor_.assign(protocol_, open_socket(protocol_).release());
     if (place_.is_unix())
       ::fchmod(acceptor_.native_handle(), S_IRUSR | S_IWUSR);  // before there is a file to connect to
     else
       acceptor_.set_option(Acceptor::reuse_address(true));
     acceptor_.bind(endpoint);
     acceptor_.listen();
-    if (place_.is_unix()) return;
+    if (place_.is_unix()) {
+      file_ = SocketFile(place_.path);
+      return;
+    }
     const auto bound = tcp_endpoint(acceptor_.local_endpoint());
     address_ = place_.scheme + "://" + (bound.address().is_v6() ? "[" + place_.host + "]" : place_.host) +
                ":" + std::to_string(bound.port());
@@ -103,7 +137,9 @@ class SocketListener final : public wire::Listener {
   Place place_;
   SocketSettings settings_;
   Secure secure_;
+  asio::generic::stream_protocol protocol_{0, 0};
   Acceptor acceptor_;
+  SocketFile file_;
   std::string address_;
 };
 

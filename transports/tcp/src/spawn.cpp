@@ -6,10 +6,11 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
+#include <string_view>
 #include <thread>
+#include <vector>
 
-#include "end_with_parent.hpp"
+#include "group.hpp"
 #include "stream.hpp"
 #include "tandem/error.hpp"
 #include "tandem/tcp/tcp.hpp"
@@ -20,49 +21,54 @@ namespace tandem {
 namespace tcp {
 namespace {
 
-[[noreturn]] void fail(const std::string& command, const char* what) {
-  throw Error(ErrorCode::input_output,
-              "program '" + command + "' can't be started: " + what + ": " + std::strerror(errno));
+/// The words of a program as exec takes them: pointers to each, and null.
+std::vector<char*> pointers(const std::vector<std::string>& words) {
+  std::vector<char*> all;
+  for (const std::string& word : words) all.push_back(const_cast<char*>(word.c_str()));
+  all.push_back(nullptr);
+  return all;
 }
 
-/// A program with one end of a socket. It is a group of its own, so that the terminal's Ctrl-C does not reach
-/// it before this process has ended the run.
+/// The variables of this process, with the socket's descriptor for a program.
+std::vector<std::string> variables_with(int socket) {
+  std::vector<std::string> all{"TANDEM_FD=" + std::to_string(socket)};
+  for (char** v = environ; *v; ++v)
+    if (!std::string_view(*v).starts_with("TANDEM_FD=")) all.emplace_back(*v);
+  return all;
+}
+
+/// A program with one end of a socket, in a group of its own, so that the terminal's Ctrl-C does not reach it
+/// before this process has ended the run.
 class Program {
  public:
-  Program(const std::string& command, const std::string& folder, int& our_end) : command_(command) {
+  Program(const ProgramStart& start, int& our_end) : name_(start.name), group_(name_) {
     int ends[2];
-    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) fail(command, "socketpair");
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) fail_to_start(name_, "socketpair");
     // All that allocates is done before the fork.
-    const std::string line = "exec " + command, variable = "TANDEM_FD=" + std::to_string(ends[1]);
-    const char* arguments[] = {"sh", "-c", line.c_str(), nullptr};
-    std::vector<const char*> variables;
-    for (char** v = environ; *v; ++v)
-      if (std::strncmp(*v, "TANDEM_FD=", 10) != 0) variables.push_back(*v);
-    variables.push_back(variable.c_str());
-    variables.push_back(nullptr);
-    const pid_t parent = ::getpid();
+    const std::vector<std::string> variables = variables_with(ends[1]);
+    const std::vector<char*> words = pointers(start.words);
+    std::vector<char*> settings = pointers(variables);
     process_ = ::fork();
     if (process_ == 0) {
-      ::setpgid(0, 0);
-      end_with_parent(parent);
+      group_.join();
       ::fcntl(ends[1], F_SETFD, 0);
-      if (!folder.empty() && ::chdir(folder.c_str()) != 0) ::_exit(126);
-      ::execve("/bin/sh", const_cast<char**>(arguments), const_cast<char**>(variables.data()));
-      ::_exit(127);
+      if (!start.folder.empty() && ::chdir(start.folder.c_str()) != 0) ::_exit(126);
+      environ = settings.data();
+      ::execvp(words[0], words.data());
+      ::_exit(errno == ENOENT ? 127 : 126);
     }
     ::close(ends[1]);
     our_end = ends[0];
-    if (process_ < 0) {
-      ::close(ends[0]);
-      fail(command, "fork");
-    }
+    if (process_ > 0) return;
+    ::close(ends[0]);
+    fail_to_start(name_, "fork");
   }
   /// By now its socket is closed: a program that reads it ends of its own accord, others are told to. What it
   /// has started and left is in its group, and goes with it.
   ~Program() {
-    if (!ended_within(1.0)) ::kill(-process_, SIGTERM);
+    if (!ended_within(1.0)) group_.signal(SIGTERM);
     ended_within(1.0);
-    ::kill(-process_, SIGKILL);
+    if (!ended_) ::kill(process_, SIGKILL);  // by its own number: it may have left the group
     ::waitpid(process_, nullptr, 0);
   }
   Program(const Program&) = delete;
@@ -82,19 +88,21 @@ class Program {
 
   /// What became of it.
   std::string fate() {
-    const std::string who = "program '" + command_ + "' ";
+    const std::string who = "program " + name_ + " ";
     if (!ended_within(0.2)) return who + "closed its socket";
     const int code = end_.si_status;
     if (end_.si_code != CLD_EXITED) return who + "was ended by signal " + std::to_string(code);
+    const std::string by = code > 128 ? " (signal " + std::to_string(code - 128) + "?)" : "";
     return who + "ended with status " + std::to_string(code) +
            (code == 127   ? " (not found?)"
             : code == 126 ? " (no such folder, or not executable)"
-                          : "");
+                          : by);
   }
 
  private:
   static constexpr std::chrono::microseconds longest_pause{10'000};
-  std::string command_;
+  std::string name_;
+  Group group_;
   pid_t process_ = -1;
   siginfo_t end_ = {};
   bool ended_ = false;
@@ -114,8 +122,8 @@ class SpawnedChannel final : public wire::Channel {
   }
 
  public:
-  SpawnedChannel(const std::string& command, const std::string& folder, const SocketSettings& settings)
-      : peer_("spawn:" + command), program_(command, folder, our_end_) {
+  SpawnedChannel(const ProgramStart& start, const SocketSettings& settings)
+      : peer_(start.address), program_(start, our_end_) {
     channel_ = adopt(our_end_, peer_, settings);
   }
 
@@ -127,6 +135,7 @@ class SpawnedChannel final : public wire::Channel {
     if (frame.empty()) throw Error(ErrorCode::input_output, program_.fate());
     return frame;
   }
+  void forget() override { channel_->forget(); }
   bool wait(wire::Deadline deadline) override { return channel_->wait(deadline); }
   void close() noexcept override { channel_->close(); }
   const std::string& peer() const override { return peer_; }
@@ -141,9 +150,8 @@ class SpawnedChannel final : public wire::Channel {
 }  // namespace
 }  // namespace tcp
 
-std::unique_ptr<wire::Channel> spawn(const std::string& command, const std::string& folder,
-                                     const SocketSettings& settings) {
-  return std::make_unique<tcp::SpawnedChannel>(command, folder, settings);
+std::unique_ptr<wire::Channel> spawn(const ProgramStart& start, const SocketSettings& settings) {
+  return std::make_unique<tcp::SpawnedChannel>(start, settings);
 }
 
 }  // namespace tandem

@@ -9,22 +9,36 @@ namespace tandem::tcp {
 
 /// Forgets the frame that was given out; what came behind it moves to the front.
 void StreamChannel::drop_last() {
-  std::copy(memory_.begin() + static_cast<std::ptrdiff_t>(last_),
-            memory_.begin() + static_cast<std::ptrdiff_t>(size_), memory_.begin());
+  std::copy(memory_.get() + last_, memory_.get() + size_, memory_.get());
   size_ -= last_;
   last_ = 0;
+}
+
+/// Memory for so many bytes, with those that have come.
+void StreamChannel::hold(std::size_t room) {
+  auto memory = std::make_unique_for_overwrite<std::byte[]>(room);
+  std::copy_n(memory_.get(), size_, memory.get());
+  memory_ = std::move(memory);
+  room_ = room;
+}
+
+/// What a large frame has taken is given back.
+void StreamChannel::forget() {
+  drop_last();
+  if (room_ > usual_room && size_ <= first_room) hold(first_room);
 }
 
 /// Bytes of the frame at the front, as far as its header is there.
 std::size_t StreamChannel::wanted() const {
   if (size_ < wire::header_size) return wire::header_size;
-  return wire::header_size + wire::read_header(memory_, wire::usual_longest).length;
+  return wire::header_size + wire::read_header(came(), wire::usual_longest).length;
 }
 
-/// One read. Memory grows with what has come, never with what is announced. False: nothing by then.
+/// One read. Room is made for what is announced, but the system gives a page of it when something has come.
+/// False: nothing by then.
 bool StreamChannel::fill(wire::Deadline deadline) {
-  if (size_ == memory_.size()) memory_.resize(2 * memory_.size());
-  const auto count = stream_->read(std::span(memory_).subspan(size_), deadline);
+  if (size_ == room_) hold(std::max(wanted(), size_ + first_room));
+  const auto count = stream_->read({memory_.get() + size_, room_ - size_}, deadline);
   if (!count) return false;
   size_ += *count;
   ended_ = *count == 0;
@@ -49,7 +63,7 @@ std::span<const std::byte> StreamChannel::receive(wire::Deadline deadline) {
                                                             " bytes of a frame came within the deadline");
   }
   last_ = wanted();
-  return std::span(memory_).first(last_);
+  return came().first(last_);
 }
 
 }  // namespace tandem::tcp

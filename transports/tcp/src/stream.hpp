@@ -33,18 +33,24 @@ class StreamChannel final : public wire::Channel {
     stream_->write(frame, deadline);
   }
   std::span<const std::byte> receive(wire::Deadline deadline) override;
+  void forget() override;
   bool wait(wire::Deadline deadline) override;
   void close() noexcept override { stream_->shut_down(); }
   const std::string& peer() const override { return peer_; }
 
  private:
+  std::span<const std::byte> came() const { return {memory_.get(), size_}; }
   std::size_t wanted() const;
   bool fill(wire::Deadline deadline);
   void drop_last();
 
   std::unique_ptr<Stream> stream_;
   std::string peer_;
-  std::vector<std::byte> memory_ = std::vector<std::byte>(1 << 16);
+  static constexpr std::size_t first_room = 1 << 16, usual_room = 1 << 22;  ///< bytes
+  void hold(std::size_t room);
+
+  std::unique_ptr<std::byte[]> memory_ = std::make_unique_for_overwrite<std::byte[]>(first_room);
+  std::size_t room_ = first_room;
   std::size_t size_ = 0;  ///< bytes received
   std::size_t last_ = 0;  ///< of them those of the frame that was given out last
   bool ended_ = false;

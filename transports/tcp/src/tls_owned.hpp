@@ -27,8 +27,8 @@ struct TlsFree {
 template <class T>
 using TlsOwned = std::unique_ptr<T, TlsFree>;
 
-/// Before any other call. OpenSSL would clean up at the program's exit, beneath connections that static objects
-/// close after that.
+/// Before any other call. OpenSSL would clean up at the program's exit, beneath connections that static
+/// objects close after that.
 inline void begin_tls() { ::OPENSSL_init_ssl(OPENSSL_INIT_NO_ATEXIT, nullptr); }
 
 /// Why a call failed, as OpenSSL says it first; forgets it.

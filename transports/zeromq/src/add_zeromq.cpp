@@ -56,11 +56,12 @@ std::string read_curve_key(const fs::path& file, bool secret) {
 }
 
 void add_zeromq(Builtins& builtins, bool allow_plaintext) {
-  builtins.addresses["zmq"] = [=](const Address& address, Parameters& parameters) {
+  const auto make = [=](const Address& address, Parameters& parameters) {
     const ZmqSettings settings = settings_from(address, parameters, allow_plaintext);
     return std::make_unique<wire::RemoteSubsystem>(zmq_connect(in_folder(address), settings),
                                                    parameters.rest(), settings.deadline);
   };
+  builtins.schemes["zmq"] = {words_by(Setter::operator_only, {"deadline", "key", "server_key"}), make, true};
 }
 
 }  // namespace tandem

@@ -47,7 +47,6 @@ std::string number_of(const addrinfo& entry) {
 
 /// The first number of a host of which all are this machine's, one of IPv4 if there is any.
 std::string loopback_number(const std::string& address, const std::string& host) {
-  if (host == "*") refuse_plain(address, host);
   const bool brackets = host.starts_with('[') && host.ends_with(']');
   const Found found = look_up(brackets ? host.substr(1, host.size() - 2) : host);
   const addrinfo* best = nullptr;
@@ -69,6 +68,11 @@ std::string to_open(const std::string& address, const ZmqSettings& settings) {
     throw Error(ErrorCode::invalid_argument,
                 "address 'zmq:" + address +
                     "' is not of the form zmq:tcp://HOST:PORT, zmq:ipc://PATH or zmq:inproc://NAME");
+  if (is_tcp(address) && address.substr(name, colon - name) == "*")
+    throw Error(ErrorCode::invalid_argument,
+                "address 'zmq:" + address +
+                    "' has the host '*'; allowed is a name or a number, which is "
+                    "0.0.0.0 or [::] to listen at every interface");
   if (!is_tcp(address) || settings.allow_plaintext || !settings.keys.secret_key.empty()) return address;
   return "tcp://" + loopback_number(address, address.substr(name, colon - name)) + address.substr(colon);
 }

@@ -43,15 +43,16 @@ void Gate::answer() {
     if (!socket_.recv(part, zmq::recv_flags::dontwait)) break;
     parts.push_back(std::move(part));
   } while (parts.back().more());
+  std::array<char, 41> key{};
   bool in = false;
   if (parts.size() == 7 && parts[5].to_string_view() == "CURVE" && parts[6].size() == 32) {
-    std::array<char, 41> key{};
     ::zmq_z85_encode(key.data(), parts[6].data<std::uint8_t>(), 32);
-    in = std::find(allowed_.begin(), allowed_.end(), key.data()) != allowed_.end();
+    in = std::find(allowed_.begin(), allowed_.end(), key.data()) != allowed_.end() &&
+         (parts[2].to_string_view() == door || parts[2].to_string_view() == key.data());
   }
   const std::string number = parts.size() > 1 ? parts[1].to_string() : "";
-  const std::array<std::string, 6> reply = {"1.0", number, in ? "200" : "400", in ? "OK" : "key not known",
-                                            "",    ""};
+  const std::array<std::string, 6> reply = {
+      "1.0", number, in ? "200" : "400", in ? "OK" : "key not known", in ? key.data() : "", ""};
   for (std::size_t k = 0; k < reply.size(); ++k)
     socket_.send(zmq::buffer(reply[k]),
                  k + 1 < reply.size() ? zmq::send_flags::sndmore : zmq::send_flags::none);

@@ -6,10 +6,12 @@
 
 namespace tandem::zeromq {
 
-/// Lets in the clients whose public keys are listed (the ZAP protocol, https://rfc.zeromq.org/spec/27/). One
-/// in a process at a time; none is needed without keys.
+/// Lets in the clients whose public keys are listed (the ZAP protocol, https://rfc.zeromq.org/spec/27/): at
+/// the domain `door` each, at a domain that is a key the one who has that. One in a process at a time; none
+/// is needed without keys.
 class Gate {
  public:
+  static constexpr const char* door = "tandem";
   explicit Gate(const ZmqSettings& settings);
   ~Gate();
   Gate(const Gate&) = delete;

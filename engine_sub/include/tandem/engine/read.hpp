@@ -2,6 +2,7 @@
 #pragma once
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 
 #include "tandem/engine/description.hpp"
@@ -11,13 +12,21 @@ namespace tandem::engine {
 /// Values of a diagram's parameters by name, in place of those in its file.
 using ParameterValues = std::map<std::string, ParameterValue>;
 
+/// Parameters whose given value, where it names a file, must name one below a folder after links are
+/// resolved; the value that stands in the diagram, and those it allows by a list, may name any.
+struct FileBounds {
+  std::filesystem::path folder = {};
+  std::set<std::string> parameters = {};
+};
+
 /// A diagram from its TOML file (docs/diagrams.md has the form). Throws Error that names file, line, the
 /// value found and the values allowed.
-Description read_diagram(const std::filesystem::path& file, const ParameterValues& parameters = {});
+Description read_diagram(const std::filesystem::path& file, const ParameterValues& parameters = {},
+                         const FileBounds& bounds = {});
 
 /// The same from a text; `name` is what errors call it, and files that it names are looked for in the folder
 /// of that name.
 Description read_diagram(const std::string& name, const std::string& text,
-                         const ParameterValues& parameters = {});
+                         const ParameterValues& parameters = {}, const FileBounds& bounds = {});
 
 }  // namespace tandem::engine

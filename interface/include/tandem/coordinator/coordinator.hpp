@@ -101,6 +101,7 @@ class Coordinator {
 
  private:
   friend class RunStart;
+  static constexpr int most_idle_calls = 100;
   struct Seat {
     Subsystem* subsystem;
     double time = 0.0;       ///< where the subsystem stands
@@ -127,6 +128,8 @@ class Coordinator {
   void make_together(std::span<const Turn> turns);
   void finish_all(std::span<const Turn> turns);
   void keep(const Turn& turn);
+  void check_seat(int who, const ByteReader& from) const;
+  void restore_state(int who, std::span<const std::byte> bytes, const ByteReader& from);
   bool end();
 
   const Topology& topology_;

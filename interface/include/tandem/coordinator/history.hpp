@@ -31,9 +31,9 @@ class History {
 
   /// Where the subsystem appends. make_room() first.
   Samples& room() { return samples_; }
-  /// Makes the appended rows visible, after checking that their values are finite, that times rise (a jump
-  /// may repeat a time) and that none is past t_limit, that of the advance which gave them, by more than the
-  /// tolerance. Throws Error naming subsystem, call, port and time.
+  /// Makes the appended rows visible, after checking that their values are finite, that jump flags are 0 or
+  /// 1, that times rise (a jump may repeat a time) and that none is past t_limit, that of the advance which
+  /// gave them, by more than the tolerance. Throws Error naming subsystem, call, port and time.
   NewRows commit(double t_limit, const TimeTolerance& tolerance) {
     const NewRows rows{row(committed_), base_ + samples_.size() - committed_};
     const double* y = rows.first;
@@ -81,10 +81,11 @@ class History {
   bool plain(const double* y, double t_limit) const {
     double zero = 0.0;  // NaN if there is one, or an infinity, among the values
     for (std::int64_t k = Samples::header; k < stride_; ++k) zero += y[k] - y[k];
-    return zero == 0.0 && y[0] <= t_limit && committed_ > base_ && y[0] > y[-stride_];
+    return zero == 0.0 && y[1] == 0.0 && y[0] <= t_limit && committed_ > base_ && y[0] > y[-stride_];
   }
   void check(const NewRows& rows, double t_limit, const TimeTolerance& tolerance) const;
   [[noreturn]] void fail(const NewRows& rows, double t_limit, const std::string& what) const;
+  bool are_rows(std::span<const double> rows) const;
   double taylor(const std::vector<double>& sample, int column, double s) const;
   void resize(std::int64_t capacity, std::int64_t keep);
 

@@ -79,6 +79,8 @@ class Link {
   static void extend_least_squares(Link& link, NewRows rows);
   template <class Make>
   void extend_rows(NewRows rows, const Make& make);
+  void check(std::int32_t count, const ByteReader& from) const;
+  static void read(std::span<Segment> lane, ByteReader& from);
   void read_window(double time, double next_time, Signal* slots);
   void hold(std::int64_t first, std::int64_t last, Signal* slots);
 

@@ -58,7 +58,8 @@ class Recorder final : public Observer {
 
   /// After flush(): what the files hold, as a checksum, and the samples that still wait; for a checkpoint.
   void save(ByteWriter& to) const;
-  /// In place of the first samples: cuts the files of the other run where it was saved, and goes on. Throws
+  /// In place of the first samples: cuts the files of the other run where it was saved, and goes on. What was
+  /// saved is the last in `from`, and all of it is checked before the first file is cut. Throws
   /// Error(input_output) for a file that is not there, is shorter, or holds anything else.
   void resume(ByteReader& from);
 
@@ -102,7 +103,8 @@ class Recorder final : public Observer {
   std::filesystem::path path_of(std::size_t subsystem) const;
   void open_files();
   void begin_tables();
-  void reopen_files(ByteReader& from);
+  std::vector<std::unique_ptr<CsvFile>> reopened_files(ByteReader& from) const;
+  void read_track(Track& track, ByteReader& from) const;
   void write_waiting(bool all);
   void write_own(std::size_t subsystem);
   void write_at_clock(bool all);

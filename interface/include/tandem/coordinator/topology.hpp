@@ -47,6 +47,10 @@ class Topology {
   /// can't feed, a lag on mean or matched hold.
   void connect(const Connection& connection);
 
+  /// One end of a connection whose other end is not known here: it is only looked for, and check() takes an
+  /// input for connected. Throws Error for an unknown port, and an index out of range.
+  void connect_half(std::string_view port, bool output);
+
   /// The value that an input ("instance.port", or one element) takes at the start, or for ever if it is not
   /// connected. Throws Error for an unknown port, an index out of range, and a value that is not finite.
   void set_start(std::string_view port, double value);
@@ -73,6 +77,7 @@ class Topology {
     const SubsystemInfo* info;
     std::vector<double> start;
     std::vector<char> shared;  ///< by scalar input: connected with `add`
+    std::vector<char> half;    ///< by scalar input: by connect_half()
   };
   /// A port, or one element of it, found by its text.
   struct Place {

@@ -5,47 +5,64 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "tandem/subsystem.hpp"
 #include "tandem/transports/parameters.hpp"
 
 namespace tandem {
 
-/// Makes a subsystem from its parameters.
-using Builder = std::function<std::unique_ptr<Subsystem>(Parameters&)>;
-/// Makes a subsystem from a file and its parameters.
-using FileBuilder = std::function<std::unique_ptr<Subsystem>(const std::filesystem::path&, Parameters&)>;
-
 /// A URI taken apart: "lib:./x.so?entry=name" has the scheme "lib" and the place "./x.so".
 struct Address {
   std::string uri, scheme, place;
-  std::filesystem::path folder;  ///< where a file is looked for that is not named from the root
+  std::filesystem::path folder;           ///< where a file is looked for that is not named from the root
+  std::vector<std::string> command = {};  ///< Opening::command
+  std::filesystem::path file() const { return folder / place; }
+  /// "source 'URI'" or "command [...]": what errors call it.
+  std::string name() const;
 };
-/// Makes a subsystem that lives behind an address. What it does not ask the parameters for itself, it hands
-/// on to that subsystem (Parameters::rest).
-using AddressBuilder = std::function<std::unique_ptr<Subsystem>(const Address&, Parameters&)>;
+
+/// How subsystems of one kind are made.
+struct Source {
+  /// What the maker asks the parameters for itself, with who may set it. Any other word it may declare later
+  /// (a file's own parameters), or hand on to the subsystem unread (Parameters::rest).
+  Words words;
+  std::function<std::unique_ptr<Subsystem>(const Address&, Parameters&)> make;
+  bool elsewhere = false;  ///< the subsystem is not made here: it lives in a library or another process
+  bool code = false;       ///< to open it runs code that its place names
+  /// Of code: checks what can be without running any, and asks the parameters that `make` asks for.
+  std::function<void(const Address&, Parameters&)> look = {};
+};
 
 /// What URIs can name. Whoever owns the models fills it, and add_shared_library(), add_tcp() and the like add
 /// their schemes; what opens a URI knows no model and no transport.
 struct Builtins {
-  std::map<std::string, Builder> models;            ///< by the NAME of "builtin:NAME"
-  std::map<std::string, FileBuilder> files;         ///< by the scheme of "scheme:FILE"
-  std::map<std::string, AddressBuilder> addresses;  ///< by the scheme of "scheme:PLACE"
+  std::map<std::string, Source> models;   ///< by the NAME of "builtin:NAME"
+  std::map<std::string, Source> schemes;  ///< by the scheme of "scheme:PLACE"
 };
 
 /// What a URI is opened with.
 struct Opening {
   Parameters parameters = {};
   std::filesystem::path folder = {};  ///< where a file is looked for that is not named from the root
+  /// In place of what follows "spawn:": a program and its arguments, which is started without a shell.
+  std::vector<std::string> command = {};
 };
 
 /// The subsystem that a URI names: "builtin:NAME", "mechanism:FILE" or "tcp://HOST:PORT", each with
 /// "?key=value&key=value" if wanted. Values in the URI stand beside the parameters; the same one in both is
-/// an error. Throws Error for an unknown scheme or name, and for parameters that the subsystem does not take.
+/// an error. Throws Error for an unknown scheme or name, for a client's value of a word that is the
+/// operator's, before anything is opened, and for parameters that the subsystem does not take.
 std::unique_ptr<Subsystem> open(const std::string& uri, const Builtins& builtins, Opening opening = {});
 
-/// Throws Error for what open() refuses whatever the parameters are: a scheme or a builtin's name that is not
-/// there. Nothing is opened.
-void check_known(const std::string& uri, const Builtins& builtins);
+/// What open() finds wrong with a source that is code before it runs any; nothing of it is run.
+void look_at(const std::string& uri, const Builtins& builtins, Opening opening);
+
+/// A command as a scenario has it: ["program", "argument"].
+std::string shown(const std::vector<std::string>& command);
+
+/// What makes the subsystem that a URI names. Nothing is opened. Throws Error for a scheme or a builtin's
+/// name that is not there.
+const Source& source_of(const std::string& uri, const Builtins& builtins);
 
 }  // namespace tandem

@@ -5,6 +5,8 @@
 #include <span>
 #include <string>
 
+#include "tandem/wire/frame.hpp"
+
 namespace tandem::wire {
 
 using Deadline = std::chrono::steady_clock::time_point;
@@ -23,6 +25,10 @@ class Channel {
   /// between two frames. Throws Error(input_output) for what ends within a frame and if there is no whole
   /// frame by then; Error(invalid_argument) for a header that read_header refuses.
   virtual std::span<const std::byte> receive(Deadline deadline) = 0;
+  /// The frame that was received last is not needed any more: its memory may go.
+  virtual void forget() {}
+  /// Payloads that a server takes and gives over it [bytes].
+  virtual std::uint64_t longest() const { return usual_longest; }
   /// Waits for the beginning of a frame, or the end of the connection. False: there was none by then.
   virtual bool wait(Deadline deadline) = 0;
   /// Ends the connection; whoever waits in another thread wakes with an error or an empty frame.

@@ -51,8 +51,11 @@ struct Goal {
 void put_advance(Writer& frame, const Goal& goal, std::span<const Signal> inputs);
 void read_advance(std::span<const std::byte> payload, int inputs, Advance& request);
 
-/// The rows that y holds beyond the first `before`.
-void put_samples(Writer& frame, const Clock& clock, const Samples& y, std::int64_t before);
+/// Room in the frame for so many rows, to be filled before put_samples() or put_error() puts them: they stand
+/// where the reply has them. Precondition: begin() and nothing since.
+Samples room_for_rows(Writer& frame, std::int64_t stride, std::int64_t capacity);
+/// The rows of y.
+void put_samples(Writer& frame, const Clock& clock, const Samples& y);
 /// Appends the rows to y; returns the clock. Error(invalid_argument) too for rows of another size, or more
 /// than y has room for.
 Clock read_samples(std::span<const std::byte> payload, Samples& y);
@@ -66,7 +69,7 @@ StateId read_id(std::span<const std::byte> payload);
 
 /// An error, and the rows that were appended before it (only those of an advance).
 void put_error(Writer& frame, ErrorCode code, std::string_view sentence);
-void put_error(Writer& frame, const Error& error, const Samples& y, std::int64_t before);
+void put_error(Writer& frame, const Error& error, const Samples& y);
 /// The error that the other side tells; rows are appended to *y if they fit it, y may be null.
 Error read_error(std::span<const std::byte> payload, Samples* y);
 

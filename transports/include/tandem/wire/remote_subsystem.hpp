@@ -4,6 +4,7 @@
 #include <string>
 
 #include "tandem/subsystem.hpp"
+#include "tandem/time_grid.hpp"
 #include "tandem/wire/channel.hpp"
 #include "tandem/wire/messages.hpp"
 
@@ -51,8 +52,9 @@ class RemoteSubsystem final : public Subsystem {
   std::uint64_t longest_ = usual_longest;  ///< payload that the other side takes
   std::uint32_t number_ = 0;               ///< of the last request
   Type request_ = Type::hello;             ///< the last one
-  double time_ = 0.0, goal_ = 0.0;         ///< where it stands, and the limit of the call under way [s]
-  std::string broken_;                     ///< why the connection is not used any more
+  TimeTolerance tolerance_;
+  double time_ = 0.0, goal_ = 0.0;  ///< where it stands, and the limit of the call under way [s]
+  std::string broken_;              ///< why the connection is not used any more
   Writer frame_;
   Initialize initialize_;
 };

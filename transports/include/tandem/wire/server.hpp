@@ -13,7 +13,8 @@ namespace tandem::wire {
 class Listener {
  public:
   virtual ~Listener() = default;
-  /// The next connection; null if there was none by then, or a signal came.
+  /// The next connection; null if there was none by then, or a signal came. Throws Error if there is one and
+  /// no descriptor or memory for it: it waits.
   virtual std::unique_ptr<Channel> accept(Deadline deadline) = 0;
   /// What a peer connects to, with the port that was found: "tcp://127.0.0.1:40123".
   virtual const std::string& address() const = 0;
@@ -41,15 +42,18 @@ class Server {
  private:
   struct Guest;
   void take(std::unique_ptr<Channel> channel);
-  void turn_away(Channel& channel);
-  void serve(Guest& guest);
+  void wait_out(const std::exception& error) noexcept;
+  void turn_away(Channel& channel, const std::string& why);
+  void serve(Guest& guest) noexcept;
   void clear_away(bool all);
   void log(const std::string& sentence) const;
+  void log_end(const Guest& guest, const std::exception& why) const noexcept;
 
   Listener& listener_;
   MakeSubsystem make_;
   ServerSettings settings_;
   std::list<Guest> guests_;
+  std::string shortage_;  ///< why the last connection could not be taken
 };
 
 }  // namespace tandem::wire

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -13,9 +14,15 @@ namespace tandem::wire {
 /// Makes the subsystem of a session from "key=value&key=value", or "".
 using MakeSubsystem = std::function<std::unique_ptr<Subsystem>(const std::string& parameters)>;
 
+/// Saved states that a session keeps at a time. With a request and a reply of usual_longest each, a session
+/// takes at most 160 MiB beside its subsystem's own memory.
+constexpr std::size_t most_states = 1000;
+constexpr std::uint64_t most_state_bytes = std::uint64_t{1} << 25;
+
 struct SessionSettings {
-  double deadline = 5.0;  ///< [s]: for a frame to come whole once it has begun, and for a reply to be taken
-  double idle = 3600.0;   ///< [s]: from one request to the next
+  /// [s]: for the first request, for a frame to come whole once it has begun, and for a reply to be taken.
+  double deadline = 5.0;
+  double idle = 3600.0;             ///< [s]: from one request to the next
   std::string software = "tandem";  ///< what hello says
 };
 
@@ -33,6 +40,11 @@ class Session {
   void say_bye();
   void handle(const Frame& request);
   void handle_state(const Frame& request);
+  void require_room_for_state(std::uint64_t bytes) const;
+  void keep(StateId id, std::uint64_t bytes);
+  StateId save();
+  StateId deserialize(std::span<const std::byte> bytes);
+  void release(StateId id);
   std::vector<std::byte> bytes_of(StateId id);
   void check_number(const Header& header, std::uint32_t allowed);
   void check_order(Type type) const;
@@ -51,13 +63,14 @@ class Session {
   SessionSettings settings_;
   std::unique_ptr<Subsystem> subsystem_;
   bool initialized_ = false;
-  std::uint32_t number_ = 0;  ///< of the request that is answered; 0 before it is there
-  std::uint64_t longest_ = usual_longest;
+  std::uint32_t number_ = 0;   ///< of the request that is answered; 0 before it is there
+  std::uint64_t longest_ = 0;  ///< payload that is given
   Writer frame_;
   Initialize initialize_;
   Advance advance_;
-  std::unique_ptr<double[]> memory_;  ///< of rows
-  std::uint64_t held_ = 0;            ///< numbers there
+  std::map<StateId, std::uint64_t> states_;  ///< saved ones that are not released, with their bytes
+  std::uint64_t states_bytes_ = 0;           ///< of all of them
+  std::uint64_t state_bytes_ = 0;            ///< of one, as far as it is known
 };
 
 }  // namespace tandem::wire

@@ -13,8 +13,8 @@ struct TimeTable {
   std::vector<std::string> names;            ///< without time
   std::vector<std::vector<double>> columns;  ///< by name, then by row; NaN for an empty cell
 
-  /// place: a CSV file, or a folder that holds results.csv. Throws Error that names the file, and the line,
-  /// column and text of what is no number.
+  /// place: a CSV file, or a folder that holds results.csv. Throws Error that names the file, and line
+  /// and column of what is no number, but none of its text: the file may be none of ours.
   static TimeTable read(const std::filesystem::path& place);
 };
 

@@ -17,6 +17,9 @@ using LookAtMechanism = std::function<void(const text::Document&, mbs::Descripti
 /// begins with `name`.
 std::vector<double> matrix_times(const std::string& name, const std::string& text);
 
+/// The words of make_mechanism(). The files that matrices are written to are the operator's alone.
+Words mechanism_words();
+
 /// A mechanism's file as a subsystem. Parameters: `step` [s], those of a stepper (take_stepper), `matrices`,
 /// `matrices_at`, `matrices_format`. What is not given is taken from the file's table [run], else by default;
 /// `step` must be given. kinds: of elements, besides those that are built in. tell: takes what

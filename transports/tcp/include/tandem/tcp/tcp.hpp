@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "tandem/transports/open.hpp"
 #include "tandem/wire/server.hpp"
@@ -37,15 +38,20 @@ std::unique_ptr<wire::Listener> listen(const std::string& address, const SocketS
 /// The channel of a socket that is open already, which it takes over: what spawn: leaves to its program.
 std::unique_ptr<wire::Channel> adopt(int socket, const std::string& peer, const SocketSettings& settings);
 
-/// Starts "COMMAND" by the shell in `folder` (empty: here), with one end of a private socket as the
-/// descriptor that its variable TANDEM_FD names. The program is ended with the channel, and when this process
-/// dies.
-std::unique_ptr<wire::Channel> spawn(const std::string& command, const std::string& folder,
-                                     const SocketSettings& settings);
+/// A program that is to be started.
+struct ProgramStart {
+  std::vector<std::string> words;  ///< the program, which is found by PATH, and its arguments
+  std::filesystem::path folder;    ///< that it works in; empty: here
+  std::string name, address;       ///< what errors call the program and the channel
+};
 
-/// Adds "tcp://HOST:PORT", "tls://HOST:PORT", "unix:PATH" and "spawn:COMMAND", each with
-/// ?deadline=SECONDS&spin=MICROSECONDS, tls:// also with key=FILE&authority=FILE; other parameters go to the
-/// subsystem.
+/// Starts it with one end of a private socket as the descriptor that its variable TANDEM_FD names. The
+/// program and what it starts, its group of processes, end with the channel, and when this process dies.
+std::unique_ptr<wire::Channel> spawn(const ProgramStart& start, const SocketSettings& settings);
+
+/// Adds "tcp://HOST:PORT", "tls://HOST:PORT", "unix:PATH" and "spawn:COMMAND" (what `sh -c COMMAND` does, or
+/// the words of Opening::command without a shell), each with ?deadline=SECONDS&spin=MICROSECONDS, tls:// also
+/// with key=FILE&authority=FILE; other parameters go to the subsystem.
 void add_tcp(Builtins& builtins, bool allow_plaintext = false);
 
 }  // namespace tandem

@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <filesystem>
+#include <string>
+
+namespace tandem {
+
+/// What is known of a shared library before it is loaded and called. (On Linux; elsewhere the loader has the
+/// word alone.)
+
+/// Throws Error(input_output) for what is no regular file, and for an ELF file that ends before what its
+/// headers announce: the system's loader would end the program by a signal. `what`: "library".
+void check_library_file(const std::filesystem::path& file, const std::string& what);
+
+/// Throws Error(invalid_argument) that begins with `library` if what stands at the address of a symbol is no
+/// function.
+void check_function(const void* address, const std::string& library, const std::string& symbol);
+
+/// While there is one, this thread is in a call of a library. One that ends the program there, by exit or
+/// quick_exit, ends it with a sentence that names the library and with status 1, whatever status it gives.
+class LibraryCall {
+ public:
+  /// library: how the sentence calls it, "library 'FILE'"; outlives the call. Null: no library.
+  explicit LibraryCall(const char* library) noexcept : outer_(current_) {
+    if (library) current_ = library;
+  }
+  ~LibraryCall() { current_ = outer_; }
+  LibraryCall(const LibraryCall&) = delete;
+  LibraryCall& operator=(const LibraryCall&) = delete;
+
+  /// Before the first call; a second time it does nothing.
+  static void guard_exit();
+  /// If this thread is in a call: tells so, and ends the program with status 1. For who takes the place of
+  /// _exit().
+  static void refuse_exit() noexcept;
+
+ private:
+  static constinit thread_local const char* current_;
+  const char* outer_;
+};
+
+}  // namespace tandem

@@ -1,0 +1,32 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "cli/looking.hpp"
+
+#include <fmt/format.h>
+
+#include "tandem/text/time_table.hpp"
+
+namespace tandem::cli {
+
+CLI::Option* add_run_programs(CLI::App& command, bool& run_programs) {
+  return command.add_flag("--run-programs", run_programs,
+                          "Also open the scenario's sources that are code (command, spawn:, lib:, "
+                          "three_functions:, functions:), which runs that code with your rights");
+}
+
+void check_in_part(const scenario::Scenario& scenario, const Builtins& builtins, bool reference) {
+  const scenario::Parts parts(scenario, builtins, scenario::Code::leave_out);
+  if (reference && scenario.reference)
+    scenario::located(scenario.reference->place, [&] { text::TimeTable::read(scenario.reference->file); });
+  parts.check_each();
+  fmt::print("{}", in_part(scenario, parts));
+  for (const std::string& note : parts.redundant_equations()) fmt::print("note: {}\n", note);
+}
+
+std::string in_part(const scenario::Scenario& scenario, const scenario::Parts& parts) {
+  if (parts.left_out().empty()) return "";
+  std::string text = scenario.file.string() + ": checked in part\n";
+  for (const std::string& sentence : parts.left_out()) text += sentence + '\n';
+  return text + "Say --run-programs to open these too: that runs their code, with your rights.\n";
+}
+
+}  // namespace tandem::cli

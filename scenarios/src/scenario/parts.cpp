@@ -1,0 +1,148 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "scenario/parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tandem/error.hpp"
+#include "tandem/mbs/subsystem.hpp"
+#include "tandem/nearest.hpp"
+#include "tandem/printable.hpp"
+
+namespace tandem::scenario {
+namespace {
+
+/// use(opening) with errors that name the place in the file, and a subsystem that lives elsewhere: the
+/// address alone may serve several.
+template <class Use>
+auto with_opening(const SubsystemEntry& entry, const Builtins& builtins, const Use& use) {
+  Opening opening{{}, std::filesystem::path(entry.place.file).parent_path(), entry.command};
+  for (const Parameter& p : entry.parameters) opening.parameters.set(p.name, p.value);
+  const auto place_of = [&](const std::string& sentence) { return entry.place_named_in(sentence); };
+  return located(place_of, [&] {
+    try {
+      return use(std::move(opening));
+    } catch (const Error& error) {
+      if (!source_of(entry.source, builtins).elsewhere) throw;
+      throw Error(error.code(), "subsystem '" + entry.name + "': " + error.what());
+    }
+  });
+}
+
+bool is_code(const SubsystemEntry& entry, const Builtins& builtins) {
+  return located(entry.source_place, [&] { return source_of(entry.source, builtins).code; });
+}
+
+/// As a run does it first: with the inputs that are not connected, and NaN for the others.
+void start(Subsystem& subsystem, const Topology& topology, int instance, const TimeSpan& span) {
+  std::vector<double> u0 = topology.start(instance);
+  for (std::size_t k = 0; k < u0.size(); ++k)
+    if (topology.lines_to(instance, static_cast<int>(k)) > 0) u0[k] = std::nan("");
+  std::vector<double> row(static_cast<std::size_t>(subsystem.info().row_size()));
+  Samples y(row.data(), subsystem.info().row_size(), 1);
+  try {
+    subsystem.initialize(span.start, span.stop, u0, y);
+  } catch (const Error& error) {
+    throw Error(error.code(), "subsystem '" + topology.name(instance) + "': " + error.what());
+  }
+}
+
+}  // namespace
+
+Parts::Parts(const Scenario& scenario, const Builtins& builtins, Code code) : scenario_(scenario) {
+  for (const SubsystemEntry& entry : scenario.subsystems) {
+    const bool out = code == Code::leave_out && is_code(entry, builtins);
+    subsystems_.push_back(out ? leave_out(entry, builtins) : opened(entry, builtins));
+    located(entry.place, [&] { topology_.add(entry.name, out ? no_ports_ : subsystems_.back()->info()); });
+  }
+  set_starts();
+  for (const ConnectionEntry& entry : scenario.connections)
+    located([&](const std::string& sentence) { return entry.place_named_in(sentence); },
+            [&] { connect(entry); });
+  if (scenario.judge) check_output(scenario.judge->place, "judge.quantity: output", scenario.judge->quantity);
+  for (const std::string& name : scenario.plots)
+    check_output(scenario.place("view.plots"), "view.plots: output", name);
+  located([&](const std::string& sentence) { return scenario_.place_named_in(sentence); },
+          [&] { topology_.check(); });
+}
+
+std::unique_ptr<Subsystem> Parts::opened(const SubsystemEntry& entry, const Builtins& builtins) {
+  return with_opening(entry, builtins,
+                      [&](Opening opening) { return open(entry.source, builtins, std::move(opening)); });
+}
+
+/// Its address is shown as who decides whether it may be run has to see it.
+std::unique_ptr<Subsystem> Parts::leave_out(const SubsystemEntry& entry, const Builtins& builtins) {
+  with_opening(entry, builtins,
+               [&](Opening opening) { look_at(entry.source, builtins, std::move(opening)); });
+  left_out_.push_back(entry.source_place.text() + ": subsystem '" + entry.name +
+                      "' is left out, as its source is code: " + printable(entry.address()));
+  return nullptr;
+}
+
+bool Parts::is_left_out(const std::string& port) const {
+  for (int i = 0; i < topology_.size(); ++i)
+    if (!subsystem(i) && port.starts_with(topology_.name(i) + ".")) return true;
+  return false;
+}
+
+void Parts::set_starts() {
+  for (const SubsystemEntry& entry : scenario_.subsystems)
+    for (const StartValue& value : entry.inputs)
+      if (const std::string port = entry.name + "." + value.port; !is_left_out(port))
+        located(value.place, [&] { topology_.set_start(port, value.value); });
+}
+
+void Parts::connect(const ConnectionEntry& entry) {
+  const Connection& c = entry.connection;
+  const bool no_source = is_left_out(c.from), no_reader = is_left_out(c.to);
+  if (!no_source && !no_reader) return topology_.connect(c);
+  if (!no_source) topology_.connect_half(c.from, true);
+  if (!no_reader) topology_.connect_half(c.to, false);
+}
+
+std::vector<std::string> Parts::outputs() const {
+  std::vector<std::string> names;
+  for (int i = 0; i < topology_.size(); ++i)
+    for (int k = 0; k < topology_.info(i).output_size(); ++k) names.push_back(topology_.output_name(i, k));
+  return names;
+}
+
+void Parts::check_output(const Place& place, const std::string& what, const std::string& name) const {
+  const auto known = outputs();
+  if (!is_left_out(name) && std::find(known.begin(), known.end(), name) == known.end())
+    refuse(place, unknown(what, name, known));
+}
+
+void Parts::check_each() const {
+  const auto known = outputs();
+  for (const std::string& port : scenario_.recording.ports)
+    if (!is_left_out(port) && std::none_of(known.begin(), known.end(), [&](const std::string& scalar) {
+          return port == scalar || port == scalar.substr(0, scalar.find('['));
+        }))
+      refuse(scenario_.place("record.ports"), unknown("recorded output", port, known));
+  for (int i = 0; i < topology_.size(); ++i)
+    if (Subsystem* one = subsystem(i))
+      located([&](const std::string& sentence) { return scenario_.place_named_in(sentence); },
+              [&] {
+                start(*one, topology_, i, {scenario_.start, scenario_.stop});
+              });
+}
+
+std::vector<std::string> Parts::redundant_equations() const {
+  std::vector<std::string> all;
+  for (int i = 0; i < topology_.size(); ++i) {
+    if (!subsystem(i)) continue;
+    if (const auto names = mbs::redundant_equations(*subsystem(i)); !names.empty())
+      all.push_back("mechanism '" + topology_.name(i) + "' has " + std::to_string(names.size()) +
+                    " redundant equation" + (names.size() > 1 ? "s" : "") + ": " + listed(names));
+  }
+  return all;
+}
+
+bool names_code(const Scenario& scenario, const Builtins& builtins) {
+  return std::any_of(scenario.subsystems.begin(), scenario.subsystems.end(),
+                     [&](const SubsystemEntry& entry) { return is_code(entry, builtins); });
+}
+
+}  // namespace tandem::scenario

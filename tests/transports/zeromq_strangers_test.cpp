@@ -1,0 +1,166 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// Who comes to the port of a ZeroMQ session that is not its own changes nothing and ends nothing.
+#if TANDEM_HAS_ZEROMQ
+#include <arpa/inet.h>
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <thread>
+#include <zmq.hpp>
+
+#include "curve_pair.hpp"
+#include "run_bench.hpp"
+#include "same_bits.hpp"
+#include "scratch.hpp"
+#include "served.hpp"
+#include "tandem/wire/messages.hpp"
+
+namespace tandem::test {
+namespace {
+
+std::vector<Recording::Rows> masses(Subsystem& slow) {
+  const auto fast = open("builtin:two_mass.fast?frequency_ratio=30.7", all_sources());
+  RunBench bench;
+  bench.add("fast", *fast).add("slow", slow);
+  bench.connect("slow.x2", "fast.x2", "lagrange3").connect("fast.x1", "slow.x1", "lagrange3");
+  return bench.run(20.0).all();
+}
+
+/// Opens and closes connections at a port of this machine, some with a word, until it is told to end.
+void scan(int port, const std::atomic<bool>& end) {
+  sockaddr_in place{};
+  place.sin_family = AF_INET;
+  place.sin_port = htons(static_cast<std::uint16_t>(port));
+  place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  const std::string line = "GET / HTTP/1.1\r\n\r\n";
+  for (int k = 0; !end; ++k) {
+    const int stranger = ::socket(AF_INET, SOCK_STREAM, 0);
+    if (::connect(stranger, reinterpret_cast<sockaddr*>(&place), sizeof place) == 0 && k % 2)
+      static_cast<void>(::send(stranger, line.data(), line.size(), MSG_NOSIGNAL));
+    ::close(stranger);
+    ::usleep(500);
+  }
+}
+
+/// Another peer at a session's place: it says bye and initialize, and takes what comes, until it is told to
+/// end. Counts the replies that it got.
+int intrude(const std::string& place, const CurveFolder* keys, const std::atomic<bool>& end) {
+  zmq::context_t context;
+  zmq::socket_t peer(context, zmq::socket_type::dealer);
+  peer.set(zmq::sockopt::linger, 0);
+  if (keys) {
+    peer.set(zmq::sockopt::curve_serverkey, read_curve_key(keys->file("server.pub"), false));
+    peer.set(zmq::sockopt::curve_publickey, read_curve_key(keys->file("client.pub"), false));
+    peer.set(zmq::sockopt::curve_secretkey, read_curve_key(keys->file("client"), true));
+  }
+  peer.connect(place);
+  int replies = 0;
+  for (std::uint32_t number = 1; !end; ++number) {
+    wire::Writer frame;
+    wire::begin(frame, number % 2 ? wire::Type::bye : wire::Type::initialize, number);
+    if (number % 2 == 0) wire::put_initialize(frame, {0.0, 1.0, 1, {0.0}});
+    wire::finish(frame);
+    peer.send(zmq::const_buffer(frame.bytes().data(), frame.size()), zmq::send_flags::dontwait);
+    zmq::message_t reply;
+    replies += peer.recv(reply, zmq::recv_flags::dontwait).has_value();
+    ::usleep(200);
+  }
+  return replies;
+}
+
+/// Runs the masses while strangers are at the session's port.
+void run_among_strangers(const std::string& address, const ZmqSettings& settings, const std::string& query,
+                         const CurveFolder* keys) {
+  const Served server(zmq_listen(address, settings), source("builtin:two_mass.slow"));
+  const auto slow = open(server.address() + "?frequency_ratio=30.7" + query, all_sources());
+  const std::string log = server.log().at(0);
+  const std::string place = log.substr(4, log.find(": session") - 4);
+  std::atomic<bool> end = false;
+  int replies = 0;
+  std::thread scanner, intruder([&] { replies = intrude(place, keys, end); });
+  if (place.starts_with("tcp:"))
+    scanner = std::thread([&] { scan(std::stoi(place.substr(place.rfind(':') + 1)), end); });
+  const auto inner = open("builtin:two_mass.slow?frequency_ratio=30.7", all_sources());
+  for (int k = 0; k < 5; ++k) {
+    EXPECT_TRUE(same_bits(masses(*slow), masses(*inner))) << place;
+    const StateId state = slow->save_state();
+    EXPECT_EQ(slow->serialize_state(state).size(), inner->serialize_state(inner->save_state()).size());
+    slow->restore_state(state);
+    slow->release_state(state);
+  }
+  end = true;
+  intruder.join();
+  if (scanner.joinable()) scanner.join();
+  EXPECT_EQ(replies, 0);
+  for (const std::string& line : server.log()) EXPECT_EQ(line.find("ends"), std::string::npos) << line;
+}
+
+TEST(ZeroMqStrangers, EndNoPlainSessionAndAreNotHeard) {
+  const Scratch folder;
+  run_among_strangers("tcp://127.0.0.1:0", {}, "", nullptr);
+  run_among_strangers("ipc://" + (folder.path() / "socket").string(), {}, "", nullptr);
+}
+
+TEST(ZeroMqStrangers, EndNoSessionWithKeysThoughTheyAreLetInAsOthers) {
+  const CurveFolder keys, other;
+  ZmqSettings settings = keys.settings();
+  settings.clients.push_back(read_curve_key(other.file("client.pub"), false));
+  std::filesystem::copy_file(keys.file("server.pub"), other.file("server.pub"),
+                             std::filesystem::copy_options::overwrite_existing);
+  run_among_strangers("tcp://127.0.0.1:0", settings, "&" + keys.query(), &other);
+}
+
+/// Before its peer is in: who comes first is not the peer.
+TEST(ZeroMqStrangers, TakeNoPlaceBeforeThePeerIsThere) {
+  const auto listener = zmq_listen("tcp://127.0.0.1:0", {});
+  zmq::context_t context;
+  zmq::socket_t door(context, zmq::socket_type::dealer), stranger(context, zmq::socket_type::dealer),
+      peer(context, zmq::socket_type::dealer);
+  for (zmq::socket_t* socket : {&door, &stranger, &peer}) socket->set(zmq::sockopt::linger, 0);
+  door.connect(listener->address().substr(4));
+  door.send(zmq::str_buffer("TANDEM\r\n"), zmq::send_flags::sndmore);
+  door.send(zmq::str_buffer("a token of mine"), zmq::send_flags::none);
+  std::unique_ptr<wire::Channel> session;
+  while (!session) session = listener->accept(wire::in_seconds(0.1));
+  zmq::message_t place;
+  ASSERT_TRUE(door.recv(place));
+  stranger.connect(place.to_string());
+  stranger.send(zmq::str_buffer("a frame of mine"), zmq::send_flags::none);
+  EXPECT_FALSE(session->wait(wire::in_seconds(0.2)));
+  peer.set(zmq::sockopt::routing_id, "a token of mine");
+  peer.connect(place.to_string());
+  peer.send(zmq::str_buffer("the peer's"), zmq::send_flags::none);
+  const auto frame = session->receive(wire::in_seconds(5.0));
+  EXPECT_EQ(std::string(reinterpret_cast<const char*>(frame.data()), frame.size()), "the peer's");
+  stranger.close();
+  EXPECT_FALSE(session->wait(wire::in_seconds(0.2))) << "the stranger's end is not the peer's";
+  peer.close();
+  EXPECT_TRUE(session->wait(wire::in_seconds(5.0)));
+  EXPECT_TRUE(session->receive(wire::in_seconds(5.0)).empty());
+}
+
+/// As it was before there were tokens.
+TEST(ZeroMqStrangers, AKnockWithoutATokenGetsASessionOfWhoSpeaksFirst) {
+  const auto listener = zmq_listen("tcp://127.0.0.1:0", {});
+  zmq::context_t context;
+  zmq::socket_t door(context, zmq::socket_type::dealer), peer(context, zmq::socket_type::dealer),
+      second(context, zmq::socket_type::dealer);
+  for (zmq::socket_t* socket : {&door, &second, &peer}) socket->set(zmq::sockopt::linger, 0);
+  door.connect(listener->address().substr(4));
+  door.send(zmq::str_buffer("TANDEM\r\n"), zmq::send_flags::none);
+  std::unique_ptr<wire::Channel> session;
+  while (!session) session = listener->accept(wire::in_seconds(0.1));
+  zmq::message_t place;
+  ASSERT_TRUE(door.recv(place));
+  peer.connect(place.to_string());
+  peer.send(zmq::str_buffer("first"), zmq::send_flags::none);
+  EXPECT_FALSE(session->receive(wire::in_seconds(5.0)).empty());
+  second.connect(place.to_string());
+  second.send(zmq::str_buffer("second"), zmq::send_flags::none);
+  EXPECT_FALSE(session->wait(wire::in_seconds(0.2)));
+}
+
+}  // namespace
+}  // namespace tandem::test
+#endif

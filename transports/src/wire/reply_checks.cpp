@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "reply_checks.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "tandem/error.hpp"
+
+namespace tandem::wire {
+namespace {
+
+std::string seconds(double value) {
+  char digits[32];
+  return std::string(digits, std::to_chars(digits, digits + sizeof digits, value).ptr) + " s";
+}
+
+[[noreturn]] void refuse_reply(const std::string& what) {
+  throw Error(ErrorCode::numerical, "the reply " + what);
+}
+
+void check_finite(const SubsystemInfo& info, const Samples& y, std::int64_t row) {
+  if (!std::isfinite(y.time(row))) refuse_reply("has a sample whose time is not finite");
+  const auto values = y.values(row);
+  const auto bad = std::find_if(values.begin(), values.end(), [](double v) { return !std::isfinite(v); });
+  if (bad == values.end()) return;
+  const auto column = static_cast<int>(bad - values.begin());
+  refuse_reply("gives " + scalar_at(info.outputs, column % info.output_size()).name() +
+               (column >= info.output_size() ? " (a derivative)" : "") +
+               " not finite at t = " + seconds(y.time(row)));
+}
+
+bool knows(const SubsystemInfo& info, std::span<const double> u0, int output) {
+  return std::none_of(info.feedthrough.begin(), info.feedthrough.end(), [&](const Feedthrough& f) {
+    return f.output == output && std::isnan(u0[static_cast<std::size_t>(f.input)]);
+  });
+}
+
+void check_stands(const Clock& clock, double stands) {
+  if (!(clock.time == stands))
+    refuse_reply("says that it stands at t = " + seconds(clock.time) + ", but its newest sample is of " +
+                 seconds(stands));
+  check_clock(clock);
+}
+
+}  // namespace
+
+void check_first(const GivenRows& given, double t_start, std::span<const double> u0) {
+  const auto& [info, y, first, clock] = given;
+  if (y.size() == first) refuse_reply("has no first sample");
+  for (std::int64_t row = first; row < y.size(); ++row)
+    if (!(y.time(row) == t_start))
+      refuse_reply("has a sample at t = " + seconds(y.time(row)) + "; allowed is the start, " +
+                   seconds(t_start));
+  for (int k = 0; k < info.output_size(); ++k)
+    if (knows(info, u0, k) && !std::isfinite(y.values(y.size() - 1)[static_cast<std::size_t>(k)]))
+      refuse_reply("gives " + scalar_at(info.outputs, k).name() + " not finite at the start");
+  check_stands(clock, t_start);
+}
+
+void check_rows(const GivenRows& given, const AskedSpan& asked, const TimeTolerance& tolerance) {
+  const auto& [info, y, first, clock] = given;
+  double stands = asked.from;
+  for (std::int64_t row = first; row < y.size(); ++row) {
+    check_finite(info, y, row);
+    const double t = y.time(row);
+    if (!(t > stands || (y.jump(row) && t == stands)))
+      refuse_reply("has a sample at t = " + seconds(t) + " that does not come after t = " + seconds(stands));
+    if (tolerance.before(asked.limit, t))
+      refuse_reply("has a sample at t = " + seconds(t) + ", past the limit " + seconds(asked.limit));
+    stands = t;
+  }
+  check_stands(clock, stands);
+}
+
+void check_clock(const Clock& clock) {
+  if (!std::isfinite(clock.time)) refuse_reply("gives a time that is not finite");
+  if (clock.stop != Stop::finished && !(clock.next_time > clock.time))
+    refuse_reply("gives " + seconds(clock.next_time) +
+                 " as the end of the next own step, which is not later than " + seconds(clock.time));
+}
+
+}  // namespace tandem::wire

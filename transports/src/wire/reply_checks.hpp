@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "tandem/subsystem.hpp"
+#include "tandem/time_grid.hpp"
+
+namespace tandem::wire {
+
+// What a reply must hold before it is believed. Each throws Error(numerical) for what it does not.
+
+/// The rows of y from `first` on, and the clock that came with them.
+struct GivenRows {
+  const SubsystemInfo& info;
+  const Samples& y;
+  std::int64_t first;
+  Clock clock;
+};
+
+/// Of initialize: samples of t_start, of which the newest has finite outputs but for those with feedthrough
+/// of an input that is NaN in u0; the clock stands there.
+void check_first(const GivenRows& given, double t_start, std::span<const double> u0);
+
+/// Where an advance began, and up to where it was asked for [s].
+struct AskedSpan {
+  double from, limit;
+};
+
+/// Of an advance: all is finite, each row is later than the one before it (or as late, at a jump), none is
+/// past the limit, and the clock stands at the last one.
+void check_rows(const GivenRows& given, const AskedSpan& asked, const TimeTolerance& tolerance);
+
+/// A clock wherever it stands: a finite time, and a later one for the next own step unless there is none.
+void check_clock(const Clock& clock);
+
+}  // namespace tandem::wire

@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "descriptors.hpp"
+
+#include <fcntl.h>
+#include <sys/socket.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "tandem/error.hpp"
+
+namespace tandem::tcp {
+namespace {
+
+/// Where the system can't do it in the same call, a program that another thread starts meanwhile inherits it.
+[[maybe_unused]] int closed_in_programs(int descriptor) noexcept {
+  if (descriptor >= 0) ::fcntl(descriptor, F_SETFD, FD_CLOEXEC);
+  return descriptor;
+}
+
+}  // namespace
+
+Socket open_socket(const boost::asio::generic::stream_protocol& protocol) {
+#ifdef SOCK_CLOEXEC
+  const int descriptor = ::socket(protocol.family(), protocol.type() | SOCK_CLOEXEC, protocol.protocol());
+#else
+  const int descriptor =
+      closed_in_programs(::socket(protocol.family(), protocol.type(), protocol.protocol()));
+#endif
+  if (descriptor < 0) throw Error(ErrorCode::input_output, std::string("no socket: ") + std::strerror(errno));
+  return Socket(context(), protocol, descriptor);
+}
+
+int accept_connection(int listening) noexcept {
+#ifdef SOCK_CLOEXEC
+  return ::accept4(listening, nullptr, nullptr, SOCK_CLOEXEC);
+#else
+  return closed_in_programs(::accept(listening, nullptr, nullptr));
+#endif
+}
+
+}  // namespace tandem::tcp
