@@ -93,6 +93,16 @@ def ends_its_program():
         time.sleep(0.01)
 
 
+def ends_it_once(command):
+    far = tandem.connect(command)
+    far.close()
+    told = []
+    os.killpg, killpg = lambda *group: told.append(group), os.killpg
+    far.close()
+    os.killpg = killpg
+    assert not told, f"a group that was ended is told {told} again"
+
+
 def is_there(group):
     try:
         os.killpg(group, 0)
@@ -105,3 +115,4 @@ if __name__ == "__main__":
     refuses_rows()
     refuses_addresses(sys.argv[1])
     ends_its_program()
+    ends_it_once(sys.argv[2])

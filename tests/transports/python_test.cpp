@@ -45,7 +45,7 @@ TEST(Python, AsTheMasterItRefusesWhatIsNotRightInOneSentence) {
   const Served server(listen("tcp://127.0.0.1:0", {}), source("builtin:two_mass.slow"));
   Child master({"sh", "-c",
                 "exec " + python_program("refusals.py", TANDEM_SOURCE_DIR "/tests/programs/") + " '" +
-                    server.address() + "'"});
+                    server.address() + "' 'spawn:" TANDEM_COMMAND " serve builtin:two_mass.slow'"});
   EXPECT_EQ(master.status(), 0);
 }
 

@@ -47,7 +47,9 @@ class Program:
 
     def end(self) -> None:
         """By now its socket is closed: one that reads it ends of its own accord, others are told to. What it has
-        started and left goes with it."""
+        started and left goes with it. A second time it does nothing: the group's number may be another's by then."""
+        if self._guard.returncode is not None:
+            return
         if not self._ended_within(1.0):
             self._tell(signal.SIGTERM)
         if not self._ended_within(1.0):
