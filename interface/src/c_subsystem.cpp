@@ -2,6 +2,8 @@
 #include "tandem/c_subsystem.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <cstring>
 #include <type_traits>
 #include <utility>
@@ -74,12 +76,12 @@ bool same_memory(const tandem_samples& a, const tandem_samples& b) {
   return a.rows == b.rows && a.stride == b.stride && a.capacity == b.capacity;
 }
 
-/// The first row after those before of which the flag is neither 0 nor 1; null if there is none.
-const double* wrong_flag(const tandem_samples& before, const tandem_samples& after) {
-  const double* row = after.rows + before.size * after.stride;
-  for (std::int64_t left = after.size - before.size; left > 0; --left, row += after.stride)
-    if (row[1] != 0.0 && row[1] != 1.0) return row;
-  return nullptr;
+/// In a loop of its own, as rows are short: memcmp would take longer than the call of a small model.
+bool same_bits(std::span<const double> a, std::span<const double> b) {
+  std::uint64_t differences = 0;
+  for (std::size_t k = 0; k < a.size(); ++k)
+    differences |= std::bit_cast<std::uint64_t>(a[k]) ^ std::bit_cast<std::uint64_t>(b[k]);
+  return differences == 0;
 }
 
 bool appended(const tandem_samples& before, const tandem_samples& after) {
@@ -164,7 +166,7 @@ template <class Call>
 void CSubsystem::fill(Samples& y, const char* name, const Call& make) {
   const tandem_samples before = y.c_view();
   const std::span<double> newest = newest_row(before);
-  std::copy(newest.begin(), newest.end(), newest_row_.begin());
+  for (std::size_t k = 0; k < newest.size(); ++k) newest_row_[k] = newest[k];
   tandem_status status = TANDEM_OK;
   try {
     status = guarded(name, [&] { return make(&y.c_rows()); });
@@ -176,15 +178,10 @@ void CSubsystem::fill(Samples& y, const char* name, const Call& make) {
     const tandem_samples after = std::exchange(y.c_rows(), before);
     if (status == TANDEM_OK) refuse_rows(before, after);
   }
-  if (!newest.empty() && std::memcmp(newest.data(), newest_row_.data(), newest.size_bytes()) != 0) {
+  if (!same_bits(newest, newest_row_)) {
     std::copy_n(newest_row_.begin(), newest.size(), newest.begin());
     y.c_rows() = before;
     refuse_rewriting(newest[0]);
-  }
-  if (const double* wrong = wrong_flag(before, y.c_rows())) {
-    const double flag = wrong[1], t = wrong[0];
-    y.c_rows() = before;
-    refuse_flag(flag, t);
   }
   check(status, name);
 }
@@ -197,12 +194,6 @@ std::span<double> CSubsystem::newest_row(const tandem_samples& rows) const {
 void CSubsystem::refuse_rewriting(double t) const {
   throw Error(ErrorCode::invalid_argument, who() + " rewrote the row that it had given at t = " +
                                                number_text(t) + " s; allowed is to append");
-}
-
-void CSubsystem::refuse_flag(double flag, double t) const {
-  throw Error(ErrorCode::invalid_argument, who() + " gives " + number_text(flag) +
-                                               " as the jump flag of the row at t = " + number_text(t) +
-                                               " s; allowed is 0 or 1");
 }
 
 void CSubsystem::refuse_rows(const tandem_samples& before, const tandem_samples& after) const {

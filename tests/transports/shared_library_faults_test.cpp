@@ -127,10 +127,9 @@ TEST(SharedLibrary, WhatBreaksTheContractInARunEndsItWithASentence) {
   const std::string library = "of library '" + faulty + "'";
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument,
                       {"'it'", library, "rewrote the row that it had given at t = 0 s"}, run("rewrites")));
-  EXPECT_TRUE(
-      refuses(ErrorCode::invalid_argument,
-              {"'it'", library, "gives 0.5 as the jump flag of the row at t = 0.1 s; allowed is 0 or 1"},
-              run("flag_of_a_half")));
+  EXPECT_TRUE(refuses(ErrorCode::numerical,
+                      {"'it'", "it gave 0.5 as the jump flag of its sample at t = 0.1 s; allowed is 0 or 1"},
+                      run("flag_of_a_half")));
 }
 
 TEST(SharedLibrary, OneThatAbortsIsTriedInAProcessOfItsOwn) {

@@ -183,27 +183,6 @@ TEST(CSubsystem, ARowThatIsRewrittenIsToldAndPutRight) {
   EXPECT_EQ(s.y.size(), 1);
 }
 
-TEST(CSubsystem, AJumpFlagIsNoughtOrOne) {
-  static double flag;
-  for (const double value : {0.5, 7.0, -1.0}) {
-    flag = value;
-    Spoilt s([](tandem_subsystem_api& api) {
-      api.advance = [](void*, double, std::int32_t, const tandem_signal*, tandem_samples* y,
-                       tandem_clock* clock) {
-        double* row = y->rows + y->stride * y->size++;
-        row[0] = 0.25, row[1] = flag;
-        *clock = {0.25, 1.0, TANDEM_STOP_LIMIT, 0};
-        return TANDEM_OK;
-      };
-    });
-    s.initialize();
-    EXPECT_TRUE(refuses(ErrorCode::invalid_argument,
-                        {"c_oscillator", "as the jump flag of the row at t = 0.25 s", "0 or 1"},
-                        [&] { s.advance(); }));
-    EXPECT_EQ(s.y.size(), 1);
-  }
-}
-
 TEST(CSubsystem, ACreateThatGivesNothingIsTold) {
   tandem_subsystem_api api = table();
   api.create = [](const char*, void** self) {

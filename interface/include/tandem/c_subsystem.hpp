@@ -43,7 +43,6 @@ class CSubsystem : public Subsystem {
   void fill(Samples& y, const char* name, const Call& make);
   std::span<double> newest_row(const tandem_samples& rows) const;
   [[noreturn]] void refuse_rewriting(double t) const;
-  [[noreturn]] void refuse_flag(double flag, double t) const;
   [[noreturn]] void refuse_rows(const tandem_samples& before, const tandem_samples& after) const;
   Clock clock_from(const tandem_clock& clock) const;
 
