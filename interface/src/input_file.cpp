@@ -40,7 +40,7 @@ InputFile::InputFile(std::filesystem::path file, std::string what)
   struct stat status {};
   if (::fstat(number_, &status) == 0 && S_ISREG(status.st_mode)) {
     size_ = static_cast<std::uint64_t>(status.st_size);
-    open_to_others_ = (status.st_mode & (S_IRWXG | S_IRWXO)) != 0;
+    rights_of_others_ = status.st_mode & (S_IRWXG | S_IRWXO);
     return;
   }
   ::close(number_);

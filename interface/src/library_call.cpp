@@ -2,6 +2,7 @@
 #include <pthread.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -11,7 +12,9 @@
 namespace tandem {
 namespace {
 
-pid_t guarded_process = 0;  ///< not one that a library has made, which may end as it likes
+std::atomic<pid_t> guarded_process = 0;  ///< not one that a library has made, which may end as it likes
+constexpr int of_nobody = -2, not_yet = -1;
+std::atomic<int> own_status = of_nobody;  ///< of a program that says when it ends
 
 }  // namespace
 
@@ -20,22 +23,26 @@ constinit thread_local const char* LibraryCall::current_ = nullptr;
 void LibraryCall::guard_exit() {
   static const bool done = [] {
     guarded_process = ::getpid();
-    std::atexit(refuse_exit);
-    std::at_quick_exit(refuse_exit);
-    return ::pthread_atfork(nullptr, nullptr, [] {
-             current_ = nullptr;
-             guarded_process = ::getpid();
-           }) == 0;
+    std::atexit([] { refuse_exit(0); });
+    std::at_quick_exit([] { refuse_exit(0); });
+    return ::pthread_atfork(nullptr, nullptr, [] { guarded_process = 0; }) == 0;
   }();
   static_cast<void>(done);
 }
 
-void LibraryCall::refuse_exit() noexcept {
-  if (!current_ || ::getpid() != guarded_process) return;
+void LibraryCall::begin_program() noexcept { own_status = not_yet; }
+
+void LibraryCall::end_program(int status) noexcept { own_status = status; }
+
+int LibraryCall::refuse_exit(int status) noexcept {
+  if (::getpid() != guarded_process) return status;
+  const bool its_own_end = own_status >= 0;
+  if (its_own_end || !(current_ || own_status == not_yet)) return its_own_end ? own_status.load() : status;
+  const char* who = current_ ? current_ : "a library that was loaded";
+  own_status = 1;
   std::fflush(nullptr);
-  std::fprintf(stderr, "tandem: %s ended the program in the middle of a call; allowed is to return\n",
-               current_);
-  current_ = nullptr;
+  std::fprintf(stderr, "tandem: %s ended the program in the middle of %s; allowed is to return\n", who,
+               current_ ? "a call" : "the work");
   ::_exit(1);
 }
 

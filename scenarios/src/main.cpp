@@ -1,7 +1,10 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <spdlog/pattern_formatter.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <csignal>
@@ -15,21 +18,42 @@
 #include "cli/transports.hpp"
 #include "sources/all.hpp"
 #include "tandem/error.hpp"
+#include "tandem/library_file.hpp"
 #include "tandem/nearest.hpp"
+#include "tandem/printable.hpp"
 
 namespace {
 
 bool log_failed = false;
 
+/// A message's text; names in it may be a stranger's.
+class PrintableText final : public spdlog::custom_flag_formatter {
+ public:
+  void format(const spdlog::details::log_msg& message, const std::tm&, spdlog::memory_buf_t& to) override {
+    const std::string text = tandem::printable_lines({message.payload.data(), message.payload.size()});
+    to.append(text.data(), text.data() + text.size());
+  }
+  std::unique_ptr<custom_flag_formatter> clone() const override { return std::make_unique<PrintableText>(); }
+};
+
+std::unique_ptr<spdlog::formatter> lines_of(const std::string& pattern) {
+  auto formatter = std::make_unique<spdlog::pattern_formatter>();
+  formatter->add_flag<PrintableText>('*').set_pattern(pattern);
+  return formatter;
+}
+
 /// Messages go to standard error, and to the log file if one is named; results go to standard output.
 void set_up_log(const tandem::cli::Context& context, const std::string& file) {
   std::vector<spdlog::sink_ptr> sinks{std::make_shared<spdlog::sinks::stderr_color_sink_mt>()};
-  sinks[0]->set_pattern("%v");
+  sinks[0]->set_formatter(lines_of("%*"));
   sinks[0]->set_level(context.quiet     ? spdlog::level::err
                       : context.verbose ? spdlog::level::debug
                                         : spdlog::level::info);
   try {
-    if (!file.empty()) sinks.push_back(std::make_shared<tandem::cli::LogFile>(file));
+    if (!file.empty()) {
+      sinks.push_back(std::make_shared<tandem::cli::LogFile>(file));
+      sinks[1]->set_formatter(lines_of("[%Y-%m-%d %H:%M:%S.%e] [%n] [%l] %*"));
+    }
   } catch (const tandem::Error& error) {
     throw tandem::Error(error.code(), std::string("log ") + error.what());
   }
@@ -128,10 +152,19 @@ std::atomic<bool> memory_was_short = false;
   }
   if (!short_of_memory) std::abort();
   std::fputs("tandem: there is no memory for it\n", stderr);
+  tandem::LibraryCall::end_program(1);
   std::_Exit(1);
 }
 
+/// Whoever starts the command without its standard streams would find what it writes there in the next file
+/// that it opens.
+void open_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", O_RDWR);
+}
+
 int main(int argc, char** argv) {
+  open_standard_streams();
   std::set_new_handler([] {
     memory_was_short = true;
     throw std::bad_alloc();
@@ -144,7 +177,10 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "tandem: %s\n", tandem::sentence_of(error).c_str());
     return 1;
   }
-  const int status = run_and_report(argc, argv);
+  tandem::LibraryCall::begin_program();
+  int status = run_and_report(argc, argv);
   spdlog::default_logger()->flush();
-  return status == 0 && log_failed ? 1 : status;
+  if (status == 0 && log_failed) status = 1;
+  tandem::LibraryCall::end_program(status);
+  return status;
 }

@@ -2,9 +2,11 @@
 // A library of which every entry breaks the contract in its own way; x' = 0 otherwise, with a step of 0.1 s.
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <limits>
 #include <stdexcept>
+#include <thread>
 
 #include "tandem/subsystem.h"
 
@@ -156,6 +158,33 @@ const tandem_subsystem_api* exits_in_destroy() {
 }
 
 const tandem_subsystem_api* exits_as_entry() { std::exit(0); }
+
+const tandem_subsystem_api* exits_in_a_thread() {
+  static const tandem_subsystem_api api = with(
+      [](void*, double, std::int32_t, const tandem_signal*, tandem_samples*, tandem_clock*) -> tandem_status {
+        std::thread([] { ::_exit(0); }).join();
+        return TANDEM_OK;
+      });
+  return &api;
+}
+
+/// In a destructor, when the library is unloaded.
+const tandem_subsystem_api* exits_when_unloaded() {
+  static const struct Last {
+    ~Last() { ::_exit(0); }
+  } last;
+  static const tandem_subsystem_api api = sound();
+  return &api;
+}
+
+const tandem_subsystem_api* computes_on() {
+  static const tandem_subsystem_api api = with(
+      [](void*, double, std::int32_t, const tandem_signal*, tandem_samples*, tandem_clock*) -> tandem_status {
+        std::this_thread::sleep_for(std::chrono::hours(1));
+        return TANDEM_OK;
+      });
+  return &api;
+}
 
 /// A process of its own, which may end as it likes.
 const tandem_subsystem_api* forks() {

@@ -119,6 +119,32 @@ TEST(FolderLockCommand, ALogIsWrittenByOneAtATime) {
   EXPECT_GT(fs::file_size(folder.path() / "log"), 0U) << "it is not begun anew";
 }
 
+TEST(FolderLockCommand, ALogTakesThePlaceOfALogOnly) {
+  const Scratch folder;
+  folder.write("results.csv", "time,x\n0,1\n");
+  const Said said = tandem(folder, with({"--log", "results.csv"}, {"list"}));
+  EXPECT_EQ(said.status, 2);
+  EXPECT_TRUE(contains(said.err, "log file 'results.csv' is there and is no log")) << said.err;
+  EXPECT_EQ(read_text(folder.path() / "results.csv"), "time,x\n0,1\n");
+  folder.write("empty", "");
+  for (const char* again : {"log", "log", "empty"})
+    EXPECT_EQ(tandem(folder, with({"--log", again, "--verbose"}, {"list"})).status, 0) << again;
+}
+
+/// Else what it writes to them would be in the first file that it opens.
+TEST(FolderLockCommand, ARunWithoutStandardStreamsWritesItsResults) {
+  const Scratch folder;
+  const std::string scene = TANDEM_SOURCE_DIR "/scenarios/two_mass/two_mass.toml";
+  const std::string command =
+      "cd '" + folder.path().string() + "' && '" TANDEM_COMMAND "' run '" + scene + "' --output ";
+  ASSERT_EQ(std::system((command + "a 2>/dev/null >/dev/null").c_str()), 0);
+  ASSERT_EQ(std::system((command + "b <&- >&- 2>&-").c_str()), 0);
+  for (const char* file : {"/results.csv", "/results.json"})
+    EXPECT_EQ(read_text(folder.path().string() + "/a" + file).size(),
+              read_text(folder.path().string() + "/b" + file).size())
+        << file;
+}
+
 /// What it was killed in the middle of writing.
 TEST(FolderLockCommand, TheNextRunTakesThePartOfACheckpointAway) {
   const Scratch folder;

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <sstream>
 
+#include "../transports/child.hpp"
+#include "background.hpp"
 #include "command.hpp"
 
 namespace tandem {
@@ -27,6 +30,25 @@ TEST(FunctionModels, ASourceThatIsNoModelIsRefused) {
   const Said step = tandem(folder, {"info", "functions:" + examples + "pendulum.m"});
   EXPECT_EQ(step.status, 2);
   EXPECT_NE(step.err.find("no own step"), std::string::npos) << step.err;
+}
+
+/// Of the program that evaluates a model, and of what that has started.
+TEST(FunctionModels, NothingIsLeftOfTheirProgramWhenTheRunIsKilled) {
+  const Scratch folder;
+  const auto program = folder.write("program", "#!/bin/sh\nsleep 1000 &\necho $$ $! > processes\nwait\n");
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  folder.write("model.m", "");
+  folder.write(
+      "s.toml",
+      "[subsystems.p]\nsource = \"functions:model.m\"\n[subsystems.p.parameters]\nstep = 1e-3\noctave = \"" +
+          program.string() + "\"\n[span]\nstop = 1\n");
+  test::Background run(folder, {"run", "s.toml"});
+  ASSERT_TRUE(run.wait_for_file(folder.path() / "processes")) << run.err();
+  pid_t evaluates = 0, started = 0;
+  std::istringstream(test::read_text(folder.path() / "processes")) >> evaluates >> started;
+  run.end_by(SIGKILL);
+  EXPECT_TRUE(test::ends(evaluates));
+  EXPECT_TRUE(test::ends(started));
 }
 
 #ifdef TANDEM_OCTAVE

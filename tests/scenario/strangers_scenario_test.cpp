@@ -169,6 +169,41 @@ TEST_F(StrangersScenario, ItsWordsReachTheTerminalWithControlCharactersShown) {
   EXPECT_FALSE(contains(said.out, "\x1b")) << said.out;
 }
 
+/// Names and texts of every kind, wherever they are told.
+TEST_F(StrangersScenario, NothingOfItReachesTheTerminalRaw) {
+  const std::string beep = "\\u001b[31m\\u0007";
+  const std::string parts = "[subsystems.linkage]\nsource = \"diagram:d.toml\"\n[span]\nstop = 1.0\n";
+  folder_.write("d.toml",
+                "name = \"" + beep + "\"\ndescription = \"" + beep + "\"\n[run]\nstep = 0.1\n[blocks]\n\"" +
+                    beep + "\" = { kind = 'constant', value = 1 }\n[outputs]\ny = { unit = '1', from = \"" +
+                    beep + "\" }\n");
+  folder_.write("names.toml", "name = \"" + beep + "\"\ndescription = \"" + beep + "\"\n" + parts);
+  folder_.write("source.toml", "[subsystems.a]\nsource = \"lib:" + beep + ".so\"\n[span]\nstop = 1.0\n");
+  folder_.write("key.toml", "\"" + beep + "\" = 1\n" + parts);
+  for (const std::string file : {"d.toml", "names.toml", "source.toml", "key.toml"})
+    for (const std::vector<std::string>& how : {std::vector<std::string>{"info", file},
+                                                {"validate", file},
+                                                {"run", file, "--dry-run"},
+                                                {"info", "--dot", file}}) {
+      const Said said = say(how);
+      EXPECT_EQ((said.out + said.err).find_first_of("\x1b\x07"), std::string::npos) << how[0] << ' ' << file;
+    }
+  EXPECT_TRUE(contains(say({"info", "names.toml"}).out, "\\x1b[31m\\x07")) << say({"info", "names.toml"}).out;
+}
+
+/// Also in the file of a mechanism that somebody else has made.
+TEST_F(StrangersScenario, AMechanismsFileWritesNoMatricesWhereItIsLookedAt) {
+  const std::string text =
+      read_text(folder_.path() / "linkage.toml") + "\n[run]\nstep = 0.01\nmatrices = \"m\"\n";
+  folder_.write("m.toml", text);
+  for (const std::vector<std::string>& how : {std::vector<std::string>{"info", "mechanism:m.toml"},
+                                              {"info", "m.toml"},
+                                              {"check", "mechanism:m.toml"}}) {
+    EXPECT_EQ(say(how).status, 0) << say(how).err;
+    EXPECT_FALSE(fs::exists(folder_.path() / "m")) << how[0];
+  }
+}
+
 TEST_F(StrangersScenario, WritesNoMatricesWhereItIsLookedAt) {
   const std::string plain = "parameters = { step = 0.01 }";
   for (const std::string with :

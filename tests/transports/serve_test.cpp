@@ -42,6 +42,48 @@ TEST(Serve, GivesTheSameBitsAndEndsOnSigterm) {
   }
 }
 
+/// A call of a model that takes an hour.
+class ServeAModelThatComputes : public testing::Test {
+ protected:
+  ServeAModelThatComputes() : at_(server_.word_after(" at ")) {
+    caller_ = std::thread([this] {
+      try {
+        RunBench().add("it", *open(at_ + "?deadline=100", all_sources())).run(1.0);
+      } catch (const Error&) {  // the server's end
+      }
+    });
+    while (!is_computing()) ::usleep(1000);
+  }
+  ~ServeAModelThatComputes() override { caller_.join(); }
+  /// Its session's request is there and read: nothing is on its way to the server.
+  bool is_computing() const {
+    return read_text(folder_.path() / "log").find("session begins") != std::string::npos;
+  }
+
+  Scratch folder_;
+  Child server_{{command, "--log", (folder_.path() / "log").string(), "serve",
+                 "lib:" TANDEM_FAULTY_LIBRARY "?entry=computes_on", "--deadline", "0.5", "--listen",
+                 "tcp://127.0.0.1:0"}};
+  const std::string at_;
+  std::thread caller_;
+};
+
+TEST_F(ServeAModelThatComputes, EndsADeadlineAfterSigterm) {
+  ::usleep(200'000);  // the model's call may only be on its way
+  server_.signal(SIGTERM);
+  EXPECT_EQ(server_.status(), 1);
+  EXPECT_NE(read_text(folder_.path() / "log")
+                .find("1 session is still computing 0.5 s after the end was asked for"),
+            std::string::npos);
+}
+
+TEST_F(ServeAModelThatComputes, EndsAtOnceBySecondSignalOfEitherKind) {
+  server_.signal(SIGTERM);
+  ::usleep(50'000);
+  server_.signal(SIGINT);
+  EXPECT_EQ(server_.status(), -SIGINT);
+}
+
 #if TANDEM_HAS_TLS
 TEST(Serve, TlsWithTheFilesOfTandemKeys) {
   const Scratch folder;

@@ -82,6 +82,22 @@ TEST_P(LibraryThatExits, GivesNoStatusOfSuccess) {
   }
 }
 
+/// Where no call of this thread is under way nobody knows which library it was.
+TEST(SharedLibrary, OneThatExitsBesidesACallGivesNoStatusOfSuccessEither) {
+  for (const std::string how : {"exits_in_a_thread", "exits_when_unloaded"}) {
+    const test::Scratch scratch;
+    const auto scenario = scratch.write(
+        "s.toml", "[subsystems.it]\nsource = \"" + entry(how) + "\"\n[span]\nstart = 0\nstop = 1\n");
+    test::Child child({"sh", "-c",
+                       "exec '" TANDEM_COMMAND "' run " + scenario.string() + " --quiet --output " +
+                           (scratch.path() / "o").string() + " 2>&1"});
+    EXPECT_EQ(child.word_after("tandem: a library that was loaded ended the program in the middle of the "),
+              "work;")
+        << how;
+    EXPECT_EQ(child.status(), 1) << how;
+  }
+}
+
 TEST(SharedLibrary, AProcessThatALibraryMakesMayEndAsItLikes) {
   const test::Scratch scratch;
   const auto scenario = scratch.write(

@@ -119,6 +119,11 @@ TEST(Tls, FilesThatCanNotBeUsedAreRefusedByName) {
                       listening(keys.settings("client"))));
   fs::permissions(keys.file("server.key"), fs::perms::group_read, fs::perm_options::add);
   EXPECT_TRUE(refuses(ErrorCode::input_output, {"server.key", "mode 600"}, listening(keys.settings())));
+  ::setenv("CREDENTIALS_DIRECTORY", fs::path(keys.file("server.key")).parent_path().c_str(), 1);
+  EXPECT_NO_THROW(listening(keys.settings())()) << "a credential of systemd";
+  fs::permissions(keys.file("server.key"), fs::perms::others_read, fs::perm_options::add);
+  EXPECT_TRUE(refuses(ErrorCode::input_output, {"server.key", "mode 600"}, listening(keys.settings())));
+  ::unsetenv("CREDENTIALS_DIRECTORY");
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {here, "key=FILE&authority=FILE"}, listening({})));
 }
 

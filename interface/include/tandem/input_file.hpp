@@ -25,8 +25,8 @@ class InputFile {
 
   /// Bytes, as it was opened; 0 of one in /proc.
   std::uint64_t size() const { return size_; }
-  /// Whether others than its owner may read or write it.
-  bool open_to_others() const { return open_to_others_; }
+  /// Of its mode (chmod) what others than its owner may do: 0040 is reading by its group.
+  unsigned rights_of_others() const { return rights_of_others_; }
 
   /// Fewer bytes than there is room for only at the end.
   std::size_t read(std::span<std::byte> to);
@@ -46,7 +46,7 @@ class InputFile {
   std::string what_;
   int number_;
   std::uint64_t size_ = 0;
-  bool open_to_others_ = false;
+  unsigned rights_of_others_ = 0;
   std::vector<char> block_;  ///< of line(): what was read ahead
   std::size_t place_ = 0, end_ = 0;
 };

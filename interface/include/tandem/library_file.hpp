@@ -17,7 +17,9 @@ void check_library_file(const std::filesystem::path& file, const std::string& wh
 void check_function(const void* address, const std::string& library, const std::string& symbol);
 
 /// While there is one, this thread is in a call of a library. One that ends the program there, by exit or
-/// quick_exit, ends it with a sentence that names the library and with status 1, whatever status it gives.
+/// quick_exit, ends it with a sentence that names the library and with status 1, whatever status it gives. In
+/// a program that says when it ends (begin_program, end_program) so does one that ends it before in any other
+/// way: in a thread of its own, or as it is unloaded. (What takes the process' place, exec, can't be told.)
 class LibraryCall {
  public:
   /// library: how the sentence calls it, "library 'FILE'"; outlives the call. Null: no library.
@@ -30,9 +32,12 @@ class LibraryCall {
 
   /// Before the first call; a second time it does nothing.
   static void guard_exit();
-  /// If this thread is in a call: tells so, and ends the program with status 1. For who takes the place of
-  /// _exit().
-  static void refuse_exit() noexcept;
+  /// From here on only end_program() gives this program a status.
+  static void begin_program() noexcept;
+  static void end_program(int status) noexcept;
+  /// If it is not for this thread to end the program: tells so, and ends it with status 1. Else the status to
+  /// end with. For who takes the place of _exit().
+  static int refuse_exit(int status) noexcept;
 
  private:
   static constinit thread_local const char* current_;

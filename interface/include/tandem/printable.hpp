@@ -11,4 +11,7 @@ namespace tandem {
 /// "\\xff", and what is beyond `longest` bytes as "...".
 std::string printable(std::string_view text, std::size_t longest = 2000);
 
+/// All of a text of several lines, each printable.
+std::string printable_lines(std::string_view text);
+
 }  // namespace tandem

@@ -2,6 +2,7 @@
 #include "tandem/coordinator/recorder.hpp"
 
 #include <algorithm>
+#include <unordered_set>
 #include <utility>
 
 #include "recorder_file.hpp"
@@ -16,20 +17,25 @@ constexpr std::size_t doubles_reserved = std::size_t{1} << 16;  // by subsystem
 /// "x" of "x[2]": what names all elements of an array port.
 std::string whole_port(const std::string& scalar) { return scalar.substr(0, scalar.find('[')); }
 
-[[noreturn]] void refuse_column(const std::string& what, const std::string& found,
-                                const std::vector<std::string>& known) {
-  throw Error(ErrorCode::invalid_argument, unknown(what, found, known));
-}
-
 }  // namespace
+
+std::string unknown_output(const std::vector<std::string>& outputs, const std::vector<std::string>& ports) {
+  std::unordered_set<std::string> known(outputs.begin(), outputs.end());
+  for (const std::string& scalar : outputs) known.insert(whole_port(scalar));
+  const auto it = std::find_if(ports.begin(), ports.end(),
+                               [&](const std::string& port) { return !known.contains(port); });
+  return it == ports.end() ? "" : unknown("recorded output", *it, outputs);
+}
 
 Recorder::Recorder(const Coordinator& run, Recording what) : run_(run), what_(std::move(what)) {
   std::vector<std::string> instances;
   for (int i = 0; i < run.topology().size(); ++i) instances.push_back(run.topology().name(i));
   const auto it = std::find(instances.begin(), instances.end(), what_.clock);
-  if (!what_.clock.empty() && it == instances.end()) refuse_column("clock", what_.clock, instances);
+  if (!what_.clock.empty() && it == instances.end())
+    throw Error(ErrorCode::invalid_argument, unknown("clock", what_.clock, instances));
   if (!what_.clock.empty()) clock_ = static_cast<int>(it - instances.begin());
-  check_ports();
+  if (const auto why = unknown_output(run.topology().output_names(), what_.ports); !why.empty())
+    throw Error(ErrorCode::invalid_argument, why);
   choose_columns();
 }
 
@@ -44,32 +50,17 @@ std::string_view Recorder::name(Fill fill) {
   return fill == Fill::own ? "own steps" : fill == Fill::hermite ? "cubic hermite" : "linear";
 }
 
-void Recorder::check_ports() const {
-  const Topology& topology = run_.topology();
-  std::vector<std::string> known;
-  for (int i = 0; i < topology.size(); ++i)
-    for (int k = 0; k < topology.info(i).output_size(); ++k) known.push_back(topology.output_name(i, k));
-  for (const std::string& port : what_.ports)
-    if (std::none_of(known.begin(), known.end(),
-                     [&](const std::string& k) { return port == k || port == whole_port(k); }))
-      refuse_column("recorded output", port, known);
-}
-
-bool Recorder::wanted(const std::string& scalar) const {
-  return what_.ports.empty() ||
-         std::any_of(what_.ports.begin(), what_.ports.end(),
-                     [&](const std::string& port) { return port == scalar || port == whole_port(scalar); });
-}
-
 void Recorder::choose_columns() {
   const Topology& topology = run_.topology();
+  const std::unordered_set<std::string> ports(what_.ports.begin(), what_.ports.end());
   for (int i = 0; i < topology.size(); ++i) {
     Track& track = tracks_.emplace_back();
+    const auto names = topology.output_names(i);
     int output = 0;
     for (const Port& port : topology.info(i).outputs)
       for (int e = 0; e < port.size; ++e, ++output) {
-        const std::string scalar = topology.output_name(i, output);
-        if (!wanted(scalar)) continue;
+        const std::string& scalar = names[static_cast<std::size_t>(output)];
+        if (!ports.empty() && !ports.contains(scalar) && !ports.contains(whole_port(scalar))) continue;
         track.outputs.push_back(output);
         track.has_slope.push_back(port.derivatives > 0);
         columns_.push_back({i, scalar, port.unit, port.derivatives > 0 ? Fill::hermite : Fill::linear});

@@ -146,4 +146,18 @@ std::string Topology::output_name(int instance, int output) const {
   return name(instance) + "." + scalar_at(info(instance).outputs, output).name();
 }
 
+std::vector<std::string> Topology::output_names(int instance) const {
+  std::vector<std::string> names;
+  for (const Port& port : info(instance).outputs)
+    for (int e = 0; e < port.size; ++e) names.push_back(name(instance) + "." + Scalar{&port, e}.name());
+  return names;
+}
+
+std::vector<std::string> Topology::output_names() const {
+  std::vector<std::string> all;
+  for (int i = 0; i < size(); ++i)
+    for (std::string& name : output_names(i)) all.push_back(std::move(name));
+  return all;
+}
+
 }  // namespace tandem

@@ -28,7 +28,7 @@ namespace {
 }
 
 /// With `socket` as its standard input, output and error.
-pid_t spawn(const std::vector<std::string>& command, int socket) {
+pid_t spawn(const std::vector<std::string>& command, int socket, pid_t group) {
   std::vector<char*> words;
   for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
@@ -36,8 +36,13 @@ pid_t spawn(const std::vector<std::string>& command, int socket) {
   posix_spawn_file_actions_init(&files);
   for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     posix_spawn_file_actions_adddup2(&files, socket, standard);
+  posix_spawnattr_t how;
+  posix_spawnattr_init(&how);
+  posix_spawnattr_setflags(&how, POSIX_SPAWN_SETPGROUP);
+  posix_spawnattr_setpgroup(&how, group);
   pid_t child = -1;
-  const int failed = posix_spawnp(&child, words[0], &files, nullptr, words.data(), environ);
+  const int failed = posix_spawnp(&child, words[0], &files, &how, words.data(), environ);
+  posix_spawnattr_destroy(&how);
   posix_spawn_file_actions_destroy(&files);
   if (failed) refuse(command[0], failed);
   return child;
@@ -46,12 +51,11 @@ pid_t spawn(const std::vector<std::string>& command, int socket) {
 }  // namespace
 
 /// A pair of sockets and not two pipes, since a pipe that nobody reads any more ends who writes to it.
-Process::Process(std::vector<std::string> command) {
+Process::Process(std::vector<std::string> command) : group_("'" + command[0] + "'") {
   std::array<int, 2> ends{};
-  if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()) != 0) refuse(command[0], errno);
-  for (const int end : ends) fcntl(end, F_SETFD, FD_CLOEXEC);
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) refuse(command[0], errno);
   try {
-    child_ = spawn(command, ends[1]);
+    child_ = spawn(command, ends[1], group_.number());
   } catch (...) {
     close(ends[0]);
     close(ends[1]);

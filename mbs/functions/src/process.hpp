@@ -7,12 +7,15 @@
 #include <string_view>
 #include <vector>
 
+#include "tandem/process_group.hpp"
+
 namespace tandem::mbs {
 
 using Instant = std::chrono::steady_clock::time_point;
 
 /// A program that is talked to in lines: what it reads from its standard input and writes to its standard
-/// output and error. It is killed with this object. POSIX.
+/// output and error. It is killed with this object, or with this process, and all that it has started with
+/// it. POSIX.
 class Process {
  public:
   /// Throws Error(input_output) if it can't be started.
@@ -31,6 +34,7 @@ class Process {
  private:
   bool wait_for(short events, Instant deadline) const;
 
+  ProcessGroup group_;
   int socket_ = -1;
   pid_t child_ = -1;
   std::string received_, how_it_ended_;

@@ -1,6 +1,9 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "tandem/sources/diagram.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <utility>
 
 #include "tandem/engine/read.hpp"
@@ -52,13 +55,21 @@ void take_data(engine::Description& d, Parameters& p) {
   d.inputs = std::move(others);
 }
 
+long most_steps(Parameters& p, long otherwise) {
+  const double value = p.number("most_steps", static_cast<double>(otherwise));
+  if (value == std::floor(value) && value >= 1.0 && value <= 1e9) return static_cast<long>(value);
+  throw Error(
+      ErrorCode::invalid_argument,
+      fmt::format("parameter 'most_steps' is {}; allowed is a whole number from 1 to 1000000000", value));
+}
+
 void take(Parameters& p, engine::AdaptiveSettings& s) {
   s.relative_tolerance = p.number("relative_tolerance", s.relative_tolerance);
   s.absolute_tolerance = p.number("absolute_tolerance", s.absolute_tolerance);
   s.absolute_tolerances = p.numbers("absolute_tolerance.");
   s.longest_step = p.number("longest_step", s.longest_step);
   s.shortest_step = p.number("shortest_step", s.shortest_step);
-  s.most_steps = static_cast<long>(p.number("most_steps", static_cast<double>(s.most_steps)));
+  s.most_steps = most_steps(p, s.most_steps);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "cli/commands.hpp"
 #include "cli/kept_folder.hpp"
 #include "cli/progress.hpp"
+#include "cli/say.hpp"
 #include "output/conditions.hpp"
 #include "output/files.hpp"
 
@@ -14,7 +15,7 @@ namespace {
 
 void run_benchmark(const bench::Benchmark& benchmark, const std::filesystem::path& folder,
                    const Context& context) {
-  if (!context.quiet) fmt::print("{}; {}, {}\n", benchmark.about, output::processor_model(), TANDEM_COMPILER);
+  if (!context.quiet) say("{}; {}, {}\n", benchmark.about, output::processor_model(), TANDEM_COMPILER);
   const KeptFolder kept(folder);
   std::vector<bench::Table> tables;
   {
@@ -25,7 +26,7 @@ void run_benchmark(const bench::Benchmark& benchmark, const std::filesystem::pat
     table.print();
     const std::string name = benchmark.name + (table.name().empty() ? "" : "_" + table.name());
     table.write(folder / (name + ".csv"));
-    if (!context.quiet) fmt::print("wrote {}\n", (folder / (name + ".csv")).string());
+    if (!context.quiet) say("wrote {}\n", (folder / (name + ".csv")).string());
   }
   if (benchmark.measured)
     output::write_text(folder / (benchmark.name + "_conditions.json"),

@@ -5,6 +5,7 @@
 
 #include "cli/chart_scenes.hpp"
 #include "cli/commands.hpp"
+#include "cli/say.hpp"
 #include "tandem/error.hpp"
 
 namespace tandem::cli {
@@ -48,8 +49,8 @@ void chart(const ChartOptions& options, const Context& context) {
   const Drawing drawing = scene->draw(folder);
   const std::string files = draw(drawing.pictures, folder, options.png);
   if (context.quiet) return;
-  if (!drawing.table.empty()) fmt::print("{}\n", drawing.table);
-  fmt::print("Charts\n{}", files);
+  if (!drawing.table.empty()) say("{}\n", drawing.table);
+  say("Charts\n{}", files);
 }
 
 std::vector<std::string> scene_names() {

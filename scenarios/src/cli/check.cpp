@@ -7,6 +7,8 @@
 
 #include "cli/commands.hpp"
 #include "cli/own_process.hpp"
+#include "cli/say.hpp"
+#include "mechanisms/source.hpp"
 #include "tandem/error.hpp"
 #include "tandem/nearest.hpp"
 #include "tandem/transports/open.hpp"
@@ -64,13 +66,12 @@ void check_source(const CheckOptions& options, const Context& context, const Tel
   for (const Finding& f : findings) {
     const bool is_wrong = f.kind == Finding::Kind::wrong;
     wrong += is_wrong ? 1 : 0;
-    if (is_wrong || !context.quiet)
-      fmt::print("{}: {}: {}\n", is_wrong ? "wrong" : "left out", f.check, f.sentence);
+    if (is_wrong || !context.quiet) say("{}: {}: {}\n", is_wrong ? "wrong" : "left out", f.check, f.sentence);
   }
   const std::size_t all = check_names().size();
   if (wrong > 0)
     throw RunFailed(fmt::format("{}: {} of {} checks found something wrong", options.source, wrong, all));
-  if (!context.quiet) fmt::print("{}: {} checks, nothing wrong\n", options.source, all - findings.size());
+  if (!context.quiet) say("{}: {} checks, nothing wrong\n", options.source, all - findings.size());
 }
 
 }  // namespace
@@ -95,7 +96,9 @@ void add_check(CLI::App& app, Context& context) {
   command->footer(
       "Some 100 own steps: ports, start, steps, early returns, landing, saved states, several instances.\n"
       "Exit status: 0; 1 if something is wrong; 2 if the source can't be opened.");
-  command->callback([options, &context] {
+  command->callback([options, &all = context] {
+    Context context = all;
+    context.builtins = mechanisms::without_matrices(all.builtins);
     in_own_process([&](const Tell& tell) { check_source(*options, context, tell); });
   });
 }

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "cli/commands.hpp"
+#include "cli/say.hpp"
 #include "scenario/comparison.hpp"
 #include "tandem/error.hpp"
 #include "tandem/nearest.hpp"
@@ -50,11 +51,11 @@ void compare(const CompareOptions& options, const Context& context) {
   for (const auto& [file_a, file_b] : pairs_of(options)) {
     const auto a = text::TimeTable::read(file_a), b = text::TimeTable::read(file_b);
     const auto comparison = scenario::compare(a, b, options.columns);
-    if (!context.quiet) fmt::print("{}", scenario::text(comparison));
+    if (!context.quiet) say("{}", scenario::text(comparison));
     if (worst.empty()) worst = scenario::beyond(comparison, options.tolerance);
   }
   if (!worst.empty()) throw RunFailed(worst);
-  if (!context.quiet) fmt::print("within the tolerance of {:.3g} %\n", 100.0 * options.tolerance);
+  if (!context.quiet) say("within the tolerance of {:.3g} %\n", 100.0 * options.tolerance);
 }
 
 /// Empty if the text is a number from 0, else what is wrong.

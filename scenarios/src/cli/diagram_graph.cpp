@@ -5,6 +5,7 @@
 #include <set>
 
 #include "cli/diagram_info.hpp"
+#include "cli/say.hpp"
 #include "engine_models/compiled.hpp"
 #include "tandem/engine/compile.hpp"
 #include "tandem/engine/read.hpp"
@@ -78,8 +79,7 @@ class Graph {
       block.diagram ? nested(scope, block) : plain(scope, block);
     for (const auto& limit : scope.diagram.limits) {
       const std::string name = "limit " + scope.prefix + limit.name;
-      fmt::print("  \"{}\" [shape=octagon, label=\"{}\\n{} .. {}\"];\n", name, limit.name, limit.low,
-                 limit.high);
+      say("  \"{}\" [shape=octagon, label=\"{}\\n{} .. {}\"];\n", name, limit.name, limit.low, limit.high);
       edge(scope, limit.signal, name, "");
     }
   }
@@ -93,8 +93,8 @@ class Graph {
  private:
   void plain(const Scope& scope, const Block& block) {
     const std::string name = scope.prefix + block.name;
-    fmt::print("  \"{}\" [label=\"{}\\n{}\"{}];\n", name, block.name, block.kind,
-               left_out_.count(name) ? ", style=dashed" : "");
+    say("  \"{}\" [label=\"{}\\n{}\"{}];\n", name, block.name, block.kind,
+        left_out_.count(name) ? ", style=dashed" : "");
     ports(scope, block, name);
   }
 
@@ -112,11 +112,11 @@ class Graph {
 
   void nested(const Scope& scope, const Block& block) {
     const std::string name = scope.prefix + block.name;
-    fmt::print("  subgraph \"cluster {0}\" {{\n  label=\"{0}\";\n", name);
+    say("  subgraph \"cluster {0}\" {{\n  label=\"{0}\";\n", name);
     contents(scope.inside(block));
-    fmt::print("  }}\n");
+    say("  }}\n");
     if (block.kind != "triggered") return;
-    fmt::print("  \"{0}\" [label=\"{0}\\ntriggered\"];\n", name);
+    say("  \"{0}\" [label=\"{0}\\ntriggered\"];\n", name);
     const auto it = block.values.find("trigger");
     const auto* text = it == block.values.end() ? nullptr : std::get_if<std::string>(&it->second);
     if (text) edge(scope, *text, name, "trigger");
@@ -126,17 +126,17 @@ class Graph {
 };
 
 void print_graph(const Description& diagram, const std::vector<std::string>& left_out) {
-  fmt::print("digraph \"{}\" {{\n  rankdir=LR;\n  newrank=true;\n  node [shape=box];\n", diagram.name);
+  say("digraph \"{}\" {{\n  rankdir=LR;\n  newrank=true;\n  node [shape=box];\n", diagram.name);
   for (const auto& input : diagram.inputs)
-    fmt::print("  \"{}\" [shape=cds, label=\"{} [{}]\"];\n", input.name, input.name, input.unit);
+    say("  \"{}\" [shape=cds, label=\"{} [{}]\"];\n", input.name, input.name, input.unit);
   const Scope scope{diagram};
   Graph graph({left_out.begin(), left_out.end()});
   graph.contents(scope);
   for (const auto& output : diagram.outputs) {
-    fmt::print("  \"out {}\" [shape=cds, label=\"{} [{}]\"];\n", output.name, output.name, output.unit);
+    say("  \"out {}\" [shape=cds, label=\"{} [{}]\"];\n", output.name, output.name, output.unit);
     graph.edge(scope, output.from, "out " + output.name, "");
   }
-  fmt::print("{}}}\n", graph.edges);
+  say("{}}}\n", graph.edges);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "cli/say.hpp"
 #include "engine_models/compiled.hpp"
 #include "scenario/scenario.hpp"
 #include "tandem/engine/compile.hpp"
@@ -33,9 +34,9 @@ std::vector<std::string> inputs_of(const engine::Description& diagram, const eng
 
 void print_parameter(const engine::Parameter& p) {
   if (const auto* number = std::get_if<double>(&p.value))
-    fmt::print("  parameter {} = {} {}\n", p.name, *number, p.unit);
+    say("  parameter {} = {} {}\n", p.name, *number, p.unit);
   else
-    fmt::print("  parameter {} = '{}'\n", p.name, std::get<std::string>(p.value));
+    say("  parameter {} = '{}'\n", p.name, std::get<std::string>(p.value));
 }
 
 const char* word_of(engine::Limit::OnLeaving what) {
@@ -51,21 +52,21 @@ void print_diagram(const std::filesystem::path& file) {
   engine::Description diagram = engine::read_diagram(file);
   diagram.kinds = engine_models::compiled_kinds();
   const engine::Program program = engine::compile(diagram);
-  fmt::print("{}: a diagram of {} blocks, {} operations\n", diagram.name, diagram.blocks.size(),
-             program.operations.size());
-  fmt::print("  order {}: {}\n", program.states, listed(program.state_names));
+  say("{}: a diagram of {} blocks, {} operations\n", diagram.name, diagram.blocks.size(),
+      program.operations.size());
+  say("  order {}: {}\n", program.states, listed(program.state_names));
   for (const auto& p : diagram.parameters) print_parameter(p);
   for (const auto& limit : diagram.limits)
-    fmt::print("  limit {}: {} to {}, {}: {}\n", limit.name, limit.low, limit.high, word_of(limit.on_leaving),
-               limit.sentence);
-  for (const auto& input : diagram.inputs) fmt::print("  input {} [{}]\n", input.name, input.unit);
+    say("  limit {}: {} to {}, {}: {}\n", limit.name, limit.low, limit.high, word_of(limit.on_leaving),
+        limit.sentence);
+  for (const auto& input : diagram.inputs) say("  input {} [{}]\n", input.name, input.unit);
   for (std::size_t k = 0; k < diagram.outputs.size(); ++k)
-    fmt::print("  output {} [{}], follows at once: {}\n", diagram.outputs[k].name, diagram.outputs[k].unit,
-               listed(inputs_of(diagram, program, static_cast<int>(k))));
-  fmt::print("  {} signals watched for events; periodic events: {}; of the blocks {}\n",
-             program.crossings.size(), program.periodics.size(), listed(event_blocks(program)));
+    say("  output {} [{}], follows at once: {}\n", diagram.outputs[k].name, diagram.outputs[k].unit,
+        listed(inputs_of(diagram, program, static_cast<int>(k))));
+  say("  {} signals watched for events; periodic events: {}; of the blocks {}\n", program.crossings.size(),
+      program.periodics.size(), listed(event_blocks(program)));
   for (const std::string& block : program.left_out)
-    fmt::print("  block '{}' feeds no output and is left out\n", block);
+    say("  block '{}' feeds no output and is left out\n", block);
 }
 
 }  // namespace tandem::cli

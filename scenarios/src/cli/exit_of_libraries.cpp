@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 // _exit() of the command, which a library that is loaded finds before that of the C library: one that ends
-// the program in the middle of a call gives no status of its own. (A sanitizer has an _exit() already.)
+// the program gives no status of its own. (A sanitizer has an _exit() already.)
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -9,8 +9,8 @@
 #if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 
 extern "C" void _exit(int status) {
-  tandem::LibraryCall::refuse_exit();
-  for (;;) ::syscall(SYS_exit_group, status);
+  const int own = tandem::LibraryCall::refuse_exit(status);
+  for (;;) ::syscall(SYS_exit_group, own);
 }
 
 extern "C" void _Exit(int status) noexcept { _exit(status); }

@@ -8,6 +8,7 @@
 #include "cli/diagram_info.hpp"
 #include "cli/looking.hpp"
 #include "cli/mechanism_info.hpp"
+#include "cli/say.hpp"
 #include "mechanisms/source.hpp"
 #include "tandem/nearest.hpp"
 
@@ -17,26 +18,25 @@ namespace {
 std::string shape(const Port& port) { return port.size > 1 ? fmt::format("[{}]", port.size) : ""; }
 
 void print_inputs(const SubsystemInfo& info, const std::vector<double>& start) {
-  fmt::print("  inputs:{}\n", info.inputs.empty() ? " none" : "");
+  say("  inputs:{}\n", info.inputs.empty() ? " none" : "");
   std::size_t k = 0;
   for (const Port& port : info.inputs) {
     std::string values;
     for (int e = 0; e < port.size; ++e, ++k)
       values +=
           (e > 0 ? ", " : "") + (std::isnan(start[k]) ? std::string("none") : fmt::format("{}", start[k]));
-    fmt::print("    {}{}  unit {}, start value {}\n", port.name, shape(port), port.unit, values);
+    say("    {}{}  unit {}, start value {}\n", port.name, shape(port), port.unit, values);
   }
 }
 
 void print_outputs(const SubsystemInfo& info) {
-  fmt::print("  outputs:{}\n", info.outputs.empty() ? " none" : "");
+  say("  outputs:{}\n", info.outputs.empty() ? " none" : "");
   for (const Port& port : info.outputs)
-    fmt::print("    {}{}  unit {}, {} time derivatives\n", port.name, shape(port), port.unit,
-               port.derivatives);
-  fmt::print("  feedthrough:{}\n", info.feedthrough.empty() ? " none" : "");
+    say("    {}{}  unit {}, {} time derivatives\n", port.name, shape(port), port.unit, port.derivatives);
+  say("  feedthrough:{}\n", info.feedthrough.empty() ? " none" : "");
   for (const Feedthrough& f : info.feedthrough)
-    fmt::print("    {} at once from {}\n", scalar_at(info.outputs, f.output).name(),
-               scalar_at(info.inputs, f.input).name());
+    say("    {} at once from {}\n", scalar_at(info.outputs, f.output).name(),
+        scalar_at(info.inputs, f.input).name());
 }
 
 void print_abilities(const Abilities& a) {
@@ -50,7 +50,7 @@ void print_abilities(const Abilities& a) {
   add(a.serializes_state, "gives its state as bytes (for checkpoints)");
   add(a.restarts, "restarts");
   add(a.reactive_inputs, "reactive inputs");
-  fmt::print("  abilities: {}\n", text.empty() ? "none" : text);
+  say("  abilities: {}\n", text.empty() ? "none" : text);
 }
 
 struct Span {
@@ -68,11 +68,11 @@ double own_step(Subsystem& subsystem, const Span& span, const std::vector<double
 void print(const std::string& name, Subsystem& subsystem, const Span& span,
            const std::vector<double>& start) {
   const SubsystemInfo& info = subsystem.info();
-  fmt::print("{}: {}\n", name, info.name);
+  say("{}: {}\n", name, info.name);
   print_inputs(info, start);
   print_outputs(info);
   print_abilities(info.abilities);
-  fmt::print("  first own step: {:.6g} s\n", own_step(subsystem, span, start));
+  say("  first own step: {:.6g} s\n", own_step(subsystem, span, start));
 }
 
 void print_words(const Source& source) {
@@ -82,9 +82,9 @@ void print_words(const Source& source) {
       if (word.setter == setter) names.push_back(word.name);
     return listed(names);
   };
-  fmt::print("  parameters that a client of a server may set: {}; and those of the model itself\n",
-             of(Setter::client));
-  fmt::print("  parameters that only who serves it may set: {}\n", of(Setter::operator_only));
+  say("  parameters that a client of a server may set: {}; and those of the model itself\n",
+      of(Setter::client));
+  say("  parameters that only who serves it may set: {}\n", of(Setter::operator_only));
 }
 
 void print_source(const std::string& uri, const Context& context) {
@@ -112,23 +112,23 @@ struct InfoOptions {
 
 void print_scenario(const InfoOptions& options, const Context& context) {
   const auto scenario = scenario::read(options.what, options.overrides);
-  const scenario::Parts parts(scenario, mechanisms::without_matrices(context.builtins),
+  const scenario::Parts parts(scenario, context.builtins,
                               options.run_programs ? scenario::Code::run : scenario::Code::leave_out);
   const Topology& topology = parts.topology();
-  fmt::print("{}{}{}\n", scenario.name, scenario.description.empty() ? "" : ": ", scenario.description);
-  fmt::print("from {} to {} s, schedule {}\n", scenario.start, scenario.stop,
-             Schedule::name(scenario.coordination.schedule));
+  say("{}{}{}\n", scenario.name, scenario.description.empty() ? "" : ": ", scenario.description);
+  say("from {} to {} s, schedule {}\n", scenario.start, scenario.stop,
+      Schedule::name(scenario.coordination.schedule));
   for (int i = 0; i < topology.size(); ++i)
     if (Subsystem* subsystem = parts.subsystem(i))
       print(topology.name(i), *subsystem, {scenario.start, scenario.stop}, topology.start(i));
     else
-      fmt::print("{}: not opened\n", topology.name(i));
-  fmt::print("connections:{}\n", scenario.connections.empty() ? " none" : "");
+      say("{}: not opened\n", topology.name(i));
+  say("connections:{}\n", scenario.connections.empty() ? " none" : "");
   for (const scenario::ConnectionEntry& entry : scenario.connections) {
     const Connection& c = entry.connection;
-    fmt::print("  {} -> {}  {}{}\n", c.from, c.to, c.how.name(), extras(c));
+    say("  {} -> {}  {}{}\n", c.from, c.to, c.how.name(), extras(c));
   }
-  fmt::print("{}", in_part(scenario, parts));
+  say("{}", in_part(scenario, parts));
 }
 
 /// "builtin:NAME", "three_functions:FILE" and the like: letters, then a colon. "C:\..." is no source, nor is
@@ -164,7 +164,9 @@ void add_info(CLI::App& app, Context& context) {
       "A source is opened, code or not. Of a scenario those that are code are opened with --run-programs "
       "only.\n"
       "Exit status: 0, or 2 for what is not right.");
-  command->callback([options, &context] {
+  command->callback([options, &all = context] {
+    Context context = all;
+    context.builtins = mechanisms::without_matrices(all.builtins);
     const bool source = is_source(options->what);
     if (source && options->run_programs)
       throw Error(ErrorCode::invalid_argument, "--run-programs belongs to a scenario; a source is opened");

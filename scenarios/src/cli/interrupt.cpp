@@ -8,9 +8,14 @@ namespace {
 
 volatile std::sig_atomic_t seen = 0;
 
-extern "C" void note_signal(int signal) {
+void leave_to_system() {
+  static_cast<void>(std::signal(SIGINT, SIG_DFL));
+  static_cast<void>(std::signal(SIGTERM, SIG_DFL));
+}
+
+extern "C" void note_signal(int) {
   seen = 1;
-  static_cast<void>(std::signal(signal, SIG_DFL));
+  leave_to_system();
 }
 
 }  // namespace
@@ -21,10 +26,7 @@ InterruptGuard::InterruptGuard() {
   static_cast<void>(std::signal(SIGTERM, note_signal));
 }
 
-InterruptGuard::~InterruptGuard() {
-  static_cast<void>(std::signal(SIGINT, SIG_DFL));
-  static_cast<void>(std::signal(SIGTERM, SIG_DFL));
-}
+InterruptGuard::~InterruptGuard() { leave_to_system(); }
 
 bool InterruptGuard::interrupted() { return seen != 0; }
 

@@ -10,6 +10,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/positive.hpp"
+#include "cli/say.hpp"
 #include "tandem/error.hpp"
 #include "tandem/tcp/certificates.hpp"
 #if TANDEM_HAS_ZEROMQ
@@ -78,7 +79,7 @@ void write_kind(const fs::path& folder, const std::vector<KeyFile>& files, const
     write_new(folder, file);
     names += (names.empty() ? "" : ", ") + (folder / file.name).string();
   }
-  fmt::print("wrote {}\n{}", names, use);
+  say("wrote {}\n{}", names, use);
 }
 
 void make_keys(const KeysOptions& options) {
@@ -91,14 +92,14 @@ void make_keys(const KeysOptions& options) {
                "  tandem serve SOURCE --listen tls://HOST:PORT --key server.key --authority authority.crt\n"
                "  tls://HOST:PORT?key=client.key&authority=authority.crt\n");
   else
-    fmt::print("no certificates: this build has no TLS (package libssl-dev)\n");
+    say("no certificates: this build has no TLS (package libssl-dev)\n");
 #if TANDEM_HAS_ZEROMQ
   write_kind(options.folder, curve_files(),
              "take server and client.pub to the one machine, client and server.pub to the other:\n"
              "  tandem serve SOURCE --listen zmq:tcp://HOST:PORT --key server --client-key client.pub\n"
              "  zmq:tcp://HOST:PORT?key=client&server_key=server.pub\n");
 #else
-  fmt::print("no CURVE keys: this build has no ZeroMQ (packages cppzmq-dev, libzmq3-dev)\n");
+  say("no CURVE keys: this build has no ZeroMQ (packages cppzmq-dev, libzmq3-dev)\n");
 #endif
 }
 

@@ -8,6 +8,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/kept_folder.hpp"
 #include "cli/progress.hpp"
+#include "cli/say.hpp"
 #include "output/conditions.hpp"
 #include "output/files.hpp"
 #include "scenario/ladder_run.hpp"
@@ -65,8 +66,8 @@ void climb(const LadderOptions& options, const Context& context) {
                           fmt::format("{} in turns, the least processor time counts", options.repetitions)})
               .dump(2) +
           "\n");
-  fmt::print("{}", text);
-  if (!context.quiet) fmt::print("wrote {}\n", (folder / "ladder.csv").string());
+  say("{}", text);
+  if (!context.quiet) say("wrote {}\n", (folder / "ladder.csv").string());
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "cli/commands.hpp"
+#include "cli/say.hpp"
 #include "tandem/coordinator/reconstruction.hpp"
 #include "tandem/coordinator/schedule.hpp"
 #include "tandem/text/document.hpp"
@@ -28,33 +29,32 @@ void print_line_of(const fs::path& file) {
   try {
     const text::Document document(file);
     if (!document.table().contains("subsystems")) return;
-    fmt::print("  {}  {}\n", file.string(), document.table()["description"].value_or(std::string()));
+    say("  {}  {}\n", file.string(), document.table()["description"].value_or(std::string()));
   } catch (const Error& error) {
-    fmt::print("  {}  ({})\n", file.string(), error.what());
+    say("  {}  ({})\n", file.string(), error.what());
   }
 }
 
 void print_scenarios(const fs::path& folder, bool asked) {
   if (fs::is_directory(folder)) {
-    fmt::print("scenarios in {}:\n", folder.string());
+    say("scenarios in {}:\n", folder.string());
     for (const fs::path& file : toml_files(folder)) print_line_of(file);
     return;
   }
   if (asked) throw Error(ErrorCode::input_output, "folder '" + folder.string() + "' is not there");
-  fmt::print("scenarios: there is no folder '{}' here; name another one\n", folder.string());
+  say("scenarios: there is no folder '{}' here; name another one\n", folder.string());
 }
 
 void print_words(const Context& context) {
-  fmt::print("sources:\n");
-  for (const auto& [name, source] : context.builtins.models) fmt::print("  builtin:{}\n", name);
+  say("sources:\n");
+  for (const auto& [name, source] : context.builtins.models) say("  builtin:{}\n", name);
   for (const auto& [scheme, source] : context.builtins.schemes)
-    fmt::print("  {}:{}\n", scheme, source.elsewhere ? "..." : "FILE");
-  fmt::print("schedules:");
+    say("  {}:{}\n", scheme, source.elsewhere ? "..." : "FILE");
+  say("schedules:");
   for (const auto kind : {Schedule::Kind::slowest_first, Schedule::Kind::fastest_first,
                           Schedule::Kind::staggered, Schedule::Kind::parallel})
-    fmt::print(" {}", Schedule::name(kind));
-  fmt::print(
-      "\nreconstructions: lagrange0 lagrange1 lagrange2 lagrange3 lagrange4 hermite mean "
+    say(" {}", Schedule::name(kind));
+  say("\nreconstructions: lagrange0 lagrange1 lagrange2 lagrange3 lagrange4 hermite mean "
       "least_squaresD_EXTRA (degree D 0 to 4, "
       "EXTRA 1 to 16 samples) matched_hold\n");
 }

@@ -6,16 +6,19 @@
 #include <mutex>
 
 #include "output/lock.hpp"
+#include "tandem/error.hpp"
+#include "tandem/input_file.hpp"
 #include "tandem/output_file.hpp"
 
 namespace tandem::cli {
 
-/// All messages as lines of a file, in place of an earlier one; of one process at a time. Each is in the file
-/// at once.
+/// All messages as lines of a file, in place of an earlier log, and of nothing else; of one process at a
+/// time. Each is in the file at once.
 class LogFile final : public spdlog::sinks::base_sink<std::mutex> {
  public:
   explicit LogFile(const std::filesystem::path& file) : file_(file, OutputFile::Begin::kept) {
     output::lock_file(file_.descriptor(), "file '" + file.string() + "'");
+    require_log(file);
     file_.cut(0);
   }
 
@@ -28,6 +31,18 @@ class LogFile final : public spdlog::sinks::base_sink<std::mutex> {
   void flush_() override {}
 
  private:
+  /// Results, say, of a run that goes on.
+  static void require_log(const std::filesystem::path& file) {
+    if (!std::filesystem::is_regular_file(file)) return;
+    std::byte first{'['};
+    InputFile(file).read({&first, 1});
+    if (first != std::byte{'['})
+      throw Error(ErrorCode::input_output,
+                  "file '" + file.string() +
+                      "' is there and is no log; allowed is an earlier log, or a file "
+                      "that is not there");
+  }
+
   OutputFile file_;
 };
 

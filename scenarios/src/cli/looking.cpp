@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/say.hpp"
 #include "tandem/text/time_table.hpp"
 
 namespace tandem::cli {
@@ -18,8 +19,8 @@ void check_in_part(const scenario::Scenario& scenario, const Builtins& builtins,
   if (reference && scenario.reference)
     scenario::located(scenario.reference->place, [&] { text::TimeTable::read(scenario.reference->file); });
   parts.check_each();
-  fmt::print("{}", in_part(scenario, parts));
-  for (const std::string& note : parts.redundant_equations()) fmt::print("note: {}\n", note);
+  say("{}", in_part(scenario, parts));
+  for (const std::string& note : parts.redundant_equations()) say("note: {}\n", note);
 }
 
 std::string in_part(const scenario::Scenario& scenario, const scenario::Parts& parts) {

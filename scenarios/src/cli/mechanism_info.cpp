@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/say.hpp"
 #include "mechanisms/view_table.hpp"
 #include "scenario/parts.hpp"
 #include "scenario/scenario.hpp"
@@ -37,11 +38,11 @@ void print_size(const mbs::Mechanism& mechanism) {
   const mbs::Description& in = mechanism.description();
   const mbs::Structure& s = mechanism.structure();
   const auto [coordinates, states] = coordinates_and_states(s);
-  fmt::print("{}: a mechanism in {}\n", in.name, in.dimension == 2 ? "the plane" : "space");
-  fmt::print("  {} bodies, {} points and vectors\n", in.bodies.size(), in.entities.size());
-  fmt::print("  {} variables: {}\n", coordinates.size(), listed(coordinates));
-  if (!states.empty()) fmt::print("  {} states of elements: {}\n", states.size(), listed(states));
-  fmt::print("  {} constraints: {}\n", s.constraints, listed(s.constraint_names));
+  say("{}: a mechanism in {}\n", in.name, in.dimension == 2 ? "the plane" : "space");
+  say("  {} bodies, {} points and vectors\n", in.bodies.size(), in.entities.size());
+  say("  {} variables: {}\n", coordinates.size(), listed(coordinates));
+  if (!states.empty()) say("  {} states of elements: {}\n", states.size(), listed(states));
+  say("  {} constraints: {}\n", s.constraints, listed(s.constraint_names));
 }
 
 /// An equation that is off where the assembly comes nearest is not redundant, whatever its gradient.
@@ -57,24 +58,24 @@ void print_freedom(mbs::Mechanism& mechanism, const mbs::Assembled& found) {
     if (std::none_of(found.contradictions.begin(), found.contradictions.end(),
                      [c](const mbs::Contradiction& other) { return other.constraint == c; }))
       redundant.push_back(name(c));
-  fmt::print("  {} degrees of freedom {}\n", freedom.degrees - static_cast<int>(s.states.size()),
-             contradictory.empty() ? "as assembled" : "where the assembly comes nearest");
-  fmt::print("  redundant equations: {}\n", listed(redundant));
-  if (!contradictory.empty()) fmt::print("  contradictory equations: {}\n", listed(contradictory));
+  say("  {} degrees of freedom {}\n", freedom.degrees - static_cast<int>(s.states.size()),
+      contradictory.empty() ? "as assembled" : "where the assembly comes nearest");
+  say("  redundant equations: {}\n", listed(redundant));
+  if (!contradictory.empty()) say("  contradictory equations: {}\n", listed(contradictory));
 }
 
 void print_limits(const mbs::Description& in) {
   constexpr const char* words[] = {"ignore", "warn", "stop"};
   for (const mbs::Limit& limit : in.limits)
-    fmt::print("  limit {}: {} to {}, {}: {}\n", limit.name, limit.low, limit.high,
-               words[static_cast<int>(limit.on_leaving)], limit.sentence);
+    say("  limit {}: {} to {}, {}: {}\n", limit.name, limit.low, limit.high,
+        words[static_cast<int>(limit.on_leaving)], limit.sentence);
 }
 
 void print_tangent(const mbs::Structure& s) {
   const mbs::Tangent tangent(s, mbs::make_solver("auto", mbs::MatrixKind::positive_definite));
   const double n = s.variables;
-  fmt::print("  tangent matrix: {} entries, {:.3g} % of it, {:.3g} a row\n", tangent.pattern().size(),
-             100.0 * tangent.pattern().size() / (n * n), tangent.pattern().size() / n);
+  say("  tangent matrix: {} entries, {:.3g} % of it, {:.3g} a row\n", tangent.pattern().size(),
+      100.0 * tangent.pattern().size() / (n * n), tangent.pattern().size() / n);
 }
 
 /// What stands or pulls where it starts: lengths, and outputs but for those that need accelerations.
@@ -82,17 +83,16 @@ void print_start(mbs::Mechanism& mechanism, double start) {
   const mbs::State s = mbs::initial_state(mechanism, start);
   const mbs::Description& in = mechanism.description();
   if (!in.equilibrium) return;
-  fmt::print("  in equilibrium at the start:\n");
+  say("  in equilibrium at the start:\n");
   for (std::size_t r = 0; r < in.relatives.size(); ++r)
     if (in.relatives[r].kind == mbs::Relative::Kind::length)
-      fmt::print("    length {} = {:.6g} m\n", in.relatives[r].name, s.q[mechanism.numbering().relative[r]]);
+      say("    length {} = {:.6g} m\n", in.relatives[r].name, s.q[mechanism.numbering().relative[r]]);
   mbs::Outputs outputs(mechanism);
   std::vector<double> values(static_cast<std::size_t>(outputs.size()));
   outputs.evaluate(s, values.data());
   for (int k = 0; k < outputs.size(); ++k)
     if (in.outputs[static_cast<std::size_t>(k)].kind == mbs::Output::Kind::quantity)
-      fmt::print("    {} = {:.6g} {}\n", outputs.name(k), values[static_cast<std::size_t>(k)],
-                 outputs.unit(k));
+      say("    {} = {:.6g} {}\n", outputs.name(k), values[static_cast<std::size_t>(k)], outputs.unit(k));
 }
 
 /// Without a stop the mechanism is a part of a scenario, which may give the step.
@@ -137,7 +137,7 @@ void print_mechanism(const std::filesystem::path& file, const Builtins& builtins
   const text::Place whole{file.string()};
   const auto found = text::located(whole, [&] { return mbs::assembled(mechanism, start); });
   print_size(mechanism);
-  fmt::print("{}", told);
+  say("{}", told);
   print_freedom(mechanism, found);
   print_tangent(mechanism.structure());
   print_limits(mechanism.description());

@@ -8,6 +8,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/mechanism_info.hpp"
+#include "cli/say.hpp"
 #include "scenario/scenario.hpp"
 #include "scenario/set.hpp"
 #include "sources/elements.hpp"
@@ -33,10 +34,9 @@ void print_mode(const mbs::Mechanism& mechanism, const mbs::Mode& mode) {
   for (std::size_t k = 0; k < std::min<std::size_t>(3, shares.size()) && shares[k].part >= 0.005; ++k)
     most += fmt::format("{}{} {:.0f} %", k > 0 ? ", " : "", shares[k].name, 100.0 * shares[k].part);
   if (mode.oscillates())
-    fmt::print("{:>9} Hz {:>8.4f}  {:<16} {}\n", frequency(mode), damping(mode), name_of(mechanism, mode),
-               most);
+    say("{:>9} Hz {:>8.4f}  {:<16} {}\n", frequency(mode), damping(mode), name_of(mechanism, mode), most);
   else
-    fmt::print("{:>9.3g} 1/s          {:<16} {}\n", mode.p.real(), name_of(mechanism, mode), most);
+    say("{:>9.3g} 1/s          {:<16} {}\n", mode.p.real(), name_of(mechanism, mode), most);
 }
 
 /// Motions that nothing pulls back have p = 0 but for rounding, which is that of a mechanism of its size:
@@ -47,15 +47,14 @@ void print_modes(mbs::Description description, double start) {
   const mbs::State s = mbs::initial_state(mechanism, start);
   const auto all = mbs::modes(mechanism, s);
   const std::string& name = mechanism.description().name;
-  if (all.empty()) return fmt::print("{}: no modes, for its constraints leave no motion\n", name);
+  if (all.empty()) return say("{}: no modes, for its constraints leave no motion\n", name);
   const double still = 1e-2 / std::sqrt(mechanism.structure().unit());  // [1/s]
   const auto free =
       std::count_if(all.begin(), all.end(), [still](const auto& m) { return std::abs(m.p) < still; });
-  fmt::print("{}: modes about its start\n{}  frequency  damping  name             kinetic energy\n", name,
-             told);
+  say("{}: modes about its start\n{}  frequency  damping  name             kinetic energy\n", name, told);
   for (const mbs::Mode& mode : all)
     if (std::abs(mode.p) >= still) print_mode(mechanism, mode);
-  fmt::print("  {} solutions with |p| < {:.3g} 1/s: nothing pulls back\n", free, still);
+  say("  {} solutions with |p| < {:.3g} 1/s: nothing pulls back\n", free, still);
 }
 
 /// Of a mechanism alone, with any values of its file set.

@@ -14,6 +14,7 @@
 #include "cli/run_matrices.hpp"
 #include "cli/run_progress.hpp"
 #include "cli/run_reference.hpp"
+#include "cli/say.hpp"
 #include "mechanisms/source.hpp"
 #include "output/files.hpp"
 #include "scenario/checkpoint.hpp"
@@ -71,8 +72,7 @@ class Run {
     output::check_folder(folder_);
     assembly_.initialize();
     tell_notes();
-    if (!context_.quiet)
-      fmt::print("{}: ok; it would write to {}\n", scenario_.file.string(), folder_.string());
+    if (!context_.quiet) say("{}: ok; it would write to {}\n", scenario_.file.string(), folder_.string());
   }
 
   void make() {
@@ -109,7 +109,7 @@ class Run {
     assembly_.coordinator().observe(recorder_.get());
     began_at_ = slowest_time(assembly_.coordinator());
     checkpoints_passed_ = times_passed(began_at_);
-    if (!context_.quiet) fmt::print("resumed at t = {} s\n", began_at_);
+    if (!context_.quiet) say("resumed at t = {} s\n", began_at_);
   }
 
   fs::path checkpoint_file() const { return folder_ / "checkpoint"; }
@@ -199,10 +199,9 @@ class Run {
       throw RunFailed(fmt::format("{}: {}; what was recorded until then is kept in {}",
                                   scenario_.file.string(), end_.message, folder_.string()));
     if (!context_.quiet) {
-      for (const fs::path& file : recorder_->files()) fmt::print("wrote {}\n", file.string());
-      fmt::print("wrote {}\nwrote {}\n", (folder_ / "results.json").string(),
-                 (folder_ / "machine.json").string());
-      if (reference_) fmt::print("{}", reference_->report());
+      for (const fs::path& file : recorder_->files()) say("wrote {}\n", file.string());
+      say("wrote {}\nwrote {}\n", (folder_ / "results.json").string(), (folder_ / "machine.json").string());
+      if (reference_) say("{}", reference_->report());
     }
     if (reference_) reference_->refuse_outside();
   }

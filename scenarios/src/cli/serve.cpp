@@ -11,8 +11,10 @@
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/positive.hpp"
+#include "cli/say.hpp"
 #include "cli/transports.hpp"
 #include "tandem/error.hpp"
+#include "tandem/library_file.hpp"
 #include "tandem/tcp/tcp.hpp"
 
 namespace tandem::cli {
@@ -78,9 +80,17 @@ void serve(ServeOptions options, const Context& context) {
                 "zmq:ADDRESS");
   const InterruptGuard guard;
   try_source(options.source, context);
-  const auto listener = listener_at(options.address, socket, options.keys);
+  auto listener = listener_at(options.address, socket, options.keys);
+  options.server.overdue = [&](int sessions) {
+    spdlog::warn(
+        "tandem: {} session{} still computing {} s after the end was asked for, and end{} with the server",
+        sessions, sessions == 1 ? " is" : "s are", options.server.session.deadline, sessions == 1 ? "s" : "");
+    listener.reset();
+    LibraryCall::end_program(1);
+    std::_Exit(1);
+  };
   options.server.log = [](const std::string& sentence) { spdlog::info("{}", sentence); };
-  fmt::print("serving {} at {}\n", options.source, listener->address());
+  say("serving {} at {}\n", options.source, listener->address());
   static_cast<void>(std::fflush(stdout));
   wire::Server(*listener, maker(options.source, context), options.server).run(InterruptGuard::interrupted);
 }
@@ -135,8 +145,12 @@ void add_serve(CLI::App& app, Context& context) {
   command->footer(
       "Parameters come from the client: tcp://HOST:PORT?frequency_ratio=25. A program that a run has started "
       "needs no --listen.\n"
-      "Exit status: 0 when it was ended; 2 for a source that is not there, and an address or option that is "
-      "not right.");
+      "Ctrl-C and SIGTERM close the sessions; one that still computes after --deadline ends with the server, "
+      "a "
+      "second signal ends all at once.\n"
+      "Exit status: 0 when it was ended; 1 if a session was computing then; 2 for a source that is not "
+      "there, and "
+      "an address or option that is not right.");
   command->callback([options, &context] { serve(*options, context); });
 }
 

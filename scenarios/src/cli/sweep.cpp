@@ -13,6 +13,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/kept_folder.hpp"
 #include "cli/progress.hpp"
+#include "cli/say.hpp"
 #include "cli/sweep_engine.hpp"
 #include "cli/sweep_engine_linkage.hpp"
 #include "cli/sweep_four_bar.hpp"
@@ -80,7 +81,7 @@ class TwoMassSweep {
       if (error.code() != ErrorCode::input_output) throw;
       throw RunFailed(error.what());  // begun and not ended: a full disk, say
     }
-    if (!context_.quiet) fmt::print("wrote {}\n", (options_.output / "sweep.csv").string());
+    if (!context_.quiet) say("wrote {}\n", (options_.output / "sweep.csv").string());
   }
 
  private:

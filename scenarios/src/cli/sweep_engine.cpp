@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "cli/kept_folder.hpp"
+#include "cli/say.hpp"
 #include "engine_models/sweep.hpp"
 #include "output/conditions.hpp"
 #include "output/files.hpp"
@@ -16,7 +17,7 @@ void sweep_engine(const std::filesystem::path& diagrams, const std::filesystem::
   const KeptFolder folder(output);
   const auto write = [&](const char* name, const std::string& text) {
     output::write_text(output / name, text);
-    if (!context.quiet) fmt::print("wrote {}\n", (output / name).string());
+    if (!context.quiet) say("wrote {}\n", (output / name).string());
   };
   write("torque_map.csv", engine_models::torque_map(diagrams));
   const char* const printed = "printed_torque_map.csv";

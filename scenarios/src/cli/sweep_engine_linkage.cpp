@@ -8,6 +8,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/kept_folder.hpp"
 #include "cli/progress.hpp"
+#include "cli/say.hpp"
 #include "engine_linkage/sweep.hpp"
 #include "output/conditions.hpp"
 #include "output/files.hpp"
@@ -99,7 +100,7 @@ class EngineLinkageRuns {
     const std::string file = (settings_.output / name).string();
     if (written < rows)
       throw RunFailed(fmt::format("interrupted; the first {} of {} rows are in {}", written, rows, file));
-    if (!context_.quiet) fmt::print("wrote {}\n", file);
+    if (!context_.quiet) say("wrote {}\n", file);
   }
 
   /// There when all else is.

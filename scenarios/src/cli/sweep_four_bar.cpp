@@ -9,6 +9,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/kept_folder.hpp"
 #include "cli/progress.hpp"
+#include "cli/say.hpp"
 #include "four_bar/sweep.hpp"
 #include "output/conditions.hpp"
 #include "output/files.hpp"
@@ -57,7 +58,7 @@ void sweep_four_bar(const std::filesystem::path& folder, unsigned threads, const
   const output::Measured measured{
       "exact motion", "x of the first moving point at 20 s (errors); tilt (motion)", "none, no times"};
   output::write_text(folder / "four_bar_conditions.json", output::conditions(measured).dump(2) + "\n");
-  if (!context.quiet) fmt::print("wrote {}\n", (folder / "four_bar.csv").string());
+  if (!context.quiet) say("wrote {}\n", (folder / "four_bar.csv").string());
 }
 
 }  // namespace tandem::cli

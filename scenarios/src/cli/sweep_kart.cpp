@@ -9,6 +9,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/kept_folder.hpp"
 #include "cli/progress.hpp"
+#include "cli/say.hpp"
 #include "kart/sweep.hpp"
 #include "output/conditions.hpp"
 #include "output/files.hpp"
@@ -51,8 +52,8 @@ class KartRuns {
                 .dump(2) +
             "\n");
     if (context_.quiet) return;
-    fmt::print("{}{}", kart::multirate_head, multirate_lines_);
-    for (const std::string& name : names_) fmt::print("wrote {}\n", (settings_.output / name).string());
+    say("{}{}", kart::multirate_head, multirate_lines_);
+    for (const std::string& name : names_) say("wrote {}\n", (settings_.output / name).string());
   }
 
  private:

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "cli/kept_folder.hpp"
+#include "cli/say.hpp"
 #include "kart/monolithic.hpp"
 #include "kart/plane.hpp"
 
@@ -13,7 +14,7 @@ void sweep_kart_drive(const std::filesystem::path& output, const Context& contex
   const KeptFolder folder(output);
   kart::Plane plane(kart::KartData{}, kart::TyreLaw::magic_formula);
   kart::write_drive(kart::run_monolithic(plane, 1e-4), output / "drive.csv");
-  if (!context.quiet) fmt::print("wrote {}\n", (output / "drive.csv").string());
+  if (!context.quiet) say("wrote {}\n", (output / "drive.csv").string());
 }
 
 }  // namespace tandem::cli

@@ -6,6 +6,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/kept_folder.hpp"
 #include "cli/progress.hpp"
+#include "cli/say.hpp"
 #include "mechanisms/formulations.hpp"
 #include "output/conditions.hpp"
 #include "output/files.hpp"
@@ -71,7 +72,7 @@ void sweep_mechanisms(const MechanismSweep& sweep, const Context& context) {
   const KeptFolder folder(sweep.output);
   write_figures(sweep, !context.quiet);
   if (!sweep.only_table) write_work(sweep, !context.quiet);
-  if (!context.quiet) fmt::print("wrote {}\n", (sweep.output / "formulations.csv").string());
+  if (!context.quiet) say("wrote {}\n", (sweep.output / "formulations.csv").string());
 }
 
 }  // namespace tandem::cli

@@ -6,6 +6,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/kept_folder.hpp"
 #include "cli/progress.hpp"
+#include "cli/say.hpp"
 #include "output/conditions.hpp"
 #include "output/files.hpp"
 #include "output/parallel.hpp"
@@ -35,7 +36,7 @@ void sweep_split_pendulum(const std::filesystem::path& output, unsigned threads,
     std::string text = std::string(header) + "\n";
     for (std::size_t i = first; i < last; ++i) text += rows[i] + "\n";
     output::write_text(output / name, text);
-    if (!context.quiet) fmt::print("wrote {}\n", (output / name).string());
+    if (!context.quiet) say("wrote {}\n", (output / name).string());
   };
   write("schemes.csv", split_pendulum::schemes_header, 0, cases.size());
   write("limits.csv", split_pendulum::limits_header, cases.size(), rows.size());

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "cli/looking.hpp"
+#include "cli/say.hpp"
 #include "mechanisms/source.hpp"
 #include "scenario/assembly.hpp"
 #include "scenario/comparison.hpp"
@@ -25,9 +26,9 @@ void validate(const ValidateOptions& options, const Context& context) {
   if (scenario.reference)
     scenario::located(scenario.reference->place, [&] { text::TimeTable::read(scenario.reference->file); });
   assembly.initialize();
-  fmt::print("{}: ok\n", options.file);
-  for (const std::string& note : assembly.notes()) fmt::print("note: {}\n", note);
-  for (const std::string& line : scenario::advice(assembly.coordinator())) fmt::print("advice: {}\n", line);
+  say("{}: ok\n", options.file);
+  for (const std::string& note : assembly.notes()) say("note: {}\n", note);
+  for (const std::string& line : scenario::advice(assembly.coordinator())) say("advice: {}\n", line);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "cli/commands.hpp"
+#include "cli/say.hpp"
 #include "output/files.hpp"
 #include "tandem/error.hpp"
 #include "view/data.hpp"
@@ -79,7 +80,7 @@ void view_results(const ViewOptions& options, const Context& context) {
   if (static_cast<double>(page.size()) > large)
     spdlog::info("note: the page has {:.0f} MB and opens slowly; a larger N of --every makes it smaller",
                  1e-6 * static_cast<double>(page.size()));
-  if (!context.quiet) fmt::print("wrote {}\n", file.string());
+  if (!context.quiet) say("wrote {}\n", file.string());
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "scenario/assembly.hpp"
 
-#include <algorithm>
+#include <unordered_set>
 
 namespace tandem::scenario {
 
@@ -20,10 +20,11 @@ Assembly::Assembly(const Scenario& scenario, const Builtins& builtins, bool prof
 
 /// "INSTANCE.POINT.x": outputs of a mechanism with one more dot than its own have.
 void Assembly::add_positions(std::vector<std::string>& ports) const {
-  for (const std::string& name : parts_.outputs()) {
+  const std::unordered_set<std::string> there(ports.begin(), ports.end());
+  for (const std::string& name : topology().output_names()) {
     const bool position = name.size() > 2 && name[name.size() - 2] == '.' && name.back() >= 'x' &&
                           name.back() <= 'z' && std::count(name.begin(), name.end(), '.') > 1;
-    if (position && std::find(ports.begin(), ports.end(), name) == ports.end()) ports.push_back(name);
+    if (position && !there.contains(name)) ports.push_back(name);
   }
 }
 

@@ -32,9 +32,10 @@ void go_on(const std::function<bool()>& going) {
 std::map<std::string, std::string> outputs_of(const Topology& topology) {
   std::map<std::string, std::string> units;
   for (int i = 0; i < topology.size(); ++i) {
-    int k = 0;
+    const auto names = topology.output_names(i);
+    std::size_t k = 0;
     for (const Port& port : topology.info(i).outputs)
-      for (int element = 0; element < port.size; ++element) units[topology.output_name(i, k++)] = port.unit;
+      for (int element = 0; element < port.size; ++element) units[names[k++]] = port.unit;
   }
   return units;
 }

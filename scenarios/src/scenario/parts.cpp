@@ -75,8 +75,9 @@ std::unique_ptr<Subsystem> Parts::opened(const SubsystemEntry& entry, const Buil
 std::unique_ptr<Subsystem> Parts::leave_out(const SubsystemEntry& entry, const Builtins& builtins) {
   with_opening(entry, builtins,
                [&](Opening opening) { look_at(entry.source, builtins, std::move(opening)); });
-  left_out_.push_back(entry.source_place.text() + ": subsystem '" + entry.name +
-                      "' is left out, as its source is code: " + printable(entry.address()));
+  left_out_.push_back(
+      entry.source_place.text() + ": subsystem '" + entry.name +
+      "' is left out, as its source is code: " + printable(entry.address(), std::string::npos));
   return nullptr;
 }
 
@@ -101,26 +102,17 @@ void Parts::connect(const ConnectionEntry& entry) {
   if (!no_reader) topology_.connect_half(c.to, false);
 }
 
-std::vector<std::string> Parts::outputs() const {
-  std::vector<std::string> names;
-  for (int i = 0; i < topology_.size(); ++i)
-    for (int k = 0; k < topology_.info(i).output_size(); ++k) names.push_back(topology_.output_name(i, k));
-  return names;
-}
-
 void Parts::check_output(const Place& place, const std::string& what, const std::string& name) const {
-  const auto known = outputs();
+  const auto known = topology_.output_names();
   if (!is_left_out(name) && std::find(known.begin(), known.end(), name) == known.end())
     refuse(place, unknown(what, name, known));
 }
 
 void Parts::check_each() const {
-  const auto known = outputs();
-  for (const std::string& port : scenario_.recording.ports)
-    if (!is_left_out(port) && std::none_of(known.begin(), known.end(), [&](const std::string& scalar) {
-          return port == scalar || port == scalar.substr(0, scalar.find('['));
-        }))
-      refuse(scenario_.place("record.ports"), unknown("recorded output", port, known));
+  std::vector<std::string> ports = scenario_.recording.ports;
+  std::erase_if(ports, [this](const std::string& port) { return is_left_out(port); });
+  if (const auto why = unknown_output(topology_.output_names(), ports); !why.empty())
+    refuse(scenario_.place("record.ports"), why);
   for (int i = 0; i < topology_.size(); ++i)
     if (Subsystem* one = subsystem(i))
       located([&](const std::string& sentence) { return scenario_.place_named_in(sentence); },

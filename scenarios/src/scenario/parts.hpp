@@ -25,8 +25,6 @@ class Parts {
   Subsystem* subsystem(int instance) const { return subsystems_[static_cast<std::size_t>(instance)].get(); }
   /// A sentence with its place for each that was left out.
   const std::vector<std::string>& left_out() const { return left_out_; }
-  /// "instance.port", or "instance.port[i]".
-  std::vector<std::string> outputs() const;
 
   /// What a run checks beyond that of each subsystem alone: recorded outputs, and its start with what is
   /// known of its inputs.

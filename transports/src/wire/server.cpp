@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "tandem/wire/server.hpp"
 
+#include <algorithm>
 #include <atomic>
-#include <new>
+#include <chrono>
 #include <thread>
 
 #include "tandem/error.hpp"
@@ -41,6 +42,20 @@ void Server::run(const std::function<bool()>& stop) {
       break;
     }
   }
+  end_sessions();
+}
+
+/// Those that wait for a request end at once, those that compute as soon as they are done.
+void Server::end_sessions() {
+  for (Guest& guest : guests_) guest.channel->close();
+  const Deadline deadline = in_seconds(settings_.session.deadline);
+  const auto computing = [this] {
+    return static_cast<int>(
+        std::count_if(guests_.begin(), guests_.end(), [](const Guest& guest) { return !guest.ended; }));
+  };
+  while (computing() > 0 && std::chrono::steady_clock::now() < deadline)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  if (const int left = computing(); left > 0 && settings_.overdue) settings_.overdue(left);
   clear_away(true);
 }
 

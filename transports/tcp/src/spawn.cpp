@@ -10,9 +10,9 @@
 #include <thread>
 #include <vector>
 
-#include "group.hpp"
 #include "stream.hpp"
 #include "tandem/error.hpp"
+#include "tandem/process_group.hpp"
 #include "tandem/tcp/tcp.hpp"
 
 extern char** environ;
@@ -102,7 +102,7 @@ class Program {
  private:
   static constexpr std::chrono::microseconds longest_pause{10'000};
   std::string name_;
-  Group group_;
+  ProcessGroup group_;
   pid_t process_ = -1;
   siginfo_t end_ = {};
   bool ended_ = false;

@@ -20,6 +20,10 @@ struct Recording {
   std::vector<std::string> ports;  ///< outputs, "instance.port" or "instance.port[i]"; empty: all
 };
 
+/// Of the first of `ports` that names none of `outputs`, nor an array of them: "recorded output 'x' is not
+/// there; ..."; else empty.
+std::string unknown_output(const std::vector<std::string>& outputs, const std::vector<std::string>& ports);
+
 /// Writes the outputs of a run as CSV: `results.csv`, or with `own` one `results.INSTANCE.csv` each. One
 /// header row, `time` first, then `instance.port` (`instance.port[i]` for arrays) in the order of the
 /// topology; numbers in the fewest digits that read back the same. Times may repeat where the clock's
@@ -95,8 +99,6 @@ class Recorder final : public Observer {
     void drop(std::size_t count);
   };
 
-  void check_ports() const;
-  bool wanted(const std::string& scalar) const;
   void choose_columns();
   void start(double t_start);
   int smallest_step() const;

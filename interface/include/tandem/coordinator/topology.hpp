@@ -70,6 +70,9 @@ class Topology {
 
   std::string input_name(int instance, int input) const;    ///< "instance.port" or "instance.port[i]"
   std::string output_name(int instance, int output) const;  ///< likewise
+  /// Those of each instance one after the other; one by one takes time with the square of their number.
+  std::vector<std::string> output_names(int instance) const;
+  std::vector<std::string> output_names() const;
 
  private:
   struct Instance {

@@ -25,6 +25,10 @@ struct ServerSettings {
   bool once = false;       ///< one session, and no more
   SessionSettings session = {};
   std::function<void(const std::string&)> log;  ///< is told what sessions begin, end and break; may be empty
+  /// Called when sessions go on computing for a deadline after the server's end was asked for, with their
+  /// number: a model's computing can't be cut short but with the process. If it returns, or is empty, they
+  /// are waited for.
+  std::function<void(int)> overdue;
 };
 
 /// Serves each connection of a listener in a thread of its own, with a subsystem of its own.
@@ -46,6 +50,7 @@ class Server {
   void turn_away(Channel& channel, const std::string& why);
   void serve(Guest& guest) noexcept;
   void clear_away(bool all);
+  void end_sessions();
   void log(const std::string& sentence) const;
   void log_end(const Guest& guest, const std::exception& why) const noexcept;
 

@@ -4,23 +4,24 @@
 
 #include <string>
 
-namespace tandem::tcp {
+namespace tandem {
 
 /// A group of processes that ends with this one, however that ends. A shell in it waits for the end of its
 /// standard input, which only this process holds open, and then kills the group. (What Linux has for that,
 /// PR_SET_PDEATHSIG, reaches a program alone and not what it starts.)
-class Group {
+class ProcessGroup {
  public:
   /// For `program`, as errors call it. Throws Error(input_output).
-  explicit Group(const std::string& program);
+  explicit ProcessGroup(const std::string& program);
   /// Kills what is left in it.
-  ~Group();
-  Group(const Group&) = delete;
-  Group& operator=(const Group&) = delete;
+  ~ProcessGroup();
+  ProcessGroup(const ProcessGroup&) = delete;
+  ProcessGroup& operator=(const ProcessGroup&) = delete;
 
   /// Called in a child process between fork and exec; what can't join ends.
   void join() const noexcept;
   void signal(int number) const noexcept;
+  pid_t number() const { return number_; }
 
  private:
   pid_t number_ = -1;  ///< of the group, and of the shell that leads it
@@ -30,4 +31,4 @@ class Group {
 /// Throws Error(input_output) with what `errno` says.
 [[noreturn]] void fail_to_start(const std::string& program, const char* what);
 
-}  // namespace tandem::tcp
+}  // namespace tandem

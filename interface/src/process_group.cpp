@@ -1,5 +1,5 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-#include "group.hpp"
+#include "tandem/process_group.hpp"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -11,14 +11,14 @@
 
 #include "tandem/error.hpp"
 
-namespace tandem::tcp {
+namespace tandem {
 
 void fail_to_start(const std::string& program, const char* what) {
   throw Error(ErrorCode::input_output,
               "program " + program + " can't be started: " + what + ": " + std::strerror(errno));
 }
 
-Group::Group(const std::string& program) {
+ProcessGroup::ProcessGroup(const std::string& program) {
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) fail_to_start(program, "pipe");
   number_ = ::fork();
@@ -40,16 +40,16 @@ Group::Group(const std::string& program) {
 }
 
 /// The shell is not waited for until the group is killed, so that nobody else has its number.
-Group::~Group() {
+ProcessGroup::~ProcessGroup() {
   signal(SIGKILL);
   ::close(held_open_);
   while (::waitpid(number_, nullptr, 0) < 0 && errno == EINTR) continue;
 }
 
-void Group::join() const noexcept {
+void ProcessGroup::join() const noexcept {
   if (::setpgid(0, number_) != 0) ::_exit(126);
 }
 
-void Group::signal(int number) const noexcept { ::kill(-number_, number); }
+void ProcessGroup::signal(int number) const noexcept { ::kill(-number_, number); }
 
-}  // namespace tandem::tcp
+}  // namespace tandem
