@@ -60,7 +60,8 @@ int LoopSolver::residual(N_Vector v, N_Vector f, void* self) {
 }
 
 /// Forward differences, column by column.
-int LoopSolver::jacobian(N_Vector at, N_Vector f, SUNMatrix j, void* self, N_Vector, N_Vector) {
+int LoopSolver::jacobian(  // NOLINT(readability-function-size): KINSOL calls it
+    N_Vector at, N_Vector f, SUNMatrix j, void* self, N_Vector, N_Vector) {
   LoopSolver& solver = *static_cast<LoopSolver*>(self);
   double *const v = N_VGetArrayPointer(at), *const f0 = N_VGetArrayPointer(f);
   for (int c = 0; c < solver.size_; ++c) {

@@ -49,7 +49,8 @@ std::string Program::named(const std::string& block) const {
   return "block '" + block + "'" + (is_known ? " (" + place->second + ")" : "");
 }
 
-void Program::run(double* s, int first, int last) const {
+void Program::run(  // NOLINT(readability-function-size): one switch over all operations
+    double* s, int first, int last) const {
   using enum Operation::Code;
   for (const Operation *at = operations.data() + first, *end = operations.data() + last; at != end; ++at) {
     const Operation& o = *at;

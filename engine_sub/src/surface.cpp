@@ -17,7 +17,7 @@ Surface::Surface(const std::string& owner, const Grid& g, Curve::Between between
   if (g.z.size() != g.x.size() * g.y.size())
     throw Error(ErrorCode::invalid_argument, fmt::format("{} has {} values; allowed is {} rows of {}", owner,
                                                          g.z.size(), g.x.size(), g.y.size()));
-  Curve(owner, g.x, g.x, between, beyond);  // checks their order
+  static_cast<void>(Curve(owner, g.x, g.x, between, beyond));  // checks their order
   for (auto row = g.z.begin(); row != g.z.end(); row += static_cast<std::ptrdiff_t>(g.y.size()))
     rows_.emplace_back(owner, g.y, std::vector(row, row + static_cast<std::ptrdiff_t>(g.y.size())), between,
                        beyond);

@@ -25,7 +25,7 @@ Beyond beyond(Arguments& a) {
 
 /// A table of one variable.
 void table(Lowering& to, Arguments& a) {
-  Curve curve =
+  const Curve curve =
       made(a, [&] { return Curve(a.owner(), a.numbers("x"), a.numbers("y"), between(a), beyond(a)); });
   const int input = a.wire("input"), y = to.curve(curve, input);
   to.range(y, input, curve, a.owner(), "its input");
@@ -65,7 +65,7 @@ void csv(Lowering& to, Arguments& a) {
   const auto file = to.scope().folder / a.required_text("file", "the name of a CSV file, in quotes");
   const auto name = a.required_text("column", "the name of a column");
   const bool hold = a.word("beyond", {"refuse", "hold"}) == 1;
-  Curve curve = made(a, [&] {
+  const Curve curve = made(a, [&] {
     const auto data = text::TimeTable::read(file);
     return Curve(a.owner() + ", file " + data.file.string() + ",", data.times, column(data, name, a),
                  Curve::Between::linear, hold ? Beyond::hold : Beyond::refuse);

@@ -68,7 +68,6 @@ std::vector<int*> slots_of(Operation& o) {
     case Code::clamp:
     case Code::leave:
     case Code::dead_zone:
-      return {&o.a, &o.more};
     case Code::delay:
       return {&o.a, &o.more};
     case Code::call: {

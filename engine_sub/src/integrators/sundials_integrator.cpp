@@ -76,9 +76,9 @@ int SundialsIntegrator::rates(double t, N_Vector x, N_Vector dx, void* self) {
 
 /// Forward differences, whose steps stand out of what algebraic loops leave as an error: by the root of their
 /// tolerance. Those of SUNDIALS stand out of rounding alone.
-int SundialsIntegrator::jacobian(double t, N_Vector at, N_Vector dx, SUNMatrix j, void* self, N_Vector rate,
-                                 N_Vector, N_Vector) {
-  SundialsIntegrator& integrator = *static_cast<SundialsIntegrator*>(self);
+int SundialsIntegrator::jacobian(  // NOLINT(readability-function-size): SUNDIALS calls it
+    double t, N_Vector at, N_Vector dx, SUNMatrix j, void* self, N_Vector rate, N_Vector, N_Vector) {
+  const SundialsIntegrator& integrator = *static_cast<const SundialsIntegrator*>(self);
   double *const x = N_VGetArrayPointer(at), *const f0 = N_VGetArrayPointer(dx);
   const double* const f = N_VGetArrayPointer(rate);
   const double* const absolute = N_VGetArrayPointer(integrator.absolute_);

@@ -65,6 +65,7 @@ DiagramModel::DiagramModel(const Description& diagram, const SubsystemSettings& 
 DiagramModel::DiagramModel(const DiagramModel& other) { *this = other; }
 
 DiagramModel& DiagramModel::operator=(const DiagramModel& other) {
+  if (this == &other) return *this;
   const bool is_kept = !other.kept_.empty();
   kept_ = is_kept ? other.kept_ : other.machine_->simulation.keep();
   kept_time_ = is_kept ? other.kept_time_ : other.machine_->simulation.time();

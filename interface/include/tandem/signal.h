@@ -58,8 +58,8 @@ static inline double tandem_signal_derivative(const tandem_signal* u, double t) 
   const tandem_segment* const s = tandem_signal_at(u, t);
   const double x = t - s->origin;
   double v = 0.0;
-  int32_t k;
-  for (k = u->degree; k > 0; --k) v = v * x + k * s->c[k];
+  int32_t k = u->degree;
+  for (; k > 0; --k) v = v * x + k * s->c[k];
   return v;
 }
 
@@ -68,8 +68,8 @@ static inline double tandem_signal_second_derivative(const tandem_signal* u, dou
   const tandem_segment* const s = tandem_signal_at(u, t);
   const double x = t - s->origin;
   double v = 0.0;
-  int32_t k;
-  for (k = u->degree; k > 1; --k) v = v * x + k * (k - 1) * s->c[k];
+  int32_t k = u->degree;
+  for (; k > 1; --k) v = v * x + k * (k - 1) * s->c[k];
   return v;
 }
 

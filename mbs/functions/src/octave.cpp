@@ -97,8 +97,9 @@ class Octave final : public OctaveStruct {
   void constant(const std::string& field, Values& values) override {
     take(ask(field, fmt::format("tandem_tell_values (@() tandem_model.{});\n", field)), values);
   }
-  void call(Term term, const std::string& what, double t, const double* q, const double* v,
-            Values& values) override {
+  void call(  // NOLINT(readability-function-size): the interface has six
+      Term term, const std::string& what, double t, const double* q, const double* v,
+      Values& values) override {
     std::string arguments;
     if (q) arguments = fmt::format(", {}", t) + column(q, info().size());
     if (v) arguments += column(v, info().size());

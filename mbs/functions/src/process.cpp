@@ -17,7 +17,7 @@
 
 #include "tandem/error.hpp"
 
-extern char** environ;
+extern char** environ;  // NOLINT: POSIX gives it no header
 
 namespace tandem::mbs {
 namespace {
