@@ -264,7 +264,7 @@ void Session::initialize(const Frame& request) {
 }
 
 void Session::advance(const Frame& request) {
-  read_advance(request.payload, subsystem_->info().input_size(), advance_);
+  read_advance(request.payload, subsystem_->info().input_size(), advance_, channel_.longest());
   reply_with_rows(advance_.room, [&](Samples& y) {
     return subsystem_->advance(advance_.t_limit, advance_.land, advance_.signals, y);
   });
