@@ -310,6 +310,7 @@ Error read_error(std::span<const std::byte> payload, Samples* y) {
   const ErrorCode code = code_from(in.take<std::uint32_t>());
   const std::string sentence = printable(in.take_text(longest_sentence));
   if (y && in.left() > 0) read_rows(in, *y);
+  in.end();
   return {code, sentence};
 }
 
