@@ -1,6 +1,7 @@
 /* Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause */
 /* A subsystem as wide as its parameters say, with next to no memory of its own: inputs=N scalars, outputs=N
- * scalars, saved states of bytes=N each. Its own step is 1e-9 s; outputs are 1. */
+ * scalars, saved states of bytes=N each, which with dumb=2 can't be given as bytes. Its own step is 1e-9 s;
+ * outputs are 1. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,7 +10,7 @@
 enum { SAVED = 200000 };
 
 typedef struct wide {
-  int32_t inputs, outputs, bytes;
+  int32_t inputs, outputs, bytes, dumb;
   tandem_port ports[2];
   tandem_info info;
   double time;
@@ -30,6 +31,7 @@ static tandem_status create(const char* parameters, void** self) {
   const tandem_port y = {"y", "1", number(parameters, "outputs="), 0, 0.0};
   if (!(*self = w)) return TANDEM_INTERNAL;
   w->bytes = number(parameters, "bytes=");
+  w->dumb = number(parameters, "dumb=") > 1;
   w->ports[0] = u;
   w->ports[1] = y;
   w->info.name = "wide";
@@ -96,9 +98,15 @@ static tandem_status restore_state(void* self, int64_t id, tandem_clock* clock) 
   return stand(self, TANDEM_STOP_LIMIT, clock);
 }
 
-static tandem_status release_state(void* self, int64_t id) { return (void)self, (void)id, TANDEM_OK; }
+/* The last one, of those that are dumb. */
+static tandem_status release_state(void* self, int64_t id) {
+  wide* const w = self;
+  if (w->dumb && id == w->count - 1) free(w->saved[--w->count]);
+  return TANDEM_OK;
+}
 
 static tandem_status serialize_state(void* self, int64_t id, const void** bytes, int64_t* size) {
+  if (((wide*)self)->dumb) return TANDEM_INTERNAL;
   *bytes = ((wide*)self)->saved[id];
   *size = ((wide*)self)->bytes;
   return TANDEM_OK;

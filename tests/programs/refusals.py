@@ -5,6 +5,7 @@
 import math
 import os
 import socket
+import struct
 import sys
 import threading
 import time
@@ -71,6 +72,54 @@ def refuses_rows():
     refused(where + "the reply says that it stands at t = 7 s, but its newest sample is of 0 s", advanced)
 
 
+class ByHand:
+    """A peer that gives these replies, of a type and a payload each, whatever it is asked."""
+
+    def __init__(self, *replies):
+        self._ours, self._theirs = socket.socketpair()
+        self._thread = threading.Thread(target=self._serve, args=(replies,))
+        self._thread.start()
+        self.channel = wire.Channel(self._ours, "there")
+
+    def _serve(self, replies):
+        channel = wire.Channel(self._theirs, "here")
+        for kind, payload in replies:
+            frame = channel.receive(5.0)
+            if frame is None:
+                break
+            channel.send(kind, frame[1], payload, 5.0)
+        channel.receive(5.0)
+        channel.close()
+
+
+def by_hand(*replies, ports=("x",)):
+    """The start of what has these outputs, with these replies to what follows hello and info."""
+    info = tandem.Info("by hand", [], [tandem.Port(name, "1") for name in ports],
+                       abilities=tandem.Abilities.SAVES_STATE)
+    peer = ByHand((wire.Type.HELLO, wire.put_hello("by hand")), (wire.Type.INFO, wire.put_info(info)), *replies)
+    with tandem.Remote(peer.channel) as far:
+        far.initialize(0.0, 10.0, [])
+        far.save_state()
+
+
+def refuses_replies():
+    stands = wire.put_clock(tandem.Clock(0.0, 1.0, tandem.Stop.LIMIT)) + struct.pack("<IQ", 3, 1)
+    where = "there, initialize at t = 0 s: "
+    for flag, text in ((2.0, "2"), (-1.0, "-1"), (math.nan, "nan")):
+        refused(f"{where}the reply gives {text} as the jump flag of its sample at t = 0 s; allowed is 0 or 1",
+                lambda flag=flag: by_hand((wire.Type.SAMPLES, stands + struct.pack("<3d", 0.0, flag, 5.0))))
+    sound = (wire.Type.SAMPLES, stands + struct.pack("<3d", 0.0, 1.0, 5.0))
+    error = wire.put_error(tandem.Error("so it is", 4))
+    rows = struct.pack("<IQ3d", 3, 1, 0.0, 0.0, 5.0)
+    refused(where + "so it is", lambda: by_hand((wire.Type.ERROR, error + rows)))
+    refused(where + "the message 'error' has 1 bytes more", lambda: by_hand((wire.Type.ERROR, error + rows + b"x")))
+    refused(where + "the message 'error' ends after", lambda: by_hand((wire.Type.ERROR, error + b"x")))
+    refused("there, save at t = 0 s: so it is", lambda: by_hand(sound, (wire.Type.ERROR, error)))
+    refused("there, save at t = 0 s: the message 'error' has 1 bytes more",
+            lambda: by_hand(sound, (wire.Type.ERROR, error + b"x")))
+    refused("there, info: the info has no sense: a port is there twice", lambda: by_hand(ports=("x", "x")))
+
+
 def refuses_addresses(address):
     refused("no connection to unix:/none", lambda: tandem.connect("unix:/none"))
     refused("is not of the form", lambda: tandem.connect("nonsense"))
@@ -113,6 +162,7 @@ def is_there(group):
 
 if __name__ == "__main__":
     refuses_rows()
+    refuses_replies()
     refuses_addresses(sys.argv[1])
     ends_its_program()
     ends_it_once(sys.argv[2])

@@ -12,7 +12,7 @@ class Wide:
         abilities = tandem.Abilities.SAVES_STATE | tandem.Abilities.SERIALIZES_STATE | tandem.Abilities.RESTARTS
         self._info = tandem.Info("wide", [tandem.Port("u", "1", inputs)], [tandem.Port("y", "1", outputs)],
                                  abilities=abilities)
-        self._values, self._saved = [1.0] * outputs, []
+        self._values, self._saved, self._dumb = [1.0] * outputs, [], parameters.get("dumb") == "2"
 
     def info(self):
         return self._info
@@ -39,7 +39,13 @@ class Wide:
         return len(self._saved) - 1
 
     def serialize_state(self, state):
+        if self._dumb:
+            raise tandem.Error("it is not so wide", 6)
         return self._saved[state]
+
+    def release_state(self, state):
+        if self._dumb and state == len(self._saved) - 1:
+            self._saved.pop()
 
     def deserialize_state(self, data):
         return 1 << 40  # nothing of them is kept, so that what is measured is not the model's

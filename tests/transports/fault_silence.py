@@ -55,6 +55,18 @@ class Silent(Served):
         sound = second == turned_away and ended == (0, silent) and self.has_place()
         self.row("silent_peer", "error", time.monotonic() - begin, sound, f"{second}, {ended}")
 
+    def late_byte(self):
+        """Its hello begins just before the deadline, which is that of the hello's end."""
+        begin = time.monotonic()
+        channel = self.transport.connect(self.uri)
+        with channel.raw:
+            time.sleep(max(0.0, 0.9 * SILENCE - (time.monotonic() - begin)))
+            with contextlib.suppress(tandem.Error, OSError):
+                channel.raw.sendall(b"\x23")
+                self.end_of(channel)
+        seconds = time.monotonic() - begin
+        self.row("late_byte_of_hello", "error", seconds, seconds < 1.6 * SILENCE and self.has_place())
+
     def speaks_once(self):
         """One that has said hello has the idle time."""
         channel = self.transport.connect(self.uri)
@@ -87,6 +99,7 @@ def silence(command, transport, folder, program):
         try:
             if sessions == 1:
                 server.one_place()
+                server.late_byte()
             else:
                 server.speaks_once()
                 server.crowd("70_silent_peers", lambda: transport.connect(server.uri).raw)

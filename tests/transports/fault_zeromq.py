@@ -115,7 +115,7 @@ class Channel(wire.Channel):
             self._begun = self._begun or self.raw.message(seconds)
         return self._begun is not None
 
-    def receive(self, deadline):
+    def receive(self, deadline, until=None):
         if not self.wait(deadline):
             raise tandem.Error("no frame came within the deadline", 5)
         data, self._begun = self._begun, None

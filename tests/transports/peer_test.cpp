@@ -74,7 +74,9 @@ TEST(Peer, SeveralSessionsAtOnceAndEachHasAnInstanceOfItsOwn) {
 
 TEST(Peer, ServesOnceAndEndsOnSigterm) {
   Child once({oscillator_server(), "--once", "--listen", "tcp://127.0.0.1:0"});
-  { const auto session = open(once.word_after(" at "), all_sources()); }
+  const std::string address = once.word_after(" at ");
+  scan_ports(address);
+  { const auto session = open(address, all_sources()); }
   EXPECT_EQ(once.status(), 0);
   const Scratch folder;
   const std::string file = (folder.path() / "socket").string();

@@ -68,6 +68,14 @@ TEST(Python, AServerListensOnThisMachineOnlyAndLeavesNothing) {
   }
 }
 
+TEST(Python, OnceEndsAfterASessionThatIsNoPortScan) {
+  Child server({"sh", "-c", "exec " + python_program("mass2.py") + " --once --listen tcp://127.0.0.1:0"});
+  const std::string address = server.word_after(" at ");
+  scan_ports(address);
+  { const auto session = open(address + "?" + mass2_parameters(), all_sources()); }
+  EXPECT_EQ(server.status(), 0);
+}
+
 TEST(Python, AFunctionHandedToScipyFollowsItsExactSolution) {
 #ifdef TANDEM_PYTHON_SCIPY
   const auto heat = open("spawn:" + python_program("heat.py") + "?h=0.1", all_sources());

@@ -98,10 +98,17 @@ TEST(Serve, TlsWithTheFilesOfTandemKeys) {
 }
 #endif
 
-TEST(Serve, OnceEndsAfterOneSession) {
-  Child server({command, "serve", "builtin:two_mass.slow", "--once", "--listen", "tcp://127.0.0.1:0"});
-  { const auto session = open(server.word_after(" at "), all_sources()); }
+/// One is whose peer has said hello, though it may have been refused.
+TEST(Serve, OnceEndsAfterOneSessionThatIsNoPortScan) {
+  const std::vector<std::string> words = {command,  "serve",    "builtin:two_mass.slow",
+                                          "--once", "--listen", "tcp://127.0.0.1:0"};
+  Child server(words), other(words);
+  const std::string address = server.word_after(" at ");
+  scan_ports(address);
+  { const auto session = open(address, all_sources()); }
   EXPECT_EQ(server.status(), 0);
+  EXPECT_THROW(open(other.word_after(" at ") + "?no_such_parameter=1", all_sources()), Error);
+  EXPECT_EQ(other.status(), 0);
 }
 
 TEST(Serve, RefusesWhatIsNotRightBeforeItListens) {

@@ -9,6 +9,7 @@
 
 #include "examples.hpp"
 #include "tandem/tcp/tcp.hpp"
+#include "tandem/wire/messages.hpp"
 #if TANDEM_HAS_ZEROMQ
 #include "tandem/zeromq/zeromq.hpp"
 #endif
@@ -59,6 +60,18 @@ class Served {
   std::vector<std::string> log_;
   std::thread thread_;
 };
+
+/// Connects to a server and goes: without a word, and after half a hello.
+inline void scan_ports(const std::string& address) {
+  for (const std::size_t bytes : {0, 20}) {
+    const auto channel = connect(address, {});
+    wire::Writer frame;
+    wire::begin(frame, wire::Type::hello, 1);
+    wire::put_hello(frame, {});
+    wire::finish(frame);
+    channel->send(frame.bytes().first(bytes), wire::in_seconds(5.0));
+  }
+}
 
 /// What serves a source of all_sources(), each session with parameters of its own.
 inline wire::MakeSubsystem source(const std::string& uri) {

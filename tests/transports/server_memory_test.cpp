@@ -67,13 +67,13 @@ Type advance(Requests& session, std::uint64_t count, int degree) {
 
 /// Each request at its largest, in a session for as long as it lasts, and what is larger and refused.
 template <class Connect>
-void ask_for_the_most(const Connect& connected, int saves) {
-  Requests wrong(connected());
+void ask_for_the_most(const ServerProcess& server, const Connect& connected, int saves) {
+  Requests wrong(connected(server));
   const std::uint64_t most = wrong.longest();
   const auto zeros = [most](Writer& w) { put_zeros(w, most); };
   EXPECT_EQ(wrong.ask(Type::ping, zeros), Type::ping);
   EXPECT_EQ(wrong.ask(Type::initialize, zeros), Type::error);
-  Requests session(connected());
+  Requests session(connected(server));
   EXPECT_EQ(initialize(session), Type::samples);
   EXPECT_EQ(session.ask(Type::deserialize, zeros), Type::error);
   EXPECT_EQ(advance(session, most / sizeof(Segment) - 1, 5), Type::samples);
@@ -86,55 +86,100 @@ void ask_for_the_most(const Connect& connected, int saves) {
 
 /// The most that the server took beyond what it took for a session with small requests [MiB].
 template <class Connect>
-std::int64_t most_taken(const ServerProcess& server, const Connect& connected, int saves = 2000) {
-  { EXPECT_EQ(initialize(*std::make_unique<Requests>(connected())), Type::samples); }
+std::int64_t most_taken(const ServerProcess& server, const Connect& connected, int saves) {
+  { EXPECT_EQ(initialize(*std::make_unique<Requests>(connected(server))), Type::samples); }
   const std::int64_t before = server.memory("VmHWM");
-  ask_for_the_most(connected, saves);
+  ask_for_the_most(server, connected, saves);
   const std::int64_t taken = (server.memory("VmHWM") - before) / mebibyte;
   testing::Test::RecordProperty("mebibytes", static_cast<int>(taken));
   return taken;
 }
 
+/// Puts the longest request of that type, whose reply is the longest too.
+void put_longest(Writer& frame, Type type, std::uint64_t most) {
+  if (type == Type::ping) return put_zeros(frame, most);
+  const std::vector<Segment> segments(most / sizeof(Segment) - 1, Segment{1e9, 0.0, {}});
+  const Signal u(segments.data(), static_cast<std::int32_t>(segments.size()), 5);
+  wire::put_advance(frame, {1e9, false, wire::usual_longest}, {&u, 1});
+}
+
+/// Sends such requests on end behind those that open a session, and reads no reply but the first.
+void ask_without_reading(wire::Channel& channel, Type type) {
+  std::uint64_t most = 0;
+  Writer frame;
+  try {
+    for (std::uint32_t number = 1; number < 14; ++number) {
+      wire::begin(frame, number == 1 ? Type::hello : number == 2 ? Type::initialize : type, number);
+      if (number == 1) wire::put_hello(frame, {});
+      if (number == 2) wire::put_initialize(frame, {0.0, 1e9, 1, {0.0}});
+      if (number > 2) put_longest(frame, type, most);
+      wire::finish(frame);
+      channel.send(frame.bytes(), wire::in_seconds(2.0));
+      if (number > 1) continue;
+      const auto reply = channel.receive(wire::in_seconds(5.0));
+      most = wire::read_hello(wire::Frame::read(reply, wire::usual_longest).payload).longest;
+    }
+  } catch (const Error&) {  // the server takes no more
+  }
+}
+
+/// What a server takes then beyond what it had [MiB].
+template <class Connect>
+std::int64_t most_in_the_pipeline(const ServerProcess& server, const Connect& connected, Type type) {
+  { EXPECT_EQ(initialize(*std::make_unique<Requests>(connected(server))), Type::samples); }
+  const std::int64_t before = server.memory("VmHWM");
+  const auto channel = connected(server);
+  ask_without_reading(*channel, type);
+  const std::int64_t taken = (server.memory("VmHWM") - before) / mebibyte;
+  testing::Test::RecordProperty("mebibytes_of_" + std::string(wire::name(type)), static_cast<int>(taken));
+  return taken;
+}
+
 constexpr std::int64_t promised = 160;  // MiB
+
+/// Each in a process of its own, at an address with these options.
+template <class Connect>
+void expect_bounded(const std::string& address, const std::vector<std::string>& options,
+                    const Connect& connected) {
+  const int saves = address.starts_with("unix") ? 100'000 : 2000;
+  EXPECT_LE(most_taken(ServerProcess(served_model, address, options), connected, saves), promised) << address;
+  for (const Type type : {Type::ping, Type::advance}) {
+    const ServerProcess server(served_model, address, options);
+    EXPECT_LE(most_in_the_pipeline(server, connected, type), promised) << address << ", " << wire::name(type);
+  }
+}
 
 TEST(ServerMemory, IsBoundedOverSockets) {
   const Scratch folder;
-  for (const std::string& address :
-       {std::string("tcp://127.0.0.1:0"), "unix:" + (folder.path() / "socket").string()}) {
-    const ServerProcess server(served_model, address);
-    const int saves = address.starts_with("unix") ? 100'000 : 2000;
-    EXPECT_LE(most_taken(
-                  server, [&] { return connect(server.uri(), {}); }, saves),
-              promised)
-        << address;
-  }
+  const auto connected = [](const ServerProcess& server) { return connect(server.uri(), {}); };
+  expect_bounded("tcp://127.0.0.1:0", {}, connected);
+  expect_bounded("unix:" + (folder.path() / "socket").string(), {}, connected);
 }
 
 #if TANDEM_HAS_TLS
 TEST(ServerMemory, IsBoundedOverTls) {
   const TlsFolder keys;
-  const ServerProcess server(
-      served_model, "tls://127.0.0.1:0",
-      {"--key", keys.file("server.key").string(), "--authority", keys.file("authority.crt").string()});
-  EXPECT_LE(most_taken(server, [&] { return connect(server.uri(), keys.settings("client")); }), promised);
+  expect_bounded(
+      "tls://127.0.0.1:0",
+      {"--key", keys.file("server.key").string(), "--authority", keys.file("authority.crt").string()},
+      [&](const ServerProcess& server) { return connect(server.uri(), keys.settings("client")); });
 }
 #endif
 
 #if TANDEM_HAS_ZEROMQ
 TEST(ServerMemory, IsBoundedOverZeroMq) {
-  const ServerProcess server(served_model, "zmq:tcp://127.0.0.1:0");
-  EXPECT_LE(most_taken(server, [&] { return zmq_connect(server.uri().substr(4), {}); }), promised);
+  expect_bounded("zmq:tcp://127.0.0.1:0", {},
+                 [](const ServerProcess& server) { return zmq_connect(server.uri().substr(4), {}); });
 }
 
 TEST(ServerMemory, IsBoundedOverZeroMqWithKeys) {
   const CurveFolder keys;
-  const ServerProcess server(
-      served_model, "zmq:tcp://127.0.0.1:0",
-      {"--key", keys.file("server").string(), "--client-key", keys.file("client.pub").string()});
   const ZmqSettings settings{
       .keys = {read_curve_key(keys.file("client.pub"), false), read_curve_key(keys.file("client"), true)},
       .server_key = read_curve_key(keys.file("server.pub"), false)};
-  EXPECT_LE(most_taken(server, [&] { return zmq_connect(server.uri().substr(4), settings); }), promised);
+  expect_bounded("zmq:tcp://127.0.0.1:0",
+                 {"--key", keys.file("server").string(), "--client-key", keys.file("client.pub").string()},
+                 [&](const ServerProcess& server) { return zmq_connect(server.uri().substr(4), settings); });
 }
 #endif
 

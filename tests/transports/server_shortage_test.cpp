@@ -2,6 +2,8 @@
 // A server that runs out of threads, descriptors or memory: the session in question ends with a sentence, or
 // the connection waits; all others live on.
 #include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <sys/un.h>
 
 #include "curve_pair.hpp"
 #include "refusal.hpp"
@@ -138,6 +140,28 @@ TEST(ServerDescriptors, DoNotLeakIntoProgramsThatAreStarted) {
   }
   EXPECT_NO_THROW(listen(uri, {})) << "a grandchild keeps the port";
   ::kill(std::stoi(read_text(file + ".process")), SIGKILL);
+}
+
+/// Whose server is there, though it takes nobody now.
+TEST(ServerDescriptors, AUnixSocketWithAFullQueueIsInUseAndNotWaitedFor) {
+  const Scratch folder;
+  const std::string path = (folder.path() / "socket").string();
+  sockaddr_un place{};
+  place.sun_family = AF_UNIX;
+  path.copy(place.sun_path, sizeof place.sun_path - 1);
+  const auto* const name = reinterpret_cast<const sockaddr*>(&place);
+  const int server = ::socket(AF_UNIX, SOCK_STREAM, 0);
+  ASSERT_EQ(::bind(server, name, sizeof place), 0);
+  ASSERT_EQ(::listen(server, 0), 0);
+  std::vector<int> queue;
+  do queue.push_back(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK, 0));
+  while (::connect(queue.back(), name, sizeof place) == 0);
+  Child second({TANDEM_COMMAND, "--quiet", "serve", served_model, "--listen", "unix:" + path});
+  EXPECT_TRUE(ends(second.process()));
+  EXPECT_EQ(second.status(), 2);
+  EXPECT_TRUE(std::filesystem::exists(path));
+  for (const int client : queue) ::close(client);
+  ::close(server);
 }
 
 TEST(ServerDescriptors, AUnixSocketThatAnotherServerHasReplacedStays) {

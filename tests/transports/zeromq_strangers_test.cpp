@@ -2,6 +2,7 @@
 // Who comes to the port of a ZeroMQ session that is not its own changes nothing and ends nothing.
 #if TANDEM_HAS_ZEROMQ
 #include <arpa/inet.h>
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -111,20 +112,85 @@ TEST(ZeroMqStrangers, EndNoSessionWithKeysThoughTheyAreLetInAsOthers) {
   run_among_strangers("tcp://127.0.0.1:0", settings, "&" + keys.query(), &other);
 }
 
+/// A session that begins with these parts of a knock, and where its socket is; null if there is none.
+struct Knocked {
+  std::unique_ptr<wire::Channel> session;
+  zmq::message_t place;
+};
+Knocked knock(wire::Listener& listener, zmq::context_t& context, const std::vector<std::string>& parts) {
+  zmq::socket_t door(context, zmq::socket_type::dealer);
+  door.set(zmq::sockopt::linger, 0);
+  door.connect(listener.address().substr(4));
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    door.send(zmq::buffer(parts[k]), k + 1 < parts.size() ? zmq::send_flags::sndmore : zmq::send_flags::none);
+  Knocked answer;
+  const auto end = wire::in_seconds(0.5);
+  while (!answer.session && std::chrono::steady_clock::now() < end)
+    answer.session = listener.accept(wire::in_seconds(0.1));
+  EXPECT_TRUE(!answer.session || door.recv(answer.place));
+  return answer;
+}
+
+/// Connections to a port, each accepted at the lowest numbers of descriptors that this process has free.
+std::vector<int> crowd(int port, int count) {
+  sockaddr_in place{};
+  place.sin_family = AF_INET;
+  place.sin_port = htons(static_cast<std::uint16_t>(port));
+  place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  std::vector<int> all;
+  for (int k = 0; k < count; ++k) {
+    const int low = ::socket(AF_INET, SOCK_STREAM, 0);
+    all.push_back(::fcntl(low, F_DUPFD, 500));
+    ::close(low);
+    EXPECT_EQ(::connect(all.back(), reinterpret_cast<sockaddr*>(&place), sizeof place), 0);
+    ::usleep(1000);
+  }
+  return all;
+}
+
+/// ZeroMQ tells of ends by descriptors, which are used again at once.
+TEST(ZeroMqStrangers, WhoGetThePeersDescriptorDoNotHideItsEnd) {
+  const auto listener = zmq_listen("tcp://127.0.0.1:0", {});
+  zmq::context_t context;
+  const auto [session, place] = knock(*listener, context, {"TANDEM\r\n", "a token of mine"});
+  ASSERT_TRUE(session);
+  zmq::socket_t peer(context, zmq::socket_type::dealer);
+  peer.set(zmq::sockopt::routing_id, "a token of mine");
+  peer.connect(place.to_string());
+  peer.send(zmq::str_buffer("the peer's"), zmq::send_flags::none);
+  EXPECT_FALSE(session->receive(wire::in_seconds(5.0)).empty());
+  peer.close();
+  const std::string address = place.to_string();
+  const auto strangers = crowd(std::stoi(address.substr(address.rfind(':') + 1)), 50);
+  EXPECT_TRUE(session->wait(wire::in_seconds(2.0))) << "the peer is gone";
+  for (const int stranger : strangers) ::close(stranger);
+}
+
+TEST(ZeroMqStrangers, AKnockThatIsNoneGetsNoSession) {
+  const auto listener = zmq_listen("tcp://127.0.0.1:0", {});
+  zmq::context_t context;
+  const std::string tandem = "TANDEM\r\n";
+  for (const std::vector<std::string>& parts :
+       std::vector<std::vector<std::string>>{{"GET / HTTP/1.1"},
+                                             {tandem, ""},
+                                             {tandem, std::string(65, 'x')},
+                                             {tandem, std::string(300, 'x')},
+                                             {tandem, "a token", "more"},
+                                             {tandem, "a token", "more", "and more"}})
+    EXPECT_FALSE(knock(*listener, context, parts).session)
+        << parts.size() << " parts, " << parts.back().size();
+  EXPECT_TRUE(knock(*listener, context, {tandem, std::string(64, 'x')}).session);
+  EXPECT_TRUE(knock(*listener, context, {tandem, "x"}).session);
+}
+
 /// Before its peer is in: who comes first is not the peer.
 TEST(ZeroMqStrangers, TakeNoPlaceBeforeThePeerIsThere) {
   const auto listener = zmq_listen("tcp://127.0.0.1:0", {});
   zmq::context_t context;
-  zmq::socket_t door(context, zmq::socket_type::dealer), stranger(context, zmq::socket_type::dealer),
-      peer(context, zmq::socket_type::dealer);
-  for (zmq::socket_t* socket : {&door, &stranger, &peer}) socket->set(zmq::sockopt::linger, 0);
-  door.connect(listener->address().substr(4));
-  door.send(zmq::str_buffer("TANDEM\r\n"), zmq::send_flags::sndmore);
-  door.send(zmq::str_buffer("a token of mine"), zmq::send_flags::none);
-  std::unique_ptr<wire::Channel> session;
-  while (!session) session = listener->accept(wire::in_seconds(0.1));
-  zmq::message_t place;
-  ASSERT_TRUE(door.recv(place));
+  const auto [session, place] = knock(*listener, context, {"TANDEM\r\n", "a token of mine"});
+  ASSERT_TRUE(session);
+  zmq::socket_t stranger(context, zmq::socket_type::dealer), peer(context, zmq::socket_type::dealer);
+  for (zmq::socket_t* socket : {&stranger, &peer}) socket->set(zmq::sockopt::linger, 0);
   stranger.connect(place.to_string());
   stranger.send(zmq::str_buffer("a frame of mine"), zmq::send_flags::none);
   EXPECT_FALSE(session->wait(wire::in_seconds(0.2)));
@@ -144,15 +210,10 @@ TEST(ZeroMqStrangers, TakeNoPlaceBeforeThePeerIsThere) {
 TEST(ZeroMqStrangers, AKnockWithoutATokenGetsASessionOfWhoSpeaksFirst) {
   const auto listener = zmq_listen("tcp://127.0.0.1:0", {});
   zmq::context_t context;
-  zmq::socket_t door(context, zmq::socket_type::dealer), peer(context, zmq::socket_type::dealer),
-      second(context, zmq::socket_type::dealer);
-  for (zmq::socket_t* socket : {&door, &second, &peer}) socket->set(zmq::sockopt::linger, 0);
-  door.connect(listener->address().substr(4));
-  door.send(zmq::str_buffer("TANDEM\r\n"), zmq::send_flags::none);
-  std::unique_ptr<wire::Channel> session;
-  while (!session) session = listener->accept(wire::in_seconds(0.1));
-  zmq::message_t place;
-  ASSERT_TRUE(door.recv(place));
+  const auto [session, place] = knock(*listener, context, {"TANDEM\r\n"});
+  ASSERT_TRUE(session);
+  zmq::socket_t peer(context, zmq::socket_type::dealer), second(context, zmq::socket_type::dealer);
+  for (zmq::socket_t* socket : {&second, &peer}) socket->set(zmq::sockopt::linger, 0);
   peer.connect(place.to_string());
   peer.send(zmq::str_buffer("first"), zmq::send_flags::none);
   EXPECT_FALSE(session->receive(wire::in_seconds(5.0)).empty());

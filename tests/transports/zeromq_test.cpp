@@ -123,6 +123,23 @@ TEST(ZeroMq, FilesOfIpcSocketsGoWithTheirServer) {
   EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 
+/// By its server, by ZeroMQ's own thread when that closes, and by a session's end.
+TEST(ZeroMq, AnIpcSocketThatAnotherServerHasReplacedStays) {
+  const Scratch folder;
+  const std::string path = (folder.path() / "socket").string(), ours = path + "-1";
+  auto first = std::make_unique<Served>(zmq_listen("ipc://" + path, {}), source("builtin:two_mass.slow"));
+  auto session = zmq_connect("ipc://" + path, {});
+  for (const std::string& file : {path, ours}) EXPECT_TRUE(fs::remove(file)) << file;
+  const Served second(zmq_listen("ipc://" + path, {}), source("builtin:two_mass.slow"));
+  const auto other = zmq_connect("ipc://" + path, {});
+  EXPECT_TRUE(fs::exists(ours));
+  session.reset();
+  first.reset();
+  EXPECT_TRUE(fs::exists(path));
+  EXPECT_TRUE(fs::exists(ours));
+  EXPECT_NO_THROW(open(second.address(), all_sources()));
+}
+
 TEST(ZeroMq, AnIpcSocketWhoseServerWasKilledIsReplaced) {
   const Scratch folder;
   const std::string address = "zmq:ipc://" + (folder.path() / "socket").string();

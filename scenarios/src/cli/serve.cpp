@@ -112,7 +112,7 @@ void add_serve(CLI::App& app, Context& context) {
   command->add_option("--sessions", options->server.most_sessions, "The most sessions at a time")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
-  command->add_flag("--once", options->server.once, "End after one session");
+  command->add_flag("--once", options->server.once, "End after one session, of a client that has said hello");
   command->add_option("--idle", options->server.session.idle, "Seconds from one request to the next")
       ->check(positive)
       ->capture_default_str();

@@ -427,9 +427,8 @@ static void forget(channel* c) {
   c->frame = 0;
 }
 
-/* The next frame, whole within the deadline; *type is 0 if the connection was closed before it. */
-static tandem_status receive(channel* c, int* type, uint32_t* number, reader* in) {
-  const double until = now() + c->deadline;
+/* The next frame, whole by then; *type is 0 if the connection was closed before it. */
+static tandem_status receive(channel* c, double until, int* type, uint32_t* number, reader* in) {
   tandem_status status;
   forget(c);
   *type = 0;
@@ -593,7 +592,7 @@ typedef struct session {
   double idle; /* seconds */
   void* self;
   const tandem_info* info;
-  int initialized;
+  int greeted, initialized;
   uint32_t number;
   buffer u0, signals, segments; /* memory of a call */
   kept_state states[MAX_STATES];
@@ -662,6 +661,7 @@ static tandem_status answer_hello(session* s, reader* in) {
   greeting g;
   char shown[204];
   if (read_hello(in, &g) != TANDEM_OK) return f->status;
+  s->greeted = 1;
   if (g.lowest > VERSION || g.highest < VERSION)
     return refuse(f, TANDEM_NOT_SUPPORTED, "the peer speaks version %u to %u of the protocol; allowed is %d",
                   g.lowest, g.highest, VERSION);
@@ -889,7 +889,7 @@ static tandem_status told(session* s, tandem_status status) {
   return refuse(&s->channel.fault, status, "%s", s->api->last_error(s->self));
 }
 
-/* How large its states are is asked once. */
+/* How large its states are is asked once. One that the peer is not told of is not kept. */
 static tandem_status save(session* s, int64_t* id) {
   const void* bytes;
   int64_t size = 0;
@@ -897,6 +897,10 @@ static tandem_status save(session* s, int64_t* id) {
   if (status != TANDEM_OK || (status = told(s, s->api->save_state(s->self, id))) != TANDEM_OK) return status;
   if (s->state_bytes == 0 && can(s, T_SERIALIZE)) {
     status = told(s, s->api->serialize_state(s->self, *id, &bytes, &size));
+    if (status != TANDEM_OK) {
+      s->api->release_state(s->self, *id);
+      return status;
+    }
     s->state_bytes = (uint64_t)size;
   }
   keep_state(s, *id, s->state_bytes);
@@ -1009,11 +1013,11 @@ static void release_memory(session* s, void (*give_back)(buffer*)) {
   give_back(&s->segments);
 }
 
-/* One request; *more is 0 after the last one. */
+/* One request; *more is 0 after the last one. The hello has one deadline for the wait and all of it. */
 static tandem_status answer(session* s, int* more) {
   channel* c = &s->channel;
   const uint32_t allowed = s->number + 1;
-  const double patience = s->info ? s->idle : c->deadline;
+  const double patience = s->info ? s->idle : c->deadline, until = now() + patience;
   uint32_t number;
   reader in;
   int type;
@@ -1021,10 +1025,11 @@ static tandem_status answer(session* s, int* more) {
   s->number = 0; /* of what goes wrong before the request's own is known to be right */
   release_memory(s, release_large);
   forget(c);
-  if (c->in.size == 0 && !wait_for(c->socket, POLLIN, now() + patience))
+  if (c->in.size == 0 && !wait_for(c->socket, POLLIN, until))
     return refuse(&c->fault, TANDEM_INPUT_OUTPUT, "no %s came within %g s, so the session ends",
                   s->info ? "request" : "hello", patience);
-  if (receive(c, &type, &number, &in) != TANDEM_OK) return c->fault.status;
+  if (receive(c, s->info ? now() + c->deadline : until, &type, &number, &in) != TANDEM_OK)
+    return c->fault.status;
   if (type == 0) return TANDEM_OK;
   if (number != allowed)
     return refuse(&c->fault, TANDEM_WRONG_STATE, "the request has the number %u; allowed is %u", number,
@@ -1046,7 +1051,9 @@ static void say(const char* sentence) {
   fprintf(stderr, "%s\n", shown);
 }
 
-/* Serves one session on a connected socket, which it closes. 0, or 1 if it broke. */
+enum { BROKE = 1, NO_HELLO = 2 }; /* of a session that has ended; both of one that began with nonsense */
+
+/* Serves one session on a connected socket, which it closes. */
 static int serve_session(const tandem_subsystem_api* api, int socket, double deadline, double idle) {
   session s;
   tandem_status status;
@@ -1065,7 +1072,7 @@ static int serve_session(const tandem_subsystem_api* api, int socket, double dea
   if (s.self) api->destroy(s.self);
   release_memory(&s, release);
   tear_down(&s.channel);
-  return status != TANDEM_OK;
+  return (status != TANDEM_OK ? BROKE : 0) | (s.greeted ? 0 : NO_HELLO);
 }
 
 /* ---- The server ---- */
@@ -1077,7 +1084,7 @@ typedef struct server {
   int once, most, allow_plaintext;
   int listener, count; /* of the sessions under way, each a process */
   pid_t sessions[MAX_SESSIONS];
-  int begun, broken; /* a session has begun; the last to end was broken */
+  int begun, broken; /* a session has begun, and perhaps said hello; the last to end was broken */
   int shortage;      /* errno of the last connection, if it could not be taken */
   struct stat file;  /* of a Unix socket */
   fault fault;
@@ -1146,7 +1153,10 @@ static void clear_away(server* s) {
   int i, status;
   for (i = s->count - 1; i >= 0; --i)
     if (waitpid(s->sessions[i], &status, WNOHANG) != 0) {
-      s->broken = !WIFEXITED(status) || WEXITSTATUS(status) != 0;
+      if (WIFEXITED(status) && (WEXITSTATUS(status) & NO_HELLO))
+        s->begun = 0;
+      else
+        s->broken = !WIFEXITED(status) || WEXITSTATUS(status) != 0;
       s->sessions[i] = s->sessions[--s->count];
     }
 }
@@ -1262,7 +1272,8 @@ static int serve_there(server* s) {
   signals before;
   int socket = -1;
   if (!s->address) {
-    if (find_socket(s, &socket) == TANDEM_OK) return serve_session(s->api, socket, s->deadline, s->idle);
+    if (find_socket(s, &socket) == TANDEM_OK)
+      return serve_session(s->api, socket, s->deadline, s->idle) & BROKE;
   } else if (strncmp(s->address, "unix:", 5) == 0) {
     listen_unix(s);
   } else {
@@ -1465,7 +1476,7 @@ static tandem_status read_error(remote* r, reader* in, tandem_samples* y) {
   char sentence[LONGEST_SHOWN + 4];
   take_error(in, &status, sentence);
   if (y && !in->bad && in->left) read_rows(in, y);
-  if (in->bad) return break_off(r);
+  if (done(in) != TANDEM_OK) return break_off(r);
   return tell(r, status, sentence);
 }
 
@@ -1474,7 +1485,7 @@ static tandem_status hear(remote* r, reader* in) {
   tandem_status status;
   char sentence[LONGEST_SHOWN + 4];
   take_error(in, &status, sentence);
-  if (!in->bad) refuse(&r->channel.fault, status, "%s", sentence);
+  if (done(in) == TANDEM_OK) refuse(&r->channel.fault, status, "%s", sentence);
   return break_off(r);
 }
 
@@ -1483,8 +1494,8 @@ static tandem_status hear_farewell(remote* r, reader* in) {
   const fault why = r->channel.fault;
   uint32_t number;
   int type;
-  r->channel.deadline = 0.1;
-  if (receive(&r->channel, &type, &number, in) == TANDEM_OK && type == T_ERROR) return hear(r, in);
+  if (receive(&r->channel, now() + 0.1, &type, &number, in) == TANDEM_OK && type == T_ERROR)
+    return hear(r, in);
   r->channel.fault = why;
   return break_off(r);
 }
@@ -1495,7 +1506,7 @@ static tandem_status exchange(remote* r, int expected, reader* in, tandem_sample
   uint32_t number = 0;
   int type = 0;
   if (send_frame(&r->channel) != TANDEM_OK) return hear_farewell(r, in);
-  if (receive(&r->channel, &type, &number, in) != TANDEM_OK) return break_off(r);
+  if (receive(&r->channel, now() + r->channel.deadline, &type, &number, in) != TANDEM_OK) return break_off(r);
   if (type == T_ERROR && number == 0) return hear(r, in);
   if (type == 0)
     refuse(f, TANDEM_INPUT_OUTPUT, "the peer closed the connection");
@@ -1549,6 +1560,24 @@ static const char* take_name(remote* r, reader* in) {
   return other->text;
 }
 
+static int by_name(const void* a, const void* b) {
+  return strcmp(((const tandem_port*)a)->name, ((const tandem_port*)b)->name);
+}
+
+/* Looks at a copy in the order of the names: a peer may tell of millions. */
+static void check_names(reader* in, const tandem_port* ports, int32_t count) {
+  tandem_port* const sorted = in->bad ? NULL : malloc((1 + (size_t)count) * sizeof *sorted);
+  int32_t i;
+  if (!in->bad && !sorted) wrong(in, "has %d ports; there is no memory for them", count);
+  if (!sorted) return;
+  memcpy(sorted, ports, (size_t)count * sizeof *sorted);
+  qsort(sorted, (size_t)count, sizeof *sorted, by_name);
+  for (i = 1; i < count; ++i)
+    if (strcmp(sorted[i - 1].name, sorted[i].name) == 0)
+      wrong(in, "has port '%s' twice among its inputs or outputs", sorted[i].name);
+  free(sorted);
+}
+
 static tandem_port* read_ports(remote* r, reader* in, int32_t* count, int64_t* scalars) {
   tandem_port* const ports = calloc(1 + (size_t)(*count = (int32_t)take_count(in, 24)), sizeof *ports);
   int32_t i;
@@ -1567,6 +1596,7 @@ static tandem_port* read_ports(remote* r, reader* in, int32_t* count, int64_t* s
           "has a port '%s' of size %d with %d derivatives; allowed are a size from 1 and 0 to 3 derivatives",
           p->name, p->size, p->derivatives);
   }
+  check_names(in, ports, *count);
   return ports;
 }
 
@@ -1803,6 +1833,15 @@ static int knows(const remote* r, const double* u0, int64_t output) {
   return 1;
 }
 
+/* A row's second number. */
+static void check_jump(reader* in, const double* row) {
+  char flag[32], time[32];
+  if (row[1] == 0.0 || row[1] == 1.0) return;
+  shortest(flag, row[1]);
+  shortest(time, row[0]);
+  refuse_reply(in, "gives %s as the jump flag of its sample at t = %s s; allowed is 0 or 1", flag, time);
+}
+
 /* Samples of the start, the newest finite but for outputs that nobody can know yet. */
 static void check_first(const remote* r, reader* in, const double* u0, const tandem_samples* y,
                         int64_t first) {
@@ -1810,19 +1849,22 @@ static void check_first(const remote* r, reader* in, const double* u0, const tan
   char found[32], start[32];
   int64_t k;
   if (y->size == first) refuse_reply(in, "has no first sample");
-  for (k = first; k < y->size; ++k)
+  for (k = first; k < y->size; ++k) {
     if (y->rows[k * y->stride] != r->t_start) {
       shortest(found, y->rows[k * y->stride]);
       shortest(start, r->t_start);
       refuse_reply(in, "has a sample at t = %s s; allowed is the start, %s s", found, start);
     }
+    check_jump(in, y->rows + k * y->stride);
+  }
   for (k = 0; !in->bad && k < outputs; ++k)
     if (knows(r, u0, k)) check_value(r, in, y->rows + (y->size - 1) * y->stride, k, "the start");
 }
 
 static int is_sound(const double* row, int64_t stride, double before, double limit) {
-  const int jump = row[1] != 0.0; /* may repeat a time */
+  const int jump = row[1] == 1.0; /* may repeat a time */
   int64_t k;
+  if (!jump && row[1] != 0.0) return 0;
   for (k = 0; k < stride; ++k)
     if (k != 1 && !isfinite(row[k])) return 0;
   return (row[0] > before || (jump && row[0] == before)) && row[0] <= limit;
@@ -1840,6 +1882,7 @@ static void check_row(const remote* r, reader* in, const double* row, int64_t st
   snprintf(when, sizeof when, "t = %s s", time);
   if (!isfinite(row[0])) refuse_reply(in, "has a sample whose time is not finite");
   for (k = 0; !in->bad && k < stride - 2; ++k) check_value(r, in, row, k, when);
+  check_jump(in, row);
   if (row[0] > r->goal + width)
     refuse_reply(in, "has a sample at t = %s s, past the limit %s s", time, limit);
   refuse_reply(in, "has a sample at t = %s s that does not come after t = %s s", time, last);

@@ -5,8 +5,8 @@
 ##
 ## Serves a model to tandem: at "tcp://HOST:PORT" or "unix:PATH", or, without --listen, to the run that has started this
 ## program by spawn:. Without options here those of the command line are taken, from the first one on: --listen URI,
-## --once, --sessions N, --deadline S, --idle S, --allow-plaintext (docs/c.md). Each session has a model of its own, model = make (parameters), where parameters is a struct of the
-## texts that the client gives. A model is a struct:
+## --once, --sessions N, --deadline S, --idle S, --allow-plaintext (docs/c.md). Each session has a model of its own,
+## model = make (parameters), where parameters is a struct of the texts that the client gives. A model is a struct:
 ##
 ##   name         its name
 ##   inputs       a row for each input: {"name", "unit"} or {"name", "unit", start}

@@ -64,9 +64,10 @@ class Channel:
             return part is not None
         return True
 
-    def receive(self, deadline: float) -> Optional[Tuple[Type, int, memoryview]]:
-        """The next frame, whole within so many seconds; None at the end of the connection."""
-        until = time.monotonic() + deadline
+    def receive(self, deadline: float, until: Optional[float] = None) -> Optional[Tuple[Type, int, memoryview]]:
+        """The next frame, whole within so many seconds; None at the end of the connection. until: when they are over
+        on the monotonic clock, if they began before."""
+        until = time.monotonic() + deadline if until is None else until
         head, self._begun = bytearray(self._begun), b""
         if not self._fill(head, HEADER.size, until, deadline):
             return None

@@ -125,7 +125,7 @@ class Remote:
         if answer == wire.Type.ERROR and number == 0:
             raise wire.read_error(data)
         if answer == wire.Type.ERROR and number == self._number:
-            raise _Told(wire.read_error(data))
+            raise _Told(wire.read_error(data, self._info if expected == wire.Type.SAMPLES else None))
         if number != self._number or answer != expected:
             raise Error(f"the reply is of type {answer.name.lower()} and number {number}; allowed are "
                         f"{expected.name.lower()} and {self._number}", 3)

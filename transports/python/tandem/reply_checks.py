@@ -62,6 +62,11 @@ def check_rows(info: Info, span: Tuple[float, float, float], reply: Tuple[Clock,
     check_clock(clock, last)
 
 
+def check_jump(time: float, flag: float) -> None:
+    if flag not in (0.0, 1.0):
+        _refuse(f"gives {number_text(flag)} as the jump flag of its sample at t = {seconds(time)}; allowed is 0 or 1")
+
+
 def check_clock(clock: Clock, stands: float) -> None:
     if clock.time != stands:
         _refuse(f"says that it stands at t = {seconds(clock.time)}, but its newest sample is of {seconds(stands)}")

@@ -25,9 +25,10 @@ def serve(make: Make, address: Optional[str] = None, once: bool = False, deadlin
     """Serves what `make(parameters)` returns, an instance for each session: at `address` ("tcp://HOST:PORT",
     port 0 for a free one, or "unix:PATH"; the address is printed), or, without one, as the command line says, from the
     first of its words --listen URI, --once, --sessions N, --deadline S and --idle S on; or to the run that has started
-    this program by spawn:. once: one session and no more; deadline [s]: for a session's first request, for a frame to
-    come whole and for a reply to be taken; idle [s]: from one request to the next; sessions: the most at a time.
-    SIGTERM and Ctrl-C end the program; so does a command line that is not right, with a sentence and status 2."""
+    this program by spawn:. once: one session and no more (a peer that says no whole hello has none); deadline [s]: for
+    a session's first request, for a frame to come whole and for a reply to be taken; idle [s]: from one request to the
+    next; sessions: the most at a time. SIGTERM and Ctrl-C end the program; so does a command line that is not right,
+    with a sentence and status 2."""
     options = Options(address, once, deadline, idle, sessions)
     if address is not None:
         options.check()
@@ -77,9 +78,11 @@ class _Server:
             while True:
                 sock = self._accept()
                 if sock is not None and self._options.once:
-                    _serve_one(self._session(sock))
-                    return
-                if sock is not None:
+                    session = self._session(sock)
+                    _serve_one(session)
+                    if session.greeted:
+                        return
+                elif sock is not None:
                     self._take(sock)
         finally:
             self._listener.close()

@@ -3,8 +3,9 @@
 
 from __future__ import annotations
 
+import time
 import traceback
-from typing import Any, Callable, Dict, List, Optional
+from typing import Any, Callable, Dict, List, Optional, Tuple
 
 from . import wire
 from .contract import Abilities, Error, Info, Row
@@ -28,6 +29,7 @@ class Session:
         self._channel, self._make = channel, make
         self._deadline, self._idle = deadline, idle
         self._number = 0
+        self.greeted = False  #: the peer has said a whole hello
         self._subsystem: Any = None
         self._info: Optional[Info] = None
         self._initialized = False
@@ -48,10 +50,7 @@ class Session:
 
     def _answer(self) -> bool:
         last, self._number = self._number, 0  # of what goes wrong before the request's own is known to be right
-        awaited, patience = ("hello", self._deadline) if self._subsystem is None else ("request", self._idle)
-        if not self._channel.wait(patience):
-            raise Error(f"no {awaited} came within {patience:g} s, so the session ends", 5)
-        frame = self._channel.receive(self._deadline)
+        frame = self._next()
         if frame is None:
             return False
         kind, number, data = frame
@@ -64,6 +63,15 @@ class Session:
         self._check_order(kind)
         self._handle(kind, data)
         return True
+
+    def _next(self) -> Optional[Tuple[wire.Type, int, memoryview]]:
+        """The next request. The hello has one deadline for the wait and for all of it."""
+        first = self._subsystem is None
+        awaited, patience = ("hello", self._deadline) if first else ("request", self._idle)
+        until = time.monotonic() + patience
+        if not self._channel.wait(patience):
+            raise Error(f"no {awaited} came within {patience:g} s, so the session ends", 5)
+        return self._channel.receive(self._deadline, until if first else None)
 
     def _say_bye(self) -> None:
         """The peer need not wait for it."""
@@ -94,6 +102,7 @@ class Session:
 
     def _hello(self, data: memoryview) -> None:
         lowest, highest, self._longest, text = wire.read_hello(data)
+        self.greeted = True
         if not lowest <= wire.VERSION <= highest:
             raise Error(f"the peer speaks version {lowest} to {highest} of the protocol; allowed is "
                         f"{wire.VERSION}", 2)
@@ -168,11 +177,15 @@ class Session:
         self._state(wire.Type.SAVE, self._save_state)
 
     def _save_state(self) -> bytes:
-        """How large its states are is asked once."""
+        """How large its states are is asked once. One that the peer is not told of is not kept."""
         self._states.require_room(self._states.usual)
         state = self._subsystem.save_state()
-        if not self._states.usual and self._can(Abilities.SERIALIZES_STATE):
-            self._states.usual = len(self._subsystem.serialize_state(state))
+        try:
+            if not self._states.usual and self._can(Abilities.SERIALIZES_STATE):
+                self._states.usual = len(self._subsystem.serialize_state(state))
+        except BaseException:
+            self._subsystem.release_state(state)
+            raise
         self._states.keep(state, self._states.usual)
         return _identity(state)
 

@@ -7,11 +7,12 @@ import array
 import math
 import struct
 import sys
-from typing import List, Sequence, Tuple
+from typing import List, Optional, Sequence, Tuple
 
 from .channel import HEADER, LONGEST, Channel, Payload, Type
 from .contract import Abilities, Clock, Error, Info, Port, Row, Segment, Signal, Stop
 from .printable import printable
+from .reply_checks import check_jump
 
 __all__ = ["HEADER", "LONGEST", "Channel", "Payload", "Type"]
 
@@ -224,23 +225,33 @@ def read_state(data: memoryview, what: str) -> int:
 
 def read_samples(data: memoryview, info: Info, room: int) -> Tuple[Clock, List[Row]]:
     reader = Reader(data, "samples")
-    clock = read_clock(reader)
+    return read_clock(reader), read_rows(reader, info, room)
+
+
+def read_rows(reader: Reader, info: Info, room: int) -> List[Row]:
+    """All that is left."""
     stride, count = reader.take("IQ")
     if count > room or (count and stride != info.row_size()):
         reader.refuse(f"has {count} rows of {stride} numbers; allowed are up to {room} of {info.row_size()}")
     rows = []
     for _ in range(count):
         time_, jump, *values = reader.take(f"{stride}d")
-        rows.append(Row(time_, values, jump != 0.0))
+        check_jump(time_, jump)
+        rows.append(Row(time_, values, jump == 1.0))
     reader.end()
-    return clock, rows
+    return rows
 
 
 def put_error(error: Error) -> bytes:
     return struct.pack("<I", error.code) + put_text(printable(str(error), LONGEST_TOLD))
 
 
-def read_error(data: memoryview) -> Error:
+def read_error(data: memoryview, given: Optional[Info] = None) -> Error:
+    """given: of an advance, whose rows up to the error may follow. They are not of use any more."""
     reader = Reader(data, "error")
     (code,) = reader.take("I")
-    return Error(printable(reader.text(LONGEST_SENTENCE)), code if 1 <= code <= 6 else 6)
+    error = Error(printable(reader.text(LONGEST_SENTENCE)), code if 1 <= code <= 6 else 6)
+    if given is not None and reader.left():
+        read_rows(reader, given, reader.left())
+    reader.end()
+    return error

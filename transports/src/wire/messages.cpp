@@ -79,17 +79,17 @@ SignalHead read_signal_head(Reader& in) {
   return {count, degree};
 }
 
-/// Of all signals, which may take no more memory than a request.
-std::size_t count_segments(Reader in, int inputs) {
+/// Of all signals, which may take no more memory than the longest request.
+std::size_t count_segments(Reader in, int inputs, std::uint64_t most) {
   std::uint64_t all = 0;
   for (int i = 0; i < inputs; ++i) {
     const SignalHead head = read_signal_head(in);
     in.take_bytes(head.count * head.segment_size());
     all += head.count;
   }
-  if (all * sizeof(Segment) + static_cast<std::uint64_t>(inputs) * sizeof(Signal) > usual_longest)
+  if (all * sizeof(Segment) + static_cast<std::uint64_t>(inputs) * sizeof(Signal) > most)
     in.refuse("has " + std::to_string(inputs) + " inputs of " + std::to_string(all) +
-              " segments, which take more than " + std::to_string(usual_longest) + " bytes");
+              " segments, which take more than " + std::to_string(most) + " bytes");
   return all;
 }
 
@@ -238,7 +238,7 @@ void put_advance(Writer& frame, const Goal& goal, std::span<const Signal> inputs
   }
 }
 
-void read_advance(std::span<const std::byte> payload, int inputs, Advance& request) {
+void read_advance(std::span<const std::byte> payload, int inputs, Advance& request, std::uint64_t most) {
   Reader in(payload, "advance");
   request.t_limit = in.take<double>();
   check_finite(in, request.t_limit, "a t_limit");
@@ -248,7 +248,7 @@ void read_advance(std::span<const std::byte> payload, int inputs, Advance& reque
   check_inputs(in, in.take_count(8), inputs);
   request.room = in.take<std::uint64_t>();
   request.segments.clear();
-  request.segments.reserve(count_segments(in, inputs));  // so that it stands still under the signals
+  request.segments.reserve(count_segments(in, inputs, most));  // so that it stands still under the signals
   request.signals.clear();
   request.signals.reserve(static_cast<std::size_t>(inputs));
   for (int i = 0; i < inputs; ++i) request.signals.push_back(read_signal(in, request.segments));
@@ -310,6 +310,7 @@ Error read_error(std::span<const std::byte> payload, Samples* y) {
   const ErrorCode code = code_from(in.take<std::uint32_t>());
   const std::string sentence = printable(in.take_text(longest_sentence));
   if (y && in.left() > 0) read_rows(in, *y);
+  in.end();
   return {code, sentence};
 }
 

@@ -10,10 +10,11 @@
 namespace tandem::wire {
 namespace {
 
-std::string seconds(double value) {
+std::string text_of(double value) {
   char digits[32];
-  return std::string(digits, std::to_chars(digits, digits + sizeof digits, value).ptr) + " s";
+  return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
 }
+std::string seconds(double value) { return text_of(value) + " s"; }
 
 [[noreturn]] void refuse_reply(const std::string& what) {
   throw Error(ErrorCode::numerical, "the reply " + what);
@@ -28,6 +29,15 @@ void check_finite(const SubsystemInfo& info, const Samples& y, std::int64_t row)
   refuse_reply("gives " + scalar_at(info.outputs, column % info.output_size()).name() +
                (column >= info.output_size() ? " (a derivative)" : "") +
                " not finite at t = " + seconds(y.time(row)));
+}
+
+/// A row's second number, which is 0 or 1.
+void check_jump(const Samples& y, std::int64_t row) {
+  const tandem_samples rows = y.c_view();
+  const double flag = rows.rows[rows.stride * row + 1];
+  if (flag == 0.0 || flag == 1.0) return;
+  refuse_reply("gives " + text_of(flag) + " as the jump flag of its sample at t = " + seconds(y.time(row)) +
+               "; allowed is 0 or 1");
 }
 
 bool knows(const SubsystemInfo& info, std::span<const double> u0, int output) {
@@ -48,10 +58,12 @@ void check_stands(const Clock& clock, double stands) {
 void check_first(const GivenRows& given, double t_start, std::span<const double> u0) {
   const auto& [info, y, first, clock] = given;
   if (y.size() == first) refuse_reply("has no first sample");
-  for (std::int64_t row = first; row < y.size(); ++row)
+  for (std::int64_t row = first; row < y.size(); ++row) {
     if (!(y.time(row) == t_start))
       refuse_reply("has a sample at t = " + seconds(y.time(row)) + "; allowed is the start, " +
                    seconds(t_start));
+    check_jump(y, row);
+  }
   for (int k = 0; k < info.output_size(); ++k)
     if (knows(info, u0, k) && !std::isfinite(y.values(y.size() - 1)[static_cast<std::size_t>(k)]))
       refuse_reply("gives " + scalar_at(info.outputs, k).name() + " not finite at the start");
@@ -63,6 +75,7 @@ void check_rows(const GivenRows& given, const AskedSpan& asked, const TimeTolera
   double stands = asked.from;
   for (std::int64_t row = first; row < y.size(); ++row) {
     check_finite(info, y, row);
+    check_jump(y, row);
     const double t = y.time(row);
     if (!(t > stands || (y.jump(row) && t == stands)))
       refuse_reply("has a sample at t = " + seconds(t) + " that does not come after t = " + seconds(stands));

@@ -24,8 +24,8 @@ struct AskedSpan {
   double from, limit;
 };
 
-/// Of an advance: all is finite, each row is later than the one before it (or as late, at a jump), none is
-/// past the limit, and the clock stands at the last one.
+/// Of an advance: all is finite, jump flags are 0 or 1, each row is later than the one before it (or as late,
+/// at a jump), none is past the limit, and the clock stands at the last one.
 void check_rows(const GivenRows& given, const AskedSpan& asked, const TimeTolerance& tolerance);
 
 /// A clock wherever it stands: a finite time, and a later one for the next own step unless there is none.

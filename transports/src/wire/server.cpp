@@ -24,7 +24,7 @@ Server::Server(Listener& listener, MakeSubsystem make, ServerSettings settings)
 Server::~Server() { clear_away(true); }
 
 void Server::run(const std::function<bool()>& stop) {
-  while (!stop()) {
+  while (!stop() && !(settings_.once && greeted_)) {
     clear_away(false);
     try {
       if (auto channel = listener_.accept(in_seconds(0.1))) {
@@ -34,13 +34,7 @@ void Server::run(const std::function<bool()>& stop) {
     } catch (const std::exception& error) {
       wait_out(error);
     }
-    if (settings_.once && !guests_.empty()) {
-      while (!stop() && !guests_.empty()) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        clear_away(false);
-      }
-      break;
-    }
+    if (settings_.once) wait_for_guest(stop);
   }
   end_sessions();
 }
@@ -57,6 +51,14 @@ void Server::end_sessions() {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   if (const int left = computing(); left > 0 && settings_.overdue) settings_.overdue(left);
   clear_away(true);
+}
+
+/// The next one is let in when the one who is in has ended.
+void Server::wait_for_guest(const std::function<bool()>& stop) {
+  while (!stop() && !guests_.empty()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    clear_away(false);
+  }
 }
 
 /// There is no descriptor or memory for another connection, which waits. Told once, and tried again at
@@ -99,10 +101,20 @@ void Server::turn_away(Channel& channel, const std::string& why) {
   }
 }
 
+void Server::hold_session(Channel& channel) {
+  Session session(channel, make_, settings_.session);
+  const struct Note {  // however it ends
+    const Session& session;
+    std::atomic<bool>& greeted;
+    ~Note() { greeted = greeted || session.greeted(); }
+  } note{session, greeted_};
+  session.serve();
+}
+
 void Server::serve(Guest& guest) noexcept {
   try {
     log(guest.channel->peer() + ": session begins");
-    Session(*guest.channel, make_, settings_.session).serve();
+    hold_session(*guest.channel);
     log(guest.channel->peer() + ": session ends");
   } catch (const std::exception& error) {
     log_end(guest, error);

@@ -57,16 +57,22 @@ void Session::serve() {
   }
 }
 
+/// The next request. The hello has one deadline from its first byte to its last, and for the wait before it.
+std::span<const std::byte> Session::next() {
+  const double patience = subsystem_ ? settings_.idle : settings_.deadline;
+  const Deadline deadline = in_seconds(patience);
+  if (!channel_.wait(deadline))
+    throw Error(ErrorCode::input_output, std::string("no ") + (subsystem_ ? "request" : "hello") +
+                                             " came within " + seconds_text(patience) +
+                                             " s, so the session ends");
+  return channel_.receive(subsystem_ ? in_seconds(settings_.deadline) : deadline);
+}
+
 /// One request. False: there is none any more. What goes wrong before its number is known to be right is told
 /// with the number 0.
 bool Session::answer() {
   const std::uint32_t last = std::exchange(number_, 0);
-  const double patience = subsystem_ ? settings_.idle : settings_.deadline;
-  if (!channel_.wait(in_seconds(patience)))
-    throw Error(ErrorCode::input_output, std::string("no ") + (subsystem_ ? "request" : "hello") +
-                                             " came within " + seconds_text(patience) +
-                                             " s, so the session ends");
-  const auto bytes = channel_.receive(in_seconds(settings_.deadline));
+  const auto bytes = next();
   if (bytes.empty()) return false;
   const Frame request = Frame::read(bytes, channel_.longest());
   check_number(request.header, last + 1);
@@ -169,13 +175,22 @@ void Session::keep(StateId id, std::uint64_t bytes) {
 }
 
 /// How large its states are is asked once, and again where one is given as bytes.
+void Session::keep_saved(StateId id) {
+  keep(id, state_bytes_);
+  if (state_bytes_ != 0 || !subsystem_->info().abilities.serializes_state) return;
+  state_bytes_ = subsystem_->serialize_state(id).size();
+  keep(id, state_bytes_);
+}
+
+/// One that the peer is not told of is not kept.
 StateId Session::save() {
   require_room_for_state(state_bytes_);
   const StateId id = asked([&] { return subsystem_->save_state(); });
-  keep(id, state_bytes_);
-  if (state_bytes_ == 0 && subsystem_->info().abilities.serializes_state) {
-    state_bytes_ = asked([&] { return subsystem_->serialize_state(id).size(); });
-    keep(id, state_bytes_);
+  try {
+    asked([&] { keep_saved(id); });
+  } catch (const Error&) {
+    release(id);
+    throw;
   }
   return id;
 }
@@ -206,6 +221,7 @@ std::vector<std::byte> Session::bytes_of(StateId id) {
 
 void Session::hello(const Frame& request) {
   const Hello hello = read_hello(request.payload);
+  greeted_ = true;
   if (hello.lowest_version > protocol_version || hello.highest_version < protocol_version)
     throw Error(ErrorCode::not_supported, "the peer speaks version " + std::to_string(hello.lowest_version) +
                                               " to " + std::to_string(hello.highest_version) +
@@ -264,7 +280,7 @@ void Session::initialize(const Frame& request) {
 }
 
 void Session::advance(const Frame& request) {
-  read_advance(request.payload, subsystem_->info().input_size(), advance_);
+  read_advance(request.payload, subsystem_->info().input_size(), advance_, channel_.longest());
   reply_with_rows(advance_.room, [&](Samples& y) {
     return subsystem_->advance(advance_.t_limit, advance_.land, advance_.signals, y);
   });

@@ -84,8 +84,8 @@ std::unique_ptr<wire::Channel> connect(const std::string& address, const SocketS
 }
 
 std::unique_ptr<wire::Channel> adopt(int socket, const std::string& peer, const SocketSettings& settings) {
-  tcp::Socket adopted(tcp::context());
-  adopted.assign(boost::asio::generic::stream_protocol(AF_UNIX, 0), socket);
+  tcp::Socket adopted =
+      tcp::socket_of(tcp::Descriptor(socket), boost::asio::generic::stream_protocol(AF_UNIX, 0));
   adopted.native_non_blocking(false);
   auto stream = std::make_unique<tcp::SocketStream>(std::move(adopted), settings.spin);
   return std::make_unique<tcp::StreamChannel>(std::move(stream), peer);

@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <sys/socket.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
@@ -20,22 +21,33 @@ namespace {
 
 }  // namespace
 
-Socket open_socket(const boost::asio::generic::stream_protocol& protocol) {
-#ifdef SOCK_CLOEXEC
-  const int descriptor = ::socket(protocol.family(), protocol.type() | SOCK_CLOEXEC, protocol.protocol());
-#else
-  const int descriptor =
-      closed_in_programs(::socket(protocol.family(), protocol.type(), protocol.protocol()));
-#endif
-  if (descriptor < 0) throw Error(ErrorCode::input_output, std::string("no socket: ") + std::strerror(errno));
-  return Socket(context(), protocol, descriptor);
+Descriptor::~Descriptor() {
+  if (number_ >= 0) ::close(number_);
 }
 
-int accept_connection(int listening) noexcept {
+Socket socket_of(Descriptor descriptor, const boost::asio::generic::stream_protocol& protocol) {
+  Socket socket(context(), protocol, descriptor.get());
+  descriptor.release();
+  return socket;
+}
+
+Socket open_socket(const boost::asio::generic::stream_protocol& protocol) {
 #ifdef SOCK_CLOEXEC
-  return ::accept4(listening, nullptr, nullptr, SOCK_CLOEXEC);
+  Descriptor descriptor(::socket(protocol.family(), protocol.type() | SOCK_CLOEXEC, protocol.protocol()));
 #else
-  return closed_in_programs(::accept(listening, nullptr, nullptr));
+  Descriptor descriptor(
+      closed_in_programs(::socket(protocol.family(), protocol.type(), protocol.protocol())));
+#endif
+  if (descriptor.get() < 0)
+    throw Error(ErrorCode::input_output, std::string("no socket: ") + std::strerror(errno));
+  return socket_of(std::move(descriptor), protocol);
+}
+
+Descriptor accept_connection(int listening) noexcept {
+#ifdef SOCK_CLOEXEC
+  return Descriptor(::accept4(listening, nullptr, nullptr, SOCK_CLOEXEC));
+#else
+  return Descriptor(closed_in_programs(::accept(listening, nullptr, nullptr)));
 #endif
 }
 

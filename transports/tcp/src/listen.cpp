@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include <poll.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -22,15 +23,15 @@ namespace {
 namespace asio = boost::asio;
 using Acceptor = asio::basic_socket_acceptor<asio::generic::stream_protocol>;
 
-/// A file that is left of a server which is gone.
+/// A file that is left of a server which is gone. One with a full queue is not, and is not waited for.
 bool stale(const std::string& path) {
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0 || !S_ISSOCK(status.st_mode)) return false;
   const Endpoint place = asio::local::stream_protocol::endpoint(path);
   Socket probe = open_socket(place.protocol());
-  boost::system::error_code code;
-  probe.connect(place, code);
-  return code == asio::error::connection_refused;
+  probe.native_non_blocking(true);
+  return ::connect(probe.native_handle(), place.data(), static_cast<socklen_t>(place.size())) != 0 &&
+         errno == ECONNREFUSED;
 }
 
 /// The file of a Unix socket, which goes with its owner unless another has come in its place.
@@ -83,10 +84,10 @@ class SocketListener final : public wire::Listener {
 
   std::unique_ptr<wire::Channel> accept(wire::Deadline deadline) override {
     if (!wait_for(acceptor_.native_handle(), POLLIN, deadline, true)) return nullptr;
-    const int descriptor = accept_connection(acceptor_.native_handle());
-    if (descriptor < 0) return no_connection(errno);
+    Descriptor connection = accept_connection(acceptor_.native_handle());
+    if (connection.get() < 0) return no_connection(errno);
     boost::system::error_code code;
-    Socket socket(context(), protocol_, descriptor);
+    Socket socket = socket_of(std::move(connection), protocol_);
     if (!place_.is_unix()) socket.set_option(asio::ip::tcp::no_delay(true), code);
     const std::string peer = place_.is_unix() ? address_ : name_of(socket);
     auto stream = std::make_unique<SocketStream>(std::move(socket), settings_.spin);

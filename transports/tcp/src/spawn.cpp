@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "descriptors.hpp"
 #include "stream.hpp"
 #include "tandem/error.hpp"
 #include "tandem/process_group.hpp"
@@ -41,27 +42,25 @@ std::vector<std::string> variables_with(int socket) {
 /// before this process has ended the run.
 class Program {
  public:
-  Program(const ProgramStart& start, int& our_end) : name_(start.name), group_(name_) {
+  Program(const ProgramStart& start, Descriptor& our_end) : name_(start.name), group_(name_) {
     int ends[2];
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) fail_to_start(name_, "socketpair");
+    our_end = Descriptor(ends[0]);
+    const Descriptor its_end(ends[1]);
     // All that allocates is done before the fork.
-    const std::vector<std::string> variables = variables_with(ends[1]);
+    const std::vector<std::string> variables = variables_with(its_end.get());
     const std::vector<char*> words = pointers(start.words);
     std::vector<char*> settings = pointers(variables);
     process_ = ::fork();
     if (process_ == 0) {
       group_.join();
-      ::fcntl(ends[1], F_SETFD, 0);
+      ::fcntl(its_end.get(), F_SETFD, 0);
       if (!start.folder.empty() && ::chdir(start.folder.c_str()) != 0) ::_exit(126);
       environ = settings.data();
       ::execvp(words[0], words.data());
       ::_exit(errno == ENOENT ? 127 : 126);
     }
-    ::close(ends[1]);
-    our_end = ends[0];
-    if (process_ > 0) return;
-    ::close(ends[0]);
-    fail_to_start(name_, "fork");
+    if (process_ < 0) fail_to_start(name_, "fork");
   }
   /// By now its socket is closed: a program that reads it ends of its own accord, others are told to. What it
   /// has started and left is in its group, and goes with it.
@@ -124,7 +123,7 @@ class SpawnedChannel final : public wire::Channel {
  public:
   SpawnedChannel(const ProgramStart& start, const SocketSettings& settings)
       : peer_(start.address), program_(start, our_end_) {
-    channel_ = adopt(our_end_, peer_, settings);
+    channel_ = adopt(our_end_.release(), peer_, settings);
   }
 
   void send(std::span<const std::byte> frame, wire::Deadline deadline) override {
@@ -142,7 +141,7 @@ class SpawnedChannel final : public wire::Channel {
 
  private:
   std::string peer_;
-  int our_end_ = -1;
+  Descriptor our_end_;
   Program program_;
   std::unique_ptr<wire::Channel> channel_;  // goes before the program, which ends when its socket is closed
 };

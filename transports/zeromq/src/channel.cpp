@@ -101,11 +101,8 @@ void ZmqChannel::forget() {
 }
 
 ServedZmqChannel::ServedZmqChannel(zmq::socket_t socket, std::string token, const std::string& place,
-                                   std::uint64_t longest)
-    : ZmqChannel(std::move(socket), "zmq:" + place),
-      guest_(std::move(token)),
-      longest_(longest),
-      file_(place) {
+                                   IpcFile file)
+    : ZmqChannel(std::move(socket), "zmq:" + place), guest_(std::move(token)), file_(std::move(file)) {
   socket_.set(zmq::sockopt::router_mandatory, true);  // to send to a peer that is gone is an error
 }
 
@@ -136,7 +133,7 @@ bool ServedZmqChannel::take(bool waits) {
 /// now.
 void ServedZmqChannel::let_in() {
   guest_is_in_ = true;
-  descriptor_ = ::zmq_msg_get(message_.handle(), ZMQ_SRCFD);
+  monitor_.watch(::zmq_msg_get(message_.handle(), ZMQ_SRCFD));
   file_ = IpcFile();
 }
 

@@ -46,26 +46,28 @@ class ZmqChannel : public wire::Channel {
   std::atomic<bool> closed_ = false;
 };
 
+/// Payload that a server takes and gives [bytes]. libzmq keeps messages each way, two in its queue and one
+/// that is on its way, of a peer that asks on without reading: these and the server's own two stay within the
+/// memory of a session.
+constexpr std::uint64_t longest_served = std::uint64_t{1} << 24;
+
 /// The serving end: a ROUTER with one peer. Others may connect; what they say and that they leave counts for
 /// nothing.
 class ServedZmqChannel final : public ZmqChannel {
  public:
-  /// token: how the peer calls itself; if it is empty, the peer is who says something first. place: where the
-  /// socket listens.
-  /// longest: payload that is taken and given [bytes].
-  ServedZmqChannel(zmq::socket_t socket, std::string token, const std::string& place, std::uint64_t longest);
-  std::uint64_t longest() const override { return longest_; }
+  /// token: how the peer calls itself; if it is empty, the peer is who says something first. place, file:
+  /// where the socket listens.
+  ServedZmqChannel(zmq::socket_t socket, std::string token, const std::string& place, IpcFile file);
+  std::uint64_t longest() const override { return longest_served; }
 
  private:
   bool put(zmq::const_buffer frame) override;
   bool take(bool waits) override;
-  bool ended() override { return guest_is_in_ && monitor_.ended(descriptor_); }
+  bool ended() override { return guest_is_in_ && monitor_.watched_ended(); }
   void let_in();
 
   std::string guest_;
-  std::uint64_t longest_;
   bool guest_is_in_ = false;
-  int descriptor_ = -1;  ///< of the guest's connection
   IpcFile file_;
 };
 

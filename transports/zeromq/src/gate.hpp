@@ -1,5 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <array>
+#include <atomic>
 #include <thread>
 
 #include "socket.hpp"
@@ -18,8 +20,11 @@ class Gate {
   Gate& operator=(const Gate&) = delete;
 
  private:
+  using Request = std::array<zmq::message_t, 7>;
   void answer_all();
-  void answer();
+  void answer() noexcept;
+  bool read(Request& request) noexcept;
+  bool lets_in(const Request& request, std::array<char, 41>& key) const noexcept;
 
   std::vector<std::string> allowed_;
   zmq::socket_t socket_;

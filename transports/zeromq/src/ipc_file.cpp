@@ -2,7 +2,6 @@
 #include "ipc_file.hpp"
 
 #include <sys/socket.h>
-#include <sys/stat.h>
 #include <sys/un.h>
 #include <unistd.h>
 
@@ -12,22 +11,50 @@
 namespace tandem::zeromq {
 namespace {
 
-/// Of "ipc://PATH"; "" of other addresses, "ipc://@NAME" among them, which has no file.
+constexpr int backlog = 100;  // as ZeroMQ has it
+
+/// Of "ipc://PATH"; "" of other addresses, "ipc://@NAME" among them, which has no file, and "ipc://*", for
+/// which ZeroMQ finds a name that nobody else has.
 std::string path_of(const std::string& address) {
-  return address.starts_with("ipc://") && !address.starts_with("ipc://@") ? address.substr(6) : "";
+  const bool is_path = address.starts_with("ipc://") && !address.starts_with("ipc://@");
+  return is_path && address != "ipc://*" ? address.substr(6) : "";
 }
 
-bool refuses(const std::string& path) {
-  sockaddr_un place{};
+/// False: the path is too long.
+bool put_path(const std::string& path, sockaddr_un& place) {
   if (path.size() >= sizeof place.sun_path) return false;
   place.sun_family = AF_UNIX;
   std::memcpy(place.sun_path, path.data(), path.size());
+  return true;
+}
+
+/// Not waited for: with a full queue it does not refuse.
+bool refuses(const std::string& path) {
+  sockaddr_un place{};
+  if (!put_path(path, place)) return false;
   const int probe = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
   if (probe < 0) return false;
   const bool refused =
       ::connect(probe, reinterpret_cast<const sockaddr*>(&place), sizeof place) != 0 && errno == ECONNREFUSED;
   ::close(probe);
   return refused;
+}
+
+/// A socket of the system that listens there. A file that is there is replaced.
+int listen_at(const std::string& path) {
+  sockaddr_un place{};
+  errno = ENAMETOOLONG;
+  if (!put_path(path, place)) throw zmq::error_t();
+  const int listening = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+  if (listening < 0) throw zmq::error_t();
+  ::unlink(path.c_str());
+  if (::bind(listening, reinterpret_cast<const sockaddr*>(&place), sizeof place) == 0 &&
+      ::listen(listening, backlog) == 0)
+    return listening;
+  const int why = errno;
+  ::close(listening);
+  errno = why;
+  throw zmq::error_t();
 }
 
 }  // namespace
@@ -39,10 +66,18 @@ bool taken(const std::string& address) {
   return !S_ISSOCK(status.st_mode) || !refuses(path);
 }
 
-IpcFile::IpcFile(const std::string& address) : path_(path_of(address)) {}
+IpcFile::IpcFile(zmq::socket_t& socket, const std::string& address) : path_(path_of(address)) {
+  if (!path_.empty()) {
+    socket.set(zmq::sockopt::use_fd, listen_at(path_));  // which is ZeroMQ's from now on
+    ::lstat(path_.c_str(), &there_);
+  }
+  bind_to(socket, address);
+}
 
 IpcFile::~IpcFile() {
-  if (!path_.empty()) ::unlink(path_.c_str());
+  struct stat now {};
+  if (path_.empty() || ::lstat(path_.c_str(), &now) != 0) return;
+  if (now.st_ino == there_.st_ino && now.st_dev == there_.st_dev) ::unlink(path_.c_str());
 }
 
 }  // namespace tandem::zeromq

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-#include <array>
 #include <random>
+#include <vector>
 
 #include "address.hpp"
 #include "channel.hpp"
@@ -13,9 +13,21 @@ namespace {
 
 constexpr const char* knock = "TANDEM\r\n";
 constexpr std::size_t longest_token = 64;  // bytes
-/// libzmq copies a message twice to encrypt it, and to decrypt it: a payload is smaller, so that a session is
-/// not larger.
-constexpr std::uint64_t longest_with_keys = 48U << 20U;  // bytes
+constexpr std::size_t longest_part = 256;  // bytes of a knock's part that is read; what is longer is no knock
+
+/// What a peer says at the door: its name there, and two parts.
+struct Knock {
+  zmq::message_t peer;
+  std::vector<std::string> words;
+  std::string key;  ///< that it has shown
+
+  /// A token has 1 to 64 bytes; there was none once.
+  bool sound() const {
+    if (words.empty() || words.size() > 2 || words[0] != knock) return false;
+    return words.size() == 1 || (!words[1].empty() && words[1].size() <= longest_token);
+  }
+  std::string token() const { return words.size() > 1 ? words[1] : ""; }
+};
 
 /// 128 bits that nobody can guess, as text.
 std::string new_token() {
@@ -46,12 +58,12 @@ class ZmqListener final : public wire::Listener {
                       "none, and a socket whose server is gone");
     try {
       secure(socket_, settings, Gate::door);
-      bind_to(socket_, place);
+      limit_messages(socket_, longest_part);
+      file_ = IpcFile(socket_, place);
       bound_ = socket_.get(zmq::sockopt::last_endpoint);
     } catch (const zmq::error_t& error) {
       fail("no listening at", address, error);
     }
-    file_ = IpcFile(bound_);
     address_ = "zmq:" + bound_;
   }
 
@@ -59,39 +71,39 @@ class ZmqListener final : public wire::Listener {
     const auto left =
         std::chrono::ceil<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now());
     if (!readable(socket_, static_cast<int>(std::max<long long>(left.count(), 0)))) return nullptr;
-    zmq::message_t peer;
-    if (!socket_.recv(peer, zmq::recv_flags::dontwait)) return nullptr;
-    std::array<std::string, 2> words;  // what else a stranger sends is read and dropped
-    std::string key;
-    bool more = peer.more();
-    for (std::size_t k = 0; more; ++k) {
-      zmq::message_t part;
-      if (!socket_.recv(part, zmq::recv_flags::dontwait)) return nullptr;
-      more = part.more();
-      if (k < words.size() && part.size() <= longest_token) words[k] = part.to_string();
-      if (has_keys()) key = part.gets("User-Id");
-    }
-    if (words[0] != knock || (has_keys() && key.empty())) return nullptr;
-    return welcome(peer, words[1], key);
+    Knock peer;
+    if (!hear(peer) || !peer.sound() || (has_keys() && peer.key.empty())) return nullptr;
+    return welcome(peer);
   }
   const std::string& address() const override { return address_; }
 
  private:
   bool has_keys() const { return !settings_.keys.secret_key.empty(); }
 
-  /// token: how its socket will call itself; key: that it has shown, if there are keys.
-  std::unique_ptr<wire::Channel> welcome(zmq::message_t& peer, const std::string& token,
-                                         const std::string& key) {
+  /// Further parts than those of a knock are read and dropped.
+  bool hear(Knock& peer) {
+    if (!socket_.recv(peer.peer, zmq::recv_flags::dontwait)) return false;
+    for (bool more = peer.peer.more(); more;) {
+      zmq::message_t part;
+      if (!socket_.recv(part, zmq::recv_flags::dontwait)) return false;
+      more = part.more();
+      if (peer.words.size() < 3) peer.words.push_back(part.to_string());
+      if (has_keys()) peer.key = part.gets("User-Id");
+    }
+    return true;
+  }
+
+  std::unique_ptr<wire::Channel> welcome(Knock& peer) {
     try {
       zmq::socket_t own(context(), zmq::socket_type::router);
-      secure(own, settings_, key);
+      secure(own, settings_, peer.key);
+      limit_messages(own, longest_served + wire::header_size);
       while (taken(beside(bound_, ++count_))) {  // by a server of that name, or any file
       }
-      bind_to(own, beside(bound_, count_));
+      IpcFile file(own, beside(bound_, count_));
       const std::string place = own.get(zmq::sockopt::last_endpoint);
-      auto channel = std::make_unique<ServedZmqChannel>(std::move(own), token, place,
-                                                        has_keys() ? longest_with_keys : wire::usual_longest);
-      socket_.send(peer, zmq::send_flags::sndmore);
+      auto channel = std::make_unique<ServedZmqChannel>(std::move(own), peer.token(), place, std::move(file));
+      socket_.send(peer.peer, zmq::send_flags::sndmore);
       socket_.send(zmq::buffer(place), zmq::send_flags::dontwait);
       return channel;
     } catch (const zmq::error_t& error) {

@@ -26,11 +26,17 @@ void Monitor::listen() {
     if (event.size() == sizeof kind + sizeof descriptor) {
       std::memcpy(&kind, event.data(), sizeof kind);
       std::memcpy(&descriptor, event.data<char>() + sizeof kind, sizeof descriptor);
-      if (kind == ZMQ_EVENT_ACCEPTED) ended_.erase(static_cast<int>(descriptor));
-      if (kind == ZMQ_EVENT_DISCONNECTED) ended_.insert(static_cast<int>(descriptor));
+      hear(kind, static_cast<int>(descriptor));
     }
     if (event.more() && !events_.recv(address, zmq::recv_flags::dontwait)) return;
   }
+}
+
+void Monitor::hear(std::uint16_t kind, int descriptor) {
+  if (kind == ZMQ_EVENT_ACCEPTED) ended_.erase(descriptor);
+  if (kind != ZMQ_EVENT_DISCONNECTED) return;
+  ended_.insert(descriptor);
+  if (descriptor == watched_) watched_ended_ = true;
 }
 
 bool Monitor::any_ended() {
@@ -38,9 +44,16 @@ bool Monitor::any_ended() {
   return !ended_.empty();
 }
 
-bool Monitor::ended(int descriptor) {
+/// That it has been accepted was told before its first message came.
+void Monitor::watch(int descriptor) {
   listen();
-  return ended_.contains(descriptor);
+  watched_ = descriptor;
+  watched_ended_ = ended_.contains(descriptor);
+}
+
+bool Monitor::watched_ended() {
+  listen();
+  return watched_ended_;
 }
 
 }  // namespace tandem::zeromq

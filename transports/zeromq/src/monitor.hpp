@@ -18,13 +18,20 @@ class Monitor {
   void listen();
   /// Whether any has ended.
   bool any_ended();
-  /// Whether the one that has that descriptor, or had it last, has ended.
-  bool ended(int descriptor);
+  /// From now on the connection that has that descriptor is looked out for. Another one may have the number
+  /// as soon as it has ended, and tells nothing of it.
+  void watch(int descriptor);
+  /// Whether it has ended since.
+  bool watched_ended();
 
  private:
+  void hear(std::uint16_t kind, int descriptor);
+
   zmq::socket_t& socket_;
   zmq::socket_t events_;
   std::set<int> ended_;
+  int watched_ = -1;
+  bool watched_ended_ = false;
 };
 
 }  // namespace tandem::zeromq

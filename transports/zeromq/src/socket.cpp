@@ -28,9 +28,7 @@ void fail(const std::string& what, const std::string& address, const zmq::error_
 void secure(zmq::socket_t& socket, const ZmqSettings& settings, const std::string& domain) {
   socket.set(zmq::sockopt::linger, 200);
   socket.set(zmq::sockopt::handshake_ivl, static_cast<int>(std::clamp(1e3 * settings.deadline, 1.0, 1e6)));
-  constexpr std::uint64_t curve_adds = 64;  // bytes, and a few to spare (https://rfc.zeromq.org/spec/26/)
-  socket.set(zmq::sockopt::maxmsgsize,
-             static_cast<std::int64_t>(wire::usual_longest + wire::header_size + curve_adds));
+  limit_messages(socket, wire::usual_longest + wire::header_size);
   socket.set(zmq::sockopt::sndhwm, most_waiting);
   socket.set(zmq::sockopt::rcvhwm, most_waiting);
   if (settings.keys.secret_key.empty()) return;
@@ -42,6 +40,11 @@ void secure(zmq::socket_t& socket, const ZmqSettings& settings, const std::strin
     socket.set(zmq::sockopt::curve_publickey, settings.keys.public_key);
   }
   socket.set(zmq::sockopt::curve_secretkey, settings.keys.secret_key);
+}
+
+void limit_messages(zmq::socket_t& socket, std::uint64_t bytes) {
+  constexpr std::uint64_t curve_adds = 64;  // bytes, and a few to spare (https://rfc.zeromq.org/spec/26/)
+  socket.set(zmq::sockopt::maxmsgsize, static_cast<std::int64_t>(bytes + curve_adds));
 }
 
 void bind_to(zmq::socket_t& socket, const std::string& place) {

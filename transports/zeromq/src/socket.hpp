@@ -17,6 +17,8 @@ zmq::context_t& context();
 /// Sets keys, and limits of time and memory; before bind or connect. domain: of a server's socket, that the
 /// Gate knows it by; of a client's there is none.
 void secure(zmq::socket_t& socket, const ZmqSettings& settings, const std::string& domain = "");
+/// A peer that sends a longer part of a message is cut off; before bind or connect.
+void limit_messages(zmq::socket_t& socket, std::uint64_t bytes);
 /// At what to_open() gives; IPv6 where that is a number of it.
 void bind_to(zmq::socket_t& socket, const std::string& place);
 void connect_to(zmq::socket_t& socket, const std::string& place);

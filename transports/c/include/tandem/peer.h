@@ -12,7 +12,7 @@ extern "C" {
 
 /* Serves instances of the subsystem; made to be the whole of a program's main. Arguments, from argv[1] on:
  *   --listen URI       at tcp://HOST:PORT (port 0: a free one) or unix:PATH; prints "serving at URI"
- *   --once             ends after one session
+ *   --once             ends after one session, of a client that has said hello
  *   --sessions N       most sessions at a time (16)
  *   --deadline S       seconds for a frame to come, or to be taken, whole (5)
  *   --idle S           seconds to wait for the next request (3600)

@@ -49,7 +49,9 @@ struct Goal {
   std::uint64_t room;
 };
 void put_advance(Writer& frame, const Goal& goal, std::span<const Signal> inputs);
-void read_advance(std::span<const std::byte> payload, int inputs, Advance& request);
+/// most: bytes of memory that the signals may take.
+void read_advance(std::span<const std::byte> payload, int inputs, Advance& request,
+                  std::uint64_t most = usual_longest);
 
 /// Room in the frame for so many rows, to be filled before put_samples() or put_error() puts them: they stand
 /// where the reply has them. Precondition: begin() and nothing since.

@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <atomic>
 #include <functional>
 #include <list>
 #include <memory>
@@ -22,7 +23,7 @@ class Listener {
 
 struct ServerSettings {
   int most_sessions = 64;  ///< at a time; a further peer is told so
-  bool once = false;       ///< one session, and no more
+  bool once = false;       ///< one session, and no more; a peer that says no whole hello has none
   SessionSettings session = {};
   std::function<void(const std::string&)> log;  ///< is told what sessions begin, end and break; may be empty
   /// Called when sessions go on computing for a deadline after the server's end was asked for, with their
@@ -48,6 +49,8 @@ class Server {
   void take(std::unique_ptr<Channel> channel);
   void wait_out(const std::exception& error) noexcept;
   void turn_away(Channel& channel, const std::string& why);
+  void wait_for_guest(const std::function<bool()>& stop);
+  void hold_session(Channel& channel);
   void serve(Guest& guest) noexcept;
   void clear_away(bool all);
   void end_sessions();
@@ -58,7 +61,8 @@ class Server {
   MakeSubsystem make_;
   ServerSettings settings_;
   std::list<Guest> guests_;
-  std::string shortage_;  ///< why the last connection could not be taken
+  std::atomic<bool> greeted_ = false;  ///< a session has begun with a hello
+  std::string shortage_;               ///< why the last connection could not be taken
 };
 
 }  // namespace tandem::wire

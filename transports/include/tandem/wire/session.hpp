@@ -34,14 +34,18 @@ class Session {
   /// To the end of the session. Throws Error for what broke the protocol or the connection, told to the peer
   /// if it can be.
   void serve();
+  /// Whether the peer has said a whole hello, by which one of tandem's is told from a port scan.
+  bool greeted() const { return greeted_; }
 
  private:
+  std::span<const std::byte> next();
   bool answer();
   void say_bye();
   void handle(const Frame& request);
   void handle_state(const Frame& request);
   void require_room_for_state(std::uint64_t bytes) const;
   void keep(StateId id, std::uint64_t bytes);
+  void keep_saved(StateId id);
   StateId save();
   StateId deserialize(std::span<const std::byte> bytes);
   void release(StateId id);
@@ -62,7 +66,7 @@ class Session {
   MakeSubsystem make_;
   SessionSettings settings_;
   std::unique_ptr<Subsystem> subsystem_;
-  bool initialized_ = false;
+  bool greeted_ = false, initialized_ = false;
   std::uint32_t number_ = 0;   ///< of the request that is answered; 0 before it is there
   std::uint64_t longest_ = 0;  ///< payload that is given
   Writer frame_;
