@@ -27,8 +27,8 @@ void TurnOrder::link(std::span<const Read> reads) {
   std::vector<std::pair<std::size_t, std::size_t>> pairs;  // places of leader and follower
   for (const Read& r : reads)
     if (r.reader != r.source)
-      pairs.push_back(std::minmax({place_[static_cast<std::size_t>(r.reader)],
-                                   place_[static_cast<std::size_t>(r.source)]}));
+      pairs.push_back(std::minmax(
+          {place_[static_cast<std::size_t>(r.reader)], place_[static_cast<std::size_t>(r.source)]}));
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   std::vector<std::vector<Neighbour>> of(order_.size());
@@ -52,7 +52,7 @@ void TurnOrder::gather() {
   std::vector<char> known(order_.size());
   for (const int root : order_) {
     if (std::exchange(known[static_cast<std::size_t>(root)], 1)) continue;
-    Group group{{root}, 0, false, false};
+    Group group{{root}, 0, false, true};
     std::size_t ends = 0;  // of pairs
     for (std::size_t k = 0; k < group.members.size(); ++k) {
       const int who = group.members[k];
@@ -65,6 +65,7 @@ void TurnOrder::gather() {
     std::sort(group.members.begin(), group.members.end(), [this](int a, int b) {
       return place_[static_cast<std::size_t>(a)] < place_[static_cast<std::size_t>(b)];
     });
+    waiting_.push_back(static_cast<int>(groups_.size()));
     groups_.push_back(std::move(group));
   }
 }
