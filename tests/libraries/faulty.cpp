@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <stdexcept>
@@ -180,6 +181,8 @@ const tandem_subsystem_api* exits_when_unloaded() {
 const tandem_subsystem_api* computes_on() {
   static const tandem_subsystem_api api = with(
       [](void*, double, std::int32_t, const tandem_signal*, tandem_samples*, tandem_clock*) -> tandem_status {
+        std::puts("the model computes on");
+        std::fflush(stdout);
         std::this_thread::sleep_for(std::chrono::hours(1));
         return TANDEM_OK;
       });

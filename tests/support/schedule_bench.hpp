@@ -1,7 +1,9 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <algorithm>
 #include <cstdio>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tandem/coordinator/schedule.hpp"
@@ -17,22 +19,28 @@ struct Walker {
   double finishes = 1e300;  ///< takes no step that ends past this
 };
 
+inline std::vector<Read> all_read_all(std::size_t count) {
+  std::vector<Read> reads;
+  for (int i = 0; i < static_cast<int>(count); ++i)
+    for (int j = 0; j < static_cast<int>(count); ++j)
+      if (i != j) reads.push_back({i, j});
+  return reads;
+}
+
 /// Walkers that do what a schedule says, to write down who came where.
 class ScheduleBench {
  public:
-  ScheduleBench(const std::vector<Walker>& walkers, double t_start, double t_stop)
+  ScheduleBench(const std::vector<Walker>& walkers, Schedule::Kind kind, std::vector<int> order,
+                TimeSpan span, double communication_step, const std::vector<Read>& reads)
       : walkers_(walkers),
-        t_stop_(t_stop),
-        ends_(Schedule::Kind::parallel, {}, {t_start, t_stop}, 1.0),
-        tolerance_(t_start) {
-    for (const Walker& w : walkers) {
-      grids_.emplace_back(t_start, w.own_step);
-      members_.push_back({t_start, t_start, w.lands, w.reads_mean});
-    }
+        t_stop_(span.stop),
+        tolerance_(span.start),
+        schedule_(kind, members(walkers), std::move(order), reads, span, communication_step) {
+    for (const Walker& w : walkers) grids_.emplace_back(span.start, w.own_step);
     for (std::size_t i = 0; i < walkers.size(); ++i) look(i);
   }
 
-  const std::vector<Member>& members() const { return members_; }
+  Schedule& schedule() { return schedule_; }
   double time(int i) const { return grids_[static_cast<std::size_t>(i)].time(); }
   /// Its clock, whether it has finished or not.
   Member clock(int i) const {
@@ -52,10 +60,10 @@ class ScheduleBench {
 
   /// Runs to the end: "S2.5 F2 ...", each walker's name and where its turn took it; rounds of several are in
   /// brackets.
-  std::string run(Schedule schedule) {
+  std::string run() {
     std::string log;
     while (true) {
-      const auto round = schedule.next_round(members_);
+      const auto round = schedule_.next_round();
       if (round.empty()) return log;
       const std::vector<Turn> turns(round.begin(), round.end());
       std::string text;
@@ -71,17 +79,21 @@ class ScheduleBench {
   }
 
  private:
+  static std::vector<Member> members(const std::vector<Walker>& walkers) {
+    std::vector<Member> all;
+    for (const Walker& w : walkers) all.push_back({Member::never, Member::never, w.lands, w.reads_mean});
+    return all;
+  }
   bool done(std::size_t i) const { return tolerance_.before(walkers_[i].finishes, grids_[i].next()); }
   void look(std::size_t i) {
-    ends_.stand(members_[i], grids_[i].time(), done(i) ? Member::never : grids_[i].next());
+    schedule_.stand(static_cast<int>(i), grids_[i].time(), done(i) ? Member::never : grids_[i].next());
   }
 
   std::vector<Walker> walkers_;
   double t_stop_;
-  Schedule ends_;  ///< says who has finished
   TimeTolerance tolerance_;
+  Schedule schedule_;
   std::vector<TimeGrid> grids_;
-  std::vector<Member> members_;
 };
 
 }  // namespace tandem::test

@@ -52,13 +52,9 @@ class ServeAModelThatComputes : public testing::Test {
       } catch (const Error&) {  // the server's end
       }
     });
-    while (!is_computing()) ::usleep(1000);
+    server_.word_after("computes ");
   }
   ~ServeAModelThatComputes() override { caller_.join(); }
-  /// Its session's request is there and read: nothing is on its way to the server.
-  bool is_computing() const {
-    return read_text(folder_.path() / "log").find("session begins") != std::string::npos;
-  }
 
   Scratch folder_;
   Child server_{{command, "--log", (folder_.path() / "log").string(), "serve",
@@ -69,7 +65,6 @@ class ServeAModelThatComputes : public testing::Test {
 };
 
 TEST_F(ServeAModelThatComputes, EndsADeadlineAfterSigterm) {
-  ::usleep(200'000);  // the model's call may only be on its way
   server_.signal(SIGTERM);
   EXPECT_EQ(server_.status(), 1);
   EXPECT_NE(read_text(folder_.path() / "log")

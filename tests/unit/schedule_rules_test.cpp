@@ -109,14 +109,14 @@ struct Case {
 
 /// Steps to the end, comparing each round with the rules, and checks how the run ends.
 void follow(const Case& c) {
-  ScheduleBench bench(c.walkers, c.t_start, c.t_stop);
-  Schedule schedule(c.kind, c.order, {c.t_start, c.t_stop}, c.H);
+  ScheduleBench bench(c.walkers, c.kind, c.order, {c.t_start, c.t_stop}, c.H,
+                      test::all_read_all(c.walkers.size()));
   const TimeTolerance tolerance(c.t_start);
   for (int round_number = 0;; ++round_number) {
     ASSERT_LT(round_number, 100'000);
     Rules rules{{}, c.t_start, c.t_stop, c.H};
     for (const int i : c.order) rules.clocks.push_back(bench.clock(i));
-    const auto round = schedule.next_round(bench.members());
+    const auto round = bench.schedule().next_round();
     if (c.kind == Kind::parallel)
       expect_round(round, c.order, rules);
     else
@@ -182,10 +182,15 @@ TEST(ScheduleRules, HoldForClocksThatNoRunWouldReach) {
     std::shuffle(order.begin(), order.end(), random);
     Rules rules{{}, t_start, t_stop, 0.3};
     for (const int k : order) rules.clocks.push_back(members[static_cast<std::size_t>(k)]);
-    Schedule turns(Kind::slowest_first, order, {t_start, t_stop}, 0.3);
-    for (Member& m : members) turns.stand(m, m.time, m.next);
-    expect_turn(turns.next_round(members), order, rules.in_turn(), t_stop);
-    expect_round(Schedule(Kind::parallel, order, {t_start, t_stop}, 0.3).next_round(members), order, rules);
+    const auto standing = [&](Kind kind) {
+      Schedule schedule(kind, members, order, test::all_read_all(members.size()), {t_start, t_stop}, 0.3);
+      for (std::size_t k = 0; k < members.size(); ++k)
+        schedule.stand(static_cast<int>(k), members[k].time, members[k].next);
+      return schedule;
+    };
+    Schedule turns = standing(Kind::slowest_first), parallel = standing(Kind::parallel);
+    expect_turn(turns.next_round(), order, rules.in_turn(), t_stop);
+    expect_round(parallel.next_round(), order, rules);
     if (HasFatalFailure()) FAIL() << "case " << i;
   }
 }

@@ -20,7 +20,9 @@ std::string turns(Kind kind, const std::vector<Walker>& walkers, std::vector<int
                   double t_start = 0.0) {
   double h = 0.0;
   for (const Walker& w : walkers) h = std::max(h, w.own_step);
-  return ScheduleBench(walkers, t_start, t_stop).run(Schedule(kind, std::move(order), {t_start, t_stop}, h));
+  return ScheduleBench(walkers, kind, std::move(order), {t_start, t_stop}, h,
+                       test::all_read_all(walkers.size()))
+      .run();
 }
 
 // The lists below are worked out by hand from the rules in docs: who is due, who has to go before, and up to
@@ -44,23 +46,41 @@ TEST(Schedule, FastestFirstAtRatioTwoAndAHalfGoesPastTheSlowSidesNode) {
             "F2 F3 S2.5 F5 S5 F7 F8 S7.5 F10 S10");
 }
 
-/// S reads A and B, and both read S.
-std::string star(Kind kind, std::vector<int> order) {
-  const std::vector<Walker> walkers = {{'S', 3.0}, {'A', 1.0}, {'B', 1.0}};
-  Schedule schedule(kind, std::move(order), {0.0, 3.0}, 3.0);
-  schedule.set_reads({0, 1, 1, 1, 0, 0, 1, 0, 0});
-  return ScheduleBench(walkers, 0.0, 3.0).run(std::move(schedule));
+std::string linked_turns(Kind kind, const std::vector<Walker>& walkers, std::vector<int> order, double t_stop,
+                         const std::vector<Read>& reads) {
+  return ScheduleBench(walkers, kind, std::move(order), {0.0, t_stop}, 1.0, reads).run();
 }
 
-TEST(Schedule, TurnsThatComeNextInAnyCaseShareARoundIfNeitherReadsTheOther) {
-  EXPECT_EQ(star(Kind::slowest_first, {0, 1, 2}), "S3 (A1 B1) (A2 B2) (A3 B3)");
-  EXPECT_EQ(star(Kind::fastest_first, {1, 2, 0}), "(A1 B1) (A2 B2) (A3 B3) S3");
+TEST(Schedule, AHubsPartnersGoTogetherAndAsFarAsTheHub) {
+  const std::vector<Walker> walkers = {{'S', 3.0}, {'A', 1.0}, {'B', 0.75}};
+  const std::vector<Read> star = {{0, 1}, {0, 2}, {1, 0}, {2, 0}};
+  EXPECT_EQ(linked_turns(Kind::slowest_first, walkers, {0, 1, 2}, 6.0, star), "S3 (A3 B3) S6 (A6 B6)");
+  EXPECT_EQ(linked_turns(Kind::fastest_first, walkers, {2, 1, 0}, 6.0, star), "(B3 A3) S3 (B6 A6) S6");
 }
 
-TEST(Schedule, ARoundHasAtMostOneTurnForEach) {
-  Schedule schedule(Kind::slowest_first, {0, 1}, {0.0, 2.0}, 1.0);
-  schedule.set_reads({0, 0, 0, 0});
-  EXPECT_EQ(ScheduleBench({{'A', 1.0}, {'B', 1.0}}, 0.0, 2.0).run(std::move(schedule)), "(A1 B1) (A2 B2)");
+TEST(Schedule, WhoReadsNobodyAndIsReadByNobodyGoesToTheEnd) {
+  EXPECT_EQ(linked_turns(Kind::slowest_first, {{'A', 1.0}, {'B', 0.5}}, {0, 1}, 2.0, {}), "(A2 B2)");
+}
+
+TEST(Schedule, PairsThatAreNotLinkedHaveTurnsOfTheirOwnAndStayTogether) {
+  const std::vector<Walker> walkers = {{'A', 4.0}, {'B', 1.0}, {'C', 1.5}, {'D', 0.5}};
+  EXPECT_EQ(linked_turns(Kind::slowest_first, walkers, {0, 2, 1, 3}, 8.0, {{0, 1}, {1, 0}, {3, 2}}),
+            "(A4 C1.5) (B4 D1.5) C3 D3 C4.5 D4.5 (A8 C6) (B8 D6) C7.5 D8");
+}
+
+TEST(Schedule, ALeaderThatIsNotReadByItsFollowersFollowerWaitsForNobodyElse) {
+  // B leads C, A leads B; A and C are not linked, so C limits A in no way.
+  EXPECT_EQ(linked_turns(Kind::slowest_first, {{'A', 1.5}, {'B', 1.0}, {'C', 0.8}}, {0, 1, 2}, 3.0,
+                         {{1, 0}, {2, 1}}),
+            "A1.5 B1 (A3 C0.8) B2 C1.6 B3 C2.4");
+}
+
+TEST(Schedule, OfThoseThatWaitInARingTheLeaderGoes) {
+  // A stands at 2, B at 1.5, C at 0.9. C waits for B to pass 1.8, B for A to pass 3, and A for C, whose
+  // node 1.8 lies before it.
+  EXPECT_EQ(linked_turns(Kind::slowest_first, {{'A', 2.0}, {'B', 1.5}, {'C', 0.9}}, {0, 1, 2}, 4.0,
+                         {{0, 1}, {1, 2}, {2, 0}}),
+            "A2 B1.5 C0.9 A4 B3 C3.6");
 }
 
 TEST(Schedule, RolesMayBeSwappedByOrder) {
@@ -101,13 +121,13 @@ TEST(Schedule, ParallelAdvancesAllToTheNextCommunicationPoint) {
 
 TEST(Schedule, ParallelWithACommunicationStepBelowTheOwnSteps) {
   // H = 1: the points without a node in the next interval are left out, and those who can't reach one wait.
-  ScheduleBench bench({{'F', 1.5}, {'S', 2.5}}, 0.0, 6.0);
-  EXPECT_EQ(bench.run(Schedule(Kind::parallel, {0, 1}, {0.0, 6.0}, 1.0)), "F1.5 (F3 S2.5) (F4.5 S5) F6");
+  ScheduleBench bench({{'F', 1.5}, {'S', 2.5}}, Kind::parallel, {0, 1}, {0.0, 6.0}, 1.0, {});
+  EXPECT_EQ(bench.run(), "F1.5 (F3 S2.5) (F4.5 S5) F6");
 }
 
 TEST(Schedule, ParallelWithALongCommunicationStepTakesManyStepsEach) {
-  ScheduleBench bench({{'F', 1.0, true}, {'S', 2.0, true}}, 0.0, 9.0);
-  EXPECT_EQ(bench.run(Schedule(Kind::parallel, {0, 1}, {0.0, 9.0}, 4.0)), "(F4 S4) (F8 S8) (F9 S9)");
+  ScheduleBench bench({{'F', 1.0, true}, {'S', 2.0, true}}, Kind::parallel, {0, 1}, {0.0, 9.0}, 4.0, {});
+  EXPECT_EQ(bench.run(), "(F4 S4) (F8 S8) (F9 S9)");
 }
 
 TEST(Schedule, StaggeredStepsTheSlowSideFromTheMiddleOfItsStep) {
@@ -124,16 +144,19 @@ TEST(Schedule, StaggeredWithoutLandingGoesToTheFirstNodeAtOrPastTheMiddle) {
 }
 
 TEST(Schedule, LandsOnlyAtTheEndButInTheMiddleWhenStaggered) {
-  const std::vector<Member> members = {{0.0, 1.0, true}, {0.0, 3.0, true}};
-  Schedule turns(Kind::slowest_first, {1, 0}, {0.0, 6.0}, 3.0);
-  EXPECT_FALSE(turns.next_round(members)[0].land);
-  const std::vector<Member> near_end = {{3.0, 4.0, true}, {3.0, 6.0, true}};
-  EXPECT_TRUE(turns.next_round(near_end)[0].land);
-  Schedule staggered(Kind::staggered, {1, 0}, {0.0, 6.0}, 3.0);
-  EXPECT_TRUE(staggered.next_round(members)[0].land);
-  EXPECT_EQ(staggered.next_round(members)[0].limit, 1.5);
-  const std::vector<Member> rigid = {{0.0, 1.0, false}, {0.0, 6.0, false}};
-  EXPECT_FALSE(turns.next_round(rigid)[0].land) << "it ends at t_stop, but it can't land";
+  const auto first_turn = [](Kind kind, const std::vector<Member>& members) {
+    Schedule schedule(kind, members, {1, 0}, test::all_read_all(2), {0.0, 6.0}, 3.0);
+    for (int i = 0; i < 2; ++i)
+      schedule.stand(i, members[static_cast<std::size_t>(i)].time, members[static_cast<std::size_t>(i)].next);
+    return schedule.next_round()[0];
+  };
+  const std::vector<Member> at_start = {{0.0, 1.0, true}, {0.0, 3.0, true}};
+  EXPECT_FALSE(first_turn(Kind::slowest_first, at_start).land);
+  EXPECT_TRUE(first_turn(Kind::slowest_first, {{3.0, 4.0, true}, {3.0, 6.0, true}}).land);
+  EXPECT_TRUE(first_turn(Kind::staggered, at_start).land);
+  EXPECT_EQ(first_turn(Kind::staggered, at_start).limit, 1.5);
+  EXPECT_FALSE(first_turn(Kind::slowest_first, {{0.0, 1.0, false}, {0.0, 6.0, false}}).land)
+      << "it ends at t_stop, but it can't land";
 }
 
 TEST(Schedule, WhoCanLandEndsAtTheEndAndTheOthersAtTheirLastNodeBeforeIt) {

@@ -139,7 +139,7 @@ void Coordinator::require_serializable() const {
 void Coordinator::save(ByteWriter& to) const {
   for (int i = 0; i < topology_.size(); ++i) {
     const Seat& seat = seats_[static_cast<std::size_t>(i)];
-    const Member& member = members_[static_cast<std::size_t>(i)];
+    const Member& member = schedule_->member(i);
     to.put_doubles(std::array{seat.time, member.time, member.next});
     to.put(std::int32_t{seat.idle_calls});
     for (const std::int64_t number : {seat.told, seat.effort.exchanges, seat.effort.steps}) to.put(number);
@@ -158,9 +158,10 @@ void Coordinator::save(ByteWriter& to) const {
 /// All numbers are looked at before the first subsystem gets its state.
 void Coordinator::restore(ByteReader& from) {
   std::vector<std::span<const std::byte>> states;
+  std::vector<Member> members(seats_.size());
   for (std::size_t i = 0; i < seats_.size(); ++i) {
     Seat& seat = seats_[i];
-    Member& member = members_[i];
+    Member& member = members[i];
     for (double* time : {&seat.time, &member.time, &member.next}) *time = from.take<double>();
     seat.idle_calls = from.take<std::int32_t>();
     for (std::int64_t* number : {&seat.told, &seat.effort.exchanges, &seat.effort.steps})
@@ -168,14 +169,15 @@ void Coordinator::restore(ByteReader& from) {
     states.push_back(from.take_bytes(from.take<std::uint64_t>()));
   }
   exchange_->read(from);
-  for (int i = 0; i < topology_.size(); ++i) check_seat(i, from);
+  for (int i = 0; i < topology_.size(); ++i) check_seat(i, members[static_cast<std::size_t>(i)], from);
+  for (int i = 0; i < topology_.size(); ++i)
+    schedule_->stand(i, members[static_cast<std::size_t>(i)].time, members[static_cast<std::size_t>(i)].next);
   for (int i = 0; i < topology_.size(); ++i) restore_state(i, states[static_cast<std::size_t>(i)], from);
 }
 
 /// Where it stands is the time of its newest sample, within the span, and its next step ends after that.
-void Coordinator::check_seat(int who, const ByteReader& from) const {
+void Coordinator::check_seat(int who, const Member& member, const ByteReader& from) const {
   const Seat& seat = seats_[static_cast<std::size_t>(who)];
-  const Member& member = members_[static_cast<std::size_t>(who)];
   const History& history = exchange_->history(who);
   const bool in_span = !tolerance_.before(seat.time, t_start_) && !tolerance_.before(t_stop_, seat.time);
   const bool stands = member.finished() ? member.time == Member::never

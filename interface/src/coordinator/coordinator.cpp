@@ -59,7 +59,7 @@ void Coordinator::run() {
 
 bool Coordinator::round() {
   if (stopped_) return false;
-  const auto turns = schedule_->next_round(members_);
+  const auto turns = schedule_->next_round();
   if (turns.empty()) return end();
   try {
     make(turns);
@@ -118,7 +118,7 @@ void Coordinator::keep(const Turn& turn) {
 /// compare strictly.
 Turn Coordinator::next_call(const Turn& turn) const {
   if (schedule_->kind() != Schedule::Kind::parallel) return turn;
-  return {turn.who, std::max(turn.limit, members_[static_cast<std::size_t>(turn.who)].next), turn.land};
+  return {turn.who, std::max(turn.limit, schedule_->member(turn.who).next), turn.land};
 }
 
 void Coordinator::start(const Turn& turn) {
@@ -132,7 +132,7 @@ void Coordinator::start(const Turn& turn) {
 
 /// In parallel: as many calls as it takes to come past the communication point.
 void Coordinator::go(const Turn& turn) {
-  const Member& member = members_[static_cast<std::size_t>(turn.who)];
+  const Member& member = schedule_->member(turn.who);
   do take(next_call(turn), *exchange_);
   while (schedule_->kind() == Schedule::Kind::parallel && !tolerance_.before(turn.limit, member.next));
 }
@@ -141,14 +141,13 @@ void Coordinator::go(const Turn& turn) {
 std::span<const Signal> Coordinator::prepare(int who, Exchange& inputs) {
   const Seat& seat = seats_[static_cast<std::size_t>(who)];
   if (!exchange_->history(who).has_room(seat.batch)) exchange_->make_room(who, seat.batch);
-  return inputs.inputs(who, seat.time, members_[static_cast<std::size_t>(who)].next);
+  return inputs.inputs(who, seat.time, schedule_->member(who).next);
 }
 
 /// One call, on the signals of `inputs`; or the end of the one that was started.
 void Coordinator::take(const Turn& turn, Exchange& inputs) {
   const int who = turn.who;
   Seat& seat = seats_[static_cast<std::size_t>(who)];
-  Member& member = members_[static_cast<std::size_t>(who)];
   std::span<const Signal> u;
   if (!seat.under_way) u = prepare(who, inputs);
   Samples& y = exchange_->history(who).room();
@@ -165,7 +164,7 @@ void Coordinator::take(const Turn& turn, Exchange& inputs) {
     seat.idle_calls = 0;
   else
     check_clock(turn, before, steps, clock);
-  stand(seat, member, clock);
+  stand(who, clock);
 }
 
 /// The subsystem's call, or the second half of one that was started; its error names it.

@@ -31,10 +31,9 @@ void RunStart::make() {
   if (!std::isfinite(h) || h <= 0.0)
     throw Error(ErrorCode::invalid_argument,
                 "communication_step is " + number_text(h) + " s; it must be finite and above 0");
-  run_.schedule_.emplace(run_.coordination_.schedule, std::move(order), TimeSpan{run_.t_start_, run_.t_stop_},
-                         h);
-  run_.schedule_->set_reads(reads());
-  for (std::size_t i = 0; i < clocks_.size(); ++i) run_.stand(run_.seats_[i], run_.members_[i], clocks_[i]);
+  run_.schedule_.emplace(run_.coordination_.schedule, members(), std::move(order), reads(),
+                         TimeSpan{run_.t_start_, run_.t_stop_}, h);
+  for (std::size_t i = 0; i < clocks_.size(); ++i) run_.stand(static_cast<int>(i), clocks_[i]);
   lags_ = {run_.own_steps_, h};
   measure_batches();
   open_exchange(std::vector<int>(run_.own_steps_.size()));
@@ -44,13 +43,20 @@ void RunStart::make() {
   if (run_.start_ == StartKind::repeat) repeat();
 }
 
-/// i * n + j: subsystem i reads subsystem j.
-std::vector<char> RunStart::reads() const {
-  const auto n = static_cast<std::size_t>(topology_.size());
-  std::vector<char> table(n * n);
+/// What the schedule has to know of them before they stand anywhere.
+std::vector<Member> RunStart::members() const {
+  std::vector<Member> all(static_cast<std::size_t>(topology_.size()));
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i].lands = topology_.info(static_cast<int>(i)).abilities.lands;
   for (const Line& line : topology_.lines())
-    table[static_cast<std::size_t>(line.reader) * n + static_cast<std::size_t>(line.source)] = 1;
-  return table;
+    if (line.how.kind == Reconstruction::Kind::mean) all[static_cast<std::size_t>(line.reader)].reads_mean = true;
+  return all;
+}
+
+std::vector<Read> RunStart::reads() const {
+  std::vector<Read> all;
+  for (const Line& line : topology_.lines()) all.push_back({line.reader, line.source});
+  return all;
 }
 
 /// Settings that are there and change nothing.
@@ -65,17 +71,12 @@ void RunStart::note_without_effect() const {
     run_.notes_.push_back("order has no effect in schedule parallel");
 }
 
-/// Own steps as the subsystems stand, and what the schedule sees of them.
+/// Own steps as the subsystems stand.
 void RunStart::note_steps() {
   const auto n = static_cast<std::size_t>(topology_.size());
   run_.own_steps_.resize(n);
-  run_.members_.assign(n, Member{});
   for (std::size_t i = 0; i < n; ++i) {
     const int who = static_cast<int>(i);
-    run_.members_[i].lands = topology_.info(who).abilities.lands;
-    run_.members_[i].reads_mean = std::any_of(
-        topology_.lines().begin(), topology_.lines().end(),
-        [&](const Line& line) { return line.reader == who && line.how.kind == Reconstruction::Kind::mean; });
     run_.own_steps_[i] = clocks_[i].next_time - clocks_[i].time;
     if (clocks_[i].stop != Stop::finished && !(run_.own_steps_[i] > 0.0 && std::isfinite(run_.own_steps_[i])))
       throw Error(ErrorCode::numerical,

@@ -16,7 +16,8 @@ class RunStart {
  private:
   void first_samples();
   void note_steps();
-  std::vector<char> reads() const;
+  std::vector<Member> members() const;
+  std::vector<Read> reads() const;
   void lend_steps();
   std::vector<int> leaders_first() const;
   void check_named_order() const;

@@ -111,11 +111,11 @@ void RunStart::pass(int who, Exchange& before, double until) {
   const auto i = static_cast<std::size_t>(who);
   std::vector<double> memory(static_cast<std::size_t>(topology_.info(who).row_size()));
   Samples first(memory.data(), topology_.info(who).row_size(), 1);
-  Member& member = run_.members_[i];
+  const Member& member = run_.schedule_->member(who);
   Subsystem* const subsystem = run_.seats_[i].subsystem;
   const Clock start = named(
       topology_.name(who), [&] { return subsystem->initialize(run_.t_start_, run_.t_stop_, u0_[i], first); });
-  run_.stand(run_.seats_[i], member, start);
+  run_.stand(who, start);
   while (!run_.tolerance_.before(until, member.next)) {
     const bool land = member.lands && !run_.tolerance_.before(member.next, run_.t_stop_);
     run_.take({who, member.next, land}, before);

@@ -118,9 +118,9 @@ class Coordinator {
   Clock advance(const Turn& turn, std::span<const Signal> u, Samples& y);
   Turn next_call(const Turn& turn) const;
   void check_clock(const Turn& turn, double before, std::int64_t rows, const Clock& after);
-  void stand(Seat& seat, Member& member, const Clock& clock) {
-    seat.time = clock.time;
-    schedule_->stand(member, clock.time, clock.stop == Stop::finished ? Member::never : clock.next_time);
+  void stand(int who, const Clock& clock) {
+    seats_[static_cast<std::size_t>(who)].time = clock.time;
+    schedule_->stand(who, clock.time, clock.stop == Stop::finished ? Member::never : clock.next_time);
   }
   void commit(int who, double limit);
   void tell(int who);
@@ -128,7 +128,7 @@ class Coordinator {
   void make_together(std::span<const Turn> turns);
   void finish_all(std::span<const Turn> turns);
   void keep(const Turn& turn);
-  void check_seat(int who, const ByteReader& from) const;
+  void check_seat(int who, const Member& member, const ByteReader& from) const;
   void restore_state(int who, std::span<const std::byte> bytes, const ByteReader& from);
   bool end();
 
@@ -143,7 +143,6 @@ class Coordinator {
   std::optional<Exchange> exchange_;
   std::optional<Schedule> schedule_;
   std::vector<Seat> seats_;
-  std::vector<Member> members_;
   std::vector<double> own_steps_;
   std::vector<std::string> notes_;
 };
