@@ -99,8 +99,8 @@ def silence(command, transport, folder, program):
         try:
             if sessions == 1:
                 server.one_place()
-                server.late_byte()
             else:
+                server.late_byte()
                 server.speaks_once()
                 server.crowd("70_silent_peers", lambda: transport.connect(server.uri).raw)
                 if transport.layered:
