@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <exception>
 #include <new>
+#include <string_view>
 
 #include "cli/commands.hpp"
 #include "cli/log_file.hpp"
@@ -30,8 +31,13 @@ bool log_failed = false;
 class PrintableText final : public spdlog::custom_flag_formatter {
  public:
   void format(const spdlog::details::log_msg& message, const std::tm&, spdlog::memory_buf_t& to) override {
-    const std::string text = tandem::printable_lines({message.payload.data(), message.payload.size()});
-    to.append(text.data(), text.data() + text.size());
+    try {
+      const std::string text = tandem::printable_lines({message.payload.data(), message.payload.size()});
+      to.append(text.data(), text.data() + text.size());
+    } catch (const std::bad_alloc&) {
+      constexpr std::string_view instead = "there is no memory to show a message";
+      to.append(instead.data(), instead.data() + instead.size());
+    }
   }
   std::unique_ptr<custom_flag_formatter> clone() const override { return std::make_unique<PrintableText>(); }
 };

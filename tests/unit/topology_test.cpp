@@ -140,7 +140,7 @@ TEST_F(TopologyTest, AnInputTakesSeveralConnectionsOnlyIfAllSayAdd) {
   topology.connect(added(torque));
   EXPECT_TRUE(refuses_connection(torque, {"motor.torque", "connected twice"})) << "the second did not say so";
   topology.connect(added(torque));
-  EXPECT_EQ(topology.lines_to(0, 0), 2);
+  EXPECT_EQ(topology.lines_to(0, 0).size(), 2U);
 }
 
 TEST_F(TopologyTest, ARefusedConnectionLeavesNothingBehind) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 namespace tandem {
@@ -40,7 +41,9 @@ Exchange::Exchange(const Topology& topology, TimeTolerance tolerance, const Lags
     History history(topology.name(i), topology.info(i), capacities[static_cast<std::size_t>(i)]);
     ends_.push_back({std::move(history), {}, {}, inputs, std::vector<Signal>(inputs), {}, {}});
   }
-  for (const Line& line : topology.lines()) add_line(topology, line, lags);
+  std::map<std::pair<int, int>, std::vector<std::size_t>> of_pairs;
+  for (const Line& line : topology.lines())
+    add_line(topology, line, lags, of_pairs[{line.source, line.reader}]);
   for (int i = 0; i < topology.size(); ++i) hold_start_values(topology, i);
   for (Link& link : links_) {
     link.attach(history(link.source()), tolerance_);
@@ -49,28 +52,29 @@ Exchange::Exchange(const Topology& topology, TimeTolerance tolerance, const Lags
   }
 }
 
-/// The link that this line belongs to: same source, reader, reconstruction and delay.
-Link& Exchange::link_for(const Line& line, const Lags& lags) {
+/// The link that this line belongs to: same source, reader, reconstruction and delay. of_pair: numbers of the
+/// links between the two.
+Link& Exchange::link_for(const Line& line, const Lags& lags, std::vector<std::size_t>& of_pair) {
   const double delay = lag_of(line.lag, line.reader, lags);
-  for (Link& link : links_)
-    if (link.source() == line.source && link.reader() == line.reader && link.how() == line.how &&
-        link.delay() == delay)
-      return link;
+  for (const std::size_t k : of_pair)
+    if (links_[k].how() == line.how && links_[k].delay() == delay) return links_[k];
+  of_pair.push_back(links_.size());
   return links_.emplace_back(line.source, line.reader, line.how, delay);
 }
 
-void Exchange::add_line(const Topology& topology, const Line& line, const Lags& lags) {
+void Exchange::add_line(const Topology& topology, const Line& line, const Lags& lags,
+                        std::vector<std::size_t>& of_pair) {
   End& reader = ends_[static_cast<std::size_t>(line.reader)];
   auto slot = static_cast<std::size_t>(line.input);
-  if (const int terms = topology.lines_to(line.reader, line.input); terms > 1) {
+  if (const auto terms = topology.lines_to(line.reader, line.input).size(); terms > 1) {
     const auto known =
         std::find_if(reader.sums.begin(), reader.sums.end(), [&](const Sum& s) { return s.input == slot; });
     Sum& sum =
         known != reader.sums.end() ? *known : reader.sums.emplace_back(Sum{slot, reader.slots.size(), 0, {}});
-    if (sum.count == 0) reader.slots.resize(reader.slots.size() + static_cast<std::size_t>(terms));
+    if (sum.count == 0) reader.slots.resize(reader.slots.size() + terms);
     slot = sum.first + sum.count++;
   }
-  link_for(line, lags).add({line.output, static_cast<int>(slot), line.gain, line.offset});
+  link_for(line, lags, of_pair).add({line.output, static_cast<int>(slot), line.gain, line.offset});
 }
 
 /// Inputs without a connection keep their start value.

@@ -71,8 +71,8 @@ class FirstSamples {
 
   double sum_of_lines(int reader, int input) const {
     double sum = 0.0;
-    for (const Line& line : topology_.lines()) {
-      if (line.reader != reader || line.input != input) continue;
+    for (const int number : topology_.lines_to(reader, input)) {
+      const Line& line = topology_.lines()[static_cast<std::size_t>(number)];
       if (!known(line.source, line.output)) return not_known;
       sum += line.gain * rows_[static_cast<std::size_t>(line.source)][static_cast<std::size_t>(line.output)] +
              line.offset;
@@ -102,8 +102,9 @@ class FirstSamples {
       const Line* at = path.back();
       path.pop_back();
       seen.push_back(at);
-      for (const Line& next : topology_.lines()) {
-        if (next.source != at->reader || !feeds(at->reader, at->input, next.output)) continue;
+      for (const int number : topology_.lines_from(at->reader)) {
+        const Line& next = topology_.lines()[static_cast<std::size_t>(number)];
+        if (!feeds(at->reader, at->input, next.output)) continue;
         if (&next == &line) return true;
         if (std::find(seen.begin(), seen.end(), &next) == seen.end()) path.push_back(&next);
       }
@@ -128,7 +129,7 @@ void RunStart::first_samples() {
     const auto& start = topology_.start(i);
     auto& u0 = u0_.emplace_back(start.size(), not_known);
     for (std::size_t k = 0; k < start.size(); ++k)
-      if (topology_.lines_to(i, static_cast<int>(k)) == 0) u0[k] = start[k];
+      if (topology_.lines_to(i, static_cast<int>(k)).empty()) u0[k] = start[k];
     rows_.emplace_back(static_cast<std::size_t>(topology_.info(i).row_size() - Samples::header));
   }
   clocks_.resize(u0_.size());

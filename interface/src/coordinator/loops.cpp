@@ -38,10 +38,10 @@ class LoopSearch {
     for (const Feedthrough& f : topology_.info(instance).feedthrough) {
       if (f.input != input) continue;
       path_.back().output = f.output;
-      for (const Line& line : topology_.lines())
-        if (line.source == instance && line.output == f.output && line.lag == Lag::none &&
-            visit(line.reader, line.input))
-          return true;
+      for (const int number : topology_.lines_from(instance)) {
+        const Line& line = topology_.lines()[static_cast<std::size_t>(number)];
+        if (line.output == f.output && line.lag == Lag::none && visit(line.reader, line.input)) return true;
+      }
     }
     path_.pop_back();
     state = State::done;

@@ -49,7 +49,8 @@ std::vector<Member> RunStart::members() const {
   for (std::size_t i = 0; i < all.size(); ++i)
     all[i].lands = topology_.info(static_cast<int>(i)).abilities.lands;
   for (const Line& line : topology_.lines())
-    if (line.how.kind == Reconstruction::Kind::mean) all[static_cast<std::size_t>(line.reader)].reads_mean = true;
+    if (line.how.kind == Reconstruction::Kind::mean)
+      all[static_cast<std::size_t>(line.reader)].reads_mean = true;
   return all;
 }
 

@@ -72,7 +72,7 @@ void Schedule::all_at_once() {
 std::span<const Turn> Schedule::next_round() {
   count_ = 0;
   if (in_turns_)
-    turns_.each_turn(members_, [this](int who, double limit) { add(who, limit); });
+    turns_.each_turn(members_, communication_step_, [this](int who, double limit) { add(who, limit); });
   else if (kind_ == Kind::staggered)
     stagger();
   else

@@ -22,15 +22,15 @@ namespace {
 int Topology::add(const std::string& name, const SubsystemInfo& info) {
   if (name.empty() || name.find_first_of(".[] \t\n\",/\\") != std::string::npos)
     refuse_topology("instance name '" + name + "' is empty or holds one of . [ ] , \" / \\ or a blank");
-  for (const Instance& i : instances_)
-    if (i.name == name) refuse_topology("instance name '" + name + "' is used twice");
+  if (numbers_.contains(name)) refuse_topology("instance name '" + name + "' is used twice");
   check_info(name, info);
-  const std::vector<char> none(static_cast<std::size_t>(info.input_size()));
-  Instance instance{name, &info, {}, none, none};
+  const auto inputs = static_cast<std::size_t>(info.input_size());
+  Instance instance{name, &info, {}, std::vector<char>(inputs), std::vector<char>(inputs), {}, {}};
+  instance.to.resize(inputs);
   for (const Port& port : info.inputs)
     instance.start.insert(instance.start.end(), static_cast<std::size_t>(port.size), port.start);
   instances_.push_back(std::move(instance));
-  return size() - 1;
+  return numbers_[name] = size() - 1;
 }
 
 Topology::Place Topology::find(std::string_view text, bool output) const {
@@ -50,26 +50,29 @@ Topology::Place Topology::find(std::string_view text, bool output) const {
                       "' has an index that is not a whole number from 0 in brackets");
     port_name.resize(bracket);
   }
-  std::vector<std::string> names;
-  for (int i = 0; i < size(); ++i) {
-    names.push_back(name(i));
-    if (name(i) != instance_name) continue;
-    std::vector<std::string> port_names;
-    int first = 0;
-    for (const Port& port : output ? info(i).outputs : info(i).inputs) {
-      port_names.push_back(port.name);
-      if (port.name == port_name) {
-        if (element >= port.size)
-          refuse_topology("port '" + std::string(text) + "' has no element " + std::to_string(element) +
-                          "; allowed are 0 to " + std::to_string(port.size - 1));
-        return {i, &port, first + std::max(element, 0), element < 0 ? port.size : 1};
-      }
-      first += port.size;
+  const auto number = numbers_.find(instance_name);
+  if (number == numbers_.end()) refuse_topology(unknown("subsystem", instance_name, names()));
+  const auto& ports = output ? info(number->second).outputs : info(number->second).inputs;
+  int first = 0;
+  for (const Port& port : ports) {
+    if (port.name == port_name) {
+      if (element >= port.size)
+        refuse_topology("port '" + std::string(text) + "' has no element " + std::to_string(element) +
+                        "; allowed are 0 to " + std::to_string(port.size - 1));
+      return {number->second, &port, first + std::max(element, 0), element < 0 ? port.size : 1};
     }
-    refuse_topology(unknown("subsystem '" + instance_name + "': " + (output ? "output" : "input"), port_name,
-                            port_names));
+    first += port.size;
   }
-  refuse_topology(unknown("subsystem", instance_name, names));
+  std::vector<std::string> known;
+  for (const Port& port : ports) known.push_back(port.name);
+  refuse_topology(
+      unknown("subsystem '" + instance_name + "': " + (output ? "output" : "input"), port_name, known));
+}
+
+std::vector<std::string> Topology::names() const {
+  std::vector<std::string> all;
+  for (const Instance& instance : instances_) all.push_back(instance.name);
+  return all;
 }
 
 void Topology::connect(const Connection& c) {
@@ -102,13 +105,17 @@ void Topology::connect_scalars(const Connection& c, const Place& from, const Pla
   Instance& reader = instances_[static_cast<std::size_t>(to.instance)];
   for (int k = 0; k < to.count; ++k) {
     char& shared = reader.shared[static_cast<std::size_t>(to.first + k)];
-    if (lines_to(to.instance, to.first + k) > 0 && !(shared && c.add))
+    if (!lines_to(to.instance, to.first + k).empty() && !(shared && c.add))
       refuse_topology("input " + input_name(to.instance, to.first + k) +
                       " is connected twice; to sum connections, each of them says add = true");
     shared = c.add;
   }
-  for (int k = 0; k < to.count; ++k)
+  for (int k = 0; k < to.count; ++k) {
+    const auto line = static_cast<int>(lines_.size());
+    reader.to[static_cast<std::size_t>(to.first + k)].push_back(line);
+    instances_[static_cast<std::size_t>(from.instance)].from.push_back(line);
     lines_.push_back({from.instance, from.first + k, to.instance, to.first + k, c.how, gain, offset, c.lag});
+  }
 }
 
 void Topology::connect_half(std::string_view port, bool output) {
@@ -124,16 +131,10 @@ void Topology::set_start(std::string_view port, double value) {
   for (int k = 0; k < place.count; ++k) start[static_cast<std::size_t>(place.first + k)] = value;
 }
 
-int Topology::lines_to(int instance, int input) const {
-  int count = 0;
-  for (const Line& line : lines_) count += line.reader == instance && line.input == input;
-  return count;
-}
-
 void Topology::check() const {
   for (int i = 0; i < size(); ++i)
     for (int k = 0; k < info(i).input_size(); ++k)
-      if (lines_to(i, k) == 0 && !at(i).half[static_cast<std::size_t>(k)] &&
+      if (lines_to(i, k).empty() && !at(i).half[static_cast<std::size_t>(k)] &&
           std::isnan(start(i)[static_cast<std::size_t>(k)]))
         refuse_topology("input " + input_name(i, k) + " is not connected and has no start value");
   check_loops();

@@ -91,8 +91,8 @@ void TurnOrder::moved(std::span<const Member> members, int who) {
 /// Notes whether it is ready.
 void TurnOrder::mark(std::span<const Member> members, int who) {
   const auto i = static_cast<std::size_t>(who);
-  const std::uint64_t bit = std::uint64_t{1} << (place_[i] % 64);
-  std::uint64_t& word = ready_[place_[i] / 64];
+  const std::uint64_t bit = std::uint64_t{1} << (i % 64);
+  std::uint64_t& word = ready_[i / 64];
   const bool ready = waits_[i] == 0 && !members[i].finished();
   if (ready == ((word & bit) != 0)) return;
   word ^= bit;

@@ -54,6 +54,7 @@ struct Benchmark {
 const std::vector<Benchmark>& all();
 
 Table exchange();
+Table topologies();
 Table two_mass();
 std::vector<Table> four_bar_linkage(const Tick& tick);
 Table hand_written_linkage();

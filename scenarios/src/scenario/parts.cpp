@@ -37,7 +37,7 @@ bool is_code(const SubsystemEntry& entry, const Builtins& builtins) {
 void start(Subsystem& subsystem, const Topology& topology, int instance, const TimeSpan& span) {
   std::vector<double> u0 = topology.start(instance);
   for (std::size_t k = 0; k < u0.size(); ++k)
-    if (topology.lines_to(instance, static_cast<int>(k)) > 0) u0[k] = std::nan("");
+    if (!topology.lines_to(instance, static_cast<int>(k)).empty()) u0[k] = std::nan("");
   std::vector<double> row(static_cast<std::size_t>(subsystem.info().row_size()));
   Samples y(row.data(), subsystem.info().row_size(), 1);
   try {

@@ -72,8 +72,9 @@ class Exchange {
     std::vector<Sum> sums;
     std::vector<Segment> constants;
   };
-  Link& link_for(const Line& line, const Lags& lags);
-  void add_line(const Topology& topology, const Line& line, const Lags& lags);
+  Link& link_for(const Line& line, const Lags& lags, std::vector<std::size_t>& of_pair);
+  void add_line(const Topology& topology, const Line& line, const Lags& lags,
+                std::vector<std::size_t>& of_pair);
   void hold_start_values(const Topology& topology, int reader);
   static void add_up(Sum& sum, std::span<Signal> slots);
 

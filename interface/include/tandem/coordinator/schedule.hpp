@@ -27,8 +27,8 @@ class Schedule {
   static std::string_view name(Kind kind);
 
   /// order: indices of the members, that of the one which is ahead of all others first (slowest-first: own
-  /// steps descending; fastest-first: ascending). reads: who reads whom. communication_step [s]: of parallel
-  /// only. The members stand nowhere until stand().
+  /// steps descending; fastest-first: ascending). reads: who reads whom. communication_step [s]: of parallel;
+  /// in turns, how far unlinked subsystems may be apart. The members stand nowhere until stand().
   Schedule(Kind kind, std::vector<Member> members, std::vector<int> order, std::span<const Read> reads,
            TimeSpan span, double communication_step);
 

@@ -1,7 +1,9 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "tandem/coordinator/reconstruction.hpp"
@@ -61,12 +63,17 @@ class Topology {
 
   int size() const { return static_cast<int>(instances_.size()); }
   const std::string& name(int instance) const { return at(instance).name; }
+  std::vector<std::string> names() const;
   const SubsystemInfo& info(int instance) const { return *at(instance).info; }
   const std::vector<Line>& lines() const { return lines_; }
   /// By scalar input: its start value, NaN for none.
   const std::vector<double>& start(int instance) const { return at(instance).start; }
-  /// Number of lines that end at a scalar input.
-  int lines_to(int instance, int input) const;
+  /// Numbers of the lines that end at a scalar input, in the order in which they were connected.
+  std::span<const int> lines_to(int instance, int input) const {
+    return at(instance).to[static_cast<std::size_t>(input)];
+  }
+  /// Numbers of the lines that begin at an instance, likewise.
+  std::span<const int> lines_from(int instance) const { return at(instance).from; }
 
   std::string input_name(int instance, int input) const;    ///< "instance.port" or "instance.port[i]"
   std::string output_name(int instance, int output) const;  ///< likewise
@@ -79,8 +86,10 @@ class Topology {
     std::string name;
     const SubsystemInfo* info;
     std::vector<double> start;
-    std::vector<char> shared;  ///< by scalar input: connected with `add`
-    std::vector<char> half;    ///< by scalar input: by connect_half()
+    std::vector<char> shared;          ///< by scalar input: connected with `add`
+    std::vector<char> half;            ///< by scalar input: by connect_half()
+    std::vector<std::vector<int>> to;  ///< by scalar input: its lines
+    std::vector<int> from;             ///< lines
   };
   /// A port, or one element of it, found by its text.
   struct Place {
@@ -94,6 +103,7 @@ class Topology {
   void check_loops() const;
 
   std::vector<Instance> instances_;
+  std::unordered_map<std::string, int> numbers_;  ///< of instances, by name
   std::vector<Line> lines_;
 };
 

@@ -56,12 +56,13 @@ class TurnOrder {
   void moved(std::span<const Member> members, int who);
 
   /// Calls take(who, limit) for each that has a turn: it may go up to `limit`, or to its next node where that
-  /// is later. Who belongs to another group, and stands past the next nodes of all, waits for them.
+  /// is later. Groups that are not linked stay together: who stands further than `ahead` [s] past the
+  /// earliest next node of all waits for that.
   template <class Take>
-  void each_turn(std::span<const Member> members, const Take& take) {
+  void each_turn(std::span<const Member> members, double ahead, const Take& take) {
     bool any = false;
     for (const int who : out_of_rings(members)) take(who, next_of(members, who)), any = true;
-    const double latest = groups_.size() > 1 ? earliest_.value() : Member::never;
+    const double latest = groups_.size() > 1 ? earliest_.value() + ahead : Member::never;
     if (!each_ready(members, latest, take) && !any) each_ready(members, Member::never, take);
   }
 
@@ -103,7 +104,7 @@ class TurnOrder {
     bool any = false;
     for (std::size_t w = 0; w < ready_.size(); ++w)
       for (std::uint64_t bits = ready_[w]; bits != 0; bits &= bits - 1) {
-        const int who = order_[w * 64 + static_cast<std::size_t>(std::countr_zero(bits))];
+        const int who = static_cast<int>(w * 64) + std::countr_zero(bits);
         if (members[static_cast<std::size_t>(who)].time > latest) continue;
         take(who, limit(members, who));
         any = true;
@@ -118,7 +119,7 @@ class TurnOrder {
   std::vector<std::size_t> first_;     ///< of a member's neighbours; and the end
   std::vector<char> leaders_turn_;     ///< by pair
   std::vector<int> waits_;             ///< by member: pairs in which it is the other's turn
-  std::vector<std::uint64_t> ready_;   ///< bits by place in the order
+  std::vector<std::uint64_t> ready_;   ///< bits by member: neighbours in memory go one after the other
   std::vector<Group> groups_;
   std::vector<int> group_of_;  ///< by member
   Earliest earliest_;          ///< of the next nodes, if there are several groups
