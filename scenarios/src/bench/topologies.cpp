@@ -22,13 +22,13 @@ class Partner final : public Subsystem {
     info_ = {"null", {{"u", "1", signals * sources}}, {{"y", "1", signals}}, {}, {}};
   }
   const SubsystemInfo& info() const override { return info_; }
-  Clock initialize(double t_start, double, std::span<const double>, Samples& y) override {
+  tandem::Clock initialize(double t_start, double, std::span<const double>, Samples& y) override {
     grid_ = TimeGrid(t_start, own_step_);
     double* row = y.append(t_start);
     for (int k = 0; k < signals; ++k) row[k] = 1.0 + 0.1 * k;
     return {grid_.time(), grid_.next(), Stop::limit};
   }
-  Clock advance(double t_limit, bool, std::span<const Signal> u, Samples& y) override {
+  tandem::Clock advance(double t_limit, bool, std::span<const Signal> u, Samples& y) override {
     const double share = 0.01 * signals / static_cast<double>(u.size());
     do {
       grid_.step();
@@ -91,14 +91,14 @@ class Network {
   std::optional<Coordinator> run_;
 };
 
-struct Setting {
+struct NetworkSetting {
   std::string topology, schedule;
   int count;
   std::string name() const { return fmt::format("{} {} {}", topology, schedule, count); }
 };
 
-std::vector<Setting> settings() {
-  std::vector<Setting> all;
+std::vector<NetworkSetting> network_settings() {
+  std::vector<NetworkSetting> all;
   for (const char* schedule : {"slowest-first", "parallel"})
     for (const char* topology : {"pairs", "ring", "hub"})
       for (const int count : {2, 20, 200, 2000, 20000}) all.push_back({topology, schedule, count});
@@ -110,7 +110,7 @@ std::vector<Setting> settings() {
 Table topologies() {
   std::map<std::string, double> turns_per_round;
   std::vector<Timing> timings;
-  for (const Setting& s : settings())
+  for (const NetworkSetting& s : network_settings())
     timings.push_back({s.name(), [s, &turns_per_round](benchmark::State& state) {
                          Network network(s.topology, s.schedule, s.count);
                          const double before = network.turns();
@@ -120,7 +120,7 @@ Table topologies() {
                        }});
   const auto seconds = measure(timings, 11, 0.05);
   Table table({"topology", "schedule", "subsystems", "ns_per_turn", "turns_per_round"}, "topologies");
-  for (const Setting& s : settings()) {
+  for (const NetworkSetting& s : network_settings()) {
     const double turns = turns_per_round.at(s.name());
     table.add({s.topology, s.schedule, std::to_string(s.count),
                fmt::format("{:.1f}", 1e9 * seconds.at(s.name()) / turns), fmt::format("{:.1f}", turns)});
