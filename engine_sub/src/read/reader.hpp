@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -32,11 +33,19 @@ class DiagramFiles {
   void count_block(const text::Place& place);
   /// Reads a nested diagram by `read`, one deeper.
   template <class Read>
-  Description nested(const text::Place& place, const Read& read);
+  Description nested(const text::Place& place, const Read& read) {
+    check_depth(place);
+    ++depth_;
+    Description inner = read();
+    --depth_;
+    return inner;
+  }
   /// Whether it is below the folder of bounded values, links resolved.
   bool in_bounds(const std::filesystem::path& file) const;
 
  private:
+  void check_depth(const text::Place& place) const;
+
   std::filesystem::path bound_;
   std::map<std::filesystem::path, std::unique_ptr<text::Document>> documents_;
   std::vector<std::filesystem::path> open_;

@@ -14,6 +14,7 @@
 #include "descriptors.hpp"
 #include "tandem/error.hpp"
 #include "tandem/tcp/tcp.hpp"
+#include "tandem/transports/socket_file.hpp"
 #include "tls.hpp"
 
 namespace tandem {
@@ -33,28 +34,6 @@ bool stale(const std::string& path) {
   return ::connect(probe.native_handle(), place.data(), static_cast<socklen_t>(place.size())) != 0 &&
          errno == ECONNREFUSED;
 }
-
-/// The file of a Unix socket, which goes with its owner unless another has come in its place.
-class SocketFile {
- public:
-  SocketFile() = default;
-  explicit SocketFile(std::string path) : path_(std::move(path)) { ::stat(path_.c_str(), &there_); }
-  ~SocketFile() {
-    struct stat now {};
-    if (path_.empty() || ::lstat(path_.c_str(), &now) != 0) return;
-    if (now.st_ino == there_.st_ino && now.st_dev == there_.st_dev) ::unlink(path_.c_str());
-  }
-  SocketFile(SocketFile&& other) noexcept : path_(std::exchange(other.path_, {})), there_(other.there_) {}
-  SocketFile& operator=(SocketFile&& other) noexcept {
-    std::swap(path_, other.path_);
-    std::swap(there_, other.there_);
-    return *this;
-  }
-
- private:
-  std::string path_;
-  struct stat there_ {};
-};
 
 Endpoint endpoint_of(const Place& place, const std::string& address, bool allow_plaintext) {
   if (place.is_unix()) {

@@ -101,7 +101,7 @@ void ZmqChannel::forget() {
 }
 
 ServedZmqChannel::ServedZmqChannel(zmq::socket_t socket, std::string token, const std::string& place,
-                                   IpcFile file)
+                                   SocketFile file)
     : ZmqChannel(std::move(socket), "zmq:" + place), guest_(std::move(token)), file_(std::move(file)) {
   socket_.set(zmq::sockopt::router_mandatory, true);  // to send to a peer that is gone is an error
 }
@@ -134,7 +134,7 @@ bool ServedZmqChannel::take(bool waits) {
 void ServedZmqChannel::let_in() {
   guest_is_in_ = true;
   monitor_.watch(::zmq_msg_get(message_.handle(), ZMQ_SRCFD));
-  file_ = IpcFile();
+  file_ = SocketFile();
 }
 
 }  // namespace tandem::zeromq

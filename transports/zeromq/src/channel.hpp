@@ -57,7 +57,7 @@ class ServedZmqChannel final : public ZmqChannel {
  public:
   /// token: how the peer calls itself; if it is empty, the peer is who says something first. place, file:
   /// where the socket listens.
-  ServedZmqChannel(zmq::socket_t socket, std::string token, const std::string& place, IpcFile file);
+  ServedZmqChannel(zmq::socket_t socket, std::string token, const std::string& place, SocketFile file);
   std::uint64_t longest() const override { return longest_served; }
 
  private:
@@ -68,7 +68,7 @@ class ServedZmqChannel final : public ZmqChannel {
 
   std::string guest_;
   bool guest_is_in_ = false;
-  IpcFile file_;
+  SocketFile file_;
 };
 
 }  // namespace tandem::zeromq

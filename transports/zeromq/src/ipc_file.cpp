@@ -2,6 +2,7 @@
 #include "ipc_file.hpp"
 
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/un.h>
 #include <unistd.h>
 
@@ -66,18 +67,14 @@ bool taken(const std::string& address) {
   return !S_ISSOCK(status.st_mode) || !refuses(path);
 }
 
-IpcFile::IpcFile(zmq::socket_t& socket, const std::string& address) : path_(path_of(address)) {
-  if (!path_.empty()) {
-    socket.set(zmq::sockopt::use_fd, listen_at(path_));  // which is ZeroMQ's from now on
-    ::lstat(path_.c_str(), &there_);
+SocketFile bind_with_file(zmq::socket_t& socket, const std::string& address) {
+  SocketFile file;
+  if (const std::string path = path_of(address); !path.empty()) {
+    socket.set(zmq::sockopt::use_fd, listen_at(path));  // which is ZeroMQ's from now on
+    file = SocketFile(path);
   }
   bind_to(socket, address);
-}
-
-IpcFile::~IpcFile() {
-  struct stat now {};
-  if (path_.empty() || ::lstat(path_.c_str(), &now) != 0) return;
-  if (now.st_ino == there_.st_ino && now.st_dev == there_.st_dev) ::unlink(path_.c_str());
+  return file;
 }
 
 }  // namespace tandem::zeromq

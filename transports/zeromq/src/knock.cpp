@@ -59,7 +59,7 @@ class ZmqListener final : public wire::Listener {
     try {
       secure(socket_, settings, Gate::door);
       limit_messages(socket_, longest_part);
-      file_ = IpcFile(socket_, place);
+      file_ = bind_with_file(socket_, place);
       bound_ = socket_.get(zmq::sockopt::last_endpoint);
     } catch (const zmq::error_t& error) {
       fail("no listening at", address, error);
@@ -100,7 +100,7 @@ class ZmqListener final : public wire::Listener {
       limit_messages(own, longest_served + wire::header_size);
       while (taken(beside(bound_, ++count_))) {  // by a server of that name, or any file
       }
-      IpcFile file(own, beside(bound_, count_));
+      SocketFile file = bind_with_file(own, beside(bound_, count_));
       const std::string place = own.get(zmq::sockopt::last_endpoint);
       auto channel = std::make_unique<ServedZmqChannel>(std::move(own), peer.token(), place, std::move(file));
       socket_.send(peer.peer, zmq::send_flags::sndmore);
@@ -115,7 +115,7 @@ class ZmqListener final : public wire::Listener {
   Gate gate_;
   zmq::socket_t socket_;
   std::string bound_, address_;
-  IpcFile file_;
+  SocketFile file_;
   unsigned count_ = 0;
 };
 
