@@ -52,7 +52,7 @@ MatrixXd pseudo_inertia(const Description& in, const Body& body, const BodyCoord
 /// M = C x identity with J = B C B^T, B the entities in homogeneous coordinates.
 void spanned(const Description& in, const Body& body, BodyMass& to) {
   const BodyCoordinates at(in, body);
-  const int d = in.dimension, k = static_cast<int>(to.entities.size());
+  const auto d = static_cast<Eigen::Index>(in.dimension), k = static_cast<Eigen::Index>(to.entities.size());
   MatrixXd basis(d + 1, k);
   VectorXd factor(k);
   for (int e = 0; e < k; ++e) basis.col(e) = at.of(to.entities[e]), factor[e] = at.factor(to.entities[e]);

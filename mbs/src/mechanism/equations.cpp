@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -15,7 +16,7 @@
 namespace tandem::mbs {
 namespace {
 
-constexpr const char* axis_names[] = {"x", "y", "z"};
+constexpr std::array axis_names = {"x", "y", "z"};
 
 /// a x b in the plane, times a factor.
 void add_cross(Quadratic& to, const Forms& a, const Forms& b, double factor) {
@@ -71,7 +72,7 @@ class JointEquations {
 
   void same_place() {
     const Forms gap = between();
-    for (int k = 0; k < in_.dimension; ++k) next(axis_names[k]).add(gap[k], 1.0);
+    for (int k = 0; k < in_.dimension; ++k) next(axis_names.at(k)).add(gap[k], 1.0);
   }
   /// The first's place does not leave the second's in that direction of the second.
   void along(const Eigen::Vector3d& direction, const std::string& what) {

@@ -149,13 +149,15 @@ class Balance {
       return error_ < before;
     };
     const auto more = [](double hold) { return hold > 0.0 ? 10.0 * hold : 1e-6; };
-    for (double hold = at.least; hold < 1e12; hold = more(hold)) {
+    double hold = at.least;
+    while (hold < 1e12) {
       const Eigen::VectorXd by = step(at, hold);
       if (by.norm() <= longest * unit_ && improves(by)) return true;
+      hold = more(hold);
     }
     const Eigen::VectorXd newton = step(at, at.least);
-    for (double part = 0.5; part > 1e-3; part *= 0.5)
-      if (improves(part * newton)) return true;
+    for (int halvings = 1; halvings < 10; ++halvings)
+      if (improves(std::ldexp(1.0, -halvings) * newton)) return true;
     state_ = from;
     look(state_);
     return false;

@@ -23,8 +23,8 @@ Eigen::Map<const Sparse> transposed(const Model& model, const std::vector<double
 bool take(Linearized& at, VectorXd& q, const VectorXd& step) {
   const VectorXd before = q;
   const double error = at.phi.norm();
-  for (double part = 1.0; part > 1e-30 && step.squaredNorm() > 0.0; part *= 0.5) {
-    q.head(step.size()) = before.head(step.size()) + part * step;
+  for (int halvings = 0; halvings < 100 && step.squaredNorm() > 0.0; ++halvings) {
+    q.head(step.size()) = before.head(step.size()) + std::ldexp(1.0, -halvings) * step;
     at.evaluate(q);
     if (at.phi.norm() < error) return true;
   }

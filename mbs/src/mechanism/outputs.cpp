@@ -108,14 +108,14 @@ std::string Outputs::unit(int output) const {
   const Description& in = mechanism_.description();
   const Output& o = outputs_[static_cast<std::size_t>(output)];
   const Coordinate& c = o.drive >= 0 ? in.drives[static_cast<std::size_t>(o.drive)].coordinate : o.coordinate;
-  const std::string length = is_angle(in, c) ? "rad" : "m";
+  const char* const length = is_angle(in, c) ? "rad" : "m";
   switch (o.kind) {
     case Kind::position:
       return length;
     case Kind::velocity:
-      return length + "/s";
+      return std::string(length) + "/s";
     case Kind::acceleration:
-      return length + "/s^2";
+      return std::string(length) + "/s^2";
     case Kind::drive_reaction:
       return is_angle(in, c) ? "N m" : "N";
     case Kind::reaction:

@@ -11,8 +11,8 @@ namespace {
 
 /// How to ask and tell the BLAS at hand.
 struct Threads {
-  int (*get)() = nullptr;
-  void (*set)(int) = nullptr;
+  int (*get)() = [] { return 1; };
+  void (*set)(int) = [](int) {};
 };
 
 // BLIS counts in integers of 64 bits unless it was configured otherwise.
@@ -42,7 +42,7 @@ const Threads& threads() {
 
 }  // namespace
 
-OneBlasThread::OneBlasThread() : before_(threads().get ? threads().get() : 1) {
+OneBlasThread::OneBlasThread() : before_(threads().get()) {
   if (before_ > 1) threads().set(1);
 }
 

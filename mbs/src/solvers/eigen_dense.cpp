@@ -25,7 +25,7 @@ class EigenCholesky final : public LinearSolver {
     return solver_.info() == Eigen::Success ? -1 : bad_pivot(a);
   }
   void solve(double* b) override {
-    Eigen::Map<Eigen::VectorXd> x(b, n_);
+    const Eigen::Map<Eigen::VectorXd> x(b, n_);
     solver_.solveInPlace(x);
   }
 

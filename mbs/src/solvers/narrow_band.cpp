@@ -68,11 +68,13 @@ class NarrowBand final : public BandFactors {
   }
 
  private:
-  static constexpr int stride = 2 * (W + 1);
+  static constexpr std::ptrdiff_t stride = 2 * (W + 1);
 
-  static Pair get(const double* slot, int t) { return Eigen::Map<const Pair>(slot + 2 * t); }
-  static Ends ends(const double* slot, int t) { return {slot[2 * t], slot[2 * t + 1]}; }
-  static void put(double* slot, int t, const Pair& value) { Eigen::Map<Pair>(slot + 2 * t) = value; }
+  static Pair get(const double* slot, std::ptrdiff_t t) { return Eigen::Map<const Pair>(slot + 2 * t); }
+  static Ends ends(const double* slot, std::ptrdiff_t t) { return {slot[2 * t], slot[2 * t + 1]}; }
+  static void put(double* slot, std::ptrdiff_t t, const Pair& value) {
+    Eigen::Map<Pair>(slot + 2 * t) = value;
+  }
   static bool above_floor(double pivot, double diagonal) { return pivot > pivot_floor * diagonal; }
 
   /// Of the first columns of the window: false if a pivot is not positive. The rows W below enter.
@@ -117,7 +119,7 @@ class NarrowBand final : public BandFactors {
       slot[0] = inverse;
 #pragma GCC unroll 9
       for (int c = 1; c < B - k; ++c) {
-        slot[2 * c] = w[k][c] * inverse;
+        slot[std::ptrdiff_t{2} * c] = w[k][c] * inverse;
 #pragma GCC unroll 9
         for (int r = c; r < B - k; ++r) w[k + c][r - c] -= w[k][c] * w[k][r] * inverse;
       }

@@ -89,7 +89,8 @@ class WideBand final : public BandFactors {
     }
   }
 
-  int n_, width_, stride_;
+  int n_, width_;
+  std::ptrdiff_t stride_;
 };
 
 }  // namespace

@@ -47,7 +47,7 @@ std::pair<int, int> part(const Pattern::Run& run, int size, int first, int last)
 template <int together, class Groups>
 void multiply_each(Groups groups, const int* row, const double* value, const double* x, std::span<double> y) {
   for (double& product : y) {
-    const auto term = [=](int k) {
+    const auto term = [=](std::ptrdiff_t k) {
       return at<together>(value + k * together).cwiseProduct(at<together>(x + row[k * together]));
     };
     product = sum<together>(groups, term).sum();
@@ -68,10 +68,13 @@ void multiply_abreast(Entries entries, const int* row, const double* value, cons
   }
 }
 
-void multiply_columns(const Pattern& a, const double* values, const double* x, double* y, int first,
-                      int last) {
+struct Columns {
+  int first, last;
+};
+
+void multiply_columns(const Pattern& a, const double* values, const double* x, double* y, Columns columns) {
   for (const Pattern::Run& run : a.runs()) {
-    const auto [from, to] = part(run, run.abreast, first, last);
+    const auto [from, to] = part(run, run.abreast, columns.first, columns.last);
     const int start = a.starts()[run.first + from];
     const int* const row = a.indices().data() + start;
     const double* const value = values + start;
@@ -102,7 +105,7 @@ void multiply_blocks(Groups groups, const Entry* entry, const double* values, co
 }  // namespace
 
 void multiply_transposed(const Pattern& a, const double* values, const double* x, double* y) {
-  share(a.columns(), [=, &a](int first, int last) { multiply_columns(a, values, x, y, first, last); });
+  share(a.columns(), [=, &a](int first, int last) { multiply_columns(a, values, x, y, {first, last}); });
 }
 
 void multiply_symmetric(const Matrix& a, const double* x, double* y) {

@@ -154,7 +154,7 @@ void RankUpdate::run(const double* a, double factor, const double* base, double*
     const int blocks = both_ ? group.blocks * group.blocks : group.blocks * (group.blocks + 1) / 2;
     const auto add_columns = [&](int first, int last) {
       const std::span starts(group.starts.data() + first, group.starts.data() + last);
-      const BlockSum sum{result, group.targets.data() + first * blocks * group.together};
+      const BlockSum sum{result, group.targets.data() + std::ptrdiff_t{first} * blocks * group.together};
       with_count(group.blocks, [&](auto count) {
         if (both_ && group.together == 1) add_products<true, 1>(count, starts, a, factor, sum);
         if (both_ && group.together == 2) add_products<true, 2>(count, starts, a, factor, sum);

@@ -29,14 +29,18 @@ bool couples_state(const Structure& s, int row, int column) {
   return std::any_of(s.states.begin(), s.states.end(), [&](int i) { return i == row || i == column; });
 }
 
-Pattern tangent_pattern(const Structure& s) {
-  const Pattern forces = unite(s.mass.pattern, s.stiffness);
-  const Pattern all = unite(unite(forces, outer_products(s.jacobian)), diagonal(s.variables));
+/// All that couples the states to others is left out.
+Pattern without_states(const Structure& s, Pattern all) {
   if (s.states.empty()) return all;
   auto entries = all.entries();
   std::erase_if(entries,
                 [&](const auto& e) { return e.first != e.second && couples_state(s, e.first, e.second); });
   return {s.variables, s.variables, std::move(entries)};
+}
+
+Pattern tangent_pattern(const Structure& s) {
+  const Pattern forces = unite(s.mass.pattern, s.stiffness);
+  return without_states(s, unite(unite(forces, outer_products(s.jacobian)), diagonal(s.variables)));
 }
 
 Layout prepared_layout(LinearSolver& solver, const Pattern& pattern) {

@@ -149,65 +149,20 @@ void Session::handle_state(const Frame& request) {
   const StateId id = names_one ? read_id(request.payload) : 0;
   try {
     reply(type);
-    if (type == Type::save) put_id(frame_, save());
-    if (type == Type::restore) put_clock(frame_, asked([&] { return subsystem_->restore_state(id); }));
-    if (type == Type::release) release(id);
-    if (type == Type::serialize) frame_.put_bytes(asked([&] { return bytes_of(id); }));
-    if (type == Type::deserialize) put_id(frame_, deserialize(request.payload));
+    asked([&] { answer_state(request, id); });
     send();
   } catch (const Error& error) {
     send_error(error);
   }
 }
 
-/// A peer may leave states for as long as it likes, but only so many.
-void Session::require_room_for_state(std::uint64_t bytes) const {
-  if (states_.size() < most_states && states_bytes_ + bytes <= most_state_bytes) return;
-  if (states_.empty()) return;  // one is as large as the model makes it
-  throw Error(ErrorCode::not_supported,
-              "the session keeps " + std::to_string(states_.size()) + " saved states of " +
-                  std::to_string(states_bytes_) + " bytes; allowed are up to " + std::to_string(most_states) +
-                  ", and " + std::to_string(most_state_bytes) + " bytes in all: release some");
-}
-
-void Session::keep(StateId id, std::uint64_t bytes) {
-  states_bytes_ += bytes - std::exchange(states_[id], bytes);
-}
-
-/// How large its states are is asked once, and again where one is given as bytes.
-void Session::keep_saved(StateId id) {
-  keep(id, state_bytes_);
-  if (state_bytes_ != 0 || !subsystem_->info().abilities.serializes_state) return;
-  state_bytes_ = subsystem_->serialize_state(id).size();
-  keep(id, state_bytes_);
-}
-
-/// One that the peer is not told of is not kept.
-StateId Session::save() {
-  require_room_for_state(state_bytes_);
-  const StateId id = asked([&] { return subsystem_->save_state(); });
-  try {
-    asked([&] { keep_saved(id); });
-  } catch (const Error&) {
-    release(id);
-    throw;
-  }
-  return id;
-}
-
-StateId Session::deserialize(std::span<const std::byte> bytes) {
-  require_room_for_state(bytes.size());
-  const StateId id = asked([&] { return subsystem_->deserialize_state(bytes); });
-  keep(id, bytes.size());
-  return id;
-}
-
-void Session::release(StateId id) {
-  asked([&] { subsystem_->release_state(id); });
-  const auto state = states_.find(id);
-  if (state == states_.end()) return;
-  states_bytes_ -= state->second;
-  states_.erase(state);
+void Session::answer_state(const Frame& request, StateId id) {
+  const Type type = request.header.type;
+  if (type == Type::save) put_id(frame_, states_.save(*subsystem_));
+  if (type == Type::restore) put_clock(frame_, subsystem_->restore_state(id));
+  if (type == Type::release) states_.release(*subsystem_, id);
+  if (type == Type::serialize) frame_.put_bytes(bytes_of(id));
+  if (type == Type::deserialize) put_id(frame_, states_.deserialize(*subsystem_, request.payload));
 }
 
 /// Of a state, if the peer takes that many.

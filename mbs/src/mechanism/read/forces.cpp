@@ -46,10 +46,9 @@ std::function<InputValue(double)> Reader::sine_of(Section& section, const toml::
   const auto amplitude = s.number("amplitude"), frequency = s.positive("frequency");
   if (!amplitude) s.missing("amplitude", "a number");
   if (!frequency) s.missing("frequency", "a number above 0 [Hz]");
-  const auto result =
-      sine({*amplitude, *frequency, s.number("phase").value_or(0.0), s.number("mean").value_or(0.0)});
+  const Sine read{*amplitude, *frequency, s.number("phase").value_or(0.0), s.number("mean").value_or(0.0)};
   s.refuse_unknown();
-  return result;
+  return sine(read);
 }
 
 /// A table's row k stands in line k + 2 of its file, below the names.

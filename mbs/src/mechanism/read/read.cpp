@@ -66,12 +66,13 @@ void Reader::each(Section& root, const std::string& key, const Read& read) {
   const toml::table* table = root.table(key);
   if (!table) return;
   for (const auto& [name, node] : text::in_file_order(*table)) {
+    const std::string full_name = fmt::format("{}.{}", key, name);
     if (!node->is_table())
       refuse(document_.place(*node),
-             key + "." + name + " is " + text::described(*node) + "; allowed is a table");
+             fmt::format("{} is {}; allowed is a table", full_name, text::described(*node)));
     if (name.empty())
       refuse(document_.place(*node), key + " has a name of no letters; allowed is one letter or more");
-    Section section(document_, *node->as_table(), key + "." + name);
+    Section section(document_, *node->as_table(), full_name);
     read(name, section);
     section.refuse_unknown();
   }

@@ -1,23 +1,18 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <functional>
-#include <map>
 #include <memory>
 #include <string>
 
 #include "tandem/subsystem.hpp"
 #include "tandem/wire/channel.hpp"
+#include "tandem/wire/kept_states.hpp"
 #include "tandem/wire/messages.hpp"
 
 namespace tandem::wire {
 
 /// Makes the subsystem of a session from "key=value&key=value", or "".
 using MakeSubsystem = std::function<std::unique_ptr<Subsystem>(const std::string& parameters)>;
-
-/// Saved states that a session keeps at a time. With a request and a reply of usual_longest each, a session
-/// takes at most 160 MiB beside its subsystem's own memory.
-constexpr std::size_t most_states = 1000;
-constexpr std::uint64_t most_state_bytes = std::uint64_t{1} << 25;
 
 struct SessionSettings {
   /// [s]: for the first request, for a frame to come whole once it has begun, and for a reply to be taken.
@@ -43,12 +38,7 @@ class Session {
   void say_bye();
   void handle(const Frame& request);
   void handle_state(const Frame& request);
-  void require_room_for_state(std::uint64_t bytes) const;
-  void keep(StateId id, std::uint64_t bytes);
-  void keep_saved(StateId id);
-  StateId save();
-  StateId deserialize(std::span<const std::byte> bytes);
-  void release(StateId id);
+  void answer_state(const Frame& request, StateId id);
   std::vector<std::byte> bytes_of(StateId id);
   void check_number(const Header& header, std::uint32_t allowed);
   void check_order(Type type) const;
@@ -72,9 +62,7 @@ class Session {
   Writer frame_;
   Initialize initialize_;
   Advance advance_;
-  std::map<StateId, std::uint64_t> states_;  ///< saved ones that are not released, with their bytes
-  std::uint64_t states_bytes_ = 0;           ///< of all of them
-  std::uint64_t state_bytes_ = 0;            ///< of one, as far as it is known
+  KeptStates states_;
 };
 
 }  // namespace tandem::wire
