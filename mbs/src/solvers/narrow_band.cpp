@@ -68,12 +68,12 @@ class NarrowBand final : public BandFactors {
   }
 
  private:
-  static constexpr std::ptrdiff_t stride = 2 * (W + 1);
+  static constexpr std::ptrdiff_t pair = 2, stride = pair * (W + 1);
 
-  static Pair get(const double* slot, std::ptrdiff_t t) { return Eigen::Map<const Pair>(slot + 2 * t); }
-  static Ends ends(const double* slot, std::ptrdiff_t t) { return {slot[2 * t], slot[2 * t + 1]}; }
+  static Pair get(const double* slot, std::ptrdiff_t t) { return Eigen::Map<const Pair>(slot + pair * t); }
+  static Ends ends(const double* slot, std::ptrdiff_t t) { return {slot[pair * t], slot[pair * t + 1]}; }
   static void put(double* slot, std::ptrdiff_t t, const Pair& value) {
-    Eigen::Map<Pair>(slot + 2 * t) = value;
+    Eigen::Map<Pair>(slot + pair * t) = value;
   }
   static bool above_floor(double pivot, double diagonal) { return pivot > pivot_floor * diagonal; }
 
@@ -102,7 +102,7 @@ class NarrowBand final : public BandFactors {
   /// Where both ends meet, from its first slot on and what they leave there.
   static Window<double, B> block(const Window<Pair, W>& left, const double* slots) {
     Window<double, B> w{};
-    for (int c = 0; c < B; ++c) w[c][B - 1 - c] = B > W ? slots[W * stride + 2 * (B - 1 - c)] : 0.0;
+    for (int c = 0; c < B; ++c) w[c][B - 1 - c] = B > W ? slots[W * stride + pair * (B - 1 - c)] : 0.0;
 #pragma GCC unroll 9
     for (int c = 0; c < W; ++c)
 #pragma GCC unroll 9
@@ -119,7 +119,7 @@ class NarrowBand final : public BandFactors {
       slot[0] = inverse;
 #pragma GCC unroll 9
       for (int c = 1; c < B - k; ++c) {
-        slot[std::ptrdiff_t{2} * c] = w[k][c] * inverse;
+        slot[pair * c] = w[k][c] * inverse;
 #pragma GCC unroll 9
         for (int r = c; r < B - k; ++r) w[k + c][r - c] -= w[k][c] * w[k][r] * inverse;
       }
@@ -157,12 +157,12 @@ class NarrowBand final : public BandFactors {
 #pragma GCC unroll 9
     for (int c = 0; c < B; ++c)
 #pragma GCC unroll 9
-      for (int r = 1; r < B - c; ++r) y[c + r] -= slots[c * stride + 2 * r] * y[c];
+      for (int r = 1; r < B - c; ++r) y[c + r] -= slots[c * stride + pair * r] * y[c];
 #pragma GCC unroll 9
     for (int c = B - 1; c >= 0; --c) {
       y[c] *= slots[c * stride];
 #pragma GCC unroll 9
-      for (int r = 1; r < B - c; ++r) y[c] -= slots[c * stride + 2 * r] * y[c + r];
+      for (int r = 1; r < B - c; ++r) y[c] -= slots[c * stride + pair * r] * y[c + r];
       x[c] = y[c];
     }
 #pragma GCC unroll 9

@@ -34,10 +34,11 @@ struct SignalHead {
 
 SignalHead read_signal_head(Reader& in) {
   const auto count = in.take<std::uint32_t>(), degree = in.take<std::uint32_t>();
-  if (count == 0 || degree >= TANDEM_MAX_COEFFICIENTS || count > in.left() / (8 * (degree + 3)))
+  const SignalHead head{count, degree};
+  if (count == 0 || degree >= TANDEM_MAX_COEFFICIENTS || count > in.left() / head.segment_size())
     in.refuse("has an input of " + std::to_string(count) + " segments of degree " + std::to_string(degree) +
               "; allowed are 1 or more that follow, of degree 0 to 5");
-  return {count, degree};
+  return head;
 }
 
 /// Of all signals, which may take no more memory than the longest request.
