@@ -8,10 +8,11 @@
 #include <type_traits>
 #include <utility>
 
+#include "c_info.hpp"
+#include "guarded_call.hpp"
 #include "number_text.hpp"
 #include "tandem/check_info.hpp"
 #include "tandem/error.hpp"
-#include "tandem/library_file.hpp"
 
 namespace tandem {
 namespace {
@@ -28,9 +29,9 @@ void check_table(const tandem_subsystem_api* api) {
     throw Error(ErrorCode::not_supported, "the subsystem's table of functions has " +
                                               std::to_string(api->table_size) + " bytes; allowed is " +
                                               std::to_string(TANDEM_SHORTEST_TABLE) + " or more");
-  if (!api->create || !api->destroy || !api->info || !api->last_error || !api->initialize || !api->advance)
+  if (!api->create || !api->destroy || !api->info || !api->last_error || !api->initialize)
     throw Error(ErrorCode::invalid_argument,
-                "the subsystem's table lacks create, destroy, info, last_error, initialize or advance");
+                "the subsystem's table lacks create, destroy, info, last_error or initialize");
 }
 
 /// The functions that are there; null for those behind the table's end.
@@ -39,37 +40,6 @@ tandem_subsystem_api table_of(const tandem_subsystem_api* api) {
   tandem_subsystem_api table{};
   std::memcpy(&table, api, std::min<std::size_t>(api->table_size, sizeof table));
   return table;
-}
-
-std::vector<Port> ports_from(const tandem_port* ports, int32_t count) {
-  if (count < 0 || (count > 0 && !ports))
-    throw Error(ErrorCode::invalid_argument,
-                "the subsystem gives " + std::to_string(count) + " ports without a list of them");
-  std::vector<Port> list;
-  for (const tandem_port* p = ports; p != ports + count; ++p) {
-    if (!p->name || !p->unit)
-      throw Error(ErrorCode::invalid_argument, "the subsystem's port " + std::to_string(p - ports) +
-                                                   " has no name or no unit; allowed is \"1\" for none");
-    list.push_back({p->name, p->unit, p->size, p->derivatives, p->start});
-  }
-  return list;
-}
-
-SubsystemInfo info_from(const tandem_info* c) {
-  if (!c) throw Error(ErrorCode::invalid_argument, "the subsystem gives no info");
-  SubsystemInfo info;
-  if (!c->name) throw Error(ErrorCode::invalid_argument, "the subsystem gives no name");
-  info.name = c->name;
-  info.inputs = ports_from(c->inputs, c->input_count);
-  info.outputs = ports_from(c->outputs, c->output_count);
-  if (c->feedthrough_count < 0 || (c->feedthrough_count > 0 && !c->feedthrough))
-    throw Error(ErrorCode::invalid_argument,
-                "the subsystem '" + info.name + "' gives no list of its feedthrough");
-  for (int32_t i = 0; i < c->feedthrough_count; ++i)
-    info.feedthrough.push_back({c->feedthrough[i].output, c->feedthrough[i].input});
-  info.abilities = abilities_from(c->abilities);
-  check_info(info.name, info);
-  return info;
 }
 
 bool same_memory(const tandem_samples& a, const tandem_samples& b) {
@@ -90,21 +60,6 @@ bool appended(const tandem_samples& before, const tandem_samples& after) {
 
 }  // namespace
 
-/// C functions don't throw; what a library in C++ lets pass all the same becomes an error with its name.
-template <class Call>
-auto CSubsystem::guarded(const char* call, const Call& make) const {
-  const LibraryCall in_library(library_.empty() ? nullptr : library_.c_str());
-  try {
-    return make();
-  } catch (const std::exception& error) {
-    throw Error(ErrorCode::internal, "subsystem '" + info_.name + "', " + call +
-                                         ": threw through its C function: " + error.what());
-  } catch (...) {
-    throw Error(ErrorCode::internal,
-                "subsystem '" + info_.name + "', " + call + ": threw through its C function");
-  }
-}
-
 CSubsystem::CSubsystem(const tandem_subsystem_api* api, const std::string& parameters, std::string library)
     : api_(table_of(api)), library_(std::move(library)) {
   try {
@@ -112,7 +67,7 @@ CSubsystem::CSubsystem(const tandem_subsystem_api* api, const std::string& param
     if (!self_)
       throw Error(ErrorCode::invalid_argument,
                   "create gave no instance and no error; allowed is one of the two");
-    info_ = info_from(guarded("info", [&] { return api_.info(self_); }));
+    ask_info();
     check_functions();
     newest_row_.resize(static_cast<std::size_t>(info_.row_size()));
   } catch (...) {
@@ -121,15 +76,32 @@ CSubsystem::CSubsystem(const tandem_subsystem_api* api, const std::string& param
   }
 }
 
+void CSubsystem::ask_info() {
+  const tandem_info* const c = guarded("info", [&] { return api_.info(self_); });
+  if (c && c->name) info_.name = c->name;
+  const bool holds = c && (c->abilities & TANDEM_HOLDS) != 0;
+  if (holds && !api_.held) refuse_functions("has held outputs");
+  info_ = info_from(c, holds ? guarded("held", [&] { return api_.held(self_); }) : nullptr);
+  if (info_.abilities.sampled && api_.sampling)
+    check(guarded("sampling",
+                  [&] { return api_.sampling(self_, &info_.sampling.period, &info_.sampling.latency); }),
+          "sampling");
+  check_info(info_.name, info_);
+}
+
+void CSubsystem::refuse_functions(const char* what) const {
+  throw Error(ErrorCode::invalid_argument,
+              "subsystem '" + info_.name + "' says that it " + what + ", but has not the functions");
+}
+
 void CSubsystem::check_functions() const {
   const bool saves = api_.save_state && api_.restore_state && api_.release_state;
-  if (info_.abilities.saves_state && !saves)
-    throw Error(ErrorCode::invalid_argument,
-                "subsystem '" + info_.name + "' says that it saves its state, but has not the functions");
+  if (info_.abilities.saves_state && !saves) refuse_functions("saves its state");
   if (info_.abilities.serializes_state && !(saves && api_.serialize_state && api_.deserialize_state))
-    throw Error(
-        ErrorCode::invalid_argument,
-        "subsystem '" + info_.name + "' says that it gives its state as bytes, but has not the functions");
+    refuse_functions("gives its state as bytes");
+  if (info_.abilities.sampled && !(api_.sampling && api_.sample)) refuse_functions("is sampled");
+  if (!info_.abilities.sampled && !api_.advance)
+    throw Error(ErrorCode::invalid_argument, "subsystem '" + info_.name + "' lacks the function advance");
 }
 
 CSubsystem::~CSubsystem() { destroy(); }
@@ -223,59 +195,13 @@ Clock CSubsystem::advance(double t_limit, bool land, std::span<const Signal> u, 
   return clock_from(clock);
 }
 
-void CSubsystem::require_saving() const {
-  if (!info_.abilities.saves_state)
-    throw Error(ErrorCode::not_supported, "subsystem '" + info_.name + "' has no ability to save its state");
-}
-
-StateId CSubsystem::save_state() {
-  require_saving();
-  StateId id = 0;
-  check(guarded("save_state", [&] { return api_.save_state(self_, &id); }), "save_state");
-  return id;
-}
-
-Clock CSubsystem::restore_state(StateId id) {
-  require_saving();
+Clock CSubsystem::sample(double t, SamplePart part, std::span<const double> u, std::span<double> y) {
+  if (!info_.abilities.sampled) return Subsystem::sample(t, part, u, y);
   tandem_clock clock{};
-  check(guarded("restore_state", [&] { return api_.restore_state(self_, id, &clock); }), "restore_state");
+  check(guarded("sample",
+                [&] { return api_.sample(self_, t, static_cast<int>(part), u.data(), y.data(), &clock); }),
+        "sample");
   return clock_from(clock);
-}
-
-void CSubsystem::release_state(StateId id) {
-  require_saving();
-  check(guarded("release_state", [&] { return api_.release_state(self_, id); }), "release_state");
-}
-
-void CSubsystem::require_serializing() const {
-  if (!info_.abilities.serializes_state)
-    throw Error(ErrorCode::not_supported,
-                "subsystem '" + info_.name + "' has no ability to give its state as bytes");
-}
-
-std::vector<std::byte> CSubsystem::serialize_state(StateId id) {
-  require_serializing();
-  const void* bytes = nullptr;
-  std::int64_t size = 0;
-  check(guarded("serialize_state", [&] { return api_.serialize_state(self_, id, &bytes, &size); }),
-        "serialize_state");
-  if (size < 0 || (size > 0 && !bytes))
-    throw Error(ErrorCode::invalid_argument, "subsystem '" + info_.name + "' gives a state of " +
-                                                 std::to_string(size) + " bytes without them");
-  const auto* first = static_cast<const std::byte*>(bytes);
-  return {first, first + size};
-}
-
-StateId CSubsystem::deserialize_state(std::span<const std::byte> bytes) {
-  require_serializing();
-  StateId id = 0;
-  check(guarded("deserialize_state",
-                [&] {
-                  return api_.deserialize_state(self_, bytes.data(), static_cast<std::int64_t>(bytes.size()),
-                                                &id);
-                }),
-        "deserialize_state");
-  return id;
 }
 
 }  // namespace tandem

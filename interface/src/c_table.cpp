@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "tandem/c_table.hpp"
 
+#include <algorithm>
 #include <new>
 #include <utility>
 #include <vector>
@@ -17,6 +18,7 @@ struct Instance {
   std::vector<std::byte> bytes;  ///< of the state that was serialized last
   std::vector<tandem_port> inputs, outputs;
   std::vector<tandem_feedthrough> feedthrough;
+  std::vector<std::int32_t> held;  ///< by output
   tandem_info info = {};
 };
 
@@ -34,8 +36,10 @@ void fill_info(Instance& it) {
   it.inputs = ports_of(info.inputs);
   it.outputs = ports_of(info.outputs);
   for (const Feedthrough& f : info.feedthrough) it.feedthrough.push_back({f.output, f.input});
+  for (const Port& port : info.outputs) it.held.push_back(port.held ? 1 : 0);
+  const bool holds = std::find(it.held.begin(), it.held.end(), 1) != it.held.end();
   it.info = {info.name.c_str(),
-             to_bits(info.abilities),
+             to_bits(info.abilities) | (holds ? std::uint32_t{TANDEM_HOLDS} : 0U),
              static_cast<std::int32_t>(it.inputs.size()),
              static_cast<std::int32_t>(it.outputs.size()),
              static_cast<std::int32_t>(it.feedthrough.size()),
@@ -130,6 +134,26 @@ tandem_status deserialize_state(void* self, const void* bytes, std::int64_t size
   });
 }
 
+const std::int32_t* held(void* self) { return instance(self).held.data(); }
+
+tandem_status sampling(void* self, double* period, double* latency) {
+  const Sampling& sampling = instance(self).subsystem->info().sampling;
+  *period = sampling.period;
+  *latency = sampling.latency;
+  return TANDEM_OK;
+}
+
+tandem_status sample(void* self, double t, std::int32_t parts, const double* u, double* y,
+                     tandem_clock* clock) {
+  Instance& it = instance(self);
+  return guarded(it, [&] {
+    const SubsystemInfo& info = it.subsystem->info();
+    const auto inputs = static_cast<std::size_t>(info.input_size()),
+               outputs = static_cast<std::size_t>(info.output_size());
+    *clock = c_clock(it.subsystem->sample(t, static_cast<SamplePart>(parts), {u, inputs}, {y, outputs}));
+  });
+}
+
 }  // namespace
 
 tandem_subsystem_api CTable::with(Create create) {
@@ -145,7 +169,10 @@ tandem_subsystem_api CTable::with(Create create) {
           restore_state,
           release_state,
           serialize_state,
-          deserialize_state};
+          deserialize_state,
+          held,
+          sampling,
+          sample};
 }
 
 tandem_status CTable::create(MakeSubsystem make, const char* parameters, void** self) noexcept {

@@ -17,7 +17,7 @@ namespace tandem {
 namespace {
 
 using Header = ElfW(Ehdr);
-using Segment = ElfW(Phdr);
+using LoadedPart = ElfW(Phdr);
 
 template <class T>
 bool take(InputFile& in, std::span<T> to) {
@@ -26,11 +26,11 @@ bool take(InputFile& in, std::span<T> to) {
 
 /// Bytes that the file must have for its segments; 0 if that can't be told from what is there of it.
 std::uint64_t size_of_segments(InputFile& in, const Header& header) {
-  std::vector<Segment> segments(header.e_phnum);
+  std::vector<LoadedPart> segments(header.e_phnum);
   in.seek(header.e_phoff);
-  if (header.e_phentsize != sizeof(Segment) || !take(in, std::span(segments))) return 0;
+  if (header.e_phentsize != sizeof(LoadedPart) || !take(in, std::span(segments))) return 0;
   std::uint64_t end = 0;
-  for (const Segment& s : segments)
+  for (const LoadedPart& s : segments)
     if (s.p_type == PT_LOAD) end = std::max<std::uint64_t>(end, std::uint64_t{s.p_offset} + s.p_filesz);
   return end;
 }
@@ -48,7 +48,7 @@ bool is_code(const void* address) {
   } asked{reinterpret_cast<std::uintptr_t>(address), false};
   const auto look = [](dl_phdr_info* file, std::size_t, void* data) {
     Asked& of = *static_cast<Asked*>(data);
-    for (const Segment& s : std::span(file->dlpi_phdr, file->dlpi_phnum))
+    for (const LoadedPart& s : std::span(file->dlpi_phdr, file->dlpi_phnum))
       if (s.p_type == PT_LOAD && (s.p_flags & PF_X) != 0)
         of.found = of.found || of.place - (file->dlpi_addr + s.p_vaddr) < s.p_memsz;
     return of.found ? 1 : 0;

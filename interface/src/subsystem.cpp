@@ -23,13 +23,15 @@ std::uint32_t to_bits(const Abilities& a) {
   add(a.restarts, TANDEM_RESTARTS);
   add(a.reactive_inputs, TANDEM_REACTIVE_INPUTS);
   add(a.serializes_state, TANDEM_SERIALIZES_STATE);
+  add(a.sampled, TANDEM_SAMPLED);
   return bits;
 }
 
 Abilities abilities_from(std::uint32_t bits) {
   const auto has = [bits](std::uint32_t bit) { return (bits & bit) != 0; };
   return {has(TANDEM_CHOOSES_STEP), has(TANDEM_LANDS),           has(TANDEM_SAVES_STATE),
-          has(TANDEM_RESTARTS),     has(TANDEM_REACTIVE_INPUTS), has(TANDEM_SERIALIZES_STATE)};
+          has(TANDEM_RESTARTS),     has(TANDEM_REACTIVE_INPUTS), has(TANDEM_SERIALIZES_STATE),
+          has(TANDEM_SAMPLED)};
 }
 
 std::string Scalar::name() const {
@@ -46,6 +48,10 @@ bool Subsystem::start_advance(double, bool, std::span<const Signal>, const Sampl
 
 Clock Subsystem::finish_advance(Samples&) {
   throw Error(ErrorCode::wrong_state, "subsystem '" + info().name + "' has no advance under way to finish");
+}
+
+Clock Subsystem::sample(double, SamplePart, std::span<const double>, std::span<double>) {
+  throw Error(ErrorCode::not_supported, "subsystem '" + info().name + "' is not sampled");
 }
 
 StateId Subsystem::save_state() { refuse(info()); }

@@ -47,19 +47,16 @@ tandem_status advance(void* self, double, std::int32_t, const tandem_signal*, ta
 }
 
 tandem_subsystem_api sound() {
-  return {TANDEM_ABI_VERSION,
-          sizeof(tandem_subsystem_api),
-          create,
-          destroy,
-          info,
-          last_error,
-          initialize,
-          advance,
-          nullptr,
-          nullptr,
-          nullptr,
-          nullptr,
-          nullptr};
+  tandem_subsystem_api api{};
+  api.abi_version = TANDEM_ABI_VERSION;
+  api.table_size = sizeof(tandem_subsystem_api);
+  api.create = create;
+  api.destroy = destroy;
+  api.info = info;
+  api.last_error = last_error;
+  api.initialize = initialize;
+  api.advance = advance;
+  return api;
 }
 
 using Advance = decltype(tandem_subsystem_api::advance);

@@ -121,18 +121,20 @@ static tandem_status deserialize_state(void* self, const void* bytes, int64_t si
 
 const tandem_subsystem_api* tandem_subsystem(void);
 const tandem_subsystem_api* tandem_subsystem(void) {
-  static const tandem_subsystem_api api = {TANDEM_ABI_VERSION,
-                                           sizeof(tandem_subsystem_api),
-                                           create,
-                                           destroy,
-                                           info,
-                                           last_error,
-                                           initialize,
-                                           advance,
-                                           save_state,
-                                           restore_state,
-                                           release_state,
-                                           serialize_state,
-                                           deserialize_state};
+  static const tandem_subsystem_api api = {
+      .abi_version = TANDEM_ABI_VERSION,
+      .table_size = sizeof(tandem_subsystem_api),
+      .create = create,
+      .destroy = destroy,
+      .info = info,
+      .last_error = last_error,
+      .initialize = initialize,
+      .advance = advance,
+      .save_state = save_state,
+      .restore_state = restore_state,
+      .release_state = release_state,
+      .serialize_state = serialize_state,
+      .deserialize_state = deserialize_state,
+  };
   return &api;
 }

@@ -6,9 +6,12 @@
 
 namespace tandem::test {
 
+/// how: "" for none, as of a held output.
 inline Connection connection(const std::string& from, const std::string& to,
                              const std::string& how = "lagrange0", Lag lag = Lag::none) {
-  return {.from = from, .to = to, .how = Reconstruction::parse(how), .lag = lag};
+  Connection c{.from = from, .to = to, .how = {}, .lag = lag};
+  if (!how.empty()) c.how = Reconstruction::parse(how);
+  return c;
 }
 inline Connection added(Connection c) {
   c.add = true;

@@ -13,7 +13,7 @@ namespace tandem::test {
 class LinkBench {
  public:
   explicit LinkBench(const std::string& how, double delay = 0.0, Lane a = {0, 0}, Lane b = {1, 1})
-      : history_("source", info_, 32), link_(0, 1, Reconstruction::parse(how), delay), slots_(2) {
+      : history_("source", info_, 32), link_(0, 1, reconstruction(how), delay), slots_(2) {
     link_.add(a);
     link_.add(b);
     link_.attach(history_, TimeTolerance(0.0));
@@ -41,6 +41,10 @@ class LinkBench {
   Link& link() { return link_; }
 
  private:
+  /// "held" too, which a scenario has no word for.
+  static Reconstruction reconstruction(const std::string& how) {
+    return how == "held" ? Reconstruction{Reconstruction::Kind::held} : Reconstruction::parse(how);
+  }
   SubsystemInfo info_{"source", {}, {{"a", "1", 1, 1}, {"b", "1", 1, 1}}, {}, {}};
   History history_;
   Link link_;

@@ -47,7 +47,7 @@ class ScheduleBench {
     const auto k = static_cast<std::size_t>(i);
     const Walker& w = walkers_[k];
     const double next = done(k) ? 1e300 : w.lands ? std::min(grids_[k].next(), t_stop_) : grids_[k].next();
-    return {time(i), next, w.lands, w.reads_mean};
+    return {.time = time(i), .next = next, .lands = w.lands, .reads_mean = w.reads_mean};
   }
 
   /// Takes a turn, as FixedStep does; in parallel this is all the calls of a round.
@@ -81,7 +81,7 @@ class ScheduleBench {
  private:
   static std::vector<Member> members(const std::vector<Walker>& walkers) {
     std::vector<Member> all;
-    for (const Walker& w : walkers) all.push_back({Member::never, Member::never, w.lands, w.reads_mean});
+    for (const Walker& w : walkers) all.push_back({.lands = w.lands, .reads_mean = w.reads_mean});
     return all;
   }
   bool done(std::size_t i) const { return tolerance_.before(walkers_[i].finishes, grids_[i].next()); }

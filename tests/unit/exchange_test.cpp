@@ -39,7 +39,7 @@ class Bench {
     topology_.connect(added(connection("b.y", "reader.sum", how_b)));
     topology_.connect(connection("b.y", "reader.b", how_b));
     const std::int64_t capacities[] = {capacity, capacity, capacity};
-    exchange.emplace(topology_, TimeTolerance(0.0), Lags{{1.0, 1.0, 1.0}, delay_a}, capacities);
+    exchange.emplace(topology_, TimeTolerance(0.0), LinkTimes{{1.0, 1.0, 1.0}, delay_a}, capacities);
     for (const int i : {0, 1}) give(i, 1);
   }
   void give(int source, int rows) {

@@ -119,6 +119,25 @@ TEST(Topology, AUnitWithAnotherZeroShiftsBeforeTheGain) {
   EXPECT_EQ(topology.lines()[0].offset, 2.0 * 273.15 + 1.0);  // 2 (T + 273.15) + 1
 }
 
+TEST_F(TopologyTest, AHeldOutputNeedsNoReconstructionAndOthersDo) {
+  SubsystemInfo clock{"clock", {{"reset", "1", 1, 0, 0.0}}, {{"tick", "rpm"}}, {}, {.sampled = true}, {0.1}};
+  clock.outputs[0].held = true;
+  topology.add("clock", clock);
+  Connection held = connection("clock.tick", "shaft.speed", "");
+  held.convert = true;
+  topology.connect(held);
+  EXPECT_EQ(topology.lines().back().how.kind, Reconstruction::Kind::held);
+  held.how = Reconstruction::parse("lagrange1");
+  EXPECT_TRUE(refuses_connection(held, {"clock.tick", "lagrange1", "held", "mean"}));
+  EXPECT_TRUE(
+      refuses_connection(connection("motor.angle", "shaft.angle", ""), {"motor.angle", "no reconstruction"}));
+  EXPECT_TRUE(refuses_connection({.from = "shaft.torque",
+                                  .to = "clock.reset",
+                                  .how = Reconstruction::parse("matched_hold"),
+                                  .convert = true},
+                                 {"shaft.torque"}));
+}
+
 TEST_F(TopologyTest, GainsAndOffsetsAreFinite) {
   Connection c = connection("motor.angle", "shaft.angle");
   c.gain = NAN;

@@ -34,6 +34,7 @@ void require_same(const Rows& found, const Rows& expected, const std::string& wh
 Instance::Instance(const Subject& of)
     : subsystem(of.open()), t_start_(of.settings.t_start), tolerance_(of.settings.t_start) {
   require(subsystem != nullptr, "there is no subsystem; allowed is one");
+  if (can().sampled) throw LeftOut("it is sampled and takes no own steps");
   make_signals(of.settings.inputs);
   initialize(u0_);
 }

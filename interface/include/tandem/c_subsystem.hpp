@@ -24,6 +24,7 @@ class CSubsystem : public Subsystem {
   const SubsystemInfo& info() const override { return info_; }
   Clock initialize(double t_start, double t_stop, std::span<const double> u0, Samples& y) override;
   Clock advance(double t_limit, bool land, std::span<const Signal> u, Samples& y) override;
+  Clock sample(double t, SamplePart part, std::span<const double> u, std::span<double> y) override;
   StateId save_state() override;
   Clock restore_state(StateId id) override;
   void release_state(StateId id) override;
@@ -36,7 +37,9 @@ class CSubsystem : public Subsystem {
   void destroy() noexcept;
   std::string who() const;
   void check(tandem_status status, const char* call) const;
+  void ask_info();
   void check_functions() const;
+  [[noreturn]] void refuse_functions(const char* what) const;
   void require_saving() const;
   void require_serializing() const;
   template <class Call>

@@ -6,7 +6,7 @@
  * Units are SI (time in s) unless a port says otherwise. Numbers are IEEE doubles. Inputs are functions of
  * time: tandem/signal.h.
  *
- * Order of calls:  create  info  initialize+  advance*  destroy
+ * Order of calls:  create  info  initialize+  advance* (or sample*)  destroy
  * `initialize` may be called again before the first `advance`; afterwards only with TANDEM_RESTARTS.
  * Calls on one instance never overlap; different instances may be called from different threads.
  *
@@ -20,6 +20,7 @@
 #include <stdint.h>
 
 #include "tandem/signal.h"
+#include "tandem/subsystem_info.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -53,6 +54,11 @@ typedef enum tandem_stop {
   TANDEM_STOP_FINISHED = 3      /* will not go on, whatever the limit */
 } tandem_stop;
 
+enum { /* what a sampled subsystem is to do at an instant */
+  TANDEM_SAMPLE_OUTPUTS = 1, /* give its outputs; nothing else changes, and it may be asked again */
+  TANDEM_SAMPLE_STATES = 2   /* go on to the next instant; after the outputs where both are asked for */
+};
+
 /* Where the subsystem stands, where its next own step would end (> time), and why it returned. */
 typedef struct tandem_clock {
   double time;
@@ -60,41 +66,6 @@ typedef struct tandem_clock {
   int32_t stop;
   int32_t reserved;
 } tandem_clock;
-
-/* A port of `size` >= 1 scalars (an array port is flattened in place). `name` is not NULL; `unit` is "1" for
- * none. `start` is the value an input takes when nothing else is known, NaN for none. `derivatives`: how many
- * time derivatives an output gives with each sample, 0 to 3. */
-typedef struct tandem_port {
-  const char* name;
-  const char* unit;
-  int32_t size;
-  int32_t derivatives;
-  double start;
-} tandem_port;
-
-/* The scalar output (flattened index) at time t depends on that scalar input at the same t. */
-typedef struct tandem_feedthrough {
-  int32_t output;
-  int32_t input;
-} tandem_feedthrough;
-
-enum {
-  TANDEM_CHOOSES_STEP = 1, /* own steps vary */
-  TANDEM_LANDS = 2,        /* can cut a step so that it ends at t_limit */
-  TANDEM_SAVES_STATE = 4,
-  TANDEM_RESTARTS = 8, /* may be initialized again after an advance */
-  TANDEM_REACTIVE_INPUTS = 16,
-  TANDEM_SERIALIZES_STATE = 32 /* gives saved states as bytes, and takes them */
-};
-
-typedef struct tandem_info {
-  const char* name;
-  uint32_t abilities;
-  int32_t input_count, output_count, feedthrough_count;
-  const tandem_port* inputs;
-  const tandem_port* outputs;
-  const tandem_feedthrough* feedthrough;
-} tandem_info;
 
 /* The table of functions; new functions are added at its end only, and a table_size that ends before one says
  * that it is not there. `self` is what create gave. */
@@ -135,6 +106,21 @@ typedef struct tandem_subsystem_api {
    * whole, are TANDEM_INVALID_ARGUMENT, where that can be told. */
   tandem_status (*serialize_state)(void* self, int64_t id, const void** bytes, int64_t* size);
   tandem_status (*deserialize_state)(void* self, const void* bytes, int64_t size, int64_t* id);
+
+  /* With TANDEM_HOLDS only, else NULL: a flag by output, 1 if it is held: constant from each of its samples,
+   * that instant included, to the next. It belongs to the subsystem and lives until `destroy`. */
+  const int32_t* (*held)(void* self);
+
+  /* With TANDEM_SAMPLED only, else NULL; `advance` may then be NULL, as it is not called. `initialize` gives
+   * the outputs that hold before the first instant, which is next_time, t_start or later.
+   * sampling: period [s], the least time between two instants, above 0; latency [s]: the outputs change this
+   * long after each instant, 0 or more. Both are constant.
+   * sample: acts at the instant t [s], its next_time. parts: TANDEM_SAMPLE_... or both. u: one value per scalar
+   * input at t, of other sampled subsystems with what is new at t; for the states it is as for the outputs, but
+   * for inputs that do not feed through. y: one value per scalar output, to be given with the outputs; they
+   * hold from t + latency until the next ones do. clock: where it stands (t) and its next instant. */
+  tandem_status (*sampling)(void* self, double* period, double* latency);
+  tandem_status (*sample)(void* self, double t, int32_t parts, const double* u, double* y, tandem_clock* clock);
 } tandem_subsystem_api;
 
 /* sizeof the table before serialize_state came: the least that table_size may be. */

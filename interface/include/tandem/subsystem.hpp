@@ -2,78 +2,14 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "tandem/samples.hpp"
 #include "tandem/signal.hpp"
+#include "tandem/subsystem_info.hpp"
 
 namespace tandem {
-
-/// An input or output. An array port has size > 1; its scalars follow one another in the flattened numbering.
-struct Port {
-  std::string name;
-  std::string unit;     ///< "1" for none; SI unless it says otherwise ("rpm")
-  int size = 1;         ///< number of scalars
-  int derivatives = 0;  ///< of an output: time derivatives given with each sample, 0 to 3
-  double start =
-      std::numeric_limits<double>::quiet_NaN();  ///< of an input: its value when nothing else is known
-};
-
-/// Which port a scalar of the flattened numbering belongs to.
-struct Scalar {
-  const Port* port;
-  int element;
-  std::string name() const;  ///< "x" or, of an array port, "x[2]"
-};
-/// Precondition: 0 <= index < the number of scalars.
-Scalar scalar_at(const std::vector<Port>& ports, int index);
-
-/// The scalar output at time t depends on that scalar input at the same t (flattened indices).
-struct Feedthrough {
-  int output, input;
-};
-
-/// What a subsystem can do beyond the least.
-struct Abilities {
-  bool chooses_step = false;  ///< own steps vary
-  bool lands = false;         ///< can cut a step so that it ends at t_limit
-  bool saves_state = false;
-  bool restarts = false;  ///< may be initialized again after an advance
-  bool reactive_inputs = false;
-  bool serializes_state = false;  ///< gives saved states as bytes, and takes them
-};
-/// The same as bits of subsystem.h (TANDEM_LANDS, ...); bits that are not known are left out.
-std::uint32_t to_bits(const Abilities& abilities);
-Abilities abilities_from(std::uint32_t bits);
-
-struct SubsystemInfo {
-  std::string name;
-  std::vector<Port> inputs, outputs;
-  std::vector<Feedthrough> feedthrough;
-  Abilities abilities;
-
-  int input_size() const { return scalars(inputs); }    ///< number of scalar inputs
-  int output_size() const { return scalars(outputs); }  ///< number of scalar outputs
-  int derivatives() const {                             ///< blocks of derivatives in a sample row
-    int most = 0;
-    for (const Port& port : outputs) most = port.derivatives > most ? port.derivatives : most;
-    return most;
-  }
-  /// Doubles in a sample row.
-  std::int64_t row_size() const {
-    return Samples::header + std::int64_t{output_size()} * (1 + derivatives());
-  }
-
- private:
-  static int scalars(const std::vector<Port>& ports) {
-    int sum = 0;
-    for (const Port& port : ports) sum += port.size;
-    return sum;
-  }
-};
 
 /// Why a call returned.
 enum class Stop {
@@ -89,11 +25,18 @@ struct Clock {
   Stop stop;
 };
 
+/// What a sampled subsystem is to do at an instant.
+enum class SamplePart {
+  outputs = TANDEM_SAMPLE_OUTPUTS,  ///< give its outputs; nothing else changes, and it may be asked again
+  states = TANDEM_SAMPLE_STATES,    ///< go on to the next instant
+  both = TANDEM_SAMPLE_OUTPUTS | TANDEM_SAMPLE_STATES,  ///< the outputs first
+};
+
 using StateId = std::int64_t;
 
-/// A system that integrates itself with its own step. One instance is called by one thread at a time, in the
-/// order initialize (again, as often as needed), advance, advance, ... Any call may throw Error; the run ends
-/// then.
+/// A system that integrates itself with its own step, or a sampled one. One instance is called by one thread
+/// at a time, in the order initialize (again, as often as needed), then advance, advance, ... or sample,
+/// sample, ... Any call may throw Error; the run ends then.
 class Subsystem {
  public:
   virtual ~Subsystem() = default;
@@ -102,10 +45,11 @@ class Subsystem {
   virtual const SubsystemInfo& info() const = 0;
 
   /// Puts the state at t_start [s] and appends the first sample; the run ends at t_stop [s], past which no
-  /// step is asked for. u0: one value per scalar input, NaN where it is not known yet; an output without
-  /// feedthrough from an unknown input must come back finite all the same. May be called again before the
-  /// first advance, and afterwards with the ability `restarts`. u0, y and later u belong to the caller and
-  /// are valid during the call.
+  /// step is asked for. A sampled subsystem gives the outputs that hold before its first instant, which is
+  /// its next_time, t_start or later. u0: one value per scalar input, NaN where it is not known yet; an
+  /// output without feedthrough from an unknown input must come back finite all the same. May be called again
+  /// before the first advance, and afterwards with the ability `restarts`. u0, y and later u belong to the
+  /// caller and are valid during the call.
   virtual Clock initialize(double t_start, double t_stop, std::span<const double> u0, Samples& y) = 0;
 
   /// Takes own steps for as long as they end at or before t_limit (tolerant: TimeGrid::fits) and appends one
@@ -120,6 +64,13 @@ class Subsystem {
   /// not; call advance. The base class says false, and is never asked to finish.
   virtual bool start_advance(double t_limit, bool land, std::span<const Signal> u, const Samples& y);
   virtual Clock finish_advance(Samples& y);
+
+  /// With the ability `sampled`, in place of advance: acts at the instant t [s], its next_time. u: one value
+  /// per scalar input at t, of other sampled subsystems with what is new at t; for the states it is as for
+  /// the outputs, but for inputs that do not feed through. y: one value per scalar output, to be given with
+  /// the outputs; they hold from t + latency until the next ones do. Returns where it stands and its next
+  /// instant (of the outputs alone it is not looked at). The base class refuses with Error(not_supported).
+  virtual Clock sample(double t, SamplePart part, std::span<const double> u, std::span<double> y);
 
   /// With the ability `saves_state`: a copy of the whole state, valid until released. The base class refuses
   /// all three with Error(not_supported); an id that is not saved is Error(invalid_argument).

@@ -74,6 +74,7 @@ void Link::write(ByteWriter& to) const {
       to.put(s.origin);
       to.put_doubles(s.c);
     }
+  to.put(read_from_);
 }
 
 void Link::read(ByteReader& from) {
@@ -88,6 +89,7 @@ void Link::read(ByteReader& from) {
   first_ = segments_.data();
   for (std::size_t l = 0; l < lanes_.size(); ++l)
     read({first_ + static_cast<std::int64_t>(l) * capacity_, static_cast<std::size_t>(count_)}, from);
+  read_from_ = from.take<double>();
 }
 
 /// Each segment is of a row that is there, and so are the rows that the next one is fitted to.
@@ -96,19 +98,20 @@ void Link::check(std::int32_t count, const ByteReader& from) const {
   if (count < fewest || count > (follows_ ? rows : 0))
     from.refuse("has " + std::to_string(count) + " segments; allowed are " + std::to_string(fewest) + " to " +
                 std::to_string(rows));
-  if (fitted_ < 0 || std::min<std::int64_t>(fitted_, how_.samples() - 1) > rows)
+  if (fitted_ < 0 || std::min<std::int64_t>(fitted_, rows_looked_at() - 1) > rows)
     from.refuse("has " + std::to_string(fitted_) + " rows to be fitted together, of " + std::to_string(rows) +
                 " that are there");
   if (!all_finite(differences_)) from.refuse("has differences of samples that are not finite");
 }
 
-void Link::read(std::span<Segment> lane, ByteReader& from) {
+void Link::read(std::span<Segment> lane, ByteReader& from) const {
   double before = -std::numeric_limits<double>::infinity();
   for (Segment& s : lane) {
     s.end = from.take<double>();
     s.origin = from.take<double>();
     from.take_doubles(s.c);
-    if (!all_finite(s.c) || !std::isfinite(s.origin) || !std::isfinite(s.end) || s.end < before)
+    const bool open = held_ && &s == &lane.back() && s.end == std::numeric_limits<double>::infinity();
+    if (!all_finite(s.c) || !std::isfinite(s.origin) || !(open || std::isfinite(s.end)) || s.end < before)
       from.refuse("has a segment that is not finite, or ends before the one before it");
     before = s.end;
   }
@@ -139,8 +142,7 @@ void Coordinator::require_serializable() const {
 void Coordinator::save(ByteWriter& to) const {
   for (int i = 0; i < topology_.size(); ++i) {
     const Seat& seat = seats_[static_cast<std::size_t>(i)];
-    const Member& member = schedule_->member(i);
-    to.put_doubles(std::array{seat.time, member.time, member.next});
+    to.put_doubles(std::array{seat.time, own_next(i)});
     to.put(std::int32_t{seat.idle_calls});
     for (const std::int64_t number : {seat.told, seat.effort.exchanges, seat.effort.steps}) to.put(number);
     const auto bytes = named(topology_.name(i), [&] {
@@ -158,34 +160,34 @@ void Coordinator::save(ByteWriter& to) const {
 /// All numbers are looked at before the first subsystem gets its state.
 void Coordinator::restore(ByteReader& from) {
   std::vector<std::span<const std::byte>> states;
-  std::vector<Member> members(seats_.size());
   for (std::size_t i = 0; i < seats_.size(); ++i) {
     Seat& seat = seats_[i];
-    Member& member = members[i];
-    for (double* time : {&seat.time, &member.time, &member.next}) *time = from.take<double>();
+    for (double* time : {&seat.time, &own_next_[i]}) *time = from.take<double>();
     seat.idle_calls = from.take<std::int32_t>();
     for (std::int64_t* number : {&seat.told, &seat.effort.exchanges, &seat.effort.steps})
       *number = from.take<std::int64_t>();
     states.push_back(from.take_bytes(from.take<std::uint64_t>()));
   }
   exchange_->read(from);
-  for (int i = 0; i < topology_.size(); ++i) check_seat(i, members[static_cast<std::size_t>(i)], from);
-  for (int i = 0; i < topology_.size(); ++i)
-    schedule_->stand(i, members[static_cast<std::size_t>(i)].time, members[static_cast<std::size_t>(i)].next);
+  for (int i = 0; i < topology_.size(); ++i) check_seat(i, from);
+  place_all();
   for (int i = 0; i < topology_.size(); ++i) restore_state(i, states[static_cast<std::size_t>(i)], from);
 }
 
-/// Where it stands is the time of its newest sample, within the span, and its next step ends after that.
-void Coordinator::check_seat(int who, const Member& member, const ByteReader& from) const {
+/// Where it stands is the time of its newest sample (of a sampled one the instant of that, or the start),
+/// within the span, and its next step ends after that.
+void Coordinator::check_seat(int who, const ByteReader& from) const {
   const Seat& seat = seats_[static_cast<std::size_t>(who)];
+  const double next = own_next_[static_cast<std::size_t>(who)];
   const History& history = exchange_->history(who);
-  const bool in_span = !tolerance_.before(seat.time, t_start_) && !tolerance_.before(t_stop_, seat.time);
-  const bool stands = member.finished() ? member.time == Member::never
-                                        : member.time == seat.time && member.next > seat.time &&
-                                              !tolerance_.before(t_stop_, member.next);
-  if (seat.time != history.time(history.newest()) || !in_span || !stands)
+  const bool sampled = topology_.info(who).abilities.sampled,
+             in_span = !tolerance_.before(seat.time, t_start_) && !tolerance_.before(t_stop_, seat.time);
+  const double newest = history.time(history.newest());
+  const bool at_newest =
+      seat.time == newest || (sampled && seat.time + topology_.info(who).sampling.latency == newest);
+  if (!at_newest || !in_span || !(sampled ? next >= seat.time : next > seat.time))
     from.refuse("has subsystem '" + topology_.name(who) + "' at t = " + number_text(seat.time) +
-                " s with a next step to " + number_text(member.next) +
+                " s with a next step to " + number_text(next) +
                 " s; allowed is the time of its newest sample, within the run, and a later one");
   if (seat.idle_calls < 0 || seat.idle_calls >= most_idle_calls || seat.told < history.oldest() - 1 ||
       seat.told > history.newest() || seat.effort.exchanges < 0 || seat.effort.steps < 0)

@@ -39,6 +39,7 @@ Coordinator::Coordinator(const Topology& topology, const std::vector<Subsystem*>
     throw Error(ErrorCode::invalid_argument, "the span from " + number_text(t_start_) + " s to " +
                                                  number_text(t_stop_) + " s does not end after its start");
   for (Subsystem* subsystem : subsystems) seats_.push_back({subsystem});
+  own_next_.resize(seats_.size());
 }
 
 void Coordinator::initialize() {
@@ -62,13 +63,20 @@ bool Coordinator::round() {
   const auto turns = schedule_->next_round();
   if (turns.empty()) return end();
   try {
-    make(turns);
+    has_samples_ ? make_with_samples(turns) : make(turns);
   } catch (...) {
-    finish_all(turns);
-    for (const Turn& turn : turns) keep(turn);
+    const std::span<const Turn> under_way = has_samples_ ? going_ : turns;
+    finish_all(under_way);
+    for (const Turn& turn : under_way) keep(turn);
     throw;
   }
   return !stopped_;
+}
+
+/// In parallel with sampled subsystems the others see it when the round is over.
+inline void Coordinator::commit(int who, double limit) {
+  const std::int64_t count = frozen_ ? exchange_->accept(who, limit) : exchange_->commit(who, limit);
+  if (count > 0) tell(who);
 }
 
 void Coordinator::make(std::span<const Turn> turns) {
@@ -176,11 +184,6 @@ Clock Coordinator::advance(const Turn& turn, std::span<const Signal> u, Samples&
   });
 }
 
-void Coordinator::commit(int who, double limit) {
-  const std::int64_t count = exchange_->commit(who, limit);
-  if (count > 0) tell(who);
-}
-
 /// The observer, if there is one, once of each row.
 void Coordinator::tell(int who) {
   const History& history = exchange_->history(who);
@@ -215,7 +218,7 @@ void Coordinator::check_clock(const Turn& turn, double before, std::int64_t rows
 
 bool Coordinator::end() {
   for (int i = 0; i < topology_.size(); ++i)
-    if (tolerance_.before(time(i), t_stop_))
+    if (!topology_.info(i).abilities.sampled && tolerance_.before(time(i), t_stop_))
       notes_.push_back("subsystem '" + topology_.name(i) + "' ended at t = " + number_text(time(i)) +
                        " s, its last own node, " + number_text(t_stop_ - time(i), 3) + " s before the end");
   stopped_ = true;

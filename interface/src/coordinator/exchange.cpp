@@ -4,14 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace tandem {
 namespace {
 
-double lag_of(Lag lag, int reader, const Lags& lags) {
-  if (lag == Lag::memory) return lags.memory[static_cast<std::size_t>(reader)];
-  return lag == Lag::delay ? lags.delay : 0.0;
+double lag_of(Lag lag, int reader, const LinkTimes& times) {
+  if (lag == Lag::memory) return times.memory[static_cast<std::size_t>(reader)];
+  return lag == Lag::delay ? times.delay : 0.0;
 }
 
 /// Coefficients of p about another origin, p(t) = sum c_k (t - to)^k: a Taylor shift, added to `c`.
@@ -33,36 +34,52 @@ const Segment& piece(const Signal& signal, double end) {
 
 }  // namespace
 
-Exchange::Exchange(const Topology& topology, TimeTolerance tolerance, const Lags& lags,
+Exchange::Exchange(const Topology& topology, TimeTolerance tolerance, const LinkTimes& times,
                    std::span<const std::int64_t> capacities)
     : tolerance_(tolerance) {
   for (int i = 0; i < topology.size(); ++i) {
     const auto inputs = static_cast<std::size_t>(topology.info(i).input_size());
     History history(topology.name(i), topology.info(i), capacities[static_cast<std::size_t>(i)]);
-    ends_.push_back({std::move(history), {}, {}, inputs, std::vector<Signal>(inputs), {}, {}});
+    ends_.emplace_back(std::move(history), inputs);
   }
   std::map<std::pair<int, int>, std::vector<std::size_t>> of_pairs;
   for (const Line& line : topology.lines())
-    add_line(topology, line, lags, of_pairs[{line.source, line.reader}]);
+    add_line(topology, line, times, of_pairs[{line.source, line.reader}]);
   for (int i = 0; i < topology.size(); ++i) hold_start_values(topology, i);
   for (Link& link : links_) {
-    link.attach(history(link.source()), tolerance_);
-    ends_[static_cast<std::size_t>(link.source())].out.push_back(&link);
-    ends_[static_cast<std::size_t>(link.reader())].in.push_back(&link);
+    End &source = ends_[static_cast<std::size_t>(link.source())],
+        &reader = ends_[static_cast<std::size_t>(link.reader())];
+    const bool at_instants = topology.info(link.reader()).abilities.sampled;
+    link.attach(source.history, tolerance_);
+    source.out.insert(at_instants ? source.out.begin() : source.out.end(), &link);
+    source.at_instants += at_instants ? 1 : 0;
+    reader.in.push_back(&link);
+    const double period = topology.info(link.source()).sampling.period;
+    if (period > 0.0 && !times.shortest_period.empty() &&
+        period >= times.shortest_period[static_cast<std::size_t>(link.reader())])
+      reader.breaks.push_back(&link);
   }
 }
 
 /// The link that this line belongs to: same source, reader, reconstruction and delay. of_pair: numbers of the
 /// links between the two.
-Link& Exchange::link_for(const Line& line, const Lags& lags, std::vector<std::size_t>& of_pair) {
-  const double delay = lag_of(line.lag, line.reader, lags);
+Link& Exchange::link_for(const Topology& topology, const Line& line, const LinkTimes& times,
+                         std::vector<std::size_t>& of_pair) {
+  const bool just_before = topology.just_before(line);
+  const double delay = just_before ? 0.0 : lag_of(line.lag, line.reader, times);
   for (const std::size_t k : of_pair)
-    if (links_[k].how() == line.how && links_[k].delay() == delay) return links_[k];
+    if (links_[k].how() == line.how && links_[k].delay() == delay && links_[k].just_before() == just_before)
+      return links_[k];
   of_pair.push_back(links_.size());
-  return links_.emplace_back(line.source, line.reader, line.how, delay);
+  Link& link = links_.emplace_back(line.source, line.reader, line.how, delay);
+  const auto source = static_cast<std::size_t>(line.source), reader = static_cast<std::size_t>(line.reader);
+  if (!times.nearest.empty()) link.pass_over(times.nearest[source]);
+  if (topology.info(line.reader).abilities.sampled)
+    link.read_at_instants(times.loop.empty() || times.loop[source] == times.loop[reader], just_before);
+  return link;
 }
 
-void Exchange::add_line(const Topology& topology, const Line& line, const Lags& lags,
+void Exchange::add_line(const Topology& topology, const Line& line, const LinkTimes& times,
                         std::vector<std::size_t>& of_pair) {
   End& reader = ends_[static_cast<std::size_t>(line.reader)];
   auto slot = static_cast<std::size_t>(line.input);
@@ -74,7 +91,9 @@ void Exchange::add_line(const Topology& topology, const Line& line, const Lags& 
     if (sum.count == 0) reader.slots.resize(reader.slots.size() + terms);
     slot = sum.first + sum.count++;
   }
-  link_for(line, lags, of_pair).add({line.output, static_cast<int>(slot), line.gain, line.offset});
+  const bool held = scalar_at(topology.info(line.source).outputs, line.output).port->held;
+  link_for(topology, line, times, of_pair)
+      .add({line.output, static_cast<int>(slot), line.gain, line.offset, held});
 }
 
 /// Inputs without a connection keep their start value.
@@ -86,11 +105,51 @@ void Exchange::hold_start_values(const Topology& topology, int i) {
     reader.constants[k].c[0] = start[k];
     reader.slots[k] = Signal(&reader.constants[k], 1, 0);
   }
+  if (topology.info(i).abilities.sampled) reader.values = start;
+  if (topology.info(i).abilities.sampled) reader.values.resize(reader.slots.size());
+}
+
+std::int64_t Exchange::accept(int source, double t_limit) {
+  End& end = ends_[static_cast<std::size_t>(source)];
+  const NewRows rows = end.history.commit(t_limit, tolerance_);
+  for (std::size_t k = 0; k < end.out.size(); ++k)
+    if (k < end.at_instants)
+      end.out[k]->extend(rows);
+    else
+      end.out[k]->wait(rows.count);
+  return rows.count;
+}
+
+void Exchange::publish(int source) {
+  for (Link* link : ends_[static_cast<std::size_t>(source)].out) link->extend_late();
+}
+
+double Exchange::next_break(int reader, double time) const {
+  double first = Member::never;
+  for (const Link* link : ends_[static_cast<std::size_t>(reader)].breaks)
+    first = std::min(first, link->next_break(time));
+  return first;
+}
+
+void Exchange::remake_newest(int source) {
+  End& end = ends_[static_cast<std::size_t>(source)];
+  const double* row = end.history.row(end.history.newest());
+  for (Link* link : end.out) link->remake(row);
+}
+
+std::span<const double> Exchange::sample(int reader, TimeSpan to) {
+  End& end = ends_[static_cast<std::size_t>(reader)];
+  for (Link* link : end.in) link->sample(to, end.values.data());
+  for (const Sum& sum : end.sums) {
+    const auto first = end.values.begin() + static_cast<std::ptrdiff_t>(sum.first);
+    end.values[sum.input] = std::accumulate(first, first + static_cast<std::ptrdiff_t>(sum.count), 0.0);
+  }
+  return {end.values.data(), end.inputs};
 }
 
 /// The sum's breaks are those of all its terms; each piece has its origin at its end, where a term's node is,
 /// so it too depends on the samples alone.
-void Exchange::add_up(Sum& sum, std::span<Signal> slots) {
+void Exchange::add_up(Sum& sum, std::span<Signal> slots) const {
   const auto terms = slots.subspan(sum.first, sum.count);
   sum.segments.clear();
   for (const Signal& term : terms)
@@ -98,8 +157,10 @@ void Exchange::add_up(Sum& sum, std::span<Signal> slots) {
   std::sort(sum.segments.begin(), sum.segments.end(), [](const Segment& a, const Segment& b) {
     return a.end != b.end ? a.end < b.end : a.origin < b.origin;
   });
-  const auto last = std::unique(sum.segments.begin(), sum.segments.end(),
-                                [](const Segment& a, const Segment& b) { return b.origin <= a.end; });
+  const auto last =
+      std::unique(sum.segments.begin(), sum.segments.end(), [&](const Segment& a, const Segment& b) {
+        return a.end == b.end || b.end - a.end <= tolerance_.width(a.end, a.end);
+      });
   sum.segments.erase(last, sum.segments.end());
   int degree = 0;
   for (Segment& s : sum.segments)

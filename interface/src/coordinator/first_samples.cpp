@@ -37,8 +37,10 @@ class FirstSamples {
   }
 
  private:
-  /// Known: finite, and independent of inputs that are not known yet.
+  /// Known: finite, and independent of inputs that are not known yet, as all are that hold before a first
+  /// instant.
   bool known(int i, int output) const {
+    if (topology_.info(i).abilities.sampled) return true;
     const auto& feed = topology_.info(i).feedthrough;
     return std::none_of(feed.begin(), feed.end(), [&](const Feedthrough& f) {
       return f.output == output &&

@@ -13,6 +13,8 @@ Link::Link(int source, int reader, Reconstruction how, double delay)
       extend_(extend_by(how)),
       degree_(how.polynomial_degree()),
       follows_(how.follows_samples()),
+      held_(how.kind == Reconstruction::Kind::held),
+      plain_(follows_ && !held_),
       delay_(delay) {}
 
 void Link::attach(const History& samples, TimeTolerance tolerance) {
@@ -23,6 +25,7 @@ void Link::attach(const History& samples, TimeTolerance tolerance) {
   segments_.assign(lanes_.size() * static_cast<std::size_t>(capacity_), Segment{});
   differences_.assign(lanes_.size() * TANDEM_MAX_COEFFICIENTS, 0.0);
   first_ = segments_.data();
+  if (nearest_ > 0.0) nodes_.resize(static_cast<std::size_t>(how_.samples() * stride_));
 }
 
 Link::Extend Link::extend_by(Reconstruction how) {
@@ -31,6 +34,8 @@ Link::Extend Link::extend_by(Reconstruction how) {
   switch (how.kind) {
     case Reconstruction::Kind::lagrange:
       return lagrange[how.degree];
+    case Reconstruction::Kind::held:
+      return extend_held;
     case Reconstruction::Kind::hermite:
       return extend_hermite;
     case Reconstruction::Kind::least_squares:
@@ -40,40 +45,36 @@ Link::Extend Link::extend_by(Reconstruction how) {
   }
 }
 
-/// Mean: the rows in [time, next_time], else the newest before. Matched hold: the newest row.
-void Link::read_window(double time, double next_time, Signal* slots) {
-  std::int64_t first = samples_->newest(), last = first;
-  if (how_.kind == Reconstruction::Kind::mean) {
-    while (last > samples_->oldest() && tolerance_.before(next_time, samples_->time(last))) --last;
-    first = last;
-    while (first > samples_->oldest() && !tolerance_.before(samples_->time(first - 1), time)) --first;
+/// The rows that a polynomial at this one goes through, the oldest first, at the end of nodes_; their number.
+/// before: rows before it that may be fitted together with it.
+int Link::gather_nodes(const double* row, std::int64_t before) {
+  const int most = how_.samples();
+  int count = 0;
+  const double* newer = nullptr;
+  const std::int64_t last = std::min<std::int64_t>(before, rows_looked_at() - 1);
+  for (std::int64_t k = 0; k <= last && count < most; ++k, row -= stride_) {
+    if (newer && *newer - *row < nearest_) continue;
+    newer = row;
+    std::copy_n(row, stride_, nodes_.data() + (most - ++count) * stride_);
   }
-  hold(first, last, slots);
-  for (std::size_t l = 0; l < lanes_.size(); ++l) segments_[l].end = next_time;
+  return count;
 }
 
-/// One segment a lane: the mean of rows first..last, constant.
-void Link::hold(std::int64_t first, std::int64_t last, Signal* slots) {
-  for (std::size_t l = 0; l < lanes_.size(); ++l) {
-    const Lane& lane = lanes_[l];
-    double sum = 0.0;
-    for (std::int64_t row = first; row <= last; ++row)
-      sum += samples_->values(row)[static_cast<std::size_t>(lane.output)];
-    segments_[l].origin = samples_->time(last);
-    segments_[l].c[0] = lane.gain * (sum / static_cast<double>(last - first + 1)) + lane.offset;
-    slots[lane.slot] = Signal(&segments_[l], 1, 0);
-  }
+void Link::extend_late() {
+  const std::int64_t rows = std::exchange(late_, 0);
+  if (rows > 0) extend({samples_->row(samples_->newest() + 1 - rows), rows});
 }
 
 std::int64_t Link::oldest_needed(double time) {
   if (!been_read_) return samples_->oldest();
   std::int64_t row = samples_->newest();
   if (follows_) {
-    forget_before(time);
-    return row + 1 - std::max(count_, how_.samples());
+    if (!held_ && !sampled_) forget_before(time);
+    return row + 1 - late_ - std::max(count_, rows_looked_at());
   }
   if (how_.kind == Reconstruction::Kind::mean)
-    while (row > samples_->oldest() && !tolerance_.before(samples_->time(row), time)) --row;
+    while (row > samples_->oldest() && !tolerance_.before(samples_->time(row), sampled_ ? read_from_ : time))
+      --row;
   return row;
 }
 

@@ -9,6 +9,7 @@ namespace tandem {
 /// `table` is the lane's memory.
 template <class Make>
 void Link::extend_rows(NewRows rows, const Make& make) {
+  if (nearest_ > 0.0) return extend_spread(rows, make);
   const double* row = rows.first;
   for (std::int64_t left = rows.count; left > 0; --left, row += stride_) {
     if (row[1] != 0.0) fitted_ = 0;
@@ -22,6 +23,30 @@ void Link::extend_rows(NewRows rows, const Make& make) {
       make.fill(weights, row, lane, table, s->c);
       s += capacity_;
       table += TANDEM_MAX_COEFFICIENTS;
+    }
+  }
+}
+
+/// The same on the rows that are not passed over, from the oldest of them on each time.
+template <class Make>
+void Link::extend_spread(NewRows rows, const Make& make) {
+  const double* row = rows.first;
+  for (std::int64_t left = rows.count; left > 0; --left, row += stride_) {
+    if (row[1] != 0.0) fitted_ = 0;
+    const int nodes = gather_nodes(row, fitted_++);
+    const double* node = nodes_.data() + (how_.samples() - nodes) * stride_;
+    Segment* const first = first_ + count_++;
+    for (int k = 0; k < nodes; ++k, node += stride_) {
+      const auto weights = make.prepare(node, k);
+      double* table = differences_.data();
+      Segment* s = first;
+      for (const Lane& lane : lanes_) {
+        s->origin = row[0] + delay_;
+        s->end = s->origin + tolerance_.width(s->origin, s->origin);
+        make.fill(weights, node, lane, table, s->c);
+        s += capacity_;
+        table += TANDEM_MAX_COEFFICIENTS;
+      }
     }
   }
 }

@@ -40,7 +40,7 @@ class LoopSearch {
       path_.back().output = f.output;
       for (const int number : topology_.lines_from(instance)) {
         const Line& line = topology_.lines()[static_cast<std::size_t>(number)];
-        if (line.output == f.output && line.lag == Lag::none && visit(line.reader, line.input)) return true;
+        if (line.output == f.output && topology_.at_once(line) && visit(line.reader, line.input)) return true;
       }
     }
     path_.pop_back();
@@ -68,6 +68,12 @@ class LoopSearch {
 };
 
 }  // namespace
+
+bool Topology::at_once(const Line& line) const {
+  const bool from_sampled = info(line.source).abilities.sampled;
+  if (line.lag != Lag::none || (from_sampled && info(line.source).sampling.latency > 0.0)) return false;
+  return from_sampled || !info(line.reader).abilities.sampled;
+}
 
 void Topology::check_loops() const {
   const auto cycle = LoopSearch(*this).find();

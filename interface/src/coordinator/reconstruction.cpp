@@ -58,6 +58,8 @@ std::string Reconstruction::name() const {
       return "matched_hold";
     case Kind::least_squares:
       return "least_squares" + std::to_string(degree) + "_" + std::to_string(extra);
+    case Kind::held:
+      return "held";
     case Kind::lagrange:
       break;
   }

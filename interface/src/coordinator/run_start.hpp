@@ -14,11 +14,20 @@ class RunStart {
   void make();
 
  private:
+  bool sampled(int who) const { return topology_.info(who).abilities.sampled; }
   void first_samples();
   void note_steps();
+  void note_period(int who);
+  void lend_steps();
+  double largest_step() const;
+  void note_times(double communication_step);
+  double shortest_period(int who) const;
+  bool lands(const Line& line) const;
   std::vector<Member> members() const;
   std::vector<Read> reads() const;
-  void lend_steps();
+  void note_samples(const std::vector<Read>& reads);
+  void order_outputs();
+  void stand_all();
   std::vector<int> leaders_first() const;
   void check_named_order() const;
   void check_schemes(const std::vector<int>& order) const;
@@ -44,7 +53,7 @@ class RunStart {
   std::vector<std::vector<double>> rows_;  ///< by subsystem: its first sample, header left out
   std::vector<Clock> clocks_;              ///< by subsystem: as it was initialized
   std::vector<std::vector<double>> u0_;    ///< by subsystem: the inputs that it was initialized with
-  Lags lags_;
+  LinkTimes times_;
 };
 
 }  // namespace tandem

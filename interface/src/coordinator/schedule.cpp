@@ -13,7 +13,24 @@
 namespace tandem {
 namespace {
 constexpr std::array<std::string_view, 4> names = {"slowest-first", "fastest-first", "staggered", "parallel"};
+
+bool has_samples(const std::vector<Member>& members) {
+  return std::any_of(members.begin(), members.end(), [](const Member& m) { return m.sampled; });
 }
+
+bool are_linked(std::span<const Read> reads) {
+  return std::any_of(reads.begin(), reads.end(), [](const Read& r) { return r.reader != r.source; });
+}
+
+/// Sampled ones last.
+std::vector<int> all_in_order(std::vector<int> order, std::size_t members) {
+  std::vector<char> there(members);
+  for (const int who : order) there[static_cast<std::size_t>(who)] = 1;
+  for (std::size_t i = 0; i < members; ++i)
+    if (!there[i]) order.push_back(static_cast<int>(i));
+  return order;
+}
+}  // namespace
 
 Schedule::Kind Schedule::parse(std::string_view text) {
   for (std::size_t i = 0; i < names.size(); ++i)
@@ -30,53 +47,109 @@ Schedule::Schedule(Kind kind, std::vector<Member> members, std::vector<int> orde
     : kind_(kind),
       in_turns_(kind == Kind::slowest_first || kind == Kind::fastest_first),
       members_(std::move(members)),
+      order_(std::move(order)),
+      sampled_(has_samples(members_)),
+      pair_(in_turns_ && !sampled_ && members_.size() == 2 && are_linked(reads)),
+      related_((in_turns_ && !pair_) || sampled_),
       t_start_(span.start),
       t_stop_(span.stop),
       communication_step_(communication_step),
       tolerance_(t_start_),
       earliest_stop_(t_stop_ - tolerance_.width(t_start_, t_stop_)),
       latest_stop_(t_stop_ + tolerance_.width(t_start_, t_stop_)),
-      turns_(std::move(order), reads, tolerance_),
-      round_(members_.size()) {}
+      round_(members_.size()) {
+  if (related_)
+    turns_ = TurnOrder(all_in_order(order_, members_.size()), relations(order_, reads, members_, in_turns_),
+                       tolerance_);
+}
+
+double Schedule::find_landing(int who, double time, double break_at) {
+  Member& m = members_[static_cast<std::size_t>(who)];
+  m.landing = m.lands ? std::min(break_at, turns_.landing(members_, who, time)) : Member::never;
+  return m.landing;
+}
 
 inline void Schedule::add(int who, double limit) {
   const Member& m = member(who);
   const double to = std::max(std::min(limit, t_stop_), m.next);
-  round_[count_++] = {who, to, m.lands && to >= earliest_stop_};
+  round_[count_++] = {who, to,
+                      m.lands && (to >= earliest_stop_ || (sampled_ && !tolerance_.before(to, m.landing)))};
 }
 
-/// The slow side steps when the fast side stands in the middle of that step.
+/// The slow side steps when the fast side stands in the middle of that step. Who waits for a sampled member
+/// lets the other one take a step, which that member may wait for.
 void Schedule::stagger() {
-  assert(order().size() == 2);
-  const Member &slow = member(order()[0]), &fast = member(order()[1]);
-  const double middle = slow.time + (slow.next - slow.time) / 2.0;
-  if (!slow.finished() && !fast.finished() && tolerance_.before(fast.time, middle))
-    round_[count_++] = {order()[1], fast.lands ? middle : std::max(middle, fast.next), fast.lands};
-  else if (!slow.finished())
-    add(order()[0], slow.next);
-  else if (!fast.finished())
-    add(order()[1], t_stop_);
+  assert(order_.size() == 2);
+  const int slow = order_[0], fast = order_[1];
+  const Member &s = member(slow), &f = member(fast);
+  const double middle = s.time + (s.next - s.time) / 2.0;
+  const bool to_middle = !s.finished() && !f.finished() && tolerance_.before(f.time, middle);
+  int who = to_middle || s.finished() ? fast : slow;
+  const bool waits = sampled_ && turns_.waits(who);
+  if (waits) who = who == fast ? slow : fast;
+  if (member(who).finished()) return;
+  if (who == slow || waits) return add(who, member(who).next);
+  const double to = std::min(to_middle ? middle : t_stop_, f.landing);
+  if (to_middle && f.lands)
+    round_[count_++] = {fast, to, true};
+  else
+    add(fast, to);
 }
 
-void Schedule::all_at_once() {
+/// The rule of TurnOrder for two that are linked, without what it takes to find them among thousands.
+void Schedule::turn_of_pair() {
+  const Member &leader = member(order_[0]), &follower = member(order_[1]);
+  const bool followers = !tolerance_.before(leader.time, follower.next);
+  const Member& m = followers ? follower : leader;
+  if (!m.finished())
+    add(order_[followers ? 1 : 0], m.reads_mean ? m.next : followers ? leader.time : follower.next);
+}
+
+bool Schedule::add_samples() {
+  turns_.each_ready(members_, Member::never, [this](int who, double limit) {
+    if (member(who).sampled) add(who, limit);
+  });
+  return count_ > 0;
+}
+
+/// At or past the first node of all that need not wait.
+inline double Schedule::communication_point() const {
   double first = Member::never;
-  for (const Member& m : members_) first = std::min(first, m.next);
-  if (first == Member::never) return;
+  for (std::size_t i = 0; i < members_.size(); ++i)
+    if (!related_ || !turns_.waits(static_cast<int>(i))) first = std::min(first, members_[i].next);
+  if (first == Member::never) return first;
   double k = std::ceil((first - t_start_) / communication_step_);
   if (!tolerance_.before(t_start_ + (k - 1.0) * communication_step_, first)) k -= 1.0;
-  const double target = std::min(t_start_ + k * communication_step_, t_stop_);
-  for (std::size_t i = 0; i < members_.size(); ++i)
-    if (!tolerance_.before(target, members_[i].next)) add(static_cast<int>(i), target);
+  return std::min(t_start_ + k * communication_step_, t_stop_);
+}
+
+inline void Schedule::add_up_to(double target) {
+  if (target == Member::never) return;
+  if (related_)
+    turns_.each_ready(members_, Member::never, [&](int who, double limit) {
+      if (!tolerance_.before(target, member(who).next)) add(who, std::min(limit, target));
+    });
+  else
+    for (std::size_t i = 0; i < members_.size(); ++i)
+      if (!tolerance_.before(target, members_[i].next)) add(static_cast<int>(i), target);
 }
 
 std::span<const Turn> Schedule::next_round() {
   count_ = 0;
-  if (in_turns_)
+  if (pair_)
+    turn_of_pair();
+  else if (in_turns_)
     turns_.each_turn(members_, communication_step_, [this](int who, double limit) { add(who, limit); });
-  else if (kind_ == Kind::staggered)
+  else if (kind_ == Kind::parallel)
+    add_up_to(target_ = communication_point());
+  else if (!related_ || !add_samples())
     stagger();
-  else
-    all_at_once();
+  return {round_.data(), count_};
+}
+
+std::span<const Turn> Schedule::rest_of_round() {
+  count_ = 0;
+  if (kind_ == Kind::parallel && related_) add_up_to(target_);
   return {round_.data(), count_};
 }
 

@@ -24,7 +24,7 @@ int longest_feedthrough(const Topology& topology) {
     for (const Line& line : topology.lines())
       for (const Feedthrough& f : topology.info(line.source).feedthrough) {
         int& behind = at(line.reader, line.input);
-        if (line.lag != Lag::none || f.output != line.output || behind > at(line.source, f.input)) continue;
+        if (!topology.at_once(line) || f.output != line.output || behind > at(line.source, f.input)) continue;
         longest = std::max(longest, behind = at(line.source, f.input) + 1);
         more = true;
       }
@@ -44,7 +44,7 @@ bool RunStart::derivatives_suffice() const {
 
 bool RunStart::can_repeat() const {
   for (int i = 0; i < topology_.size(); ++i)
-    if (!topology_.info(i).abilities.restarts) return false;
+    if (!topology_.info(i).abilities.restarts || sampled(i)) return false;
   return std::none_of(topology_.lines().begin(), topology_.lines().end(),
                       [](const Line& line) { return line.how.kind == Reconstruction::Kind::matched_hold; });
 }
@@ -54,7 +54,8 @@ StartKind RunStart::choose() {
   const auto& lines = topology_.lines();
   const StartKind asked = run_.coordination_.start;
   const std::string needs = "the outputs give too few derivatives for the degrees of their connections";
-  const std::string stays = "not every subsystem can restart, or a connection is a matched hold";
+  const std::string stays =
+      "not every subsystem can restart, one is sampled, or a connection is a matched hold";
   if (asked == StartKind::derivatives && !derivatives_suffice())
     throw Error(ErrorCode::not_supported, "start from derivatives: " + needs);
   if (asked == StartKind::repeat && !can_repeat())
@@ -120,7 +121,7 @@ void RunStart::pass(int who, Exchange& before, double until) {
     const bool land = member.lands && !run_.tolerance_.before(member.next, run_.t_stop_);
     run_.take({who, member.next, land}, before);
   }
-  run_.commit(who, until);
+  run_.exchange_->commit(who, until);
 }
 
 }  // namespace tandem

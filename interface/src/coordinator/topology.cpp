@@ -17,6 +17,26 @@ namespace {
   throw Error(ErrorCode::invalid_argument, sentence);
 }
 
+/// What a connection says, checked against what it joins.
+Reconstruction reconstruction_of(const Connection& c, const Port& from, bool to_sampled,
+                                 const std::string& what) {
+  using Kind = Reconstruction::Kind;
+  if (from.held && (!c.how || c.how->kind == Kind::held)) return {Kind::held};
+  if (!c.how || c.how->kind == Kind::held)
+    refuse_topology(what + " has no reconstruction; only a held output, which " + c.from +
+                    " is not, needs none");
+  if (from.held && c.how->kind != Kind::mean)
+    refuse_topology(what + " is to be reconstructed by " + c.how->name() + ", but " + c.from +
+                    " is held, constant from sample to sample; allowed is no reconstruction, or mean");
+  if (from.derivatives < c.how->derivatives_read())
+    refuse_topology(what + " is to be reconstructed by " + c.how->name() + ", but " + c.from +
+                    " gives no derivative");
+  if (to_sampled && c.how->kind == Kind::matched_hold)
+    refuse_topology(what + " is a matched hold, which needs a reader that integrates itself; '" + c.to +
+                    "' is of a sampled one");
+  return *c.how;
+}
+
 }  // namespace
 
 int Topology::add(const std::string& name, const SubsystemInfo& info) {
@@ -83,11 +103,9 @@ void Topology::connect(const Connection& c) {
   if (from.count != to.count)
     refuse_topology(what + " joins " + std::to_string(from.count) + " scalars to " +
                     std::to_string(to.count));
-  if (c.lag != Lag::none && !c.how.follows_samples())
-    refuse_topology(what + " has a memory or delay together with " + c.how.name() + ", which has none");
-  if (from.port->derivatives < c.how.derivatives_read())
-    refuse_topology(what + " is to be reconstructed by " + c.how.name() + ", but " + c.from +
-                    " gives no derivative");
+  const Reconstruction how = reconstruction_of(c, *from.port, info(to.instance).abilities.sampled, what);
+  if (c.lag != Lag::none && !how.follows_samples())
+    refuse_topology(what + " has a memory or delay together with " + how.name() + ", which has none");
   UnitConversion unit{1.0, 0.0};
   if (from.port->unit != to.port->unit) {
     const auto conversion = convert_unit(from.port->unit, to.port->unit);
@@ -97,24 +115,26 @@ void Topology::connect(const Connection& c) {
       refuse_topology(what + " goes from unit " + units + "; say convert = true, or make them agree");
     unit = *conversion;
   }
-  connect_scalars(c, from, to, c.gain * unit.factor, c.gain * unit.shift + c.offset);
+  const Line line{0, 0, 0, 0, how, c.gain * unit.factor, c.gain * unit.shift + c.offset, c.lag};
+  connect_scalars(line, c.add, from, to);
 }
 
-void Topology::connect_scalars(const Connection& c, const Place& from, const Place& to, double gain,
-                               double offset) {
+void Topology::connect_scalars(Line line, bool add, const Place& from, const Place& to) {
   Instance& reader = instances_[static_cast<std::size_t>(to.instance)];
   for (int k = 0; k < to.count; ++k) {
     char& shared = reader.shared[static_cast<std::size_t>(to.first + k)];
-    if (!lines_to(to.instance, to.first + k).empty() && !(shared && c.add))
+    if (!lines_to(to.instance, to.first + k).empty() && !(shared && add))
       refuse_topology("input " + input_name(to.instance, to.first + k) +
                       " is connected twice; to sum connections, each of them says add = true");
-    shared = c.add;
+    shared = add;
   }
   for (int k = 0; k < to.count; ++k) {
-    const auto line = static_cast<int>(lines_.size());
-    reader.to[static_cast<std::size_t>(to.first + k)].push_back(line);
-    instances_[static_cast<std::size_t>(from.instance)].from.push_back(line);
-    lines_.push_back({from.instance, from.first + k, to.instance, to.first + k, c.how, gain, offset, c.lag});
+    const auto number = static_cast<int>(lines_.size());
+    reader.to[static_cast<std::size_t>(to.first + k)].push_back(number);
+    instances_[static_cast<std::size_t>(from.instance)].from.push_back(number);
+    line.source = from.instance, line.output = from.first + k;
+    line.reader = to.instance, line.input = to.first + k;
+    lines_.push_back(line);
   }
 }
 

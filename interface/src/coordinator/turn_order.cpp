@@ -2,58 +2,56 @@
 #include "tandem/coordinator/turn_order.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
+
+#include "tandem/coordinator/components.hpp"
 
 namespace tandem {
 
-TurnOrder::TurnOrder(std::vector<int> order, std::span<const Read> reads, TimeTolerance tolerance)
-    : order_(std::move(order)),
-      place_(order_.size()),
+using Waits = Relation::Waits;
+using Kind = Relation::Kind;
+
+TurnOrder::TurnOrder(std::span<const int> order, std::vector<Relation> relations, TimeTolerance tolerance)
+    : relations_(std::move(relations)),
       tolerance_(tolerance),
-      first_(order_.size() + 1),
-      waits_(order_.size()),
-      ready_((order_.size() + 63) / 64),
-      group_of_(order_.size()),
-      earliest_(order_.size()),
-      in_chain_(order_.size()) {
-  for (std::size_t p = 0; p < order_.size(); ++p) place_[static_cast<std::size_t>(order_[p])] = p;
-  link(reads);
-  gather();
+      first_(order.size() + 1),
+      waits_(order.size()),
+      ready_((order.size() + 63) / 64),
+      group_of_(order.size()),
+      earliest_(order.size()),
+      in_chain_(order.size()) {
+  link();
+  gather(order);
+  gather_clusters();
 }
 
-/// All stand nowhere at first, which makes it the followers' turn everywhere.
-void TurnOrder::link(std::span<const Read> reads) {
-  std::vector<std::pair<std::size_t, std::size_t>> pairs;  // places of leader and follower
-  for (const Read& r : reads)
-    if (r.reader != r.source)
-      pairs.push_back(std::minmax(
-          {place_[static_cast<std::size_t>(r.reader)], place_[static_cast<std::size_t>(r.source)]}));
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  std::vector<std::vector<Neighbour>> of(order_.size());
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    const int leader = order_[pairs[k].first], follower = order_[pairs[k].second];
-    of[static_cast<std::size_t>(follower)].push_back({leader, static_cast<std::int32_t>(k), true});
-    of[static_cast<std::size_t>(leader)].push_back({follower, static_cast<std::int32_t>(k), false});
-    ++waits_[static_cast<std::size_t>(leader)];
+/// All stand nowhere at first: in turns it is the followers' turn everywhere, and of others none waits.
+void TurnOrder::link() {
+  std::vector<std::vector<Neighbour>> of(waits_.size());
+  for (std::size_t k = 0; k < relations_.size(); ++k) {
+    const auto& [a, b, kind, lag, lands] = relations_[k];
+    const auto number = static_cast<std::int32_t>(k);
+    of[static_cast<std::size_t>(a)].push_back({b, number, Waits::first, kind});
+    of[static_cast<std::size_t>(b)].push_back({a, number, Waits::second, kind});
+    const bool turns = kind == Kind::turns;
+    waiting_side_.push_back(turns ? Waits::first : Waits::none);
+    waits_[static_cast<std::size_t>(a)] += turns ? 1 : 0;
+    drift_ = drift_ || !turns;
   }
   for (std::size_t i = 0; i < of.size(); ++i) {
-    std::sort(of[i].begin(), of[i].end(), [this](const Neighbour& a, const Neighbour& b) {
-      return place_[static_cast<std::size_t>(a.who)] < place_[static_cast<std::size_t>(b.who)];
-    });
     neighbours_.insert(neighbours_.end(), of[i].begin(), of[i].end());
     first_[i + 1] = neighbours_.size();
   }
-  leaders_turn_.assign(pairs.size(), 0);
 }
 
-void TurnOrder::gather() {
-  std::vector<char> known(order_.size());
-  for (const int root : order_) {
+void TurnOrder::gather(std::span<const int> order) {
+  std::vector<char> known(order.size());
+  std::vector<std::size_t> place(order.size());
+  for (std::size_t p = 0; p < order.size(); ++p) place[static_cast<std::size_t>(order[p])] = p;
+  for (const int root : order) {
     if (std::exchange(known[static_cast<std::size_t>(root)], 1)) continue;
     Group group{{root}, 0, false, true};
-    std::size_t ends = 0;  // of pairs
+    std::size_t ends = 0;  // of relations
     for (std::size_t k = 0; k < group.members.size(); ++k) {
       const int who = group.members[k];
       group_of_[static_cast<std::size_t>(who)] = static_cast<int>(groups_.size());
@@ -62,30 +60,51 @@ void TurnOrder::gather() {
         if (!std::exchange(known[static_cast<std::size_t>(other.who)], 1)) group.members.push_back(other.who);
     }
     group.has_rings = ends / 2 >= group.members.size();
-    std::sort(group.members.begin(), group.members.end(), [this](int a, int b) {
-      return place_[static_cast<std::size_t>(a)] < place_[static_cast<std::size_t>(b)];
+    std::sort(group.members.begin(), group.members.end(), [&](int a, int b) {
+      return place[static_cast<std::size_t>(a)] < place[static_cast<std::size_t>(b)];
     });
     waiting_.push_back(static_cast<int>(groups_.size()));
     groups_.push_back(std::move(group));
   }
+  drift_ = drift_ || groups_.size() > 1;
+}
+
+void TurnOrder::gather_clusters() {
+  std::vector<std::pair<int, int>> edges;
+  for (const Relation& r : relations_)
+    if (r.kind == Kind::together && r.lag == 0.0) edges.emplace_back(r.second, r.first);
+  if (edges.empty()) return;
+  cluster_of_ = strongly_connected(static_cast<int>(waits_.size()), edges);
+  clusters_.resize(waits_.size());
+  for (std::size_t i = 0; i < cluster_of_.size(); ++i)
+    clusters_[static_cast<std::size_t>(cluster_of_[i])].push_back(static_cast<int>(i));
+}
+
+Waits TurnOrder::waits_of(std::span<const Member> members, const Neighbour& n, int who) const {
+  const Member &m = members[static_cast<std::size_t>(who)], &other = members[static_cast<std::size_t>(n.who)];
+  if (n.kind == Kind::turns)
+    return (n.leads() ? tolerance_.before(other.time, m.next) : tolerance_.before(m.time, other.next))
+               ? Waits::second
+               : Waits::first;
+  const Relation& r = relations_[static_cast<std::size_t>(n.relation)];
+  return n.mine == Waits::first ? r.waits(m, other, tolerance_) : r.waits(other, m, tolerance_);
 }
 
 void TurnOrder::moved(std::span<const Member> members, int who) {
-  const Member& m = members[static_cast<std::size_t>(who)];
   for (const Neighbour& n : neighbours(who)) {
-    const Member& other = members[static_cast<std::size_t>(n.who)];
-    const bool leaders =
-        n.leads ? tolerance_.before(other.time, m.next) : tolerance_.before(m.time, other.next);
-    char& turn = leaders_turn_[static_cast<std::size_t>(n.pair)];
-    if (leaders == (turn != 0)) continue;
-    turn = leaders ? 1 : 0;
-    const int change = leaders == n.leads ? 1 : -1;
-    waits_[static_cast<std::size_t>(who)] += change;
-    waits_[static_cast<std::size_t>(n.who)] -= change;
-    mark(members, n.who);
+    const Waits now = waits_of(members, n, who);
+    if (now != waiting_side_[static_cast<std::size_t>(n.relation)]) change(members, who, n, now);
   }
   mark(members, who);
-  if (groups_.size() > 1) earliest_.set(static_cast<std::size_t>(who), m.next);
+  if (drift_) earliest_.set(static_cast<std::size_t>(who), next_of(members, who));
+}
+
+void TurnOrder::change(std::span<const Member> members, int who, const Neighbour& n, Waits to) {
+  const Waits from = std::exchange(waiting_side_[static_cast<std::size_t>(n.relation)], to);
+  waits_[static_cast<std::size_t>(who)] += static_cast<int>(to == n.mine) - static_cast<int>(from == n.mine);
+  const auto other = [&n](Waits w) { return static_cast<int>(w != n.mine && w != Waits::none); };
+  waits_[static_cast<std::size_t>(n.who)] += other(to) - other(from);
+  mark(members, n.who);
 }
 
 /// Notes whether it is ready.
@@ -102,69 +121,33 @@ void TurnOrder::mark(std::span<const Member> members, int who) {
     waiting_.push_back(group_of_[i]);
 }
 
-/// Leaders stand past its next node, and followers' next nodes lie past where it stands.
+/// Leaders stand past its next node, followers' next nodes lie past where it stands, and outputs of sampled
+/// ones are known.
 double TurnOrder::limit(std::span<const Member> members, int who) const {
   const Member& m = members[static_cast<std::size_t>(who)];
   if (m.reads_mean) return m.next;
-  double limit = Member::never;
+  double limit = m.landing;
   for (const Neighbour& n : neighbours(who)) {
     const Member& other = members[static_cast<std::size_t>(n.who)];
-    limit = std::min(limit, n.leads ? other.time : other.next);
+    if (n.kind == Kind::turns)
+      limit = std::min(limit, n.leads() ? other.time : other.next);
+    else if (n.kind == Kind::held)
+      limit = std::min(limit, other.next + relations_[static_cast<std::size_t>(n.relation)].lag);
   }
   return limit;
 }
 
-/// One in each group of which all wait.
-std::span<const int> TurnOrder::out_of_rings(std::span<const Member> members) {
-  out_of_rings_.clear();
-  std::erase_if(waiting_, [&](int g) {
-    Group& group = groups_[static_cast<std::size_t>(g)];
-    const int from = group.ready == 0 ? earliest_of(members, group) : -1;
-    if (from >= 0) out_of_rings_.push_back(out_of_ring(from));
-    return !(group.waits = from >= 0);
-  });
-  return out_of_rings_;
-}
-
-/// That with the earliest next node; -1 if all have finished.
-int TurnOrder::earliest_of(std::span<const Member> members, const Group& group) const {
-  int who = -1;
-  double earliest = Member::never;
-  for (const int other : group.members)
-    if (next_of(members, other) < earliest) earliest = next_of(members, who = other);
-  return who;
-}
-
-const TurnOrder::Neighbour* TurnOrder::first_waited_for(int who) const {
-  for (const Neighbour& n : neighbours(who))
-    if (waits_for(n) && std::find(freed_.begin(), freed_.end(), n.pair) == freed_.end()) return &n;
-  return nullptr;
-}
-
-int TurnOrder::out_of_ring(int from) {
-  freed_.clear();
-  chain_.assign(1, {from, -1, false});
-  in_chain_[static_cast<std::size_t>(from)] = 1;
-  while (const Neighbour* n = first_waited_for(from)) {
-    const bool closed = std::exchange(in_chain_[static_cast<std::size_t>(n->who)], 1) != 0;
-    chain_.push_back(*n);
-    from = closed ? open_ring() : n->who;
+double TurnOrder::landing(std::span<const Member> members, int who, double time) const {
+  double first = Member::never;
+  for (const Neighbour& n : neighbours(who)) {
+    if (n.kind == Kind::turns) continue;
+    const Relation& r = relations_[static_cast<std::size_t>(n.relation)];
+    if (!r.lands) continue;
+    const double instant = next_of(members, n.who),
+                 t = r.kind == Kind::held ? instant + r.lag : instant - r.lag;
+    if (instant != Member::never && tolerance_.before(time, t)) first = std::min(first, t);
   }
-  for (const Neighbour& n : chain_) in_chain_[static_cast<std::size_t>(n.who)] = 0;
-  return from;
-}
-
-/// The last of the chain is there before, too: from there on the first leader that waits for a follower waits
-/// for it no longer, and is the chain's end.
-int TurnOrder::open_ring() {
-  std::size_t k = 0;
-  while (chain_[k].who != chain_.back().who) ++k;
-  while (chain_[k + 1].leads) ++k;
-  freed_.push_back(chain_[k + 1].pair);
-  in_chain_[static_cast<std::size_t>(chain_.back().who)] = 0;
-  for (; chain_.size() > k + 1; chain_.pop_back()) in_chain_[static_cast<std::size_t>(chain_.back().who)] = 0;
-  for (const Neighbour& n : chain_) in_chain_[static_cast<std::size_t>(n.who)] = 1;
-  return chain_.back().who;
+  return first;
 }
 
 }  // namespace tandem

@@ -89,19 +89,18 @@ tandem_status advance(void* self, double t_limit, std::int32_t, const tandem_sig
   return TANDEM_OK;
 }
 
-const tandem_subsystem_api table = {TANDEM_ABI_VERSION,
-                                    sizeof(tandem_subsystem_api),
-                                    create,
-                                    [](void* self) { delete &self_of(self); },
-                                    [](void* self) -> const tandem_info* { return &self_of(self).info; },
-                                    [](void*) -> const char* { return ""; },
-                                    initialize,
-                                    advance,
-                                    nullptr,
-                                    nullptr,
-                                    nullptr,
-                                    nullptr,
-                                    nullptr};
+const tandem_subsystem_api table = [] {
+  tandem_subsystem_api api{};
+  api.abi_version = TANDEM_ABI_VERSION;
+  api.table_size = sizeof(tandem_subsystem_api);
+  api.create = create;
+  api.destroy = [](void* self) { delete &self_of(self); };
+  api.info = [](void* self) -> const tandem_info* { return &self_of(self).info; };
+  api.last_error = [](void*) -> const char* { return ""; };
+  api.initialize = initialize;
+  api.advance = advance;
+  return api;
+}();
 
 }  // namespace
 

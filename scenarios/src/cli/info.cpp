@@ -32,7 +32,8 @@ void print_inputs(const SubsystemInfo& info, const std::vector<double>& start) {
 void print_outputs(const SubsystemInfo& info) {
   say("  outputs:{}\n", info.outputs.empty() ? " none" : "");
   for (const Port& port : info.outputs)
-    say("    {}{}  unit {}, {} time derivatives\n", port.name, shape(port), port.unit, port.derivatives);
+    say("    {}{}  unit {}, {}\n", port.name, shape(port), port.unit,
+        port.held ? "held" : fmt::format("{} time derivatives", port.derivatives));
   say("  feedthrough:{}\n", info.feedthrough.empty() ? " none" : "");
   for (const Feedthrough& f : info.feedthrough)
     say("    {} at once from {}\n", scalar_at(info.outputs, f.output).name(),
@@ -50,6 +51,7 @@ void print_abilities(const Abilities& a) {
   add(a.serializes_state, "gives its state as bytes (for checkpoints)");
   add(a.restarts, "restarts");
   add(a.reactive_inputs, "reactive inputs");
+  add(a.sampled, "sampled (acts at instants of its own)");
   say("  abilities: {}\n", text.empty() ? "none" : text);
 }
 
@@ -72,7 +74,12 @@ void print(const std::string& name, Subsystem& subsystem, const Span& span,
   print_inputs(info, start);
   print_outputs(info);
   print_abilities(info.abilities);
-  say("  first own step: {:.6g} s\n", own_step(subsystem, span, start));
+  const double step = own_step(subsystem, span, start);
+  if (info.abilities.sampled)
+    say("  period: {:.6g} s, first instant after {:.6g} s, outputs change {:.6g} s after an instant\n",
+        info.sampling.period, step, info.sampling.latency);
+  else
+    say("  first own step: {:.6g} s\n", step);
 }
 
 void print_words(const Source& source) {
@@ -126,7 +133,7 @@ void print_scenario(const InfoOptions& options, const Context& context) {
   say("connections:{}\n", scenario.connections.empty() ? " none" : "");
   for (const scenario::ConnectionEntry& entry : scenario.connections) {
     const Connection& c = entry.connection;
-    say("  {} -> {}  {}{}\n", c.from, c.to, c.how.name(), extras(c));
+    say("  {} -> {}  {}{}\n", c.from, c.to, c.how ? c.how->name() : "held", extras(c));
   }
   say("{}", in_part(scenario, parts));
 }

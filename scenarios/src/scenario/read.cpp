@@ -130,6 +130,8 @@ class Reader {
     if (const auto* table = section.table("inputs"))
       for (const auto& [port, node] : in_file_order(*table))
         read_start(entry, port, *node, section.name("inputs." + port));
+    if (const auto land = section.text("land"))
+      to_.coordination.landing[name] = text::located(section.place("land"), [&] { return landing(*land); });
     section.refuse_unknown();
     to_.subsystems.push_back(std::move(entry));
   }
@@ -172,10 +174,9 @@ class Reader {
   void read_connection(Section section) {
     const std::string from = section.required_text("from", "an output, \"instance.port\"");
     const std::string to = section.required_text("to", "an input, \"instance.port\"");
-    const std::string how = section.required_text(
-        "reconstruction", "lagrange0 to lagrange4, hermite, mean, least_squaresD_EXTRA or matched_hold");
-    Connection c{from, to,
-                 located(section.place("reconstruction"), [&] { return Reconstruction::parse(how); })};
+    Connection c{from, to, {}};
+    if (const auto how = section.text("reconstruction"))
+      c.how = located(section.place("reconstruction"), [&] { return Reconstruction::parse(*how); });
     c.gain = section.number("gain").value_or(c.gain);
     c.offset = section.number("offset").value_or(c.offset);
     c.add = section.flag("add").value_or(c.add);

@@ -57,7 +57,7 @@ Place Scenario::place_named_in(const std::string& sentence) const {
 }
 
 Place ConnectionEntry::place_named_in(const std::string& sentence) const {
-  if (mentions(sentence, connection.how.name())) return how_place;
+  if (connection.how && mentions(sentence, connection.how->name())) return how_place;
   const bool unknown = sentence.find("is not there") != std::string::npos;
   const std::string reader = connection.to.substr(0, connection.to.find('.'));
   const bool at_reader = mentions(sentence, "input") || sentence.starts_with("subsystem '" + reader + "' is");

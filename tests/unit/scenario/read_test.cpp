@@ -102,12 +102,21 @@ TEST(Read, AConnectionHasAllItsKeys) {
   const Connection c = read(folder.write("scene.toml", whole)).connections.at(0).connection;
   EXPECT_EQ(c.from, "slow.y");
   EXPECT_EQ(c.to, "fast.u");
-  EXPECT_EQ(c.how.name(), "least_squares2_4");
+  EXPECT_EQ(c.how.value().name(), "least_squares2_4");
   EXPECT_EQ(c.gain, 2.0);
   EXPECT_EQ(c.offset, -1.0);
   EXPECT_TRUE(c.add);
   EXPECT_TRUE(c.convert);
   EXPECT_EQ(c.lag, Lag::delay);
+}
+
+TEST(Read, ASubsystemMayBeToldWhetherToLand) {
+  const Scratch folder;
+  const auto file = folder.write("scene.toml", whole);
+  EXPECT_TRUE(read(file).coordination.landing.empty());
+  EXPECT_EQ(read(file, {"subsystems.fast.land=never"}).coordination.landing.at("fast"), Landing::never);
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"land 'sometimes'", "automatic, always, never"},
+                      [&] { read(file, {"subsystems.fast.land=sometimes"}); }));
 }
 
 TEST(Read, OverridesAreKeptAndStandInTheDocument) {

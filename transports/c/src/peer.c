@@ -853,7 +853,8 @@ static tandem_status answer_advance(session* s, reader* in) {
 static int can(const session* s, int type) {
   const int bytes = type == T_SERIALIZE || type == T_DESERIALIZE;
   return (s->info->abilities & TANDEM_SAVES_STATE) &&
-         (!bytes || ((s->info->abilities & TANDEM_SERIALIZES_STATE) && s->api->table_size >= sizeof *s->api));
+         (!bytes || ((s->info->abilities & TANDEM_SERIALIZES_STATE) &&
+                     s->api->table_size >= offsetof(tandem_subsystem_api, held)));
 }
 
 /* A peer may leave states for as long as it likes, but only so many; one is as large as the model makes it.
@@ -2058,18 +2059,20 @@ static tandem_status deserialize_state(void* self, const void* bytes, int64_t si
 }
 
 const tandem_subsystem_api* tandem_remote(void) {
-  static const tandem_subsystem_api api = {TANDEM_ABI_VERSION,
-                                           sizeof(tandem_subsystem_api),
-                                           create,
-                                           destroy,
-                                           info,
-                                           last_error,
-                                           initialize,
-                                           advance,
-                                           save_state,
-                                           restore_state,
-                                           release_state,
-                                           serialize_state,
-                                           deserialize_state};
+  static const tandem_subsystem_api api = {
+      .abi_version = TANDEM_ABI_VERSION,
+      .table_size = sizeof(tandem_subsystem_api),
+      .create = create,
+      .destroy = destroy,
+      .info = info,
+      .last_error = last_error,
+      .initialize = initialize,
+      .advance = advance,
+      .save_state = save_state,
+      .restore_state = restore_state,
+      .release_state = release_state,
+      .serialize_state = serialize_state,
+      .deserialize_state = deserialize_state,
+  };
   return &api;
 }

@@ -271,19 +271,19 @@ static tandem_status release_state(void* self, int64_t id) {
   return TANDEM_OK;
 }
 
-static const tandem_subsystem_api model_api = {TANDEM_ABI_VERSION,
-                                               sizeof(tandem_subsystem_api),
-                                               create,
-                                               destroy,
-                                               info,
-                                               last_error,
-                                               initialize,
-                                               advance,
-                                               save_state,
-                                               restore_state,
-                                               release_state,
-                                               NULL,
-                                               NULL};
+static const tandem_subsystem_api model_api = {
+    .abi_version = TANDEM_ABI_VERSION,
+    .table_size = sizeof(tandem_subsystem_api),
+    .create = create,
+    .destroy = destroy,
+    .info = info,
+    .last_error = last_error,
+    .initialize = initialize,
+    .advance = advance,
+    .save_state = save_state,
+    .restore_state = restore_state,
+    .release_state = release_state,
+};
 
 const tandem_subsystem_api* octave_model(mxArray* make) {
   maker = make;

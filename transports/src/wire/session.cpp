@@ -34,6 +34,14 @@ void release_large(std::vector<T>& memory) {
   if (memory.capacity() * sizeof(T) > usual_memory) memory = std::vector<T>();
 }
 
+/// Held outputs are not part of version 1 of the protocol.
+void require_carried(const SubsystemInfo& info) {
+  for (const Port& port : info.outputs)
+    if (port.held)
+      throw Error(ErrorCode::not_supported, "output '" + port.name + "' of subsystem '" + info.name +
+                                                "' is held, which the protocol does not carry");
+}
+
 std::string seconds_text(double seconds) {
   std::array<char, 32> text{};
   return {text.data(), std::to_chars(text.begin(), text.end(), seconds).ptr};
@@ -191,6 +199,7 @@ void Session::hello(const Frame& request) {
                 "the parameters hold what is no text: '" + printable(hello.text, 200) + "'");
   longest_ = std::min(hello.longest, channel_.longest());
   subsystem_ = asked([&] { return make_(hello.text); });
+  require_carried(subsystem_->info());
   reply(Type::hello);
   put_hello(frame_, {.longest = channel_.longest(), .text = settings_.software});
   send();

@@ -2,55 +2,14 @@
 #pragma once
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "tandem/coordinator/coordination.hpp"
 #include "tandem/coordinator/exchange.hpp"
 #include "tandem/coordinator/schedule.hpp"
 #include "tandem/coordinator/topology.hpp"
 
 namespace tandem {
-
-/// How histories are filled before the first step, so that degree d gives global order d + 1 from the
-/// beginning.
-enum class StartKind {
-  automatic,    ///< derivatives if the outputs give enough of them, else repeat if all can restart, else cold
-                ///< (noted)
-  derivatives,  ///< past samples by Taylor expansion of the output derivatives at the start
-  repeat,       ///< the first steps are run again and again, on inputs interpolated in the pass before
-  cold,         ///< as many samples as there are; caps the order at 2 (extrapolated) and 3 (interpolated)
-};
-/// "automatic", "derivatives", "repeat", "cold".
-std::string_view name(StartKind start);
-
-/// The coordination of a run, as a scenario states it.
-struct Coordination {
-  Schedule::Kind schedule = Schedule::Kind::slowest_first;
-  std::vector<std::string> order;  ///< instances, slowest first; empty: by the length of their own steps
-  std::optional<double>
-      communication_step;  ///< [s], for parallel and for delays; default: the largest own step
-  StartKind start = StartKind::automatic;
-  bool profile = false;  ///< read the clock before and after each call of a subsystem
-};
-
-/// Is told of new samples as they become visible.
-class Observer {
- public:
-  virtual ~Observer() = default;
-  /// Rows first..last of the subsystem's history are new. Called after each turn (parallel: for each
-  /// subsystem after the round). Returns false to end the run.
-  virtual bool samples(int subsystem, const History& history, std::int64_t first, std::int64_t last) = 0;
-  /// Called by Coordinator::run after each round that is followed by another, with all samples made known:
-  /// the place for input and output. Whoever calls round() in a loop of his own calls this too.
-  virtual void between_rounds() {}
-};
-
-/// Figures of one subsystem's part in a run.
-struct Effort {
-  std::int64_t exchanges = 0;  ///< calls of advance
-  std::int64_t steps = 0;      ///< own steps
-  double seconds = 0.0;        ///< inside advance; with `profile` only
-};
 
 /// Runs subsystems that integrate themselves from t_start to t_stop. The stepping loop allocates nothing once
 /// the memory of the histories has settled.
@@ -111,24 +70,42 @@ class Coordinator {
     std::int64_t told = 0;   ///< last row that the observer knows
     Effort effort = {};
   };
-  void take(const Turn& turn, Exchange& inputs);
-  std::span<const Signal> prepare(int who, Exchange& inputs);
+  void make(std::span<const Turn> turns);
+  void make_together(std::span<const Turn> turns);
+  void make_with_samples(std::span<const Turn> turns);
+  void make_part(std::span<const Turn> turns);
   void start(const Turn& turn);
   void go(const Turn& turn);
+  void take(const Turn& turn, Exchange& inputs);
+  std::span<const Signal> prepare(int who, Exchange& inputs);
   Clock advance(const Turn& turn, std::span<const Signal> u, Samples& y);
   Turn next_call(const Turn& turn) const;
   void check_clock(const Turn& turn, double before, std::int64_t rows, const Clock& after);
+  void act();
+  Clock sample(int who, SamplePart part);
+  void give(int who);
+  void go_on(int who, const Clock& clock);
+  [[noreturn]] void refuse_sample(int who, const std::string& what) const;
   void stand(int who, const Clock& clock) {
-    seats_[static_cast<std::size_t>(who)].time = clock.time;
-    schedule_->stand(who, clock.time, clock.stop == Stop::finished ? Member::never : clock.next_time);
+    Seat& seat = seats_[static_cast<std::size_t>(who)];
+    seat.time = clock.time;
+    const double next = clock.stop == Stop::finished ? Member::never : clock.next_time;
+    if (!has_samples_) return schedule_->stand(who, clock.time, next);
+    own_next_[static_cast<std::size_t>(who)] = next;
+    place(who);
   }
+  /// Its next node or instant; Member::never when it has finished.
+  double own_next(int who) const {
+    return has_samples_ ? own_next_[static_cast<std::size_t>(who)] : schedule_->member(who).next;
+  }
+  void place(int who);
+  void place_all();
+  void place_neighbours(int sampled);
   void commit(int who, double limit);
   void tell(int who);
-  void make(std::span<const Turn> turns);
-  void make_together(std::span<const Turn> turns);
   void finish_all(std::span<const Turn> turns);
   void keep(const Turn& turn);
-  void check_seat(int who, const Member& member, const ByteReader& from) const;
+  void check_seat(int who, const ByteReader& from) const;
   void restore_state(int who, std::span<const std::byte> bytes, const ByteReader& from);
   bool end();
 
@@ -143,6 +120,15 @@ class Coordinator {
   std::optional<Exchange> exchange_;
   std::optional<Schedule> schedule_;
   std::vector<Seat> seats_;
+  bool has_samples_ = false;  ///< there are sampled subsystems
+  bool frozen_ = false;  ///< with them in parallel: what others read is as it was at the begin of a round
+  std::vector<double> own_next_;   ///< by subsystem, if there are: see own_next()
+  std::vector<int> output_calls_;  ///< of sampled ones that read each other: who gives outputs, in this order
+  std::vector<char> together_;     ///< by subsystem: is one of these
+  std::vector<double> outputs_;    ///< of one that acts
+  std::vector<char> acts_;         ///< by subsystem: of `together_`, in the present round
+  std::vector<int> acting_;        ///< in the present round
+  std::vector<Turn> going_;        ///< likewise
   std::vector<double> own_steps_;
   std::vector<std::string> notes_;
 };

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "tandem/coordinator/link.hpp"
@@ -8,10 +9,17 @@
 
 namespace tandem {
 
-/// Lags of a run [s]: those of `memory` by reader, that of `delay`.
-struct Lags {
-  std::vector<double> memory;
-  double delay = 0.0;
+/// Times of a run that links go by [s].
+struct LinkTimes {
+  std::vector<double> memory;  ///< by reader: of lines with a memory
+  double delay = 0.0;          ///< of lines with a delay
+  /// By source: what Link::pass_over is told; 0 for those that end steps at their own nodes alone. Empty:
+  /// all.
+  std::vector<double> nearest = {};
+  /// By reader: the shortest period of sampled sources at whose samples it ends a step. Empty: at none.
+  std::vector<double> shortest_period = {};
+  /// By subsystem: a number that is the same for those that depend on each other. Empty: as if all did.
+  std::vector<int> loop = {};
 };
 
 /// What passes between the subsystems of a run: the recent samples of each, and the signals made from them.
@@ -19,7 +27,7 @@ struct Lags {
 class Exchange {
  public:
   /// capacities: rows of memory by subsystem, to begin with. `topology` must outlive the exchange.
-  Exchange(const Topology& topology, TimeTolerance tolerance, const Lags& lags,
+  Exchange(const Topology& topology, TimeTolerance tolerance, const LinkTimes& times,
            std::span<const std::int64_t> capacities);
   Exchange(Exchange&&) = default;
   Exchange& operator=(Exchange&&) = default;
@@ -35,6 +43,13 @@ class Exchange {
     return rows.count;
   }
 
+  /// commit() in two halves: what sampled readers see, and then, of all that was accepted, what others see.
+  std::int64_t accept(int source, double t_limit);
+  void publish(int source);
+
+  /// The newest row of a sampled source has other values now than when it was committed.
+  void remake_newest(int source);
+
   /// The inputs of `reader` for a call that begins at `time`, with an own step to `next_time`. Valid until
   /// the next commit of one of its sources or the next call of inputs() for it.
   std::span<const Signal> inputs(int reader, double time, double next_time) {
@@ -43,6 +58,14 @@ class Exchange {
     for (Sum& sum : end.sums) add_up(sum, end.slots);
     return {end.slots.data(), end.inputs};
   }
+
+  /// The inputs of a sampled `reader` at its instant `to.stop`, having acted at `to.start`. Valid until the
+  /// next call for it.
+  std::span<const double> sample(int reader, TimeSpan to);
+
+  /// When a held input of `reader`, which stands at `time`, and ends a step there, is known to change next;
+  /// `never` if that is not known.
+  double next_break(int reader, double time) const;
 
   /// Makes room for `wanted` rows of `source`: drops what no reader, standing at its newest sample, needs any
   /// more.
@@ -65,18 +88,23 @@ class Exchange {
   };
   /// What one subsystem gives and reads.
   struct End {
+    End(History own, std::size_t count) : history(std::move(own)), inputs(count), slots(count) {}
     History history;
-    std::vector<Link*> out, in;
+    std::vector<Link*> out, in;   ///< out: those to sampled readers first
+    std::size_t at_instants = 0;  ///< of these so many
     std::size_t inputs;
     std::vector<Signal> slots;  ///< the inputs, then the terms of sums
     std::vector<Sum> sums;
     std::vector<Segment> constants;
+    std::vector<const Link*> breaks;  ///< of in, those at whose breaks it ends a step
+    std::vector<double> values;       ///< of a sampled one: the inputs, then the terms of sums
   };
-  Link& link_for(const Line& line, const Lags& lags, std::vector<std::size_t>& of_pair);
-  void add_line(const Topology& topology, const Line& line, const Lags& lags,
+  Link& link_for(const Topology& topology, const Line& line, const LinkTimes& times,
+                 std::vector<std::size_t>& of_pair);
+  void add_line(const Topology& topology, const Line& line, const LinkTimes& times,
                 std::vector<std::size_t>& of_pair);
   void hold_start_values(const Topology& topology, int reader);
-  static void add_up(Sum& sum, std::span<Signal> slots);
+  void add_up(Sum& sum, std::span<Signal> slots) const;
 
   TimeTolerance tolerance_;
   std::vector<Link> links_;

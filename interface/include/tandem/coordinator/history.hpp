@@ -53,6 +53,8 @@ class History {
   /// earlier.
   const double* row(std::int64_t row) const { return data_.data() + (row - base_) * stride_; }
   std::int64_t stride() const { return stride_; }
+  /// The values of the newest row, which is of a sampled subsystem, to be given anew.
+  double* newest_values() { return data_.data() + (newest() - base_) * stride_ + Samples::header; }
   int outputs() const { return outputs_; }
   int derivatives() const { return derivatives_; }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tandem/coordinator/history.hpp"
+#include "tandem/coordinator/member.hpp"
 #include "tandem/coordinator/reconstruction.hpp"
 #include "tandem/time_grid.hpp"
 
@@ -15,13 +16,14 @@ struct Lane {
   int output;  ///< flattened index in the source
   int slot;    ///< where the reader's Signal is written
   double gain = 1.0, offset = 0.0;
+  bool held = false;  ///< the output is
 };
 
 /// All lanes from one source to one reader with the same reconstruction. Reconstructions that follow the
 /// samples get one segment per sample of the source, with its origin at that sample (the segment's right
 /// node), made once, when the sample is committed; so the signal depends on the samples alone, and many small
-/// calls read what one large call reads. Mean and matched hold depend on the reader's step and are made when
-/// it reads.
+/// calls read what one large call reads. Those of held outputs have it at their begin, the sample's time.
+/// Mean and matched hold depend on the reader's step and are made when it reads.
 class Link {
  public:
   /// delay [s]: the reader gets at t what the source gave at t - delay.
@@ -38,8 +40,14 @@ class Link {
   /// Takes memory for as many samples as there is room for in `samples`, the source's; they must outlive the
   /// link. Before anything below.
   void attach(const History& samples, TimeTolerance tolerance);
+  /// Its source ends steps at instants of sampled subsystems, besides its own nodes: a sample that is nearer
+  /// than `nearest` [s] to the next newer one that a polynomial goes through is passed over. Before attach().
+  void pass_over(double nearest) { nearest_ = nearest; }
   /// Makes the segments of the samples committed last.
   void extend(NewRows rows) { extend_(*this, rows); }
+  /// Samples that were committed, and whose segments are made later, by extend_late().
+  void wait(std::int64_t rows) { late_ += rows; }
+  void extend_late();
   /// Follows a History::make_room of its source.
   void follow_room();
 
@@ -47,7 +55,7 @@ class Link {
   /// next_time]. The signals are valid until the next call of any other member.
   void read(double time, double next_time, Signal* slots) {
     been_read_ = true;
-    if (!follows_) return read_window(time, next_time, slots);
+    if (!plain_) return read_otherwise(time, next_time, slots);
     forget_before(time);
     const Segment* s = first_;
     for (const Lane& lane : lanes_) {
@@ -55,6 +63,20 @@ class Link {
       s += capacity_;
     }
   }
+
+  /// The reader is sampled. within: the source depends on it, so it reads nothing that was given after its
+  /// instant; just_before: of a held output it reads the value before its instant. Before attach().
+  void read_at_instants(bool within, bool just_before) {
+    sampled_ = true, within_ = within, just_before_ = just_before;
+  }
+  bool just_before() const { return just_before_; }
+  /// What a sampled reader gets at its instant `to.stop`, having acted at `to.start`: u[lane.slot] for each
+  /// lane.
+  void sample(TimeSpan to, double* u);
+  /// Of a held output, when it is known to change next after `time`; `never` if that is not known.
+  double next_break(double time) const;
+  /// The newest row has other values now than when its segments were made.
+  void remake(const double* row);
 
   /// The oldest row of the source that extend() may still need, or read() for a reader that stands at `time`;
   /// all of them before the first read.
@@ -71,24 +93,47 @@ class Link {
   void forget_before(double time) {
     for (; count_ > 1 && first_->end < time; --count_) ++first_;
   }
+  /// A held value ends where the next begins: who stands there, give or take the tolerance, reads the next.
+  void forget_held(double time) {
+    for (; count_ > 1 && !tolerance_.before(time, first_[1].origin); --count_) ++first_;
+  }
+  bool is_past(double t) const;
   using Extend = void (*)(Link&, NewRows rows);
   static Extend extend_by(Reconstruction how);
   template <int Degree>
   static void extend_lagrange(Link& link, NewRows rows);
+  static void extend_held(Link& link, NewRows rows);
   static void extend_hermite(Link& link, NewRows rows);
   static void extend_least_squares(Link& link, NewRows rows);
   template <class Make>
   void extend_rows(NewRows rows, const Make& make);
+  template <class Make>
+  void extend_spread(NewRows rows, const Make& make);
+  int gather_nodes(const double* row, std::int64_t before);
+  int rows_looked_at() const { return (nearest_ > 0.0 ? 4 : 1) * how_.samples(); }
   void check(std::int32_t count, const ByteReader& from) const;
-  static void read(std::span<Segment> lane, ByteReader& from);
+  void read(std::span<Segment> lane, ByteReader& from) const;
+  void read_otherwise(double time, double next_time, Signal* slots);
   void read_window(double time, double next_time, Signal* slots);
-  void hold(std::int64_t first, std::int64_t last, Signal* slots);
+  void sample_window(TimeSpan to, double* u);
+  struct Rows {
+    std::int64_t first, last;
+  };
+  Rows window(double time, double next_time) const;
+  double value(std::int64_t row, const Lane& lane) const {
+    return samples_->values(row)[static_cast<std::size_t>(lane.output)];
+  }
+  double mean(const Lane& lane, Rows rows, TimeSpan span) const;
+  double held_mean(const Lane& lane, Rows rows, TimeSpan span) const;
 
   int source_, reader_;
   Reconstruction how_;
   Extend extend_;
   int degree_;    ///< of the polynomials
   bool follows_;  ///< how_.follows_samples()
+  bool held_;     ///< how_.kind is held
+  bool plain_;    ///< it is read as it is: neither held nor made when it is read
+  bool been_read_ = false;
   double delay_;
   std::vector<Lane> lanes_;
 
@@ -99,9 +144,14 @@ class Link {
   Segment* first_ = nullptr;   ///< of lane 0: the segment that holds the reader's time
   std::int32_t count_ = 0;     ///< segments from there on
   std::int64_t fitted_ = 0;    ///< rows that may be fitted together with the next one
-  bool been_read_ = false;
+  double nearest_ = 0.0;       ///< see pass_over
   std::vector<Segment> segments_;    ///< by lane, then by row
   std::vector<double> differences_;  ///< by lane: backward divided differences at the newest row
+
+  std::vector<double> nodes_;  ///< rows that a polynomial goes through, where some are passed over
+  std::int64_t late_ = 0;      ///< see wait()
+  bool sampled_ = false, within_ = false, just_before_ = false;  ///< see read_at_instants
+  double read_from_ = 0.0;  ///< begin of the window that a sampled reader read last
 };
 
 }  // namespace tandem

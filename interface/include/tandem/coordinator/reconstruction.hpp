@@ -14,13 +14,14 @@ struct Reconstruction {
     mean,      ///< mean of the source's samples within the reader's own step, constant over that step
     least_squares,  ///< polynomial fitted to the newest degree + 1 + extra samples
     matched_hold,   ///< the newest sample, constant over the whole call
+    held,           ///< of a held output: each sample from its time on, to the next
   };
   Kind kind = Kind::lagrange;
   int degree = 0;  ///< lagrange: 0 to 4; least_squares: 0 to 4; else 0
   int extra = 0;   ///< least_squares: samples beyond degree + 1, 1 to 16; else 0
 
   /// From "lagrange0" .. "lagrange4", "hermite", "mean", "least_squaresD_EXTRA", "matched_hold".
-  /// Throws Error(invalid_argument) that lists these for any other text.
+  /// Throws Error(invalid_argument) that lists these for any other text. (What is held needs no word.)
   static Reconstruction parse(std::string_view text);
   /// The text that parse() takes.
   std::string name() const;

@@ -26,47 +26,70 @@ class Schedule {
   static Kind parse(std::string_view text);
   static std::string_view name(Kind kind);
 
-  /// order: indices of the members, that of the one which is ahead of all others first (slowest-first: own
+  /// order: those that integrate themselves, that which is ahead of all others first (slowest-first: own
   /// steps descending; fastest-first: ascending). reads: who reads whom. communication_step [s]: of parallel;
-  /// in turns, how far unlinked subsystems may be apart. The members stand nowhere until stand().
+  /// in turns, how far subsystems that do not wait for each other may be apart. The members stand nowhere
+  /// until stand().
   Schedule(Kind kind, std::vector<Member> members, std::vector<int> order, std::span<const Read> reads,
            TimeSpan span, double communication_step);
 
   Kind kind() const { return kind_; }
-  std::span<const int> order() const { return turns_.order(); }
+  std::span<const int> order() const { return order_; }
   const Member& member(int who) const { return members_[static_cast<std::size_t>(who)]; }
 
   /// Puts a member where its subsystem stands. It takes no further part if it stands at t_stop, if its next
-  /// step would end past it, or if it says so (next = never).
-  void stand(int who, double time, double next) {
+  /// step would end past it, or if it says so (next = never). break_at [s]: where a held input that it is to
+  /// land at is known to change next; it also lands at the next instants of the sampled members that say so,
+  /// for which those that they move are to be put anew.
+  void stand(int who, double time, double next, double break_at = Member::never) {
     Member& m = members_[static_cast<std::size_t>(who)];
     if (m.lands && next != Member::never) next = std::min(next, t_stop_);
-    const bool finished = time >= earliest_stop_ || next > latest_stop_;
+    const bool finished = (time >= earliest_stop_ && !m.sampled) || next > latest_stop_;
+    if (sampled_ && !finished) next = std::min(next, find_landing(who, time, break_at));
     m.time = finished ? Member::never : time;
     m.next = finished ? Member::never : next;
-    if (in_turns_) turns_.moved(members_, who);
+    if (related_) turns_.moved(members_, who);
   }
 
   /// The turns of the next round, at most one for each subsystem; none when all have finished. The turns of a
   /// round read the samples as they were when the round began: in turns (slowest-first, fastest-first) none
   /// of them reads another. A limit is never before the member's next node, and past t_stop only where that
   /// node is, by rounding. In parallel a member goes on until its next step would end past `limit`, in as
-  /// many calls as it takes. The span is valid until the next call.
+  /// many calls as it takes. A sampled member acts at its next instant. The span is valid until the next
+  /// call.
   std::span<const Turn> next_round();
+  /// In parallel with sampled members: who can go on to the same communication point now that these have
+  /// acted, or those. None: the round is over.
+  std::span<const Turn> rest_of_round();
+
+  /// Calls visit(other) for each whose turns depend on where a sampled member stands.
+  template <class Visit>
+  void each_neighbour(int sampled, const Visit& visit) const {
+    turns_.each_neighbour(sampled, visit);
+  }
 
  private:
+  double find_landing(int who, double time, double break_at);
   void stagger();
-  void all_at_once();
+  void turn_of_pair();
+  bool add_samples();
+  double communication_point() const;
+  void add_up_to(double target);
   void add(int who, double limit);
 
   Kind kind_;
   bool in_turns_;
   std::vector<Member> members_;
+  std::vector<int> order_;
+  bool sampled_;  ///< there are sampled members
+  bool pair_;     ///< two that are linked
+  bool related_;  ///< turns_ is kept
   double t_start_, t_stop_, communication_step_;
   TimeTolerance tolerance_;
   double earliest_stop_, latest_stop_;  ///< t_stop, give and take the tolerance
   TurnOrder turns_;
   std::vector<Turn> round_;
+  double target_ = 0.0;    ///< of the present round, in parallel
   std::size_t count_ = 0;  ///< turns of the present round
 };
 

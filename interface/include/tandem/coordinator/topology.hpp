@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,10 +20,10 @@ enum class Lag { none, memory, delay };
 /// element.
 struct Connection {
   std::string from, to;
-  Reconstruction how;
-  double gain = 1.0, offset = 0.0;  ///< input = gain * output + offset, after conversion of units
-  bool add = false;                 ///< may share its input with others that say the same; they are summed
-  bool convert = false;             ///< convert between units of one quantity
+  std::optional<Reconstruction> how;  ///< of a held output none, or mean
+  double gain = 1.0, offset = 0.0;    ///< input = gain * output + offset, after conversion of units
+  bool add = false;                   ///< may share its input with others that say the same; they are summed
+  bool convert = false;               ///< convert between units of one quantity
   Lag lag = Lag::none;
 };
 
@@ -45,8 +46,8 @@ class Topology {
   int add(const std::string& name, const SubsystemInfo& info);
 
   /// Checks and adds a connection. Throws Error for an unknown instance or port, an index out of range, sizes
-  /// or units that differ, an input connected twice without `add`, a reconstruction that the output's samples
-  /// can't feed, a lag on mean or matched hold.
+  /// or units that differ, an input connected twice without `add`, a reconstruction that is missing, that the
+  /// output's samples can't feed or that a held output does not need, a lag on mean or matched hold.
   void connect(const Connection& connection);
 
   /// One end of a connection whose other end is not known here: it is only looked for, and check() takes an
@@ -66,6 +67,14 @@ class Topology {
   std::vector<std::string> names() const;
   const SubsystemInfo& info(int instance) const { return *at(instance).info; }
   const std::vector<Line>& lines() const { return lines_; }
+  /// What the source gives at t reaches its reader's outputs at t, where it feeds through: there is no lag,
+  /// and a sampled reader takes what it has from others as it was before its instant.
+  bool at_once(const Line& line) const;
+  /// A line with a memory between sampled subsystems: the value just before the instant of its reader.
+  bool just_before(const Line& line) const {
+    return line.lag == Lag::memory && info(line.source).abilities.sampled &&
+           info(line.reader).abilities.sampled;
+  }
   /// By scalar input: its start value, NaN for none.
   const std::vector<double>& start(int instance) const { return at(instance).start; }
   /// Numbers of the lines that end at a scalar input, in the order in which they were connected.
@@ -99,7 +108,7 @@ class Topology {
   };
   const Instance& at(int i) const { return instances_[static_cast<std::size_t>(i)]; }
   Place find(std::string_view text, bool output) const;
-  void connect_scalars(const Connection& c, const Place& from, const Place& to, double gain, double offset);
+  void connect_scalars(Line line, bool add, const Place& from, const Place& to);
   void check_loops() const;
 
   std::vector<Instance> instances_;

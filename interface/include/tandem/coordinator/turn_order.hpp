@@ -2,80 +2,94 @@
 #pragma once
 #include <bit>
 #include <cstdint>
-#include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "tandem/coordinator/earliest.hpp"
-#include "tandem/time_grid.hpp"
+#include "tandem/coordinator/relation.hpp"
 
 namespace tandem {
 
-/// What a schedule sees of a subsystem.
-struct Member {
-  static constexpr double never = std::numeric_limits<double>::max();
-
-  double time = never;  ///< where it stands [s]; `never` if it takes no further part
-  double next = never;  ///< where its next own step ends [s]; of one that can land, at most t_stop; likewise
-  bool lands = false;   ///< can cut a step
-  bool reads_mean =
-      false;  ///< reads an input that is a mean over its own step, so it takes one step at a time
-
-  bool finished() const { return next == never; }
-};
-
-/// `reader` has an input from `source`.
-struct Read {
-  int reader, source;
-};
-
-/// Whose turn it is among subsystems of which some lead others: a pure function of the clocks.
+/// Whose turn it is: a pure function of the clocks.
 ///
-/// Two are linked if one reads the other; the one that is earlier in the order leads. It is the follower's
-/// turn if the leader stands at or past the end of the follower's next step, so that the follower
-/// interpolates; else it is the leader's. A member is ready when it is its turn in each of its pairs. Of two
-/// that are linked never both are ready, and each step reads the same samples whatever goes first elsewhere:
-/// a leader's those of the follower up to where the leader stands, a follower's those of the leader up to the
-/// first one at or past the end of that step. Those that have nothing to do with each other do not wait for
-/// each other.
+/// Two that integrate themselves are linked if one reads the other; the one that is earlier in the order
+/// leads. It is the follower's turn if the leader stands at or past the end of the follower's next step, so
+/// that the follower interpolates; else it is the leader's. A member is ready when it waits for none of those
+/// that it is related to. Of two that are linked never both are ready, and each step reads the same samples
+/// whatever goes first elsewhere: a leader's those of the follower up to where the leader stands, a
+/// follower's those of the leader up to the first one at or past the end of that step. Those that have
+/// nothing to do with each other do not wait for each other.
+///
+/// A sampled member acts at its instant t when all that it reads stand at t or can't come nearer without
+/// passing it, or have passed it where they do not depend on it; who reads it goes up to where its outputs
+/// may change next (Relation).
 ///
 /// Three and more can wait in a ring: A leads B and C, B leads C; C waits for B to pass its node, B for A to
 /// pass its own, and A, which stands past C's node, for C. When all of a group that is linked wait, go from
-/// the one with the earliest node to the first in the order that it waits for, on to the first that this one
-/// waits for, and so on until the ring is closed: the first leader of the ring goes without the sample of the
-/// follower that it waits for there. (So do subsystems that all read all, in the order of coordinator.md.)
+/// the one with the earliest node to the first that it waits for, on to the first that this one waits for,
+/// and so on until the ring is closed: the first leader of the ring goes without the sample of the follower
+/// that it waits for there. (So do subsystems that all read all, in the order of coordinator.md.) Where none
+/// is there, a follower goes without the leader that waits for a sampled one.
 class TurnOrder {
  public:
   TurnOrder() = default;
-  /// order: leaders first. reads: in any number and order.
-  TurnOrder(std::vector<int> order, std::span<const Read> reads, TimeTolerance tolerance);
-
-  std::span<const int> order() const { return order_; }
+  /// order: all members, leaders first. relations: see relations().
+  TurnOrder(std::span<const int> order, std::vector<Relation> relations, TimeTolerance tolerance);
 
   /// One of the members stands elsewhere now.
   void moved(std::span<const Member> members, int who);
 
   /// Calls take(who, limit) for each that has a turn: it may go up to `limit`, or to its next node where that
-  /// is later. Groups that are not linked stay together: who stands further than `ahead` [s] past the
-  /// earliest next node of all waits for that.
+  /// is later; a sampled one acts. Groups that are not linked stay together, and so do those with sampled
+  /// members: who stands further than `ahead` [s] past the earliest next node of all waits for that.
   template <class Take>
   void each_turn(std::span<const Member> members, double ahead, const Take& take) {
     bool any = false;
-    for (const int who : out_of_rings(members)) take(who, next_of(members, who)), any = true;
-    const double latest = groups_.size() > 1 ? earliest_.value() + ahead : Member::never;
-    if (!each_ready(members, latest, take) && !any) each_ready(members, Member::never, take);
+    if (!waiting_.empty())
+      for (const int who : out_of_rings(members)) take(who, next_of(members, who)), any = true;
+    const double latest = drift_ ? earliest_.value() + ahead : Member::never;
+    any = each_ready(members, latest, take) || any;
+    if (!any && !each_ready(members, Member::never, take))
+      for (const int who : out_of_clusters(members)) take(who, next_of(members, who));
+  }
+
+  /// Calls take(who, limit) for each that waits for none and stands at `latest` or before; false if there was
+  /// none.
+  template <class Take>
+  bool each_ready(std::span<const Member> members, double latest, const Take& take) const {
+    bool any = false;
+    for (std::size_t w = 0; w < ready_.size(); ++w)
+      for (std::uint64_t bits = ready_[w]; bits != 0; bits &= bits - 1) {
+        const int who = static_cast<int>(w * 64) + std::countr_zero(bits);
+        if (members[static_cast<std::size_t>(who)].time > latest || mate_waits(members, who)) continue;
+        take(who, limit(members, who));
+        any = true;
+      }
+    return any;
+  }
+
+  bool waits(int who) const { return waits_[static_cast<std::size_t>(who)] > 0; }
+  /// The first instant after `time` of a sampled member at which `who` is to end a step; `never` for none.
+  double landing(std::span<const Member> members, int who, double time) const;
+  /// Calls visit(other) for each that `who` is related to.
+  template <class Visit>
+  void each_neighbour(int who, const Visit& visit) const {
+    for (const Neighbour& n : neighbours(who)) visit(n.who);
   }
 
  private:
   struct Neighbour {
-    std::int32_t who, pair;
-    bool leads;  ///< the neighbour leads
+    std::int32_t who, relation;
+    Relation::Waits mine;  ///< as this relation says that one waits for the neighbour
+    Relation::Kind kind;
+    bool leads() const { return kind == Relation::Kind::turns && mine == Relation::Waits::second; }
   };
   /// Members that are linked, directly or by others.
   struct Group {
-    std::vector<int> members;  ///< in the order
+    std::vector<int> members;  ///< leaders first
     int ready = 0;
-    bool has_rings = false;  ///< more pairs than it takes to link them
+    bool has_rings = false;  ///< more relations than it takes to link them
     bool waits = false;      ///< is in waiting_
   };
 
@@ -83,52 +97,50 @@ class TurnOrder {
     const auto i = static_cast<std::size_t>(who);
     return {neighbours_.data() + first_[i], neighbours_.data() + first_[i + 1]};
   }
-  bool waits_for(const Neighbour& other) const {
-    return (leaders_turn_[static_cast<std::size_t>(other.pair)] != 0) == other.leads;
+  bool waits_for(const Neighbour& n) const {
+    return waiting_side_[static_cast<std::size_t>(n.relation)] == n.mine;
   }
   static double next_of(std::span<const Member> members, int who) {
     return members[static_cast<std::size_t>(who)].next;
   }
-  void link(std::span<const Read> reads);
-  void gather();
+  void link();
+  void gather(std::span<const int> order);
+  void gather_clusters();
+  Relation::Waits waits_of(std::span<const Member> members, const Neighbour& n, int who) const;
+  void change(std::span<const Member> members, int who, const Neighbour& n, Relation::Waits to);
   void mark(std::span<const Member> members, int who);
   double limit(std::span<const Member> members, int who) const;
-  std::span<const int> out_of_rings(std::span<const Member> members);
-  int earliest_of(std::span<const Member> members, const Group& group) const;
-  const Neighbour* first_waited_for(int who) const;
-  int out_of_ring(int from);
-  int open_ring();
-
-  template <class Take>
-  bool each_ready(std::span<const Member> members, double latest, const Take& take) const {
-    bool any = false;
-    for (std::size_t w = 0; w < ready_.size(); ++w)
-      for (std::uint64_t bits = ready_[w]; bits != 0; bits &= bits - 1) {
-        const int who = static_cast<int>(w * 64) + std::countr_zero(bits);
-        if (members[static_cast<std::size_t>(who)].time > latest) continue;
-        take(who, limit(members, who));
-        any = true;
-      }
-    return any;
+  int waiting_mate(std::span<const Member> members, int who) const;
+  bool mate_waits(std::span<const Member> members, int who) const {
+    return !clusters_.empty() && waiting_mate(members, who) >= 0;
   }
+  std::span<const int> out_of_rings(std::span<const Member> members);
+  std::span<const int> out_of_clusters(std::span<const Member> members);
+  int earliest_of(std::span<const Member> members, const Group& group) const;
+  std::optional<Neighbour> first_waited_for(std::span<const Member> members, int who) const;
+  int out_of_ring(std::span<const Member> members, int from);
+  int open_ring();
+  std::size_t freed_of_ring(std::size_t begin) const;
 
-  std::vector<int> order_;
-  std::vector<std::size_t> place_;  ///< in the order, by member
+  std::vector<Relation> relations_;
   TimeTolerance tolerance_;
-  std::vector<Neighbour> neighbours_;  ///< of one member after the other, each in the order
+  std::vector<Neighbour> neighbours_;  ///< of one member after the other, each in the order of relations
   std::vector<std::size_t> first_;     ///< of a member's neighbours; and the end
-  std::vector<char> leaders_turn_;     ///< by pair
-  std::vector<int> waits_;             ///< by member: pairs in which it is the other's turn
-  std::vector<std::uint64_t> ready_;   ///< bits by member: neighbours in memory go one after the other
+  std::vector<Relation::Waits> waiting_side_;  ///< by relation
+  std::vector<int> waits_;                     ///< by member: relations in which it waits
+  std::vector<std::uint64_t> ready_;  ///< bits by member: neighbours in memory go one after the other
   std::vector<Group> groups_;
-  std::vector<int> group_of_;  ///< by member
-  Earliest earliest_;          ///< of the next nodes, if there are several groups
+  std::vector<int> group_of_;               ///< by member
+  std::vector<std::vector<int>> clusters_;  ///< sampled ones that read each other
+  std::vector<int> cluster_of_;             ///< by member; -1: none. Empty without clusters
+  bool drift_ = false;                      ///< some could leave the others far behind
+  Earliest earliest_;                       ///< of the next nodes, where they could
 
   std::vector<int> waiting_;  ///< groups that may all wait
   std::vector<int> out_of_rings_;
   std::vector<Neighbour> chain_;  ///< who waits for whom
   std::vector<char> in_chain_;    ///< by member
-  std::vector<int> freed_;        ///< pairs of which nobody waits any more
+  std::vector<int> freed_;        ///< relations in which nobody waits any more
 };
 
 }  // namespace tandem

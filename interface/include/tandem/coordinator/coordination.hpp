@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tandem/coordinator/history.hpp"
+#include "tandem/coordinator/schedule.hpp"
+
+namespace tandem {
+
+/// How histories are filled before the first step, so that degree d gives global order d + 1 from the
+/// beginning.
+enum class StartKind {
+  automatic,    ///< derivatives if the outputs give enough of them, else repeat if all can restart, else cold
+                ///< (noted)
+  derivatives,  ///< past samples by Taylor expansion of the output derivatives at the start
+  repeat,       ///< the first steps are run again and again, on inputs interpolated in the pass before
+  cold,         ///< as many samples as there are; caps the order at 2 (extrapolated) and 3 (interpolated)
+};
+/// "automatic", "derivatives", "repeat", "cold".
+std::string_view name(StartKind start);
+
+/// Whether a subsystem that can cut a step ends one at each instant of a sampled one, from which it reads or
+/// which reads it.
+enum class Landing {
+  automatic,  ///< if the period of that one is at least its own step
+  always,
+  never,
+};
+
+/// From "automatic", "always", "never"; throws Error(invalid_argument) that lists these for any other text.
+Landing landing(std::string_view text);
+
+/// The coordination of a run, as a scenario states it.
+struct Coordination {
+  Schedule::Kind schedule = Schedule::Kind::slowest_first;
+  /// Instances that integrate themselves, slowest first; empty: by the length of their own steps.
+  std::vector<std::string> order;
+  std::map<std::string, Landing> landing;  ///< by instance; automatic where it is not there
+  std::optional<double>
+      communication_step;  ///< [s], for parallel and for delays; default: the largest own step
+  StartKind start = StartKind::automatic;
+  bool profile = false;  ///< read the clock before and after each call of a subsystem
+};
+
+/// Is told of new samples as they become visible.
+class Observer {
+ public:
+  virtual ~Observer() = default;
+  /// Rows first..last of the subsystem's history are new. Called after each turn (parallel: for each
+  /// subsystem after the round). Returns false to end the run.
+  virtual bool samples(int subsystem, const History& history, std::int64_t first, std::int64_t last) = 0;
+  /// Called by Coordinator::run after each round that is followed by another, with all samples made known:
+  /// the place for input and output. Whoever calls round() in a loop of his own calls this too.
+  virtual void between_rounds() {}
+};
+
+/// Figures of one subsystem's part in a run.
+struct Effort {
+  std::int64_t exchanges = 0;  ///< calls of advance
+  std::int64_t steps = 0;      ///< own steps
+  double seconds = 0.0;        ///< inside advance; with `profile` only
+};
+
+}  // namespace tandem

@@ -1,0 +1,31 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <limits>
+
+namespace tandem {
+
+/// What a schedule sees of a subsystem.
+struct Member {
+  static constexpr double never = std::numeric_limits<double>::max();
+
+  double time = never;  ///< where it stands [s]; `never` if it takes no further part
+  /// Where its next own step ends [s], at most where it is to land; of a sampled one its next instant;
+  /// `never` likewise.
+  double next = never;
+  bool lands = false;       ///< can cut a step
+  bool reads_mean = false;  ///< reads an input that is a mean over its own step: one step at a time
+  bool sampled = false;     ///< acts at instants of its own only
+  double landing = never;   ///< it ends a step there [s], if it gets so far
+
+  bool finished() const { return next == never; }
+};
+
+/// `reader` has an input from `source`.
+struct Read {
+  int reader, source;
+  double lag = 0.0;          ///< [s]: the reader sees at t what the source gave at t - lag
+  bool just_before = false;  ///< between sampled ones: the value just before an instant
+  bool lands = false;  ///< the one that integrates itself ends a step at each instant of the sampled one
+};
+
+}  // namespace tandem

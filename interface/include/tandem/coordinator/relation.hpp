@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tandem/coordinator/member.hpp"
+#include "tandem/time_grid.hpp"
+
+namespace tandem {
+
+/// Of two members which waits for the other: a pure function of their clocks.
+struct Relation {
+  enum class Kind : std::uint8_t {
+    turns,    ///< `first` leads `second`: always one of them waits
+    held,     ///< `first` reads held outputs of the sampled `second`: it waits where these are not known yet
+    nearest,  ///< the sampled `first` reads `second`: it waits as long as that can come nearer to its instant
+    passed,   ///< the same where `second` does not depend on `first`: it waits until that has come there
+    after,    ///< the sampled `first` reads the sampled `second`: at equal instants too that acts before
+    together,  ///< the same among sampled ones that read each other: at equal instants they act together
+  };
+  enum class Waits : std::uint8_t { none, first, second };
+
+  int first, second;
+  Kind kind;
+  double lag;  ///< [s]: the reader sees at t what the source gave at t - lag
+  bool lands;  ///< held, nearest: who integrates itself ends a step at each instant of the sampled one
+
+  bool operator==(const Relation&) const = default;
+
+  Waits waits(const Member& a, const Member& b, const TimeTolerance& tolerance) const {
+    if (kind == Kind::turns) return tolerance.before(a.time, b.next) ? Waits::second : Waits::first;
+    if (first_waits(a, b, tolerance)) return Waits::first;
+    return lands && kind == Kind::nearest && !tolerance.before(b.time, a.next - lag) ? Waits::second
+                                                                                     : Waits::none;
+  }
+
+ private:
+  bool first_waits(const Member& a, const Member& b, const TimeTolerance& tolerance) const {
+    switch (kind) {
+      case Kind::held: {
+        const double known = b.next + lag;
+        return !tolerance.before(a.time, known) || tolerance.before(known, a.next);
+      }
+      case Kind::nearest:
+        return !tolerance.before(a.next - lag, b.next);
+      case Kind::passed:
+        return tolerance.before(b.time, a.next - lag);
+      case Kind::after:
+        return !tolerance.before(a.next, b.next + lag);
+      default:
+        return tolerance.before(b.next + lag, a.next);
+    }
+  }
+};
+
+/// Those of a run: order: who integrates itself, leaders first, by number of member. reads: in any number and
+/// order. Each once, leaders before followers and those of sampled members last. turns: whether they go in
+/// turns.
+std::vector<Relation> relations(std::span<const int> order, std::span<const Read> reads,
+                                std::span<const Member> members, bool turns);
+
+}  // namespace tandem

@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// Held outputs, and what sampled subsystems read.
+#include <limits>
+
+#include "tandem/coordinator/link.hpp"
+
+namespace tandem {
+
+/// The last segment holds until it is known when the next one begins.
+void Link::extend_held(Link& link, NewRows rows) {
+  const double* row = rows.first;
+  for (std::int64_t left = rows.count; left > 0; --left, row += link.stride_) {
+    const double begin = row[0] + link.delay_, end = begin + link.tolerance_.width(begin, begin);
+    Segment* s = link.first_ + link.count_++;
+    for (const Lane& lane : link.lanes_) {
+      if (link.count_ > 1) s[-1].end = end;
+      s->end = std::numeric_limits<double>::infinity();
+      s->origin = begin;
+      s->c[0] = lane.gain * row[Samples::header + lane.output] + lane.offset;
+      s += link.capacity_;
+    }
+  }
+}
+
+void Link::read_otherwise(double time, double next_time, Signal* slots) {
+  if (!held_) return read_window(time, next_time, slots);
+  forget_held(time);
+  const Segment* s = first_;
+  for (const Lane& lane : lanes_) {
+    slots[lane.slot] = Signal(s, count_, degree_);
+    s += capacity_;
+  }
+}
+
+double Link::next_break(double time) const {
+  for (std::int32_t k = 1; k < count_; ++k)
+    if (tolerance_.before(time, first_[k].origin)) return first_[k].origin;
+  return Member::never;
+}
+
+void Link::remake(const double* row) {
+  Segment* s = first_ + (count_ - 1);
+  for (const Lane& lane : lanes_) {
+    s->c[0] = lane.gain * row[Samples::header + lane.output] + lane.offset;
+    s += capacity_;
+  }
+}
+
+/// Whether the first segment is not the one that a sampled reader wants at t, but a later one.
+bool Link::is_past(double t) const {
+  if (count_ == 1) return false;
+  const double next = first_[1].origin;
+  if (held_) return just_before_ ? tolerance_.before(next, t) : !tolerance_.before(t, next);
+  if (within_) return !tolerance_.before(t, next) && tolerance_.before(first_->origin, t);
+  return first_->end < t;
+}
+
+void Link::sample(TimeSpan to, double* u) {
+  been_read_ = true;
+  if (!follows_) return sample_window(to, u);
+  for (; is_past(to.stop); --count_) ++first_;
+  const Segment* s = first_;
+  for (const Lane& lane : lanes_) {
+    u[lane.slot] = Signal(s, 1, degree_).value(to.stop);
+    s += capacity_;
+  }
+}
+
+}  // namespace tandem

@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// What sampled subsystems need before a run.
+#include <algorithm>
+#include <limits>
+
+#include "run_start.hpp"
+#include "tandem/coordinator/components.hpp"
+#include "tandem/error.hpp"
+
+namespace tandem {
+
+Landing landing(std::string_view text) {
+  if (text == "automatic") return Landing::automatic;
+  if (text == "always") return Landing::always;
+  if (text == "never") return Landing::never;
+  throw Error(ErrorCode::invalid_argument,
+              "land '" + std::string(text) + "' is not one of automatic, always, never");
+}
+
+/// The shortest period at whose samples it ends a step.
+double RunStart::shortest_period(int who) const {
+  const auto asked = run_.coordination_.landing.find(topology_.name(who));
+  const Landing landing = asked == run_.coordination_.landing.end() ? Landing::automatic : asked->second;
+  if (landing == Landing::never || !topology_.info(who).abilities.lands)
+    return std::numeric_limits<double>::infinity();
+  return landing == Landing::always ? 0.0 : run_.own_step(who);
+}
+
+void RunStart::note_times(double communication_step) {
+  times_.memory = run_.own_steps_;
+  times_.delay = communication_step;
+  std::vector<std::pair<int, int>> edges;
+  for (const Line& line : topology_.lines()) edges.emplace_back(line.source, line.reader);
+  for (int i = 0; i < topology_.size(); ++i) times_.shortest_period.push_back(shortest_period(i));
+  times_.loop = strongly_connected(topology_.size(), edges);
+  times_.nearest.assign(run_.own_steps_.size(), 0.0);
+  for (const Line& line : topology_.lines())
+    for (const int who : {line.source, line.reader})
+      if (!sampled(who) && lands(line) && !topology_.info(who).abilities.chooses_step)
+        times_.nearest[static_cast<std::size_t>(who)] = run_.own_step(who) / 2.0;
+}
+
+/// Whether the one end of a line that integrates itself ends a step at each instant of the other.
+bool RunStart::lands(const Line& line) const {
+  const int who = sampled(line.reader) ? line.source : line.reader,
+            other = sampled(line.reader) ? line.reader : line.source;
+  const auto same_loop = [&] {
+    return times_.loop[static_cast<std::size_t>(who)] == times_.loop[static_cast<std::size_t>(other)];
+  };
+  return !sampled(who) && sampled(other) &&
+         topology_.info(other).sampling.period >= times_.shortest_period[static_cast<std::size_t>(who)] &&
+         (who == line.reader || same_loop());
+}
+
+std::vector<Read> RunStart::reads() const {
+  std::vector<Read> all;
+  for (const Line& line : topology_.lines()) {
+    const bool just_before = topology_.just_before(line);
+    double lag = topology_.info(line.source).sampling.latency;
+    if (line.lag == Lag::memory && !just_before) lag += run_.own_step(line.reader);
+    if (line.lag == Lag::delay) lag += times_.delay;
+    all.push_back({line.reader, line.source, lag, just_before, lands(line)});
+  }
+  return all;
+}
+
+/// Which sampled subsystems act together, and in which order they give their outputs then.
+void RunStart::note_samples(const std::vector<Read>& reads) {
+  const auto size = static_cast<std::size_t>(topology_.size());
+  std::size_t most = 0;
+  for (int i = 0; i < topology_.size(); ++i) {
+    run_.has_samples_ = run_.has_samples_ || sampled(i);
+    if (sampled(i)) most = std::max(most, static_cast<std::size_t>(topology_.info(i).output_size()));
+  }
+  run_.frozen_ = run_.has_samples_ && run_.coordination_.schedule == Schedule::Kind::parallel;
+  run_.outputs_.assign(most, 0.0);
+  run_.together_.assign(size, 0);
+  run_.acts_.assign(size, 0);
+  run_.acting_.reserve(size);
+  run_.going_.reserve(size);
+  std::vector<std::pair<int, int>> edges;
+  for (const Read& r : reads)
+    if (sampled(r.reader) && sampled(r.source) && r.lag == 0.0 && !r.just_before && r.reader != r.source)
+      edges.emplace_back(r.source, r.reader);
+  const std::vector<int> cluster = strongly_connected(topology_.size(), edges);
+  for (const auto& [from, to] : edges)
+    if (cluster[static_cast<std::size_t>(from)] == cluster[static_cast<std::size_t>(to)])
+      run_.together_[static_cast<std::size_t>(from)] = 1;
+  order_outputs();
+}
+
+/// Each gives its outputs again whenever one that it feeds through has become right: at the place of an
+/// output in the longest chain of feedthroughs that leads to it. There is no loop (Topology::check).
+void RunStart::order_outputs() {
+  const auto together = [&](int who) { return run_.together_[static_cast<std::size_t>(who)] != 0; };
+  std::vector<std::vector<int>> level;
+  for (int i = 0; i < topology_.size(); ++i)
+    level.emplace_back(static_cast<std::size_t>(together(i) ? topology_.info(i).output_size() : 0));
+  const auto of = [&](int who, int output) -> int& {
+    return level[static_cast<std::size_t>(who)][static_cast<std::size_t>(output)];
+  };
+  int deepest = 0;
+  for (bool more = true; more;) {
+    more = false;
+    for (const Line& line : topology_.lines())
+      for (const Feedthrough& f : topology_.info(line.reader).feedthrough) {
+        if (!together(line.source) || !together(line.reader) || f.input != line.input ||
+            !topology_.at_once(line))
+          continue;
+        int& behind = of(line.reader, f.output);
+        if (behind > of(line.source, line.output)) continue;
+        deepest = std::max(deepest, behind = of(line.source, line.output) + 1);
+        more = true;
+      }
+  }
+  for (int depth = 0; depth <= deepest; ++depth)
+    for (int i = 0; i < topology_.size(); ++i)
+      if (const auto& mine = level[static_cast<std::size_t>(i)];
+          together(i) && (depth == 0 || std::find(mine.begin(), mine.end(), depth) != mine.end()))
+        run_.output_calls_.push_back(i);
+}
+
+}  // namespace tandem

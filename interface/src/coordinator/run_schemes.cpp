@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// Whether the schedule can honour what is asked for.
+#include <algorithm>
+#include <cmath>
+
+#include "run_start.hpp"
+#include "tandem/error.hpp"
+
+namespace tandem {
+namespace {
+
+[[noreturn]] void refuse(const std::string& sentence) { throw Error(ErrorCode::not_supported, sentence); }
+
+std::size_t position(const std::vector<int>& order, int who) {
+  return static_cast<std::size_t>(std::find(order.begin(), order.end(), who) - order.begin());
+}
+
+}  // namespace
+
+void RunStart::check_named_order() const {
+  const auto& named = run_.coordination_.order;
+  const auto refuse_name = [](const std::string& name, const std::string& why) {
+    throw Error(ErrorCode::invalid_argument,
+                "coordination.order must name each subsystem once, slowest first; '" + name + "' " + why);
+  };
+  for (const std::string& name : named) {
+    bool known = false, acts = false;
+    for (int i = 0; i < topology_.size(); ++i)
+      if (topology_.name(i) == name) known = true, acts = sampled(i);
+    if (!known) refuse_name(name, "is not a subsystem");
+    if (acts) refuse_name(name, "is sampled, and has no place there");
+    if (std::count(named.begin(), named.end(), name) > 1) refuse_name(name, "stands there twice");
+  }
+  for (int i = 0; i < topology_.size(); ++i)
+    if (!sampled(i) && std::find(named.begin(), named.end(), topology_.name(i)) == named.end())
+      refuse_name(topology_.name(i), "is missing");
+}
+
+std::vector<int> RunStart::leaders_first() const {
+  std::vector<int> order;
+  for (int i = 0; i < topology_.size(); ++i)
+    if (!sampled(i)) order.push_back(i);
+  const bool ascending = run_.coordination_.schedule == Schedule::Kind::fastest_first;
+  const auto& named = run_.coordination_.order;
+  if (named.empty()) {
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+      const double ha = run_.own_step(a), hb = run_.own_step(b);
+      return ascending ? ha < hb : ha > hb;
+    });
+    return order;
+  }
+  check_named_order();
+  std::sort(order.begin(), order.end(), [&](int a, int b) {
+    return std::find(named.begin(), named.end(), topology_.name(a)) <
+           std::find(named.begin(), named.end(), topology_.name(b));
+  });
+  if (ascending) std::reverse(order.begin(), order.end());
+  return order;
+}
+
+void RunStart::check_schemes(const std::vector<int>& order) const {
+  if (run_.coordination_.schedule == Schedule::Kind::staggered && order.size() != 2)
+    refuse("schedule staggered couples two subsystems that integrate themselves; there are " +
+           std::to_string(order.size()));
+  if (run_.coordination_.schedule == Schedule::Kind::staggered && misses_middle(order[1], order[0]))
+    run_.notes_.push_back(
+        "subsystem '" + topology_.name(order[1]) +
+        "' can't shorten a step, so schedule staggered keeps a first order part of the size of its own "
+        "step over that of '" +
+        topology_.name(order[0]) + "'");
+  for (const Line& line : topology_.lines()) check_line(line, order);
+}
+
+/// The fast side can't cut a step, and none of its nodes lies in the middle of the slow side's step.
+bool RunStart::misses_middle(int fast, int slow) const {
+  const double middle = run_.own_step(slow) / 2.0, nearest = std::remainder(middle, run_.own_step(fast));
+  const Abilities &a = topology_.info(fast).abilities, &b = topology_.info(slow).abilities;
+  return !a.lands &&
+         (a.chooses_step || b.chooses_step || std::abs(nearest) > run_.tolerance_.width(middle, 0.0));
+}
+
+void RunStart::check_line(const Line& line, const std::vector<int>& order) const {
+  using Kind = Reconstruction::Kind;
+  if (sampled(line.source) || sampled(line.reader)) return;
+  const Schedule::Kind schedule = run_.coordination_.schedule;
+  const std::string what =
+      "input " + topology_.input_name(line.reader, line.input) + " is reconstructed by " + line.how.name();
+  const bool turns = schedule == Schedule::Kind::slowest_first || schedule == Schedule::Kind::fastest_first;
+  if (schedule == Schedule::Kind::staggered && line.how.kind != Kind::matched_hold)
+    refuse(what + "; schedule staggered takes matched_hold only");
+  if (schedule == Schedule::Kind::parallel && line.how.kind == Kind::matched_hold)
+    refuse(what + ", which needs subsystems that take turns; schedule parallel has none");
+  if (line.how.kind == Kind::mean && !(turns && position(order, line.source) < position(order, line.reader)))
+    refuse(what + ", which needs a source that is ahead of its reader; in schedule " +
+           std::string(Schedule::name(schedule)) + " '" + topology_.name(line.source) +
+           "' is not ahead of '" + topology_.name(line.reader) + "'");
+  if (line.lag == Lag::memory && topology_.info(line.reader).abilities.chooses_step)
+    refuse("input " + topology_.input_name(line.reader, line.input) +
+           " has a memory of one own step, but its subsystem chooses its steps; use a delay");
+}
+
+}  // namespace tandem
