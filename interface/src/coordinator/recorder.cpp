@@ -47,7 +47,8 @@ Recorder::~Recorder() {
 }
 
 std::string_view Recorder::name(Fill fill) {
-  return fill == Fill::own ? "own steps" : fill == Fill::hermite ? "cubic hermite" : "linear";
+  constexpr std::string_view names[] = {"own steps", "cubic hermite", "linear", "held"};
+  return names[static_cast<std::size_t>(fill)];
 }
 
 void Recorder::choose_columns() {
@@ -55,6 +56,7 @@ void Recorder::choose_columns() {
   const std::unordered_set<std::string> ports(what_.ports.begin(), what_.ports.end());
   for (int i = 0; i < topology.size(); ++i) {
     Track& track = tracks_.emplace_back();
+    track.sampled = topology.info(i).abilities.sampled;
     const auto names = topology.output_names(i);
     int output = 0;
     for (const Port& port : topology.info(i).outputs)
@@ -63,7 +65,9 @@ void Recorder::choose_columns() {
         if (!ports.empty() && !ports.contains(scalar) && !ports.contains(whole_port(scalar))) continue;
         track.outputs.push_back(output);
         track.has_slope.push_back(port.derivatives > 0);
-        columns_.push_back({i, scalar, port.unit, port.derivatives > 0 ? Fill::hermite : Fill::linear});
+        track.held.push_back(port.held);
+        const Fill fill = port.held ? Fill::held : port.derivatives > 0 ? Fill::hermite : Fill::linear;
+        columns_.push_back({i, scalar, port.unit, fill});
       }
   }
 }
@@ -110,9 +114,12 @@ void Recorder::start(double t_start) {
 }
 
 int Recorder::smallest_step() const {
+  const auto rank = [this](int i) {
+    return std::pair(run_.topology().info(i).abilities.sampled, run_.own_step(i));
+  };
   int best = 0;
   for (int i = 1; i < run_.topology().size(); ++i)
-    if (run_.own_step(i) < run_.own_step(best)) best = i;
+    if (rank(i) < rank(best)) best = i;
   return best;
 }
 

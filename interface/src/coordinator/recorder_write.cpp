@@ -75,16 +75,23 @@ void Recorder::write_at_clock(bool all) {
     track.drop(&track == &clock ? row : std::max<std::size_t>(track.cursor, 1) - 1);
 }
 
-/// False if a subsystem with recorded outputs has no sample at or after t.
+/// False if a subsystem with recorded outputs has no sample at or after t, or a sampled one none after it.
 bool Recorder::place_cursors(double t) {
   bool reached = true;
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     Track& track = tracks_[i];
     if (static_cast<int>(i) == clock_ || track.outputs.empty()) continue;
-    while (track.cursor < track.size() && tolerance_.before(track.time(track.cursor), t)) ++track.cursor;
+    track.place_cursor(t, tolerance_);
     reached = reached && track.cursor < track.size();
   }
   return reached;
+}
+
+void Recorder::Track::place_cursor(double t, const TimeTolerance& tolerance) {
+  const auto is_past = [&](double row) {
+    return sampled ? !tolerance.before(t, row) : tolerance.before(row, t);
+  };
+  while (cursor < size() && is_past(time(cursor))) ++cursor;
 }
 
 void Recorder::write_row(double t) {
@@ -93,13 +100,13 @@ void Recorder::write_row(double t) {
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     const Track& track = tracks_[i];
     if (track.outputs.empty()) continue;
-    const bool known = track.cursor < track.size();
-    const bool between = known && static_cast<int>(i) != clock_ && track.cursor > 0 &&
-                         tolerance_.before(t, track.time(track.cursor));
+    const bool others = static_cast<int>(i) != clock_ && track.cursor > 0;
+    const bool known = track.cursor < track.size() || (others && track.sampled);
+    const bool between = known && others && (track.sampled || tolerance_.before(t, track.time(track.cursor)));
     if (!known) note_end(i);
     for (std::size_t k = 0; k < track.outputs.size(); ++k)
       if (known)
-        file.number(between ? track.interpolate(k, t) : track.value(track.cursor, k));
+        file.number(between ? track.between_rows(k, t) : track.value(track.cursor, k));
       else
         file.empty();
   }
@@ -107,9 +114,9 @@ void Recorder::write_row(double t) {
 }
 
 /// Between the row before the cursor and the cursor's.
-double Recorder::Track::interpolate(std::size_t k, double t) const {
+double Recorder::Track::between_rows(std::size_t k, double t) const {
   const std::size_t a = cursor - 1, b = cursor;
-  if (jump(b)) return value(a, k);
+  if (held[k] != 0 || jump(b)) return value(a, k);
   const double h = time(b) - time(a), s = (t - time(a)) / h, rise = value(b, k) - value(a, k);
   if (!has_slope[k]) return value(a, k) + s * rise;
   const double d = h * slope(a, k), e = h * slope(b, k);

@@ -10,8 +10,6 @@
 namespace tandem {
 namespace {
 
-using Kind = Relation::Kind;
-
 /// By member the number of what it reads and is read by, directly or through others.
 std::vector<int> loops(std::span<const Read> reads, std::span<const Member> members, bool sampled_only) {
   std::vector<std::pair<int, int>> edges;
@@ -38,17 +36,18 @@ std::vector<Relation> relations(std::span<const int> order, std::span<const Read
     const auto reader = static_cast<std::size_t>(r.reader), source = static_cast<std::size_t>(r.source);
     if (r.reader == r.source) continue;
     if (members[reader].sampled && members[source].sampled)
-      all.push_back({r.reader, r.source, r.just_before || same(cluster, r) ? Kind::together : Kind::after,
+      all.push_back({r.reader, r.source,
+                     r.just_before || same(cluster, r) ? Relation::Kind::together : Relation::Kind::after,
                      r.lag, false});
     else if (members[reader].sampled)
-      all.push_back({r.reader, r.source, same(loop, r) ? Kind::nearest : Kind::passed, r.lag,
-                     r.lands && same(loop, r)});
+      all.push_back({r.reader, r.source, same(loop, r) ? Relation::Kind::nearest : Relation::Kind::passed,
+                     r.lag, r.lands && same(loop, r)});
     else if (members[source].sampled)
-      all.push_back({r.reader, r.source, Kind::held, r.lag, r.lands});
+      all.push_back({r.reader, r.source, Relation::Kind::held, r.lag, r.lands});
     else if (turns && place[reader] < place[source])
-      all.push_back({r.reader, r.source, Kind::turns, 0.0, false});
+      all.push_back({r.reader, r.source, Relation::Kind::turns, 0.0, false});
     else if (turns)
-      all.push_back({r.source, r.reader, Kind::turns, 0.0, false});
+      all.push_back({r.source, r.reader, Relation::Kind::turns, 0.0, false});
   }
   const auto key = [&](const Relation& r) {
     return std::tuple(r.kind, place[static_cast<std::size_t>(r.first)],

@@ -89,7 +89,8 @@ void Schedule::stagger() {
   if (waits) who = who == fast ? slow : fast;
   if (member(who).finished()) return;
   if (who == slow || waits) return add(who, member(who).next);
-  const double to = std::min(to_middle ? middle : t_stop_, f.landing);
+  const double known = sampled_ ? turns_.limit(members_, fast) : Member::never;
+  const double to = std::min(to_middle ? middle : t_stop_, known);
   if (to_middle && f.lands)
     round_[count_++] = {fast, to, true};
   else

@@ -8,9 +8,6 @@
 
 namespace tandem {
 
-using Waits = Relation::Waits;
-using Kind = Relation::Kind;
-
 TurnOrder::TurnOrder(std::span<const int> order, std::vector<Relation> relations, TimeTolerance tolerance)
     : relations_(std::move(relations)),
       tolerance_(tolerance),
@@ -31,10 +28,10 @@ void TurnOrder::link() {
   for (std::size_t k = 0; k < relations_.size(); ++k) {
     const auto& [a, b, kind, lag, lands] = relations_[k];
     const auto number = static_cast<std::int32_t>(k);
-    of[static_cast<std::size_t>(a)].push_back({b, number, Waits::first, kind});
-    of[static_cast<std::size_t>(b)].push_back({a, number, Waits::second, kind});
-    const bool turns = kind == Kind::turns;
-    waiting_side_.push_back(turns ? Waits::first : Waits::none);
+    of[static_cast<std::size_t>(a)].push_back({b, number, Relation::Waits::first, kind});
+    of[static_cast<std::size_t>(b)].push_back({a, number, Relation::Waits::second, kind});
+    const bool turns = kind == Relation::Kind::turns;
+    waiting_side_.push_back(turns ? Relation::Waits::first : Relation::Waits::none);
     waits_[static_cast<std::size_t>(a)] += turns ? 1 : 0;
     drift_ = drift_ || !turns;
   }
@@ -72,7 +69,7 @@ void TurnOrder::gather(std::span<const int> order) {
 void TurnOrder::gather_clusters() {
   std::vector<std::pair<int, int>> edges;
   for (const Relation& r : relations_)
-    if (r.kind == Kind::together && r.lag == 0.0) edges.emplace_back(r.second, r.first);
+    if (r.kind == Relation::Kind::together && r.lag == 0.0) edges.emplace_back(r.second, r.first);
   if (edges.empty()) return;
   cluster_of_ = strongly_connected(static_cast<int>(waits_.size()), edges);
   clusters_.resize(waits_.size());
@@ -80,29 +77,31 @@ void TurnOrder::gather_clusters() {
     clusters_[static_cast<std::size_t>(cluster_of_[i])].push_back(static_cast<int>(i));
 }
 
-Waits TurnOrder::waits_of(std::span<const Member> members, const Neighbour& n, int who) const {
+Relation::Waits TurnOrder::waits_of(std::span<const Member> members, const Neighbour& n, int who) const {
   const Member &m = members[static_cast<std::size_t>(who)], &other = members[static_cast<std::size_t>(n.who)];
-  if (n.kind == Kind::turns)
+  if (n.kind == Relation::Kind::turns)
     return (n.leads() ? tolerance_.before(other.time, m.next) : tolerance_.before(m.time, other.next))
-               ? Waits::second
-               : Waits::first;
+               ? Relation::Waits::second
+               : Relation::Waits::first;
   const Relation& r = relations_[static_cast<std::size_t>(n.relation)];
-  return n.mine == Waits::first ? r.waits(m, other, tolerance_) : r.waits(other, m, tolerance_);
+  return n.mine == Relation::Waits::first ? r.waits(m, other, tolerance_) : r.waits(other, m, tolerance_);
 }
 
 void TurnOrder::moved(std::span<const Member> members, int who) {
   for (const Neighbour& n : neighbours(who)) {
-    const Waits now = waits_of(members, n, who);
+    const Relation::Waits now = waits_of(members, n, who);
     if (now != waiting_side_[static_cast<std::size_t>(n.relation)]) change(members, who, n, now);
   }
   mark(members, who);
   if (drift_) earliest_.set(static_cast<std::size_t>(who), next_of(members, who));
 }
 
-void TurnOrder::change(std::span<const Member> members, int who, const Neighbour& n, Waits to) {
-  const Waits from = std::exchange(waiting_side_[static_cast<std::size_t>(n.relation)], to);
+void TurnOrder::change(std::span<const Member> members, int who, const Neighbour& n, Relation::Waits to) {
+  const Relation::Waits from = std::exchange(waiting_side_[static_cast<std::size_t>(n.relation)], to);
   waits_[static_cast<std::size_t>(who)] += static_cast<int>(to == n.mine) - static_cast<int>(from == n.mine);
-  const auto other = [&n](Waits w) { return static_cast<int>(w != n.mine && w != Waits::none); };
+  const auto other = [&n](Relation::Waits w) {
+    return static_cast<int>(w != n.mine && w != Relation::Waits::none);
+  };
   waits_[static_cast<std::size_t>(n.who)] += other(to) - other(from);
   mark(members, n.who);
 }
@@ -129,9 +128,9 @@ double TurnOrder::limit(std::span<const Member> members, int who) const {
   double limit = m.landing;
   for (const Neighbour& n : neighbours(who)) {
     const Member& other = members[static_cast<std::size_t>(n.who)];
-    if (n.kind == Kind::turns)
+    if (n.kind == Relation::Kind::turns)
       limit = std::min(limit, n.leads() ? other.time : other.next);
-    else if (n.kind == Kind::held)
+    else if (n.kind == Relation::Kind::held)
       limit = std::min(limit, other.next + relations_[static_cast<std::size_t>(n.relation)].lag);
   }
   return limit;
@@ -140,11 +139,11 @@ double TurnOrder::limit(std::span<const Member> members, int who) const {
 double TurnOrder::landing(std::span<const Member> members, int who, double time) const {
   double first = Member::never;
   for (const Neighbour& n : neighbours(who)) {
-    if (n.kind == Kind::turns) continue;
+    if (n.kind == Relation::Kind::turns) continue;
     const Relation& r = relations_[static_cast<std::size_t>(n.relation)];
     if (!r.lands) continue;
     const double instant = next_of(members, n.who),
-                 t = r.kind == Kind::held ? instant + r.lag : instant - r.lag;
+                 t = r.kind == Relation::Kind::held ? instant + r.lag : instant - r.lag;
     if (instant != Member::never && tolerance_.before(time, t)) first = std::min(first, t);
   }
   return first;

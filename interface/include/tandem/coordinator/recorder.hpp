@@ -38,7 +38,7 @@ std::string unknown_output(const std::vector<std::string>& outputs, const std::v
 /// close(). After an error of a write nothing more is written to that file.
 class Recorder final : public Observer {
  public:
-  enum class Fill { own, hermite, linear };
+  enum class Fill { own, hermite, linear, held };
   static std::string_view name(Fill fill);
   struct Column {
     int subsystem;
@@ -83,8 +83,11 @@ class Recorder final : public Observer {
   struct Track {
     std::vector<int> outputs;     ///< flattened indices of what is recorded
     std::vector<char> has_slope;  ///< by recorded output
+    std::vector<char> held;       ///< likewise
+    bool sampled = false;         ///< all of them hold on after the last row
     std::vector<double> rows;
-    std::size_t cursor = 0;  ///< first row at or after the time that is being written
+    std::size_t cursor =
+        0;  ///< first row at or after the time that is being written; of a sampled one, after
     bool end_noted = false;
 
     std::size_t width() const { return 2 + 2 * outputs.size(); }
@@ -95,7 +98,8 @@ class Recorder final : public Observer {
     double slope(std::size_t row, std::size_t k) const {
       return rows[row * width() + 2 + outputs.size() + k];
     }
-    double interpolate(std::size_t k, double t) const;
+    void place_cursor(double t, const TimeTolerance& tolerance);
+    double between_rows(std::size_t k, double t) const;
     void drop(std::size_t count);
   };
 

@@ -69,6 +69,8 @@ class TurnOrder {
     return any;
   }
 
+  /// How far one that waits for none may go.
+  double limit(std::span<const Member> members, int who) const;
   bool waits(int who) const { return waits_[static_cast<std::size_t>(who)] > 0; }
   /// The first instant after `time` of a sampled member at which `who` is to end a step; `never` for none.
   double landing(std::span<const Member> members, int who, double time) const;
@@ -109,7 +111,6 @@ class TurnOrder {
   Relation::Waits waits_of(std::span<const Member> members, const Neighbour& n, int who) const;
   void change(std::span<const Member> members, int who, const Neighbour& n, Relation::Waits to);
   void mark(std::span<const Member> members, int who);
-  double limit(std::span<const Member> members, int who) const;
   int waiting_mate(std::span<const Member> members, int who) const;
   bool mate_waits(std::span<const Member> members, int who) const {
     return !clusters_.empty() && waiting_mate(members, who) >= 0;
