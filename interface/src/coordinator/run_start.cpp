@@ -15,7 +15,8 @@ void RunStart::make() {
   note_steps();
   std::vector<int> order = leaders_first();
   check_schemes(order);
-  const double h = run_.coordination_.communication_step.value_or(largest_step());
+  const auto given = run_.coordination_.communication_step;
+  const double h = given.value_or(largest_step());
   if (!std::isfinite(h) || h <= 0.0)
     throw Error(ErrorCode::invalid_argument,
                 "communication_step is " + number_text(h) + " s; it must be finite and above 0");
@@ -23,7 +24,7 @@ void RunStart::make() {
   const auto all = reads();
   note_samples(all);
   run_.schedule_.emplace(run_.coordination_.schedule, members(), std::move(order), all,
-                         TimeSpan{run_.t_start_, run_.t_stop_}, h);
+                         TimeSpan{run_.t_start_, run_.t_stop_}, h, given ? -1 : slowest());
   stand_all();
   measure_batches();
   open_exchange(std::vector<int>(run_.own_steps_.size()));
@@ -49,6 +50,14 @@ double RunStart::largest_step() const {
     most = std::max(most, run_.own_step(i));
   }
   return largest > 0.0 ? largest : of_sampled;
+}
+
+/// Of those that integrate themselves the one with the largest own step; -1: there are none.
+int RunStart::slowest() const {
+  int slowest = -1;
+  for (int i = 0; i < topology_.size(); ++i)
+    if (!sampled(i) && (slowest < 0 || run_.own_step(i) > run_.own_step(slowest))) slowest = i;
+  return slowest;
 }
 
 /// What the schedule has to know of them before they stand anywhere.

@@ -20,6 +20,7 @@ class RunStart {
   void note_period(int who);
   void lend_steps();
   double largest_step() const;
+  int slowest() const;
   void note_times(double communication_step);
   double shortest_period(int who) const;
   bool lands(const Line& line) const;

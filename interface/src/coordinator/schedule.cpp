@@ -43,11 +43,12 @@ Schedule::Kind Schedule::parse(std::string_view text) {
 std::string_view Schedule::name(Kind kind) { return names[static_cast<std::size_t>(kind)]; }
 
 Schedule::Schedule(Kind kind, std::vector<Member> members, std::vector<int> order,
-                   std::span<const Read> reads, TimeSpan span, double communication_step)
+                   std::span<const Read> reads, TimeSpan span, double communication_step, int pace)
     : kind_(kind),
       in_turns_(kind == Kind::slowest_first || kind == Kind::fastest_first),
       members_(std::move(members)),
       order_(std::move(order)),
+      pace_(pace),
       sampled_(has_samples(members_)),
       pair_(in_turns_ && !sampled_ && members_.size() == 2 && are_linked(reads)),
       related_((in_turns_ && !pair_) || sampled_),
@@ -119,6 +120,8 @@ inline double Schedule::communication_point() const {
   for (std::size_t i = 0; i < members_.size(); ++i)
     if (!related_ || !turns_.waits(static_cast<int>(i))) first = std::min(first, members_[i].next);
   if (first == Member::never) return first;
+  if (pace_ >= 0 && !member(pace_).finished() && !(related_ && turns_.waits(pace_)))
+    return std::min(member(pace_).next, t_stop_);
   double k = std::ceil((first - t_start_) / communication_step_);
   if (!tolerance_.before(t_start_ + (k - 1.0) * communication_step_, first)) k -= 1.0;
   return std::min(t_start_ + k * communication_step_, t_stop_);

@@ -42,7 +42,7 @@ struct Coordination {
   std::vector<std::string> order;
   std::map<std::string, Landing> landing;  ///< by instance; automatic where it is not there
   std::optional<double>
-      communication_step;  ///< [s], for parallel and for delays; default: the largest own step
+      communication_step;  ///< [s], for parallel and for delays; default: the nodes of the largest own step
   StartKind start = StartKind::automatic;
   bool profile = false;  ///< read the clock before and after each call of a subsystem
 };

@@ -30,8 +30,10 @@ class Schedule {
   /// steps descending; fastest-first: ascending). reads: who reads whom. communication_step [s]: of parallel;
   /// in turns, how far subsystems that do not wait for each other may be apart. The members stand nowhere
   /// until stand().
+  /// pace: the member at whose own nodes, as long as it goes, parallel has its communication points; -1: they
+  /// are the multiples of communication_step from the start on.
   Schedule(Kind kind, std::vector<Member> members, std::vector<int> order, std::span<const Read> reads,
-           TimeSpan span, double communication_step);
+           TimeSpan span, double communication_step, int pace = -1);
 
   Kind kind() const { return kind_; }
   std::span<const int> order() const { return order_; }
@@ -81,6 +83,7 @@ class Schedule {
   bool in_turns_;
   std::vector<Member> members_;
   std::vector<int> order_;
+  int pace_;      ///< -1: none
   bool sampled_;  ///< there are sampled members
   bool pair_;     ///< two that are linked
   bool related_;  ///< turns_ is kept
