@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "linear_sides.hpp"
+#include "linear_controller.hpp"
 #include "tandem/time_grid.hpp"
 
 namespace tandem::test {

@@ -9,7 +9,6 @@
 #include "refusal.hpp"
 #include "scratch.hpp"
 #include "scripted.hpp"
-#include "tandem/sampled.hpp"
 #include "tandem/text/time_table.hpp"
 
 namespace tandem {
@@ -291,39 +290,6 @@ TEST(Recorder, DoesNotInterpolateAcrossAJump) {
   recorder.close();
   EXPECT_EQ(read_text(folder.path() / "results.csv"),
             "time,clock.y,other.y\n0,0,0\n1,1,1\n1,10,1\n1.5,1.5,1.5\n1.75,1.75,5\n2,2,7\n");
-}
-
-/// Gives how often it has acted.
-struct Counter {
-  SubsystemInfo info() const { return {"counter", {}, {{"n", "1"}}, {}, {}}; }
-  double own_step() const { return 0.25; }
-  double offset() const { return 0.2; }
-  void start(double, std::span<const double>) { n_ = 0.0; }
-  void outputs(double* y) const { *y = n_; }
-  void step(const OwnStep&, std::span<const Signal>) { n_ += 1.0; }
-  double n_ = 0.0;
-};
-
-TEST(Recorder, HeldOutputsAreStepsAndHoldToTheEnd) {
-  Scripted other = shapes(0.1);
-  Sampled<Counter> counter{Counter{}};
-  Topology topology;
-  topology.add("other", other.info());
-  topology.add("counter", counter.info());
-  Coordinator run(topology, {&other, &counter}, {}, TimeSpan{0.0, 2.0});
-  const Scratch folder;
-  Recorder recorder(run, {.directory = folder.path(), .clock = "", .ports = {"counter.n", "other.l"}});
-  run.observe(&recorder);
-  run.run();
-  recorder.close();
-  EXPECT_TRUE(recorder.notes().empty());
-  EXPECT_EQ(Recorder::name(recorder.columns()[1].fill), "held");
-  const TimeTable table = TimeTable::read(folder.path() / "results.csv");
-  ASSERT_EQ(table.times.size(), 21U) << "those of the one that integrates itself";
-  for (std::size_t row = 0; row < 21; ++row) {
-    const double t = table.times[row], acted = std::floor((t - 0.2) / 0.25 + 1e-9) + 1.0;
-    EXPECT_EQ(table.columns[1][row], std::max(acted - 1.0, 0.0)) << t;
-  }
 }
 
 }  // namespace

@@ -5,19 +5,12 @@
 #include <vector>
 
 #include "tandem/coordinator/history.hpp"
+#include "tandem/coordinator/lane.hpp"
 #include "tandem/coordinator/member.hpp"
 #include "tandem/coordinator/reconstruction.hpp"
 #include "tandem/time_grid.hpp"
 
 namespace tandem {
-
-/// One scalar output on its way to one scalar input of the reader: gain * output + offset.
-struct Lane {
-  int output;  ///< flattened index in the source
-  int slot;    ///< where the reader's Signal is written
-  double gain = 1.0, offset = 0.0;
-  bool held = false;  ///< the output is
-};
 
 /// All lanes from one source to one reader with the same reconstruction. Reconstructions that follow the
 /// samples get one segment per sample of the source, with its origin at that sample (the segment's right
@@ -139,12 +132,12 @@ class Link {
 
   TimeTolerance tolerance_;
   const History* samples_ = nullptr;
-  std::int64_t stride_ = 0;    ///< of their rows
-  std::int64_t capacity_ = 0;  ///< segments that there is room for in a lane
-  Segment* first_ = nullptr;   ///< of lane 0: the segment that holds the reader's time
-  std::int32_t count_ = 0;     ///< segments from there on
-  std::int64_t fitted_ = 0;    ///< rows that may be fitted together with the next one
-  double nearest_ = 0.0;       ///< see pass_over
+  std::int64_t stride_ = 0;          ///< of their rows
+  std::int64_t capacity_ = 0;        ///< segments that there is room for in a lane
+  Segment* first_ = nullptr;         ///< of lane 0: the segment that holds the reader's time
+  std::int32_t count_ = 0;           ///< segments from there on
+  std::int64_t fitted_ = 0;          ///< rows that may be fitted together with the next one
+  double nearest_ = 0.0;             ///< see pass_over
   std::vector<Segment> segments_;    ///< by lane, then by row
   std::vector<double> differences_;  ///< by lane: backward divided differences at the newest row
 
