@@ -132,7 +132,7 @@ double Exchange::next_break(int reader, double time) const {
 }
 
 void Exchange::remake_newest(int source) {
-  End& end = ends_[static_cast<std::size_t>(source)];
+  const End& end = ends_[static_cast<std::size_t>(source)];
   const double* row = end.history.row(end.history.newest());
   for (Link* link : end.out) link->remake(row);
 }
