@@ -187,6 +187,7 @@ Clock CSubsystem::initialize(double t_start, double t_stop, std::span<const doub
 }
 
 Clock CSubsystem::advance(double t_limit, bool land, std::span<const Signal> u, Samples& y) {
+  if (!api_.advance) throw Error(ErrorCode::not_supported, who() + " is sampled and has no function advance");
   tandem_clock clock{};
   const auto* signals = reinterpret_cast<const tandem_signal*>(u.data());  // same layout: see signal.hpp
   fill(y, "advance", [&](tandem_samples* rows) {

@@ -54,6 +54,17 @@ TEST(HeldLink, ItsMeanIsWeightedByTime) {
   EXPECT_DOUBLE_EQ(bench.read(1.0, 1.25).value(1.0), 5.0);
 }
 
+TEST(HeldLink, AValueThatIsGivenAnewIsReadAnew) {
+  for (const char* how : {"held", "mean"}) {
+    LinkBench bench(how, 0.0, {0, 0, 1.0, 0.0, true});
+    bench.give(0.0, 1.0);
+    bench.give(1.0, 2.0);
+    bench.history().newest_values()[0] = 7.0;
+    bench.link().remake(bench.history().row(1));
+    EXPECT_EQ(bench.read(1.0, 2.0).value(1.5), 7.0) << how;
+  }
+}
+
 double at_instant(LinkBench& bench, double last, double t) {
   double u[2] = {};
   bench.link().sample({last, t}, u);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
 
 #include "c_oscillator.h"
@@ -80,8 +81,10 @@ TEST(Sampled, ATableWithoutItsFunctionsIsRefused) {
 TEST(Sampled, ItsAdvanceMayBeMissingAndIsRefused) {
   tandem_subsystem_api api = *c_table<controller>();
   api.advance = nullptr;
-  EXPECT_NO_THROW(CSubsystem(&api, ""));
   Samples y;
+  CSubsystem behind(&api, "");
+  EXPECT_TRUE(refuses(ErrorCode::not_supported, {"controller", "sampled"},
+                      [&] { behind.advance(1.0, false, {}, y); }));
   EXPECT_TRUE(refuses(ErrorCode::not_supported, {"controller", "sampled"},
                       [&] { controller()->advance(1.0, false, {}, y); }));
 }
@@ -152,6 +155,18 @@ TEST(Sampled, APeriodThatIsNothingBesideTheEndIsRefused) {
   bench.connect("plant.x", "control.u", "lagrange3").connect("control.y", "plant.F", "");
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'control'", "0.3 s", "nothing beside the end"},
                       [&] { bench.make(1e14).initialize(); }));
+}
+
+TEST(Sampled, WhatItGivesIsFiniteOrNamedWithItsInstant) {
+  tandem_subsystem_api api = *c_table<controller>();
+  api.sample = [](void*, double t, std::int32_t, const double*, double* y, tandem_clock* clock) {
+    *y = std::nan("");
+    *clock = {t, t + 0.3, TANDEM_STOP_LIMIT, 0};
+    return TANDEM_OK;
+  };
+  CSubsystem plant(c_oscillator(), ""), sampled(&api, "");
+  EXPECT_TRUE(refuses(ErrorCode::numerical, {"'control'", "sample at t = 0.05 s", "control.y", "not finite"},
+                      [&] { controlled(plant, sampled); }));
 }
 
 TEST(Sampled, HasNoPlaceInTheOrder) {

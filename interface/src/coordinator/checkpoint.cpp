@@ -90,6 +90,7 @@ void Link::read(ByteReader& from) {
   for (std::size_t l = 0; l < lanes_.size(); ++l)
     read({first_ + static_cast<std::int64_t>(l) * capacity_, static_cast<std::size_t>(count_)}, from);
   read_from_ = from.take<double>();
+  if (!std::isfinite(read_from_)) from.refuse("has a time of reading that is not finite");
 }
 
 /// Each segment is of a row that is there, and so are the rows that the next one is fitted to.

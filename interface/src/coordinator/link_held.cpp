@@ -39,6 +39,7 @@ double Link::next_break(double time) const {
 }
 
 void Link::remake(const double* row) {
+  if (!follows_) return;
   Segment* s = first_ + (count_ - 1);
   for (const Lane& lane : lanes_) {
     s->c[0] = lane.gain * row[Samples::header + lane.output] + lane.offset;

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 // What sampled subsystems do at their instants.
 #include <algorithm>
+#include <cmath>
 
 #include "../number_text.hpp"
 #include "named.hpp"
@@ -63,6 +64,10 @@ void Coordinator::give(int who) {
                newest = history.time(history.newest());
   const bool again = acts_[static_cast<std::size_t>(who)] > 1;
   const std::span<const double> y(outputs_.data(), static_cast<std::size_t>(history.outputs()));
+  if (const auto bad = std::find_if(y.begin(), y.end(), [](double v) { return !std::isfinite(v); });
+      bad != y.end())
+    refuse_sample(who,
+                  "it gave " + topology_.output_name(who, static_cast<int>(bad - y.begin())) + " not finite");
   if (!again && !history.has_room(1)) exchange_->make_room(who, 1);
   double* const to = again ? history.newest_values() : history.room().append(t, t == newest);
   std::copy(y.begin(), y.end(), to);

@@ -678,6 +678,9 @@ static tandem_status answer_hello(session* s, reader* in) {
     return refuse(f, TANDEM_INVALID_ARGUMENT, "%s",
                   s->self ? s->api->last_error(s->self) : "no instance can be made");
   if (!(s->info = s->api->info(s->self))) return refuse(f, TANDEM_INTERNAL, "the subsystem gives no info");
+  if (s->info->abilities & (TANDEM_SAMPLED | TANDEM_HOLDS))
+    return refuse(f, TANDEM_NOT_SUPPORTED, "%s",
+                  "the subsystem has held outputs, which the protocol does not carry");
   begin(&s->channel, T_HELLO, s->number);
   put_hello(&s->channel, "tandem for C");
   return send_frame(&s->channel);
