@@ -35,7 +35,9 @@ class ScheduleBench {
       : walkers_(walkers),
         t_stop_(span.stop),
         tolerance_(span.start),
-        schedule_(kind, members(walkers), std::move(order), reads, span, communication_step) {
+        schedule_(
+            {.kind = kind, .order = std::move(order), .span = span, .communication_step = communication_step},
+            members(walkers), reads) {
     for (const Walker& w : walkers) grids_.emplace_back(span.start, w.own_step);
     for (std::size_t i = 0; i < walkers.size(); ++i) look(i);
   }

@@ -183,7 +183,7 @@ TEST(ScheduleRules, HoldForClocksThatNoRunWouldReach) {
     Rules rules{{}, t_start, t_stop, 0.3};
     for (const int k : order) rules.clocks.push_back(members[static_cast<std::size_t>(k)]);
     const auto standing = [&](Kind kind) {
-      Schedule schedule(kind, members, order, test::all_read_all(members.size()), {t_start, t_stop}, 0.3);
+      Schedule schedule({kind, order, {t_start, t_stop}, 0.3}, members, test::all_read_all(members.size()));
       for (std::size_t k = 0; k < members.size(); ++k)
         schedule.stand(static_cast<int>(k), members[k].time, members[k].next);
       return schedule;

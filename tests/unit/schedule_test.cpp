@@ -145,7 +145,7 @@ TEST(Schedule, StaggeredWithoutLandingGoesToTheFirstNodeAtOrPastTheMiddle) {
 
 TEST(Schedule, LandsOnlyAtTheEndButInTheMiddleWhenStaggered) {
   const auto first_turn = [](Kind kind, const std::vector<Member>& members) {
-    Schedule schedule(kind, members, {1, 0}, test::all_read_all(2), {0.0, 6.0}, 3.0);
+    Schedule schedule({kind, {1, 0}, {0.0, 6.0}, 3.0}, members, test::all_read_all(2));
     for (int i = 0; i < 2; ++i)
       schedule.stand(i, members[static_cast<std::size_t>(i)].time, members[static_cast<std::size_t>(i)].next);
     return schedule.next_round()[0];

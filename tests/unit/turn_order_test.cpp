@@ -112,7 +112,7 @@ class OneByOne {
 /// In rounds of whole turns.
 Seen in_rounds(const System& s, std::size_t* turns = nullptr) {
   std::vector<Member> members(s.steps.size());
-  Schedule schedule(Schedule::Kind::slowest_first, members, s.order, s.reads, {0.0, s.t_stop}, 1.0);
+  Schedule schedule({Schedule::Kind::slowest_first, s.order, {0.0, s.t_stop}, 1.0}, members, s.reads);
   std::vector<int> taken(s.steps.size());
   const auto stand = [&](int i) {
     const int k = taken[static_cast<std::size_t>(i)];

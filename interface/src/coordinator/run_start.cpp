@@ -23,8 +23,12 @@ void RunStart::make() {
   note_times(h);
   const auto all = reads();
   note_samples(all);
-  run_.schedule_.emplace(run_.coordination_.schedule, members(), std::move(order), all,
-                         TimeSpan{run_.t_start_, run_.t_stop_}, h, given ? -1 : slowest());
+  run_.schedule_.emplace(Schedule::Plan{run_.coordination_.schedule,
+                                        std::move(order),
+                                        {run_.t_start_, run_.t_stop_},
+                                        h,
+                                        given ? -1 : slowest()},
+                         members(), all);
   stand_all();
   measure_batches();
   open_exchange(std::vector<int>(run_.own_steps_.size()));

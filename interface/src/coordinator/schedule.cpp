@@ -42,26 +42,20 @@ Schedule::Kind Schedule::parse(std::string_view text) {
 
 std::string_view Schedule::name(Kind kind) { return names[static_cast<std::size_t>(kind)]; }
 
-Schedule::Schedule(Kind kind, std::vector<Member> members, std::vector<int> order,
-                   std::span<const Read> reads, TimeSpan span, double communication_step, int pace)
-    : kind_(kind),
-      in_turns_(kind == Kind::slowest_first || kind == Kind::fastest_first),
+Schedule::Schedule(Plan plan, std::vector<Member> members, std::span<const Read> reads)
+    : plan_(std::move(plan)),
       members_(std::move(members)),
-      order_(std::move(order)),
-      pace_(pace),
+      in_turns_(plan_.kind == Kind::slowest_first || plan_.kind == Kind::fastest_first),
       sampled_(has_samples(members_)),
       pair_(in_turns_ && !sampled_ && members_.size() == 2 && are_linked(reads)),
       related_((in_turns_ && !pair_) || sampled_),
-      t_start_(span.start),
-      t_stop_(span.stop),
-      communication_step_(communication_step),
-      tolerance_(t_start_),
-      earliest_stop_(t_stop_ - tolerance_.width(t_start_, t_stop_)),
-      latest_stop_(t_stop_ + tolerance_.width(t_start_, t_stop_)),
+      tolerance_(plan_.span.start),
+      earliest_stop_(plan_.span.stop - tolerance_.width(plan_.span.start, plan_.span.stop)),
+      latest_stop_(plan_.span.stop + tolerance_.width(plan_.span.start, plan_.span.stop)),
       round_(members_.size()) {
   if (related_)
-    turns_ = TurnOrder(all_in_order(order_, members_.size()), relations(order_, reads, members_, in_turns_),
-                       tolerance_);
+    turns_ = TurnOrder(all_in_order(plan_.order, members_.size()),
+                       relations(plan_.order, reads, members_, in_turns_), tolerance_);
 }
 
 double Schedule::find_landing(int who, double time, double break_at) {
@@ -72,7 +66,7 @@ double Schedule::find_landing(int who, double time, double break_at) {
 
 inline void Schedule::add(int who, double limit) {
   const Member& m = member(who);
-  const double to = std::max(std::min(limit, t_stop_), m.next);
+  const double to = std::max(std::min(limit, plan_.span.stop), m.next);
   round_[count_++] = {who, to,
                       m.lands && (to >= earliest_stop_ || (sampled_ && !tolerance_.before(to, m.landing)))};
 }
@@ -80,8 +74,8 @@ inline void Schedule::add(int who, double limit) {
 /// The slow side steps when the fast side stands in the middle of that step. Who waits for a sampled member
 /// lets the other one take a step, which that member may wait for.
 void Schedule::stagger() {
-  assert(order_.size() == 2);
-  const int slow = order_[0], fast = order_[1];
+  assert(plan_.order.size() == 2);
+  const int slow = plan_.order[0], fast = plan_.order[1];
   const Member &s = member(slow), &f = member(fast);
   const double middle = s.time + (s.next - s.time) / 2.0;
   const bool to_middle = !s.finished() && !f.finished() && tolerance_.before(f.time, middle);
@@ -91,7 +85,7 @@ void Schedule::stagger() {
   if (member(who).finished()) return;
   if (who == slow || waits) return add(who, member(who).next);
   const double known = sampled_ ? turns_.limit(members_, fast) : Member::never;
-  const double to = std::min(to_middle ? middle : t_stop_, known);
+  const double to = std::min(to_middle ? middle : plan_.span.stop, known);
   if (to_middle && f.lands)
     round_[count_++] = {fast, to, true};
   else
@@ -100,11 +94,11 @@ void Schedule::stagger() {
 
 /// The rule of TurnOrder for two that are linked, without what it takes to find them among thousands.
 void Schedule::turn_of_pair() {
-  const Member &leader = member(order_[0]), &follower = member(order_[1]);
+  const Member &leader = member(plan_.order[0]), &follower = member(plan_.order[1]);
   const bool followers = !tolerance_.before(leader.time, follower.next);
   const Member& m = followers ? follower : leader;
   if (!m.finished())
-    add(order_[followers ? 1 : 0], m.reads_mean ? m.next : followers ? leader.time : follower.next);
+    add(plan_.order[followers ? 1 : 0], m.reads_mean ? m.next : followers ? leader.time : follower.next);
 }
 
 bool Schedule::add_samples() {
@@ -120,11 +114,11 @@ inline double Schedule::communication_point() const {
   for (std::size_t i = 0; i < members_.size(); ++i)
     if (!related_ || !turns_.waits(static_cast<int>(i))) first = std::min(first, members_[i].next);
   if (first == Member::never) return first;
-  if (pace_ >= 0 && !member(pace_).finished() && !(related_ && turns_.waits(pace_)))
-    return std::min(member(pace_).next, t_stop_);
-  double k = std::ceil((first - t_start_) / communication_step_);
-  if (!tolerance_.before(t_start_ + (k - 1.0) * communication_step_, first)) k -= 1.0;
-  return std::min(t_start_ + k * communication_step_, t_stop_);
+  if (plan_.pace >= 0 && !member(plan_.pace).finished() && !(related_ && turns_.waits(plan_.pace)))
+    return std::min(member(plan_.pace).next, plan_.span.stop);
+  double k = std::ceil((first - plan_.span.start) / plan_.communication_step);
+  if (!tolerance_.before(plan_.span.start + (k - 1.0) * plan_.communication_step, first)) k -= 1.0;
+  return std::min(plan_.span.start + k * plan_.communication_step, plan_.span.stop);
 }
 
 inline void Schedule::add_up_to(double target) {
@@ -143,8 +137,8 @@ std::span<const Turn> Schedule::next_round() {
   if (pair_)
     turn_of_pair();
   else if (in_turns_)
-    turns_.each_turn(members_, communication_step_, [this](int who, double limit) { add(who, limit); });
-  else if (kind_ == Kind::parallel)
+    turns_.each_turn(members_, plan_.communication_step, [this](int who, double limit) { add(who, limit); });
+  else if (plan_.kind == Kind::parallel)
     add_up_to(target_ = communication_point());
   else if (!related_ || !add_samples())
     stagger();
@@ -153,7 +147,7 @@ std::span<const Turn> Schedule::next_round() {
 
 std::span<const Turn> Schedule::rest_of_round() {
   count_ = 0;
-  if (kind_ == Kind::parallel && related_) add_up_to(target_);
+  if (plan_.kind == Kind::parallel && related_) add_up_to(target_);
   return {round_.data(), count_};
 }
 

@@ -26,17 +26,25 @@ class Schedule {
   static Kind parse(std::string_view text);
   static std::string_view name(Kind kind);
 
-  /// order: those that integrate themselves, that which is ahead of all others first (slowest-first: own
-  /// steps descending; fastest-first: ascending). reads: who reads whom. communication_step [s]: of parallel;
-  /// in turns, how far subsystems that do not wait for each other may be apart. The members stand nowhere
-  /// until stand().
-  /// pace: the member at whose own nodes, as long as it goes, parallel has its communication points; -1: they
-  /// are the multiples of communication_step from the start on.
-  Schedule(Kind kind, std::vector<Member> members, std::vector<int> order, std::span<const Read> reads,
-           TimeSpan span, double communication_step, int pace = -1);
+  /// What it goes by, beside the members.
+  struct Plan {
+    Kind kind;
+    /// Those that integrate themselves, that which is ahead of all others first (slowest-first: own steps
+    /// descending; fastest-first: ascending).
+    std::vector<int> order;
+    TimeSpan span;
+    /// [s]: of parallel; in turns, how far subsystems that do not wait for each other may be apart.
+    double communication_step;
+    /// The member at whose own nodes, as long as it goes, parallel has its communication points; -1: they are
+    /// the multiples of communication_step from the start on.
+    int pace = -1;
+  };
 
-  Kind kind() const { return kind_; }
-  std::span<const int> order() const { return order_; }
+  /// reads: who reads whom. The members stand nowhere until stand().
+  Schedule(Plan plan, std::vector<Member> members, std::span<const Read> reads);
+
+  Kind kind() const { return plan_.kind; }
+  std::span<const int> order() const { return plan_.order; }
   const Member& member(int who) const { return members_[static_cast<std::size_t>(who)]; }
 
   /// Puts a member where its subsystem stands. It takes no further part if it stands at t_stop, if its next
@@ -45,7 +53,7 @@ class Schedule {
   /// for which those that they move are to be put anew.
   void stand(int who, double time, double next, double break_at = Member::never) {
     Member& m = members_[static_cast<std::size_t>(who)];
-    if (m.lands && next != Member::never) next = std::min(next, t_stop_);
+    if (m.lands && next != Member::never) next = std::min(next, plan_.span.stop);
     const bool finished = (time >= earliest_stop_ && !m.sampled) || next > latest_stop_;
     if (sampled_ && !finished) next = std::min(next, find_landing(who, time, break_at));
     m.time = finished ? Member::never : time;
@@ -79,15 +87,12 @@ class Schedule {
   void add_up_to(double target);
   void add(int who, double limit);
 
-  Kind kind_;
-  bool in_turns_;
+  Plan plan_;
   std::vector<Member> members_;
-  std::vector<int> order_;
-  int pace_;      ///< -1: none
+  bool in_turns_;
   bool sampled_;  ///< there are sampled members
   bool pair_;     ///< two that are linked
   bool related_;  ///< turns_ is kept
-  double t_start_, t_stop_, communication_step_;
   TimeTolerance tolerance_;
   double earliest_stop_, latest_stop_;  ///< t_stop, give and take the tolerance
   TurnOrder turns_;
