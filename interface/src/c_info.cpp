@@ -28,7 +28,7 @@ void mark_held(SubsystemInfo& info, const std::int32_t* held) {
              info.outputs[i].name + "' is held; allowed are 0 and 1");
     info.outputs[i].held = held[i] == 1;
   }
-  if (info.abilities.sampled)
+  if (info.abilities.sampled && !held)
     for (Port& port : info.outputs) port.held = true;
 }
 

@@ -1,7 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "tandem/c_table.hpp"
 
-#include <algorithm>
 #include <new>
 #include <utility>
 #include <vector>
@@ -37,9 +36,8 @@ void fill_info(Instance& it) {
   it.outputs = ports_of(info.outputs);
   for (const Feedthrough& f : info.feedthrough) it.feedthrough.push_back({f.output, f.input});
   for (const Port& port : info.outputs) it.held.push_back(port.held ? 1 : 0);
-  const bool holds = std::find(it.held.begin(), it.held.end(), 1) != it.held.end();
   it.info = {info.name.c_str(),
-             to_bits(info.abilities) | (holds ? std::uint32_t{TANDEM_HOLDS} : 0U),
+             to_bits(info),
              static_cast<std::int32_t>(it.inputs.size()),
              static_cast<std::int32_t>(it.outputs.size()),
              static_cast<std::int32_t>(it.feedthrough.size()),

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "tandem/error.hpp"
 #include "tandem/library_file.hpp"
 
 namespace tandem {
@@ -23,11 +24,10 @@ constinit thread_local const char* LibraryCall::current_ = nullptr;
 void LibraryCall::guard_exit() {
   static const bool done = [] {
     guarded_process = ::getpid();
-    std::atexit([] { refuse_exit(0); });
-    std::at_quick_exit([] { refuse_exit(0); });
-    return ::pthread_atfork(nullptr, nullptr, [] { guarded_process = 0; }) == 0;
+    return std::atexit([] { refuse_exit(0); }) == 0 && std::at_quick_exit([] { refuse_exit(0); }) == 0 &&
+           ::pthread_atfork(nullptr, nullptr, [] { guarded_process = 0; }) == 0;
   }();
-  static_cast<void>(done);
+  if (!done) throw Error(ErrorCode::internal, "no library is loaded, as the program's end can't be guarded");
 }
 
 void LibraryCall::begin_program() noexcept { own_status = not_yet; }
@@ -40,9 +40,10 @@ int LibraryCall::refuse_exit(int status) noexcept {
   if (its_own_end || !(current_ || own_status == not_yet)) return its_own_end ? own_status.load() : status;
   const char* who = current_ ? current_ : "a library that was loaded";
   own_status = 1;
-  std::fflush(nullptr);
-  std::fprintf(stderr, "tandem: %s ended the program in the middle of %s; allowed is to return\n", who,
-               current_ ? "a call" : "the work");
+  static_cast<void>(std::fflush(nullptr));
+  static_cast<void>(std::fprintf(stderr,
+                                 "tandem: %s ended the program in the middle of %s; allowed is to return\n",
+                                 who, current_ ? "a call" : "the work"));
   ::_exit(1);
 }
 

@@ -59,7 +59,7 @@ std::string printable(std::string_view text, std::size_t longest) {
 
 std::string printable_lines(std::string_view text) {
   std::string shown;
-  for (std::size_t end; (end = text.find('\n')) != text.npos; text.remove_prefix(end + 1))
+  for (std::size_t end = 0; (end = text.find('\n')) != text.npos; text.remove_prefix(end + 1))
     shown += printable(text.substr(0, end), text.npos) + '\n';
   return shown + printable(text, text.npos);
 }

@@ -14,7 +14,8 @@ namespace {
 }
 }  // namespace
 
-std::uint32_t to_bits(const Abilities& a) {
+std::uint32_t to_bits(const SubsystemInfo& info) {
+  const Abilities& a = info.abilities;
   std::uint32_t bits = 0;
   const auto add = [&](bool has, std::uint32_t bit) { bits |= has ? bit : 0U; };
   add(a.chooses_step, TANDEM_CHOOSES_STEP);
@@ -24,6 +25,7 @@ std::uint32_t to_bits(const Abilities& a) {
   add(a.reactive_inputs, TANDEM_REACTIVE_INPUTS);
   add(a.serializes_state, TANDEM_SERIALIZES_STATE);
   add(a.sampled, TANDEM_SAMPLED);
+  add(info.holds(), TANDEM_HOLDS);
   return bits;
 }
 

@@ -1,5 +1,5 @@
 ## Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-## Speed governor in Octave: proportional and integral, sampled each h; its integral stays within the plate's range.
+## Speed governor in Octave: proportional and integral, sampled each h, held; its integral stays within the plate's range.
 ## Inputs set and N [rad/s]; output throttle [deg]. Parameters kp [deg s/rad], ki [deg/rad], theta0 [deg], h [s]
 ## (README.md).
 1;
@@ -16,15 +16,27 @@ function model = make (parameters)
   model.inputs = {"set", "rad/s"; "N", "rad/s"};
   model.outputs = {"throttle", "deg"};
   model.feedthrough = [1, 1; 1, 2];
+  model.sampled = true;
   model.h = p.h;
-  model.start = @(t, u0) struct ("integral", p.theta0, "error", u0(1) - u0(2));
-  model.step = @(state, t, t_end, h, u) sample (p, state, h, tandem_value (u(1), t_end) - tandem_value (u(2), t_end));
-  model.values = @(state) min (max (p.kp * state.error + state.integral, 0), 50);
+  model.start = @(t, u0) p.theta0;
+  model.values = @(integral, u) throttle (p, integral, u);
+  model.step = @(integral, t, t_end, h, u) step (p, integral, h, tandem_value (u(1), t) - tandem_value (u(2), t));
 endfunction
 
-function state = sample (p, state, h, error)
-  state.integral = min (max (state.integral + p.ki * h * error, 0), 50);
-  state.error = error;
+## Of the integral alone before the first sample.
+function theta = throttle (p, integral, u)
+  if (isempty (u))
+    u = [0, 0];
+  endif
+  theta = within (p.kp * (u(1) - u(2)) + integral);
+endfunction
+
+function integral = step (p, integral, h, error)
+  integral = within (integral + p.ki * h * error);
+endfunction
+
+function theta = within (theta)
+  theta = min (max (theta, 0), 50);
 endfunction
 
 exit (tandem_serve (@make));

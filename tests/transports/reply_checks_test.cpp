@@ -6,12 +6,10 @@
 #include <limits>
 
 #include "by_hand.hpp"
+#include "masters.hpp"
 #include "printable_table.hpp"
 #include "refusal.hpp"
-#include "served.hpp"
-#include "tandem/c_subsystem.hpp"
 #include "tandem/error.hpp"
-#include "tandem/peer.h"
 
 namespace tandem::test {
 namespace {
@@ -48,13 +46,6 @@ ByHand::Answer rows_answer(const std::vector<OddRow>& rows, const Clock& clock) 
 
 const Clock at_start = {0.0, 0.5, Stop::limit};
 
-/// How a subsystem at an address is driven.
-struct Master {
-  const char* name;
-  std::unique_ptr<Subsystem> (*open)(const std::string& uri);
-};
-std::ostream& operator<<(std::ostream& out, const Master& master) { return out << master.name; }
-
 class ReplyChecks : public testing::TestWithParam<Master> {
  protected:
   /// What is said of a start and an advance from 0 s to 1 s; "" if all is believed.
@@ -82,13 +73,7 @@ class ReplyChecks : public testing::TestWithParam<Master> {
     auto answers = opening_answers(odd_info());
     answers.insert(answers.end(), {first, next});
     const ByHand server(std::move(answers));
-    return without(said(server, u0), server.address());
-  }
-
-  /// What follows the address. (What drives tables of functions puts the subsystem and the call before it.)
-  static std::string without(const std::string& sentence, const std::string& address) {
-    const auto at = sentence.find(address + ", ");
-    return at == std::string::npos ? sentence : sentence.substr(at + address.size() + 2);
+    return after_address(said(server, u0), server.address());
   }
 
   std::string said_of_rows(const std::vector<OddRow>& rows, const Clock& clock) {
@@ -240,7 +225,7 @@ TEST_P(ReplyChecks, AStateIsRestoredToATimeThatIsFinite) {
       GetParam().open(server.address())->restore_state(1);
       return std::string();
     } catch (const Error& error) {
-      return without(error.what(), server.address());
+      return after_address(error.what(), server.address());
     }
   };
   EXPECT_EQ(restoring({0.5, 1.0, Stop::limit}), "");
@@ -286,7 +271,7 @@ TEST_P(ReplyChecks, SentencesOfAPeerAreShownPrintableAndCut) {
                          w.put_text(text);
                        }});
     const ByHand server(std::move(answers));
-    const std::string sentence = without(said(server, 0.0), server.address());
+    const std::string sentence = after_address(said(server, 0.0), server.address());
     const std::string beginning = "initialize at t = 0 s: " + shown;
     EXPECT_TRUE(sentence.starts_with(beginning)) << sentence;
     EXPECT_EQ(sentence.ends_with("..."), shown_whole) << sentence;
@@ -294,14 +279,7 @@ TEST_P(ReplyChecks, SentencesOfAPeerAreShownPrintableAndCut) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Masters, ReplyChecks,
-    testing::Values(Master{"Cpp", [](const std::string& uri) { return open(uri, all_sources()); }},
-                    Master{"C",
-                           [](const std::string& uri) -> std::unique_ptr<Subsystem> {
-                             return std::make_unique<CSubsystem>(tandem_remote(), uri);
-                           }}),
-    [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(Masters, ReplyChecks, masters, master_name);
 
 }  // namespace
 }  // namespace tandem::test

@@ -43,6 +43,14 @@ SubsystemInfo mass2() {
           {.lands = true, .restarts = true}};
 }
 
+/// A sampled one.
+SubsystemInfo pi() {
+  SubsystemInfo info{"pi",     {{"w", "rad/s"}},  {{"u", "V"}},
+                     {{0, 0}}, {.sampled = true}, {1.0 / 128, 1.0 / 512}};
+  info.outputs[0].held = true;
+  return info;
+}
+
 /// Frames put one after another.
 class Talk {
  public:
@@ -98,6 +106,10 @@ std::vector<Bytes> frames_of_the_codec() {
   talk.say(Type::ping, 10, beat).say(Type::ping, 10, beat);
   talk.say(Type::error, 11, [](Writer& w) { put_error(w, ErrorCode::invalid_argument, "no saved state 7"); });
   talk.say(Type::bye, 12).say(Type::bye, 12);
+  talk.say(Type::info, 2, [](Writer& w) { put_info(w, pi()); });
+  const double w_now = 0.5, u_now = -2.0;
+  talk.say(Type::sample, 4, [&](Writer& w) { put_sample(w, 0.25, SamplePart::both, {&w_now, 1}); });
+  talk.say(Type::sample, 4, [&](Writer& w) { put_sampled(w, {0.25, 0.2578125, Stop::limit}, {&u_now, 1}); });
   return talk.frames;
 }
 
@@ -133,6 +145,22 @@ TEST(Wire, TheCodecReadsTheBytesOfThePage) {
   EXPECT_EQ(read_error(payload(page[20]), nullptr).what(), std::string("no saved state 7"));
 }
 
+TEST(Wire, TheCodecReadsASampledSubsystemOfThePage) {
+  const auto page = frames_of_the_page();
+  const SubsystemInfo info = read_info(payload(page[23]));
+  EXPECT_TRUE(info.abilities.sampled && info.outputs[0].held);
+  EXPECT_EQ(info.sampling.period, 1.0 / 128);
+  EXPECT_EQ(info.sampling.latency, 1.0 / 512);
+  Sample request;
+  read_sample(payload(page[24]), 1, request);
+  EXPECT_EQ(request.t, 0.25);
+  EXPECT_EQ(request.part, SamplePart::both);
+  EXPECT_EQ(request.u, std::vector<double>{0.5});
+  double u = 0.0;
+  EXPECT_EQ(read_sampled(payload(page[25]), {&u, 1}).next_time, 0.2578125);
+  EXPECT_EQ(u, -2.0);
+}
+
 /// A copy with a number overwritten.
 template <class T>
 Bytes with(Bytes bytes, std::size_t place, T value) {
@@ -146,7 +174,7 @@ TEST(Wire, AHeaderThatIsNotRightIsRefused) {
   const auto reading = [](const Bytes& b) { return [b] { Frame::read(b, 1000); }; };
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"5 bytes", "16 or more"},
                       reading({hello.begin(), hello.begin() + 5})));
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"type 14", "1 to 13"}, reading(with(hello, 8, 14U))));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"type 15", "1 to 14"}, reading(with(hello, 8, 15U))));
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"type 0"}, reading(with(hello, 8, 0U))));
   for (const std::uint64_t length : {std::uint64_t{1001}, std::numeric_limits<std::uint64_t>::max()})
     EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'hello'", std::to_string(length), "up to 1000"},
@@ -186,6 +214,15 @@ TEST(Wire, APayloadThatIsCutAnywhereOrGoesOnIsRefused) {
   });
   refuses_each_cut(page[11], [](auto p) { read_clock(p); });
   refuses_each_cut(page[10], [](auto p) { read_id(p); });
+  refuses_each_cut(page[23], [](auto p) { read_info(p); });
+  refuses_each_cut(page[24], [](auto p) {
+    Sample request;
+    read_sample(p, 1, request);
+  });
+  refuses_each_cut(page[25], [](auto p) {
+    double y = 0.0;
+    read_sampled(p, {&y, 1});
+  });
 }
 
 TEST(Wire, NumbersThatMakeNoSenseAreRefusedBeforeAnythingIsAllocatedForThem) {
@@ -223,6 +260,35 @@ TEST(Wire, NumbersThatMakeNoSenseAreRefusedBeforeAnythingIsAllocatedForThem) {
       refuses(code, {"text of 1048577"}, [&] { read_hello(payload(with(page[0], at + 28, 1048577U))); }));
   EXPECT_TRUE(refuses(code, {"announces 100000000"},
                       [&] { read_info(payload(with(page[3], at + 13, 100000000U))); }));
+}
+
+TEST(Wire, SamplesThatMakeNoSenseAreRefused) {
+  const auto page = frames_of_the_page();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto code = ErrorCode::invalid_argument;
+  const std::size_t at = header_size, held = page[23].size() - 20;
+  const auto asking = [](const Bytes& b) {
+    return [b] {
+      Sample request;
+      read_sample(payload(b), 1, request);
+    };
+  };
+  const Bytes& request = page[24];
+  EXPECT_TRUE(refuses(code, {"a t that is not finite"}, asking(with(request, at, nan))));
+  for (const std::uint32_t parts : {0U, 4U, 0xffffffffU})
+    EXPECT_TRUE(refuses(code, {"the parts " + std::to_string(parts), "1 to 3"},
+                        asking(with(request, at + 8, parts))));
+  EXPECT_TRUE(refuses(code, {"0 inputs; allowed are 1"}, asking(with(request, at + 12, 0U))));
+  EXPECT_TRUE(refuses(code, {"an input that is not finite"}, asking(with(request, at + 16, nan))));
+  const auto told = [&](const Bytes& b) { return [b] { read_info(payload(b)); }; };
+  EXPECT_TRUE(refuses(code, {"2 for whether output 'u' is held"}, told(with(page[23], held, 2U))));
+  EXPECT_TRUE(refuses(code, {"not all of its outputs are held"}, told(with(page[23], held, 0U))));
+  EXPECT_TRUE(refuses(code, {"period of nan s"}, told(with(page[23], held + 4, nan))));
+  EXPECT_TRUE(refuses(code, {"latency of -1 s"}, told(with(page[23], held + 12, -1.0))));
+  double y[2];
+  EXPECT_TRUE(refuses(code, {"1 numbers", "allowed are 2"}, [&] { read_sampled(payload(page[25]), y); }));
+  EXPECT_TRUE(refuses(code, {"announces 1000000"},
+                      [&] { read_sampled(payload(with(page[25], at + 20, 1000000U)), y); }));
 }
 
 TEST(Wire, RowsBeforeAnErrorComeWithIt) {

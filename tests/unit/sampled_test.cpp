@@ -1,15 +1,13 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 // Sampled subsystems: in C++, behind the table of C, and what is refused.
-#include "tandem/sampled.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstddef>
 
 #include "c_oscillator.h"
+#include "governor.hpp"
 #include "refusal.hpp"
-#include "run_bench.hpp"
 #include "same_bits.hpp"
 #include "tandem/c_subsystem.hpp"
 #include "tandem/c_table.hpp"
@@ -19,87 +17,48 @@
 namespace tandem::test {
 namespace {
 
-/// An integral and a proportional part, every 0.3 s from 0.05 s on.
-class Governor {
- public:
-  explicit Governor(double latency, std::string unit = "m") : latency_(latency), unit_(std::move(unit)) {}
-  SubsystemInfo info() const {
-    return {"controller",
-            {{"u", unit_, 1, 0, 0.0}},
-            {{"y", unit_ == "m" ? "N" : "1"}},
-            {{0, 0}},
-            {.serializes_state = true}};
-  }
-  double own_step() const { return 0.3; }
-  double offset() const { return 0.05; }
-  double latency() const { return latency_; }
-  void start(double, std::span<const double>) { sum_ = 0.25; }
-  void outputs(double* y) const { *y = -sum_; }
-  void outputs(double* y, std::span<const double> u) const { *y = -sum_ - 0.5 * u[0]; }
-  void step(const OwnStep& s, std::span<const Signal> u) { sum_ += 0.2 * u[0].value(s.begin); }
-  void write(ByteWriter& to) const { to.put(sum_); }
-  void read(ByteReader& from) { sum_ = from.take<double>(); }
-
- private:
-  double latency_, sum_ = 0.0;
-  std::string unit_;
-};
-
-/// It is late by 0.02 s.
-std::unique_ptr<Subsystem> controller(const std::string& = "") {
-  return std::make_unique<Sampled<Governor>>(Governor(0.02));
-}
-
-/// The position of an oscillator to the controller, its force back.
-std::vector<Recording::Rows> controlled(Subsystem& plant, Subsystem& sampled) {
-  RunBench bench;
-  bench.add("plant", plant).add("control", sampled);
-  bench.connect("plant.x", "control.u", "lagrange3").connect("control.y", "plant.F", "");
-  return bench.run(5.0).all();
-}
-
 TEST(Sampled, RunsBehindATableOfCWithTheSameBits) {
   CSubsystem plant(c_oscillator(), ""), same_plant(c_oscillator(), "");
-  CSubsystem behind(c_table<controller>(), "");
+  CSubsystem behind(c_table<governor>(), "");
   EXPECT_TRUE(behind.info().abilities.sampled);
   EXPECT_EQ(behind.info().sampling.period, 0.3);
   EXPECT_EQ(behind.info().sampling.latency, 0.02);
   EXPECT_TRUE(behind.info().outputs[0].held);
-  const auto direct = controller();
+  const auto direct = governor();
   EXPECT_TRUE(same_bits(controlled(plant, behind), controlled(same_plant, *direct)));
 }
 
 TEST(Sampled, ATableWithoutItsFunctionsIsRefused) {
-  tandem_subsystem_api api = *c_table<controller>();
+  tandem_subsystem_api api = *c_table<governor>();
   api.sample = nullptr;
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"controller", "sampled"}, [&] { CSubsystem(&api, ""); }));
-  api = *c_table<controller>();
+  api = *c_table<governor>();
   api.table_size = offsetof(tandem_subsystem_api, held);
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"controller", "held"}, [&] { CSubsystem(&api, ""); }));
 }
 
 TEST(Sampled, ItsAdvanceMayBeMissingAndIsRefused) {
-  tandem_subsystem_api api = *c_table<controller>();
+  tandem_subsystem_api api = *c_table<governor>();
   api.advance = nullptr;
   Samples y;
   CSubsystem behind(&api, "");
   EXPECT_TRUE(refuses(ErrorCode::not_supported, {"controller", "sampled"},
                       [&] { behind.advance(1.0, false, {}, y); }));
   EXPECT_TRUE(refuses(ErrorCode::not_supported, {"controller", "sampled"},
-                      [&] { controller()->advance(1.0, false, {}, y); }));
+                      [&] { governor()->advance(1.0, false, {}, y); }));
 }
 
 TEST(Sampled, ATableOfBeforeRunsAsItDid) {
   tandem_subsystem_api before = *c_oscillator();
   before.table_size = offsetof(tandem_subsystem_api, held);
   CSubsystem plant(&before, ""), same_plant(c_oscillator(), "");
-  const auto first = controller(), second = controller();
+  const auto first = governor(), second = governor();
   EXPECT_TRUE(same_bits(controlled(plant, *first), controlled(same_plant, *second)));
 }
 
 TEST(Sampled, WhatContradictsItselfIsRefused) {
   const auto refused = [](const auto& change, const char* text) {
-    SubsystemInfo info = controller()->info();
+    SubsystemInfo info = governor()->info();
     change(info);
     return refuses(ErrorCode::invalid_argument, {text}, [&] { check_info("it", info); });
   };
@@ -113,7 +72,7 @@ TEST(Sampled, WhatContradictsItselfIsRefused) {
 }
 
 TEST(Sampled, IsSoundByAllChecks) {
-  for (const Finding& finding : check([] { return controller(); }))
+  for (const Finding& finding : check([] { return governor(); }))
     EXPECT_EQ(finding.kind, Finding::Kind::left_out) << finding.check << ": " << finding.sentence;
 }
 
@@ -132,7 +91,7 @@ class Hidden final : public Subsystem {
   Clock restore_state(StateId id) override { return sound_->restore_state(id); }
 
  private:
-  std::unique_ptr<Subsystem> sound_ = controller();
+  std::unique_ptr<Subsystem> sound_ = governor();
   SubsystemInfo info_;
 };
 
@@ -149,7 +108,7 @@ TEST(Sampled, AFeedthroughThatIsNotDeclaredIsFound) {
 
 TEST(Sampled, APeriodThatIsNothingBesideTheEndIsRefused) {
   CSubsystem plant(c_oscillator(), "");
-  const auto sampled = controller();
+  const auto sampled = governor();
   RunBench bench;
   bench.add("plant", plant).add("control", *sampled);
   bench.connect("plant.x", "control.u", "lagrange3").connect("control.y", "plant.F", "");
@@ -158,7 +117,7 @@ TEST(Sampled, APeriodThatIsNothingBesideTheEndIsRefused) {
 }
 
 TEST(Sampled, WhatItGivesIsFiniteOrNamedWithItsInstant) {
-  tandem_subsystem_api api = *c_table<controller>();
+  tandem_subsystem_api api = *c_table<governor>();
   api.sample = [](void*, double t, std::int32_t, const double*, double* y, tandem_clock* clock) {
     *y = std::nan("");
     *clock = {t, t + 0.3, TANDEM_STOP_LIMIT, 0};
@@ -171,7 +130,7 @@ TEST(Sampled, WhatItGivesIsFiniteOrNamedWithItsInstant) {
 
 TEST(Sampled, HasNoPlaceInTheOrder) {
   CSubsystem plant(c_oscillator(), "");
-  const auto sampled = controller();
+  const auto sampled = governor();
   RunBench bench;
   bench.add("plant", plant).add("control", *sampled);
   bench.connect("plant.x", "control.u", "lagrange3").connect("control.y", "plant.F", "");

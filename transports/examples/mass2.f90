@@ -1,52 +1,17 @@
 ! Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-! Mass 2 of the two-mass test in Fortran 2008, as a shared library: the table of tandem/subsystem.h by
-! ISO_C_BINDING.
+! Mass 2 of the two-mass test in Fortran 2008, as a shared library, with the types of transports/fortran/tandem.f90.
 !   m x'' = k u - s x,  by the trapezoidal rule, solved exactly; u is read anew at both ends of a step.
 ! Input x1 [m]; outputs x2 [m] with two time derivatives, v2 [m/s] with one. Parameters: m [kg], k, s [N/m],
 ! x, v (at the start) and h [s], each of them needed. The functions of the table have no name for the linker
 ! (name=''): `advance` would be that of the C library.
 module mass2_subsystem
   use, intrinsic :: iso_c_binding
+  use tandem
   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_value, ieee_quiet_nan
   implicit none
   private
 
-  integer(c_int), parameter :: ok = 0, invalid_argument = 1
-  integer(c_int32_t), parameter :: stop_limit = 0, stop_samples_full = 2
-  integer(c_int32_t), parameter :: lands = 2, restarts = 8
   character(len=*), parameter :: names = 'mksxvh'
-
-  type, bind(c) :: segment
-    real(c_double) :: end, origin, c(0:5)
-  end type
-  type, bind(c) :: signal
-    type(c_ptr) :: segments
-    integer(c_int32_t) :: count, degree
-    type(c_ptr) :: reactive
-  end type
-  type, bind(c) :: samples
-    type(c_ptr) :: rows
-    integer(c_int64_t) :: stride, capacity, size
-  end type
-  type, bind(c) :: clock
-    real(c_double) :: time, next_time
-    integer(c_int32_t) :: stop, reserved
-  end type
-  type, bind(c) :: port
-    type(c_ptr) :: name, unit
-    integer(c_int32_t) :: size, derivatives
-    real(c_double) :: start
-  end type
-  type, bind(c) :: info
-    type(c_ptr) :: name
-    integer(c_int32_t) :: abilities, input_count, output_count, feedthrough_count
-    type(c_ptr) :: inputs, outputs, feedthrough
-  end type
-  type, bind(c) :: table
-    integer(c_int32_t) :: abi_version, table_size
-    type(c_funptr) :: create, destroy, info, last_error, initialize, advance, save_state, restore_state, &
-      release_state
-  end type
 
   type :: instance
     real(c_double) :: p(6) ! in the order of `names`
@@ -73,9 +38,9 @@ contains
     outputs(1) = port(c_loc(texts(3)), c_loc(texts(5)), 1, 2, none)
     outputs(2) = port(c_loc(texts(4)), c_loc(speed), 1, 1, none)
     the_info = info(c_loc(texts(1)), ior(lands, restarts), 1, 2, 0, c_loc(inputs), c_loc(outputs), c_null_ptr)
-    the_table = table(1, int(c_sizeof(the_table), c_int32_t), c_funloc(create), c_funloc(destroy), &
-      c_funloc(get_info), c_funloc(last_error), c_funloc(initialize), c_funloc(advance), c_null_funptr, &
-      c_null_funptr, c_null_funptr)
+    the_table = table(table_size=int(c_sizeof(the_table), c_int32_t), create=c_funloc(create), &
+      destroy=c_funloc(destroy), info=c_funloc(get_info), last_error=c_funloc(last_error), &
+      initialize=c_funloc(initialize), advance=c_funloc(advance))
     api = c_loc(the_table)
   end function
 
@@ -96,22 +61,10 @@ contains
     type(c_ptr), value :: parameters
     type(c_ptr), intent(out) :: self
     type(instance), pointer :: it
-    character(kind=c_char), pointer :: c(:)
-    character(len=:), allocatable :: text
-    integer :: i, n
     allocate (it)
     self = c_loc(it)
     it%p = ieee_value(it%p, ieee_quiet_nan)
-    call c_f_pointer(parameters, c, [100000])
-    n = 0
-    do while (c(n + 1) /= c_null_char)
-      n = n + 1
-    end do
-    allocate (character(len=n) :: text)
-    do i = 1, n
-      text(i:i) = c(i)
-    end do
-    create = read_parameters(it, text//'&')
+    create = read_parameters(it, text_of(parameters)//'&')
   end function
 
   integer(c_int) function read_parameters(it, text) result(status)
@@ -158,25 +111,6 @@ contains
     last_error = c_loc(it%error)
   end function
 
-  ! In this order of operations, as tandem/signal.h has it.
-  real(c_double) function value(u, t)
-    type(signal), intent(in) :: u
-    real(c_double), intent(in) :: t
-    type(segment), pointer :: s(:)
-    real(c_double) :: x, x2
-    integer :: i
-    call c_f_pointer(u%segments, s, [u%count])
-    i = 1
-    do while (i < u%count .and. t > s(i)%end)
-      i = i + 1
-    end do
-    x = t - s(i)%origin
-    x2 = x*x
-    associate (c => s(i)%c)
-      value = (c(0) + c(1)*x) + x2*((c(2) + c(3)*x) + x2*(c(4) + c(5)*x))
-    end associate
-  end function
-
   ! Width within which two times are the same, as subsystem.h says.
   real(c_double) function width(it, a, b)
     type(instance), intent(in) :: it
@@ -200,8 +134,8 @@ contains
     real(c_double) :: h, before, push
     associate (m => it%p(1), k => it%p(2), stiffness => it%p(3))
       h = merge(it%p(6), end - it%time, end == it%next .and. .not. it%cut)
-      before = (k*value(u, it%time) - stiffness*it%x)/m
-      push = k*value(u, end)
+      before = (k*input_at(u, it%time) - stiffness*it%x)/m
+      push = k*input_at(u, end)
       it%x = (it%x + h*it%v + 0.25d0*h*h*(before + push/m))/(1 + 0.25d0*h*h*stiffness/m)
       it%a = (push - stiffness*it%x)/m
       it%v = it%v + 0.5d0*h*(before + it%a)

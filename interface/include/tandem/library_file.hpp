@@ -30,7 +30,7 @@ class LibraryCall {
   LibraryCall(const LibraryCall&) = delete;
   LibraryCall& operator=(const LibraryCall&) = delete;
 
-  /// Before the first call; a second time it does nothing.
+  /// Before the first call; a second time it does nothing. Throws Error(internal) if it can't be done.
   static void guard_exit();
   /// From here on only end_program() gives this program a status.
   static void begin_program() noexcept;

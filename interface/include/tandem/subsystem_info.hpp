@@ -44,8 +44,7 @@ struct Abilities {
   bool serializes_state = false;  ///< gives saved states as bytes, and takes them
   bool sampled = false;           ///< acts at instants of its own only, and all its outputs are held
 };
-/// The same as bits of subsystem.h (TANDEM_LANDS, ...); bits that are not known are left out.
-std::uint32_t to_bits(const Abilities& abilities);
+/// From bits of subsystem_info.h (TANDEM_LANDS, ...); bits that are not known are left out.
 Abilities abilities_from(std::uint32_t bits);
 
 /// Of a sampled subsystem.
@@ -68,6 +67,12 @@ struct SubsystemInfo {
     for (const Port& port : outputs) most = port.derivatives > most ? port.derivatives : most;
     return most;
   }
+  /// Whether some outputs are held.
+  bool holds() const {
+    for (const Port& port : outputs)
+      if (port.held) return true;
+    return false;
+  }
   /// Doubles in a sample row.
   std::int64_t row_size() const {
     return Samples::header + std::int64_t{output_size()} * (1 + derivatives());
@@ -80,5 +85,7 @@ struct SubsystemInfo {
     return sum;
   }
 };
+/// Its abilities as bits of subsystem_info.h, with TANDEM_HOLDS where it holds.
+std::uint32_t to_bits(const SubsystemInfo& info);
 
 }  // namespace tandem

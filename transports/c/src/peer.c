@@ -48,7 +48,8 @@ enum {
   T_ERROR,
   T_BYE,
   T_SERIALIZE,
-  T_DESERIALIZE
+  T_DESERIALIZE,
+  T_SAMPLE
 };
 enum {
   VERSION = 1,
@@ -59,16 +60,17 @@ enum {
   MAX_SESSIONS = 1024,
   LONGEST_SHOWN = 1000, /* bytes of a stranger's sentence */
   LONGEST_TOLD = 4000,  /* bytes of a sentence of ours */
-  MAX_STATES = 1000     /* saved ones of a session */
+  MAX_STATES = 1000,    /* saved ones of a session */
+  CARRIES_HELD = 1      /* a capability: held outputs and sampled subsystems */
 };
 #define LONGEST ((uint64_t)1 << 26)
 #define LONGEST_TEXT ((uint32_t)1 << 20)
 #define USUAL_MEMORY ((size_t)1 << 22)      /* more is given back when a request has been answered */
 #define MAX_STATE_BYTES ((uint64_t)1 << 25) /* of all saved states of a session */
 static const char magic[8] = {'T', 'A', 'N', 'D', 'E', 'M', '\r', '\n'};
-static const char* const type_names[] = {"none",    "hello", "info",      "initialize", "advance",
-                                         "samples", "save",  "restore",   "release",    "ping",
-                                         "error",   "bye",   "serialize", "deserialize"};
+static const char* const type_names[] = {"none",    "hello", "info",      "initialize",  "advance",
+                                         "samples", "save",  "restore",   "release",     "ping",
+                                         "error",   "bye",   "serialize", "deserialize", "sample"};
 
 typedef struct fault {
   tandem_status status;
@@ -401,9 +403,9 @@ static tandem_status fill(channel* c, size_t least, double until) {
 
 static tandem_status check_header(channel* c) {
   const uint64_t length = load(c->in.bytes, 8), type = load(c->in.bytes + 8, 4);
-  if (type < T_HELLO || type > T_DESERIALIZE)
+  if (type < T_HELLO || type > T_SAMPLE)
     return refuse(&c->fault, TANDEM_INVALID_ARGUMENT, "the frame has the type %u; allowed are 1 to %d",
-                  (unsigned)type, T_DESERIALIZE);
+                  (unsigned)type, T_SAMPLE);
   if (length > LONGEST)
     return refuse(&c->fault, TANDEM_INVALID_ARGUMENT,
                   "the frame '%s' announces %llu bytes; allowed are up to %llu", type_names[type],
@@ -612,6 +614,26 @@ static void put_ports(buffer* b, const tandem_port* ports, int32_t count) {
   }
 }
 
+/* What the subsystem says, if it does not do it. */
+static tandem_status told(session* s, tandem_status status) {
+  if (status == TANDEM_OK) return TANDEM_OK;
+  return refuse(&s->channel.fault, status, "%s", s->api->last_error(s->self));
+}
+
+/* What stands behind the rest of an info only where there are held outputs. */
+static tandem_status put_held(session* s, buffer* b) {
+  const int32_t* const held = s->info->abilities & TANDEM_HOLDS ? s->api->held(s->self) : NULL;
+  double period = 0.0, latency = 0.0;
+  tandem_status status;
+  int32_t i;
+  for (i = 0; held && i < s->info->output_count; ++i) put_u32(b, (uint32_t)held[i]);
+  if (!(s->info->abilities & TANDEM_SAMPLED)) return TANDEM_OK;
+  if ((status = s->api->sampling(s->self, &period, &latency)) != TANDEM_OK) return told(s, status);
+  put_double(b, period);
+  put_double(b, latency);
+  return TANDEM_OK;
+}
+
 static tandem_status reply_info(session* s) {
   buffer* b = &s->channel.out;
   int32_t i;
@@ -625,6 +647,7 @@ static tandem_status reply_info(session* s) {
     put_u32(b, (uint32_t)s->info->feedthrough[i].output);
     put_u32(b, (uint32_t)s->info->feedthrough[i].input);
   }
+  if (put_held(s, b) != TANDEM_OK) return s->channel.fault.status;
   return send_frame(&s->channel);
 }
 
@@ -633,12 +656,12 @@ static void put_hello(channel* c, const char* text) {
   put_u32(&c->out, VERSION);
   put_u32(&c->out, VERSION);
   put_u64(&c->out, LONGEST);
-  put_u32(&c->out, 0);
+  put_u32(&c->out, CARRIES_HELD);
   put_text(&c->out, text, LONGEST_TEXT);
 }
 
 typedef struct greeting {
-  uint32_t lowest, highest;
+  uint32_t lowest, highest, capabilities;
   uint64_t longest;
   const char* text;
   size_t text_length;
@@ -651,9 +674,29 @@ static tandem_status read_hello(reader* in, greeting* g) {
   g->lowest = take_u32(in);
   g->highest = take_u32(in);
   g->longest = take_u64(in);
-  take_u32(in); /* capabilities, of which version 1 knows none */
+  g->capabilities = take_u32(in);
   g->text = take_text(in, LONGEST_TEXT, &g->text_length);
   return done(in);
+}
+
+/* Whether both sides can do what held outputs and samples need. */
+static tandem_status require_carried(session* s, uint32_t capabilities) {
+  const tandem_subsystem_api* const api = s->api;
+  const uint32_t abilities = s->info->abilities;
+  const int there = api->table_size >= offsetof(tandem_subsystem_api, sample) + sizeof api->sample;
+  if (!(abilities & (TANDEM_HOLDS | TANDEM_SAMPLED))) return TANDEM_OK;
+  if (!(capabilities & CARRIES_HELD))
+    return refuse(
+        &s->channel.fault, TANDEM_NOT_SUPPORTED,
+        "subsystem '%s' has held outputs or is sampled, of which the peer does not speak (capability "
+        "1)",
+        s->info->name);
+  if (!there || ((abilities & TANDEM_HOLDS) && !api->held) ||
+      ((abilities & TANDEM_SAMPLED) && !(api->sampling && api->sample)))
+    return refuse(&s->channel.fault, TANDEM_INVALID_ARGUMENT,
+                  "subsystem '%s' has held outputs or is sampled, but has no functions for it",
+                  s->info->name);
+  return TANDEM_OK;
 }
 
 static tandem_status answer_hello(session* s, reader* in) {
@@ -678,9 +721,7 @@ static tandem_status answer_hello(session* s, reader* in) {
     return refuse(f, TANDEM_INVALID_ARGUMENT, "%s",
                   s->self ? s->api->last_error(s->self) : "no instance can be made");
   if (!(s->info = s->api->info(s->self))) return refuse(f, TANDEM_INTERNAL, "the subsystem gives no info");
-  if (s->info->abilities & (TANDEM_SAMPLED | TANDEM_HOLDS))
-    return refuse(f, TANDEM_NOT_SUPPORTED, "%s",
-                  "the subsystem has held outputs, which the protocol does not carry");
+  if (require_carried(s, g.capabilities) != TANDEM_OK) return f->status;
   begin(&s->channel, T_HELLO, s->number);
   put_hello(&s->channel, "tandem for C");
   return send_frame(&s->channel);
@@ -846,10 +887,43 @@ static tandem_status answer_advance(session* s, reader* in) {
   if (!in->bad) read_signals(s, in, inputs);
   if ((status = done(in)) != TANDEM_OK || (status = make_rows(s, room, &y)) != TANDEM_OK) return status;
   forget(&s->channel);
+  if (s->info->abilities & TANDEM_SAMPLED)
+    return reply_error(s, TANDEM_NOT_SUPPORTED, "the subsystem is sampled and takes no own steps", NULL);
   memset(&clock, 0, sizeof clock);
   status = s->api->advance(s->self, t_limit, (int32_t)land, (const tandem_signal*)(void*)s->signals.bytes, &y,
                            &clock);
   return reply_samples(s, status, &y, &clock);
+}
+
+/* The inputs stand in u0, the outputs that are asked for behind them. */
+static tandem_status reply_sample(session* s, double t, uint32_t parts, size_t inputs) {
+  const double* const u = (const double*)(void*)s->u0.bytes;
+  double* const y = (double*)(void*)s->u0.bytes + inputs;
+  const size_t outputs = parts & TANDEM_SAMPLE_OUTPUTS ? (size_t)output_size(s->info) : 0;
+  tandem_clock clock = {0.0, 0.0, 0, 0};
+  tandem_status status;
+  if (!(s->info->abilities & TANDEM_SAMPLED))
+    return reply_error(s, TANDEM_NOT_SUPPORTED, "the subsystem is not sampled", NULL);
+  status = s->api->sample(s->self, t, (int32_t)parts, u, y, &clock);
+  if (status != TANDEM_OK) return reply_error(s, status, s->api->last_error(s->self), NULL);
+  begin(&s->channel, T_SAMPLE, s->number);
+  put_clock(&s->channel.out, &clock);
+  put_u32(&s->channel.out, (uint32_t)outputs);
+  put_doubles(&s->channel.out, y, outputs);
+  return send_frame(&s->channel);
+}
+
+static tandem_status answer_sample(session* s, reader* in) {
+  const double t = take_finite(in, "t");
+  const uint32_t parts = take_u32(in);
+  const size_t inputs = take_count(in, 8), outputs = (size_t)output_size(s->info);
+  size_t k;
+  if (parts < 1 || parts > 3) wrong(in, "asks for the parts %u; allowed are 1 to 3", parts);
+  check_inputs(s, in, inputs);
+  if (!in->bad && !reserve(&s->u0, 8 * (inputs + outputs) + 8))
+    wrong(in, "has %zu inputs; there is no memory for them", inputs);
+  for (k = 0; !in->bad && k < inputs; ++k) ((double*)(void*)s->u0.bytes)[k] = take_finite(in, "input");
+  return done(in) == TANDEM_OK ? reply_sample(s, t, parts, inputs) : s->channel.fault.status;
 }
 
 /* Whether the subsystem can do what is asked of its states. */
@@ -885,12 +959,6 @@ static void keep_state(session* s, int64_t id, uint64_t bytes) {
   s->states[s->state_count].id = id;
   s->states[s->state_count++].bytes = bytes;
   s->states_bytes += bytes;
-}
-
-/* What the subsystem says, if it does not do it. */
-static tandem_status told(session* s, tandem_status status) {
-  if (status == TANDEM_OK) return TANDEM_OK;
-  return refuse(&s->channel.fault, status, "%s", s->api->last_error(s->self));
 }
 
 /* How large its states are is asked once. One that the peer is not told of is not kept. */
@@ -1002,6 +1070,8 @@ static tandem_status handle(session* s, int type, reader* in) {
       return answer_initialize(s, in);
     case T_ADVANCE:
       return answer_advance(s, in);
+    case T_SAMPLE:
+      return answer_sample(s, in);
     case T_PING:
       return answer_ping(s, in);
     default:
@@ -1367,9 +1437,10 @@ typedef struct remote {
   uint32_t number;
   double t_start, time, goal; /* of the run, where it stands, where it was told to go */
   tandem_info info;
-  void* info_memory[4]; /* names, inputs, outputs, feedthrough */
-  shown_text* shown;    /* and names that hold control characters */
-  int broken;           /* the connection; `reason` says why */
+  void* info_memory[5];   /* names, inputs, outputs, feedthrough, which outputs are held */
+  double period, latency; /* of a sampled one, in seconds */
+  shown_text* shown;      /* and names that hold control characters */
+  int broken;             /* the connection; `reason` says why */
   char reason[1024], error[2048];
 } remote;
 
@@ -1619,6 +1690,27 @@ static tandem_feedthrough* read_feedthrough(reader* in, int32_t* count, const in
   return pairs;
 }
 
+/* A flag for each output. told: they stand there; those of a sampled subsystem are held in any case. */
+static int32_t* read_held(const remote* r, reader* in, int told) {
+  int32_t* const held = calloc(1 + (size_t)r->info.output_count, sizeof *held);
+  int32_t i;
+  if (!held) wrong(in, "has %d outputs; there is no memory for them", r->info.output_count);
+  for (i = 0; !in->bad && i < r->info.output_count; ++i)
+    if ((held[i] = told ? (int32_t)take_u32(in) : 1) != 0 && held[i] != 1)
+      wrong(in, "gives %d for whether output '%s' is held; allowed are 0 and 1", held[i],
+            r->info.outputs[i].name);
+  return held;
+}
+
+static void read_sampling(remote* r, reader* in) {
+  r->period = take_double(in);
+  r->latency = take_double(in);
+  if (!in->bad && !(r->period > 0.0 && isfinite(r->period) && r->latency >= 0.0 && isfinite(r->latency)))
+    wrong(in,
+          "has a period of %g s and a latency of %g s; allowed are a period above 0, a latency of 0 or more",
+          r->period, r->latency);
+}
+
 /* The texts of the info stay where they are, in memory of its own. */
 static tandem_status ask_info(remote* r) {
   int64_t scalars[2] = {0, 0};
@@ -1635,6 +1727,9 @@ static tandem_status ask_info(remote* r) {
   r->info.inputs = r->info_memory[1] = read_ports(r, &in, &r->info.input_count, &scalars[0]);
   r->info.outputs = r->info_memory[2] = read_ports(r, &in, &r->info.output_count, &scalars[1]);
   r->info.feedthrough = r->info_memory[3] = read_feedthrough(&in, &r->info.feedthrough_count, scalars);
+  if (!in.bad && (r->info.abilities & (TANDEM_HOLDS | TANDEM_SAMPLED)))
+    r->info_memory[4] = read_held(r, &in, (r->info.abilities & TANDEM_HOLDS) != 0);
+  if (!in.bad && (r->info.abilities & TANDEM_SAMPLED)) read_sampling(r, &in);
   return finish(r, &in);
 }
 
@@ -1892,25 +1987,28 @@ static void check_row(const remote* r, reader* in, const double* row, int64_t st
   refuse_reply(in, "has a sample at t = %s s that does not come after t = %s s", time, last);
 }
 
-/* Wherever it stands. */
-static void check_next(reader* in, const tandem_clock* clock) {
+/* Wherever it stands. at_once: its next instant may be there. */
+static void check_next(reader* in, const tandem_clock* clock, int at_once) {
   char time[32], next[32];
   if (!isfinite(clock->time)) refuse_reply(in, "gives a time that is not finite");
   if (clock->stop == TANDEM_STOP_FINISHED || clock->next_time > clock->time) return;
+  if (at_once && clock->next_time == clock->time) return;
   shortest(time, clock->time);
   shortest(next, clock->next_time);
   refuse_reply(in, "gives %s s as the end of the next own step, which is not later than %s s", next, time);
 }
 
+static int is_sampled(const remote* r) { return (r->info.abilities & TANDEM_SAMPLED) != 0; }
+
 /* The clock has to be that of the newest sample. */
-static void check_clock(reader* in, const tandem_clock* clock, double stands) {
+static void check_clock(const remote* r, reader* in, const tandem_clock* clock, double stands) {
   char time[32], newest[32];
   if (clock->time != stands) {
     shortest(time, clock->time);
     shortest(newest, stands);
     refuse_reply(in, "says that it stands at t = %s s, but its newest sample is of %s s", time, newest);
   }
-  check_next(in, clock);
+  check_next(in, clock, is_sampled(r));
 }
 
 /* The rows from `first` on, and the clock. */
@@ -1924,7 +2022,7 @@ static void check_samples(const remote* r, reader* in, const double* u0, const t
     check_row(r, in, row, y->stride, time);
     time = row[0];
   }
-  if (!in->bad) check_clock(in, clock, time);
+  if (!in->bad) check_clock(r, in, clock, time);
 }
 
 /* They are the caller's. */
@@ -1996,6 +2094,55 @@ static tandem_status advance(void* self, double t_limit, int32_t land, const tan
   return exchange_samples(r, NULL, y, clock);
 }
 
+static const int32_t* held(void* self) { return ((remote*)self)->info_memory[4]; }
+
+static tandem_status sampling(void* self, double* period, double* latency) {
+  *period = ((remote*)self)->period;
+  *latency = ((remote*)self)->latency;
+  return TANDEM_OK;
+}
+
+/* Of a sample at r->time: outputs that are finite and, with the states, a clock that goes on from there. */
+static void check_sample(const remote* r, reader* in, const double* y, size_t outputs,
+                         const tandem_clock* clock) {
+  char name[256], time[32], found[32];
+  size_t k;
+  shortest(time, r->time);
+  for (k = 0; k < outputs; ++k) {
+    if (isfinite(y[k])) continue;
+    name_output(&r->info, (int64_t)k, name);
+    refuse_reply(in, "gives %s not finite at t = %s s", name, time);
+  }
+  if (!clock) return;
+  shortest(found, clock->time);
+  if (clock->time != r->time)
+    refuse_reply(in, "says that it stands at t = %s s; allowed is that of the sample, %s s", found, time);
+  check_next(in, clock, 0);
+}
+
+static tandem_status sample(void* self, double t, int32_t parts, const double* u, double* y,
+                            tandem_clock* clock) {
+  remote* const r = self;
+  buffer* const b = &r->channel.out;
+  const size_t inputs = (size_t)input_size(&r->info);
+  const size_t outputs = parts & TANDEM_SAMPLE_OUTPUTS ? (size_t)output_size(&r->info) : 0;
+  size_t found;
+  reader in;
+  tandem_status status;
+  r->time = t;
+  if ((status = begin_request(r, T_SAMPLE)) != TANDEM_OK) return status;
+  put_double(b, t);
+  put_u32(b, (uint32_t)parts);
+  put_u32(b, (uint32_t)inputs);
+  put_doubles(b, u, inputs);
+  if ((status = exchange(r, T_SAMPLE, &in, NULL)) != TANDEM_OK) return status;
+  read_clock(&in, clock);
+  if ((found = take_count(&in, 8)) != outputs) wrong(&in, "has %zu outputs; allowed are %zu", found, outputs);
+  if (!in.bad) take_doubles(&in, y, outputs);
+  if (!in.bad) check_sample(r, &in, y, outputs, parts & TANDEM_SAMPLE_STATES ? clock : NULL);
+  return finish(r, &in);
+}
+
 /* Refused unless the subsystem has the abilities. */
 static tandem_status begin_state(remote* r, int type, uint32_t needed) {
   if ((r->info.abilities & needed) == needed) return begin_request(r, type);
@@ -2022,7 +2169,7 @@ static tandem_status restore_state(void* self, int64_t id, tandem_clock* clock) 
   put_u64(&r->channel.out, (uint64_t)id);
   if ((status = exchange(r, T_RESTORE, &in, NULL)) != TANDEM_OK) return status;
   read_clock(&in, clock);
-  if (!in.bad) check_next(&in, clock);
+  if (!in.bad) check_next(&in, clock, is_sampled(r));
   if ((status = finish(r, &in)) == TANDEM_OK) r->time = clock->time;
   return status;
 }
@@ -2076,6 +2223,9 @@ const tandem_subsystem_api* tandem_remote(void) {
       .release_state = release_state,
       .serialize_state = serialize_state,
       .deserialize_state = deserialize_state,
+      .held = held,
+      .sampling = sampling,
+      .sample = sample,
   };
   return &api;
 }

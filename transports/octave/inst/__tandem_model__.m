@@ -17,6 +17,12 @@ function model = __tandem_model__ (make, text)
   if (! isreal (model.h) || ! isscalar (model.h) || ! (model.h > 0) || ! isfinite (model.h))
     error ("model '%s': h is no number of seconds above 0", model.name);
   endif
+  for field = {"sampled", "offset", "latency"}
+    model.(field{1}) = number_of (model, field{1});
+  endfor
+  if (! model.sampled && (model.offset || model.latency))
+    error ("model '%s': it has an offset or a latency, but is not sampled", model.name);
+  endif
   for field = {"start", "step", "values"}
     if (! is_function_handle (model.(field{1})))
       error ("model '%s': %s is no function handle", model.name, field{1});
@@ -25,6 +31,17 @@ function model = __tandem_model__ (make, text)
   model.inputs = ports (model, "inputs", NaN);
   model.outputs = ports (model, "outputs", 0);
   model.feedthrough = feedthrough (model);
+endfunction
+
+## Of a field that may be left out: a number from 0 on.
+function x = number_of (model, field)
+  x = 0;
+  if (isfield (model, field))
+    x = double (model.(field));
+  endif
+  if (! isreal (x) || ! isscalar (x) || ! (x >= 0) || ! isfinite (x))
+    error ("model '%s': %s is no number from 0 on", model.name, field);
+  endif
 endfunction
 
 function parameters = read_parameters (text)

@@ -16,6 +16,11 @@
 ##   start        state = start (t, u0): the state at the start, any value of Octave; u0 has NaN where nothing is known
 ##   step         state = step (state, t, t_end, h, u): the state after an own step; tandem_value (u(k), t) is input k
 ##   values       row = values (state): outputs, then their first derivatives (0 where one has none), second ones, ...
+##   sampled      true: it acts only at the instants t_start + offset + k h, where it gives its outputs, which hold, and
+##                steps to the next one on inputs that hold; where it has feedthrough, values is values (state, u), with
+##                u the inputs at the instant, [] before the first one; may be left out, as the next two
+##   offset       of the first instant, in s (0)
+##   latency      how long after each instant the outputs change, in s (0)
 ##
 ## The package does the grid of steps, landing, and saving of states. An error of the model ends the session with its
 ## sentence. status is 0, or 1 or 2 after an error.

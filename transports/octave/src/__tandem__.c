@@ -2,7 +2,8 @@
 /* What the functions of this package stand on, a MEX file over tandem/peer.h:
  *   status = __tandem__ ("serve", make, ARGUMENTS)
  *   handle = __tandem__ ("connect", uri, allow_plaintext)
- *   ... = __tandem__ ("info" | "initialize" | "advance" | "save" | "restore" | "release" | "close", handle,
+ *   ... = __tandem__ ("info" | "initialize" | "advance" | "sample" | "save" | "restore" | "release" |
+ * "close", handle,
  * ...) */
 #include <math.h>
 #include <stdio.h>
@@ -60,37 +61,6 @@ static void connect_to(mxArray** out, const mxArray** in) {
   }
   handles[k] = self;
   out[0] = mxCreateDoubleScalar(k + 1);
-}
-
-static mxArray* array_of_ports(const tandem_port* ports, int32_t count) {
-  static const char* names[] = {"name", "unit", "size", "derivatives", "start"};
-  mxArray* const all = mxCreateStructMatrix(1, (mwSize)count, 5, names);
-  mwIndex k;
-  for (k = 0; k < (mwIndex)count; ++k) {
-    mxSetField(all, k, "name", mxCreateString(ports[k].name));
-    mxSetField(all, k, "unit", mxCreateString(ports[k].unit));
-    mxSetField(all, k, "size", mxCreateDoubleScalar(ports[k].size));
-    mxSetField(all, k, "derivatives", mxCreateDoubleScalar(ports[k].derivatives));
-    mxSetField(all, k, "start", mxCreateDoubleScalar(ports[k].start));
-  }
-  return all;
-}
-
-static mxArray* info_as_struct(const tandem_info* i) {
-  static const char* names[] = {"name", "inputs", "outputs", "feedthrough", "abilities"};
-  mxArray* const all = mxCreateStructMatrix(1, 1, 5, names);
-  mxArray* const pairs = mxCreateDoubleMatrix((mwSize)i->feedthrough_count, 2, mxREAL);
-  int32_t k;
-  for (k = 0; k < i->feedthrough_count; ++k) {
-    mxGetPr(pairs)[k] = i->feedthrough[k].output + 1;
-    mxGetPr(pairs)[k + i->feedthrough_count] = i->feedthrough[k].input + 1;
-  }
-  mxSetField(all, 0, "name", mxCreateString(i->name));
-  mxSetField(all, 0, "inputs", array_of_ports(i->inputs, i->input_count));
-  mxSetField(all, 0, "outputs", array_of_ports(i->outputs, i->output_count));
-  mxSetField(all, 0, "feedthrough", pairs);
-  mxSetField(all, 0, "abilities", mxCreateDoubleScalar(i->abilities));
-  return all;
 }
 
 static mxArray* clock_as_struct(const tandem_clock* clock) {
@@ -156,6 +126,20 @@ static void go_on(void* self, int wanted, mxArray** out, const mxArray** in) {
   give(out, wanted, &y, &clock);
 }
 
+static void give_sample(void* self, mxArray** out, const mxArray** in) {
+  const tandem_info* const i = tandem_remote()->info(self);
+  const int32_t parts = (int32_t)mxGetScalar(in[2]);
+  const int64_t outputs = tandem_row_size(i) - 2; /* held ones have no derivatives */
+  tandem_clock clock;
+  if (!mxIsDouble(in[1]) || (int64_t)mxGetNumberOfElements(in[1]) != scalars(i))
+    mexErrMsgIdAndTxt("tandem:invalid_argument", "u has %d numbers; allowed are %d",
+                      (int)mxGetNumberOfElements(in[1]), (int)scalars(i));
+  out[1] = mxCreateDoubleMatrix(1, parts & TANDEM_SAMPLE_OUTPUTS ? (mwSize)outputs : 0, mxREAL);
+  check(self,
+        tandem_remote()->sample(self, mxGetScalar(in[0]), parts, mxGetPr(in[1]), mxGetPr(out[1]), &clock));
+  out[0] = clock_as_struct(&clock);
+}
+
 static void use_state(void* self, const char* what, mxArray** out, const mxArray** in) {
   const tandem_subsystem_api* const api = tandem_remote();
   int64_t id = strcmp(what, "save") == 0 ? 0 : (int64_t)mxGetScalar(in[0]);
@@ -192,11 +176,13 @@ void mexFunction(int wanted, mxArray* out[], int count, const mxArray* in[]) {
     handles[k] = NULL;
     tandem_remote()->destroy(self);
   } else if (strcmp(what, "info") == 0) {
-    out[0] = info_as_struct(tandem_remote()->info(self));
+    out[0] = info_as_struct(tandem_remote(), self);
   } else if (strcmp(what, "initialize") == 0) {
     start(self, wanted, out, in + 2);
   } else if (strcmp(what, "advance") == 0) {
     go_on(self, wanted, out, in + 2);
+  } else if (strcmp(what, "sample") == 0) {
+    give_sample(self, out, in + 2);
   } else {
     use_state(self, what, out, in + 2);
   }

@@ -18,7 +18,8 @@ typedef struct grid {
 typedef struct model {
   mxArray *user, *state;
   tandem_info info;
-  double h, t_start;
+  double h, offset, latency; /* the last two of a sampled one */
+  double origin;             /* of the grid: the start, or the first instant */
   grid grid;
   mxArray* saved[MAX_SAVED]; /* states; a state is a value, so that a copy of it is saved */
   grid saved_grid[MAX_SAVED];
@@ -58,45 +59,6 @@ static mxArray* row_of(const double* values, size_t count) {
 
 static size_t inputs_of(const tandem_info* info) { return (size_t)info->input_count; }
 
-/* A row of a cell array for each port: name, unit; of an output also its number of derivatives, of an input
- * its start. */
-static tandem_port* ports_of(const mxArray* cells, int32_t* count, int inputs) {
-  const size_t rows = mxGetM(cells);
-  tandem_port* const ports = calloc(rows + 1, sizeof *ports);
-  size_t k;
-  *count = (int32_t)rows;
-  for (k = 0; ports && k < rows; ++k) {
-    const double number = mxGetScalar(mxGetCell(cells, k + 2 * rows));
-    ports[k].name = mxArrayToString(mxGetCell(cells, k));
-    ports[k].unit = mxArrayToString(mxGetCell(cells, k + rows));
-    ports[k].size = 1;
-    ports[k].derivatives = inputs ? 0 : (int32_t)number;
-    ports[k].start = inputs ? number : NAN;
-  }
-  return ports;
-}
-
-static tandem_status take_info(model* s) {
-  const mxArray* const pairs = field(s, "feedthrough");
-  const size_t count = mxGetM(pairs);
-  tandem_feedthrough* const f = calloc(count + 1, sizeof *f);
-  size_t k;
-  for (k = 0; f && k < count; ++k) {
-    f[k].output = (int32_t)mxGetPr(pairs)[k] - 1;
-    f[k].input = (int32_t)mxGetPr(pairs)[k + count] - 1;
-  }
-  s->info.name = mxArrayToString(field(s, "name"));
-  s->info.abilities = TANDEM_LANDS | TANDEM_SAVES_STATE | TANDEM_RESTARTS;
-  s->info.inputs = ports_of(field(s, "inputs"), &s->info.input_count, 1);
-  s->info.outputs = ports_of(field(s, "outputs"), &s->info.output_count, 0);
-  s->info.feedthrough = f;
-  s->info.feedthrough_count = (int32_t)count;
-  s->h = mxGetScalar(field(s, "h"));
-  return s->info.name && s->info.inputs && s->info.outputs && f
-             ? TANDEM_OK
-             : refuse(s, TANDEM_INTERNAL, "no memory%s", "");
-}
-
 static tandem_status create(const char* parameters, void** self) {
   model* const s = calloc(1, sizeof *s);
   mxArray* arguments[3];
@@ -109,15 +71,16 @@ static tandem_status create(const char* parameters, void** self) {
   mxDestroyArray(arguments[0]);
   mxDestroyArray(arguments[2]);
   if (status != TANDEM_OK) return TANDEM_INVALID_ARGUMENT;
-  return take_info(s);
+  s->h = mxGetScalar(field(s, "h"));
+  s->offset = mxGetScalar(field(s, "offset"));
+  s->latency = mxGetScalar(field(s, "latency"));
+  return read_info(s->user, &s->info) ? TANDEM_OK : refuse(s, TANDEM_INTERNAL, "no memory%s", "");
 }
 
 /* The arrays of Octave go with the call of "serve". */
 static void destroy(void* self) {
   model* const s = self;
-  free((void*)s->info.inputs);
-  free((void*)s->info.outputs);
-  free((void*)s->info.feedthrough);
+  free_info(&s->info);
   free(s);
 }
 static const tandem_info* info(void* self) { return &((model*)self)->info; }
@@ -125,18 +88,20 @@ static const char* last_error(void* self) { return ((model*)self)->error; }
 
 /* Width within which two times are the same, as subsystem.h says. */
 static double width(const model* s, double a, double b) {
-  return 6.0 * DBL_EPSILON * fmax(fmax(fabs(a), fabs(b)), fabs(s->t_start));
+  return 6.0 * DBL_EPSILON * fmax(fmax(fabs(a), fabs(b)), fabs(s->origin));
 }
 
-/* Appends what values (state) gives. */
-static tandem_status append(model* s, tandem_samples* y) {
-  double* const row = y->rows + y->size * y->stride;
-  const size_t wanted = (size_t)y->stride - 2;
-  mxArray *values, *arguments[2];
-  tandem_status status;
-  arguments[0] = field(s, "values");
-  arguments[1] = s->state;
-  if ((status = call(s, 2, arguments, &values)) != TANDEM_OK) return status;
+static int is_sampled(const model* s) { return (s->info.abilities & TANDEM_SAMPLED) != 0; }
+
+/* Puts what values (state) gives; of a sampled one with feedthrough values (state, u), at the start u is [].
+ */
+static tandem_status put_values(model* s, const double* u, size_t inputs, double* to, size_t wanted) {
+  const int with_inputs = is_sampled(s) && s->info.feedthrough_count > 0;
+  mxArray *values, *arguments[3] = {field(s, "values"), s->state, with_inputs ? row_of(u, inputs) : NULL};
+  const tandem_status called = call(s, with_inputs ? 3 : 2, arguments, &values);
+  tandem_status status = called;
+  if (with_inputs) mxDestroyArray(arguments[2]);
+  if (called != TANDEM_OK) return called;
   if (!mxIsDouble(values) || mxIsComplex(values) || mxIsSparse(values) ||
       mxGetNumberOfElements(values) != wanted) {
     snprintf(s->error, sizeof s->error,
@@ -144,12 +109,18 @@ static tandem_status append(model* s, tandem_samples* y) {
              mxGetNumberOfElements(values), wanted);
     status = TANDEM_INVALID_ARGUMENT;
   } else {
-    row[0] = s->grid.time;
-    row[1] = 0.0;
-    memcpy(row + 2, mxGetPr(values), wanted * sizeof *row);
-    ++y->size;
+    memcpy(to, mxGetPr(values), wanted * sizeof *to);
   }
   mxDestroyArray(values);
+  return status;
+}
+
+static tandem_status append(model* s, tandem_samples* y) {
+  double* const row = y->rows + y->size * y->stride;
+  const tandem_status status = put_values(s, NULL, 0, row + 2, (size_t)y->stride - 2);
+  row[0] = s->grid.time;
+  row[1] = 0.0;
+  y->size += status == TANDEM_OK;
   return status;
 }
 
@@ -158,14 +129,13 @@ static void put_state(model* s, mxArray* state) {
   s->state = state;
 }
 
-static tandem_status step(model* s, double end, mxArray* u) {
-  const double length = end == s->grid.next && !s->grid.cut ? s->h : end - s->grid.time;
+static tandem_status step(model* s, double begin, double end, double length, mxArray* u) {
   mxArray *state, *arguments[6];
   tandem_status status;
   int k;
   arguments[0] = field(s, "step");
   arguments[1] = s->state;
-  arguments[2] = mxCreateDoubleScalar(s->grid.time);
+  arguments[2] = mxCreateDoubleScalar(begin);
   arguments[3] = mxCreateDoubleScalar(end);
   arguments[4] = mxCreateDoubleScalar(length);
   arguments[5] = u;
@@ -173,7 +143,6 @@ static tandem_status step(model* s, double end, mxArray* u) {
   for (k = 2; k < 5; ++k) mxDestroyArray(arguments[k]);
   if (status != TANDEM_OK) return status;
   put_state(s, state);
-  s->grid.time = end;
   return TANDEM_OK;
 }
 
@@ -199,27 +168,42 @@ static tandem_status initialize(void* self, double t_start, double t_stop, const
   mxDestroyArray(arguments[2]);
   if (status != TANDEM_OK) return status;
   put_state(s, state);
-  s->t_start = s->grid.time = t_start;
-  s->grid.node = 1;
-  s->grid.next = t_start + s->h;
+  s->grid.time = t_start;
+  s->origin = t_start + s->offset;
+  s->grid.node = is_sampled(s) ? 0 : 1;
+  s->grid.next = s->origin + (double)s->grid.node * s->h;
   s->grid.cut = 0;
   if ((status = append(s, y)) != TANDEM_OK) return status;
   return tell(s, TANDEM_STOP_LIMIT, clock);
 }
 
+/* Where the next own step ends, or the next instant is, once it stands at grid.next. */
+static double after_next(const model* s) {
+  return s->origin + (double)(s->grid.node + 1) * s->h; /* multiplied, never accumulated */
+}
+
+static void move_on(model* s) {
+  s->grid.time = s->grid.next;
+  s->grid.next = after_next(s);
+  ++s->grid.node;
+  s->grid.cut = 0;
+}
+
 /* One own step, or what the limit leaves of it; *more is 0 if there is none up to the limit. */
 static tandem_status take_step(model* s, double t_limit, int32_t land, mxArray* u, int* more) {
+  const double begin = s->grid.time;
   tandem_status status;
   if (s->grid.next <= t_limit + width(s, s->grid.next, t_limit)) {
-    if ((status = step(s, s->grid.next, u)) != TANDEM_OK) return status;
-    s->grid.next = s->t_start + (double)++s->grid.node * s->h; /* multiplied, never accumulated */
-    s->grid.cut = 0;
-    return TANDEM_OK;
+    status = step(s, begin, s->grid.next, s->grid.cut ? s->grid.next - begin : s->h, u);
+    if (status == TANDEM_OK) move_on(s);
+    return status;
   }
-  *more = land && s->grid.time < t_limit - width(s, s->grid.time, t_limit);
-  if (!*more) return TANDEM_OK;
+  *more = land && begin < t_limit - width(s, begin, t_limit);
+  if (!*more || (status = step(s, begin, t_limit, t_limit - begin, u)) != TANDEM_OK)
+    return *more ? status : TANDEM_OK;
+  s->grid.time = t_limit;
   s->grid.cut = 1;
-  return step(s, t_limit, u);
+  return TANDEM_OK;
 }
 
 static tandem_status advance(void* self, double t_limit, int32_t land, const tandem_signal* u,
@@ -236,6 +220,31 @@ static tandem_status advance(void* self, double t_limit, int32_t land, const tan
   mxDestroyArray(inputs);
   if (status != TANDEM_OK) return status;
   return tell(s, more ? TANDEM_STOP_SAMPLES_FULL : TANDEM_STOP_LIMIT, clock);
+}
+
+static tandem_status sampling(void* self, double* period, double* latency) {
+  *period = ((model*)self)->h;
+  *latency = ((model*)self)->latency;
+  return TANDEM_OK;
+}
+
+/* From one instant to the next, on inputs that hold. */
+static tandem_status go_on(model* s, double t, const double* u) {
+  mxArray* const inputs = constants_as_array(u, inputs_of(&s->info), t);
+  const tandem_status status = step(s, t, after_next(s), s->h, inputs);
+  mxDestroyArray(inputs);
+  if (status == TANDEM_OK) move_on(s);
+  return status;
+}
+
+static tandem_status sample(void* self, double t, int32_t parts, const double* u, double* y,
+                            tandem_clock* clock) {
+  model* const s = self;
+  const size_t inputs = inputs_of(&s->info), outputs = (size_t)s->info.output_count;
+  tandem_status status = TANDEM_OK;
+  if (parts & TANDEM_SAMPLE_OUTPUTS) status = put_values(s, u, inputs, y, outputs);
+  if (status == TANDEM_OK && (parts & TANDEM_SAMPLE_STATES)) status = go_on(s, t, u);
+  return status == TANDEM_OK ? tell(s, TANDEM_STOP_LIMIT, clock) : status;
 }
 
 static tandem_status save_state(void* self, int64_t* id) {
@@ -283,6 +292,8 @@ static const tandem_subsystem_api model_api = {
     .save_state = save_state,
     .restore_state = restore_state,
     .release_state = release_state,
+    .sampling = sampling,
+    .sample = sample,
 };
 
 const tandem_subsystem_api* octave_model(mxArray* make) {

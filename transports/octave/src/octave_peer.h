@@ -10,10 +10,18 @@
  * gives. Valid during the call of the MEX file. */
 const tandem_subsystem_api* octave_model(mxArray* make);
 
+/* What such a struct says of itself, without its texts, which are Octave's; 0 if there is no memory. */
+int read_info(const mxArray* user, tandem_info* info);
+void free_info(tandem_info* info);
+/* As tandem_info.m gives it. */
+mxArray* info_as_struct(const tandem_subsystem_api* api, void* self);
+
 /* Inputs as tandem_signal.m makes them, a struct array with an element for each, NULL if they have more
  * segments: Octave copies them for each step. And its element k. */
 enum { MAX_SEGMENTS = 131072 };
 mxArray* inputs_as_array(const tandem_signal* u, size_t count);
+/* The same of inputs that are constant, about t. */
+mxArray* constants_as_array(const double* u, size_t count, double t);
 tandem_signal signal_of(const mxArray* u, mwIndex k);
 
 /* status = __tandem__ ("serve", make, ARGUMENTS), from `make` on. */

@@ -30,6 +30,23 @@ mxArray* inputs_as_array(const tandem_signal* u, size_t count) {
   return all;
 }
 
+mxArray* constants_as_array(const double* u, size_t count, double t) {
+  tandem_segment* const segments = mxCalloc(count + 1, sizeof *segments);
+  tandem_signal* const signals = mxCalloc(count + 1, sizeof *signals);
+  mxArray* all;
+  size_t i;
+  for (i = 0; i < count; ++i) {
+    segments[i].end = segments[i].origin = t;
+    segments[i].c[0] = u[i];
+    signals[i].segments = segments + i;
+    signals[i].count = 1;
+  }
+  all = inputs_as_array(signals, count);
+  mxFree(segments);
+  mxFree(signals);
+  return all;
+}
+
 tandem_signal signal_of(const mxArray* u, mwIndex k) {
   const mxArray* const end = mxGetField(u, k, "end");
   const mxArray* const origin = mxGetField(u, k, "origin");

@@ -31,6 +31,7 @@ class Type(enum.IntEnum):
     BYE = 11
     SERIALIZE = 12
     DESERIALIZE = 13
+    SAMPLE = 14
 
 
 class Channel:

@@ -9,7 +9,7 @@ from typing import Any, Callable, List, Optional, Sequence, Tuple
 
 from . import reply_checks, wire
 from .address import connected
-from .contract import Clock, Error, Info, Row, Signal
+from .contract import Clock, Error, Info, Part, Row, Signal
 from .program import Program
 
 
@@ -49,6 +49,20 @@ class Remote:
         self._time = clock.time
         return clock, rows
 
+    def sample(self, t: float, part: Part, u: Sequence[float]) -> Tuple[Clock, List[float]]:
+        """Of a sampled subsystem at its instant t, the next_time of its clock: the outputs, none for its states alone."""
+        outputs = self._info.output_size() if part & Part.OUTPUTS else 0
+        self._time = t
+        return self._exchange(wire.Type.SAMPLE, wire.put_sample(t, part, u),
+                              lambda data: self._sampled(data, outputs, part))
+
+    def _sampled(self, data: memoryview, outputs: int, part: Part) -> Tuple[Clock, List[float]]:
+        clock, y = wire.read_sampled(data, outputs)
+        reply_checks.check_sample(self._info, self._time, y)
+        if part & Part.STATES:
+            reply_checks.check_next_instant(clock, self._time)
+        return clock, y
+
     def _first(self, data: memoryview, u0: Sequence[float]) -> Tuple[Clock, List[Row]]:
         reply = wire.read_samples(data, self._info, 1)
         reply_checks.check_first(self._info, self._t_start, u0, reply)
@@ -63,8 +77,15 @@ class Remote:
         return self._exchange(wire.Type.SAVE, b"", _read_number)
 
     def restore_state(self, state: int) -> Clock:
-        clock = self._exchange(wire.Type.RESTORE, struct.pack("<q", state), _read_clock)
+        clock = self._exchange(wire.Type.RESTORE, struct.pack("<q", state), self._restored)
         self._time = clock.time
+        return clock
+
+    def _restored(self, data: memoryview) -> Clock:
+        reader = wire.Reader(data, "restore")
+        clock = wire.read_clock(reader)
+        reader.end()
+        reply_checks.check_next(self._info, clock)
         return clock
 
     def release_state(self, state: int) -> None:
@@ -165,10 +186,10 @@ _GIVE_SAMPLES = (wire.Type.INITIALIZE, wire.Type.ADVANCE)
 
 def _read_hello(data: memoryview) -> int:
     """The longest payload that the server takes."""
-    lowest, highest, longest, _ = wire.read_hello(data)
-    if (lowest, highest) != (wire.VERSION, wire.VERSION):
-        raise Error(f"the peer speaks version {lowest} to {highest}; allowed is {wire.VERSION}", 2)
-    return longest
+    hello = wire.read_hello(data)
+    if (hello.lowest, hello.highest) != (wire.VERSION, wire.VERSION):
+        raise Error(f"the peer speaks version {hello.lowest} to {hello.highest}; allowed is {wire.VERSION}", 2)
+    return hello.longest
 
 
 def _read_info(data: memoryview) -> Info:
@@ -179,14 +200,6 @@ def _read_info(data: memoryview) -> Info:
 
 def _read_number(data: memoryview) -> int:
     return wire.read_state(data, "state")
-
-
-def _read_clock(data: memoryview) -> Clock:
-    reader = wire.Reader(data, "restore")
-    clock = wire.read_clock(reader)
-    reader.end()
-    reply_checks.check_next(clock)
-    return clock
 
 
 def connect(uri: str, deadline: float = 5.0, allow_plaintext: bool = False) -> Remote:

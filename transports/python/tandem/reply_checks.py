@@ -6,7 +6,8 @@ from __future__ import annotations
 import math
 from typing import List, NoReturn, Sequence, Tuple
 
-from .contract import Clock, Error, Info, Port, Row, Stop, before
+from .contract import Abilities, Clock, Error, Info, Port, Row, Stop
+from .models import before
 
 MOST_SCALARS = 1 << 24
 
@@ -25,6 +26,17 @@ def check_info(info: Info) -> None:
     for output, input_ in info.feedthrough:
         if not (0 <= output < info.output_size() and 0 <= input_ < info.input_size()):
             _refuse_info(f"feedthrough from input {input_} to output {output} names a port that is not there")
+    _check_sampling(info)
+
+
+def _check_sampling(info: Info) -> None:
+    if Abilities.SAMPLED not in info.abilities:
+        return
+    if not (0.0 < info.period < math.inf and 0.0 <= info.latency < math.inf):
+        _refuse_info(f"it is sampled with a period of {seconds(info.period)} and a latency of {seconds(info.latency)}; "
+                     "allowed are a period above 0, a latency of 0 or more")
+    if not all(port.held for port in info.outputs):
+        _refuse_info("it is sampled, but not all of its outputs are held")
 
 
 def _is_sound(port: Port) -> bool:
@@ -44,7 +56,7 @@ def check_first(info: Info, t_start: float, u0: Sequence[float], reply: Tuple[Cl
     for k in range(info.output_size()):
         if k not in unknown and not math.isfinite(rows[-1].values[k]):
             _refuse(f"gives {scalar_name(info.outputs, k)} not finite at the start")
-    check_clock(clock, t_start)
+    check_clock(info, clock, t_start)
 
 
 def check_rows(info: Info, span: Tuple[float, float, float], reply: Tuple[Clock, List[Row]]) -> None:
@@ -59,7 +71,7 @@ def check_rows(info: Info, span: Tuple[float, float, float], reply: Tuple[Clock,
         if before(limit, row.time, t_start):
             _refuse(f"has a sample at t = {seconds(row.time)}, past the limit {seconds(limit)}")
         last = row.time
-    check_clock(clock, last)
+    check_clock(info, clock, last)
 
 
 def check_jump(time: float, flag: float) -> None:
@@ -67,16 +79,35 @@ def check_jump(time: float, flag: float) -> None:
         _refuse(f"gives {number_text(flag)} as the jump flag of its sample at t = {seconds(time)}; allowed is 0 or 1")
 
 
-def check_clock(clock: Clock, stands: float) -> None:
+def check_clock(info: Info, clock: Clock, stands: float) -> None:
     if clock.time != stands:
         _refuse(f"says that it stands at t = {seconds(clock.time)}, but its newest sample is of {seconds(stands)}")
-    check_next(clock)
+    check_next(info, clock)
 
 
-def check_next(clock: Clock) -> None:
-    """What a clock has to be wherever it stands."""
+def check_next(info: Info, clock: Clock) -> None:
+    """What a clock has to be wherever it stands. A sampled subsystem may have its first instant there."""
     if not math.isfinite(clock.time):
         _refuse("gives a time that is not finite")
+    if not (Abilities.SAMPLED in info.abilities and clock.next_time == clock.time):
+        _check_later(clock)
+
+
+def check_sample(info: Info, t: float, y: Sequence[float]) -> None:
+    """The outputs of a sample at t are finite."""
+    for k, value in enumerate(y):
+        if not math.isfinite(value):
+            _refuse(f"gives {scalar_name(info.outputs, k)} not finite at t = {seconds(t)}")
+
+
+def check_next_instant(clock: Clock, t: float) -> None:
+    """With its states a sampled subsystem stands at t, and its next instant is later."""
+    if clock.time != t:
+        _refuse(f"says that it stands at t = {seconds(clock.time)}; allowed is that of the sample, {seconds(t)}")
+    _check_later(clock)
+
+
+def _check_later(clock: Clock) -> None:
     if clock.stop != Stop.FINISHED and not clock.next_time > clock.time:
         _refuse(f"gives {seconds(clock.next_time)} as the end of the next own step, which is not later than "
                 f"{seconds(clock.time)}")

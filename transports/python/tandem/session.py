@@ -21,7 +21,7 @@ MOST_ROW_MEMORY = 3 << 24
 class Session:
     """One connection: answers requests until the peer says bye or is gone. `make` gets the parameters that the
     client gave, and returns a subsystem: an object with info(), initialize() and advance() as FixedStep has
-    them, with the ability to save states save_state(), restore_state(id), release_state(id), and with that to give
+    them, or sample() as Sampled has it, with the ability to save states save_state(), restore_state(id), release_state(id), and with that to give
     them as bytes serialize_state(id), deserialize_state(bytes). deadline: seconds for the first request, for a frame to
     come whole, and for a reply to be taken; idle: from one request to the next."""
 
@@ -95,24 +95,32 @@ class Session:
                    wire.Type.INITIALIZE: self._initialize, wire.Type.ADVANCE: self._advance,
                    wire.Type.SAVE: self._save, wire.Type.RESTORE: self._restore,
                    wire.Type.RELEASE: self._release, wire.Type.SERIALIZE: self._serialize,
-                   wire.Type.DESERIALIZE: self._deserialize, wire.Type.PING: self._ping}.get(kind)
+                   wire.Type.DESERIALIZE: self._deserialize, wire.Type.SAMPLE: self._sample,
+                   wire.Type.PING: self._ping}.get(kind)
         if handler is None:
             raise Error(f"'{kind.name.lower()}' is no request", 3)
         handler(data)
 
     def _hello(self, data: memoryview) -> None:
-        lowest, highest, self._longest, text = wire.read_hello(data)
-        self.greeted = True
-        if not lowest <= wire.VERSION <= highest:
-            raise Error(f"the peer speaks version {lowest} to {highest} of the protocol; allowed is "
+        hello = wire.read_hello(data)
+        self._longest, self.greeted = hello.longest, True
+        if not hello.lowest <= wire.VERSION <= hello.highest:
+            raise Error(f"the peer speaks version {hello.lowest} to {hello.highest} of the protocol; allowed is "
                         f"{wire.VERSION}", 2)
         if self._longest < 4096:
             raise Error(f"the peer takes payloads of up to {self._longest} bytes; allowed are 4096 or more", 2)
-        if not is_printable(text):
-            raise Error(f"the parameters hold what is no text: '{printable(text, 200)}'")
-        self._subsystem = _asked(lambda: self._make(_parameters(text)))
+        if not is_printable(hello.text):
+            raise Error(f"the parameters hold what is no text: '{printable(hello.text, 200)}'")
+        self._subsystem = _asked(lambda: self._make(_parameters(hello.text)))
         self._info = self._subsystem.info()
+        self._require_carried(hello.capabilities)
         self._reply(wire.Type.HELLO, wire.put_hello("tandem for Python"))
+
+    def _require_carried(self, capabilities: int) -> None:
+        """A peer that was written before held outputs would take them for continuous ones."""
+        if (self._known().holds() or self._can(Abilities.SAMPLED)) and not capabilities & wire.CARRIES_HELD:
+            raise Error(f"subsystem '{self._known().name}' has held outputs or is sampled, of which the peer does not "
+                        "speak (capability 1)", 2)
 
     def _tell_info(self, data: memoryview) -> None:
         wire.Reader(data, "info").end()
@@ -137,7 +145,7 @@ class Session:
         try:
             payload = _asked(lambda: wire.put_rows(wire.put_clock(call(rows, room)), rows, stride))
         except Error as error:
-            sound = _sound_rows(rows, stride)
+            sound = wire.sound_rows(rows, stride)
             self._reply(wire.Type.ERROR, wire.put_rows(wire.put_error(error), sound, stride))
         else:
             self._reply(wire.Type.SAMPLES, payload)
@@ -151,7 +159,27 @@ class Session:
     def _advance(self, data: memoryview) -> None:
         t_limit, land, room, u = wire.read_advance(data, self._known().input_size())
         data.release()
-        self._rows(room, lambda rows, n: self._subsystem.advance(t_limit, land, u, rows, n))
+
+        def advance(rows: List[Row], n: int) -> Any:
+            self._require(not self._can(Abilities.SAMPLED), "sampled and takes no own steps")
+            return self._subsystem.advance(t_limit, land, u, rows, n)
+
+        self._rows(room, advance)
+
+    def _require(self, able: bool, what: str) -> None:
+        if not able:
+            raise Error(f"subsystem '{self._known().name}' is {what}", 2)
+
+    def _sample(self, data: memoryview) -> None:
+        t, part, u = wire.read_sample(data, self._known().input_size())
+        data.release()
+
+        def payload() -> bytes:
+            self._require(self._can(Abilities.SAMPLED), "not sampled")
+            clock, outputs = self._subsystem.sample(t, part, u)
+            return wire.put_clock(clock) + wire.put_list(outputs)
+
+        self._tell(wire.Type.SAMPLE, payload)
 
     def _state(self, kind: wire.Type, call: Callable[[], bytes]) -> None:
         bytes_too = kind in (wire.Type.SERIALIZE, wire.Type.DESERIALIZE)
@@ -162,6 +190,10 @@ class Session:
                 raise Error(f"subsystem '{self._known().name}' has no ability to {what}", 2)
             return call()
 
+        self._tell(kind, payload)
+
+    def _tell(self, kind: wire.Type, payload: Callable[[], bytes]) -> None:
+        """What it gives, or its error."""
         try:
             reply = _asked(payload)
         except Error as error:
@@ -237,16 +269,6 @@ class Session:
             self._reply(wire.Type.ERROR, wire.put_error(error))
         except Error:
             pass
-
-
-def _sound_rows(rows: List[Row], stride: int) -> List[Row]:
-    """Those before the first one that is wrong."""
-    for count, row in enumerate(rows):
-        try:
-            wire.put_rows(b"", [row], stride)
-        except Exception:  # whatever the model has put there
-            return rows[:count]
-    return rows
 
 
 def _identity(state: int) -> bytes:

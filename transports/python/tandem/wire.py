@@ -6,78 +6,25 @@ from __future__ import annotations
 import array
 import math
 import struct
-import sys
-from typing import List, Optional, Sequence, Tuple
+from typing import List, NamedTuple, Optional, Sequence, Tuple
 
 from .channel import HEADER, LONGEST, Channel, Payload, Type
-from .contract import Abilities, Clock, Error, Info, Port, Row, Segment, Signal, Stop
+from .contract import Abilities, Clock, Error, Info, Part, Port, Row, Segment, Signal, Stop
 from .printable import printable
+from .reader import Reader
 from .reply_checks import check_jump
 
-__all__ = ["HEADER", "LONGEST", "Channel", "Payload", "Type"]
+__all__ = ["HEADER", "LONGEST", "Channel", "Payload", "Reader", "Type"]
 
 VERSION = 1
+CARRIES_HELD = 1  # a capability: held outputs and sampled subsystems
+HOLDS = 128  # a bit of the abilities
 MAGIC = b"TANDEM\r\n"
-LONGEST_NAME = 4096  # bytes
 LONGEST_SENTENCE = 1 << 20  # bytes that are read
 LONGEST_TOLD = 4000  # bytes of a sentence of ours
 #: that a request may have: as objects they take up to 400 bytes each
 MOST_SEGMENTS = 1 << 17
 AT_ONCE = 1 << 12  # numbers of a row that are put into a reply
-
-
-class Reader:
-    """Takes a payload apart; what is not there is refused before memory is taken for it."""
-
-    def __init__(self, data: memoryview, what: str) -> None:
-        self._data, self._what, self._place = data, what, 0
-
-    def left(self) -> int:
-        return len(self._data) - self._place
-
-    def take(self, form: str) -> Tuple:
-        size = struct.calcsize("<" + form)
-        if size > self.left():
-            self.refuse(f"ends after {len(self._data)} bytes; at byte {self._place} {size} more were to follow")
-        values = struct.unpack_from("<" + form, self._data, self._place)
-        self._place += size
-        return values
-
-    def take_doubles(self, count: int) -> array.array:
-        """They take no more memory than their bytes did."""
-        if 8 * count > self.left():
-            self.refuse(f"ends after {len(self._data)} bytes, within {count} numbers")
-        values = array.array("d")
-        values.frombytes(self._data[self._place:self._place + 8 * count])
-        self._place += 8 * count
-        if sys.byteorder == "big":
-            values.byteswap()
-        return values
-
-    def text(self, longest: int) -> str:
-        (length,) = self.take("I")
-        if length > min(longest, self.left()):
-            self.refuse(f"has a text of {length} bytes; allowed are up to {min(longest, self.left())}")
-        data = bytes(self._data[self._place:self._place + length])
-        self._place += length
-        return data.decode("utf-8", "surrogateescape")
-
-    def name(self) -> str:
-        """A name or a unit, to be shown."""
-        return printable(self.text(LONGEST_NAME), LONGEST_NAME)
-
-    def count(self, bytes_each: int) -> int:
-        (count,) = self.take("I")
-        if count * bytes_each > self.left():
-            self.refuse(f"announces {count} things, but only {self.left()} bytes follow")
-        return count
-
-    def end(self) -> None:
-        if self.left():
-            self.refuse(f"has {self.left()} bytes more than it should")
-
-    def refuse(self, sentence: str) -> None:
-        raise Error(f"the message '{self._what}' {sentence}")
 
 
 def put_text(text: str) -> bytes:
@@ -86,43 +33,69 @@ def put_text(text: str) -> bytes:
 
 
 def put_hello(text: str) -> bytes:
-    return MAGIC + struct.pack("<IIQI", VERSION, VERSION, LONGEST, 0) + put_text(text)
+    return MAGIC + struct.pack("<IIQI", VERSION, VERSION, LONGEST, CARRIES_HELD) + put_text(text)
 
 
-def read_hello(data: memoryview) -> Tuple[int, int, int, str]:
-    """Lowest and highest version, longest payload, text."""
+class Hello(NamedTuple):
+    """The first request, and its reply."""
+
+    lowest: int
+    highest: int  #: version
+    longest: int  #: payload in bytes
+    capabilities: int
+    text: str
+
+
+def read_hello(data: memoryview) -> Hello:
     reader = Reader(data, "hello")
     if bytes(data[:8]) != MAGIC:
         reader.refuse("does not begin with TANDEM, so the peer speaks something else")
     reader.take("8s")
-    lowest, highest, longest, _ = reader.take("IIQI")
-    text = reader.text(LONGEST_SENTENCE)
+    hello = Hello(*reader.take("IIQI"), reader.text(LONGEST_SENTENCE))
     reader.end()
-    return lowest, highest, longest, text
+    return hello
 
 
 def put_info(info: Info) -> bytes:
-    parts = [put_text(info.name), struct.pack("<I", int(info.abilities))]
+    bits = int(info.abilities) | (HOLDS if info.holds() else 0)
+    parts = [put_text(info.name), struct.pack("<I", bits)]
     for ports in (info.inputs, info.outputs):
         parts.append(struct.pack("<I", len(ports)))
         for p in ports:
             parts += [put_text(p.name), put_text(p.unit), struct.pack("<iid", p.size, p.derivatives, p.start)]
     parts.append(struct.pack("<I", len(info.feedthrough)))
     parts += [struct.pack("<ii", *pair) for pair in info.feedthrough]
+    if info.holds():
+        parts += [struct.pack("<I", port.held) for port in info.outputs]
+    if Abilities.SAMPLED in info.abilities:
+        parts.append(struct.pack("<dd", info.period, info.latency))
     return b"".join(parts)
 
 
 def read_info(data: memoryview) -> Info:
     reader = Reader(data, "info")
     name = reader.name()
-    abilities = Abilities(reader.take("I")[0] & 63)
+    (bits,) = reader.take("I")
     ports: List[List[Port]] = []
     for _ in range(2):
         ports.append([Port(reader.name(), reader.name(), *reader.take("iid"))
                       for _ in range(reader.count(24))])
     feedthrough = [reader.take("ii") for _ in range(reader.count(8))]
+    info = Info(name, ports[0], ports[1], feedthrough, Abilities(bits & (HOLDS - 1)))
+    read_held(reader, bool(bits & HOLDS), info)
+    if Abilities.SAMPLED in info.abilities:
+        info.period, info.latency = reader.take("dd")
     reader.end()
-    return Info(name, ports[0], ports[1], feedthrough, abilities)
+    return info
+
+
+def read_held(reader: Reader, told: bool, info: Info) -> None:
+    """told: a flag for each output stands there. Those of a sampled subsystem are held in any case."""
+    for port in info.outputs:
+        (held,) = reader.take("I") if told else (int(Abilities.SAMPLED in info.abilities),)
+        if held > 1:
+            reader.refuse(f"gives {held} for whether output '{port.name}' is held; allowed are 0 and 1")
+        port.held = held == 1
 
 
 def put_initialize(t_start: float, t_stop: float, room: int, u0: Sequence[float]) -> bytes:
@@ -208,11 +181,53 @@ def put_rows(head: bytes, rows: Sequence[Row], stride: int) -> bytearray:
     return data
 
 
+def sound_rows(rows: List[Row], stride: int) -> List[Row]:
+    """Those before the first one that is wrong."""
+    for count, row in enumerate(rows):
+        try:
+            put_rows(b"", [row], stride)
+        except Exception:  # whatever the model has put there
+            return rows[:count]
+    return rows
+
+
 def read_clock(reader: Reader) -> Clock:
     time_, next_time, stop = reader.take("ddI")
     if stop > 3:
         reader.refuse(f"gives {stop} as the reason to stop; allowed are 0 to 3")
     return Clock(time_, next_time, Stop(stop))
+
+
+def put_sample(t: float, part: int, u: Sequence[float]) -> bytes:
+    return struct.pack("<dI", t, part) + put_list(u)
+
+
+def read_sample(data: memoryview, inputs: int) -> Tuple[float, Part, array.array]:
+    reader = Reader(data, "sample")
+    t, part = reader.take("dI")
+    if not (math.isfinite(t) and 1 <= part <= 3):
+        reader.refuse(f"has t {t} and the parts {part}; allowed are a finite time, and 1 to 3")
+    check_inputs(reader, reader.count(8), inputs)
+    u = reader.take_doubles(inputs)
+    if not all(map(math.isfinite, u)):
+        reader.refuse("has an input that is not finite")
+    reader.end()
+    return t, Part(part), u
+
+
+def put_list(values: Sequence[float]) -> bytes:
+    return struct.pack(f"<I{len(values)}d", len(values), *values)
+
+
+def read_sampled(data: memoryview, outputs: int) -> Tuple[Clock, List[float]]:
+    reader = Reader(data, "sample")
+    clock = read_clock(reader)
+    count = reader.count(8)
+    if count != outputs:
+        reader.refuse(f"has {count} outputs; allowed are {outputs}")
+    values = list(reader.take_doubles(count))
+    reader.end()
+    return clock, values
 
 
 def read_state(data: memoryview, what: str) -> int:

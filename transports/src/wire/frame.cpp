@@ -13,9 +13,9 @@ namespace {
 }  // namespace
 
 std::string_view name(Type type) {
-  constexpr std::string_view names[] = {"none",    "hello", "info",      "initialize", "advance",
-                                        "samples", "save",  "restore",   "release",    "ping",
-                                        "error",   "bye",   "serialize", "deserialize"};
+  constexpr std::string_view names[] = {"none",    "hello", "info",      "initialize",  "advance",
+                                        "samples", "save",  "restore",   "release",     "ping",
+                                        "error",   "bye",   "serialize", "deserialize", "sample"};
   return names[static_cast<std::uint32_t>(type)];
 }
 

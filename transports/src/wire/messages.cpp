@@ -45,6 +45,31 @@ void put_ports(Writer& frame, const std::vector<Port>& ports) {
   }
 }
 
+/// What stands behind the rest of an info only where there are held outputs.
+void put_held(Writer& frame, const SubsystemInfo& info) {
+  if (info.holds())
+    for (const Port& port : info.outputs) frame.put(std::uint32_t{port.held ? 1U : 0U});
+  if (!info.abilities.sampled) return;
+  frame.put(info.sampling.period);
+  frame.put(info.sampling.latency);
+}
+
+/// told: a flag for each output stands there. Those of a sampled subsystem are held in any case.
+void read_held(Reader& in, bool told, SubsystemInfo& info) {
+  for (Port& port : info.outputs) {
+    const std::uint32_t held = told ? in.take<std::uint32_t>() : info.abilities.sampled ? 1 : 0;
+    if (held > 1)
+      in.refuse("gives " + std::to_string(held) + " for whether output '" + port.name +
+                "' is held; allowed are 0 and 1");
+    port.held = held == 1;
+  }
+}
+
+void read_sampling(Reader& in, Sampling& sampling) {
+  sampling.period = in.take<double>();
+  sampling.latency = in.take<double>();
+}
+
 Clock read_clock(Reader& in) {
   Clock clock{};
   clock.time = in.take<double>();
@@ -117,7 +142,7 @@ Hello read_hello(std::span<const std::byte> payload) {
 
 void put_info(Writer& frame, const SubsystemInfo& info) {
   frame.put_text(info.name);
-  frame.put(to_bits(info.abilities));
+  frame.put(to_bits(info));
   put_ports(frame, info.inputs);
   put_ports(frame, info.outputs);
   frame.put(static_cast<std::uint32_t>(info.feedthrough.size()));
@@ -125,13 +150,15 @@ void put_info(Writer& frame, const SubsystemInfo& info) {
     frame.put(std::int32_t{f.output});
     frame.put(std::int32_t{f.input});
   }
+  put_held(frame, info);
 }
 
 SubsystemInfo read_info(std::span<const std::byte> payload) {
   Reader in(payload, "info");
   SubsystemInfo info;
   info.name = read_name(in);
-  info.abilities = abilities_from(in.take<std::uint32_t>());
+  const auto bits = in.take<std::uint32_t>();
+  info.abilities = abilities_from(bits);
   info.inputs = read_ports(in);
   info.outputs = read_ports(in);
   const std::uint64_t count = in.take_count(8);
@@ -139,6 +166,8 @@ SubsystemInfo read_info(std::span<const std::byte> payload) {
     const auto output = in.take<std::int32_t>();
     info.feedthrough.push_back({output, in.take<std::int32_t>()});
   }
+  read_held(in, (bits & TANDEM_HOLDS) != 0, info);
+  if (info.abilities.sampled) read_sampling(in, info.sampling);
   in.end();
   check_info(info.name, info);
   return info;
@@ -171,6 +200,19 @@ void put_clock(Writer& frame, const Clock& clock) {
 Clock read_clock(std::span<const std::byte> payload) {
   Reader in(payload, "restore");
   const Clock clock = read_clock(in);
+  in.end();
+  return clock;
+}
+
+void put_sampled(Writer& frame, const Clock& clock, std::span<const double> y) {
+  put_clock(frame, clock);
+  frame.put_list(y);
+}
+
+Clock read_sampled(std::span<const std::byte> payload, std::span<double> y) {
+  Reader in(payload, "sample");
+  const Clock clock = read_clock(in);
+  in.take_list(y);
   in.end();
   return clock;
 }

@@ -184,6 +184,21 @@ Clock RemoteSubsystem::finish_advance(Samples& y) {
   return clock;
 }
 
+Clock RemoteSubsystem::sample(double t, SamplePart part, std::span<const double> u, std::span<double> y) {
+  if (!info_.abilities.sampled) return Subsystem::sample(t, part, u, y);
+  time_ = t;
+  return told([&] {
+    begin(Type::sample);
+    put_sample(frame_, t, part, u);
+    const bool gives = part != SamplePart::states;
+    const std::span<double> outputs = gives ? y : y.first(0);
+    const Clock reply = read_sampled(exchange(Type::sample).payload, outputs);
+    check_sample(info_, outputs, t);
+    if (part != SamplePart::outputs) check_next_instant(reply, t);
+    return reply;
+  });
+}
+
 void RemoteSubsystem::require_saving() const {
   if (!info_.abilities.saves_state)
     throw Error(ErrorCode::not_supported, "subsystem '" + info_.name + "' has no ability to save its state");
@@ -203,7 +218,7 @@ Clock RemoteSubsystem::restore_state(StateId id) {
     begin(Type::restore);
     put_id(frame_, id);
     const Clock reply = read_clock(exchange(Type::restore).payload);
-    check_clock(reply);
+    check_clock(info_, reply);
     return reply;
   });
   time_ = clock.time;

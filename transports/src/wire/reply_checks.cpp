@@ -50,17 +50,23 @@ void check_row(const SubsystemInfo& info, const Samples& y, std::int64_t row) {
   if (const double flag = flag_of(y, row); !is_flag(flag)) refuse_jump(flag, y.time(row));
 }
 
+void check_later(const Clock& clock) {
+  if (!(clock.next_time > clock.time))
+    refuse_reply("gives " + seconds(clock.next_time) +
+                 " as the end of the next own step, which is not later than " + seconds(clock.time));
+}
+
 bool knows(const SubsystemInfo& info, std::span<const double> u0, int output) {
   return std::none_of(info.feedthrough.begin(), info.feedthrough.end(), [&](const Feedthrough& f) {
     return f.output == output && std::isnan(u0[static_cast<std::size_t>(f.input)]);
   });
 }
 
-void check_stands(const Clock& clock, double stands) {
+void check_stands(const SubsystemInfo& info, const Clock& clock, double stands) {
   if (!(clock.time == stands))
     refuse_reply("says that it stands at t = " + seconds(clock.time) + ", but its newest sample is of " +
                  seconds(stands));
-  check_clock(clock);
+  check_clock(info, clock);
 }
 
 }  // namespace
@@ -77,7 +83,7 @@ void check_first(const GivenRows& given, double t_start, std::span<const double>
   for (int k = 0; k < info.output_size(); ++k)
     if (knows(info, u0, k) && !std::isfinite(y.values(y.size() - 1)[static_cast<std::size_t>(k)]))
       refuse_reply("gives " + scalar_at(info.outputs, k).name() + " not finite at the start");
-  check_stands(clock, t_start);
+  check_stands(info, clock, t_start);
 }
 
 void check_rows(const GivenRows& given, const AskedSpan& asked, const TimeTolerance& tolerance) {
@@ -92,14 +98,27 @@ void check_rows(const GivenRows& given, const AskedSpan& asked, const TimeTolera
       refuse_reply("has a sample at t = " + seconds(t) + ", past the limit " + seconds(asked.limit));
     stands = t;
   }
-  check_stands(clock, stands);
+  check_stands(info, clock, stands);
 }
 
-void check_clock(const Clock& clock) {
+void check_clock(const SubsystemInfo& info, const Clock& clock) {
   if (!std::isfinite(clock.time)) refuse_reply("gives a time that is not finite");
-  if (clock.stop != Stop::finished && !(clock.next_time > clock.time))
-    refuse_reply("gives " + seconds(clock.next_time) +
-                 " as the end of the next own step, which is not later than " + seconds(clock.time));
+  const bool at_its_first = info.abilities.sampled && clock.next_time == clock.time;
+  if (clock.stop != Stop::finished && !at_its_first) check_later(clock);
+}
+
+void check_sample(const SubsystemInfo& info, std::span<const double> y, double t) {
+  const auto bad = std::find_if(y.begin(), y.end(), [](double v) { return !std::isfinite(v); });
+  if (bad != y.end())
+    refuse_reply("gives " + scalar_at(info.outputs, static_cast<int>(bad - y.begin())).name() +
+                 " not finite at t = " + seconds(t));
+}
+
+void check_next_instant(const Clock& clock, double t) {
+  if (!(clock.time == t))
+    refuse_reply("says that it stands at t = " + seconds(clock.time) + "; allowed is that of the sample, " +
+                 seconds(t));
+  if (clock.stop != Stop::finished) check_later(clock);
 }
 
 }  // namespace tandem::wire

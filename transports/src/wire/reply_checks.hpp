@@ -29,6 +29,12 @@ struct AskedSpan {
 void check_rows(const GivenRows& given, const AskedSpan& asked, const TimeTolerance& tolerance);
 
 /// A clock wherever it stands: a finite time, and a later one for the next own step unless there is none.
-void check_clock(const Clock& clock);
+/// A sampled subsystem may have its first instant where it stands.
+void check_clock(const SubsystemInfo& info, const Clock& clock);
+
+/// Of a sample at t: outputs that are finite.
+void check_sample(const SubsystemInfo& info, std::span<const double> y, double t);
+/// Of its states: it stands at t, and its next instant is later.
+void check_next_instant(const Clock& clock, double t);
 
 }  // namespace tandem::wire

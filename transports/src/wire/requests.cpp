@@ -120,4 +120,25 @@ void read_advance(std::span<const std::byte> payload, int inputs, Advance& reque
   in.end();
 }
 
+void put_sample(Writer& frame, double t, SamplePart part, std::span<const double> u) {
+  frame.put(t);
+  frame.put(static_cast<std::uint32_t>(part));
+  frame.put_list(u);
+}
+
+void read_sample(std::span<const std::byte> payload, int inputs, Sample& request) {
+  Reader in(payload, "sample");
+  request.t = in.take<double>();
+  check_finite(in, request.t, "a t");
+  const auto parts = in.take<std::uint32_t>();
+  if (parts < 1 || parts > 3)
+    in.refuse("asks for the parts " + std::to_string(parts) + "; allowed are 1 to 3");
+  request.part = static_cast<SamplePart>(parts);
+  check_inputs(in, in.take_count(sizeof(double)), inputs);
+  request.u.resize(static_cast<std::size_t>(inputs));
+  in.take_doubles(request.u);
+  for (const double u : request.u) check_finite(in, u, "an input");
+  in.end();
+}
+
 }  // namespace tandem::wire

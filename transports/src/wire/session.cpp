@@ -34,14 +34,6 @@ void release_large(std::vector<T>& memory) {
   if (memory.capacity() * sizeof(T) > usual_memory) memory = std::vector<T>();
 }
 
-/// Held outputs are not part of version 1 of the protocol.
-void require_carried(const SubsystemInfo& info) {
-  for (const Port& port : info.outputs)
-    if (port.held)
-      throw Error(ErrorCode::not_supported, "output '" + port.name + "' of subsystem '" + info.name +
-                                                "' is held, which the protocol does not carry");
-}
-
 std::string seconds_text(double seconds) {
   std::array<char, 32> text{};
   return {text.data(), std::to_chars(text.begin(), text.end(), seconds).ptr};
@@ -129,6 +121,8 @@ void Session::handle(const Frame& request) {
       return initialize(request);
     case Type::advance:
       return advance(request);
+    case Type::sample:
+      return sample(request);
     case Type::info:
       read_nothing(request);
       reply(Type::info);
@@ -199,10 +193,19 @@ void Session::hello(const Frame& request) {
                 "the parameters hold what is no text: '" + printable(hello.text, 200) + "'");
   longest_ = std::min(hello.longest, channel_.longest());
   subsystem_ = asked([&] { return make_(hello.text); });
-  require_carried(subsystem_->info());
+  require_carried(hello.capabilities);
   reply(Type::hello);
   put_hello(frame_, {.longest = channel_.longest(), .text = settings_.software});
   send();
+}
+
+/// A peer that was written before held outputs would take them for continuous ones.
+void Session::require_carried(std::uint32_t capabilities) const {
+  const SubsystemInfo& info = subsystem_->info();
+  if ((info.holds() || info.abilities.sampled) && (capabilities & carries_held) == 0)
+    throw Error(ErrorCode::not_supported,
+                "subsystem '" + info.name +
+                    "' has held outputs or is sampled, of which the peer does not speak (capability 1)");
 }
 
 /// Rows for one reply: as many as are asked for and fit. They are made where the reply has them, and the
@@ -248,6 +251,22 @@ void Session::advance(const Frame& request) {
   reply_with_rows(advance_.room, [&](Samples& y) {
     return subsystem_->advance(advance_.t_limit, advance_.land, advance_.signals, y);
   });
+}
+
+void Session::sample(const Frame& request) {
+  const SubsystemInfo& info = subsystem_->info();
+  read_sample(request.payload, info.input_size(), sample_);
+  const bool gives = sample_.part != SamplePart::states;
+  outputs_.resize(gives ? static_cast<std::size_t>(info.output_size()) : 0);
+  try {
+    const Clock clock =
+        asked([&] { return subsystem_->sample(sample_.t, sample_.part, sample_.u, outputs_); });
+    reply(Type::sample);
+    put_sampled(frame_, clock, outputs_);
+    send();
+  } catch (const Error& error) {
+    send_error(error);
+  }
 }
 
 void Session::reply(Type type) { begin(frame_, type, number_); }

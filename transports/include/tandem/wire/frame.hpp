@@ -31,8 +31,9 @@ enum class Type : std::uint32_t {
   bye = 11,
   serialize = 12,
   deserialize = 13,
+  sample = 14,
 };
-constexpr std::uint32_t last_type = 13;
+constexpr std::uint32_t last_type = 14;
 std::string_view name(Type type);
 
 /// What stands before each payload.

@@ -12,11 +12,14 @@ namespace tandem::wire {
 // Payloads. put_...() writes one after begin(); read_...() takes one apart, and refuses what is not exactly
 // right with Error(invalid_argument), before it allocates anything that is not there.
 
+/// Bit of the capabilities: its sender speaks of held outputs and of sampled subsystems.
+constexpr std::uint32_t carries_held = 1;
+
 /// The first request and its reply.
 struct Hello {
   std::uint32_t lowest_version = protocol_version, highest_version = protocol_version;
-  std::uint64_t longest = usual_longest;  ///< payload that its sender takes, in bytes
-  std::uint32_t capabilities = 0;         ///< bits; none are known in version 1
+  std::uint64_t longest = usual_longest;      ///< payload that its sender takes, in bytes
+  std::uint32_t capabilities = carries_held;  ///< bits
   std::string text;  ///< of a request: parameters "key=value&key=value"; of a reply: the software
 };
 void put_hello(Writer& frame, const Hello& hello);
@@ -52,6 +55,20 @@ void put_advance(Writer& frame, const Goal& goal, std::span<const Signal> inputs
 /// most: bytes of memory that the signals may take.
 void read_advance(std::span<const std::byte> payload, int inputs, Advance& request,
                   std::uint64_t most = usual_longest);
+
+/// A request to sample: Subsystem::sample.
+struct Sample {
+  double t = 0.0;  ///< [s]
+  SamplePart part = SamplePart::both;
+  std::vector<double> u;
+};
+void put_sample(Writer& frame, double t, SamplePart part, std::span<const double> u);
+/// Into `request`, whose memory is used again. inputs: scalars that there are.
+void read_sample(std::span<const std::byte> payload, int inputs, Sample& request);
+/// Its reply: the outputs that were asked for, none of the states alone.
+void put_sampled(Writer& frame, const Clock& clock, std::span<const double> y);
+/// Fills y, or refuses another number of outputs.
+Clock read_sampled(std::span<const std::byte> payload, std::span<double> y);
 
 /// Room in the frame for so many rows, to be filled before put_samples() or put_error() puts them: they stand
 /// where the reply has them. Precondition: begin() and nothing since.

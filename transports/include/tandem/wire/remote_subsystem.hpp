@@ -27,6 +27,7 @@ class RemoteSubsystem final : public Subsystem {
   Clock advance(double t_limit, bool land, std::span<const Signal> u, Samples& y) override;
   bool start_advance(double t_limit, bool land, std::span<const Signal> u, const Samples& y) override;
   Clock finish_advance(Samples& y) override;
+  Clock sample(double t, SamplePart part, std::span<const double> u, std::span<double> y) override;
   StateId save_state() override;
   Clock restore_state(StateId id) override;
   void release_state(StateId id) override;

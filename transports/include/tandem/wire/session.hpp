@@ -45,6 +45,8 @@ class Session {
   void hello(const Frame& request);
   void initialize(const Frame& request);
   void advance(const Frame& request);
+  void sample(const Frame& request);
+  void require_carried(std::uint32_t capabilities) const;
   Samples rows(std::uint64_t room);
   template <class Call>
   void reply_with_rows(std::uint64_t room, const Call& call);
@@ -62,6 +64,8 @@ class Session {
   Writer frame_;
   Initialize initialize_;
   Advance advance_;
+  Sample sample_;
+  std::vector<double> outputs_;  ///< of a sample
   KeptStates states_;
 };
 

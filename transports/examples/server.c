@@ -1,5 +1,6 @@
 /* Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause */
-/* Mass 2 (mass2.c) as a program: it serves at --listen URI, or the run that has started it by spawn:. */
+/* A table of functions (mass2.c, pi.c) as a program: it serves at --listen URI, or the run that has started
+ * it by spawn:. */
 #include "tandem/peer.h"
 
 extern const tandem_subsystem_api* tandem_subsystem(void);
