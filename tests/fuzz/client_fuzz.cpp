@@ -22,6 +22,12 @@ void drive(wire::RemoteSubsystem& remote) {
   const std::vector<Signal> u(u0.size(), Signal(&line, 1, 1));
   Samples y(memory.data(), static_cast<std::int64_t>(stride), rows);
   remote.initialize(0.0, 10.0, u0, y);
+  if (info.abilities.sampled) {
+    std::vector<double> outputs(static_cast<std::size_t>(info.output_size()));
+    for (const SamplePart part : {SamplePart::both, SamplePart::outputs, SamplePart::states})
+      remote.sample(0.25, part, u0, outputs);
+    return;
+  }
   for (const double limit : {0.5, 1.0}) {
     y = Samples(memory.data(), static_cast<std::int64_t>(stride), rows);
     remote.advance(limit, false, u, y);

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-"""seeds.py FOLDER: what the fuzzing starts from: the session of docs/wire_protocol.md, either side of it, whole and up to
-each of its messages; and the project's own TOML files, each for the reader of its kind, with their words (FOLDER/words)."""
+"""seeds.py FOLDER: what the fuzzing starts from: the sessions of docs/wire_protocol.md, either side, whole and up to
+each of their messages; and the project's own TOML files, each for the reader of its kind, with their words (FOLDER/words)."""
 
 import pathlib
 import re
@@ -10,9 +10,15 @@ import sys
 TREE = pathlib.Path(__file__).resolve().parents[2]
 
 
-def messages(side):
-    """The bytes of each example of that side, in the order of the page."""
+def sessions():
+    """The text of each; the second begins as the first, up to the reply of info."""
     page = (TREE / "docs" / "wire_protocol.md").read_text(encoding="utf-8")
+    first, second = page.split("## A session with a sampled subsystem")
+    return first, first[first.index("### hello, request"):first.index("### info, reply")] + second
+
+
+def messages(page, side):
+    """The bytes of each example of that side, in the order of the page."""
     for block in re.findall(rf"### [a-z]+, {side}\n\n```hex\n(.*?)```", page, re.DOTALL):
         yield bytes.fromhex(" ".join(line.partition("#")[0] for line in block.splitlines()))
 
@@ -45,11 +51,12 @@ def main(folder):
     for side, target in (("request", "server"), ("reply", "client")):
         place = folder / target
         place.mkdir(parents=True, exist_ok=True)
-        session = b""
-        for number, message in enumerate(messages(side)):
-            session += with_small_payloads(message)
-            (place / f"{number:02}").write_bytes(session)
-        assert session, f"docs/wire_protocol.md has no example of a {side}"
+        for which, page in enumerate(sessions()):
+            session = b""
+            for number, message in enumerate(messages(page, side)):
+                session += with_small_payloads(message)
+                (place / f"{which}{number:02}").write_bytes(session)
+            assert session, f"docs/wire_protocol.md has no example of a {side}"
 
 
 if __name__ == "__main__":

@@ -4,7 +4,7 @@
 
 namespace tandem::fuzz {
 
-/// x' = u with steps of 0.1 s, up to eight in a call; saves one state.
+/// x' = u with steps of 0.1 s, up to eight in a call, or x = u where it is asked to sample; saves one state.
 class Sum final : public Subsystem {
  public:
   const SubsystemInfo& info() const override { return info_; }
@@ -20,6 +20,11 @@ class Sum final : public Subsystem {
       y.append(time_ += h)[0] = x_;
     }
     return {time_, time_ + h, time_ + h <= t_limit ? Stop::samples_full : Stop::limit};
+  }
+  Clock sample(double t, SamplePart, std::span<const double> u, std::span<double> y) override {
+    time_ = t, x_ = u[0];
+    if (!y.empty()) y[0] = x_;
+    return {time_, time_ + h, Stop::limit};
   }
   StateId save_state() override {
     saved_ = {time_, x_};

@@ -17,6 +17,10 @@ def advance(number=4, t_limit=1.0, room=100, value=0.0):
     return frame(4, number, wire.put_advance(t_limit, False, room, [tandem.constant(value)]))
 
 
+def sample():
+    return frame(14, 4, wire.put_sample(0.1, 3, [0.0]))
+
+
 HELLO = frame(1, 1, wire.put_hello(""))
 INFO = frame(2, 2)
 INITIALIZE = frame(3, 3, wire.put_initialize(0.0, 10.0, 1, [0.0]))
@@ -63,6 +67,13 @@ def serving_faults():
         ("limit_backward", OPEN + [advanced, advance(5, -3.0)], "ok"),
         ("no_room", OPEN + [advance(room=0)], "error"),
         ("room_2_to_the_64_less_1", OPEN + [advance(room=(1 << 64) - 1)], "ok"),
+        ("sample_of_what_is_not_sampled", OPEN + [sample()], "error"),
+        ("sample_of_no_part", OPEN + [put(24, "I", 0)(sample())], "error"),
+        ("sample_of_four_parts", OPEN + [put(24, "I", 4)(sample())], "error"),
+        ("sample_at_no_time", OPEN + [put(16, "d", NAN)(sample())], "error"),
+        ("sample_of_an_input_that_is_not_finite", OPEN + [put(32, "d", INFINITY)(sample())], "error"),
+        ("sample_of_no_input", OPEN + [frame(14, 4, wire.put_sample(0.1, 3, []))], "error"),
+        ("sample_before_initialize", [HELLO, INFO, frame(14, 3, wire.put_sample(0.1, 3, [0.0]))], "error"),
         ("state_never_saved", OPEN + [frame(7, 4, struct.pack("<q", 77))], "error"),
         ("bytes_left_over", OPEN + [frame(6, 4, b"more")], "error"),
     ]

@@ -107,6 +107,10 @@ std::vector<Bytes> frames_of_the_codec() {
   talk.say(Type::error, 11, [](Writer& w) { put_error(w, ErrorCode::invalid_argument, "no saved state 7"); });
   talk.say(Type::bye, 12).say(Type::bye, 12);
   talk.say(Type::info, 2, [](Writer& w) { put_info(w, pi()); });
+  talk.say(Type::initialize, 3, [](Writer& w) { put_initialize(w, {0.0, 10.0, 1, {0.5}}); });
+  Samples before(memory, 3, 1);
+  put_row(before, 0.0, {1.0});
+  talk.say(Type::samples, 3, [&](Writer& w) { put_samples(w, {0.0, 0.25, Stop::limit}, before); });
   const double w_now = 0.5, u_now = -2.0;
   talk.say(Type::sample, 4, [&](Writer& w) { put_sample(w, 0.25, SamplePart::both, {&w_now, 1}); });
   talk.say(Type::sample, 4, [&](Writer& w) { put_sampled(w, {0.25, 0.2578125, Stop::limit}, {&u_now, 1}); });
@@ -152,12 +156,12 @@ TEST(Wire, TheCodecReadsASampledSubsystemOfThePage) {
   EXPECT_EQ(info.sampling.period, 1.0 / 128);
   EXPECT_EQ(info.sampling.latency, 1.0 / 512);
   Sample request;
-  read_sample(payload(page[24]), 1, request);
+  read_sample(payload(page[26]), 1, request);
   EXPECT_EQ(request.t, 0.25);
   EXPECT_EQ(request.part, SamplePart::both);
   EXPECT_EQ(request.u, std::vector<double>{0.5});
   double u = 0.0;
-  EXPECT_EQ(read_sampled(payload(page[25]), {&u, 1}).next_time, 0.2578125);
+  EXPECT_EQ(read_sampled(payload(page[27]), {&u, 1}).next_time, 0.2578125);
   EXPECT_EQ(u, -2.0);
 }
 
@@ -215,11 +219,11 @@ TEST(Wire, APayloadThatIsCutAnywhereOrGoesOnIsRefused) {
   refuses_each_cut(page[11], [](auto p) { read_clock(p); });
   refuses_each_cut(page[10], [](auto p) { read_id(p); });
   refuses_each_cut(page[23], [](auto p) { read_info(p); });
-  refuses_each_cut(page[24], [](auto p) {
+  refuses_each_cut(page[26], [](auto p) {
     Sample request;
     read_sample(p, 1, request);
   });
-  refuses_each_cut(page[25], [](auto p) {
+  refuses_each_cut(page[27], [](auto p) {
     double y = 0.0;
     read_sampled(p, {&y, 1});
   });
@@ -273,7 +277,7 @@ TEST(Wire, SamplesThatMakeNoSenseAreRefused) {
       read_sample(payload(b), 1, request);
     };
   };
-  const Bytes& request = page[24];
+  const Bytes& request = page[26];
   EXPECT_TRUE(refuses(code, {"a t that is not finite"}, asking(with(request, at, nan))));
   for (const std::uint32_t parts : {0U, 4U, 0xffffffffU})
     EXPECT_TRUE(refuses(code, {"the parts " + std::to_string(parts), "1 to 3"},
@@ -286,9 +290,9 @@ TEST(Wire, SamplesThatMakeNoSenseAreRefused) {
   EXPECT_TRUE(refuses(code, {"period of nan s"}, told(with(page[23], held + 4, nan))));
   EXPECT_TRUE(refuses(code, {"latency of -1 s"}, told(with(page[23], held + 12, -1.0))));
   double y[2];
-  EXPECT_TRUE(refuses(code, {"1 numbers", "allowed are 2"}, [&] { read_sampled(payload(page[25]), y); }));
+  EXPECT_TRUE(refuses(code, {"1 numbers", "allowed are 2"}, [&] { read_sampled(payload(page[27]), y); }));
   EXPECT_TRUE(refuses(code, {"announces 1000000"},
-                      [&] { read_sampled(payload(with(page[25], at + 20, 1000000U)), y); }));
+                      [&] { read_sampled(payload(with(page[27], at + 20, 1000000U)), y); }));
 }
 
 TEST(Wire, RowsBeforeAnErrorComeWithIt) {
