@@ -29,6 +29,17 @@ TEST(SharedLibrary, TwoMassesWithMass2InAnyLanguageGiveTheSameBits) {
   }
 }
 
+/// Built with the header of before held outputs (tests/libraries/before), whose table is shorter.
+TEST(SharedLibrary, OneThatWasBuiltBeforeRunsAsItDid) {
+  const std::string before = "lib:" TANDEM_LIBRARY_OF_BEFORE "?" + mass2_parameters(30.7);
+  const auto info = open(before, library_sources())->info();
+  EXPECT_FALSE(info.abilities.sampled || info.holds());
+  EXPECT_TRUE(info.abilities.serializes_state);
+  for (const std::string schedule : {"slowest-first", "fastest-first", "parallel"})
+    EXPECT_TRUE(same_bits(two_masses(before, schedule),
+                          two_masses("builtin:two_mass.slow?frequency_ratio=30.7", schedule)));
+}
+
 TEST(SharedLibrary, ItsInstancesAreIndependentAndMayOutliveOneAnother) {
   const auto make = [] { return open(mass2_library("c") + mass2_parameters(), library_sources()); };
   auto first = make();

@@ -303,6 +303,46 @@ class ViewTest(unittest.TestCase):
         self.browser.key("ArrowRight")
         self.assertGreater(self.value("tandem.clock.time"), 0)
 
+    def test_a_held_output_is_drawn_in_steps(self):
+        def write(name, text):
+            with open(os.path.join(self.folder.name, name), "w", encoding="utf-8") as file:
+                file.write(text)
+
+        write("mass.toml", """name = "mass"
+inputs = { u = { unit = "N" } }
+blocks.v = { kind = "integrator", input = "u", initial = 0 }
+blocks.y = { kind = "integrator", input = "v", initial = 0 }
+outputs = { y = { unit = "m" } }
+""")
+        write("sampled.toml", f"""[subsystems.mass]
+source = "diagram:mass.toml"
+parameters = {{ step = 0.01 }}
+[subsystems.control]
+command = ["env", "PYTHONPATH={SOURCE}/transports/python", "python3", "{SOURCE}/transports/examples/pi.py"]
+parameters = {{ kp = 1, ki = 0.1, r = 1, T = 0.25, offset = 0, latency = 0 }}
+[[connections]]
+from = "mass.y"
+to = "control.y"
+reconstruction = "lagrange2"
+[[connections]]
+from = "control.u"
+to = "mass.u"
+[span]
+stop = 2
+""")
+        self.tandem("run", "sampled.toml", "--output", "sampled")
+        self.open("sampled")
+        self.value("void tandem.plots.add('control.u')")
+        steps = self.value("""tandem.plots.all.map(({ graph, columns: [{ name }] }) =>
+            [name, graph.getOption('stepPlot', `${name} (1)`)])""")
+        self.assertIn(["control.u", True], steps)
+        self.assertIn(["mass.y", False], steps)
+        held = self.value("""(() => { const u = tandem.results[0].column('control.u');
+          return [u.at(0.26), u.at(0.3), u.at(0.499), u.at(0.51)]; })()""")
+        self.assertEqual(held[0], held[1])
+        self.assertEqual(held[1], held[2])
+        self.assertNotEqual(held[2], held[3])
+
     def test_dark_and_light(self):
         self.open_four_bar()
         colour = "getComputedStyle(document.body).backgroundColor"

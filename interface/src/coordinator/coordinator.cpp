@@ -216,7 +216,18 @@ void Coordinator::check_clock(const Turn& turn, double before, std::int64_t rows
          " calls");
 }
 
+/// Of one that ended own steps at the samples of others.
+void Coordinator::note_extra_steps(int who) {
+  const Abilities& a = topology_.info(who).abilities;
+  const double fit = std::ceil((t_stop_ - t_start_) / own_step(who) - 1e-9);
+  const auto taken = effort(who).steps;
+  if (has_samples_ && !a.sampled && !a.chooses_step && static_cast<double>(taken) > fit)
+    notes_.push_back("subsystem '" + topology_.name(who) + "' took " + std::to_string(taken) +
+                     " own steps where " + number_text(fit) + " fit, as it ended some at samples of others");
+}
+
 bool Coordinator::end() {
+  for (int i = 0; i < topology_.size(); ++i) note_extra_steps(i);
   for (int i = 0; i < topology_.size(); ++i)
     if (!topology_.info(i).abilities.sampled && tolerance_.before(time(i), t_stop_))
       notes_.push_back("subsystem '" + topology_.name(i) + "' ended at t = " + number_text(time(i)) +

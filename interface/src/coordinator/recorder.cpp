@@ -110,7 +110,7 @@ void Recorder::start(double t_start) {
   if (clock_ < 0) clock_ = smallest_step();
   for (Track& track : tracks_) track.rows.reserve(doubles_reserved);
   for (Column& column : columns_)
-    if (what_.own || column.subsystem == clock_) column.fill = Fill::own;
+    if ((what_.own || column.subsystem == clock_) && column.fill != Fill::held) column.fill = Fill::own;
 }
 
 int Recorder::smallest_step() const {

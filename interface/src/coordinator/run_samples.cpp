@@ -1,30 +1,11 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 // What sampled subsystems need before a run.
 #include <algorithm>
-#include <limits>
 
 #include "run_start.hpp"
 #include "tandem/coordinator/components.hpp"
-#include "tandem/error.hpp"
 
 namespace tandem {
-
-Landing landing(std::string_view text) {
-  if (text == "automatic") return Landing::automatic;
-  if (text == "always") return Landing::always;
-  if (text == "never") return Landing::never;
-  throw Error(ErrorCode::invalid_argument,
-              "land '" + std::string(text) + "' is not one of automatic, always, never");
-}
-
-/// The shortest period at whose samples it ends a step.
-double RunStart::shortest_period(int who) const {
-  const auto asked = run_.coordination_.landing.find(topology_.name(who));
-  const Landing landing = asked == run_.coordination_.landing.end() ? Landing::automatic : asked->second;
-  if (landing == Landing::never || !topology_.info(who).abilities.lands)
-    return std::numeric_limits<double>::infinity();
-  return landing == Landing::always ? 0.0 : run_.own_step(who);
-}
 
 void RunStart::note_times(double communication_step) {
   times_.memory = run_.own_steps_;
@@ -38,18 +19,6 @@ void RunStart::note_times(double communication_step) {
     for (const int who : {line.source, line.reader})
       if (!sampled(who) && lands(line) && !topology_.info(who).abilities.chooses_step)
         times_.nearest[static_cast<std::size_t>(who)] = run_.own_step(who) / 2.0;
-}
-
-/// Whether the one end of a line that integrates itself ends a step at each instant of the other.
-bool RunStart::lands(const Line& line) const {
-  const int who = sampled(line.reader) ? line.source : line.reader,
-            other = sampled(line.reader) ? line.reader : line.source;
-  const auto same_loop = [&] {
-    return times_.loop[static_cast<std::size_t>(who)] == times_.loop[static_cast<std::size_t>(other)];
-  };
-  return !sampled(who) && sampled(other) &&
-         topology_.info(other).sampling.period >= times_.shortest_period[static_cast<std::size_t>(who)] &&
-         (who == line.reader || same_loop());
 }
 
 std::vector<Read> RunStart::reads() const {

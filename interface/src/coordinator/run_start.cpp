@@ -33,6 +33,7 @@ void RunStart::make() {
   measure_batches();
   open_exchange(std::vector<int>(run_.own_steps_.size()));
   note_without_effect();
+  note_landing();
   run_.start_ = choose();
   if (run_.start_ == StartKind::derivatives) seed();
   if (run_.start_ == StartKind::repeat) repeat();

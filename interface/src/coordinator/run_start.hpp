@@ -23,7 +23,12 @@ class RunStart {
   int slowest() const;
   void note_times(double communication_step);
   double shortest_period(int who) const;
+  Landing landing_of(int who) const;
+  bool meets_samples(const Line& line) const;
   bool lands(const Line& line) const;
+  void note_landing() const;
+  void note_missed(int who, const std::vector<int>& others) const;
+  void note_multiplied(int who, const std::vector<int>& others) const;
   std::vector<Member> members() const;
   std::vector<Read> reads() const;
   void note_samples(const std::vector<Read>& reads);

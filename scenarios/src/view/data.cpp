@@ -18,6 +18,7 @@ using Json = nlohmann::ordered_json;
 Json column(const Run& run, const std::string& name, const std::vector<double>& values,
             const Thinning& thinning) {
   Json json{{"name", name}, {"unit", run.unit(name)}};
+  if (run.held(name)) json["held"] = true;
   if (drawn_only(run, name)) {
     const auto kept = thinning.ends(values);
     json["position"] = true;

@@ -70,6 +70,11 @@ std::string Run::unit(const std::string& column) const {
   return units == about.end() ? "" : units->value(column, "");
 }
 
+bool Run::held(const std::string& column) const {
+  const auto how = about.find("interpolation");
+  return how != about.end() && how->value(column, "") == "held";
+}
+
 Run read_run(const fs::path& place) {
   Run run{place, nlohmann::json::object(), {}, {}, {}};
   if (!fs::exists(place))

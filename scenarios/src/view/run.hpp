@@ -28,6 +28,7 @@ struct Run {
   std::vector<RunMechanism> mechanisms;
 
   std::string unit(const std::string& column) const;  ///< empty if it is not known
+  bool held(const std::string& column) const;          ///< constant from row to row
   bool has(const std::string& column) const { return columns.contains(column); }
 };
 

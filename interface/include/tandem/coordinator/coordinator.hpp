@@ -107,6 +107,7 @@ class Coordinator {
   void keep(const Turn& turn);
   void check_seat(int who, const ByteReader& from) const;
   void restore_state(int who, std::span<const std::byte> bytes, const ByteReader& from);
+  void note_extra_steps(int who);
   bool end();
 
   const Topology& topology_;

@@ -15,6 +15,7 @@ class Column {
     this.name = json.name;
     this.unit = json.unit;
     this.position = json.position === true; // only the drawing needs it
+    this.held = json.held === true; // constant from row to row
     this.table = table;
     this.json = json;
   }
@@ -24,11 +25,11 @@ class Column {
     return this.unpacked;
   }
 
-  /** Linear between rows; NaN beyond them and beside an empty cell. */
+  /** Linear between rows, or held; NaN beyond them and beside an empty cell. */
   at(t) {
     const { row, share } = this.table.place(t);
     if (row < 0) return NaN;
-    return share === 0 ? this.values[row] : (1 - share) * this.values[row] + share * this.values[row + 1];
+    return share === 0 || this.held ? this.values[row] : (1 - share) * this.values[row] + share * this.values[row + 1];
   }
 }
 

@@ -51,7 +51,8 @@ class Plot {
     const rows = this.differs ? differenceOf(columns) : rowsOf(columns);
     const labels = this.differs ? ['difference'] : columns.map((column, k) => `${column.name} (${k + 1})`);
     this.range = extent(rows);
-    this.graph = new Dygraph(this.body, rows, { ...this.look(columns), labels: ['t', ...labels] });
+    const steps = labels.map((label, k) => [label, { stepPlot: this.differs ? columns.every((c) => c.held) : columns[k].held }]);
+    this.graph = new Dygraph(this.body, rows, { ...this.look(columns), labels: ['t', ...labels], series: Object.fromEntries(steps) });
     this.width = this.body.clientWidth;
     this.body.append(this.cursor);
     this.update(this.plots.clock);
