@@ -74,8 +74,9 @@ class CallersStruct final : public tandem::mbs::OctaveStruct {
       refuse(field + " is no full real matrix");
     take(array, values);
   }
-  void call(tandem::mbs::Term term, const std::string& what, double t, const double* q, const double* v,
-            Values& values) override {
+  void call(  // NOLINT(readability-function-size): the interface has six
+      tandem::mbs::Term term, const std::string& what, double t, const double* q, const double* v,
+      Values& values) override {
     const std::string field(name(term));
     Array time, positions, velocities;
     mxArray* in[] = {mxGetField(model_, 0, field.c_str()), nullptr, nullptr, nullptr};

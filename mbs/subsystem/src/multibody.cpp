@@ -102,7 +102,7 @@ void Multibody::outputs(double* y) const {
   Outputs& outputs = machine_->outputs;
   outputs.evaluate(moving_.state(), y);
   for (int order = 1; order <= machine_->derivatives; ++order)
-    outputs.derivatives(moving_.state(), order, y + order * outputs.size());
+    outputs.derivatives(moving_.state(), order, y + std::ptrdiff_t{order} * outputs.size());
   if (!unknown_.empty()) hide_unknown(y);
 }
 

@@ -88,7 +88,7 @@ TangentProblem tangent_problem(const TangentRequest& request) {
   std::vector<double> phi(static_cast<std::size_t>(s.constraints));
   linkage.constraints(linkage.described_state().q.data(), phi.data(), jacobian.values.data());
 
-  std::mt19937 random(1);
+  std::mt19937 random(1);  // NOLINT(cert-msc32-c,cert-msc51-cpp): the same problem each time
   Values a;
   const auto mass = s.mass.pattern.entries();
   for (std::size_t k = 0; k < mass.size(); ++k) a[{mass[k].second, mass[k].first}] = s.mass.values[k];

@@ -117,7 +117,7 @@ std::string Picture::script() const { return head_ + data_ + commands_ + "unset 
 std::filesystem::path Picture::draw(const std::filesystem::path& folder, Format format) const {
   const std::string script_file = name_ + ".gp", ending = format == Format::svg ? "svg" : "png";
   output::write_text(folder / script_file, script());
-  const std::filesystem::path file = folder / (name_ + "." + ending);
+  std::filesystem::path file = folder / (name_ + "." + ending);
   if (std::filesystem::exists(file))
     OutputFile(file, OutputFile::Begin::kept);  // gnuplot would wait at a FIFO
   run_program({"gnuplot", "-e", "format='" + ending + "'", script_file}, folder,

@@ -86,8 +86,8 @@ std::vector<KartLevel> read_kart_traces(const std::filesystem::path& file) {
     for (const char* c : columns) run.columns[c].push_back({row.number("time"), row.number(c)});
   }
   for (KartLevel& level : levels)
-    for (auto& [name, run] : level.runs)
-      std::erase_if(run.columns, [](const auto& column) { return empty(column.second); });
+    for (auto& named : level.runs)
+      std::erase_if(named.second.columns, [](const auto& column) { return empty(column.second); });
   return levels;
 }
 

@@ -67,8 +67,9 @@ class Sheet {
   }
   Box legend() const { return {0.03, 0.97, part(height() - 126.0), part(height() - 45.0)}; }
   Box panel(std::size_t k) const {
+    const std::size_t line = k / 2;
     const double left = k % 2 == 0 ? 0.07 : 0.56, width = columns_ > 1 ? 0.41 : 0.9,
-                 top = height() - above - (panel_ + between) * static_cast<double>(k / 2);
+                 top = height() - above - (panel_ + between) * static_cast<double>(line);
     return {left, left + width, part(top - panel_), part(top)};
   }
 

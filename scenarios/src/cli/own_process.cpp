@@ -26,7 +26,7 @@ namespace {
 std::string last_line(int pipe) {
   std::string text;
   std::array<char, 4096> part{};
-  for (ssize_t count; (count = ::read(pipe, part.data(), part.size())) != 0;) {
+  for (ssize_t count = 0; (count = ::read(pipe, part.data(), part.size())) != 0;) {
     if (count > 0) text.append(part.data(), static_cast<std::size_t>(count));
     if (count < 0 && errno != EINTR) break;
   }
