@@ -2,12 +2,15 @@
 // What a turn costs among many subsystems.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
 
 #include "bench/bench.hpp"
 #include "tandem/coordinator/coordinator.hpp"
+#include "tandem/sampled.hpp"
 
 namespace tandem::bench {
 namespace {
@@ -45,16 +48,39 @@ class Partner final : public Subsystem {
   TimeGrid grid_;
 };
 
+constexpr double fast_step = 2e-5;  // s
+
+/// Samples its inputs at each step of a fast partner.
+class Controller {
+ public:
+  SubsystemInfo info() const { return {"null", {{"u", "1", signals}}, {{"y", "1", signals}}, {}, {}}; }
+  double own_step() const { return fast_step; }
+  void start(double, std::span<const double>) { y_.fill(1.0); }
+  void outputs(double* y) const { std::copy(y_.begin(), y_.end(), y); }
+  void step(const OwnStep& own, std::span<const Signal> u) {
+    for (std::size_t k = 0; k < y_.size(); ++k) y_[k] = 1.0 + 0.01 * u[k].value(own.begin);
+  }
+
+ private:
+  std::array<double, signals> y_{};
+};
+
 /// pairs: 2k and 2k + 1 read each other; ring: each reads the one before it; hub: 0 and each other one read
-/// each other.
+/// each other; sampled: 3k, which is slow, and 3k + 1, which is fast, read each other, and so do 3k + 1 and
+/// 3k + 2, a controller.
 class Network {
  public:
   Network(const std::string& topology, const std::string& schedule, int count) {
-    for (int i = 0; i < count; ++i) add(i, topology == "hub" && i == 0 ? count - 1 : 1);
+    for (int i = 0; i < count; ++i)
+      if (topology == "sampled" && i % 3 != 0)
+        add_fast(i);
+      else
+        add(i, topology == "hub" && i == 0 ? count - 1 : 1);
     for (int i = 0; i < count; ++i) {
       if (topology == "ring") connect((i + count - 1) % count, i, 0);
       if (topology == "pairs") connect(i ^ 1, i, 0);
       if (topology == "hub" && i > 0) connect(0, i, 0), connect(i, 0, i - 1);
+      if (topology == "sampled" && i % 3 > 0) connect(i - 1, i, 0), connect(i, i - 1, i % 3 - 1);
     }
     topology_.check();
     std::vector<Subsystem*> pointers;
@@ -79,14 +105,22 @@ class Network {
     partners_.push_back(std::make_unique<Partner>(sources, 1e-3 * (1.0 + part)));
     topology_.add("s" + std::to_string(i), partners_.back()->info());
   }
+  void add_fast(int i) {
+    if (i % 3 == 1)
+      partners_.push_back(std::make_unique<Partner>(2, fast_step));
+    else
+      partners_.push_back(std::make_unique<Sampled<Controller>>(Controller()));
+    topology_.add("s" + std::to_string(i), partners_.back()->info());
+  }
   void connect(int source, int reader, int place) {
+    const bool held = topology_.info(source).abilities.sampled;
     for (int k = 0; k < signals; ++k)
       topology_.connect({fmt::format("s{}.y[{}]", source, k),
                          fmt::format("s{}.u[{}]", reader, signals * place + k),
-                         Reconstruction::parse("lagrange3")});
+                         held ? Reconstruction{} : Reconstruction::parse("lagrange3")});
   }
 
-  std::vector<std::unique_ptr<Partner>> partners_;
+  std::vector<std::unique_ptr<Subsystem>> partners_;
   Topology topology_;
   std::optional<Coordinator> run_;
 };
@@ -102,6 +136,8 @@ std::vector<NetworkSetting> network_settings() {
   for (const char* schedule : {"slowest-first", "parallel"})
     for (const char* topology : {"pairs", "ring", "hub"})
       for (const int count : {2, 20, 200, 2000, 20000}) all.push_back({topology, schedule, count});
+  for (const char* schedule : {"slowest-first", "parallel"})
+    for (const int count : {3, 30, 300, 3000}) all.push_back({"sampled", schedule, count});
   return all;
 }
 
