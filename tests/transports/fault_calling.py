@@ -1,6 +1,7 @@
 # Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 """Faults of a server, as `tandem run` finds it."""
 
+import contextlib
 import os
 import shutil
 import signal
@@ -136,14 +137,19 @@ class Caller:
         return lines[-1] == "" and len({line.count(",") for line in lines[:-1]}) <= 1
 
     def against(self, kind, listen, at=0, fault=None, says="", call=None):
-        """A server of a process of its own, where listen() gives its listener; says: as in run(), which is `call`."""
+        """A server of a process of its own, where listen() gives its listener; says: as in run(), which is `call`.
+        It serves three, as the first who come may be strangers that look for an earlier owner of the port."""
         place, told = os.pipe()
+
+        def serve_one(listener):
+            with contextlib.suppress(tandem.Error, OSError):
+                serving.Session(Faulty(listener.accept(), at, fault), make).serve()
 
         def work():
             listener = listen()
             os.write(told, listener.uri.encode())
-            channel = Faulty(listener.accept(), at, fault)
-            serving.Session(channel, make).serve()
+            for _ in range(3):
+                serve_one(listener)
 
         server = in_a_process(work)
         os.close(told)
@@ -165,9 +171,9 @@ class Caller:
         transport = self.transport
         self.against("session_ended_by_the_server", transport.listener, REPLIES["advance"], say_farewell, FAREWELL)
         self.strangers_texts()
-        nobody, uri = transport.plain_listener()
-        nobody.close()
-        self.run("refused", f"{uri}?{transport.query}")
+        nobody, uri = transport.plain_place()
+        with nobody:  # keeps the port from others, and does not listen
+            self.run("refused", f"{uri}?{transport.query}")
         mute, uri = transport.plain_listener()
         with mute:
             self.run("silent_peer", f"{uri}?{transport.query}")
@@ -244,8 +250,6 @@ def in_a_process(work):
     if process == 0:
         try:
             work()
-        except (tandem.Error, OSError):
-            pass
         finally:
             os._exit(0)
     return process

@@ -77,16 +77,22 @@ class Stream:
         path = os.path.join(self._folder, f"socket{time.monotonic_ns()}")
         return self.local + path if self.local else f"{self.remote}127.0.0.1:0"
 
-    def plain_listener(self):
-        """An open socket, with its URI."""
+    def plain_place(self):
+        """A socket that has an address and does not listen, with its URI."""
         if self.local:
             uri = self.free_address()
             sock = socket.socket(socket.AF_UNIX)
             sock.bind(uri[len(self.local):])
-            sock.listen()
             return sock, uri
-        sock = socket.create_server(("127.0.0.1", 0))
+        sock = socket.socket()
+        sock.bind(("127.0.0.1", 0))
         return sock, f"{self.remote}127.0.0.1:{sock.getsockname()[1]}"
+
+    def plain_listener(self):
+        """An open socket, with its URI."""
+        sock, uri = self.plain_place()
+        sock.listen()
+        return sock, uri
 
     def listener(self):
         """With the members uri, and accept() for a session's channel."""

@@ -4,6 +4,7 @@
 #include <arpa/inet.h>
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -204,6 +205,39 @@ TEST(ZeroMqStrangers, TakeNoPlaceBeforeThePeerIsThere) {
   peer.close();
   EXPECT_TRUE(session->wait(wire::in_seconds(5.0)));
   EXPECT_TRUE(session->receive(wire::in_seconds(5.0)).empty());
+}
+
+/// A listening socket at a port of this machine that was just given up.
+int listen_at(int port) {
+  sockaddr_in place{};
+  place.sin_family = AF_INET;
+  place.sin_port = htons(static_cast<std::uint16_t>(port));
+  place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  const int socket = ::socket(AF_INET, SOCK_STREAM, 0), yes = 1;
+  ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+  EXPECT_EQ(::bind(socket, reinterpret_cast<sockaddr*>(&place), sizeof place), 0);
+  EXPECT_EQ(::listen(socket, 5), 0);
+  return socket;
+}
+
+/// A client of ZeroMQ would connect again by itself, and send them what it has not yet sent.
+TEST(ZeroMqStrangers, WhoTakeTheServersPortGetNothingOfItsClients) {
+  const auto listener = zmq_listen("tcp://127.0.0.1:0", {});
+  std::unique_ptr<wire::Channel> client;
+  std::thread calling([&] { client = zmq_connect(listener->address().substr(4), {}); });
+  auto session = listener->accept(wire::in_seconds(5.0));
+  calling.join();
+  ASSERT_TRUE(session && client);
+  const std::byte word[1] = {};
+  client->send(word, wire::in_seconds(5.0));
+  EXPECT_FALSE(session->receive(wire::in_seconds(5.0)).empty());
+  const std::string address = session->peer();
+  session.reset();
+  EXPECT_TRUE(client->wait(wire::in_seconds(5.0)));
+  const int stranger = listen_at(std::stoi(address.substr(address.rfind(':') + 1)));
+  pollfd there{stranger, POLLIN, 0};
+  EXPECT_EQ(::poll(&there, 1, 500), 0) << "a client tries again after 0.1 s";
+  ::close(stranger);
 }
 
 /// As it was before there were tokens.

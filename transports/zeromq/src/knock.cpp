@@ -151,6 +151,7 @@ std::unique_ptr<wire::Channel> zmq_connect(const std::string& address, const Zmq
     zmq::socket_t socket(zeromq::context(), zmq::socket_type::dealer);
     zeromq::secure(socket, settings);
     socket.set(zmq::sockopt::routing_id, token);
+    socket.set(zmq::sockopt::reconnect_ivl, -1);  // whoever takes the port after the session is not its peer
     zeromq::connect_to(socket, place);
     return std::make_unique<zeromq::ZmqChannel>(std::move(socket), "zmq:" + address);
   } catch (const zmq::error_t& error) {
