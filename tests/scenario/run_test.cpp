@@ -74,6 +74,30 @@ TEST(RunCommand, ProfileGivesTheSecondsOfEachPart) {
   EXPECT_TRUE(machine["coordinator"].contains("seconds"));
 }
 
+TEST(RunCommand, OneThatDivergesEndsWithItsRowsKept) {
+  const Scratch folder;
+  const std::vector<std::string> words = {"run", two_mass_file("two_mass.toml"), "--no-reference", "--set",
+                                          "parameters.frequency_ratio=120"};
+  const Said said = tandem(folder, words);
+  EXPECT_EQ(said.status, 1);
+  EXPECT_TRUE(test::contains(said.err, "'slow' diverged: it gave v2 = ")) << said.err;
+  const auto json = json_of(folder.path() / "results/two_mass/results.json");
+  EXPECT_EQ(json["status"], "diverged");
+  EXPECT_TRUE(test::contains(json["message"], "at t = 73.2 s; allowed is up to "));
+  EXPECT_EQ(TimeTable::read(folder.path() / "results/two_mass").times.back(), 72.0);
+  auto lifted = words;
+  lifted.insert(lifted.end(), {"--set", "span.diverged_beyond=inf", "--output", "lifted"});
+  EXPECT_EQ(tandem(folder, lifted).status, 0);
+  EXPECT_EQ(json_of(folder.path() / "lifted/results.json")["status"], "ok");
+  for (const char* wrong : {"1.0", "-3.0", "nan", "\"far\""}) {
+    auto refused = words;
+    refused.insert(refused.end(), {"--set", std::string("span.diverged_beyond=") + wrong});
+    const Said answer = tandem(folder, refused);
+    EXPECT_EQ(answer.status, 2) << wrong;
+    EXPECT_TRUE(test::contains(answer.err, "a number above 1, or inf")) << answer.err;
+  }
+}
+
 TEST(RunCommand, TwoRunsAreEqualToTheLastByte) {
   const Scratch folder;
   for (const char* name : {"a", "b"})
@@ -148,7 +172,8 @@ TEST(RunCommand, RefusesAReferenceThatNothingRecordedCanBeComparedWith) {
 TEST(RunCommand, ARunThatFailsKeepsItsResultsAndHasStatusOne) {
   const Scratch folder;
   const Said said = tandem(folder, {"run", two_mass_file("real_loop_memory.toml"), "--output", "o", "--set",
-                                    "parameters.carried_mass=1.2", "--set", "span.stop=1000"});
+                                    "parameters.carried_mass=1.2", "--set", "span.stop=1000", "--set",
+                                    "span.diverged_beyond=inf"});
   EXPECT_EQ(said.status, 1);
   EXPECT_NE(said.err.find("real_loop_memory.toml: subsystem"), std::string::npos) << said.err;
   EXPECT_NE(said.err.find("not finite at t = "), std::string::npos) << said.err;

@@ -18,6 +18,7 @@ struct Port {
   double start =
       std::numeric_limits<double>::quiet_NaN();  ///< of an input: its value when nothing else is known
   bool held = false;  ///< of an output: constant from each of its samples, that instant included, to the next
+  double nominal = 1.0;  ///< of an output: its usual magnitude, in its unit
 };
 
 /// Which port a scalar of the flattened numbering belongs to.

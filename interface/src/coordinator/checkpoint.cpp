@@ -28,6 +28,7 @@ bool all_finite(std::span<const double> values) {
 void History::write(ByteWriter& to) const {
   for (const std::int64_t number : {base_, committed_, seeds_, capacity_}) to.put(number);
   to.put_list({data_.data(), static_cast<std::size_t>(samples_.size() * stride_)});
+  bounds_.write(to);
 }
 
 /// The capacity of the other run is not taken over: memory grows anew as far as these rows, which are there,
@@ -37,6 +38,7 @@ void History::read(ByteReader& from) {
              seeds = from.take<std::int64_t>();
   from.take<std::int64_t>();  // the capacity
   const auto rows = from.take_list();
+  bounds_.read(from);
   const auto count = static_cast<std::int64_t>(rows.size()) / stride_;
   if (static_cast<std::int64_t>(rows.size()) != count * stride_ || count < 1 || base < 0 ||
       base > most_rows || committed != base + count || seeds < 0 || seeds > committed || !are_rows(rows))

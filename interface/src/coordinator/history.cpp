@@ -21,7 +21,8 @@ History::History(std::string name, const SubsystemInfo& info, std::int64_t capac
       stride_(info.row_size()),
       capacity_(std::max(capacity, min_capacity)),
       data_(static_cast<std::size_t>(capacity_ * stride_)),
-      samples_(data_.data(), stride_, capacity_) {}
+      samples_(data_.data(), stride_, capacity_),
+      bounds_(info) {}
 
 /// The call that gave the rows began at the one before them; without one it was the start.
 void History::fail(const NewRows& rows, double t_limit, const std::string& what) const {
@@ -33,7 +34,7 @@ void History::fail(const NewRows& rows, double t_limit, const std::string& what)
 
 /// Throws if there is something wrong with the next row. (The first row and one after a jump have no earlier
 /// time.)
-void History::check(const NewRows& rows, double t_limit, const TimeTolerance& tolerance) const {
+void History::check(const NewRows& rows, double t_limit, const TimeTolerance& tolerance) {
   const std::int64_t row = committed_;
   const double t = time(row);
   const auto y = values(row);
@@ -48,6 +49,7 @@ void History::check(const NewRows& rows, double t_limit, const TimeTolerance& to
          "it gave " + value + (column >= outputs_ ? " (a derivative)" : "") +
              " not finite at t = " + number_text(t) + " s");
   }
+  bounds_.check(name_, t, y);
   if (tolerance.before(t_limit, t))
     fail(rows, t_limit,
          "it gave a sample at t = " + number_text(t) + " s, past its limit " + number_text(t_limit) + " s");

@@ -163,6 +163,7 @@ void RunStart::open_exchange(const std::vector<int>& seeds) {
   run_.exchange_.emplace(topology_, run_.tolerance_, times_, capacities());
   for (int i = 0; i < topology_.size(); ++i) {
     History& history = run_.exchange_->history(i);
+    history.watch(run_.t_start_ + (run_.t_stop_ - run_.t_start_) / 100.0, run_.coordination_.diverged_beyond);
     const auto& row = rows_[static_cast<std::size_t>(i)];
     std::copy(row.begin(), row.end(), history.room().append(run_.t_start_));
     if (const int count = seeds[static_cast<std::size_t>(i)]; count > 0) {

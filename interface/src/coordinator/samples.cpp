@@ -71,7 +71,10 @@ void Coordinator::give(int who) {
   if (!again && !history.has_room(1)) exchange_->make_room(who, 1);
   double* const to = again ? history.newest_values() : history.room().append(t, t == newest);
   std::copy(y.begin(), y.end(), to);
-  if (again) return exchange_->remake_newest(who);
+  if (again) {
+    history.check_newest();
+    return exchange_->remake_newest(who);
+  }
   exchange_->commit(who, t);
   if (acts_[static_cast<std::size_t>(who)] != 0) acts_[static_cast<std::size_t>(who)] = 2;
 }

@@ -118,6 +118,8 @@ class Run {
         if (const double now = progress.seconds(); now >= flush_at) recorder_->flush(), flush_at = now + 1.0;
       }
       if (InterruptGuard::interrupted()) interrupted(slowest_time(run));
+    } catch (const Diverged& error) {
+      fail("diverged", error.what());
     } catch (const std::exception& error) {
       fail("failed", scenario::with_address(scenario_, context_.builtins, sentence_of(error)));
     }

@@ -11,7 +11,7 @@ namespace tandem::scenario {
 
 /// How a run ended.
 struct RunEnd {
-  std::string status = "ok";  ///< "ok", "failed" or "interrupted"
+  std::string status = "ok";  ///< "ok", "failed", "diverged" or "interrupted"
   std::string message;        ///< of a run that did not come to its end
   double seconds = 0.0;       ///< of the stepping loop, with the recording
 };

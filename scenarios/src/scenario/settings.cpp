@@ -68,11 +68,21 @@ void read_coordination(Section section, Scenario& to) {
   if (section.node("order")) check_order(section, to);
 }
 
+double diverged_beyond(Section& section) {
+  const toml::node* found = section.node("diverged_beyond");
+  if (!found) return Coordination{}.diverged_beyond;
+  const auto times = found->value<double>();
+  if (!times || !(*times > 1.0))
+    section.wrong("diverged_beyond", described(*found), "a number above 1, or inf");
+  return *times;
+}
+
 void read_span(Section section, Scenario& to) {
   note_places(section, {"start", "stop"}, to);
   to.start = section.number("start").value_or(0.0);
   const auto stop = section.number("stop");
   if (!stop) section.missing("stop", "a time in s after span.start");
+  to.coordination.diverged_beyond = diverged_beyond(section);
   section.refuse_unknown();
   to.stop = *stop;
   const toml::node* start = section.node("start");

@@ -2,6 +2,7 @@
 #include "two_mass/experiment.hpp"
 
 #include <chrono>
+#include <limits>
 #include <memory>
 
 #include "tandem/error.hpp"
@@ -30,6 +31,7 @@ class Run {
     topology_.check();
     Coordination coordination;
     coordination.profile = profile;
+    coordination.diverged_beyond = std::numeric_limits<double>::infinity();  // Measures ends it
     if (!c.scheme.monolithic()) coordination.schedule = Schedule::parse(c.scheme.schedule);
     std::vector<Subsystem*> members;
     for (const auto& s : subsystems_) members.push_back(s.get());

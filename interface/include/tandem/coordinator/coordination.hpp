@@ -44,6 +44,9 @@ struct Coordination {
   std::optional<double>
       communication_step;  ///< [s], for parallel and for delays; default: the nodes of the largest own step
   StartKind start = StartKind::automatic;
+  /// A run ends (Diverged) where an output grows beyond so many times the largest of its magnitude in the
+  /// first hundredth of the span, its port's nominal value and 1; above 1, infinite: never.
+  double diverged_beyond = 1e8;
   bool profile = false;  ///< read the clock before and after each call of a subsystem
 };
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tandem/bytes.hpp"
+#include "tandem/coordinator/bounds.hpp"
 #include "tandem/subsystem.hpp"
 #include "tandem/time_grid.hpp"
 
@@ -29,11 +30,15 @@ class History {
   History(History&&) = default;
   History& operator=(History&&) = default;
 
+  /// See Bounds. Before the first commit().
+  void watch(double until, double beyond) { bounds_.watch(until, beyond); }
+
   /// Where the subsystem appends. make_room() first.
   Samples& room() { return samples_; }
-  /// Makes the appended rows visible, after checking that their values are finite, that jump flags are 0 or
-  /// 1, that times rise (a jump may repeat a time) and that none is past t_limit, that of the advance which
-  /// gave them, by more than the tolerance. Throws Error naming subsystem, call, port and time.
+  /// Makes the appended rows visible, after checking that their values are finite and within their bounds,
+  /// that jump flags are 0 or 1, that times rise (a jump may repeat a time) and that none is past t_limit,
+  /// that of the advance which gave them, by more than the tolerance. Throws Error naming subsystem, call,
+  /// port and time.
   NewRows commit(double t_limit, const TimeTolerance& tolerance) {
     const NewRows rows{row(committed_), base_ + samples_.size() - committed_};
     const double* y = rows.first;
@@ -53,8 +58,9 @@ class History {
   /// earlier.
   const double* row(std::int64_t row) const { return data_.data() + (row - base_) * stride_; }
   std::int64_t stride() const { return stride_; }
-  /// The values of the newest row, which is of a sampled subsystem, to be given anew.
+  /// The values of the newest row, which is of a sampled subsystem, to be given anew, and checked then.
   double* newest_values() { return data_.data() + (newest() - base_) * stride_ + Samples::header; }
+  void check_newest() { bounds_.check(name_, time(newest()), values(newest())); }
   int outputs() const { return outputs_; }
   int derivatives() const { return derivatives_; }
 
@@ -81,11 +87,9 @@ class History {
   /// Nothing is wrong with the row, which comes later than the one before it. (False for the first row and
   /// for a jump.)
   bool plain(const double* y, double t_limit) const {
-    double zero = 0.0;  // NaN if there is one, or an infinity, among the values
-    for (std::int64_t k = Samples::header; k < stride_; ++k) zero += y[k] - y[k];
-    return zero == 0.0 && y[1] == 0.0 && y[0] <= t_limit && committed_ > base_ && y[0] > y[-stride_];
+    return bounds_.pass(y + Samples::header) && y[1] == 0.0 && y[0] <= t_limit && committed_ > base_ && y[0] > y[-stride_];
   }
-  void check(const NewRows& rows, double t_limit, const TimeTolerance& tolerance) const;
+  void check(const NewRows& rows, double t_limit, const TimeTolerance& tolerance);
   [[noreturn]] void fail(const NewRows& rows, double t_limit, const std::string& what) const;
   bool are_rows(std::span<const double> rows) const;
   double taylor(const std::vector<double>& sample, int column, double s) const;
@@ -98,6 +102,7 @@ class History {
   std::int64_t base_ = 0, committed_ = 0, seeds_ = 0;
   std::vector<double> data_;
   Samples samples_;
+  Bounds bounds_;
 };
 
 }  // namespace tandem

@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/coordinator/bounds.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "../number_text.hpp"
+
+namespace tandem {
+namespace {
+constexpr double largest = std::numeric_limits<double>::max();
+}
+
+Bounds::Bounds(const SubsystemInfo& info)
+    : info_(&info), most_(static_cast<std::size_t>(info.row_size() - Samples::header), largest) {}
+
+void Bounds::watch(double until, double beyond) {
+  if (!std::isfinite(beyond)) return;
+  learning_ = true, until_ = until, beyond_ = beyond;
+  std::fill_n(most_.begin(), info_->output_size(), 0.0);
+}
+
+void Bounds::settle() {
+  learning_ = false;
+  for (int k = 0; k < info_->output_size(); ++k) {
+    double& most = most_[static_cast<std::size_t>(k)];
+    const double nominal = std::abs(scalar_at(info_->outputs, k).port->nominal);
+    most = std::min(beyond_ * std::max({most, nominal, 1.0}), largest);
+  }
+}
+
+void Bounds::check(const std::string& subsystem, double t, std::span<const double> values) {
+  if (learning_ && t > until_) settle();
+  for (int k = 0; k < info_->output_size(); ++k) {
+    double& most = most_[static_cast<std::size_t>(k)];
+    const double value = values[static_cast<std::size_t>(k)];
+    if (learning_) most = std::max(most, std::abs(value));
+    if (std::abs(value) <= most) continue;
+    throw Diverged("subsystem '" + subsystem + "' diverged: it gave " + scalar_at(info_->outputs, k).name() +
+                   " = " + number_text(value) + " at t = " + number_text(t) + " s; allowed is up to " +
+                   number_text(most) + ", " + number_text(beyond_) +
+                   " (span.diverged_beyond) times the largest of its magnitude in the first hundredth of the "
+                   "span, its nominal value and 1");
+  }
+}
+
+void Bounds::write(ByteWriter& to) const {
+  to.put(std::uint8_t{learning_});
+  to.put_list(most_);
+}
+
+void Bounds::read(ByteReader& from) {
+  learning_ = from.take<std::uint8_t>() != 0;
+  from.take_list(most_);
+  if (!std::all_of(most_.begin(), most_.end(), [](double m) { return m >= 0.0 && m <= largest; }))
+    from.refuse("has bounds of outputs that are not finite numbers from 0 on");
+}
+
+}  // namespace tandem
