@@ -26,6 +26,7 @@ std::uint32_t to_bits(const SubsystemInfo& info) {
   add(a.serializes_state, TANDEM_SERIALIZES_STATE);
   add(a.sampled, TANDEM_SAMPLED);
   add(info.holds(), TANDEM_HOLDS);
+  add(a.events, TANDEM_EVENTS);
   return bits;
 }
 
@@ -33,7 +34,7 @@ Abilities abilities_from(std::uint32_t bits) {
   const auto has = [bits](std::uint32_t bit) { return (bits & bit) != 0; };
   return {has(TANDEM_CHOOSES_STEP), has(TANDEM_LANDS),           has(TANDEM_SAVES_STATE),
           has(TANDEM_RESTARTS),     has(TANDEM_REACTIVE_INPUTS), has(TANDEM_SERIALIZES_STATE),
-          has(TANDEM_SAMPLED)};
+          has(TANDEM_SAMPLED),      has(TANDEM_EVENTS)};
 }
 
 std::string Scalar::name() const {

@@ -15,7 +15,7 @@ struct Walker {
   char name;
   double own_step;
   bool lands = false;
-  bool reads_mean = false;
+  bool one_step = false;
   double finishes = 1e300;  ///< takes no step that ends past this
 };
 
@@ -49,7 +49,7 @@ class ScheduleBench {
     const auto k = static_cast<std::size_t>(i);
     const Walker& w = walkers_[k];
     const double next = done(k) ? 1e300 : w.lands ? std::min(grids_[k].next(), t_stop_) : grids_[k].next();
-    return {.time = time(i), .next = next, .lands = w.lands, .reads_mean = w.reads_mean};
+    return {.time = time(i), .next = next, .lands = w.lands, .one_step = w.one_step};
   }
 
   /// Takes a turn, as FixedStep does; in parallel this is all the calls of a round.
@@ -83,7 +83,7 @@ class ScheduleBench {
  private:
   static std::vector<Member> members(const std::vector<Walker>& walkers) {
     std::vector<Member> all;
-    for (const Walker& w : walkers) all.push_back({.lands = w.lands, .reads_mean = w.reads_mean});
+    for (const Walker& w : walkers) all.push_back({.lands = w.lands, .one_step = w.one_step});
     return all;
   }
   bool done(std::size_t i) const { return tolerance_.before(walkers_[i].finishes, grids_[i].next()); }

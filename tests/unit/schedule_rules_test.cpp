@@ -47,7 +47,7 @@ struct Rules {
     for (std::size_t q = first_behind(); q != p; q = first_behind()) p = q;
     const double next = clocks[p].next;
     double limit = std::min(shortest(t_stop, 0, p, &Member::time), shortest(t_stop, p + 1, n, &Member::next));
-    if (clocks[p].reads_mean) limit = next;
+    if (clocks[p].one_step) limit = next;
     return std::pair{p, std::max(next, std::min(t_stop, limit))};
   }
 
@@ -175,7 +175,7 @@ TEST(ScheduleRules, HoldForClocksThatNoRunWouldReach) {
                             (1.0 + 2e-16 * std::floor(3.0 * uniform(random)));
       m.lands = uniform(random) < 0.5;
       if (m.lands) m.next = std::min(m.next, t_stop);
-      m.reads_mean = uniform(random) < 0.2;
+      m.one_step = uniform(random) < 0.2;
     }
     std::vector<int> order(members.size());
     for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<int>(k);

@@ -1,8 +1,11 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <algorithm>
+#include <concepts>
 #include <span>
 #include <utility>
 
+#include "tandem/jumps.hpp"
 #include "tandem/saved_models.hpp"
 #include "tandem/time_grid.hpp"
 
@@ -19,15 +22,41 @@ struct GridPlace : TimeGrid {
   Clock clock(Stop stop = Stop::limit) const { return {time(), next(), stop}; }
 };
 
-/// Makes a model with a fixed own step a Subsystem: keeps the grid, takes the steps that fit, lands, appends
-/// samples; adds the abilities `lands`, `restarts` and `saves_state`. Model is copyable (a copy is its saved
-/// state) and has:
+/// A model whose outputs jump at events.
+template <class Model>
+concept HasEvents =
+    requires(Model& model, const Model& same, OwnStep& s, std::span<const Signal> u, double* y) {
+      { model.step_to_event(s, u) } -> std::same_as<bool>;
+      same.outputs_before(y);
+    };
+
+/// A model of which an output follows inputs at once.
+template <class Model>
+concept TakesJumps = requires(Model& model, double t, std::span<const Signal> u) {
+  { model.jump(t, u) } -> std::same_as<bool>;
+};
+
+/// Makes a model with a fixed own step a Subsystem: keeps the grid, takes the steps that fit, lands, splits
+/// steps where an input jumps (Jumps), appends samples; adds the abilities `lands`, `restarts` and
+/// `saves_state`. Model is copyable (a copy is its saved state) and has:
 /// @code
 /// SubsystemInfo info() const;                              // ports, units, feedthrough
 /// double own_step() const;                                 // h [s], finite and above 0
 /// void start(double t, std::span<const double> u0);        // puts the state at t; u0 may hold NaN
 /// void step(const OwnStep& s, std::span<const Signal> u);  // integrates over s, reads inputs anywhere in it
 /// void outputs(double* y) const;                           // outputs, then derivatives, as the state is
+/// @endcode
+/// In place of step() a model with the ability `events` in its info() has
+/// @code
+/// bool step_to_event(OwnStep& s, std::span<const Signal> u);  // true: outputs jump at an event, to which it
+///                                                             // came, and s.end is its time
+/// void outputs_before(double* y) const;                       // as they were just before that
+/// @endcode
+/// One of which an output follows inputs at once may have
+/// @code
+/// bool jump(double t, std::span<const Signal> u);  // inputs have jumped at t, where it stands; true:
+/// outputs
+///                                                  // have with them
 /// @endcode
 /// With the ability `serializes_state` in its info() it also has
 /// @code
@@ -41,7 +70,9 @@ class FixedStep final : public SavedModels<Model, GridPlace> {
   using Base::model_, Base::place_;
 
  public:
-  explicit FixedStep(Model model) : Base(std::move(model)) { this->info_.abilities.lands = true; }
+  explicit FixedStep(Model model) : Base(std::move(model)), jumps_(this->info_.input_size()) {
+    this->info_.abilities.lands = true;
+  }
 
   Clock initialize(double t_start, double /*t_stop*/, std::span<const double> u0, Samples& y) override {
     place_ = GridPlace(t_start, model_.own_step());
@@ -51,19 +82,69 @@ class FixedStep final : public SavedModels<Model, GridPlace> {
   }
 
   Clock advance(double t_limit, bool land, std::span<const Signal> u, Samples& y) override {
-    for (; !y.full(); model_.outputs(y.append(place_.time()))) {
-      if (place_.fits(t_limit)) {
-        model_.step({place_.time(), place_.next(), place_.length()}, u);
-        place_.step();
-      } else if (land && place_.cuts(t_limit)) {
-        model_.step({place_.time(), t_limit, t_limit - place_.time()}, u);
-        place_.cut(t_limit);
-      } else {
-        return place_.clock();
+    jumps_.begin(u, place_.time());
+    take_jump(y);
+    while (has_room(y)) {
+      OwnStep s{place_.time(), place_.next(), place_.length()};
+      if (!place_.fits(t_limit)) {
+        if (!land || !place_.cuts(t_limit)) return place_.clock();
+        s.end = t_limit, s.length = t_limit - s.begin;
       }
+      if (integrate(s)) return stop_at(s.end, y);
+      move_to(s.end);
+      model_.outputs(y.append(place_.time()));
     }
     return place_.clock(Stop::samples_full);
   }
+
+ private:
+  /// An event takes two rows.
+  static bool has_room(const Samples& y) { return HasEvents<Model> ? y.room() > 1 : !y.full(); }
+
+  /// A second row where it stands, if inputs have jumped there and outputs with them.
+  void take_jump(Samples& y) {
+    if constexpr (TakesJumps<Model>) {
+      const auto jumps = [this](const Signal& u) { return u.jumps_at(place_.time(), place_.tolerance()); };
+      if (y.full() || std::none_of(jumps_.inputs().begin(), jumps_.inputs().end(), jumps)) return;
+      if (model_.jump(place_.time(), jumps_.inputs())) model_.outputs(y.append(place_.time(), true));
+    }
+  }
+
+  void move_to(double t) { place_.fits(t) ? place_.step() : place_.cut(t); }
+
+  /// The step, in parts from one jump of an input to the next. True: it has come to an event, at s.end.
+  bool integrate(OwnStep& s) {
+    const TimeTolerance& tolerance = place_.tolerance();
+    while (jumps_.next() < s.end && tolerance.before(jumps_.next(), s.end)) {
+      if (const double t = jumps_.next(); tolerance.before(s.begin, t)) {
+        OwnStep part{s.begin, t, t - s.begin};
+        if (step(part)) return s.end = part.end, true;
+        s.begin = t, s.length = s.end - t;
+      }
+      jumps_.pass();
+    }
+    return step(s);
+  }
+
+  bool step(OwnStep& s) {
+    if constexpr (HasEvents<Model>) return model_.step_to_event(s, jumps_.inputs());
+    if constexpr (!HasEvents<Model>) model_.step(s, jumps_.inputs());
+    return false;
+  }
+
+  /// A row as it was before the event, unless it stands there already, and one as it is now.
+  Clock stop_at(double t, Samples& y) {
+    if constexpr (HasEvents<Model>) {
+      if (place_.tolerance().before(place_.time(), t)) {
+        move_to(t);
+        model_.outputs_before(y.append(place_.time()));
+      }
+      model_.outputs(y.append(place_.time(), true));
+    }
+    return place_.clock(Stop::event);
+  }
+
+  Jumps jumps_;
 };
 
 }  // namespace tandem

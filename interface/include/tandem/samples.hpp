@@ -23,6 +23,7 @@ class Samples {
 
   std::int64_t size() const { return data_.size; }
   bool full() const { return data_.size == data_.capacity; }
+  std::int64_t room() const { return data_.capacity - data_.size; }  ///< rows that can be appended
 
   /// A new row at time t; returns what follows the header, to be filled by the caller: outputs, then
   /// derivatives. jump: no reconstruction fits a polynomial across the gap before this row. Precondition: not

@@ -3,6 +3,7 @@
 #ifndef TANDEM_SIGNAL_H
 #define TANDEM_SIGNAL_H
 #include <stdint.h>
+#include <string.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -17,6 +18,15 @@ typedef struct tandem_segment {
   double origin;
   double c[TANDEM_MAX_COEFFICIENTS];
 } tandem_segment;
+
+/* Whether the input jumps at the begin of this piece, its `origin`: by a held output's new value, or by a row
+ * marked as a jump. The mark is the minus of the last coefficient, -0.0, which changes no value. A piece that
+ * only carries the mark ends where the one before it does. Where a call begins with a marked piece whose
+ * origin is the time of the call, the input has jumped there since the call before. */
+static inline int tandem_segment_jumps(const tandem_segment* s) {
+  const double minus_zero = -0.0;
+  return memcmp(&s->c[TANDEM_MAX_COEFFICIENTS - 1], &minus_zero, sizeof minus_zero) == 0;
+}
 
 /* One input over the span of one `advance`: `count` >= 1 segments, ends ascending. The last one goes on
  * beyond its end. Coefficients above `degree` are zero. A break belongs to the segment before it. `reactive`

@@ -2,15 +2,21 @@
 #pragma once
 #include <cassert>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "tandem/signal.h"
+#include "tandem/time_grid.hpp"
 
 namespace tandem {
 
 /// One polynomial piece, sum over k of c[k] (t - origin)^k for t <= end. See signal.h; the layout is the
 /// same.
 using Segment = tandem_segment;
+
+/// Marks a segment, or takes its mark away: the input jumps at its begin, which is its origin, or does not
+/// (tandem_segment_jumps). Precondition: degree below 5.
+inline void mark_jump(Segment& s, bool jumps) { s.c[TANDEM_MAX_COEFFICIENTS - 1] = jumps ? -0.0 : 0.0; }
 
 /// One scalar input as a function of time over the span of one call: a piecewise polynomial of up to six
 /// coefficients a piece. A view: the segments belong to the caller of Subsystem::advance and live until that
@@ -33,6 +39,25 @@ class Signal {
 
   /// Second time derivative at t [s], per second squared.
   double second_derivative(double t) const { return tandem_signal_second_derivative(&data_, t); }
+
+  /// The first time after `t` [s] at which it is known to jump; infinite if there is none.
+  double next_jump(double t) const {
+    for (std::int32_t k = 0; k < data_.count; ++k)
+      if (tandem_segment_jumps(data_.segments + k) && data_.segments[k].origin > t)
+        return data_.segments[k].origin;
+    return std::numeric_limits<double>::infinity();
+  }
+  /// Whether it has jumped at `t`, at which a call begins.
+  bool jumps_at(double t, const TimeTolerance& tolerance) const {
+    return tandem_segment_jumps(data_.segments) && !tolerance.before(data_.segments->origin, t);
+  }
+  /// From its jump at `t` on, whose value there is the one after; the whole signal if it has none there.
+  Signal from_jump_at(double t) const {
+    for (std::int32_t k = 0; k < data_.count; ++k)
+      if (tandem_segment_jumps(data_.segments + k) && data_.segments[k].origin == t)
+        return {data_.segments + k, data_.count - k, data_.degree};
+    return *this;
+  }
 
   std::span<const Segment> segments() const {
     return {data_.segments, static_cast<std::size_t>(data_.count)};

@@ -44,6 +44,9 @@ struct Abilities {
   bool reactive_inputs = false;
   bool serializes_state = false;  ///< gives saved states as bytes, and takes them
   bool sampled = false;           ///< acts at instants of its own only, and all its outputs are held
+  /// Returns where its outputs jump (Stop::event), with two rows there, the second marked; needs room for
+  /// two.
+  bool events = false;
 };
 /// From bits of subsystem_info.h (TANDEM_LANDS, ...); bits that are not known are left out.
 Abilities abilities_from(std::uint32_t bits);

@@ -56,6 +56,7 @@ class TimeGrid {
   bool fits(double t_limit) const { return !tolerance_.before(t_limit, next_); }
   /// True if t_limit lies inside the next own step, so that the step would have to be cut to end there.
   bool cuts(double t_limit) const { return !fits(t_limit) && tolerance_.before(time_, t_limit); }
+  const TimeTolerance& tolerance() const { return tolerance_; }
 
   /// Moves on to next().
   void step() {

@@ -63,20 +63,23 @@ bool Coordinator::round() {
   const auto turns = schedule_->next_round();
   if (turns.empty()) return end();
   try {
-    has_samples_ ? make_with_samples(turns) : make(turns);
+    has_samples_ || frozen_ ? make_in_parts(turns) : make(turns);
   } catch (...) {
-    const std::span<const Turn> under_way = has_samples_ ? going_ : turns;
+    const std::span<const Turn> under_way = has_samples_ || frozen_ ? going_ : turns;
     finish_all(under_way);
     for (const Turn& turn : under_way) keep(turn);
+    keep_rest();
     throw;
   }
   return !stopped_;
 }
 
-/// In parallel with sampled subsystems the others see it when the round is over.
+/// In parallel with sampled subsystems or events the others see it when the round is over.
 inline void Coordinator::commit(int who, double limit) {
   const std::int64_t count = frozen_ ? exchange_->accept(who, limit) : exchange_->commit(who, limit);
-  if (count > 0) tell(who);
+  if (count == 0) return;
+  tell(who);
+  if (has_events_ && schedule_->member(who).events) hear_of_event(who);
 }
 
 void Coordinator::make(std::span<const Turn> turns) {
@@ -138,11 +141,13 @@ void Coordinator::start(const Turn& turn) {
   });
 }
 
-/// In parallel: as many calls as it takes to come past the communication point.
+/// In parallel: as many calls as it takes to come past the communication point, or to an event.
 void Coordinator::go(const Turn& turn) {
   const Member& member = schedule_->member(turn.who);
-  do take(next_call(turn), *exchange_);
-  while (schedule_->kind() == Schedule::Kind::parallel && !tolerance_.before(turn.limit, member.next));
+  const bool goes_on = schedule_->kind() == Schedule::Kind::parallel;
+  while ((take(next_call(turn), *exchange_) != Stop::event || !member.events) && goes_on &&
+         !tolerance_.before(turn.limit, member.next)) {
+  }
 }
 
 /// Room for its rows, and its inputs from where it stands.
@@ -153,11 +158,12 @@ std::span<const Signal> Coordinator::prepare(int who, Exchange& inputs) {
 }
 
 /// One call, on the signals of `inputs`; or the end of the one that was started.
-void Coordinator::take(const Turn& turn, Exchange& inputs) {
+Stop Coordinator::take(const Turn& turn, Exchange& inputs) {
   const int who = turn.who;
   Seat& seat = seats_[static_cast<std::size_t>(who)];
   std::span<const Signal> u;
   if (!seat.under_way) u = prepare(who, inputs);
+  if (!seat.events_behind.empty() && exchange_ && &inputs == &*exchange_) remember(who);
   Samples& y = exchange_->history(who).room();
   const std::int64_t rows = y.size();
   const double before = seat.time;
@@ -173,6 +179,7 @@ void Coordinator::take(const Turn& turn, Exchange& inputs) {
   else
     check_clock(turn, before, steps, clock);
   stand(who, clock);
+  return clock.stop;
 }
 
 /// The subsystem's call, or the second half of one that was started; its error names it.
@@ -187,9 +194,16 @@ Clock Coordinator::advance(const Turn& turn, std::span<const Signal> u, Samples&
 /// The observer, if there is one, once of each row.
 void Coordinator::tell(int who) {
   const History& history = exchange_->history(who);
-  const std::int64_t first = std::exchange(seats_[static_cast<std::size_t>(who)].told, history.newest()) + 1;
-  if (observer_ && first <= history.newest() && !observer_->samples(who, history, first, history.newest()))
-    stopped_ = true;
+  Seat& seat = seats_[static_cast<std::size_t>(who)];
+  const std::int64_t last = std::max(last_final(who), seat.told), first = std::exchange(seat.told, last) + 1;
+  if (observer_ && first <= last && !observer_->samples(who, history, first, last)) stopped_ = true;
+}
+
+/// After an error, and at the end: what might have been taken back.
+void Coordinator::keep_rest() {
+  ended_ = true;
+  for (int i = 0; i < topology_.size(); ++i)
+    if (!seats_[static_cast<std::size_t>(i)].events_behind.empty()) tell(i);
 }
 
 /// What is not plain may still be right: no step taken, an end within the tolerance, no further step. Throws
@@ -227,6 +241,8 @@ void Coordinator::note_extra_steps(int who) {
 }
 
 bool Coordinator::end() {
+  keep_rest();
+  note_events();
   for (int i = 0; i < topology_.size(); ++i) note_extra_steps(i);
   for (int i = 0; i < topology_.size(); ++i)
     if (!topology_.info(i).abilities.sampled && tolerance_.before(time(i), t_stop_))

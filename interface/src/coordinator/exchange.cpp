@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace tandem {
@@ -25,11 +26,30 @@ void add_shifted(const Segment& p, double to, double* c) {
   for (int k = 0; k < TANDEM_MAX_COEFFICIENTS; ++k) c[k] += d[k];
 }
 
-const Segment& piece(const Signal& signal, double end) {
+/// Of a term that which holds up to the end of a piece of the sum.
+const Segment& piece_before(const Signal& signal, double end) {
   const auto segments = signal.segments();
   const auto it =
       std::find_if(segments.begin(), segments.end() - 1, [&](const Segment& s) { return end <= s.end; });
   return *it;
+}
+
+/// That which begins with a jump where this piece of the sum does, if there is one.
+const Segment& piece(const Signal& signal, const Segment& of_sum, const TimeTolerance& tolerance) {
+  const auto segments = signal.segments();
+  const auto jump = std::find_if(segments.begin(), segments.end(), [&](const Segment& s) {
+    return tandem_segment_jumps(&s) &&
+           std::abs(s.origin - of_sum.origin) <= tolerance.width(s.origin, of_sum.origin);
+  });
+  return tandem_segment_jumps(&of_sum) && jump != segments.end() ? *jump : piece_before(signal, of_sum.end);
+}
+
+/// Whether the reader ends a step where an output of the source is known to jump.
+bool ends_steps_at(const SubsystemInfo& source, int reader, const LinkTimes& times) {
+  if (times.shortest_period.empty()) return false;
+  const double shortest = times.shortest_period[static_cast<std::size_t>(reader)];
+  return source.abilities.events ? std::isfinite(shortest)
+                                 : source.abilities.sampled && source.sampling.period >= shortest;
 }
 
 }  // namespace
@@ -54,10 +74,7 @@ Exchange::Exchange(const Topology& topology, TimeTolerance tolerance, const Link
     source.out.insert(at_instants ? source.out.begin() : source.out.end(), &link);
     source.at_instants += at_instants ? 1 : 0;
     reader.in.push_back(&link);
-    const double period = topology.info(link.source()).sampling.period;
-    if (period > 0.0 && !times.shortest_period.empty() &&
-        period >= times.shortest_period[static_cast<std::size_t>(link.reader())])
-      reader.breaks.push_back(&link);
+    if (ends_steps_at(topology.info(link.source()), link.reader(), times)) reader.breaks.push_back(&link);
   }
 }
 
@@ -73,7 +90,8 @@ Link& Exchange::link_for(const Topology& topology, const Line& line, const LinkT
   of_pair.push_back(links_.size());
   Link& link = links_.emplace_back(line.source, line.reader, line.how, delay);
   const auto source = static_cast<std::size_t>(line.source), reader = static_cast<std::size_t>(line.reader);
-  if (!times.nearest.empty()) link.pass_over(times.nearest[source]);
+  if (!times.nearest.empty() && times.nearest[source] > 0.0) link.pass_over(times.nearest[source]);
+  if (topology.info(line.source).abilities.events) link.expect_jumps();
   if (topology.info(line.reader).abilities.sampled)
     link.read_at_instants(times.loop.empty() || times.loop[source] == times.loop[reader], just_before);
   return link;
@@ -137,6 +155,23 @@ void Exchange::remake_newest(int source) {
   for (Link* link : end.out) link->remake(row);
 }
 
+void Exchange::withdraw(int source, std::int64_t rows) {
+  End& end = ends_[static_cast<std::size_t>(source)];
+  end.history.withdraw(rows);
+  for (Link* link : end.out) link->withdraw(rows);
+}
+
+double Exchange::jump(int source, int reader) const {
+  double largest = 0.0;
+  for (const Link* link : ends_[static_cast<std::size_t>(source)].out)
+    if (link->reader() == reader) largest = std::max(largest, link->newest_jump());
+  return largest;
+}
+
+void Exchange::rebuild(int reader) {
+  for (Link* link : ends_[static_cast<std::size_t>(reader)].in) link->rebuild();
+}
+
 std::span<const double> Exchange::sample(int reader, TimeSpan to) {
   End& end = ends_[static_cast<std::size_t>(reader)];
   for (Link* link : end.in) link->sample(to, end.values.data());
@@ -147,24 +182,35 @@ std::span<const double> Exchange::sample(int reader, TimeSpan to) {
   return {end.values.data(), end.inputs};
 }
 
-/// The sum's breaks are those of all its terms; each piece has its origin at its end, where a term's node is,
+/// The sum's breaks are those of all its terms, and it jumps where one does: by a marked piece of no length,
+/// after which it goes on as elsewhere. Each piece has its origin at its end, where a term's node is,
 /// so it too depends on the samples alone.
 void Exchange::add_up(Sum& sum, std::span<Signal> slots) const {
   const auto terms = slots.subspan(sum.first, sum.count);
   sum.segments.clear();
   for (const Signal& term : terms)
-    for (const Segment& s : term.segments()) sum.segments.push_back(Segment{s.end, s.origin, {}});
-  std::sort(sum.segments.begin(), sum.segments.end(), [](const Segment& a, const Segment& b) {
-    return a.end != b.end ? a.end < b.end : a.origin < b.origin;
+    for (const Segment& s : term.segments()) {
+      sum.segments.push_back(Segment{s.end, s.origin, {}});
+      if (tandem_segment_jumps(&s)) {
+        sum.segments.push_back({s.origin + tolerance_.width(s.origin, s.origin), s.origin, {}});
+        mark_jump(sum.segments.back(), true);
+      }
+    }
+  const auto jumps = [](const Segment& s) { return tandem_segment_jumps(&s); };
+  std::sort(sum.segments.begin(), sum.segments.end(), [&](const Segment& a, const Segment& b) {
+    return std::tuple(a.end, jumps(a), a.origin) < std::tuple(b.end, jumps(b), b.origin);
   });
   const auto last =
       std::unique(sum.segments.begin(), sum.segments.end(), [&](const Segment& a, const Segment& b) {
-        return a.end == b.end || b.end - a.end <= tolerance_.width(a.end, a.end);
+        return jumps(a) == jumps(b) && (a.end == b.end || b.end - a.end <= tolerance_.width(a.end, a.end));
       });
   sum.segments.erase(last, sum.segments.end());
   int degree = 0;
-  for (Segment& s : sum.segments)
-    for (const Signal& term : terms) add_shifted(piece(term, s.end), s.origin, s.c);
+  for (Segment& s : sum.segments) {
+    const bool jump = jumps(s) != 0;
+    for (const Signal& term : terms) add_shifted(piece(term, s, tolerance_), s.origin, s.c);
+    mark_jump(s, jump);
+  }
   for (const Signal& term : terms) degree = std::max(degree, static_cast<int>(term.degree()));
   slots[sum.input] = Signal(sum.segments.data(), static_cast<std::int32_t>(sum.segments.size()), degree);
 }
@@ -173,9 +219,12 @@ void Exchange::make_room(int source, std::int64_t wanted) {
   End& end = ends_[static_cast<std::size_t>(source)];
   std::int64_t keep = end.history.newest();
   for (Link* link : end.out) {
-    const History& reader = history(link->reader());
-    keep = reader.empty() ? end.history.oldest()
-                          : std::min(keep, link->oldest_needed(reader.time(reader.newest())));
+    const End& reader = ends_[static_cast<std::size_t>(link->reader())];
+    keep = reader.history.empty()
+               ? end.history.oldest()
+               : std::min(keep, link->oldest_needed(reader.history.time(reader.history.newest())));
+    const double back_to = std::min(reader.keep_from, end.keep_from);
+    if (back_to != Member::never) keep = std::min(keep, link->oldest_to_rebuild(back_to));
   }
   end.history.make_room(keep, wanted);
   for (Link* link : end.out) link->follow_room();

@@ -2,9 +2,14 @@
 #include "tandem/coordinator/link.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace tandem {
+namespace {
+constexpr double open_end = std::numeric_limits<double>::infinity();
+}
 
 Link::Link(int source, int reader, Reconstruction how, double delay)
     : source_(source),
@@ -45,19 +50,79 @@ Link::Extend Link::extend_by(Reconstruction how) {
   }
 }
 
+/// A marked row without another before it at its time cuts every lane.
+bool Link::jumps(const double* row, const Lane& lane) const {
+  if (row[1] == 0.0) return false;
+  if (row == samples_->row(samples_->oldest())) return true;
+  const double* const before = row - stride_;
+  const std::int64_t k = Samples::header + lane.output;
+  return before[0] != row[0] || before[k] != row[k];
+}
+
+bool Link::jump_near(const double* row) const {
+  const std::int64_t last = std::min<std::int64_t>(fitted_, rows_looked_at() - 1);
+  for (std::int64_t k = 0; k <= last; ++k, row -= stride_)
+    if (row[1] != 0.0) return true;
+  return false;
+}
+
 /// The rows that a polynomial at this one goes through, the oldest first, at the end of nodes_; their number.
-/// before: rows before it that may be fitted together with it.
-int Link::gather_nodes(const double* row, std::int64_t before) {
+/// None lies before the last jump of `lane` (null: no row near this one is a jump). The row of that jump is
+/// passed over for no other than this one.
+int Link::gather_nodes(const double* row, const Lane* lane) {
   const int most = how_.samples();
   int count = 0;
   const double* newer = nullptr;
-  const std::int64_t last = std::min<std::int64_t>(before, rows_looked_at() - 1);
+  const std::int64_t last = std::min<std::int64_t>(fitted_, rows_looked_at() - 1);
   for (std::int64_t k = 0; k <= last && count < most; ++k, row -= stride_) {
-    if (newer && *newer - *row < nearest_) continue;
+    const bool first = lane && jumps(row, *lane), close = newer && *newer - *row < nearest_;
+    if (close && !first) continue;
+    if (close && count > 1) --count;
     newer = row;
     std::copy_n(row, stride_, nodes_.data() + (most - ++count) * stride_);
+    if (first) break;
   }
   return count;
+}
+
+void Link::note_jump() {
+  const double* const row = samples_->row(samples_->newest());
+  for (const Lane& lane : lanes_)
+    if (jumps(row, lane)) jump_at_ = row[0] + delay_;
+}
+
+double Link::newest_jump() const {
+  const double* const row = samples_->row(samples_->newest());
+  double largest = 0.0;
+  for (const Lane& lane : lanes_) {
+    const std::int64_t k = Samples::header + lane.output;
+    if (jumps(row, lane)) largest = std::max(largest, std::abs(lane.gain * (row[k] - row[k - stride_])));
+  }
+  return largest;
+}
+
+/// Segments that the reader has let go are still there, as nothing has been added since.
+void Link::withdraw(std::int64_t rows) {
+  if (!follows_) return;
+  fitted_ -= rows;
+  count_ -= static_cast<std::int32_t>(rows);
+  if (count_ < 0) first_ += count_, count_ = 0;
+  jump_at_ = -Member::never;
+  for (std::size_t l = 0; held_ && count_ > 0 && l < lanes_.size(); ++l)
+    first_[static_cast<std::int64_t>(l) * capacity_ + count_ - 1].end = open_end;
+}
+
+void Link::rebuild() {
+  if (!follows_) return;
+  first_ = segments_.data();
+  count_ = 0, fitted_ = 0;
+  extend({samples_->row(samples_->oldest()), samples_->newest() + 1 - samples_->oldest()});
+}
+
+std::int64_t Link::oldest_to_rebuild(double time) const {
+  std::int64_t row = samples_->newest();
+  while (row > samples_->oldest() && !tolerance_.before(samples_->time(row) + delay_, time)) --row;
+  return row + 1 - rows_kept();
 }
 
 void Link::extend_late() {
@@ -70,7 +135,7 @@ std::int64_t Link::oldest_needed(double time) {
   std::int64_t row = samples_->newest();
   if (follows_) {
     if (!held_ && !sampled_) forget_before(time);
-    return row + 1 - late_ - std::max(count_, rows_looked_at());
+    return row + 1 - late_ - std::max(count_, rows_kept());
   }
   if (how_.kind == Reconstruction::Kind::mean)
     while (row > samples_->oldest() && !tolerance_.before(samples_->time(row), sampled_ ? read_from_ : time))

@@ -13,18 +13,19 @@ void Link::extend_held(Link& link, NewRows rows) {
     const double begin = row[0] + link.delay_, end = begin + link.tolerance_.width(begin, begin);
     Segment* s = link.first_ + link.count_++;
     for (const Lane& lane : link.lanes_) {
-      if (link.count_ > 1) s[-1].end = end;
       s->end = std::numeric_limits<double>::infinity();
       s->origin = begin;
       s->c[0] = lane.gain * row[Samples::header + lane.output] + lane.offset;
+      mark_jump(*s, link.count_ > 1 && s[-1].c[0] != s->c[0]);
+      if (link.count_ > 1) s[-1].end = end;
       s += link.capacity_;
     }
   }
 }
 
 void Link::read_otherwise(double time, double next_time, Signal* slots) {
-  if (!held_) return read_window(time, next_time, slots);
-  forget_held(time);
+  if (!follows_) return read_window(time, next_time, slots);
+  held_ ? forget_held(time) : forget_to(time);
   const Segment* s = first_;
   for (const Lane& lane : lanes_) {
     slots[lane.slot] = Signal(s, count_, degree_);
@@ -33,6 +34,7 @@ void Link::read_otherwise(double time, double next_time, Signal* slots) {
 }
 
 double Link::next_break(double time) const {
+  if (has_events_) return tolerance_.before(time, jump_at_) ? jump_at_ : Member::never;
   for (std::int32_t k = 1; k < count_; ++k)
     if (tolerance_.before(time, first_[k].origin)) return first_[k].origin;
   return Member::never;
@@ -43,6 +45,7 @@ void Link::remake(const double* row) {
   Segment* s = first_ + (count_ - 1);
   for (const Lane& lane : lanes_) {
     s->c[0] = lane.gain * row[Samples::header + lane.output] + lane.offset;
+    if (held_ && count_ > 1) mark_jump(*s, s[-1].c[0] != s->c[0]);
     s += capacity_;
   }
 }

@@ -27,26 +27,36 @@ void Link::extend_rows(NewRows rows, const Make& make) {
   }
 }
 
-/// The same on the rows that are not passed over, from the oldest of them on each time.
+/// The same on the rows that are not passed over, from the oldest of them on each time; near a jump they are
+/// others in each lane.
 template <class Make>
 void Link::extend_spread(NewRows rows, const Make& make) {
   const double* row = rows.first;
-  for (std::int64_t left = rows.count; left > 0; --left, row += stride_) {
-    if (row[1] != 0.0) fitted_ = 0;
-    const int nodes = gather_nodes(row, fitted_++);
-    const double* node = nodes_.data() + (how_.samples() - nodes) * stride_;
-    Segment* const first = first_ + count_++;
-    for (int k = 0; k < nodes; ++k, node += stride_) {
-      const auto weights = make.prepare(node, k);
-      double* table = differences_.data();
-      Segment* s = first;
-      for (const Lane& lane : lanes_) {
-        s->origin = row[0] + delay_;
-        s->end = s->origin + tolerance_.width(s->origin, s->origin);
-        make.fill(weights, node, lane, table, s->c);
-        s += capacity_;
-        table += TANDEM_MAX_COEFFICIENTS;
-      }
+  const std::span<const Lane> lanes = lanes_;
+  for (std::int64_t left = rows.count; left > 0; --left, ++fitted_, ++count_, row += stride_)
+    if (!jump_near(row))
+      fit(row, gather_nodes(row, nullptr), lanes, make);
+    else
+      for (std::size_t l = 0; l < lanes.size(); ++l)
+        fit(row, gather_nodes(row, &lanes[l]), lanes.subspan(l, 1), make);
+}
+
+/// The segments of some lanes behind the last ones, from the gathered nodes.
+template <class Make>
+void Link::fit(const double* row, int nodes, std::span<const Lane> lanes, const Make& make) {
+  const double* node = nodes_.data() + (how_.samples() - nodes) * stride_;
+  const auto before = lanes.data() - lanes_.data();
+  for (int k = 0; k < nodes; ++k, node += stride_) {
+    const auto weights = make.prepare(node, k);
+    double* table = differences_.data() + before * TANDEM_MAX_COEFFICIENTS;
+    Segment* s = first_ + count_ + before * capacity_;
+    for (const Lane& lane : lanes) {
+      s->origin = row[0] + delay_;
+      s->end = s->origin + tolerance_.width(s->origin, s->origin);
+      make.fill(weights, node, lane, table, s->c);
+      mark_jump(*s, jumps(row, lane));
+      s += capacity_;
+      table += TANDEM_MAX_COEFFICIENTS;
     }
   }
 }

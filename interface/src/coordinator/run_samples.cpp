@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 // What sampled subsystems need before a run.
 #include <algorithm>
+#include <limits>
 
 #include "run_start.hpp"
 #include "tandem/coordinator/components.hpp"
@@ -19,6 +20,16 @@ void RunStart::note_times(double communication_step) {
     for (const int who : {line.source, line.reader})
       if (!sampled(who) && lands(line) && !topology_.info(who).abilities.chooses_step)
         times_.nearest[static_cast<std::size_t>(who)] = run_.own_step(who) / 2.0;
+  for (const Line& line : topology_.lines())
+    if (topology_.info(line.source).abilities.events)
+      for (const int who : {line.source, line.reader})
+        if (!sampled(who)) times_.nearest[static_cast<std::size_t>(who)] = nearest_node(who);
+}
+
+/// Of one with samples beside its own nodes.
+double RunStart::nearest_node(int who) const {
+  return topology_.info(who).abilities.chooses_step ? std::numeric_limits<double>::min()
+                                                    : run_.own_step(who) / 2.0;
 }
 
 std::vector<Read> RunStart::reads() const {
@@ -41,7 +52,6 @@ void RunStart::note_samples(const std::vector<Read>& reads) {
     run_.has_samples_ = run_.has_samples_ || sampled(i);
     if (sampled(i)) most = std::max(most, static_cast<std::size_t>(topology_.info(i).output_size()));
   }
-  run_.frozen_ = run_.has_samples_ && run_.coordination_.schedule == Schedule::Kind::parallel;
   run_.outputs_.assign(most, 0.0);
   run_.together_.assign(size, 0);
   run_.acts_.assign(size, 0);

@@ -86,7 +86,8 @@ void RunStart::check_line(const Line& line, const std::vector<int>& order) const
   const std::string what =
       "input " + topology_.input_name(line.reader, line.input) + " is reconstructed by " + line.how.name();
   const bool turns = schedule == Schedule::Kind::slowest_first || schedule == Schedule::Kind::fastest_first;
-  if (schedule == Schedule::Kind::staggered && line.how.kind != Kind::matched_hold)
+  if (schedule == Schedule::Kind::staggered && line.how.kind != Kind::matched_hold &&
+      line.how.kind != Kind::held)
     refuse(what + "; schedule staggered takes matched_hold only");
   if (schedule == Schedule::Kind::parallel && line.how.kind == Kind::matched_hold)
     refuse(what + ", which needs subsystems that take turns; schedule parallel has none");

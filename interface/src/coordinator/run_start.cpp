@@ -23,6 +23,7 @@ void RunStart::make() {
   note_times(h);
   const auto all = reads();
   note_samples(all);
+  note_events(order);
   run_.schedule_.emplace(Schedule::Plan{run_.coordination_.schedule,
                                         std::move(order),
                                         {run_.t_start_, run_.t_stop_},
@@ -71,10 +72,12 @@ std::vector<Member> RunStart::members() const {
   for (std::size_t i = 0; i < all.size(); ++i) {
     all[i].lands = topology_.info(static_cast<int>(i)).abilities.lands;
     all[i].sampled = sampled(static_cast<int>(i));
+    all[i].events = !run_.seats_[i].readers.empty();
+    all[i].one_step = !run_.seats_[i].events_behind.empty();
   }
   for (const Line& line : topology_.lines())
     if (line.how.kind == Reconstruction::Kind::mean)
-      all[static_cast<std::size_t>(line.reader)].reads_mean = true;
+      all[static_cast<std::size_t>(line.reader)].one_step = true;
   return all;
 }
 

@@ -19,6 +19,7 @@ class RunStart {
   void note_steps();
   void note_period(int who);
   void lend_steps();
+  double nearest_node(int who) const;
   double largest_step() const;
   int slowest() const;
   void note_times(double communication_step);
@@ -32,6 +33,8 @@ class RunStart {
   std::vector<Member> members() const;
   std::vector<Read> reads() const;
   void note_samples(const std::vector<Read>& reads);
+  void note_events(const std::vector<int>& order);
+  void note_follower(int who, int leader, bool goes_back) const;
   void order_outputs();
   void stand_all();
   std::vector<int> leaders_first() const;

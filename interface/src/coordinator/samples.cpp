@@ -10,9 +10,9 @@
 
 namespace tandem {
 
-/// In parallel the others go on to the same communication point when some have acted, on inputs of which all
-/// but the held ones are as they were when the round began.
-void Coordinator::make_with_samples(std::span<const Turn> turns) {
+/// In parallel the others go on to the same communication point when some have acted, or those with events
+/// have gone, on inputs of which all but the held ones are as they were when the round began.
+void Coordinator::make_in_parts(std::span<const Turn> turns) {
   for (; !turns.empty() && !stopped_; turns = schedule_->rest_of_round()) make_part(turns);
   if (schedule_->kind() == Schedule::Kind::parallel)
     for (int i = 0; i < topology_.size(); ++i) exchange_->publish(i);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -14,8 +15,8 @@ namespace tandem {
 namespace {
 constexpr std::array<std::string_view, 4> names = {"slowest-first", "fastest-first", "staggered", "parallel"};
 
-bool has_samples(const std::vector<Member>& members) {
-  return std::any_of(members.begin(), members.end(), [](const Member& m) { return m.sampled; });
+bool any(const std::vector<Member>& members, bool Member::*has) {
+  return std::any_of(members.begin(), members.end(), std::mem_fn(has));
 }
 
 bool are_linked(std::span<const Read> reads) {
@@ -46,8 +47,10 @@ Schedule::Schedule(Plan plan, std::vector<Member> members, std::span<const Read>
     : plan_(std::move(plan)),
       members_(std::move(members)),
       in_turns_(plan_.kind == Kind::slowest_first || plan_.kind == Kind::fastest_first),
-      sampled_(has_samples(members_)),
-      pair_(in_turns_ && !sampled_ && members_.size() == 2 && are_linked(reads)),
+      sampled_(any(members_, &Member::sampled)),
+      events_(any(members_, &Member::events)),
+      landings_(sampled_ || (events_ && plan_.kind != Kind::staggered)),
+      pair_(in_turns_ && !landings_ && members_.size() == 2 && are_linked(reads)),
       related_((in_turns_ && !pair_) || sampled_),
       tolerance_(plan_.span.start),
       earliest_stop_(plan_.span.stop - tolerance_.width(plan_.span.start, plan_.span.stop)),
@@ -60,7 +63,8 @@ Schedule::Schedule(Plan plan, std::vector<Member> members, std::span<const Read>
 
 double Schedule::find_landing(int who, double time, double break_at) {
   Member& m = members_[static_cast<std::size_t>(who)];
-  m.landing = m.lands ? std::min(break_at, turns_.landing(members_, who, time)) : Member::never;
+  const double instant = sampled_ ? turns_.landing(members_, who, time) : Member::never;
+  m.landing = m.lands ? std::min(break_at, instant) : Member::never;
   return m.landing;
 }
 
@@ -68,7 +72,7 @@ inline void Schedule::add(int who, double limit) {
   const Member& m = member(who);
   const double to = std::max(std::min(limit, plan_.span.stop), m.next);
   round_[count_++] = {who, to,
-                      m.lands && (to >= earliest_stop_ || (sampled_ && !tolerance_.before(to, m.landing)))};
+                      m.lands && (to >= earliest_stop_ || (landings_ && !tolerance_.before(to, m.landing)))};
 }
 
 /// The slow side steps when the fast side stands in the middle of that step. Who waits for a sampled member
@@ -98,7 +102,7 @@ void Schedule::turn_of_pair() {
   const bool followers = !tolerance_.before(leader.time, follower.next);
   const Member& m = followers ? follower : leader;
   if (!m.finished())
-    add(plan_.order[followers ? 1 : 0], m.reads_mean ? m.next : followers ? leader.time : follower.next);
+    add(plan_.order[followers ? 1 : 0], m.one_step ? m.next : followers ? leader.time : follower.next);
 }
 
 bool Schedule::add_samples() {
@@ -121,15 +125,28 @@ inline double Schedule::communication_point() const {
   return std::min(plan_.span.start + k * plan_.communication_step, plan_.span.stop);
 }
 
-inline void Schedule::add_up_to(double target) {
-  if (target == Member::never) return;
+template <class Takes>
+void Schedule::add_those(double target, const Takes& takes) {
+  const auto add_one = [&](int who, double limit) {
+    if (takes(member(who))) add(who, std::min(limit, target));
+  };
   if (related_)
-    turns_.each_ready(members_, Member::never, [&](int who, double limit) {
-      if (!tolerance_.before(target, member(who).next)) add(who, std::min(limit, target));
-    });
+    turns_.each_ready(members_, Member::never, add_one);
   else
     for (std::size_t i = 0; i < members_.size(); ++i)
-      if (!tolerance_.before(target, members_[i].next)) add(static_cast<int>(i), target);
+      if (!members_[i].finished()) add_one(static_cast<int>(i), members_[i].landing);
+}
+
+/// Those with events stand at the communication point or past it before the others go there, which then know
+/// of their events.
+inline void Schedule::add_up_to(double target) {
+  if (target == Member::never) return;
+  const auto reaches = [&](const Member& m) { return !tolerance_.before(target, m.next); };
+  if (events_)
+    add_those(target, [&](const Member& m) {
+      return m.events ? tolerance_.before(m.time, target) : m.sampled && reaches(m);
+    });
+  if (count_ == 0) add_those(target, reaches);
 }
 
 std::span<const Turn> Schedule::next_round() {
@@ -147,7 +164,7 @@ std::span<const Turn> Schedule::next_round() {
 
 std::span<const Turn> Schedule::rest_of_round() {
   count_ = 0;
-  if (plan_.kind == Kind::parallel && related_) add_up_to(target_);
+  if (plan_.kind == Kind::parallel && landings_) add_up_to(target_);
   return {round_.data(), count_};
 }
 

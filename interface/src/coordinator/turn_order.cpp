@@ -124,7 +124,7 @@ void TurnOrder::mark(std::span<const Member> members, int who) {
 /// ones are known.
 double TurnOrder::limit(std::span<const Member> members, int who) const {
   const Member& m = members[static_cast<std::size_t>(who)];
-  if (m.reads_mean) return m.next;
+  if (m.one_step) return m.next;
   double limit = m.landing;
   for (const Neighbour& n : neighbours(who)) {
     const Member& other = members[static_cast<std::size_t>(n.who)];

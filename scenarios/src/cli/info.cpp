@@ -52,6 +52,7 @@ void print_abilities(const Abilities& a) {
   add(a.restarts, "restarts");
   add(a.reactive_inputs, "reactive inputs");
   add(a.sampled, "sampled (acts at instants of its own)");
+  add(a.events, "stops where its outputs jump");
   say("  abilities: {}\n", text.empty() ? "none" : text);
 }
 

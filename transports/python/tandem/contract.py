@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import enum
+import math
 from dataclasses import dataclass, field
 from typing import List, Sequence, Tuple
 
@@ -45,6 +46,7 @@ class Abilities(enum.IntFlag):
     REACTIVE_INPUTS = 16
     SERIALIZES_STATE = 32
     SAMPLED = 64
+    EVENTS = 256
 
 
 @dataclass
@@ -98,6 +100,10 @@ class Segment:
     origin: float
     c: Tuple[float, ...]
 
+    def jumps(self) -> bool:
+        """Whether the input jumps at its origin, where it begins (the mark of tandem/signal.h)."""
+        return len(self.c) == 6 and self.c[5] == 0.0 and math.copysign(1.0, self.c[5]) < 0.0
+
 
 class Signal:
     """One scalar input as a function of time over the span of a call: a piecewise polynomial."""
@@ -122,6 +128,17 @@ class Signal:
         return (c[0] + c[1] * x) + x2 * ((c[2] + c[3] * x) + x2 * (c[4] + c[5] * x))
 
     __call__ = value
+
+    def next_jump(self, t: float) -> float:
+        """The first time after t at which it is known to jump; inf if there is none."""
+        return next((s.origin for s in self.segments if s.jumps() and s.origin > t), math.inf)
+
+    def from_jump_at(self, t: float) -> Signal:
+        """From its jump at t on, whose value there is the one after; the whole signal if it has none there."""
+        for k, s in enumerate(self.segments):
+            if s.jumps() and s.origin == t:
+                return Signal(self.segments[k:])
+        return self
 
     def derivative(self, t: float) -> float:
         s = self._at(t)

@@ -123,9 +123,13 @@ class SavedModel:
         return bytes(data[:self._HEAD]), struct.unpack(f"<{numbers}d", data[self._HEAD:])
 
 
+def _next_jump(u: Sequence[Signal], t: float) -> float:
+    return min((signal.next_jump(t) for signal in u), default=math.inf)
+
+
 class FixedStep(SavedModel):
-    """Makes a model with a fixed own step a subsystem: it does the grid, landing, early returns and samples. A
-    model has
+    """Makes a model with a fixed own step a subsystem: it does the grid, landing, early returns and samples, and splits
+    steps where an input jumps. A model has
 
         info() -> Info
         own_step() -> float                                   # h [s]
@@ -142,6 +146,8 @@ class FixedStep(SavedModel):
     def __init__(self, model: Any) -> None:
         super().__init__(model)
         self._info.abilities |= Abilities.LANDS
+        self._u: Sequence[Signal] = ()
+        self._jump = math.inf
 
     def initialize(self, t_start: float, t_stop: float, u0: Sequence[float], rows: List[Row], room: int) -> Clock:
         self._grid = TimeGrid(t_start, self.model.own_step())
@@ -150,18 +156,31 @@ class FixedStep(SavedModel):
         return self._clock()
 
     def advance(self, t_limit: float, land: bool, u: Sequence[Signal], rows: List[Row], room: int) -> Clock:
-        grid, model = self._grid, self.model
+        grid = self._grid
+        self._u, self._jump = u, _next_jump(u, grid.time)
         while len(rows) < room:
             if grid.fits(t_limit):
-                model.step(grid.time, grid.next, grid.length(), u)
+                self._integrate(grid.time, grid.next, grid.length())
                 grid.step()
             elif land and grid.cuts(t_limit):
-                model.step(grid.time, t_limit, t_limit - grid.time, u)
+                self._integrate(grid.time, t_limit, t_limit - grid.time)
                 grid.cut(t_limit)
             else:
                 return self._clock()
             self._append(rows)
         return self._clock(Stop.SAMPLES_FULL)
+
+    def _integrate(self, begin: float, end: float, h: float) -> None:
+        """A step, in parts from one jump of an input to the next (tandem::Jumps)."""
+        t_start = self._grid.t_start
+        while before(self._jump, end, t_start):
+            t = self._jump
+            if before(begin, t, t_start):
+                self.model.step(begin, t, t - begin, self._u)
+                begin, h = t, end - t
+            self._u = [signal.from_jump_at(t) for signal in self._u]
+            self._jump = _next_jump(self._u, t)
+        self.model.step(begin, end, h, self._u)
 
     def _append(self, rows: List[Row]) -> None:
         rows.append(Row(self._grid.time, list(self.model.outputs())))

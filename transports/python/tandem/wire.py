@@ -19,6 +19,7 @@ __all__ = ["HEADER", "LONGEST", "Channel", "Payload", "Reader", "Type"]
 VERSION = 1
 CARRIES_HELD = 1  # a capability: held outputs and sampled subsystems
 HOLDS = 128  # a bit of the abilities
+ABILITIES = sum(Abilities)  # the bits that are known here
 MAGIC = b"TANDEM\r\n"
 LONGEST_SENTENCE = 1 << 20  # bytes that are read
 LONGEST_TOLD = 4000  # bytes of a sentence of ours
@@ -81,7 +82,7 @@ def read_info(data: memoryview) -> Info:
         ports.append([Port(reader.name(), reader.name(), *reader.take("iid"))
                       for _ in range(reader.count(24))])
     feedthrough = [reader.take("ii") for _ in range(reader.count(8))]
-    info = Info(name, ports[0], ports[1], feedthrough, Abilities(bits & (HOLDS - 1)))
+    info = Info(name, ports[0], ports[1], feedthrough, Abilities(bits & ABILITIES))
     read_held(reader, bool(bits & HOLDS), info)
     if Abilities.SAMPLED in info.abilities:
         info.period, info.latency = reader.take("dd")

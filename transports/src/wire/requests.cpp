@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 // Payloads of the requests that move a subsystem.
+#include <algorithm>
 #include <cmath>
 
 #include "tandem/wire/messages.hpp"
@@ -86,19 +87,26 @@ void read_initialize(std::span<const std::byte> payload, int inputs, Initialize&
   in.end();
 }
 
+/// The mark of a jump stands in the last coefficient.
+static std::uint32_t degree_to_send(const Signal& u) {
+  const bool jumps = std::any_of(u.segments().begin(), u.segments().end(),
+                                 [](const Segment& s) { return tandem_segment_jumps(&s) != 0; });
+  return jumps ? TANDEM_MAX_COEFFICIENTS - 1 : static_cast<std::uint32_t>(u.degree());
+}
+
 void put_advance(Writer& frame, const Goal& goal, std::span<const Signal> inputs) {
   frame.put(goal.t_limit);
   frame.put(std::uint32_t{goal.land ? 1U : 0U});
   frame.put(static_cast<std::uint32_t>(inputs.size()));
   frame.put(goal.room);
   for (const Signal& u : inputs) {
-    const auto coefficients = static_cast<std::size_t>(u.degree()) + 1;
+    const std::uint32_t degree = degree_to_send(u);
     frame.put(static_cast<std::uint32_t>(u.segments().size()));
-    frame.put(static_cast<std::uint32_t>(u.degree()));
+    frame.put(degree);
     for (const Segment& s : u.segments()) {
       frame.put(s.end);
       frame.put(s.origin);
-      frame.put_doubles({s.c, coefficients});
+      frame.put_doubles({s.c, degree + std::size_t{1}});
     }
   }
 }

@@ -61,6 +61,18 @@ class Coordinator {
  private:
   friend class RunStart;
   static constexpr int most_idle_calls = 100;
+  /// A state that one may go back to, at the newest row of then.
+  struct Back {
+    StateId state;
+    double time;
+    std::int64_t row;
+  };
+  /// Events that a reader had passed, and did not go back to.
+  struct Missed {
+    std::int64_t count = 0;
+    double largest = 0.0;  ///< jump times how far it had passed
+    int reader = -1;       ///< where that was
+  };
   struct Seat {
     Subsystem* subsystem;
     double time = 0.0;       ///< where the subsystem stands
@@ -69,18 +81,33 @@ class Coordinator {
     bool under_way = false;  ///< a call was started and has yet to be finished
     std::int64_t told = 0;   ///< last row that the observer knows
     Effort effort = {};
+    std::vector<int> readers = {};       ///< of one with events: who integrates itself and reads it
+    std::vector<int> leaders_back = {};  ///< of these who may go back
+    std::vector<int> events_behind =
+        {};                       ///< of one that may go back: those with events that it reads and leads
+    std::vector<Back> back = {};  ///< of such a one, the oldest first
+    std::int64_t times_back = 0;
+    Missed missed = {};
   };
   void make(std::span<const Turn> turns);
   void make_together(std::span<const Turn> turns);
-  void make_with_samples(std::span<const Turn> turns);
+  void make_in_parts(std::span<const Turn> turns);
   void make_part(std::span<const Turn> turns);
   void start(const Turn& turn);
   void go(const Turn& turn);
-  void take(const Turn& turn, Exchange& inputs);
+  Stop take(const Turn& turn, Exchange& inputs);
   std::span<const Signal> prepare(int who, Exchange& inputs);
   Clock advance(const Turn& turn, std::span<const Signal> u, Samples& y);
   Turn next_call(const Turn& turn) const;
   void check_clock(const Turn& turn, double before, std::int64_t rows, const Clock& after);
+  void hear_of_event(int who);
+  void pass_by(int reader, int who, double t);
+  void remember(int who);
+  double earliest_event(int who) const;
+  void go_back(int who, double t);
+  std::int64_t last_final(int who) const;
+  void keep_rest();
+  void note_events();
   void act();
   Clock sample(int who, SamplePart part);
   void give(int who);
@@ -90,13 +117,13 @@ class Coordinator {
     Seat& seat = seats_[static_cast<std::size_t>(who)];
     seat.time = clock.time;
     const double next = clock.stop == Stop::finished ? Member::never : clock.next_time;
-    if (!has_samples_) return schedule_->stand(who, clock.time, next);
+    if (!lands_elsewhere_) return schedule_->stand(who, clock.time, next);
     own_next_[static_cast<std::size_t>(who)] = next;
     place(who);
   }
   /// Its next node or instant; Member::never when it has finished.
   double own_next(int who) const {
-    return has_samples_ ? own_next_[static_cast<std::size_t>(who)] : schedule_->member(who).next;
+    return lands_elsewhere_ ? own_next_[static_cast<std::size_t>(who)] : schedule_->member(who).next;
   }
   void place(int who);
   void place_all();
@@ -105,7 +132,10 @@ class Coordinator {
   void tell(int who);
   void finish_all(std::span<const Turn> turns);
   void keep(const Turn& turn);
-  void check_seat(int who, const ByteReader& from) const;
+  void write_state(int who, StateId id, ByteWriter& to) const;
+  void write_back(int who, ByteWriter& to) const;
+  void read_back(int who, ByteReader& from, std::vector<std::span<const std::byte>>& states);
+  void check_seat(int who, const ByteReader& from);
   void restore_state(int who, std::span<const std::byte> bytes, const ByteReader& from);
   void note_extra_steps(int who);
   bool end();
@@ -121,9 +151,12 @@ class Coordinator {
   std::optional<Exchange> exchange_;
   std::optional<Schedule> schedule_;
   std::vector<Seat> seats_;
-  bool has_samples_ = false;  ///< there are sampled subsystems
-  bool frozen_ = false;  ///< with them in parallel: what others read is as it was at the begin of a round
-  std::vector<double> own_next_;   ///< by subsystem, if there are: see own_next()
+  bool has_samples_ = false;      ///< there are sampled subsystems
+  bool has_events_ = false;       ///< there are some with events, in turns or parallel
+  bool lands_elsewhere_ = false;  ///< there are sampled ones or events: steps end elsewhere than at own nodes
+  bool frozen_ = false;           ///< then in parallel: what others read is as it was at the begin of a round
+  bool ended_ = false;            ///< nobody goes back any more
+  std::vector<double> own_next_;  ///< by subsystem, if there are: see own_next()
   std::vector<int> output_calls_;  ///< of sampled ones that read each other: who gives outputs, in this order
   std::vector<char> together_;     ///< by subsystem: is one of these
   std::vector<double> outputs_;    ///< of one that acts

@@ -47,6 +47,19 @@ class Exchange {
   std::int64_t accept(int source, double t_limit);
   void publish(int source);
 
+  /// The newest row of `source`, which has events, is a jump: next_break() of its readers knows of it.
+  void note_jump(int source) {
+    for (Link* link : ends_[static_cast<std::size_t>(source)].out) link->note_jump();
+  }
+  /// By how much, at most, an input of `reader` jumps at the newest row of `source`.
+  double jump(int source, int reader) const;
+  /// Takes the newest `rows` rows of `source` back.
+  void withdraw(int source, std::int64_t rows);
+  /// `reader` may go back to `time` [s], but no further: make_room() keeps what it needs for that.
+  void keep_from(int reader, double time) { ends_[static_cast<std::size_t>(reader)].keep_from = time; }
+  /// It has gone back.
+  void rebuild(int reader);
+
   /// The newest row of a sampled source has other values now than when it was committed.
   void remake_newest(int source);
 
@@ -98,6 +111,7 @@ class Exchange {
     std::vector<Segment> constants;
     std::vector<const Link*> breaks;  ///< of in, those at whose breaks it ends a step
     std::vector<double> values;       ///< of a sampled one: the inputs, then the terms of sums
+    double keep_from = Member::never;
   };
   Link& link_for(const Topology& topology, const Line& line, const LinkTimes& times,
                  std::vector<std::size_t>& of_pair);

@@ -47,6 +47,12 @@ class History {
     return rows;
   }
 
+  /// Takes the newest committed rows back, as if they had not been given. Precondition: some stay.
+  void withdraw(std::int64_t rows) {
+    committed_ -= rows;
+    samples_ = Samples(data_.data(), stride_, capacity_, committed_ - base_);
+  }
+
   std::int64_t oldest() const { return base_; }
   std::int64_t newest() const { return committed_ - 1; }  ///< last committed row
   bool empty() const { return committed_ == base_; }
@@ -87,7 +93,8 @@ class History {
   /// Nothing is wrong with the row, which comes later than the one before it. (False for the first row and
   /// for a jump.)
   bool plain(const double* y, double t_limit) const {
-    return bounds_.pass(y + Samples::header) && y[1] == 0.0 && y[0] <= t_limit && committed_ > base_ && y[0] > y[-stride_];
+    return bounds_.pass(y + Samples::header) && y[1] == 0.0 && y[0] <= t_limit && committed_ > base_ &&
+           y[0] > y[-stride_];
   }
   void check(const NewRows& rows, double t_limit, const TimeTolerance& tolerance);
   [[noreturn]] void fail(const NewRows& rows, double t_limit, const std::string& what) const;

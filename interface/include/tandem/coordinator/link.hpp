@@ -33,14 +33,25 @@ class Link {
   /// Takes memory for as many samples as there is room for in `samples`, the source's; they must outlive the
   /// link. Before anything below.
   void attach(const History& samples, TimeTolerance tolerance);
-  /// Its source ends steps at instants of sampled subsystems, besides its own nodes: a sample that is nearer
-  /// than `nearest` [s] to the next newer one that a polynomial goes through is passed over. Before attach().
-  void pass_over(double nearest) { nearest_ = nearest; }
+  /// Its source has samples besides those at its own nodes, or jumps: one that is nearer than `nearest` [s],
+  /// above 0, to the next newer one that a polynomial goes through is passed over; after a jump of a lane its
+  /// polynomials go through the samples from the jump on, and the segment there is marked. Before attach().
+  void pass_over(double nearest) { nearest_ = nearest, plain_ = false; }
+  /// Its source has events. Before attach().
+  void expect_jumps() { has_events_ = true; }
   /// Makes the segments of the samples committed last.
   void extend(NewRows rows) { extend_(*this, rows); }
   /// Samples that were committed, and whose segments are made later, by extend_late().
   void wait(std::int64_t rows) { late_ += rows; }
   void extend_late();
+  /// The newest row of the source, which has events, is a jump at its time: noted for next_break().
+  void note_jump();
+  /// By how much, at most, an input jumps at the newest row of the source.
+  double newest_jump() const;
+  /// Its source takes its newest `rows` rows back.
+  void withdraw(std::int64_t rows);
+  /// Its reader goes back: makes the segments of all rows that are there anew.
+  void rebuild();
   /// Follows a History::make_room of its source.
   void follow_room();
 
@@ -66,7 +77,8 @@ class Link {
   /// What a sampled reader gets at its instant `to.stop`, having acted at `to.start`: u[lane.slot] for each
   /// lane.
   void sample(TimeSpan to, double* u);
-  /// Of a held output, when it is known to change next after `time`; `never` if that is not known.
+  /// When it is known to jump next after `time`: of a sampled source its next sample, of one with events its
+  /// last jump; `never` if that is not known.
   double next_break(double time) const;
   /// The newest row has other values now than when its segments were made.
   void remake(const double* row);
@@ -74,6 +86,8 @@ class Link {
   /// The oldest row of the source that extend() may still need, or read() for a reader that stands at `time`;
   /// all of them before the first read.
   std::int64_t oldest_needed(double time);
+  /// The oldest row that rebuild() needs for a reader that goes back to `time`.
+  std::int64_t oldest_to_rebuild(double time) const;
   /// Lets the segments before the first one of full degree be forgotten, so that this one reaches back to the
   /// start (repeated start: interpolate in a pass that is complete).
   void reach_back();
@@ -90,6 +104,12 @@ class Link {
   void forget_held(double time) {
     for (; count_ > 1 && !tolerance_.before(time, first_[1].origin); --count_) ++first_;
   }
+  /// Likewise, of one that jumps.
+  void forget_to(double time) {
+    while (count_ > 1 && (first_->end < time ||
+                          (tandem_segment_jumps(first_ + 1) && !tolerance_.before(time, first_[1].origin))))
+      --count_, ++first_;
+  }
   bool is_past(double t) const;
   using Extend = void (*)(Link&, NewRows rows);
   static Extend extend_by(Reconstruction how);
@@ -102,8 +122,14 @@ class Link {
   void extend_rows(NewRows rows, const Make& make);
   template <class Make>
   void extend_spread(NewRows rows, const Make& make);
-  int gather_nodes(const double* row, std::int64_t before);
-  int rows_looked_at() const { return (nearest_ > 0.0 ? 4 : 1) * how_.samples(); }
+  template <class Make>
+  void fit(const double* row, int nodes, std::span<const Lane> lanes, const Make& make);
+  int gather_nodes(const double* row, const Lane* lane);
+  bool jump_near(const double* row) const;
+  bool spreads() const { return nearest_ > 0.0; }
+  int rows_looked_at() const { return (spreads() ? 4 : 1) * how_.samples(); }
+  int rows_kept() const { return rows_looked_at() + (spreads() ? 1 : 0); }  ///< a jump's takes that before it
+  bool jumps(const double* row, const Lane& lane) const;
   void check(std::int32_t count, const ByteReader& from) const;
   void read(std::span<Segment> lane, ByteReader& from) const;
   void read_otherwise(double time, double next_time, Signal* slots);
@@ -138,6 +164,8 @@ class Link {
   std::int32_t count_ = 0;           ///< segments from there on
   std::int64_t fitted_ = 0;          ///< rows that may be fitted together with the next one
   double nearest_ = 0.0;             ///< see pass_over
+  bool has_events_ = false;          ///< its source has
+  double jump_at_ = -Member::never;  ///< [s]: the last one of its source that concerns a lane
   std::vector<Segment> segments_;    ///< by lane, then by row
   std::vector<double> differences_;  ///< by lane: backward divided differences at the newest row
 

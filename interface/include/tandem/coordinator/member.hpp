@@ -12,10 +12,11 @@ struct Member {
   /// Where its next own step ends [s], at most where it is to land; of a sampled one its next instant;
   /// `never` likewise.
   double next = never;
-  bool lands = false;       ///< can cut a step
-  bool reads_mean = false;  ///< reads an input that is a mean over its own step: one step at a time
-  bool sampled = false;     ///< acts at instants of its own only
-  double landing = never;   ///< it ends a step there [s], if it gets so far
+  bool lands = false;      ///< can cut a step
+  bool one_step = false;   ///< a turn is one own step, as an input is a mean over it, or as it may go back
+  bool sampled = false;    ///< acts at instants of its own only
+  bool events = false;     ///< stops where its outputs jump
+  double landing = never;  ///< it ends a step there [s], if it gets so far
 
   bool finished() const { return next == never; }
 };

@@ -49,13 +49,13 @@ class Schedule {
 
   /// Puts a member where its subsystem stands. It takes no further part if it stands at t_stop, if its next
   /// step would end past it, or if it says so (next = never). break_at [s]: where a held input that it is to
-  /// land at is known to change next; it also lands at the next instants of the sampled members that say so,
-  /// for which those that they move are to be put anew.
+  /// land at is known to change next, or another to have jumped; it also lands at the next instants of the
+  /// sampled members that say so, for which those that they move are to be put anew.
   void stand(int who, double time, double next, double break_at = Member::never) {
     Member& m = members_[static_cast<std::size_t>(who)];
     if (m.lands && next != Member::never) next = std::min(next, plan_.span.stop);
     const bool finished = (time >= earliest_stop_ && !m.sampled) || next > latest_stop_;
-    if (sampled_ && !finished) next = std::min(next, find_landing(who, time, break_at));
+    if (landings_ && !finished) next = std::min(next, find_landing(who, time, break_at));
     m.time = finished ? Member::never : time;
     m.next = finished ? Member::never : next;
     if (related_) turns_.moved(members_, who);
@@ -68,9 +68,11 @@ class Schedule {
   /// many calls as it takes. A sampled member acts at its next instant. The span is valid until the next
   /// call.
   std::span<const Turn> next_round();
-  /// In parallel with sampled members: who can go on to the same communication point now that these have
-  /// acted, or those. None: the round is over.
+  /// In parallel with sampled members, or with events: who can go on to the same communication point now that
+  /// these have acted, or those have gone; who has events goes first. None: the round is over.
   std::span<const Turn> rest_of_round();
+  /// In parallel the communication point of this round is not past `time` [s].
+  void end_round_at(double time) { target_ = std::min(target_, time); }
 
   /// Calls visit(other) for each whose turns depend on where a sampled member stands.
   template <class Visit>
@@ -85,14 +87,18 @@ class Schedule {
   bool add_samples();
   double communication_point() const;
   void add_up_to(double target);
+  template <class Takes>
+  void add_those(double target, const Takes& takes);
   void add(int who, double limit);
 
   Plan plan_;
   std::vector<Member> members_;
   bool in_turns_;
-  bool sampled_;  ///< there are sampled members
-  bool pair_;     ///< two that are linked
-  bool related_;  ///< turns_ is kept
+  bool sampled_;   ///< there are sampled members
+  bool events_;    ///< there are some with events
+  bool landings_;  ///< members end steps elsewhere than at their own nodes
+  bool pair_;      ///< two that are linked
+  bool related_;   ///< turns_ is kept
   TimeTolerance tolerance_;
   double earliest_stop_, latest_stop_;  ///< t_stop, give and take the tolerance
   TurnOrder turns_;
