@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -32,6 +33,7 @@ class MassPairRun {
         .connect("fast.x1", "slow.x1", what.scheme.to_slow, what.lag_to_slow);
     if (what.swapped) bench_.coordination.order = {"fast", "slow"};
     bench_.coordination.start = what.start;
+    bench_.coordination.diverged_beyond = std::numeric_limits<double>::infinity();  // some schemes do
   }
   const std::vector<Recording::Rows>& run() { return bench_.run(what_.t_stop, what_.t_start).all(); }
   RunBench& bench() { return bench_; }

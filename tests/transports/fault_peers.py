@@ -12,7 +12,7 @@ import time
 import fault_zeromq
 from tandem import wire
 
-DEADLINE = 0.5
+DEADLINE = 2.0
 SLACK = 3.0  # the starting of processes on a busy machine
 STRANGE = "\x1bc\x07\u202e\x9b\x00\udcff"  # a stranger's text, and how it has to be shown
 STRANGE_SHOWN = "\\x1bc\\x07\\u202e\\u009b\\x00\\xff"

@@ -30,6 +30,9 @@
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 extern char** environ;
 
@@ -207,8 +210,13 @@ static void release(buffer* b) {
   free(b->bytes);
   memset(b, 0, sizeof *b);
 }
+/* The system has it back too: glibc would keep blocks of up to 32 MiB once it has seen one go. */
 static void release_large(buffer* b) {
-  if (b->capacity > USUAL_MEMORY) release(b);
+  if (b->capacity <= USUAL_MEMORY) return;
+  release(b);
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
 }
 static void put_text(buffer* b, const char* text, size_t longest) {
   size_t length = strlen(text);
@@ -420,7 +428,7 @@ static void forget(channel* c) {
   buffer rest = {NULL, 0, 0, 0};
   if (c->in.capacity > USUAL_MEMORY) put_bytes(&rest, c->in.bytes + c->frame, left);
   if (c->in.capacity > USUAL_MEMORY && !rest.lost) {
-    release(&c->in);
+    release_large(&c->in);
     c->in = rest;
   } else {
     if (c->frame && left) memmove(c->in.bytes, c->in.bytes + c->frame, left);
