@@ -47,6 +47,8 @@ Scalar scalar_at(const std::vector<Port>& ports, int index) {
   return {&*port, index};
 }
 
+bool Subsystem::one_thread() const { return false; }
+
 bool Subsystem::start_advance(double, bool, std::span<const Signal>, const Samples&) { return false; }
 
 Clock Subsystem::finish_advance(Samples&) {

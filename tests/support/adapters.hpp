@@ -1,9 +1,11 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <algorithm>
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "tandem/subsystem.hpp"
 #include "tandem/time_grid.hpp"
@@ -82,12 +84,52 @@ class Strict final : public Adapter {
   Clock clock_{};
 };
 
+/// Sees no marks of jumps, so that it goes over them in one step.
+class OverJumps final : public Adapter {
+ public:
+  using Adapter::Adapter;
+  Clock advance(double t_limit, bool land, std::span<const Signal> u, Samples& y) override {
+    pieces_.clear();
+    for (const Signal& signal : u) {
+      const auto segments = signal.segments();
+      pieces_.emplace_back(segments.begin(), segments.end());
+      for (Segment& s : pieces_.back()) mark_jump(s, false);
+    }
+    signals_.clear();
+    for (std::size_t k = 0; k < u.size(); ++k)
+      signals_.emplace_back(pieces_[k].data(), static_cast<std::int32_t>(pieces_[k].size()), u[k].degree());
+    return inner_->advance(t_limit, land, signals_, y);
+  }
+
+ private:
+  std::vector<std::vector<Segment>> pieces_;
+  std::vector<Signal> signals_;
+};
+
+/// As it is, but each call takes some microseconds more.
+class Busy final : public Adapter {
+ public:
+  using Adapter::Adapter;
+  Clock advance(double t_limit, bool land, std::span<const Signal> u, Samples& y) override {
+    const auto until = std::chrono::steady_clock::now() + std::chrono::microseconds(5);
+    while (std::chrono::steady_clock::now() < until) {
+    }
+    return inner_->advance(t_limit, land, u, y);
+  }
+};
+
 inline std::unique_ptr<Subsystem> as_it_is(std::unique_ptr<Subsystem> s) { return s; }
 inline std::unique_ptr<Subsystem> one_step_a_call(std::unique_ptr<Subsystem> s) {
   return std::make_unique<OneStepACall>(std::move(s));
 }
 inline std::unique_ptr<Subsystem> three_samples_a_call(std::unique_ptr<Subsystem> s) {
   return std::make_unique<ThreeSamplesACall>(std::move(s));
+}
+inline std::unique_ptr<Subsystem> over_jumps(std::unique_ptr<Subsystem> s) {
+  return std::make_unique<OverJumps>(std::move(s));
+}
+inline std::unique_ptr<Subsystem> busy(std::unique_ptr<Subsystem> s) {
+  return std::make_unique<Busy>(std::move(s));
 }
 inline std::unique_ptr<Subsystem> strict(std::unique_ptr<Subsystem> s) {
   return std::make_unique<Strict>(std::move(s));

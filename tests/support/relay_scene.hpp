@@ -201,9 +201,7 @@ struct RelayRun {
 class RelayBench {
  public:
   explicit RelayBench(const RelayRun& what)
-      : what_(what),
-        relay_(make(what)),
-        plant_(RelayPlant(what.system, what.plant_step)) {
+      : what_(what), relay_(make(what)), plant_(RelayPlant(what.system, what.plant_step)) {
     bench.add("relay", *relay_).add("plant", plant_).schedule(what.schedule);
     bench.connect("plant.x", "relay.x", what.how).connect("relay.y", "plant.y", what.how);
     bench.connect("relay.r", "plant.r", "");

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "adapters.hpp"
 #include "exact_samples.hpp"
 #include "run_bench.hpp"
 
@@ -56,9 +57,13 @@ class SampledRun {
     if (part.sampled)
       all_[i] = std::make_unique<Sampled<LinearController>>(LinearController(part.system, *part.sampled));
     else
-      all_[i] = std::make_unique<FixedStep<LinearModel>>(LinearModel(part.system, side.step, side.method));
+      all_[i] = continuous(part, side);
     bench.add("p" + std::to_string(i), *all_[i]);
     bench.coordination.landing["p" + std::to_string(i)] = side.landing;
+  }
+  static std::unique_ptr<Subsystem> continuous(const Part& part, const Side& side) {
+    auto one = std::make_unique<FixedStep<LinearModel>>(LinearModel(part.system, side.step, side.method));
+    return side.method == Method::rk4 ? over_jumps(std::move(one)) : std::move(one);
   }
   void connect(const Wire& w) {
     const auto from = static_cast<std::size_t>(w.from), to = static_cast<std::size_t>(w.to);

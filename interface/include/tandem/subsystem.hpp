@@ -35,7 +35,8 @@ enum class SamplePart {
 using StateId = std::int64_t;
 
 /// A system that integrates itself with its own step, or a sampled one. One instance is called by one thread
-/// at a time, in the order initialize (again, as often as needed), then advance, advance, ... or sample,
+/// at a time, though not always by the same, and others of the same kind by other threads meanwhile; in the
+/// order initialize (again, as often as needed), then advance, advance, ... or sample,
 /// sample, ... Any call may throw Error; the run ends then.
 class Subsystem {
  public:
@@ -43,6 +44,9 @@ class Subsystem {
 
   /// Constant after construction.
   virtual const SubsystemInfo& info() const = 0;
+
+  /// Whether all calls have to come from the thread that made it. The base class says false.
+  virtual bool one_thread() const;
 
   /// Puts the state at t_start [s] and appends the first sample; the run ends at t_stop [s], past which no
   /// step is asked for. A sampled subsystem gives the outputs that hold before its first instant, which is

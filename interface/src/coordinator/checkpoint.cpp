@@ -147,14 +147,14 @@ void Coordinator::require_serializable() const {
 
 void Coordinator::save(ByteWriter& to) const {
   for (int i = 0; i < topology_.size(); ++i) {
-    const Seat& seat = seats_[static_cast<std::size_t>(i)];
+    const Seat& seat = this->seat(i);
     to.put_doubles(std::array{seat.time, own_next(i)});
     to.put(std::int32_t{seat.idle_calls});
     for (const std::int64_t number : {seat.told, seat.effort.exchanges, seat.effort.steps}) to.put(number);
     const StateId now = named(topology_.name(i), [&] { return seat.subsystem->save_state(); });
     write_state(i, now, to);
     seat.subsystem->release_state(now);
-    write_back(i, to);
+    write_events(i, to);
   }
   exchange_->write(to);
 }
@@ -164,21 +164,6 @@ void Coordinator::write_state(int who, StateId id, ByteWriter& to) const {
   const auto bytes = named(topology_.name(who), [&] { return subsystem.serialize_state(id); });
   to.put(std::uint64_t{bytes.size()});
   to.put_bytes(bytes);
-}
-
-/// What it goes back to, and what a run's notes tell of events.
-void Coordinator::write_back(int who, ByteWriter& to) const {
-  const Seat& seat = seats_[static_cast<std::size_t>(who)];
-  to.put(seat.times_back);
-  to.put(seat.missed.count);
-  to.put(seat.missed.largest);
-  to.put(std::int32_t{seat.missed.reader});
-  to.put(std::uint32_t(seat.back.size()));
-  for (const Back& back : seat.back) {
-    to.put(back.time);
-    to.put(back.row);
-    write_state(who, back.state, to);
-  }
 }
 
 /// All numbers are looked at before the first subsystem gets its state.
@@ -191,38 +176,19 @@ void Coordinator::restore(ByteReader& from) {
     for (std::int64_t* number : {&seat.told, &seat.effort.exchanges, &seat.effort.steps})
       *number = from.take<std::int64_t>();
     states.push_back(from.take_bytes(from.take<std::uint64_t>()));
-    read_back(static_cast<int>(i), from, states_back);
+    read_events(static_cast<int>(i), from, states_back);
   }
   exchange_->read(from);
-  for (int i = 0; i < topology_.size(); ++i) check_seat(i, from);
+  for (int i = 0; i < topology_.size(); ++i) check_seat(i, from), check_events(i, from);
   place_all();
   for (int i = 0; i < topology_.size(); ++i) restore_state(i, states[static_cast<std::size_t>(i)], from);
-  auto bytes = states_back.begin();
-  for (int i = 0; i < topology_.size(); ++i)
-    for (Back& back : seats_[static_cast<std::size_t>(i)].back)
-      back.state = named(topology_.name(i), [&] {
-        return seats_[static_cast<std::size_t>(i)].subsystem->deserialize_state(*bytes++);
-      });
-}
-
-void Coordinator::read_back(int who, ByteReader& from, std::vector<std::span<const std::byte>>& states) {
-  Seat& seat = seats_[static_cast<std::size_t>(who)];
-  seat.times_back = from.take<std::int64_t>();
-  seat.missed.count = from.take<std::int64_t>();
-  seat.missed.largest = from.take<double>();
-  seat.missed.reader = from.take<std::int32_t>();
-  seat.back.resize(from.take_count(2 * sizeof(double) + sizeof(std::uint64_t)));
-  for (Back& back : seat.back) {
-    back.time = from.take<double>();
-    back.row = from.take<std::int64_t>();
-    states.push_back(from.take_bytes(from.take<std::uint64_t>()));
-  }
+  restore_back(states_back);
 }
 
 /// Where it stands is the time of its newest sample (of a sampled one the instant of that, or the start),
 /// within the span, and its next step ends after that.
 void Coordinator::check_seat(int who, const ByteReader& from) {
-  const Seat& seat = seats_[static_cast<std::size_t>(who)];
+  const Seat& seat = this->seat(who);
   const double next = own_next_[static_cast<std::size_t>(who)];
   const History& history = exchange_->history(who);
   const bool sampled = topology_.info(who).abilities.sampled,
@@ -234,18 +200,6 @@ void Coordinator::check_seat(int who, const ByteReader& from) {
     from.refuse("has subsystem '" + topology_.name(who) + "' at t = " + number_text(seat.time) +
                 " s with a next step to " + number_text(next) +
                 " s; allowed is the time of its newest sample, within the run, and a later one");
-  double before = t_start_;
-  for (const Back& back : seat.back) {
-    if (seat.events_behind.empty() || tolerance_.before(back.time, before) || back.row < history.oldest() ||
-        back.row > history.newest() || history.time(back.row) != back.time)
-      from.refuse("has a state of subsystem '" + topology_.name(who) + "' at t = " + number_text(back.time) +
-                  " s to go back to; allowed are those at samples that are there, if it may go back");
-    before = back.time;
-  }
-  if (seat.missed.reader < -1 || seat.missed.reader >= topology_.size() || seat.missed.count < 0 ||
-      (seat.missed.count > 0 && seat.missed.reader < 0) || seat.times_back < 0)
-    from.refuse("has a number of events of subsystem '" + topology_.name(who) + "' that no run has");
-  if (!seat.events_behind.empty() && !seat.back.empty()) exchange_->keep_from(who, seat.back.front().time);
   if (seat.idle_calls < 0 || seat.idle_calls >= most_idle_calls || seat.told < history.oldest() - 1 ||
       seat.told > history.newest() || seat.effort.exchanges < 0 || seat.effort.steps < 0)
     from.refuse("has a number of calls, steps or samples of subsystem '" + topology_.name(who) +
@@ -253,7 +207,7 @@ void Coordinator::check_seat(int who, const ByteReader& from) {
 }
 
 void Coordinator::restore_state(int who, std::span<const std::byte> bytes, const ByteReader& from) {
-  const Seat& seat = seats_[static_cast<std::size_t>(who)];
+  const Seat& seat = this->seat(who);
   const Clock clock = named(topology_.name(who), [&] {
     const StateId id = seat.subsystem->deserialize_state(bytes);
     const Clock there = seat.subsystem->restore_state(id);

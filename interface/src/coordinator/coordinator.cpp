@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <cassert>
-#include <chrono>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <utility>
 
 #include "../number_text.hpp"
+#include "../seconds_now.hpp"
 #include "named.hpp"
 #include "run_start.hpp"
 #include "tandem/error.hpp"
@@ -16,12 +17,25 @@
 namespace tandem {
 namespace {
 
-double seconds_now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+/// Of several pieces of work that are all done, the error of the first that failed, by their numbers.
+class FirstError {
+ public:
+  template <class Work>
+  void of(std::size_t number, const Work& work) try {
+    work();
+  } catch (...) {
+    if (number < number_) number_ = number, error_ = std::current_exception();
+  }
+  void raise() const {
+    if (error_) std::rethrow_exception(error_);
+  }
+
+ private:
+  std::size_t number_ = std::numeric_limits<std::size_t>::max();
+  std::exception_ptr error_;
+};
 
 }  // namespace
-
 std::string_view name(StartKind start) {
   constexpr std::string_view names[] = {"automatic", "derivatives", "repeat", "cold"};
   return names[static_cast<std::size_t>(start)];
@@ -40,6 +54,8 @@ Coordinator::Coordinator(const Topology& topology, const std::vector<Subsystem*>
                                                  number_text(t_stop_) + " s does not end after its start");
   for (Subsystem* subsystem : subsystems) seats_.push_back({subsystem});
   own_next_.resize(seats_.size());
+  event_seats_.resize(seats_.size());
+  begin_threads();
 }
 
 void Coordinator::initialize() {
@@ -89,16 +105,20 @@ void Coordinator::make(std::span<const Turn> turns) {
 }
 
 /// None of them reads what another gives in this round. All that can be are set to work before the first is
-/// waited for; the others work meanwhile.
+/// waited for; the others work meanwhile. All are made, also after an error, so that it is the same one, with
+/// the same samples kept, whoever makes them. Memory moves before the inputs are there, and when they have
+/// been read.
 void Coordinator::make_together(std::span<const Turn> turns) {
-  const auto under_way = [this](const Turn& turn) {
-    return seats_[static_cast<std::size_t>(turn.who)].under_way;
-  };
+  const auto elsewhere = [this](const Turn& turn) { return seat(turn.who).call > Seat::Call::prepared; };
+  for (const Turn& turn : turns) make_ready(turn.who);
   for (const Turn& turn : turns) start(turn);
-  for (const Turn& turn : turns)
-    if (!under_way(turn)) go(turn);
-  for (const Turn& turn : turns)
-    if (under_way(turn)) go(turn);
+  FirstError error;
+  for (const bool waits : {false, true})
+    for (std::size_t k = 0; k < turns.size(); ++k)
+      if (elsewhere(turns[k]) == waits) error.of(k, [&] { take(next_call(turns[k]), *exchange_); });
+  error.raise();
+  if (schedule_->kind() == Schedule::Kind::parallel)
+    for (const Turn& turn : turns) go_on(turn);
   for (const Turn& turn : turns) commit(turn.who, turn.limit);
 }
 
@@ -106,8 +126,8 @@ void Coordinator::make_together(std::span<const Turn> turns) {
 /// heard of.
 void Coordinator::finish_all(std::span<const Turn> turns) {
   for (const Turn& turn : turns)
-    if (seats_[static_cast<std::size_t>(turn.who)].under_way) try {
-        advance(turn, {}, exchange_->history(turn.who).room());
+    if (seat(turn.who).call > Seat::Call::prepared) try {
+        advance(turn, exchange_->history(turn.who).room());
       } catch (const std::exception&) {
       }
 }
@@ -133,44 +153,51 @@ Turn Coordinator::next_call(const Turn& turn) const {
 }
 
 void Coordinator::start(const Turn& turn) {
-  Seat& seat = seats_[static_cast<std::size_t>(turn.who)];
-  const auto u = prepare(turn.who, *exchange_);
+  Seat& seat = this->seat(turn.who);
+  read(turn.who, *exchange_);
   const Turn first = next_call(turn);
-  seat.under_way = named_advance(topology_.name(turn.who), seat.time, first.limit, [&] {
-    return seat.subsystem->start_advance(first.limit, first.land, u, exchange_->history(turn.who).room());
+  const bool under_way = named_advance(topology_.name(turn.who), seat.time, first.limit, [&] {
+    return seat.subsystem->start_advance(first.limit, first.land, seat.u,
+                                         exchange_->history(turn.who).room());
   });
+  if (under_way)
+    seat.call = Seat::Call::under_way;
+  else if (threads_)
+    offer(first);
 }
 
 /// In parallel: as many calls as it takes to come past the communication point, or to an event.
-void Coordinator::go(const Turn& turn) {
+void Coordinator::go_on(const Turn& turn) {
   const Member& member = schedule_->member(turn.who);
-  const bool goes_on = schedule_->kind() == Schedule::Kind::parallel;
-  while ((take(next_call(turn), *exchange_) != Stop::event || !member.events) && goes_on &&
-         !tolerance_.before(turn.limit, member.next)) {
-  }
+  const Seat& seat = this->seat(turn.who);
+  while (!(member.events && seat.stop == Stop::event) && !tolerance_.before(turn.limit, member.next))
+    take(next_call(turn), *exchange_);
 }
 
-/// Room for its rows, and its inputs from where it stands.
-std::span<const Signal> Coordinator::prepare(int who, Exchange& inputs) {
-  const Seat& seat = seats_[static_cast<std::size_t>(who)];
+/// Before a call: a state to go back to, if it may, and room for its rows.
+void Coordinator::make_ready(int who) {
+  const Seat& seat = this->seat(who);
+  if (seat.goes_back) remember(who);
   if (!exchange_->history(who).has_room(seat.batch)) exchange_->make_room(who, seat.batch);
-  return inputs.inputs(who, seat.time, schedule_->member(who).next);
 }
 
-/// One call, on the signals of `inputs`; or the end of the one that was started.
-Stop Coordinator::take(const Turn& turn, Exchange& inputs) {
+/// Its inputs, from where it stands.
+void Coordinator::read(int who, Exchange& inputs) {
+  Seat& seat = this->seat(who);
+  seat.u = inputs.inputs(who, seat.time, schedule_->member(who).next);
+  seat.rows = exchange_->history(who).room().size();
+  seat.call = Seat::Call::prepared;
+}
+
+/// One call, on the signals of `inputs`; or the end of the one that has begun.
+void Coordinator::take(const Turn& turn, Exchange& inputs) {
   const int who = turn.who;
-  Seat& seat = seats_[static_cast<std::size_t>(who)];
-  std::span<const Signal> u;
-  if (!seat.under_way) u = prepare(who, inputs);
-  if (!seat.events_behind.empty() && exchange_ && &inputs == &*exchange_) remember(who);
+  Seat& seat = this->seat(who);
+  if (seat.call == Seat::Call::none) make_ready(who), read(who, inputs);
   Samples& y = exchange_->history(who).room();
-  const std::int64_t rows = y.size();
   const double before = seat.time;
-  if (coordination_.profile) seat.effort.seconds -= seconds_now();
-  const Clock clock = advance(turn, u, y);
-  if (coordination_.profile) seat.effort.seconds += seconds_now();
-  const std::int64_t steps = y.size() - rows;
+  const Clock clock = advance(turn, y);
+  const std::int64_t steps = y.size() - seat.rows;
   seat.effort.exchanges += 1;
   seat.effort.steps += steps;
   if (steps > 0 && clock.time == y.time(y.size() - 1) && clock.time > before && clock.time <= turn.limit &&
@@ -178,23 +205,29 @@ Stop Coordinator::take(const Turn& turn, Exchange& inputs) {
     seat.idle_calls = 0;
   else
     check_clock(turn, before, steps, clock);
+  seat.stop = clock.stop;
   stand(who, clock);
-  return clock.stop;
 }
 
-/// The subsystem's call, or the second half of one that was started; its error names it.
-Clock Coordinator::advance(const Turn& turn, std::span<const Signal> u, Samples& y) {
-  Seat& seat = seats_[static_cast<std::size_t>(turn.who)];
-  return named_advance(topology_.name(turn.who), seat.time, turn.limit, [&] {
-    return std::exchange(seat.under_way, false) ? seat.subsystem->finish_advance(y)
-                                                : seat.subsystem->advance(turn.limit, turn.land, u, y);
+/// The subsystem's call, or the second half of one that has begun; its error names it.
+Clock Coordinator::advance(const Turn& turn, Samples& y) {
+  Seat& seat = this->seat(turn.who);
+  const Seat::Call call = std::exchange(seat.call, Seat::Call::none);
+  const bool timed = call != Seat::Call::offered && is_timed(turn.who);
+  const double begin = timed ? seconds_now() : 0.0;
+  const Clock clock = named_advance(topology_.name(turn.who), seat.time, turn.limit, [&] {
+    if (call == Seat::Call::offered) return finish_offered(turn.who);
+    if (call == Seat::Call::under_way) return seat.subsystem->finish_advance(y);
+    return seat.subsystem->advance(turn.limit, turn.land, seat.u, y);
   });
+  if (timed) note_seconds(turn.who, seconds_now() - begin);
+  return clock;
 }
 
 /// The observer, if there is one, once of each row.
 void Coordinator::tell(int who) {
   const History& history = exchange_->history(who);
-  Seat& seat = seats_[static_cast<std::size_t>(who)];
+  Seat& seat = this->seat(who);
   const std::int64_t last = std::max(last_final(who), seat.told), first = std::exchange(seat.told, last) + 1;
   if (observer_ && first <= last && !observer_->samples(who, history, first, last)) stopped_ = true;
 }
@@ -203,7 +236,7 @@ void Coordinator::tell(int who) {
 void Coordinator::keep_rest() {
   ended_ = true;
   for (int i = 0; i < topology_.size(); ++i)
-    if (!seats_[static_cast<std::size_t>(i)].events_behind.empty()) tell(i);
+    if (seat(i).goes_back) tell(i);
 }
 
 /// What is not plain may still be right: no step taken, an end within the tolerance, no further step. Throws

@@ -27,12 +27,12 @@ void RunStart::note_events(const std::vector<int>& order) {
     if (!topology_.info(source).abilities.events || a.sampled || reader == source) continue;
     if (schedule == Kind::staggered) continue;
     run_.has_events_ = true;
-    add_once(run_.seats_[static_cast<std::size_t>(source)].readers, reader);
+    add_once(run_.events(source).readers, reader);
     if (schedule == Kind::parallel || place(reader) > place(source)) continue;
     const bool lands = std::isfinite(times_.shortest_period[static_cast<std::size_t>(reader)]);
     if (a.saves_state && lands) {
-      add_once(run_.seats_[static_cast<std::size_t>(reader)].events_behind, source);
-      add_once(run_.seats_[static_cast<std::size_t>(source)].leaders_back, reader);
+      add_once(run_.events(reader).events_behind, source);
+      add_once(run_.events(source).leaders_back, reader);
     }
     if (std::find(told.begin(), told.end(), std::pair(reader, source)) == told.end())
       note_follower(source, reader, a.saves_state && lands);

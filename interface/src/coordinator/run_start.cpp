@@ -38,6 +38,7 @@ void RunStart::make() {
   run_.start_ = choose();
   if (run_.start_ == StartKind::derivatives) seed();
   if (run_.start_ == StartKind::repeat) repeat();
+  for (int i = 0; i < topology_.size(); ++i) run_.seat(i).goes_back = !run_.events(i).events_behind.empty();
 }
 
 void RunStart::stand_all() {
@@ -72,8 +73,8 @@ std::vector<Member> RunStart::members() const {
   for (std::size_t i = 0; i < all.size(); ++i) {
     all[i].lands = topology_.info(static_cast<int>(i)).abilities.lands;
     all[i].sampled = sampled(static_cast<int>(i));
-    all[i].events = !run_.seats_[i].readers.empty();
-    all[i].one_step = !run_.seats_[i].events_behind.empty();
+    all[i].events = !run_.event_seats_[i].readers.empty();
+    all[i].one_step = !run_.event_seats_[i].events_behind.empty();
   }
   for (const Line& line : topology_.lines())
     if (line.how.kind == Reconstruction::Kind::mean)

@@ -48,7 +48,7 @@ void Coordinator::act() {
 }
 
 Clock Coordinator::sample(int who, SamplePart part) {
-  Seat& seat = seats_[static_cast<std::size_t>(who)];
+  Seat& seat = this->seat(who);
   const auto u = exchange_->sample(who, {seat.time, own_next(who)});
   const auto outputs = static_cast<std::size_t>(topology_.info(who).output_size());
   seat.effort.exchanges += 1;
@@ -81,7 +81,7 @@ void Coordinator::give(int who) {
 
 /// To its next instant, which those wait for that it is related to.
 void Coordinator::go_on(int who, const Clock& clock) {
-  Seat& seat = seats_[static_cast<std::size_t>(who)];
+  Seat& seat = this->seat(who);
   if (clock.time != own_next(who))
     refuse_sample(who, "it says that it stands at t = " + number_text(clock.time) + " s");
   const double earliest = own_next(who) + topology_.info(who).sampling.period;

@@ -89,6 +89,7 @@ class ThreeFunctionLibrary final : public Subsystem {
   }
 
   const SubsystemInfo& info() const override { return info_; }
+  bool one_thread() const override { return true; }  // their state is anybody's guess
 
   Clock initialize(double t_start, double, std::span<const double>, Samples& y) override {
     const LibraryCall in_library(name_.c_str());

@@ -140,6 +140,10 @@ std::string session_place(const std::string& address, const std::string& place, 
   return beside(place, answer.to_string());
 }
 
+/// ms, 11 days: whoever takes the port after the session is not its peer. (With -1 libzmq drops what has come
+/// before the connection's end and was not read yet.)
+constexpr int never = 1'000'000'000;
+
 }  // namespace
 }  // namespace zeromq
 
@@ -151,7 +155,7 @@ std::unique_ptr<wire::Channel> zmq_connect(const std::string& address, const Zmq
     zmq::socket_t socket(zeromq::context(), zmq::socket_type::dealer);
     zeromq::secure(socket, settings);
     socket.set(zmq::sockopt::routing_id, token);
-    socket.set(zmq::sockopt::reconnect_ivl, -1);  // whoever takes the port after the session is not its peer
+    socket.set(zmq::sockopt::reconnect_ivl, zeromq::never);
     zeromq::connect_to(socket, place);
     return std::make_unique<zeromq::ZmqChannel>(std::move(socket), "zmq:" + address);
   } catch (const zmq::error_t& error) {

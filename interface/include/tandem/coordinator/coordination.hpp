@@ -48,6 +48,8 @@ struct Coordination {
   /// first hundredth of the span, its port's nominal value and 1; above 1, infinite: never.
   double diverged_beyond = 1e8;
   bool profile = false;  ///< read the clock before and after each call of a subsystem
+  /// That make calls of one round at the same time, where these last long enough; the results are the same.
+  int threads = 1;
 };
 
 /// Is told of new samples as they become visible.

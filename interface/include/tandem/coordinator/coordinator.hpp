@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -7,6 +8,8 @@
 #include "tandem/coordinator/coordination.hpp"
 #include "tandem/coordinator/exchange.hpp"
 #include "tandem/coordinator/schedule.hpp"
+#include "tandem/coordinator/seat.hpp"
+#include "tandem/coordinator/thread_pool.hpp"
 #include "tandem/coordinator/topology.hpp"
 
 namespace tandem {
@@ -48,8 +51,8 @@ class Coordinator {
   const Exchange& exchange() const { return *exchange_; }
   const Schedule& schedule() const { return *schedule_; }
   /// Where a subsystem stands [s].
-  double time(int subsystem) const { return seats_[static_cast<std::size_t>(subsystem)].time; }
-  const Effort& effort(int subsystem) const { return seats_[static_cast<std::size_t>(subsystem)].effort; }
+  double time(int subsystem) const { return seat(subsystem).time; }
+  const Effort& effort(int subsystem) const { return seat(subsystem).effort; }
   /// Its first own step [s].
   double own_step(int subsystem) const { return own_steps_[static_cast<std::size_t>(subsystem)]; }
   /// How the histories were filled; cold too where no connection needs them filled. After initialize().
@@ -61,43 +64,26 @@ class Coordinator {
  private:
   friend class RunStart;
   static constexpr int most_idle_calls = 100;
-  /// A state that one may go back to, at the newest row of then.
-  struct Back {
-    StateId state;
-    double time;
-    std::int64_t row;
-  };
-  /// Events that a reader had passed, and did not go back to.
-  struct Missed {
-    std::int64_t count = 0;
-    double largest = 0.0;  ///< jump times how far it had passed
-    int reader = -1;       ///< where that was
-  };
-  struct Seat {
-    Subsystem* subsystem;
-    double time = 0.0;       ///< where the subsystem stands
-    std::int64_t batch = 0;  ///< own steps that a call may take
-    int idle_calls = 0;      ///< since it last moved
-    bool under_way = false;  ///< a call was started and has yet to be finished
-    std::int64_t told = 0;   ///< last row that the observer knows
-    Effort effort = {};
-    std::vector<int> readers = {};       ///< of one with events: who integrates itself and reads it
-    std::vector<int> leaders_back = {};  ///< of these who may go back
-    std::vector<int> events_behind =
-        {};                       ///< of one that may go back: those with events that it reads and leads
-    std::vector<Back> back = {};  ///< of such a one, the oldest first
-    std::int64_t times_back = 0;
-    Missed missed = {};
-  };
+  Seat& seat(int who) { return seats_[static_cast<std::size_t>(who)]; }
+  const Seat& seat(int who) const { return seats_[static_cast<std::size_t>(who)]; }
+  EventSeat& events(int who) { return event_seats_[static_cast<std::size_t>(who)]; }
+  const EventSeat& events(int who) const { return event_seats_[static_cast<std::size_t>(who)]; }
   void make(std::span<const Turn> turns);
   void make_together(std::span<const Turn> turns);
   void make_in_parts(std::span<const Turn> turns);
   void make_part(std::span<const Turn> turns);
   void start(const Turn& turn);
-  void go(const Turn& turn);
-  Stop take(const Turn& turn, Exchange& inputs);
-  std::span<const Signal> prepare(int who, Exchange& inputs);
-  Clock advance(const Turn& turn, std::span<const Signal> u, Samples& y);
+  void go_on(const Turn& turn);
+  void take(const Turn& turn, Exchange& inputs);
+  void make_ready(int who);
+  void read(int who, Exchange& inputs);
+  Clock advance(const Turn& turn, Samples& y);
+  void begin_threads();
+  bool is_timed(int who) const;
+  void note_seconds(int who, double seconds);
+  void offer(const Turn& turn);
+  void make_offered(int who);
+  Clock finish_offered(int who);
   Turn next_call(const Turn& turn) const;
   void check_clock(const Turn& turn, double before, std::int64_t rows, const Clock& after);
   void hear_of_event(int who);
@@ -114,8 +100,7 @@ class Coordinator {
   void go_on(int who, const Clock& clock);
   [[noreturn]] void refuse_sample(int who, const std::string& what) const;
   void stand(int who, const Clock& clock) {
-    Seat& seat = seats_[static_cast<std::size_t>(who)];
-    seat.time = clock.time;
+    seat(who).time = clock.time;
     const double next = clock.stop == Stop::finished ? Member::never : clock.next_time;
     if (!lands_elsewhere_) return schedule_->stand(who, clock.time, next);
     own_next_[static_cast<std::size_t>(who)] = next;
@@ -133,8 +118,10 @@ class Coordinator {
   void finish_all(std::span<const Turn> turns);
   void keep(const Turn& turn);
   void write_state(int who, StateId id, ByteWriter& to) const;
-  void write_back(int who, ByteWriter& to) const;
-  void read_back(int who, ByteReader& from, std::vector<std::span<const std::byte>>& states);
+  void write_events(int who, ByteWriter& to) const;
+  void read_events(int who, ByteReader& from, std::vector<std::span<const std::byte>>& states);
+  void check_events(int who, const ByteReader& from);
+  void restore_back(std::span<const std::span<const std::byte>> states);
   void check_seat(int who, const ByteReader& from);
   void restore_state(int who, std::span<const std::byte> bytes, const ByteReader& from);
   void note_extra_steps(int who);
@@ -151,6 +138,7 @@ class Coordinator {
   std::optional<Exchange> exchange_;
   std::optional<Schedule> schedule_;
   std::vector<Seat> seats_;
+  std::vector<EventSeat> event_seats_;
   bool has_samples_ = false;      ///< there are sampled subsystems
   bool has_events_ = false;       ///< there are some with events, in turns or parallel
   bool lands_elsewhere_ = false;  ///< there are sampled ones or events: steps end elsewhere than at own nodes
@@ -165,6 +153,8 @@ class Coordinator {
   std::vector<Turn> going_;        ///< likewise
   std::vector<double> own_steps_;
   std::vector<std::string> notes_;
+  std::vector<OfferedCall> offered_;     ///< by subsystem; empty without threads
+  std::unique_ptr<ThreadPool> threads_;  ///< the first to go
 };
 
 }  // namespace tandem

@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstdint>
+#include <exception>
+#include <span>
+#include <vector>
+
+#include "tandem/coordinator/coordination.hpp"
+#include "tandem/subsystem.hpp"
+
+namespace tandem {
+
+/// What a coordinator knows of one subsystem, beside the schedule and the exchange.
+struct Seat {
+  /// How far its next call is: not begun, its inputs are there, begun by the subsystem itself, offered to
+  /// other threads.
+  enum class Call : std::uint8_t { none, prepared, under_way, offered };
+
+  Subsystem* subsystem;
+  double time = 0.0;               ///< where it stands [s]
+  std::int64_t batch = 0;          ///< own steps that a call may take
+  std::int64_t told = 0;           ///< last row that the observer knows
+  std::int64_t rows = 0;           ///< that there were before the call that has begun
+  std::span<const Signal> u = {};  ///< of a call that has begun
+  Effort effort = {};
+  int idle_calls = 0;  ///< since it last moved
+  Call call = Call::none;
+  Stop stop = Stop::limit;  ///< why its last call returned
+  bool goes_back = false;   ///< to events that it has passed
+};
+
+/// A call that another thread may make.
+struct OfferedCall {
+  bool may_be = true;    ///< offered at all
+  double seconds = 0.0;  ///< that a call lasts, about
+  Turn turn = {};
+  Clock clock = {};
+  std::exception_ptr error = {};
+};
+
+/// What a coordinator knows of the events of one subsystem, and of those that it reads.
+struct EventSeat {
+  /// A state that one may go back to, at the newest row of then.
+  struct Back {
+    StateId state;
+    double time;
+    std::int64_t row;
+  };
+  std::vector<int> readers = {};       ///< of one with events: who integrates itself and reads it
+  std::vector<int> leaders_back = {};  ///< of these who may go back
+  std::vector<int> events_behind =
+      {};                       ///< of one that may go back: those with events that it reads and leads
+  std::vector<Back> back = {};  ///< of such a one, the oldest first
+  std::int64_t times_back = 0;
+  // Events that a reader had passed, and did not go back to.
+  std::int64_t missed = 0;
+  double most_missed = 0.0;  ///< jump times how far it had passed
+  int missed_by = -1;        ///< where that was
+};
+
+}  // namespace tandem

@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// Calls of a round that other threads make.
+#include <string>
+#include <utility>
+
+#include "../seconds_now.hpp"
+#include "tandem/coordinator/coordinator.hpp"
+#include "tandem/error.hpp"
+
+namespace tandem {
+namespace {
+
+constexpr double worth = 2e-6;         // s: to hand over a shorter call takes longer than it saves
+constexpr std::int64_t timed_of = 16;  // one of so many calls is timed
+
+}  // namespace
+
+void Coordinator::begin_threads() {
+  if (coordination_.threads < 1)
+    throw Error(ErrorCode::invalid_argument,
+                "a run has " + std::to_string(coordination_.threads) + " threads; allowed is 1 or more");
+  if (coordination_.threads == 1) return;
+  offered_.resize(seats_.size());
+  for (std::size_t i = 0; i < seats_.size(); ++i) offered_[i].may_be = !seats_[i].subsystem->one_thread();
+  threads_ = std::make_unique<ThreadPool>(coordination_.threads, topology_.size(),
+                                          [this](int who) { make_offered(who); });
+}
+
+/// If its calls last long enough.
+void Coordinator::offer(const Turn& turn) {
+  OfferedCall& offered = offered_[static_cast<std::size_t>(turn.who)];
+  if (!offered.may_be || offered.seconds < worth) return;
+  offered.turn = turn;
+  seat(turn.who).call = Seat::Call::offered;
+  threads_->offer(turn.who);
+}
+
+/// In any thread. Nobody else is at this subsystem, its inputs or its rows until the call is finished.
+void Coordinator::make_offered(int who) {
+  OfferedCall& offered = offered_[static_cast<std::size_t>(who)];
+  const auto [_, limit, land] = offered.turn;
+  const double begin = seconds_now();
+  try {
+    offered.clock = seat(who).subsystem->advance(limit, land, seat(who).u, exchange_->history(who).room());
+  } catch (...) {
+    offered.error = std::current_exception();
+  }
+  note_seconds(who, seconds_now() - begin);
+}
+
+Clock Coordinator::finish_offered(int who) {
+  threads_->finish(who);
+  OfferedCall& offered = offered_[static_cast<std::size_t>(who)];
+  if (offered.error) std::rethrow_exception(std::exchange(offered.error, nullptr));
+  return offered.clock;
+}
+
+bool Coordinator::is_timed(int who) const {
+  return coordination_.profile || (threads_ && effort(who).exchanges % timed_of == 0);
+}
+
+/// Of one call.
+void Coordinator::note_seconds(int who, double seconds) {
+  if (coordination_.profile) seat(who).effort.seconds += seconds;
+  if (offered_.empty()) return;
+  double& about = offered_[static_cast<std::size_t>(who)].seconds;
+  about += about == 0.0 ? seconds : (seconds - about) / 4.0;
+}
+
+}  // namespace tandem
