@@ -72,7 +72,7 @@ const std::vector<Benchmark>& all() {
     {"exchange",
      "one round of in-process null subsystems, beside a hand-written loop; a turn among 2 to 20 000 of them",
      [](const Tick&) {
-       return std::vector{exchange(), topologies()};
+       return std::vector{exchange(), topologies(), round_threads()};
      }},
     {"two_mass", "a run of the two-mass test split into its sides and the coordinator", one(two_mass)},
     {"four_bar",

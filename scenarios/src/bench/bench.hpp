@@ -55,6 +55,7 @@ const std::vector<Benchmark>& all();
 
 Table exchange();
 Table topologies();
+Table round_threads();
 Table two_mass();
 std::vector<Table> four_bar_linkage(const Tick& tick);
 Table hand_written_linkage();

@@ -45,6 +45,14 @@ void add_run(CLI::App& app, Context& context) {
   add_run_programs(*command, options->run_programs)->needs(dry);
   command->add_flag("--profile", options->profile,
                     "Take the seconds of each subsystem too (two clock readings a call)");
+  command
+      ->add_option(
+          "--threads", options->threads,
+          "Threads that make calls of a round at the same time, where these last above some 2 us; the "
+          "results are the same")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
   command->add_flag("--no-reference", options->no_reference,
                     "Don't compare with the reference that the scenario names");
   auto* dump = command

@@ -51,7 +51,7 @@ class Run {
         folder_(folder_of(options)),
         kept_(options.dry ? nullptr : std::make_unique<KeptFolder>(folder_)),
         kept_of_matrices_(kept_of_matrices()),
-        assembly_(scenario_, context.builtins, options.profile),
+        assembly_(scenario_, context.builtins, options.profile, options.threads),
         recorder_(assembly_.recorder(folder_)),
         checkpoint_(scenario_, context.builtins, assembly_, *recorder_),
         began_at_(scenario_.start) {

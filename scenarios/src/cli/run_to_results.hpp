@@ -15,6 +15,7 @@ struct RunOptions {
   std::filesystem::path file, output, resume;
   std::optional<double> checkpoint_every;  ///< [s], simulated
   std::vector<std::string> overrides;
+  int threads = 1;
   Matrices matrices;
   bool dry = false, run_programs = false, profile = false, no_reference = false;
 };

@@ -5,12 +5,13 @@
 
 namespace tandem::scenario {
 
-Assembly::Assembly(const Scenario& scenario, const Builtins& builtins, bool profile)
+Assembly::Assembly(const Scenario& scenario, const Builtins& builtins, bool profile, int threads)
     : scenario_(scenario), parts_(scenario, builtins, Code::run) {
   std::vector<Subsystem*> subsystems;
   for (int i = 0; i < topology().size(); ++i) subsystems.push_back(&subsystem(i));
   Coordination coordination = scenario.coordination;
   coordination.profile = profile;
+  coordination.threads = threads;
   coordinator_ = located([&](const std::string& sentence) { return scenario_.place_named_in(sentence); },
                          [&] {
                            return std::make_unique<Coordinator>(topology(), subsystems, coordination,

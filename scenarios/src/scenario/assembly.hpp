@@ -11,8 +11,8 @@ namespace tandem::scenario {
 /// to blame.
 class Assembly {
  public:
-  /// `scenario` must outlive the assembly. profile: see Coordination.
-  Assembly(const Scenario& scenario, const Builtins& builtins, bool profile = false);
+  /// `scenario` must outlive the assembly. profile, threads: see Coordination.
+  Assembly(const Scenario& scenario, const Builtins& builtins, bool profile = false, int threads = 1);
   Assembly(const Assembly&) = delete;
   Assembly& operator=(const Assembly&) = delete;
 
