@@ -7,6 +7,7 @@
 
 #include "cut_run.hpp"
 #include "relay_scene.hpp"
+#include "tandem/check.hpp"
 
 namespace tandem::test {
 namespace {
@@ -117,6 +118,14 @@ TEST(Events, OfRandomRunsAreCutAndResumedAnywhere) {
 
 /// A row of x is off by the rounding of time stamps, 1e-16 max(|t|, 1) s, times speeds of up to 2 m/s, and
 /// 20 switchings make that grow a hundredfold.
+/// Its input rises through the threshold.
+TEST(Events, OfARelayKeepTheContract) {
+  const Opener open = [] { return std::make_unique<FixedStep<Relay>>(Relay({}, 0.01)); };
+  for (const Finding& f : check(open, {.inputs = {0.0}})) ADD_FAILURE() << f.check << ": " << f.sentence;
+  for (const Finding& f : check(open, {.t_start = -7.3, .inputs = {0.0}}))
+    ADD_FAILURE() << f.check << ": " << f.sentence;
+}
+
 TEST(Events, AreTheSameWhereverTimeStarts) {
   for (const std::string schedule : {"slowest-first", "fastest-first", "parallel"})
     for (const std::string leader : {"relay", "plant"}) {

@@ -10,6 +10,7 @@
 #include "same_bits.hpp"
 #include "scratch.hpp"
 #include "served.hpp"
+#include "tandem/fixed_step.hpp"
 
 namespace tandem::test {
 namespace {
@@ -26,6 +27,48 @@ std::vector<Recording::Rows> two_masses(const std::string& slow_uri) {
 TEST(Python, TwoMassesWithMass2InPythonGiveTheSameBits) {
   EXPECT_TRUE(
       same_bits(two_masses(python_mass2(30.7)), two_masses("builtin:two_mass.slow?frequency_ratio=30.7")));
+}
+
+/// integral.py in C++.
+class Integral {
+ public:
+  SubsystemInfo info() const { return {"integral", {{"u", "m/s"}}, {{"x", "m"}}, {}, {}}; }
+  double own_step() const { return 0.1; }
+  void start(double, std::span<const double>) { x_ = 0.0; }
+  void step(const OwnStep& s, std::span<const Signal> u) {
+    x_ += s.length * (u[0].value(s.begin) + u[0].value(s.end)) / 2.0;
+  }
+  void outputs(double* y) const { *y = x_; }
+
+ private:
+  double x_ = 0.0;
+};
+
+/// Its input jumps at 0.23 s from a line to a parabola, and at 0.27 s to a line; the rest is a kink at 0.5 s.
+std::vector<double> integral_of_jumps(Subsystem& integral) {
+  Segment pieces[] = {{0.23, 0.0, {1.0, 0.3}},
+                      {0.27, 0.23, {-2.0, 0.7, 5.0}},
+                      {0.5, 0.27, {1.5, -0.4}},
+                      {9.0, 0.5, {1.408, 2.0}}};
+  for (const int k : {1, 2}) mark_jump(pieces[k], true);
+  const Signal u(pieces, 4, 2);
+  std::vector<double> rows(3 * 20), u0{1.0};
+  Samples y(rows.data(), 3, 20);
+  integral.initialize(0.0, 2.0, u0, y);
+  integral.advance(0.25, true, {&u, 1}, y);
+  integral.advance(1.0, false, {&u, 1}, y);
+  return rows;
+}
+
+TEST(Python, StepsAreSplitWhereAnInputJumps) {
+  FixedStep<Integral> here{Integral()};
+  const auto there =
+      open("spawn:" + python_program("integral.py", TANDEM_SOURCE_DIR "/tests/programs/"), all_sources());
+  const auto expected = integral_of_jumps(here);
+  EXPECT_EQ(integral_of_jumps(*there), expected);
+  const double exact = 0.23 + 0.15 * 0.23 * 0.23 - 2.0 * 0.04 + 0.35 * 0.04 * 0.04 +
+                       5.0 / 3.0 * 0.04 * 0.04 * 0.04 + 1.5 * 0.03 - 0.2 * 0.03 * 0.03;
+  EXPECT_NEAR(expected[3 * 4 + 2], exact, 2e-5) << "the rule's error in the parabola is 1.3e-5";
 }
 
 TEST(Python, AnExceptionOfTheModelIsOneSentence) {

@@ -4,9 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <memory>
+#include <thread>
 
 #include "refusal.hpp"
 #include "tandem/fixed_step.hpp"
@@ -187,6 +191,42 @@ TEST(Check, FindsBytesThatAreNotTheState) {
       found({.serialize = other}, "a state goes as bytes to another instance and goes on with the same bits",
             {"from the bytes of a state", "to the last bit"}),
       "");
+}
+
+TEST(Check, FindsJumpsThatAreNotTwoRows) {
+  const std::string of = "a jump is two samples at one time, the second marked";
+  const auto alone = [](auto& s, double t, bool, auto u, Samples& y) {
+    const std::int64_t first = y.size();
+    const Clock clock = s.advance(t, false, u, y);
+    if (y.size() > first) y.c_view().rows[first * 3 + 1] = 1.0;
+    return clock;
+  };
+  EXPECT_EQ(found({.advance = alone}, of, {"at t = 0.01 s", "stands alone"}), "");
+}
+
+TEST(Check, FindsEventsThatAreNone) {
+  const std::string of = "one with events returns at each of them";
+  const auto says_so = [](auto& s, double t, bool land, auto u, Samples& y) {
+    const Clock clock = s.advance(t, land, u, y);
+    return Clock{clock.time, clock.next_time, Stop::event};
+  };
+  const auto has_events = [](auto& i) { i.abilities.events = true; };
+  EXPECT_EQ(found({.info = has_events, .advance = says_so}, of, {"stopped at an event", "is no jump"}), "");
+}
+
+/// What one gives depends on whether another is within a call.
+TEST(Check, FindsInstancesThatCanNotBeAtWorkAtOnce) {
+  const auto shared = std::make_shared<std::atomic<int>>(0);
+  const auto busy = [shared](auto& s, double t, bool land, auto u, Samples& y) {
+    const int inside = ++*shared;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    const std::int64_t first = y.size();
+    const Clock clock = s.advance(t, land, u, y);
+    if (inside > 1 && y.size() > first) y.c_view().rows[first * 3 + 2] += 1.0;
+    --*shared;
+    return clock;
+  };
+  EXPECT_EQ(found({.advance = busy}, "two instances may be at work at once", {"another"}), "");
 }
 
 TEST(Check, LeavesOutWhatASubsystemSaysItCanNot) {

@@ -1,4 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <exception>
+#include <thread>
+
 #include "checks.hpp"
 #include "number_text.hpp"
 #include "tandem/error.hpp"
@@ -125,6 +128,32 @@ void be_independent(const Subject& of) {
   require_same(other.rows, it.rows, "of two instances in turns");
 }
 
+/// Each in a thread of its own.
+void work_at_once(const Subject& of) {
+  Instance it(of), other(of);
+  if (it.subsystem->one_thread()) throw LeftOut("all its calls have to come from one thread");
+  const double end = it.ahead(100.5);
+  std::exception_ptr error;
+  std::thread another([&] {
+    try {
+      other.go_to(end);
+    } catch (...) {
+      error = std::current_exception();
+    }
+  });
+  try {
+    it.go_to(end);
+  } catch (...) {
+    another.join();
+    throw;
+  }
+  another.join();
+  if (error) std::rethrow_exception(error);
+  const Rows expected = in_one_call(of, end);
+  require_same(it.rows, expected, "while another instance was at work in another thread");
+  require_same(other.rows, expected, "in another thread");
+}
+
 }  // namespace
 
 const std::vector<Check> states = {
@@ -132,6 +161,7 @@ const std::vector<Check> states = {
     {"a state that is released or was never saved is refused", know_its_states},
     {"a state goes as bytes to another instance and goes on with the same bits", give_a_state_as_bytes},
     {"bytes that are no state are refused", refuse_other_bytes},
-    {"instances are independent", be_independent}};
+    {"instances are independent", be_independent},
+    {"two instances may be at work at once", work_at_once}};
 
 }  // namespace tandem::checks

@@ -37,9 +37,9 @@ void give_a_sample_a_step(const Subject& of) {
   const double end = it.ahead(23.5);
   for (std::size_t count = 2; it.clock.next_time < end; ++count) {
     it.advance(it.clock.next_time);
-    require(it.rows.size() == count, "there are " + std::to_string(it.rows.size()) + " samples after " +
-                                         std::to_string(count - 1) + " steps; allowed is " +
-                                         std::to_string(count));
+    require(it.can().events || it.rows.size() == count, "there are " + std::to_string(it.rows.size()) +
+                                                            " samples after " + std::to_string(count - 1) +
+                                                            " steps; allowed is " + std::to_string(count));
   }
   require_same(it.rows, in_one_call(of, end), "step by step");
 }
@@ -59,11 +59,12 @@ void return_without_room(const Subject& of) {
   Instance it(of);
   const double end = it.ahead(20.5);
   it.advance(end, false, 2);
-  require(it.clock.stop == Stop::samples_full && it.rows.size() == 3,
+  require(it.can().events || (it.clock.stop == Stop::samples_full && it.rows.size() == 3),
           "with room for 2 samples it gave " + std::to_string(it.rows.size() - 1) +
               " and another reason to stop; allowed is 2 and samples_full");
   const Rows expected = in_one_call(of, end);
   for (const std::int64_t room : {1, 2, 3, 7}) {
+    if (room < 2 && it.can().events) continue;  // two samples at each
     Instance other(of);
     other.go_to(end, false, room);
     require_same(other.rows, expected, "with room for " + std::to_string(room) + " samples a call");
@@ -91,8 +92,10 @@ void land_without_room(const Subject& of) {
   Instance it(of);
   if (!it.can().lands) throw LeftOut("it does not say that it lands");
   const double limit = it.ahead(4.37);
-  it.go_to(limit, true, 1);
-  require_same(it.rows, in_one_call(of, limit, true), "landing with room for 1 sample a call");
+  const std::int64_t room = it.can().events ? 2 : 1;
+  it.go_to(limit, true, room);
+  require_same(it.rows, in_one_call(of, limit, true),
+               "landing with room for " + std::to_string(room) + " sample a call");
 }
 
 }  // namespace

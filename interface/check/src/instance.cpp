@@ -63,8 +63,14 @@ Clock Instance::initialize(const std::vector<double>& u0) {
   return clock = call(1, [&](Samples& y) { return subsystem->initialize(t_start_, t_start_ + 1e6, u0, y); });
 }
 
-Clock Instance::advance(double t_limit, bool land, std::int64_t room) {
+Clock Instance::call_once(double t_limit, bool land, std::int64_t room) {
   return clock = call(room, [&](Samples& y) { return subsystem->advance(t_limit, land, signals_, y); });
+}
+
+void Instance::advance(double t_limit, bool land, std::int64_t room) {
+  for (int calls = 0; call_once(t_limit, land, room).stop == Stop::event && can().events; ++calls)
+    require(calls < most_calls, "it stops at an event at t = " + number_text(clock.time) +
+                                    " s, as in each of " + std::to_string(most_calls) + " calls before");
 }
 
 void Instance::go_to(double t_limit, bool land, std::int64_t room) {

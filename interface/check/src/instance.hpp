@@ -43,7 +43,9 @@ class Instance {
   Clock initialize(const std::vector<double>& u0);
   Clock initialize() { return initialize(u0_); }
   /// One call with room for so many rows.
-  Clock advance(double t_limit, bool land = false, std::int64_t room = 1'000);
+  Clock call_once(double t_limit, bool land = false, std::int64_t room = 1'000);
+  /// The same, and of one with events as many as there are events on the way.
+  void advance(double t_limit, bool land = false, std::int64_t room = 1'000);
   /// As many calls as it takes to get there, each with that much room.
   void go_to(double t_limit, bool land = false, std::int64_t room = 1'000);
 
@@ -70,7 +72,7 @@ class Instance {
   std::vector<double> u0_;
 };
 
-/// All rows up to t in one call of another instance.
+/// All rows up to t by one advance of another instance.
 Rows in_one_call(const Subject& of, double t, bool land = false);
 
 }  // namespace tandem::checks

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <exception>
 #include <limits>
 #include <utility>
 
@@ -15,27 +14,6 @@
 #include "tandem/error.hpp"
 
 namespace tandem {
-namespace {
-
-/// Of several pieces of work that are all done, the error of the first that failed, by their numbers.
-class FirstError {
- public:
-  template <class Work>
-  void of(std::size_t number, const Work& work) try {
-    work();
-  } catch (...) {
-    if (number < number_) number_ = number, error_ = std::current_exception();
-  }
-  void raise() const {
-    if (error_) std::rethrow_exception(error_);
-  }
-
- private:
-  std::size_t number_ = std::numeric_limits<std::size_t>::max();
-  std::exception_ptr error_;
-};
-
-}  // namespace
 std::string_view name(StartKind start) {
   constexpr std::string_view names[] = {"automatic", "derivatives", "repeat", "cold"};
   return names[static_cast<std::size_t>(start)];
@@ -55,6 +33,7 @@ Coordinator::Coordinator(const Topology& topology, const std::vector<Subsystem*>
   for (Subsystem* subsystem : subsystems) seats_.push_back({subsystem});
   own_next_.resize(seats_.size());
   event_seats_.resize(seats_.size());
+  not_known_here_ = topology_.size();
   begin_threads();
 }
 
@@ -104,22 +83,36 @@ void Coordinator::make(std::span<const Turn> turns) {
   commit(turns[0].who, turns[0].limit);
 }
 
-/// None of them reads what another gives in this round. All that can be are set to work before the first is
-/// waited for; the others work meanwhile. All are made, also after an error, so that it is the same one, with
-/// the same samples kept, whoever makes them. Memory moves before the inputs are there, and when they have
-/// been read.
+/// None of them reads what another gives in this round. All are made, also after an error, so that it is the
+/// same one, with the same samples kept, whoever makes them. One after the other, if nobody works elsewhere:
+/// what one goes by is at hand once, then.
 void Coordinator::make_together(std::span<const Turn> turns) {
+  const bool alone = not_known_here_ == 0 && !is_work_for_threads(turns);
+  const bool parallel = schedule_->kind() == Schedule::Kind::parallel;
+  FirstError error;
+  if (!alone) work_at_once(turns, error);
+  const auto each = [&](const auto& work) {
+    for (std::size_t k = 0; k < turns.size(); ++k)
+      if (seat(turns[k].who).call != Seat::Call::failed) error.of(k, [&] { work(turns[k]); });
+  };
+  each([&](const Turn& turn) {
+    if (alone) take(next_call(turn), *exchange_);
+    parallel ? go_on(turn) : commit(turn.who, turn.limit);
+  });
+  if (parallel) each([&](const Turn& turn) { commit(turn.who, turn.limit); });
+  error.raise();
+}
+
+/// The first call of each. All that can be are set to work before the first is waited for; the others work
+/// meanwhile. Memory moves before the inputs are there.
+void Coordinator::work_at_once(std::span<const Turn> turns, FirstError& error) {
   const auto elsewhere = [this](const Turn& turn) { return seat(turn.who).call > Seat::Call::prepared; };
   for (const Turn& turn : turns) make_ready(turn.who);
   for (const Turn& turn : turns) start(turn);
-  FirstError error;
   for (const bool waits : {false, true})
     for (std::size_t k = 0; k < turns.size(); ++k)
-      if (elsewhere(turns[k]) == waits) error.of(k, [&] { take(next_call(turns[k]), *exchange_); });
-  error.raise();
-  if (schedule_->kind() == Schedule::Kind::parallel)
-    for (const Turn& turn : turns) go_on(turn);
-  for (const Turn& turn : turns) commit(turn.who, turn.limit);
+      if (elsewhere(turns[k]) == waits && seat(turns[k].who).call > Seat::Call::failed)
+        error.of(k, [&] { take(next_call(turns[k]), *exchange_); });
 }
 
 /// After an error: what the others are at work on is awaited, for their samples. The error is the one to be
@@ -164,6 +157,7 @@ void Coordinator::start(const Turn& turn) {
     seat.call = Seat::Call::under_way;
   else if (threads_)
     offer(first);
+  if (!under_way && !std::exchange(seat.works_here, true)) --not_known_here_;
 }
 
 /// In parallel: as many calls as it takes to come past the communication point, or to an event.
@@ -206,13 +200,14 @@ void Coordinator::take(const Turn& turn, Exchange& inputs) {
   else
     check_clock(turn, before, steps, clock);
   seat.stop = clock.stop;
+  seat.call = Seat::Call::none;
   stand(who, clock);
 }
 
 /// The subsystem's call, or the second half of one that has begun; its error names it.
 Clock Coordinator::advance(const Turn& turn, Samples& y) {
   Seat& seat = this->seat(turn.who);
-  const Seat::Call call = std::exchange(seat.call, Seat::Call::none);
+  const Seat::Call call = std::exchange(seat.call, Seat::Call::failed);
   const bool timed = call != Seat::Call::offered && is_timed(turn.who);
   const double begin = timed ? seconds_now() : 0.0;
   const Clock clock = named_advance(topology_.name(turn.who), seat.time, turn.limit, [&] {

@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 // Calls of a round that other threads make.
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -11,7 +12,7 @@ namespace tandem {
 namespace {
 
 constexpr double worth = 2e-6;         // s: to hand over a shorter call takes longer than it saves
-constexpr std::int64_t timed_of = 16;  // one of so many calls is timed
+constexpr std::int64_t timed_of = 64;  // one of so many calls is timed
 
 }  // namespace
 
@@ -26,7 +27,14 @@ void Coordinator::begin_threads() {
                                           [this](int who) { make_offered(who); });
 }
 
-/// If its calls last long enough.
+/// Whether one of these calls lasts long enough.
+bool Coordinator::is_work_for_threads(std::span<const Turn> turns) const {
+  return threads_ && std::any_of(turns.begin(), turns.end(), [this](const Turn& turn) {
+           return offered_[static_cast<std::size_t>(turn.who)].seconds >= worth;
+         });
+}
+
+/// If it lasts long enough.
 void Coordinator::offer(const Turn& turn) {
   OfferedCall& offered = offered_[static_cast<std::size_t>(turn.who)];
   if (!offered.may_be || offered.seconds < worth) return;

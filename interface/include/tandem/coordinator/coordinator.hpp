@@ -70,6 +70,7 @@ class Coordinator {
   const EventSeat& events(int who) const { return event_seats_[static_cast<std::size_t>(who)]; }
   void make(std::span<const Turn> turns);
   void make_together(std::span<const Turn> turns);
+  void work_at_once(std::span<const Turn> turns, FirstError& error);
   void make_in_parts(std::span<const Turn> turns);
   void make_part(std::span<const Turn> turns);
   void start(const Turn& turn);
@@ -81,6 +82,7 @@ class Coordinator {
   void begin_threads();
   bool is_timed(int who) const;
   void note_seconds(int who, double seconds);
+  bool is_work_for_threads(std::span<const Turn> turns) const;
   void offer(const Turn& turn);
   void make_offered(int who);
   Clock finish_offered(int who);
@@ -139,6 +141,7 @@ class Coordinator {
   std::optional<Schedule> schedule_;
   std::vector<Seat> seats_;
   std::vector<EventSeat> event_seats_;
+  int not_known_here_ = 0;        ///< subsystems that may work elsewhere (Seat::works_here)
   bool has_samples_ = false;      ///< there are sampled subsystems
   bool has_events_ = false;       ///< there are some with events, in turns or parallel
   bool lands_elsewhere_ = false;  ///< there are sampled ones or events: steps end elsewhere than at own nodes

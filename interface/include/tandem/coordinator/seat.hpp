@@ -1,7 +1,9 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -12,9 +14,9 @@ namespace tandem {
 
 /// What a coordinator knows of one subsystem, beside the schedule and the exchange.
 struct Seat {
-  /// How far its next call is: not begun, its inputs are there, begun by the subsystem itself, offered to
-  /// other threads.
-  enum class Call : std::uint8_t { none, prepared, under_way, offered };
+  /// How far its next call is: not begun, failed, its inputs are there, begun by the subsystem itself,
+  /// offered to other threads.
+  enum class Call : std::uint8_t { none, failed, prepared, under_way, offered };
 
   Subsystem* subsystem;
   double time = 0.0;               ///< where it stands [s]
@@ -26,6 +28,7 @@ struct Seat {
   int idle_calls = 0;  ///< since it last moved
   Call call = Call::none;
   Stop stop = Stop::limit;  ///< why its last call returned
+  bool works_here = false;  ///< begins no call by itself (Subsystem::start_advance)
   bool goes_back = false;   ///< to events that it has passed
 };
 
@@ -56,6 +59,24 @@ struct EventSeat {
   std::int64_t missed = 0;
   double most_missed = 0.0;  ///< jump times how far it had passed
   int missed_by = -1;        ///< where that was
+};
+
+/// Of several pieces of work that are all done, the error of the first that failed, by their numbers.
+class FirstError {
+ public:
+  template <class Work>
+  void of(std::size_t number, const Work& work) try {
+    work();
+  } catch (...) {
+    if (number < number_) number_ = number, error_ = std::current_exception();
+  }
+  void raise() const {
+    if (error_) std::rethrow_exception(error_);
+  }
+
+ private:
+  std::size_t number_ = std::numeric_limits<std::size_t>::max();
+  std::exception_ptr error_;
 };
 
 }  // namespace tandem
