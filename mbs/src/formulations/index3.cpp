@@ -215,6 +215,7 @@ void Index3::add_correction(State& s, double h) {
   });
 }
 
+/// Before constraints() at the end, so with the gradients that T was made of.
 void Index3::project_velocities(State& s, double tolerance) {
   const Timed timed(Task::velocity_projection);
   terms_.model.constraint_rates(s.q.data(), terms_.phi.data());
