@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -25,6 +26,14 @@ std::string constraints_of(const Structure& s, int variable) {
   return names.empty() ? "in no constraint" : "in the constraints " + listed(names);
 }
 
+/// Of both numbers so many digits, three at least, that their sizes differ.
+std::array<std::string, 2> figures_that_differ(double value, double limit) {
+  for (int digits = 3;; ++digits) {
+    const auto text = [=](double x) { return fmt::format("{:.{}g}", x, digits); };
+    if (digits == 17 || text(std::abs(value)) != text(limit)) return {text(value), text(limit)};
+  }
+}
+
 /// "off by 0.02 m, allowed is 0.005 m". Where an angle is off by more than a quarter of a turn, what is
 /// allowed is told for a little of Phi.
 std::string how_far_off(const Model& model, int c, const double* q, const Constraints& at) {
@@ -32,7 +41,8 @@ std::string how_far_off(const Model& model, int c, const double* q, const Constr
   const double most = std::copysign(at.most[c], at.phi[c]);
   const double allowed = std::min(std::abs(model.off(c, q, most).now), std::abs(off.per_phi * most));
   const std::string unit = model.structure().unit_of(c);
-  return fmt::format("off by {:.3g}{}, allowed is {:.3g}{}", off.now, unit, allowed, unit);
+  const auto [now, most_now] = figures_that_differ(off.now, allowed);
+  return fmt::format("off by {}{}, allowed is {}{}", now, unit, most_now, unit);
 }
 
 }  // namespace

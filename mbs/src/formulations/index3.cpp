@@ -124,11 +124,11 @@ int Index3::step(State& s, double h, double t_end) {
   predict(s, h, t_end);
   for (int iteration = 1; iteration <= settings_.most_iterations; ++iteration) {
     const bool done = correct(s, h) < tolerance_;
+    if (done) project_velocities(s, tolerance_ / h);
     terms_.constraints(s);
     if (done || iteration <= settings_.multiplier_iterations) s.lambda += penalty_ * terms_.phi;
     if (!done) continue;
     terms_.refuse_lost(s);
-    project_velocities(s, tolerance_ / h);
     project_accelerations(s, tolerance_ / (h * h));
     if (!terms_.definite) weight_ = 0.0;
     return iteration;
@@ -215,6 +215,7 @@ void Index3::add_correction(State& s, double h) {
   });
 }
 
+/// Before constraints() at the end, so with the gradients that T was made of.
 void Index3::project_velocities(State& s, double tolerance) {
   const Timed timed(Task::velocity_projection);
   terms_.model.constraint_rates(s.q.data(), terms_.phi.data());

@@ -66,7 +66,14 @@ bool Stabilized::begin(const State& s, Motion& motion) {
 void Stabilized::finish(const Motion&, State& s) {
   terms_.refuse_lost(at_);
   multipliers(at_);
+  if (terms_.nearly_lost()) hold();
   s = at_;
+}
+
+/// With T and Phi_q of the last evaluation, which was there.
+void Stabilized::hold() {
+  terms_.project(at_.q, alpha_);
+  refresh(at_);
 }
 
 void Stabilized::refresh(State& s) {

@@ -54,6 +54,12 @@ void Terms::refuse_lost(const State& s) const {
   refuse_lost_constraint(model, s, {phi.data(), most_off_.data(), matrices.jacobian.data()});
 }
 
+bool Terms::nearly_lost() {
+  const auto borne = 0.1 * Eigen::Map<const Eigen::ArrayXd>(most_off_.data(), phi.size());
+  error = phi.array() - phi.array().min(borne).max(-borne);
+  return (error.array() != 0.0).any();
+}
+
 void Terms::forces(const State& s) {
   const Timed timed(Task::dynamic_terms);
   model.forces(s.q.data(), s.v.data(), force.data());

@@ -62,11 +62,13 @@ int GenericIndex3::step(mbs::State& s, double h, double t_end) {
   s.lambda.setZero();
   constraints(s);
   for (int iteration = 1; iteration <= most_iterations; ++iteration) {
+    const double weight = 0.25 * h * h * penalty_;
     const bool done = correct(s, h) < tolerance_;
+    if (done) project_velocities(s, weight);
     constraints(s);
     if (done || iteration <= multiplier_iterations) s.lambda += penalty_ * phi_;
     if (!done) continue;
-    project(s, 0.25 * h * h * penalty_);
+    project_accelerations(s, weight);
     return iteration;
   }
   throw Error(ErrorCode::numerical, "no convergence");
@@ -85,9 +87,13 @@ double GenericIndex3::correct(mbs::State& s, double h) {
   return dq.norm();
 }
 
-void GenericIndex3::project(mbs::State& s, double weight) {
+void GenericIndex3::project_velocities(mbs::State& s, double weight) {
   const int n = model_.structure().variables;
   s.v.head(n) -= solver_.solve(weight * (transposed_ * (transposed_.transpose() * s.v.head(n))));
+}
+
+void GenericIndex3::project_accelerations(mbs::State& s, double weight) {
+  const int n = model_.structure().variables;
   model_.constraint_accelerations(s.q.data(), s.v.data(), gamma_.data());
   const Vector error = transposed_.transpose() * s.a.head(n) + gamma_;
   s.a.head(n) -= solver_.solve(weight * (transposed_ * error));

@@ -23,7 +23,8 @@ class GenericIndex3 final : public mbs::Stepper {
   void constraints(const mbs::State& s);
   Sparse tangent(double weight) const { return mass_ + weight * (transposed_ * transposed_.transpose()); }
   double correct(mbs::State& s, double h);
-  void project(mbs::State& s, double weight);
+  void project_velocities(mbs::State& s, double weight);
+  void project_accelerations(mbs::State& s, double weight);
 
   mbs::Model& model_;
   double penalty_, tolerance_;

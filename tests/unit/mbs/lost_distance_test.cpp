@@ -2,7 +2,13 @@
 // Sentences tell by how much a rod is too long, not what its equation (r^2 - l^2)/l leaves.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <regex>
+#include <string>
+
+#include "driven_pendulum.hpp"
 #include "refusal.hpp"
+#include "tandem/mbs/formulations/index3.hpp"
 #include "tandem/mbs/make_stepper.hpp"
 #include "tandem/mbs/mechanism/initial.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
@@ -40,6 +46,26 @@ TEST(LostDistance, IsOffByTheDifferenceOfLengths) {
   EXPECT_NEAR(m.off(0, q.data(), (r * r - l * l) / l).now, r - l, 1e-18);
   EXPECT_NEAR(m.off(0, q.data(), -l).now, -l, 1e-18);
   EXPECT_EQ(m.off(0, q.data(), 0.0).per_phi, 0.5);
+}
+
+/// A penalty that holds nothing: the rod grows slowly, and is refused where it is off by 1e-5 of what is
+/// allowed more than that.
+TEST(LostConstraint, IsToldInFiguresThatDiffer) {
+  test::DrivenPendulum pendulum({});
+  Index3 formulation(pendulum, {.penalty = 1.0});
+  State s = pendulum.at(0.0, 1.0, 0.5);
+  formulation.start(s);
+  std::string sentence;
+  try {
+    for (int k = 1; k <= 500000; ++k) formulation.step(s, 1e-6, 1e-6 * k);
+  } catch (const Error& error) {
+    sentence = error.what();
+  }
+  std::smatch figures;
+  ASSERT_TRUE(std::regex_search(sentence, figures, std::regex("off by -?([^,]*), allowed is ([^;]*);")))
+      << sentence;
+  EXPECT_NE(figures[1], figures[2]);
+  EXPECT_NEAR(std::stod(figures[1]), std::stod(figures[2]), 1e-4 * std::stod(figures[2]));
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ bool threads_are_built_in();
 ///   f = beta h^2 [M q'' + Phi_q^T (lambda + alpha Phi) - Q] = 0
 /// by Newton's method with the tangent T = M + h/2 C + beta h^2 (K + alpha Phi_q^T Phi_q), from the positions
 /// that constant acceleration leads to. After each correction lambda <- lambda + alpha Phi. Then, with the
-/// last T,
+/// last T, velocities with the Phi_q that it was made of and accelerations with that of the end,
 ///   T dv = -beta h^2 alpha Phi_q^T (Phi_q q' + Phi_t),  T da = -beta h^2 alpha Phi_q^T (Phi_q q'' + gamma).
 /// (The literature writes T q' = (T - beta h^2 alpha Phi_q^T Phi_q) q'* - beta h^2 alpha Phi_q^T Phi_t, which
 /// is the same.) The lambda that the iteration ends with belongs to the accelerations before the projection

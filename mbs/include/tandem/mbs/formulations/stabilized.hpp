@@ -10,7 +10,11 @@ namespace tandem::mbs {
 /// What the penalty and the index-1 formulation share: y are the variables, and the accelerations come from
 /// the tangent T = M + alpha Phi_q^T Phi_q and Baumgarte's right-hand side
 ///   rhs = gamma + 2 xi omega (Phi_q q' + Phi_t) + omega^2 Phi
-/// (J. Baumgarte, Comput. Methods Appl. Mech. Eng. 1 (1972) 1).
+/// (J. Baumgarte, Comput. Methods Appl. Mech. Eng. 1 (1972) 1). They leave a constraint that steps let drift,
+/// by d [1/s] of Phi, off by 2 xi d/omega. Where that is more than a tenth of what Terms::refuse_lost()
+/// allows, a step ends with a projection of positions onto that tenth,
+///   dq = -T^-1 alpha Phi_q^T (Phi - the tenth),
+/// and with the accelerations that belong to them.
 class Stabilized : public Formulation {
  public:
   int size() const override { return terms_.structure.variables; }
@@ -43,6 +47,7 @@ class Stabilized : public Formulation {
 
  private:
   void prepare(const State& s);
+  void hold();
 
   Eigen::VectorXd rhs_, with_velocities_;
   double xi_, omega_;

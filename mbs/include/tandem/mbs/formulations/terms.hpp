@@ -20,6 +20,8 @@ struct Terms {
   /// Phi_q^T has a column that vanishes (below 1e-12 of the largest), or a constraint is lost: |Phi| above a
   /// hundredth of its size.
   void refuse_lost(const State& s) const;
+  /// error <- what is left of Phi beyond a tenth of that; whether there is anything.
+  bool nearly_lost();
   /// Q.
   void forces(const State& s);
   /// Assembles T at a state, after constraints(). Error(numerical) names variable, constraints and time of a
