@@ -143,16 +143,6 @@ TEST(Order, GoesByTheOwnStepsOrAsNamed) {
   EXPECT_TRUE(has_order("fastest-first", {"b", "c", "a"}, {0, 2, 1})) << "named slowest first all the same";
 }
 
-TEST(Order, TiesGoByScenarioOrder) {
-  Scripted a = test::source(1.0, [](double) { return 0.0; }),
-           b = test::source(1.0, [](double) { return 0.0; });
-  for (const char* schedule : {"slowest-first", "fastest-first"}) {
-    RunBench bench;
-    bench.add("a", a).add("b", b).schedule(schedule).run(2.0);
-    EXPECT_EQ(bench.coordinator->schedule().order()[0], 0) << schedule;
-  }
-}
-
 TEST(Order, NamesEachSubsystemOnce) {
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"coordination.order", "'c'"}, [] {
     has_order("slowest-first", {"a", "b"}, {});

@@ -17,47 +17,6 @@ std::size_t position(const std::vector<int>& order, int who) {
 
 }  // namespace
 
-void RunStart::check_named_order() const {
-  const auto& named = run_.coordination_.order;
-  const auto refuse_name = [](const std::string& name, const std::string& why) {
-    throw Error(ErrorCode::invalid_argument,
-                "coordination.order must name each subsystem once, slowest first; '" + name + "' " + why);
-  };
-  for (const std::string& name : named) {
-    bool known = false, acts = false;
-    for (int i = 0; i < topology_.size(); ++i)
-      if (topology_.name(i) == name) known = true, acts = sampled(i);
-    if (!known) refuse_name(name, "is not a subsystem");
-    if (acts) refuse_name(name, "is sampled, and has no place there");
-    if (std::count(named.begin(), named.end(), name) > 1) refuse_name(name, "stands there twice");
-  }
-  for (int i = 0; i < topology_.size(); ++i)
-    if (!sampled(i) && std::find(named.begin(), named.end(), topology_.name(i)) == named.end())
-      refuse_name(topology_.name(i), "is missing");
-}
-
-std::vector<int> RunStart::leaders_first() const {
-  std::vector<int> order;
-  for (int i = 0; i < topology_.size(); ++i)
-    if (!sampled(i)) order.push_back(i);
-  const bool ascending = run_.coordination_.schedule == Schedule::Kind::fastest_first;
-  const auto& named = run_.coordination_.order;
-  if (named.empty()) {
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-      const double ha = run_.own_step(a), hb = run_.own_step(b);
-      return ascending ? ha < hb : ha > hb;
-    });
-    return order;
-  }
-  check_named_order();
-  std::sort(order.begin(), order.end(), [&](int a, int b) {
-    return std::find(named.begin(), named.end(), topology_.name(a)) <
-           std::find(named.begin(), named.end(), topology_.name(b));
-  });
-  if (ascending) std::reverse(order.begin(), order.end());
-  return order;
-}
-
 void RunStart::check_schemes(const std::vector<int>& order) const {
   if (run_.coordination_.schedule == Schedule::Kind::staggered && order.size() != 2)
     refuse("schedule staggered couples two subsystems that integrate themselves; there are " +

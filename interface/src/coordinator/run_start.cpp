@@ -61,10 +61,8 @@ double RunStart::largest_step() const {
 
 /// Of those that integrate themselves the one with the largest own step; -1: there are none.
 int RunStart::slowest() const {
-  int slowest = -1;
-  for (int i = 0; i < topology_.size(); ++i)
-    if (!sampled(i) && (slowest < 0 || run_.own_step(i) > run_.own_step(slowest))) slowest = i;
-  return slowest;
+  const auto groups = by_own_steps();
+  return groups.empty() ? -1 : groups.back().front();
 }
 
 /// What the schedule has to know of them before they stand anywhere.

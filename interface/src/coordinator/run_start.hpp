@@ -15,6 +15,8 @@ class RunStart {
 
  private:
   bool sampled(int who) const { return topology_.info(who).abilities.sampled; }
+  /// [s]: no more than that do own steps differ as times in the span are rounded.
+  double rounding() const { return run_.tolerance_.width(run_.t_stop_, 0.0); }
   void first_samples();
   void note_steps();
   void note_period(int who);
@@ -37,7 +39,12 @@ class RunStart {
   void note_follower(int who, int leader, bool goes_back) const;
   void order_outputs();
   void stand_all();
+  /// The place of one among equal own steps.
+  enum class Tie { jumps, plain, feeds_through };
+  Tie tie(int who) const;
+  std::vector<std::vector<int>> by_own_steps() const;
   std::vector<int> leaders_first() const;
+  void note_tie(const std::vector<int>& group) const;
   void check_named_order() const;
   void check_schemes(const std::vector<int>& order) const;
   bool misses_middle(int fast, int slow) const;

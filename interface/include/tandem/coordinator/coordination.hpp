@@ -38,7 +38,9 @@ Landing landing(std::string_view text);
 /// The coordination of a run, as a scenario states it.
 struct Coordination {
   Schedule::Kind schedule = Schedule::Kind::slowest_first;
-  /// Instances that integrate themselves, slowest first; empty: by the length of their own steps.
+  /// Instances that integrate themselves, slowest first; empty: by the length of their own steps. Of equal
+  /// ones who has events, or feeds a held input through, leads; who feeds another input through at once
+  /// follows; else names decide. A note tells it.
   std::vector<std::string> order;
   std::map<std::string, Landing> landing;  ///< by instance; automatic where it is not there
   std::optional<double>
