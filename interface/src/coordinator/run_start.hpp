@@ -60,8 +60,18 @@ class RunStart {
   }
   bool derivatives_suffice() const;
   bool can_repeat() const;
+  void note_cold(const std::string& why) const;
   void seed();
+  struct FirstSteps {
+    int passes, round;      ///< a change has come round after so many of them
+    double until, largest;  ///< [s]: where they end, and the longest own step
+  };
+  FirstSteps first_steps() const;
   void repeat();
+  bool jumped() const;
+  void give_up(const std::string& why);
+  void set_passes_apart();
+  Clock start_again(int who);
   void pass(int who, Exchange& before, double until);
 
   Coordinator& run_;
