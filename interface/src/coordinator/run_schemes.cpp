@@ -34,8 +34,8 @@ void RunStart::check_schemes(const std::vector<int>& order) const {
 bool RunStart::misses_middle(int fast, int slow) const {
   const double middle = run_.own_step(slow) / 2.0, nearest = std::remainder(middle, run_.own_step(fast));
   const Abilities &a = topology_.info(fast).abilities, &b = topology_.info(slow).abilities;
-  return !a.lands &&
-         (a.chooses_step || b.chooses_step || std::abs(nearest) > run_.tolerance_.width(middle, 0.0));
+  return !a.lands && (a.chooses_step || b.chooses_step ||
+                      std::abs(nearest) > (1.0 + middle / run_.own_step(fast)) * rounding());
 }
 
 void RunStart::check_line(const Line& line, const std::vector<int>& order) const {
