@@ -50,6 +50,23 @@ TEST_F(SchemeTest, MeanNeedsASourceAheadOfItsReader) {
   EXPECT_NO_THROW(other_way.run(4.0));
 }
 
+TEST_F(SchemeTest, AMeanOverStepsInWhichNoSampleMayLieIsTold) {
+  for (const bool of_slow : {true, false}) {
+    RunBench bench;
+    couple(bench, of_slow ? "slowest-first" : "fastest-first", of_slow ? "mean" : "lagrange1",
+           of_slow ? "lagrange1" : "mean");
+    bench.run(4.0);
+    const auto& notes = bench.coordinator->notes();
+    ASSERT_EQ(notes.size(), of_slow ? 1U : 0U);
+    if (of_slow) {
+      EXPECT_NE(notes[0].find("input fast.u is the mean over an own step, which is shorter than those of "
+                              "'slow'"),
+                std::string::npos)
+          << notes[0];
+    }
+  }
+}
+
 TEST_F(SchemeTest, MatchedHoldNeedsTurns) {
   EXPECT_TRUE(
       refuses_scheme("parallel", "matched_hold", "matched_hold", {"fast.u", "matched_hold", "parallel"}));

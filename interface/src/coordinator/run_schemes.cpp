@@ -27,7 +27,21 @@ void RunStart::check_schemes(const std::vector<int>& order) const {
         "' can't shorten a step, so schedule staggered keeps a first order part of the size of its own "
         "step over that of '" +
         topology_.name(order[0]) + "'");
-  for (const Line& line : topology_.lines()) check_line(line, order);
+  for (const Line& line : topology_.lines()) {
+    check_line(line, order);
+    note_empty_means(line);
+  }
+}
+
+void RunStart::note_empty_means(const Line& line) const {
+  if (line.how.kind != Reconstruction::Kind::mean || sampled(line.source) ||
+      run_.own_step(line.source) <= run_.own_step(line.reader) + rounding())
+    return;
+  run_.notes_.push_back("input " + topology_.input_name(line.reader, line.input) +
+                        " is the mean over an own step, which is shorter than those of '" +
+                        topology_.name(line.source) +
+                        "': where none of its samples lies in one, it is the mean of the line through those "
+                        "beside it");
 }
 
 /// The fast side can't cut a step, and none of its nodes lies in the middle of the slow side's step.

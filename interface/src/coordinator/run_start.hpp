@@ -47,6 +47,7 @@ class RunStart {
   void note_tie(const std::vector<int>& group) const;
   void check_named_order() const;
   void check_schemes(const std::vector<int>& order) const;
+  void note_empty_means(const Line& line) const;
   bool misses_middle(int fast, int slow) const;
   void note_without_effect() const;
   void check_line(const Line& line, const std::vector<int>& order) const;
