@@ -184,6 +184,44 @@ TEST(CommunicationStep, IsFiniteAndAboveZero) {
   }
 }
 
+/// A run of one subsystem with that own step, which can cut one or not.
+testing::AssertionResult notes_of_step(double step, bool lands, const TimeSpan& span,
+                                       const std::string& note) {
+  SubsystemInfo info = test::listener(step).info();
+  info.abilities.lands = lands;
+  info.inputs[0].start = 0.0;
+  Scripted a(info, step, [](double, const auto&, double* y) { y[0] = 0.0; });
+  RunBench bench;
+  bench.add("a", a).make(span.stop, span.start).initialize();
+  std::string all;
+  for (const std::string& line : bench.coordinator->notes()) all += line + "\n";
+  if (note.empty() ? all.empty() : all.find(note) != std::string::npos) return testing::AssertionSuccess();
+  return testing::AssertionFailure() << "notes: " << all;
+}
+
+TEST(Span, IsAtLeastAnOwnStepOfWhoCanNotShortenOne) {
+  EXPECT_TRUE(
+      refuses(ErrorCode::invalid_argument, {"'a'", "own step of 5 s", "the span, 2 s", "stand still"}, [] {
+        EXPECT_TRUE(notes_of_step(5.0, false, {1.0, 3.0}, ""));
+      }));
+  EXPECT_TRUE(notes_of_step(5.0, true, {1.0, 3.0},
+                            "'a' has an own step of 5 s, longer than the span, 2 s: it takes one"));
+  EXPECT_TRUE(notes_of_step(2.0, false, {1.0, 3.0}, ""));
+  EXPECT_TRUE(notes_of_step(0.1, false, {0.2, 0.3}, "")) << "0.2 + 0.1 is an ulp above 0.3";
+}
+
+// eps 1e10 s = 2.2e-6 s, of a step of 1 ms 2.2e-3.
+TEST(Span, SoFarOffThatTimesLoseTheDigitsOfAStepIsToldOrRefused) {
+  EXPECT_TRUE(notes_of_step(1e-3, true, {0.0, 1e3}, ""));
+  EXPECT_TRUE(notes_of_step(1e-3, true, {1e10, 1e10 + 1.0},
+                            "s, which times of the size of 1e+10 s hold to 0.0022 of itself only"));
+  EXPECT_TRUE(notes_of_step(1e-3, true, {-1e10, 0.0}, "hold to 0.0022 of itself"));
+  for (const double step : {1e-3, 1e-2})
+    EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'a'", "too small to be told from 0"}, [step] {
+      EXPECT_TRUE(notes_of_step(step, true, {1e13, 1e13 + 1.0}, ""));
+    }));
+}
+
 TEST(Span, EndsAfterItsStart) {
   for (const auto& [from, to] :
        {std::pair{0.0, 0.0}, {1.0, 0.0}, {0.0, double{INFINITY}}, {double{NAN}, 1.0}, {1e17, 1e17 + 16.0}}) {

@@ -20,6 +20,7 @@ class RunStart {
   void first_samples();
   void note_steps();
   void note_period(int who);
+  void check_span(int who) const;
   void lend_steps();
   double nearest_node(int who) const;
   double largest_step() const;

@@ -25,7 +25,8 @@ class Assembly {
   std::unique_ptr<Recorder> recorder(const std::filesystem::path& directory) const;
   /// Coordinator::initialize.
   void initialize();
-  /// The coordinator's, and equations of mechanisms that are redundant where they started.
+  /// The coordinator's, equations of mechanisms that are redundant where they started, and data that end
+  /// before the span does.
   std::vector<std::string> notes() const;
 
  private:
@@ -34,7 +35,7 @@ class Assembly {
   const Scenario& scenario_;
   Parts parts_;
   std::unique_ptr<Coordinator> coordinator_;
-  std::vector<std::string> redundant_;
+  std::vector<std::string> of_parts_;  ///< notes
 };
 
 /// A sentence about a subsystem that lives elsewhere, with its address if that is not in it yet.
