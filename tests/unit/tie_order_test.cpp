@@ -120,7 +120,7 @@ TEST(Ties, AHeldInputThatFeedsThroughMakesItsReaderLead) {
   EXPECT_EQ(bench.coordinator->schedule().order()[0], 1);
 }
 
-TEST(Ties, ARelayLeadsItsPlantWhereverItStandsInTheFile) {
+TEST(Ties, ARelayLeadsItsPlantThoughItsNameComesLater) {
   test::RelayRun what;
   what.system.jump = 0.3;
   what.relay_step = what.plant_step = 0.02;
