@@ -57,7 +57,7 @@ class RandomScenes {
     if (!continuous) return {};
     const Landing landing =
         std::vector{Landing::automatic, Landing::never, Landing::always}[static_cast<std::size_t>(number(3))];
-    return {0.002 + 0.004 * part(), Method::exact, "lagrange3", landing};
+    return {number(2) == 0 ? 0.004 : 0.002 + 0.004 * part(), Method::exact, "lagrange3", landing};
   }
   /// Between controllers from the first output to any, from the second to later ones alone, or with a memory.
   void wire(SampledScene& scene, int to, int input, int plants) {

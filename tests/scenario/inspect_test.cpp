@@ -62,7 +62,50 @@ TEST(ValidateCommand, SaysOkNotesAndAdvice) {
   expect_words(tandem(folder, {"validate", two_mass_file("force_plain.toml")}), {"force_plain.toml: ok"});
   expect_words(tandem(folder, {"validate", two_mass_file("force_plain.toml"), "--set",
                                "coordination.schedule=fastest-first"}),
-               {"ok", "advice: output fast.F depends at once", "the error is smaller"});
+               {"ok", "advice: output fast.F depends at once", "comes round over 'slow'"});
+}
+
+/// To let the kart lead its engine makes its pitch 27 times worse, at degree 1.
+TEST(ValidateCommand, AdvisesNothingThatTheProjectsScenesContradict) {
+  const Scratch folder;
+  for (const char* name : {"kart", "step_steer", "slalom", "braking_in_turn", "kerb", "plane_manoeuvre"}) {
+    const Said said =
+        tandem(folder, {"validate", std::string(TANDEM_SOURCE_DIR) + "/scenarios/kart/" + name + ".toml"});
+    EXPECT_EQ(said.status, 0) << said.err;
+    EXPECT_EQ(said.out.find("let 'kart' lead"), std::string::npos) << said.out;
+    EXPECT_EQ(said.out.find("should lead"), std::string::npos) << said.out;
+  }
+}
+
+/// One subsystem of that source, with an own step of 10 ms.
+std::string data_scene(const std::string& source, const std::string& stop) {
+  return "name = 's'\n[subsystems.a]\nsource = '" + source +
+         "'\nparameters = { step = 0.01 }\n[span]\nstop = " + stop + "\n";
+}
+
+TEST(ValidateCommand, TellsOfDataThatEndBeforeTheSpan) {
+  const Scratch folder;
+  folder.write("data.csv", "time,f\n0,0\n1,1\n");
+  folder.write("diagram.toml",
+               "name = 'd'\n[blocks]\nf = { kind = 'csv', file = 'data.csv', column = 'f' }\n"
+               "x = { kind = 'integrator', input = 'f' }\n[outputs]\nx = { unit = 'm' }\n");
+  folder.write("mechanism.toml",
+               "name = 'm'\ndimension = 2\n[points]\nO = { at = [0, 0], fixed = true }\nP = { at = [1, 0] }\n"
+               "[rods]\nrod = { points = ['O', 'P'], mass = 1 }\n"
+               "[inputs.push]\nunit = 'N'\nfile = 'data.csv'\ncolumn = 'f'\n"
+               "[forces]\nf = { point = 'P', magnitude = 'push', direction = [1, 0] }\n"
+               "[outputs]\nx = { position = 'P.x' }\n");
+  for (const std::string source : {"diagram:diagram.toml", "mechanism:mechanism.toml"})
+    for (const bool ends : {true, false}) {
+      const auto file = folder.write("s.toml", data_scene(source, ends ? "2.0" : "1.0")).string();
+      const Said said = tandem(folder, {"validate", file});
+      EXPECT_EQ(said.status, 0) << said.err;
+      EXPECT_EQ(said.out.find("note: subsystem 'a', ") != std::string::npos, ends) << said.out;
+      EXPECT_EQ(
+          said.out.find("the span goes on to 2 s, and the run fails where they end") != std::string::npos,
+          ends);
+      EXPECT_EQ(tandem(folder, {"run", file}).status, ends ? 1 : 0);
+    }
 }
 
 TEST(InfoCommand, ShowsWhatAMechanismHas) {

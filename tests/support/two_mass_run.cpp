@@ -142,6 +142,8 @@ TwoMassResult run(const TwoMassRun& what) {
   coordinator.observe(&keeper);
   coordinator.run();
   result.notes = coordinator.notes();
+  result.start = coordinator.start();
+  result.start_passes = coordinator.start_passes();
   result.exchanges = coordinator.effort(0).exchanges + coordinator.effort(1).exchanges;
   return result;
 }

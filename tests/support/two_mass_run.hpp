@@ -59,6 +59,8 @@ struct TwoMassResult {
       turns;  ///< the states last computed, after each turn (parallel: each side of a round)
   std::vector<std::string> notes;
   std::int64_t exchanges;
+  StartKind start = StartKind::cold;
+  int start_passes = 0;
 };
 
 TwoMassResult run(const TwoMassRun& what);

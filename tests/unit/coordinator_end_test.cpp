@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "refusal.hpp"
 #include "run_bench.hpp"
 #include "scripted.hpp"
 #include "word.hpp"
@@ -46,7 +47,8 @@ TEST_P(End, IsExactForWhoCanLand) {
     run(true, t_stop);
     EXPECT_EQ(end(0), t_stop);
     EXPECT_EQ(end(1), t_stop);
-    EXPECT_TRUE(bench.coordinator->notes().empty()) << bench.coordinator->notes()[0];
+    EXPECT_EQ(bench.coordinator->notes().size(), t_stop < 0.1 ? 2U : 0U)
+        << "one shortened step alone is told";
   }
 }
 
@@ -83,10 +85,9 @@ TEST_P(End, NobodyIsAskedForAnythingBeyondIt) {
     }
 }
 
-TEST_P(End, BeforeTheFirstNodeIsAllRight) {
-  const auto& recording = run(false, 0.05);
-  EXPECT_EQ(recording.rows(0).size(), 1U);
-  EXPECT_EQ(bench.coordinator->notes().size(), std::string(GetParam()) == "staggered" ? 3U : 2U);
+TEST_P(End, BeforeTheFirstNodeOfWhoCanNotLandIsRefused) {
+  EXPECT_TRUE(test::refuses(ErrorCode::invalid_argument, {"'fast'", "own step of 0.1 s", "span, 0.05 s"},
+                            [&] { run(false, 0.05); }));
 }
 
 TEST_P(End, SaysNoAgainWhenAskedAgain) {

@@ -52,6 +52,13 @@ TEST_F(LandingNotes, TellWhoStepsOverSamplesAndWhy) {
   EXPECT_EQ(notes(0.03, Landing::automatic), who + "they come more often than its own steps" + so);
 }
 
+TEST_F(LandingNotes, TellOfAPeriodBeyondTheSpan) {
+  EXPECT_NE(
+      notes(3.0, Landing::automatic)
+          .find("subsystem 'control' is sampled every 3 s, longer than the span, 2 s: it acts at most once"),
+      std::string::npos);
+}
+
 TEST_F(LandingNotes, TellWhereStepsAreMoreThanDoubled) {
   EXPECT_EQ(notes(0.03, Landing::always).find("subsystem 'plant' takes up to 4.3 times its own steps, as it"),
             0U)

@@ -36,11 +36,22 @@ TEST(MeanLink, IsTheArithmeticMeanOfTheSamplesWithinTheReadersStepEndsIncluded) 
   }
 }
 
-TEST(MeanLink, TakesTheNewestSampleBeforeTheStepIfNoneIsInside) {
+TEST(MeanLink, IsThatOfTheLineThroughTheSamplesBesideTheStepIfNoneIsInside) {
   LinkBench bench("mean");
-  for (const double t : {0.0, 1.0, 2.0, 3.0}) bench.give(t, 10.0 + t);
-  EXPECT_EQ(bench.read(1.2, 1.4).value(1.3), 11.0);
-  EXPECT_EQ(bench.read(3.5, 3.6).value(3.5), 13.0);
+  for (const double t : {0.0, 1.0, 2.0, 4.0}) bench.give(t, 10.0 + t * t);
+  EXPECT_NEAR(bench.read(1.2, 1.4).value(1.3), 11.0 + 0.3 * 3.0, 1e-14);
+  EXPECT_NEAR(bench.read(2.5, 3.0).value(2.5), 14.0 + 0.375 * 12.0, 1e-14);
+  EXPECT_EQ(bench.read(4.5, 4.6).value(4.5), 26.0) << "none comes after it: the newest";
+}
+
+TEST(MeanLink, OfALineThatEndsInAJumpTakesTheValueBeforeIt) {
+  LinkBench bench("mean");
+  bench.give(0.0, 1.0);
+  bench.give(1.0, 2.0);
+  bench.give(1.0, 6.0, 0.0, 0.0, 0.0, true);
+  bench.give(2.0, 8.0);
+  EXPECT_NEAR(bench.read(0.2, 0.4).value(0.3), 1.3, 1e-15);
+  EXPECT_NEAR(bench.read(1.2, 1.4).value(1.3), 6.6, 1e-15);
 }
 
 TEST(MeanLink, LeavesOutWhatTheSourceGaveBeyondTheStep) {

@@ -50,6 +50,23 @@ TEST_F(SchemeTest, MeanNeedsASourceAheadOfItsReader) {
   EXPECT_NO_THROW(other_way.run(4.0));
 }
 
+TEST_F(SchemeTest, AMeanOverStepsInWhichNoSampleMayLieIsTold) {
+  for (const bool of_slow : {true, false}) {
+    RunBench bench;
+    couple(bench, of_slow ? "slowest-first" : "fastest-first", of_slow ? "mean" : "lagrange1",
+           of_slow ? "lagrange1" : "mean");
+    bench.run(4.0);
+    const auto& notes = bench.coordinator->notes();
+    ASSERT_EQ(notes.size(), of_slow ? 1U : 0U);
+    if (of_slow) {
+      EXPECT_NE(notes[0].find("input fast.u is the mean over an own step, which is shorter than those of "
+                              "'slow'"),
+                std::string::npos)
+          << notes[0];
+    }
+  }
+}
+
 TEST_F(SchemeTest, MatchedHoldNeedsTurns) {
   EXPECT_TRUE(
       refuses_scheme("parallel", "matched_hold", "matched_hold", {"fast.u", "matched_hold", "parallel"}));
@@ -143,16 +160,6 @@ TEST(Order, GoesByTheOwnStepsOrAsNamed) {
   EXPECT_TRUE(has_order("fastest-first", {"b", "c", "a"}, {0, 2, 1})) << "named slowest first all the same";
 }
 
-TEST(Order, TiesGoByScenarioOrder) {
-  Scripted a = test::source(1.0, [](double) { return 0.0; }),
-           b = test::source(1.0, [](double) { return 0.0; });
-  for (const char* schedule : {"slowest-first", "fastest-first"}) {
-    RunBench bench;
-    bench.add("a", a).add("b", b).schedule(schedule).run(2.0);
-    EXPECT_EQ(bench.coordinator->schedule().order()[0], 0) << schedule;
-  }
-}
-
 TEST(Order, NamesEachSubsystemOnce) {
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"coordination.order", "'c'"}, [] {
     has_order("slowest-first", {"a", "b"}, {});
@@ -175,6 +182,44 @@ TEST(CommunicationStep, IsFiniteAndAboveZero) {
     bench.add("a", a).coordination.communication_step = h;
     EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"communication_step"}, [&] { bench.run(2.0); })) << h;
   }
+}
+
+/// A run of one subsystem with that own step, which can cut one or not.
+testing::AssertionResult notes_of_step(double step, bool lands, const TimeSpan& span,
+                                       const std::string& note) {
+  SubsystemInfo info = test::listener(step).info();
+  info.abilities.lands = lands;
+  info.inputs[0].start = 0.0;
+  Scripted a(info, step, [](double, const auto&, double* y) { y[0] = 0.0; });
+  RunBench bench;
+  bench.add("a", a).make(span.stop, span.start).initialize();
+  std::string all;
+  for (const std::string& line : bench.coordinator->notes()) all += line + "\n";
+  if (note.empty() ? all.empty() : all.find(note) != std::string::npos) return testing::AssertionSuccess();
+  return testing::AssertionFailure() << "notes: " << all;
+}
+
+TEST(Span, IsAtLeastAnOwnStepOfWhoCanNotShortenOne) {
+  EXPECT_TRUE(
+      refuses(ErrorCode::invalid_argument, {"'a'", "own step of 5 s", "the span, 2 s", "stand still"}, [] {
+        EXPECT_TRUE(notes_of_step(5.0, false, {1.0, 3.0}, ""));
+      }));
+  EXPECT_TRUE(notes_of_step(5.0, true, {1.0, 3.0},
+                            "'a' has an own step of 5 s, longer than the span, 2 s: it takes one"));
+  EXPECT_TRUE(notes_of_step(2.0, false, {1.0, 3.0}, ""));
+  EXPECT_TRUE(notes_of_step(0.1, false, {0.2, 0.3}, "")) << "0.2 + 0.1 is an ulp above 0.3";
+}
+
+// eps 1e10 s = 2.2e-6 s, of a step of 1 ms 2.2e-3.
+TEST(Span, SoFarOffThatTimesLoseTheDigitsOfAStepIsToldOrRefused) {
+  EXPECT_TRUE(notes_of_step(1e-3, true, {0.0, 1e3}, ""));
+  EXPECT_TRUE(notes_of_step(1e-3, true, {1e10, 1e10 + 1.0},
+                            "s, which times of the size of 1e+10 s hold to 0.0022 of itself only"));
+  EXPECT_TRUE(notes_of_step(1e-3, true, {-1e10, 0.0}, "hold to 0.0022 of itself"));
+  for (const double step : {1e-3, 1e-2})
+    EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'a'", "too small to be told from 0"}, [step] {
+      EXPECT_TRUE(notes_of_step(step, true, {1e13, 1e13 + 1.0}, ""));
+    }));
 }
 
 TEST(Span, EndsAfterItsStart) {

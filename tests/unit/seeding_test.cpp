@@ -23,8 +23,9 @@ Scripted zero(int derivatives, bool restarts) {
 }
 RunBench couple(Scripted& a, Scripted& b, StartKind start, const std::string& how = "lagrange3") {
   RunBench bench;
-  bench.add("a", a).add("b", b).connect("a.y", "b.u", how).connect("b.y", "a.u", how).coordination.start =
-      start;
+  bench.add("a", a).add("b", b).connect("a.y", "b.u", how).connect("b.y", "a.u", how);
+  bench.coordination.order = {"a", "b"};
+  bench.coordination.start = start;
   return bench;
 }
 

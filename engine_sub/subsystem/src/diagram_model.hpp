@@ -40,6 +40,7 @@ class DiagramModel {
   void write(ByteWriter& to) const;
   void read(ByteReader& from);
   Statistics statistics() const { return machine_->simulation.statistics(); }
+  const Program& program() const { return machine_->program; }
 
  private:
   struct Machine {

@@ -82,19 +82,26 @@ class FirstSamples {
     return sum;
   }
 
-  /// Gives one input that closes a loop through a memory or delay its start value.
+  /// Gives one input that closes a loop through a memory or delay its start value: the first by name, in
+  /// whatever order the connections stand.
   void close_lags() {
-    for (const Line& line : topology_.lines()) {
-      double& value = u0_[static_cast<std::size_t>(line.reader)][static_cast<std::size_t>(line.input)];
-      if (line.lag == Lag::none || !std::isnan(value) || !in_loop(line)) continue;
-      value = topology_.start(line.reader)[static_cast<std::size_t>(line.input)];
-      if (std::isnan(value))
-        throw Error(ErrorCode::invalid_argument,
-                    "input " + topology_.input_name(line.reader, line.input) +
-                        " closes a loop with a memory or delay and has no start value");
-      due_[static_cast<std::size_t>(line.reader)] = 1;
-      return;
-    }
+    const Line* first = nullptr;
+    const auto name = [&](const Line& line) { return topology_.input_name(line.reader, line.input); };
+    for (const Line& line : topology_.lines())
+      if (line.lag != Lag::none && std::isnan(value(line)) && in_loop(line) &&
+          (!first || name(line) < name(*first)))
+        first = &line;
+    if (!first) return;
+    const double start = topology_.start(first->reader)[static_cast<std::size_t>(first->input)];
+    if (std::isnan(start))
+      throw Error(ErrorCode::invalid_argument,
+                  "input " + name(*first) + " closes a loop with a memory or delay and has no start value");
+    value(*first) = start;
+    due_[static_cast<std::size_t>(first->reader)] = 1;
+  }
+
+  double& value(const Line& line) {
+    return u0_[static_cast<std::size_t>(line.reader)][static_cast<std::size_t>(line.input)];
   }
 
   /// The line's input reaches its output, over feedthrough and any lines.

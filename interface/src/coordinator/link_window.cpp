@@ -23,7 +23,7 @@ void Link::sample_window(TimeSpan to, double* u) {
   for (const Lane& lane : lanes_) u[lane.slot] = lane.gain * mean(lane, rows, to) + lane.offset;
 }
 
-/// Mean: the rows in [time, next_time], else the newest before. Matched hold: the newest row.
+/// Mean: the rows in [time, next_time], else the newest before them. Matched hold: the newest row.
 Link::Rows Link::window(double time, double next_time) const {
   std::int64_t first = samples_->newest(), last = first;
   if (how_.kind == Reconstruction::Kind::mean) {
@@ -36,9 +36,18 @@ Link::Rows Link::window(double time, double next_time) const {
 
 double Link::mean(const Lane& lane, Rows rows, TimeSpan span) const {
   if (lane.held && tolerance_.before(span.start, span.stop)) return held_mean(lane, rows, span);
+  if (rows.last < samples_->newest() && tolerance_.before(samples_->time(rows.last), span.start))
+    return line_mean(lane, rows.last, span);
   double sum = 0.0;
   for (std::int64_t row = rows.first; row <= rows.last; ++row) sum += value(row, lane);
   return sum / static_cast<double>(rows.last - rows.first + 1);
+}
+
+/// Of the line through this row and the next, which lie on either side of the span.
+double Link::line_mean(const Lane& lane, std::int64_t row, TimeSpan span) const {
+  const double t = samples_->time(row), h = samples_->time(row + 1) - t;
+  const double y = value(row, lane), middle = (span.start + span.stop) / 2.0;
+  return y + (value(row + 1, lane) - y) * ((middle - t) / h);
 }
 
 /// By time: each sample holds to the next one, and the one before the first of the rows to that.

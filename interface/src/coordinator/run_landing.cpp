@@ -27,7 +27,7 @@ double RunStart::shortest_period(int who) const {
   const Landing landing = landing_of(who);
   if (landing == Landing::never || !topology_.info(who).abilities.lands)
     return std::numeric_limits<double>::infinity();
-  return landing == Landing::always ? 0.0 : run_.own_step(who);
+  return landing == Landing::always ? 0.0 : run_.own_step(who) - rounding();
 }
 
 /// Of the ends of a line one integrates itself, the other is sampled and feeds it, or is in a loop with it.
@@ -78,7 +78,7 @@ void RunStart::note_missed(int who, const std::vector<int>& others) const {
 void RunStart::note_multiplied(int who, const std::vector<int>& others) const {
   double share = 0.0;  // of samples to own steps
   for (const int other : others) share += run_.own_step(who) / topology_.info(other).sampling.period;
-  if (share <= 1.0 || topology_.info(who).abilities.chooses_step) return;
+  if (share <= 1.0 + rounding() / run_.own_step(who) || topology_.info(who).abilities.chooses_step) return;
   run_.notes_.push_back("subsystem '" + topology_.name(who) + "' takes up to " + number_text(1.0 + share, 2) +
                         " times its own steps, as it ends one at each sample of those that it is linked to; "
                         "land = \"never\" prevents it");

@@ -19,17 +19,17 @@ void RunStart::note_times(double communication_step) {
   for (const Line& line : topology_.lines())
     for (const int who : {line.source, line.reader})
       if (!sampled(who) && lands(line) && !topology_.info(who).abilities.chooses_step)
-        times_.nearest[static_cast<std::size_t>(who)] = run_.own_step(who) / 2.0;
+        times_.nearest[static_cast<std::size_t>(who)] = nearest_node(who);
   for (const Line& line : topology_.lines())
     if (topology_.info(line.source).abilities.events)
       for (const int who : {line.source, line.reader})
         if (!sampled(who)) times_.nearest[static_cast<std::size_t>(who)] = nearest_node(who);
 }
 
-/// Of one with samples beside its own nodes.
+/// Of one with samples beside its own nodes. Half a step apart is near enough, however times are rounded.
 double RunStart::nearest_node(int who) const {
   return topology_.info(who).abilities.chooses_step ? std::numeric_limits<double>::min()
-                                                    : run_.own_step(who) / 2.0;
+                                                    : run_.own_step(who) / 2.0 - rounding();
 }
 
 std::vector<Read> RunStart::reads() const {

@@ -17,47 +17,6 @@ std::size_t position(const std::vector<int>& order, int who) {
 
 }  // namespace
 
-void RunStart::check_named_order() const {
-  const auto& named = run_.coordination_.order;
-  const auto refuse_name = [](const std::string& name, const std::string& why) {
-    throw Error(ErrorCode::invalid_argument,
-                "coordination.order must name each subsystem once, slowest first; '" + name + "' " + why);
-  };
-  for (const std::string& name : named) {
-    bool known = false, acts = false;
-    for (int i = 0; i < topology_.size(); ++i)
-      if (topology_.name(i) == name) known = true, acts = sampled(i);
-    if (!known) refuse_name(name, "is not a subsystem");
-    if (acts) refuse_name(name, "is sampled, and has no place there");
-    if (std::count(named.begin(), named.end(), name) > 1) refuse_name(name, "stands there twice");
-  }
-  for (int i = 0; i < topology_.size(); ++i)
-    if (!sampled(i) && std::find(named.begin(), named.end(), topology_.name(i)) == named.end())
-      refuse_name(topology_.name(i), "is missing");
-}
-
-std::vector<int> RunStart::leaders_first() const {
-  std::vector<int> order;
-  for (int i = 0; i < topology_.size(); ++i)
-    if (!sampled(i)) order.push_back(i);
-  const bool ascending = run_.coordination_.schedule == Schedule::Kind::fastest_first;
-  const auto& named = run_.coordination_.order;
-  if (named.empty()) {
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-      const double ha = run_.own_step(a), hb = run_.own_step(b);
-      return ascending ? ha < hb : ha > hb;
-    });
-    return order;
-  }
-  check_named_order();
-  std::sort(order.begin(), order.end(), [&](int a, int b) {
-    return std::find(named.begin(), named.end(), topology_.name(a)) <
-           std::find(named.begin(), named.end(), topology_.name(b));
-  });
-  if (ascending) std::reverse(order.begin(), order.end());
-  return order;
-}
-
 void RunStart::check_schemes(const std::vector<int>& order) const {
   if (run_.coordination_.schedule == Schedule::Kind::staggered && order.size() != 2)
     refuse("schedule staggered couples two subsystems that integrate themselves; there are " +
@@ -68,15 +27,29 @@ void RunStart::check_schemes(const std::vector<int>& order) const {
         "' can't shorten a step, so schedule staggered keeps a first order part of the size of its own "
         "step over that of '" +
         topology_.name(order[0]) + "'");
-  for (const Line& line : topology_.lines()) check_line(line, order);
+  for (const Line& line : topology_.lines()) {
+    check_line(line, order);
+    note_empty_means(line);
+  }
+}
+
+void RunStart::note_empty_means(const Line& line) const {
+  if (line.how.kind != Reconstruction::Kind::mean || sampled(line.source) ||
+      run_.own_step(line.source) <= run_.own_step(line.reader) + rounding())
+    return;
+  run_.notes_.push_back("input " + topology_.input_name(line.reader, line.input) +
+                        " is the mean over an own step, which is shorter than those of '" +
+                        topology_.name(line.source) +
+                        "': where none of its samples lies in one, it is the mean of the line through those "
+                        "beside it");
 }
 
 /// The fast side can't cut a step, and none of its nodes lies in the middle of the slow side's step.
 bool RunStart::misses_middle(int fast, int slow) const {
   const double middle = run_.own_step(slow) / 2.0, nearest = std::remainder(middle, run_.own_step(fast));
   const Abilities &a = topology_.info(fast).abilities, &b = topology_.info(slow).abilities;
-  return !a.lands &&
-         (a.chooses_step || b.chooses_step || std::abs(nearest) > run_.tolerance_.width(middle, 0.0));
+  return !a.lands && (a.chooses_step || b.chooses_step ||
+                      std::abs(nearest) > (1.0 + middle / run_.own_step(fast)) * rounding());
 }
 
 void RunStart::check_line(const Line& line, const std::vector<int>& order) const {

@@ -61,10 +61,8 @@ double RunStart::largest_step() const {
 
 /// Of those that integrate themselves the one with the largest own step; -1: there are none.
 int RunStart::slowest() const {
-  int slowest = -1;
-  for (int i = 0; i < topology_.size(); ++i)
-    if (!sampled(i) && (slowest < 0 || run_.own_step(i) > run_.own_step(slowest))) slowest = i;
-  return slowest;
+  const auto groups = by_own_steps();
+  return groups.empty() ? -1 : groups.back().front();
 }
 
 /// What the schedule has to know of them before they stand anywhere.
@@ -113,11 +111,34 @@ void RunStart::note_steps() {
   lend_steps();
   for (std::size_t i = 0; i < n; ++i)
     if (!run_.tolerance_.before(run_.t_stop_ - run_.own_steps_[i], run_.t_stop_))
+      throw Error(ErrorCode::invalid_argument, "subsystem '" + topology_.name(static_cast<int>(i)) +
+                                                   "' has an own step of " + number_text(run_.own_steps_[i]) +
+                                                   " s, which is nothing beside the end, " +
+                                                   number_text(run_.t_stop_) + " s; allowed is more than " +
+                                                   number_text(rounding()) + " s");
+  for (std::size_t i = 0; i < n; ++i) check_span(static_cast<int>(i));
+}
+
+/// Own steps that the span or the rounding of its times does not go with.
+void RunStart::check_span(int who) const {
+  const double h = run_.own_step(who), span = run_.t_stop_ - run_.t_start_, most = rounding() / 6.0;
+  const std::string named = "subsystem '" + topology_.name(who) + "' ",
+                    step = sampled(who) ? "is sampled every " + number_text(h) + " s"
+                                        : "has an own step of " + number_text(h) + " s";
+  const Abilities& a = topology_.info(who).abilities;
+  if (clocks_[static_cast<std::size_t>(who)].stop != Stop::finished &&
+      run_.tolerance_.before(run_.t_stop_, run_.t_start_ + h) && !(a.chooses_step && a.lands)) {
+    const std::string longer = named + step + ", longer than the span, " + number_text(span) + " s";
+    if (!sampled(who) && !a.lands)
       throw Error(ErrorCode::invalid_argument,
-                  "subsystem '" + topology_.name(static_cast<int>(i)) + "' has an own step of " +
-                      number_text(run_.own_steps_[i]) + " s, which is nothing beside the end, " +
-                      number_text(run_.t_stop_) + " s; allowed is more than " +
-                      number_text(run_.tolerance_.width(run_.t_stop_, 0.0)) + " s");
+                  longer + ", and can't shorten one: it would stand still; allowed is up to the span");
+    run_.notes_.push_back(longer + (sampled(who) ? ": it acts at most once" : ": it takes one, shortened"));
+  }
+  if (!a.chooses_step && most > 1e-6 * h)
+    run_.notes_.push_back(named + step + ", which times of the size of " +
+                          number_text(std::max(std::abs(run_.t_start_), std::abs(run_.t_stop_)), 3) +
+                          " s hold to " + number_text(most / h, 2) +
+                          " of itself only; let the run begin near t = 0");
 }
 
 void RunStart::note_period(int who) {

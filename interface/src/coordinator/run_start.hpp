@@ -15,9 +15,12 @@ class RunStart {
 
  private:
   bool sampled(int who) const { return topology_.info(who).abilities.sampled; }
+  /// [s]: no more than that do own steps differ as times in the span are rounded.
+  double rounding() const { return run_.tolerance_.width(run_.t_stop_, 0.0); }
   void first_samples();
   void note_steps();
   void note_period(int who);
+  void check_span(int who) const;
   void lend_steps();
   double nearest_node(int who) const;
   double largest_step() const;
@@ -37,9 +40,15 @@ class RunStart {
   void note_follower(int who, int leader, bool goes_back) const;
   void order_outputs();
   void stand_all();
+  /// The place of one among equal own steps.
+  enum class Tie { jumps, plain, feeds_through };
+  Tie tie(int who) const;
+  std::vector<std::vector<int>> by_own_steps() const;
   std::vector<int> leaders_first() const;
+  void note_tie(const std::vector<int>& group) const;
   void check_named_order() const;
   void check_schemes(const std::vector<int>& order) const;
+  void note_empty_means(const Line& line) const;
   bool misses_middle(int fast, int slow) const;
   void note_without_effect() const;
   void check_line(const Line& line, const std::vector<int>& order) const;
@@ -53,8 +62,18 @@ class RunStart {
   }
   bool derivatives_suffice() const;
   bool can_repeat() const;
+  void note_cold(const std::string& why) const;
   void seed();
+  struct FirstSteps {
+    int passes, round;      ///< a change has come round after so many of them
+    double until, largest;  ///< [s]: where they end, and the longest own step
+  };
+  FirstSteps first_steps() const;
   void repeat();
+  bool jumped() const;
+  void give_up(const std::string& why);
+  void set_passes_apart();
+  Clock start_again(int who);
   void pass(int who, Exchange& before, double until);
 
   Coordinator& run_;

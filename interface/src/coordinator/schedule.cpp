@@ -120,9 +120,10 @@ inline double Schedule::communication_point() const {
   if (first == Member::never) return first;
   if (plan_.pace >= 0 && !member(plan_.pace).finished() && !(related_ && turns_.waits(plan_.pace)))
     return std::min(member(plan_.pace).next, plan_.span.stop);
-  double k = std::ceil((first - plan_.span.start) / plan_.communication_step);
-  if (!tolerance_.before(plan_.span.start + (k - 1.0) * plan_.communication_step, first)) k -= 1.0;
-  return std::min(plan_.span.start + k * plan_.communication_step, plan_.span.stop);
+  const double from = plan_.pace >= 0 ? pace_node_ : plan_.span.start;
+  double k = std::ceil((first - from) / plan_.communication_step);
+  if (!tolerance_.before(from + (k - 1.0) * plan_.communication_step, first)) k -= 1.0;
+  return std::min(from + k * plan_.communication_step, plan_.span.stop);
 }
 
 template <class Takes>

@@ -155,4 +155,18 @@ std::vector<std::string> redundant_equations(const Subsystem& subsystem) {
   return mechanism ? mechanism->model().redundant_equations() : std::vector<std::string>{};
 }
 
+/// Data refuse a time beyond them; other functions have a value at each.
+std::vector<std::string> data_ending_before(const Subsystem& subsystem, double t) {
+  const auto* mechanism = dynamic_cast<const FixedStep<Multibody>*>(&subsystem);
+  std::vector<std::string> all;
+  if (!mechanism) return all;
+  for (const Input& input : mechanism->model().description().inputs)
+    if (input.function) try {
+        input.function(t);
+      } catch (const Error& error) {
+        all.push_back("input '" + input.name + "': " + error.what());
+      }
+  return all;
+}
+
 }  // namespace tandem::mbs

@@ -24,6 +24,7 @@ class Multibody {
   void step(const OwnStep& s, std::span<const Signal> u);
   void outputs(double* y) const;
   std::vector<std::string> redundant_equations() const;
+  const Description& description() const { return machine_->mechanism.description(); }
   void write(ByteWriter& to) const;
   void read(ByteReader& from);
 

@@ -11,12 +11,12 @@
 namespace tandem::charts {
 namespace {
 
-const std::vector<std::string> sweep_columns = {"schedule",        "to_fast",        "to_slow",
-                                                "frequency_ratio", "position_error", "energy_error",
-                                                "amplitude_error", "exchanges",      "status"};
+const std::vector<std::string> sweep_columns = {
+    "schedule",     "to_fast",         "to_slow",   "frequency_ratio", "position_error_exact",
+    "energy_error", "amplitude_error", "exchanges", "status"};
 const std::vector<std::string> work_columns = {
-    "schedule",       "to_fast",         "to_slow",   "frequency_ratio", "steps_per_cycle",
-    "position_error", "amplitude_error", "exchanges", "seconds",         "status"};
+    "schedule",        "to_fast",   "to_slow", "frequency_ratio", "steps_per_cycle", "position_error_exact",
+    "amplitude_error", "exchanges", "seconds", "status"};
 const std::vector<std::string> trace_columns = {
     "frequency_ratio", "schedule", "to_fast", "to_slow", "time", "x1", "x1_exact", "energy_error"};
 
@@ -36,7 +36,7 @@ Result result_of(const CsvTable& table, std::size_t k) {
   Result r;
   r.scheme = scheme_of(row);
   r.frequency_ratio = row.positive("frequency_ratio");
-  r.position_error = row.number("position_error");
+  r.position_error = row.number("position_error_exact");
   r.amplitude_error = row.number("amplitude_error");
   r.exchanges = row.number("exchanges");
   r.failed = failed_of(table, k);

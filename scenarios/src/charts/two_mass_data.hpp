@@ -15,7 +15,7 @@ using two_mass::Scheme;
 struct Result {
   Scheme scheme;
   double frequency_ratio = 0.0;
-  double position_error = 0.0;
+  double position_error = 0.0;   ///< column position_error_exact, which has no ceiling
   double energy_error = 0.0;     ///< sweep.csv only
   double amplitude_error = 0.0;  ///< of the fast mode; signed
   double exchanges = 0.0;

@@ -20,7 +20,7 @@ void check_in_part(const scenario::Scenario& scenario, const Builtins& builtins,
     scenario::located(scenario.reference->place, [&] { text::TimeTable::read(scenario.reference->file); });
   parts.check_each();
   say("{}", in_part(scenario, parts));
-  for (const std::string& note : parts.redundant_equations()) say("note: {}\n", note);
+  for (const std::string& note : parts.notes()) say("note: {}\n", note);
 }
 
 std::string in_part(const scenario::Scenario& scenario, const scenario::Parts& parts) {

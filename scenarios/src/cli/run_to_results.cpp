@@ -175,8 +175,9 @@ class Run {
 
   void tell_coordination() const {
     const Coordinator& run = assembly_.coordinator();
-    spdlog::debug("{}: {} s to {} s, schedule {}, start {}", scenario_.file.string(), scenario_.start,
-                  scenario_.stop, Schedule::name(run.schedule().kind()), name(run.start()));
+    spdlog::debug("{}: {} s to {} s, schedule {}, start {} ({} passes)", scenario_.file.string(),
+                  scenario_.start, scenario_.stop, Schedule::name(run.schedule().kind()), name(run.start()),
+                  run.start_passes());
     for (const int i : run.schedule().order())
       spdlog::debug("subsystem '{}': first own step {} s", run.topology().name(i), run.own_step(i));
     for (const auto& file : recorder_->files()) spdlog::debug("recording to {}", file.string());

@@ -25,7 +25,7 @@ nlohmann::ordered_json conditions(const Measured& measured) {
 }
 
 nlohmann::ordered_json conditions(int repetitions) {
-  auto all = conditions(Measured{"exact motion", "(FR/N) rms(x1 - x1_exact) / rms(x1)", ""});
+  auto all = conditions(Measured{"exact motion", "(FR/N) rms(x1 - x1_exact) / rms(x1_exact)", ""});
   all["repetitions"] = repetitions;
   return all;
 }

@@ -40,12 +40,12 @@ std::unique_ptr<Recorder> Assembly::recorder(const std::filesystem::path& direct
 void Assembly::initialize() {
   located([&](const std::string& sentence) { return scenario_.place_named_in(sentence); },
           [&] { coordinator_->initialize(); });
-  redundant_ = parts_.redundant_equations();
+  of_parts_ = parts_.notes();
 }
 
 std::vector<std::string> Assembly::notes() const {
   std::vector<std::string> all = coordinator_->notes();
-  all.insert(all.end(), redundant_.begin(), redundant_.end());
+  all.insert(all.end(), of_parts_.begin(), of_parts_.end());
   return all;
 }
 

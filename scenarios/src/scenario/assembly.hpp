@@ -25,7 +25,8 @@ class Assembly {
   std::unique_ptr<Recorder> recorder(const std::filesystem::path& directory) const;
   /// Coordinator::initialize.
   void initialize();
-  /// The coordinator's, and equations of mechanisms that are redundant where they started.
+  /// The coordinator's, equations of mechanisms that are redundant where they started, and data that end
+  /// before the span does.
   std::vector<std::string> notes() const;
 
  private:
@@ -34,14 +35,15 @@ class Assembly {
   const Scenario& scenario_;
   Parts parts_;
   std::unique_ptr<Coordinator> coordinator_;
-  std::vector<std::string> redundant_;
+  std::vector<std::string> of_parts_;  ///< notes
 };
 
 /// A sentence about a subsystem that lives elsewhere, with its address if that is not in it yet.
 std::string with_address(const Scenario& scenario, const Builtins& builtins, std::string sentence);
 
-/// What `validate` tells of a run that is initialized, beyond its notes: a force that depends on the
-/// partner's state at once belongs to the follower.
+/// What `validate` tells of a run that is initialized, beyond its notes: rings of any length in which a
+/// leader feeds an input through that it extrapolates; and the order in which those with events lead their
+/// readers. Nothing that only a trial can tell.
 std::vector<std::string> advice(const Coordinator& run);
 
 }  // namespace tandem::scenario

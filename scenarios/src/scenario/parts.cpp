@@ -1,9 +1,12 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "scenario/parts.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "tandem/engine/subsystem.hpp"
 #include "tandem/error.hpp"
 #include "tandem/mbs/subsystem.hpp"
 #include "tandem/nearest.hpp"
@@ -121,15 +124,26 @@ void Parts::check_each() const {
               });
 }
 
-std::vector<std::string> Parts::redundant_equations() const {
+std::vector<std::string> Parts::notes() const {
   std::vector<std::string> all;
   for (int i = 0; i < topology_.size(); ++i) {
     if (!subsystem(i)) continue;
     if (const auto names = mbs::redundant_equations(*subsystem(i)); !names.empty())
       all.push_back("mechanism '" + topology_.name(i) + "' has " + std::to_string(names.size()) +
                     " redundant equation" + (names.size() > 1 ? "s" : "") + ": " + listed(names));
+    add_ending_data(i, all);
   }
   return all;
+}
+
+void Parts::add_ending_data(int instance, std::vector<std::string>& notes) const {
+  auto ending = mbs::data_ending_before(*subsystem(instance), scenario_.stop);
+  for (std::string& sentence : engine::data_ending_before(*subsystem(instance), scenario_.stop))
+    ending.push_back(std::move(sentence));
+  for (const std::string& sentence : ending)
+    notes.push_back(
+        fmt::format("subsystem '{}', {}; the span goes on to {} s, and the run fails where they end",
+                    topology_.name(instance), sentence, scenario_.stop));
 }
 
 bool names_code(const Scenario& scenario, const Builtins& builtins) {

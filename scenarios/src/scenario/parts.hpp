@@ -29,8 +29,9 @@ class Parts {
   /// What a run checks beyond that of each subsystem alone: recorded outputs, and its start with what is
   /// known of its inputs.
   void check_each() const;
-  /// After a start: equations of mechanisms that are redundant there, a sentence for each mechanism.
-  std::vector<std::string> redundant_equations() const;
+  /// After a start: equations of mechanisms that are redundant there, a sentence for each mechanism, and data
+  /// of files that end before the span does.
+  std::vector<std::string> notes() const;
 
   /// One subsystem alone.
   static std::unique_ptr<Subsystem> opened(const SubsystemEntry& entry, const Builtins& builtins);
@@ -39,6 +40,7 @@ class Parts {
   std::unique_ptr<Subsystem> leave_out(const SubsystemEntry& entry, const Builtins& builtins);
   bool is_left_out(const std::string& port) const;
   void set_starts();
+  void add_ending_data(int instance, std::vector<std::string>& notes) const;
   void connect(const ConnectionEntry& entry);
   void check_output(const Place& place, const std::string& what, const std::string& name) const;
 

@@ -24,6 +24,7 @@ Json coordination_of(const Assembly& assembly) {
   return {{"schedule", Schedule::name(run.schedule().kind())},
           {"leader_first", order},
           {"start", name(run.start())},
+          {"passes_of_the_start", run.start_passes()},
           {"first_own_steps", steps}};
 }
 
@@ -77,6 +78,7 @@ Json machine_figures(const Assembly& assembly, const RunEnd& end, bool profiled,
     const Effort& effort = assembly.coordinator().effort(i);
     Json& figures = subsystems[assembly.topology().name(i)];
     figures = {{"steps", effort.steps}, {"exchanges", effort.exchanges}};
+    if (effort.start_steps > 0) figures["steps_of_the_start"] = effort.start_steps;
     if (profiled) figures["seconds"] = effort.seconds;
     if (const auto s = engine::statistics_of(assembly.subsystem(i)))
       figures["integrator"] = integrator_figures(*s);

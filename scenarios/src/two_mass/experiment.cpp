@@ -42,13 +42,16 @@ class Run {
   void count(Outcome& outcome) const {
     const bool monolithic = subsystems_.size() == 1;
     outcome.exchanges = coordinator_->effort(0).exchanges;
-    outcome.evaluations = (monolithic ? 8 : 4) * coordinator_->effort(0).steps;
+    outcome.evaluations = (monolithic ? 8 : 4) * all_steps(0);
     if (monolithic) return;
     outcome.exchanges += coordinator_->effort(1).exchanges;
-    outcome.evaluations += 2 * coordinator_->effort(1).steps;
+    outcome.evaluations += 2 * all_steps(1);
   }
 
  private:
+  std::int64_t all_steps(int side) const {
+    return coordinator_->effort(side).steps + coordinator_->effort(side).start_steps;
+  }
   void couple(const Case& c, const Model& model) {
     subsystems_.push_back(std::make_unique<FixedStep<FastMass>>(FastMass(model, {})));
     subsystems_.push_back(

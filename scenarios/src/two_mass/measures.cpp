@@ -54,14 +54,17 @@ double Measures::scaled(double sum, std::size_t count) const {
   return frequency_ratio_ / t_stop_ * std::sqrt(sum / static_cast<double>(count));
 }
 
-double Measures::position_error() const {
-  double squares = 0.0, errors = 0.0;
+void Measures::set_position_errors(Figures& f) const {
+  double squares = 0.0, exact_squares = 0.0, errors = 0.0;
   for (const Node& n : fast_) {
-    const double error = n.x1 - model_.exact(n.time).x1;
+    const double exact = model_.exact(n.time).x1, error = n.x1 - exact;
     squares += n.x1 * n.x1;
+    exact_squares += exact * exact;
     errors += error * error;
   }
-  return scaled(errors / squares * static_cast<double>(fast_.size()), fast_.size());
+  const auto count = static_cast<double>(fast_.size());
+  f.position_error = scaled(errors / squares * count, fast_.size());
+  f.position_error_exact = scaled(errors / exact_squares * count, fast_.size());
 }
 
 std::vector<double> Measures::energy_errors() const {
@@ -87,7 +90,7 @@ Figures Measures::figures() const {
   f.failed = failed_;
   f.note = note_;
   if (failed_) return f;
-  f.position_error = position_error();
+  set_position_errors(f);
   const std::vector<double> energies = energy_errors();
   double sum = 0.0;
   for (const double e : energies) sum += e * e;

@@ -11,7 +11,8 @@ namespace tandem::two_mass {
 
 /// What a run is judged by. Errors are fractions. A figure without meaning is empty and `note` says why.
 struct Figures {
-  std::optional<double> position_error, energy_error, exchange_energy_error, amplitude_error, phase_error;
+  std::optional<double> position_error, energy_error, exchange_energy_error, amplitude_error, phase_error,
+      position_error_exact;
   bool failed = false;
   std::string note;
 };
@@ -19,6 +20,8 @@ struct Figures {
 /// Gathers the errors of a two-mass run, N fast cycles long (F. Gonzalez, doctoral thesis, A Coruna 2010,
 /// chapter 5):
 ///   position error        (FR/N) rms((x1 - x1_exact) / x1_rms), over the fast side's nodes
+///                         (where x1 has grown it saturates at FR/N)
+///   position error exact  (FR/N) rms(x1 - x1_exact) / rms(x1_exact), over the same nodes
 ///   energy error          (FR/N) rms((E - E0) / E0), over the same nodes up to the slow side's last one; x2
 ///   and v2 there
 ///                         from the cubic Hermite polynomial of the slow side's positions and velocities
@@ -54,7 +57,7 @@ class Measures final : public Observer {
   };
   double limit() const { return 1e8 * largest_; }
   double scaled(double sum, std::size_t count) const;
-  double position_error() const;
+  void set_position_errors(Figures& f) const;
   void fit_fast_mode(Figures& f) const;
 
   const Model& model_;

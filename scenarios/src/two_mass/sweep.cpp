@@ -12,7 +12,7 @@ namespace tandem::two_mass {
 output::KeyedTable sweep_table() {
   return {
       "schedule,to_fast,to_slow,frequency_ratio,position_error,energy_error,exchange_energy_error,"
-      "amplitude_error,phase_error,exchanges,evaluations,status,note",
+      "amplitude_error,phase_error,exchanges,evaluations,position_error_exact,status,note",
       4};
 }
 
@@ -24,10 +24,10 @@ std::string sweep_key(const Case& c) {
 
 std::string sweep_cells(const Outcome& o) {
   const Figures& f = o.figures;
-  return fmt::format("{},{},{},{},{},{},{},{},{}", output::cell(f.position_error),
+  return fmt::format("{},{},{},{},{},{},{},{},{},{}", output::cell(f.position_error),
                      output::cell(f.energy_error), output::cell(f.exchange_energy_error),
                      output::cell(f.amplitude_error), output::cell(f.phase_error), o.exchanges, o.evaluations,
-                     f.failed ? "failed" : "ok", f.note);
+                     output::cell(f.position_error_exact), f.failed ? "failed" : "ok", f.note);
 }
 
 void run_sweep(const SweepWork& work, const std::function<bool(std::size_t)>& tick) {

@@ -58,7 +58,7 @@ std::vector<Case> work_cases() {
 output::KeyedTable work_table() {
   return {
       "schedule,to_fast,to_slow,frequency_ratio,steps_per_cycle,position_error,amplitude_error,"
-      "phase_error,exchanges,evaluations,seconds,repetitions,status",
+      "phase_error,exchanges,evaluations,seconds,repetitions,position_error_exact,status",
       5};
 }
 
@@ -66,11 +66,11 @@ std::string work_key(const Case& c) { return fmt::format("{},{}", sweep_key(c), 
 
 std::string work_cells(const Case& c, int repetitions) {
   const Outcome o = run_case(c);
-  return fmt::format("{},{},{},{},{},{},{},{}", output::cell(o.figures.position_error),
+  return fmt::format("{},{},{},{},{},{},{},{},{}", output::cell(o.figures.position_error),
                      output::cell(o.figures.amplitude_error), output::cell(o.figures.phase_error),
                      o.exchanges, o.evaluations,
                      o.figures.failed ? std::string() : least_time(c, repetitions), repetitions,
-                     o.figures.failed ? "failed" : "ok");
+                     output::cell(o.figures.position_error_exact), o.figures.failed ? "failed" : "ok");
 }
 
 }  // namespace tandem::two_mass

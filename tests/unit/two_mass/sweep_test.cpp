@@ -51,7 +51,7 @@ TEST(Sweep, GivesTheSameTableOnAnyNumberOfThreads) {
 TEST(Sweep, KeepsTheRowsThatAreThere) {
   const Scratch folder;
   auto rows = sweep_table();
-  const std::string marked = "0,0,0,0,0,7,7,ok,kept";
+  const std::string marked = "0,0,0,0,0,7,7,0,ok,kept";
   rows.set(sweep_key(few_cases()[4]), marked);
   const std::string text = swept(folder, 2, rows);
   EXPECT_NE(text.find(sweep_key(few_cases()[4]) + "," + marked + "\n"), std::string::npos) << text;
@@ -76,11 +76,11 @@ TEST(KeyedTable, RefusesAFileThatIsNotOneOfItsOwn) {
     return refuses(ErrorCode::input_output, why, [&] { sweep_table().read(file); });
   };
   EXPECT_TRUE(refused("a,b\n", {"sweep.csv:1: the header is not schedule,"}));
-  EXPECT_TRUE(refused(header + "a,b,c,3,0\n", {"sweep.csv:2: the row has 5 cells; the header has 13"}));
+  EXPECT_TRUE(refused(header + "a,b,c,3,0\n", {"sweep.csv:2: the row has 5 cells; the header has 14"}));
   EXPECT_TRUE(
-      refused(header + "a,b,c,3,zzz,0,0,0,0,0,0,ok,\n", {"sweep.csv:2: position_error is no number"}));
+      refused(header + "a,b,c,3,zzz,0,0,0,0,0,0,0,ok,\n", {"sweep.csv:2: position_error is no number"}));
   EXPECT_TRUE(
-      refused(header + "a,b,c,3,0,0,0,0,0,0,0,okk,\n", {"sweep.csv:2: status is neither ok nor failed"}));
+      refused(header + "a,b,c,3,0,0,0,0,0,0,0,0,okk,\n", {"sweep.csv:2: status is neither ok nor failed"}));
 }
 
 }  // namespace

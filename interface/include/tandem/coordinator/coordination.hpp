@@ -18,7 +18,8 @@ enum class StartKind {
   automatic,    ///< derivatives if the outputs give enough of them, else repeat if all can restart, else cold
                 ///< (noted)
   derivatives,  ///< past samples by Taylor expansion of the output derivatives at the start
-  repeat,       ///< the first steps are run again and again, on inputs interpolated in the pass before
+  repeat,       ///< the first steps are run again and again, on inputs interpolated in the pass before;
+                ///< cold (noted) where that does not settle, or an output jumps there
   cold,         ///< as many samples as there are; caps the order at 2 (extrapolated) and 3 (interpolated)
 };
 /// "automatic", "derivatives", "repeat", "cold".
@@ -38,7 +39,9 @@ Landing landing(std::string_view text);
 /// The coordination of a run, as a scenario states it.
 struct Coordination {
   Schedule::Kind schedule = Schedule::Kind::slowest_first;
-  /// Instances that integrate themselves, slowest first; empty: by the length of their own steps.
+  /// Instances that integrate themselves, slowest first; empty: by the length of their own steps. Of equal
+  /// ones who has events, or feeds a held input through, leads; who feeds another input through at once
+  /// follows; else names decide. A note tells it.
   std::vector<std::string> order;
   std::map<std::string, Landing> landing;  ///< by instance; automatic where it is not there
   std::optional<double>
@@ -66,9 +69,10 @@ class Observer {
 
 /// Figures of one subsystem's part in a run.
 struct Effort {
-  std::int64_t exchanges = 0;  ///< calls of advance
-  std::int64_t steps = 0;      ///< own steps
-  double seconds = 0.0;        ///< inside advance; with `profile` only
+  std::int64_t exchanges = 0;    ///< calls of advance
+  std::int64_t steps = 0;        ///< own steps
+  std::int64_t start_steps = 0;  ///< own steps in the passes of a repeated start, apart from the above
+  double seconds = 0.0;          ///< inside advance, the start's too; with `profile` only
 };
 
 }  // namespace tandem

@@ -57,6 +57,8 @@ class Coordinator {
   double own_step(int subsystem) const { return own_steps_[static_cast<std::size_t>(subsystem)]; }
   /// How the histories were filled; cold too where no connection needs them filled. After initialize().
   StartKind start() const { return start_; }
+  /// Of a repeated start, also of one that was not used: how often the first steps were run.
+  int start_passes() const { return start_passes_; }
   /// What a user should know of this run: a start that costs order, settings without effect, an end not
   /// reached.
   const std::vector<std::string>& notes() const { return notes_; }
@@ -134,6 +136,7 @@ class Coordinator {
   double t_start_, t_stop_;
   TimeTolerance tolerance_;
   StartKind start_ = StartKind::cold;
+  int start_passes_ = 0;
   Observer* observer_ = nullptr;
   bool stopped_ = false;
 

@@ -143,6 +143,7 @@ class Link {
     return samples_->values(row)[static_cast<std::size_t>(lane.output)];
   }
   double mean(const Lane& lane, Rows rows, TimeSpan span) const;
+  double line_mean(const Lane& lane, std::int64_t row, TimeSpan span) const;
   double held_mean(const Lane& lane, Rows rows, TimeSpan span) const;
 
   int source_, reader_;

@@ -35,8 +35,8 @@ class Schedule {
     TimeSpan span;
     /// [s]: of parallel; in turns, how far subsystems that do not wait for each other may be apart.
     double communication_step;
-    /// The member at whose own nodes, as long as it goes, parallel has its communication points; -1: they are
-    /// the multiples of communication_step from the start on.
+    /// The member at whose own nodes, as long as it goes, parallel has its communication points: they are
+    /// multiples of communication_step from its next node on; -1: from the start on.
     int pace = -1;
   };
 
@@ -53,6 +53,7 @@ class Schedule {
   /// sampled members that say so, for which those that they move are to be put anew.
   void stand(int who, double time, double next, double break_at = Member::never) {
     Member& m = members_[static_cast<std::size_t>(who)];
+    if (who == plan_.pace && next != Member::never) pace_node_ = next;
     if (m.lands && next != Member::never) next = std::min(next, plan_.span.stop);
     const bool finished = (time >= earliest_stop_ && !m.sampled) || next > latest_stop_;
     if (landings_ && !finished) next = std::min(next, find_landing(who, time, break_at));
@@ -102,6 +103,7 @@ class Schedule {
   TimeTolerance tolerance_;
   double earliest_stop_, latest_stop_;  ///< t_stop, give and take the tolerance
   TurnOrder turns_;
+  double pace_node_ = 0.0;  ///< where the own step of plan_.pace ends, or its last one did [s]
   std::vector<Turn> round_;
   double target_ = 0.0;    ///< of the present round, in parallel
   std::size_t count_ = 0;  ///< turns of the present round

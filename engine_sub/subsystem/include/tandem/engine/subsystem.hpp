@@ -25,4 +25,7 @@ std::unique_ptr<Subsystem> make_subsystem(const Description& diagram, const Subs
 /// What the integrator of a subsystem that make_subsystem() made has done; nothing of another one.
 std::optional<Statistics> statistics_of(const Subsystem& subsystem);
 
+/// Of such a subsystem: a sentence for each of its data of a file that end before t [s], and may not be held.
+std::vector<std::string> data_ending_before(const Subsystem& subsystem, double t);
+
 }  // namespace tandem::engine

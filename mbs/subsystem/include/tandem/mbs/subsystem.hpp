@@ -43,6 +43,9 @@ std::unique_ptr<Subsystem> make_subsystem(Description description, const Subsyst
 /// of a subsystem that is no mechanism in this process. Throws Error(wrong_state) before initialize().
 std::vector<std::string> redundant_equations(const Subsystem& subsystem);
 
+/// Of a mechanism in this process: a sentence for each of its data of a file that do not reach to t [s].
+std::vector<std::string> data_ending_before(const Subsystem& subsystem, double t);
+
 /// A model that is no mechanism, and how it begins.
 struct NamedModel {
   std::string name;
