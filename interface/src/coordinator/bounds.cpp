@@ -12,12 +12,22 @@ constexpr double largest = std::numeric_limits<double>::max();
 }
 
 Bounds::Bounds(const SubsystemInfo& info)
-    : info_(&info), most_(static_cast<std::size_t>(info.row_size() - Samples::header), largest) {}
+    : info_(&info),
+      columns_(info.row_size() - Samples::header),
+      most_(static_cast<std::size_t>(columns_), largest) {
+  find_least();
+}
+
+void Bounds::find_least() {
+  least_ = learning_ ? -1.0 : largest;
+  for (const double most : most_) least_ = std::min(least_, most);
+}
 
 void Bounds::watch(double until, double beyond) {
   if (!std::isfinite(beyond)) return;
   learning_ = true, until_ = until, beyond_ = beyond;
   std::fill_n(most_.begin(), info_->output_size(), 0.0);
+  find_least();
 }
 
 void Bounds::settle() {
@@ -27,6 +37,7 @@ void Bounds::settle() {
     const double nominal = std::abs(scalar_at(info_->outputs, k).port->nominal);
     most = std::min(beyond_ * std::max({most, nominal, 1.0}), largest);
   }
+  find_least();
 }
 
 void Bounds::check(const std::string& subsystem, double t, std::span<const double> values) {
@@ -54,6 +65,7 @@ void Bounds::read(ByteReader& from) {
   from.take_list(most_);
   if (!std::all_of(most_.begin(), most_.end(), [](double m) { return m >= 0.0 && m <= largest; }))
     from.refuse("has bounds of outputs that are not finite numbers from 0 on");
+  find_least();
 }
 
 }  // namespace tandem
