@@ -2,6 +2,7 @@
 #pragma once
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -32,7 +33,9 @@ class Bounds {
   /// not, check() tells. False for what is not a number.
   bool pass(const double* values) const {
     bool within = true;
-    for (std::int64_t k = 0; k < columns_; ++k) within &= std::abs(values[k]) <= least_;
+    std::int64_t k = 0;
+    for (; k < outputs_; ++k) within &= std::abs(values[k]) <= least_;
+    for (; k < columns_; ++k) within &= std::abs(values[k]) <= std::numeric_limits<double>::max();
     return within;
   }
   /// Learns of a row at t, of finite values, or throws Diverged for one that does not pass, naming
@@ -48,11 +51,11 @@ class Bounds {
   void find_least();
 
   const SubsystemInfo* info_;
-  std::int64_t columns_;
-  double least_ = 0.0;  ///< of most_; none passes while it learns
+  std::int64_t outputs_, columns_;  ///< columns: with derivatives
+  double least_ = 0.0;              ///< of outputs; none passes while it learns
   bool learning_ = false;
   double until_ = 0.0, beyond_ = 0.0;
-  std::vector<double> most_;  ///< by column behind a row's header; while it learns, what was seen of outputs
+  std::vector<double> most_;  ///< by output; while it learns, what was seen
 };
 
 }  // namespace tandem
