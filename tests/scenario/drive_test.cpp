@@ -181,6 +181,17 @@ TEST(Drive, HasTheSameBitsInEachOrderOfItsFile) {
   }
 }
 
+TEST(Drive, TakesAnOrderOfThoseThatIntegrateThemselvesAndRefusesOneOfTheController) {
+  const Words order{R"(coordination.order=["motor", "load"])"};
+  EXPECT_EQ(text_of("drive_libraries.toml", scheme("slowest-first", "lagrange3") + order),
+            text_of("drive_libraries.toml", scheme("fastest-first", "lagrange3")));
+  const Scratch folder;
+  const Said said = tandem(
+      folder, run_of("drive_libraries.toml", {R"(coordination.order=["controller", "motor", "load"])"}));
+  EXPECT_EQ(said.status, 2);
+  EXPECT_TRUE(contains(said.err, "'controller' is sampled")) << said.err;
+}
+
 /// 3e-4 s fit 8 times into a period: the load ends a step at 160 of the 240 instants, which are on no node of
 /// its own, and has a row there.
 TEST(Drive, EndsStepsAtInstantsOfTheControllerThatAreNoNodesOfItsOwn) {
