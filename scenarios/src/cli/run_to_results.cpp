@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "cli/interrupt.hpp"
@@ -35,10 +36,16 @@ fs::path folder_of(const RunOptions& options) {
   return options.output.empty() ? fs::path("results") / options.file.stem() : options.output;
 }
 
+/// How far the run has come [s]. One that samples stands still from one instant to the next, so those that
+/// integrate themselves tell, if there are any.
 double slowest_time(const Coordinator& run) {
-  double time = run.time(0);
-  for (int i = 1; i < run.topology().size(); ++i) time = std::min(time, run.time(i));
-  return time;
+  constexpr double none = std::numeric_limits<double>::infinity();
+  double integrating = none, sampled = none;
+  for (int i = 0; i < run.topology().size(); ++i) {
+    double& slowest = run.topology().info(i).abilities.sampled ? sampled : integrating;
+    slowest = std::min(slowest, run.time(i));
+  }
+  return integrating < none ? integrating : sampled;
 }
 
 /// One run of a scenario, from its file to its results.

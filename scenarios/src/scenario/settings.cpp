@@ -43,6 +43,7 @@ void refuse_what_is_to_come(Section& section) {
   if (scheme) section.wrong("scheme", "'" + *scheme + "'", "to leave it out");
 }
 
+/// Who is missing, or is sampled and has no place there, the coordinator tells.
 void check_order(const Section& section, const Scenario& scenario) {
   const auto& order = scenario.coordination.order;
   const auto known = instances(scenario);
@@ -51,8 +52,9 @@ void check_order(const Section& section, const Scenario& scenario) {
   const bool twice = std::any_of(order.begin(), order.end(), [&](const std::string& name) {
     return std::count(order.begin(), order.end(), name) > 1;
   });
-  if (twice || order.size() != known.size())
-    section.wrong("order", "[" + listed(order) + "]", "each subsystem once, slowest first: " + listed(known));
+  if (twice || order.empty())
+    section.wrong("order", "[" + listed(order) + "]",
+                  "each subsystem that integrates itself once, slowest first, of " + listed(known));
 }
 
 void read_coordination(Section section, Scenario& to) {
