@@ -12,10 +12,13 @@ namespace tandem::test {
 /// for each.
 class LinkBench {
  public:
-  explicit LinkBench(const std::string& how, double delay = 0.0, Lane a = {0, 0}, Lane b = {1, 1})
+  /// nearest: of a source with events, see Link::pass_over; 0: it has none.
+  explicit LinkBench(const std::string& how, double delay = 0.0, Lane a = {0, 0}, Lane b = {1, 1},
+                     double nearest = 0.0)
       : history_("source", info_, 32), link_(0, 1, reconstruction(how), delay), slots_(2) {
     link_.add(a);
     link_.add(b);
+    if (nearest > 0.0) link_.pass_over(nearest), link_.expect_jumps();
     link_.attach(history_, TimeTolerance(0.0));
   }
 

@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// Outputs of a source with events: each is cut where it jumps itself, and nowhere else.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "connection.hpp"
+#include "link_bench.hpp"
+#include "tandem/coordinator/exchange.hpp"
+
+namespace tandem {
+namespace {
+
+double smooth(double t) { return std::sin(2.0 * t); }
+double before(double t) { return t * t * t - t; }
+double after(double t) { return 7.0 - 2.0 * t + 3.0 * t * t; }
+
+/// Output a jumps at 0.35 s, between the nodes 0.1 s apart; b does not.
+struct Jumping : test::LinkBench {
+  Jumping() : LinkBench("lagrange3", 0.0, {0, 0}, {1, 1}, 0.05) {
+    for (const double t : {0.0, 0.1, 0.2, 0.3, 0.35}) give(t, before(t), smooth(t));
+    give(0.35, after(0.35), smooth(0.35), 0.0, 0.0, true);
+    for (const double t : {0.4, 0.5, 0.6, 0.7}) give(t, after(t), smooth(t));
+  }
+};
+
+TEST(LinkJumps, AreMarkedInTheLaneThatJumpsAlone) {
+  Jumping bench;
+  EXPECT_EQ(bench.read(0.3, 0.4, 0).next_jump(0.3), 0.35);
+  EXPECT_TRUE(std::isinf(bench.read(0.3, 0.4, 1).next_jump(0.3)));
+}
+
+TEST(LinkJumps, NoPolynomialGoesThroughOne) {
+  Jumping bench;
+  const Signal a = bench.read(0.0, 0.1, 0);
+  EXPECT_DOUBLE_EQ(a.value(0.35), before(0.35));
+  EXPECT_NEAR(a.value(0.33), before(0.33), 1e-15) << "a cubic before it";
+  const Signal later = a.from_jump_at(0.35);
+  EXPECT_DOUBLE_EQ(later.value(0.35), after(0.35));
+  const double line = after(0.35) + (after(0.4) - after(0.35)) * (0.03 / 0.05);
+  EXPECT_NEAR(later.value(0.38), line, 1e-14) << "through the two samples that there are";
+  EXPECT_NEAR(later.value(0.55), after(0.55), 1e-14) << "a parabola, as of the third on";
+}
+
+TEST(LinkJumps, OfOneOutputCutNoOther) {
+  Jumping bench;
+  const Signal b = bench.read(0.0, 0.1, 1);
+  for (const double t : {0.31, 0.34, 0.37, 0.45, 0.55, 0.65})
+    EXPECT_NEAR(b.value(t), smooth(t), 0.5 * 0.1 * 0.1 * 0.1 * 0.1 * 16.0 / 24.0) << "by a cubic, at " << t;
+}
+
+/// The sum of a relay, which jumps at 0.35 s, and of a parabola on another grid.
+TEST(LinkJumps, AreThoseOfASumToo) {
+  SubsystemInfo switching{"switching", {}, {{"y", "1"}}, {}, {}};
+  switching.abilities.events = true;
+  Topology topology;
+  topology.add("relay", switching);
+  topology.add("source", {"source", {}, {{"y", "1"}}, {}, {}});
+  topology.add("reader", {"reader", {{"u", "1"}}, {}, {}, {}});
+  for (const char* from : {"relay.y", "source.y"})
+    topology.connect(test::added(test::connection(from, "reader.u", "lagrange2")));
+  const std::int64_t capacities[] = {32, 32, 32};
+  Exchange exchange(topology, TimeTolerance(0.0), LinkTimes{{1.0, 1.0, 1.0}, 0.0, {0.05, 0.0, 0.0}},
+                    capacities);
+  const auto give = [&](int source, double t, double y, bool jump = false) {
+    *exchange.history(source).room().append(t, jump) = y;
+    exchange.commit(source, t);
+  };
+  for (const double t : {0.0, 0.1, 0.2, 0.3, 0.35}) give(0, t, 1.0);
+  give(0, 0.35, -1.0, true);
+  for (const double t : {0.4, 0.5}) give(0, t, -1.0);
+  for (int k = 0; k < 6; ++k) give(1, 0.12 * k, 0.12 * k * 0.12 * k);
+  const Signal u = exchange.inputs(2, 0.25, 0.5)[0];
+  EXPECT_EQ(u.next_jump(0.25), 0.35);
+  EXPECT_NEAR(u.value(0.35), 1.0 + 0.35 * 0.35, 1e-14);
+  EXPECT_NEAR(u.from_jump_at(0.35).value(0.35), -1.0 + 0.35 * 0.35, 1e-14);
+  for (const double t : {0.26, 0.34, 0.36, 0.45, 0.5})
+    EXPECT_NEAR((t < 0.35 ? u : u.from_jump_at(0.35)).value(t), (t < 0.35 ? 1.0 : -1.0) + t * t, 1e-14) << t;
+}
+
+}  // namespace
+}  // namespace tandem
