@@ -134,7 +134,7 @@ TEST(History, DroppingAndGrowingKeepRowsAndTheirNumbers) {
 
 TEST(History, MakingRoomKeepsRowsThatAreNotCommittedYet) {
   const SubsystemInfo pump = info(0);
-  History h("pump", pump, 0);
+  History h("pump", pump, 32);
   for (int k = 0; k < 30; ++k) append(h, k, k);
   h.commit(29.0, TimeTolerance());
   append(h, 30.0, 30.0);

@@ -12,26 +12,38 @@ constexpr double largest = std::numeric_limits<double>::max();
 }
 
 Bounds::Bounds(const SubsystemInfo& info)
-    : info_(&info), most_(static_cast<std::size_t>(info.row_size() - Samples::header), largest) {}
+    : info_(&info),
+      outputs_(info.output_size()),
+      columns_(info.row_size() - Samples::header),
+      most_(static_cast<std::size_t>(outputs_), largest) {
+  find_least();
+}
+
+void Bounds::find_least() {
+  least_ = learning_ ? -1.0 : largest;
+  for (const double most : most_) least_ = std::min(least_, most);
+}
 
 void Bounds::watch(double until, double beyond) {
   if (!std::isfinite(beyond)) return;
   learning_ = true, until_ = until, beyond_ = beyond;
-  std::fill_n(most_.begin(), info_->output_size(), 0.0);
+  std::fill(most_.begin(), most_.end(), 0.0);
+  find_least();
 }
 
 void Bounds::settle() {
   learning_ = false;
-  for (int k = 0; k < info_->output_size(); ++k) {
+  for (int k = 0; k < outputs_; ++k) {
     double& most = most_[static_cast<std::size_t>(k)];
     const double nominal = std::abs(scalar_at(info_->outputs, k).port->nominal);
     most = std::min(beyond_ * std::max({most, nominal, 1.0}), largest);
   }
+  find_least();
 }
 
 void Bounds::check(const std::string& subsystem, double t, std::span<const double> values) {
   if (learning_ && t > until_) settle();
-  for (int k = 0; k < info_->output_size(); ++k) {
+  for (int k = 0; k < outputs_; ++k) {
     double& most = most_[static_cast<std::size_t>(k)];
     const double value = values[static_cast<std::size_t>(k)];
     if (learning_) most = std::max(most, std::abs(value));
@@ -54,6 +66,7 @@ void Bounds::read(ByteReader& from) {
   from.take_list(most_);
   if (!std::all_of(most_.begin(), most_.end(), [](double m) { return m >= 0.0 && m <= largest; }))
     from.refuse("has bounds of outputs that are not finite numbers from 0 on");
+  find_least();
 }
 
 }  // namespace tandem

@@ -92,13 +92,18 @@ std::vector<int> RunStart::leaders_first() const {
   return order;
 }
 
+bool RunStart::read_each_other(const std::vector<int>& group) const {
+  std::vector<char> there(static_cast<std::size_t>(topology_.size()));
+  for (const int who : group) there[static_cast<std::size_t>(who)] = 1;
+  return std::any_of(topology_.lines().begin(), topology_.lines().end(), [&](const Line& line) {
+    return line.source != line.reader && there[static_cast<std::size_t>(line.source)] &&
+           there[static_cast<std::size_t>(line.reader)];
+  });
+}
+
 /// Where a rule chose between those that read each other.
 void RunStart::note_tie(const std::vector<int>& group) const {
-  const auto in_group = [&](int who) { return std::find(group.begin(), group.end(), who) != group.end(); };
-  if (group.size() < 2 || run_.coordination_.schedule == Schedule::Kind::parallel ||
-      std::none_of(topology_.lines().begin(), topology_.lines().end(), [&](const Line& line) {
-        return line.source != line.reader && in_group(line.source) && in_group(line.reader);
-      }))
+  if (group.size() < 2 || run_.coordination_.schedule == Schedule::Kind::parallel || !read_each_other(group))
     return;
   std::string names;
   for (std::size_t k = 0; k < std::min<std::size_t>(group.size(), 4); ++k)

@@ -177,15 +177,16 @@ void RunStart::measure_batches() {
     run_.seats_[i].batch = static_cast<std::int64_t>(std::min(longest / run_.own_steps_[i], most)) + 2;
 }
 
-std::vector<std::int64_t> RunStart::capacities() const {
+std::vector<std::int64_t> RunStart::capacities(const std::vector<int>& seeds) const {
   std::vector<std::int64_t> rows;
-  for (const auto& seat : run_.seats_) rows.push_back(std::max(History::min_capacity, 4 * seat.batch));
+  for (std::size_t i = 0; i < seeds.size(); ++i)
+    rows.push_back(std::max({History::min_capacity, 4 * run_.seats_[i].batch, std::int64_t{seeds[i]} + 3}));
   return rows;
 }
 
 /// An exchange that holds the first samples and, before them, as many seeds as asked for of each subsystem.
 void RunStart::open_exchange(const std::vector<int>& seeds) {
-  run_.exchange_.emplace(topology_, run_.tolerance_, times_, capacities());
+  run_.exchange_.emplace(topology_, run_.tolerance_, times_, capacities(seeds));
   for (int i = 0; i < topology_.size(); ++i) {
     History& history = run_.exchange_->history(i);
     history.watch(run_.t_start_ + (run_.t_stop_ - run_.t_start_) / 100.0, run_.coordination_.diverged_beyond);

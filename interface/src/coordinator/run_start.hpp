@@ -45,6 +45,7 @@ class RunStart {
   Tie tie(int who) const;
   std::vector<std::vector<int>> by_own_steps() const;
   std::vector<int> leaders_first() const;
+  bool read_each_other(const std::vector<int>& group) const;
   void note_tie(const std::vector<int>& group) const;
   void check_named_order() const;
   void check_schemes(const std::vector<int>& order) const;
@@ -53,7 +54,7 @@ class RunStart {
   void note_without_effect() const;
   void check_line(const Line& line, const std::vector<int>& order) const;
   void measure_batches();
-  std::vector<std::int64_t> capacities() const;
+  std::vector<std::int64_t> capacities(const std::vector<int>& seeds) const;
   void open_exchange(const std::vector<int>& seeds);
 
   StartKind choose();

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import errno
 import os
+import selectors
 import signal
 import socket
 import sys
@@ -68,12 +69,11 @@ class _Server:
         self._lock = threading.Lock()
         self._open = 0
         self._shortage = ""  # why the last connection could not be taken
+        self._waits = selectors.DefaultSelector()
 
     def run(self) -> None:
         try:
-            if threading.current_thread() is threading.main_thread():
-                for number in (signal.SIGTERM, signal.SIGINT):
-                    signal.signal(number, _end)
+            self._catch_signals()
             print(f"serving at {self._listener.place}", flush=True)
             while True:
                 sock = self._accept()
@@ -85,14 +85,34 @@ class _Server:
                 elif sock is not None:
                     self._take(sock)
         finally:
+            if threading.current_thread() is threading.main_thread():
+                signal.set_wakeup_fd(-1)
+            self._waits.close()
             self._listener.close()
+
+    def _catch_signals(self) -> None:
+        """One that comes just before the server waits for a connection ends the wait, too."""
+        self._listener.socket.setblocking(False)
+        self._waits.register(self._listener.socket, selectors.EVENT_READ)
+        if threading.current_thread() is not threading.main_thread():
+            return
+        self._woken, self._wakes = socket.socketpair()
+        self._wakes.setblocking(False)
+        self._waits.register(self._woken, selectors.EVENT_READ)
+        signal.set_wakeup_fd(self._wakes.fileno(), warn_on_full_buffer=False)
+        for number in (signal.SIGTERM, signal.SIGINT):
+            signal.signal(number, _end)
 
     def _accept(self) -> Optional[socket.socket]:
         """The next connection; None if there is none, or no descriptor or memory for it: then it waits."""
+        self._waits.select()
         try:
             sock, _ = self._listener.socket.accept()
+            sock.setblocking(True)
             self._shortage = ""
             return sock
+        except BlockingIOError:
+            return None
         except OSError as error:
             if error.errno != errno.ECONNABORTED:
                 self._wait_out(str(error.strerror))

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <cmath>
-#include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,11 +29,13 @@ class Bounds {
   /// its magnitude by then, its port's nominal value and 1. `beyond` is above 1; infinite: nothing changes.
   void watch(double until, double beyond);
 
-  /// Whether a row of these values passes, and nothing is to be learned of it. False for what is not a
-  /// number.
+  /// Whether a row of these values passes by the least of all bounds, and nothing is to be learned of it; if
+  /// not, check() tells. False for what is not a number.
   bool pass(const double* values) const {
-    bool within = !learning_;
-    for (std::size_t k = 0; k < most_.size(); ++k) within &= std::abs(values[k]) <= most_[k];
+    bool within = true;
+    std::int64_t k = 0;
+    for (; k < outputs_; ++k) within &= std::abs(values[k]) <= least_;
+    for (; k < columns_; ++k) within &= std::abs(values[k]) <= std::numeric_limits<double>::max();
     return within;
   }
   /// Learns of a row at t, of finite values, or throws Diverged for one that does not pass, naming
@@ -45,11 +48,14 @@ class Bounds {
 
  private:
   void settle();
+  void find_least();
 
   const SubsystemInfo* info_;
+  std::int64_t outputs_, columns_;  ///< columns: with derivatives
+  double least_ = 0.0;              ///< of outputs; none passes while it learns
   bool learning_ = false;
   double until_ = 0.0, beyond_ = 0.0;
-  std::vector<double> most_;  ///< by column behind a row's header; while it learns, what was seen of outputs
+  std::vector<double> most_;  ///< by output; while it learns, what was seen
 };
 
 }  // namespace tandem

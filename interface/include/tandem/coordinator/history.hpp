@@ -23,7 +23,7 @@ struct NewRows {
 /// older ones are dropped.
 class History {
  public:
-  static constexpr std::int64_t min_capacity = 32;
+  static constexpr std::int64_t min_capacity = 16;
   /// name: of the instance, for errors. capacity: rows that there is memory for at first (at least
   /// min_capacity). `info` must outlive the history.
   History(std::string name, const SubsystemInfo& info, std::int64_t capacity);
@@ -74,7 +74,7 @@ class History {
   std::int64_t first_own() const { return seeds_; }
   /// Puts `count` past samples at t0 - k h before the only row, by Taylor expansion of the derivatives it
   /// carries. commit() makes them visible, and that row anew. Precondition: exactly one committed row, h > 0,
-  /// count at most min_capacity - 3.
+  /// count at most capacity() - 3.
   void seed(int count, double h);
   /// Forgets everything.
   void clear();
