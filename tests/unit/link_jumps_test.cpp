@@ -54,18 +54,19 @@ TEST(LinkJumps, OfOneOutputCutNoOther) {
 TEST(LinkJumps, AreThoseOfASumToo) {
   SubsystemInfo switching{"switching", {}, {{"y", "1"}}, {}, {}};
   switching.abilities.events = true;
+  const SubsystemInfo source{"source", {}, {{"y", "1"}}, {}, {}}, reader{"reader", {{"u", "1"}}, {}, {}, {}};
   Topology topology;
   topology.add("relay", switching);
-  topology.add("source", {"source", {}, {{"y", "1"}}, {}, {}});
-  topology.add("reader", {"reader", {{"u", "1"}}, {}, {}, {}});
+  topology.add("source", source);
+  topology.add("reader", reader);
   for (const char* from : {"relay.y", "source.y"})
     topology.connect(test::added(test::connection(from, "reader.u", "lagrange2")));
   const std::int64_t capacities[] = {32, 32, 32};
   Exchange exchange(topology, TimeTolerance(0.0), LinkTimes{{1.0, 1.0, 1.0}, 0.0, {0.05, 0.0, 0.0}},
                     capacities);
-  const auto give = [&](int source, double t, double y, bool jump = false) {
-    *exchange.history(source).room().append(t, jump) = y;
-    exchange.commit(source, t);
+  const auto give = [&](int who, double t, double y, bool jump = false) {
+    *exchange.history(who).room().append(t, jump) = y;
+    exchange.commit(who, t);
   };
   for (const double t : {0.0, 0.1, 0.2, 0.3, 0.35}) give(0, t, 1.0);
   give(0, 0.35, -1.0, true);
