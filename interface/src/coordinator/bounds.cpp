@@ -20,7 +20,7 @@ Bounds::Bounds(const SubsystemInfo& info)
 }
 
 void Bounds::find_least() {
-  least_ = learning_ ? -1.0 : largest;
+  least_ = largest;
   for (const double most : most_) least_ = std::min(least_, most);
 }
 
@@ -46,7 +46,10 @@ void Bounds::check(const std::string& subsystem, double t, std::span<const doubl
   for (int k = 0; k < outputs_; ++k) {
     double& most = most_[static_cast<std::size_t>(k)];
     const double value = values[static_cast<std::size_t>(k)];
-    if (learning_) most = std::max(most, std::abs(value));
+    if (learning_ && std::abs(value) > most) {
+      most = std::abs(value);
+      find_least();
+    }
     if (std::abs(value) <= most) continue;
     throw Diverged("subsystem '" + subsystem + "' diverged: it gave " + scalar_at(info_->outputs, k).name() +
                    " = " + number_text(value) + " at t = " + number_text(t) + " s; allowed is up to " +

@@ -69,6 +69,36 @@ bool Coordinator::round() {
   return !stopped_;
 }
 
+/// Before a call: a state to go back to, if it may, and room for its rows.
+inline void Coordinator::make_ready(int who) {
+  const Seat& seat = this->seat(who);
+  if (seat.goes_back) remember(who);
+  if (!exchange_->history(who).has_room(seat.batch)) exchange_->make_room(who, seat.batch);
+}
+
+/// Its inputs, from where it stands.
+inline void Coordinator::read(int who, Exchange& inputs) {
+  Seat& seat = this->seat(who);
+  seat.u = inputs.inputs(who, seat.time, schedule_->member(who).next);
+  seat.rows = exchange_->history(who).room().size();
+  seat.call = Seat::Call::prepared;
+}
+
+/// The subsystem's call, or the second half of one that has begun; its error names it.
+inline Clock Coordinator::advance(const Turn& turn, Samples& y) {
+  Seat& seat = this->seat(turn.who);
+  const Seat::Call call = std::exchange(seat.call, Seat::Call::failed);
+  const bool timed = call != Seat::Call::offered && is_timed(turn.who);
+  const double begin = timed ? seconds_now() : 0.0;
+  const Clock clock = named_advance(topology_.name(turn.who), seat.time, turn.limit, [&] {
+    if (call == Seat::Call::offered) return finish_offered(turn.who);
+    if (call == Seat::Call::under_way) return seat.subsystem->finish_advance(y);
+    return seat.subsystem->advance(turn.limit, turn.land, seat.u, y);
+  });
+  if (timed) note_seconds(turn.who, seconds_now() - begin);
+  return clock;
+}
+
 /// In parallel with sampled subsystems or events the others see it when the round is over.
 inline void Coordinator::commit(int who, double limit) {
   const std::int64_t count = frozen_ ? exchange_->accept(who, limit) : exchange_->commit(who, limit);
@@ -168,21 +198,6 @@ void Coordinator::go_on(const Turn& turn) {
     take(next_call(turn), *exchange_);
 }
 
-/// Before a call: a state to go back to, if it may, and room for its rows.
-void Coordinator::make_ready(int who) {
-  const Seat& seat = this->seat(who);
-  if (seat.goes_back) remember(who);
-  if (!exchange_->history(who).has_room(seat.batch)) exchange_->make_room(who, seat.batch);
-}
-
-/// Its inputs, from where it stands.
-void Coordinator::read(int who, Exchange& inputs) {
-  Seat& seat = this->seat(who);
-  seat.u = inputs.inputs(who, seat.time, schedule_->member(who).next);
-  seat.rows = exchange_->history(who).room().size();
-  seat.call = Seat::Call::prepared;
-}
-
 /// One call, on the signals of `inputs`; or the end of the one that has begun.
 void Coordinator::take(const Turn& turn, Exchange& inputs) {
   const int who = turn.who;
@@ -204,26 +219,12 @@ void Coordinator::take(const Turn& turn, Exchange& inputs) {
   stand(who, clock);
 }
 
-/// The subsystem's call, or the second half of one that has begun; its error names it.
-Clock Coordinator::advance(const Turn& turn, Samples& y) {
-  Seat& seat = this->seat(turn.who);
-  const Seat::Call call = std::exchange(seat.call, Seat::Call::failed);
-  const bool timed = call != Seat::Call::offered && is_timed(turn.who);
-  const double begin = timed ? seconds_now() : 0.0;
-  const Clock clock = named_advance(topology_.name(turn.who), seat.time, turn.limit, [&] {
-    if (call == Seat::Call::offered) return finish_offered(turn.who);
-    if (call == Seat::Call::under_way) return seat.subsystem->finish_advance(y);
-    return seat.subsystem->advance(turn.limit, turn.land, seat.u, y);
-  });
-  if (timed) note_seconds(turn.who, seconds_now() - begin);
-  return clock;
-}
-
 /// The observer, if there is one, once of each row.
 void Coordinator::tell(int who) {
   const History& history = exchange_->history(who);
   Seat& seat = this->seat(who);
-  const std::int64_t last = std::max(last_final(who), seat.told), first = std::exchange(seat.told, last) + 1;
+  const std::int64_t last = seat.goes_back ? std::max(last_final(who), seat.told) : history.newest(),
+                     first = std::exchange(seat.told, last) + 1;
   if (observer_ && first <= last && !observer_->samples(who, history, first, last)) stopped_ = true;
 }
 

@@ -11,8 +11,7 @@
 namespace tandem {
 namespace {
 
-constexpr double worth = 2e-6;         // s: to hand over a shorter call takes longer than it saves
-constexpr std::int64_t timed_of = 64;  // one of so many calls is timed
+constexpr double worth = 2e-6;  // s: to hand over a shorter call takes longer than it saves
 
 }  // namespace
 
@@ -61,10 +60,6 @@ Clock Coordinator::finish_offered(int who) {
   OfferedCall& offered = offered_[static_cast<std::size_t>(who)];
   if (offered.error) std::rethrow_exception(std::exchange(offered.error, nullptr));
   return offered.clock;
-}
-
-bool Coordinator::is_timed(int who) const {
-  return coordination_.profile || (threads_ && effort(who).exchanges % timed_of == 0);
 }
 
 /// Of one call.

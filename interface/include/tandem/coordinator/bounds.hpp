@@ -29,8 +29,8 @@ class Bounds {
   /// its magnitude by then, its port's nominal value and 1. `beyond` is above 1; infinite: nothing changes.
   void watch(double until, double beyond);
 
-  /// Whether a row of these values passes by the least of all bounds, and nothing is to be learned of it; if
-  /// not, check() tells. False for what is not a number.
+  /// Whether a row of these values passes by the least of all bounds, or, while outputs are learned, of all
+  /// that was seen; if not, check() tells. False for what is not a number.
   bool pass(const double* values) const {
     bool within = true;
     std::int64_t k = 0;
@@ -52,7 +52,7 @@ class Bounds {
 
   const SubsystemInfo* info_;
   std::int64_t outputs_, columns_;  ///< columns: with derivatives
-  double least_ = 0.0;              ///< of outputs; none passes while it learns
+  double least_ = 0.0;              ///< of most_
   bool learning_ = false;
   double until_ = 0.0, beyond_ = 0.0;
   std::vector<double> most_;  ///< by output; while it learns, what was seen
