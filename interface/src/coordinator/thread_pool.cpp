@@ -17,10 +17,18 @@ ThreadPool::ThreadPool(int threads, int pieces, std::function<void(int)> work)
       flags_(std::make_unique<Flag[]>(static_cast<std::size_t>(pieces))),
       ring_(std::bit_ceil(static_cast<std::size_t>(pieces + threads))),
       mask_(static_cast<unsigned>(ring_.size()) - 1) {
-  for (int k = 1; k < threads; ++k) threads_.emplace_back([this] { work_on(); });
+  try {
+    for (int k = 1; k < threads; ++k) threads_.emplace_back([this] { work_on(); });
+  } catch (...) {
+    send_home();
+    throw;
+  }
 }
 
-ThreadPool::~ThreadPool() {
+ThreadPool::~ThreadPool() { send_home(); }
+
+/// Each thread that there is ends.
+void ThreadPool::send_home() {
   for (std::size_t k = 0; k < threads_.size(); ++k) publish(end);
 }
 

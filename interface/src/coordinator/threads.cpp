@@ -2,6 +2,7 @@
 // Calls of a round that other threads make.
 #include <algorithm>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "../seconds_now.hpp"
@@ -22,8 +23,13 @@ void Coordinator::begin_threads() {
   if (coordination_.threads == 1) return;
   offered_.resize(seats_.size());
   for (std::size_t i = 0; i < seats_.size(); ++i) offered_[i].may_be = !seats_[i].subsystem->one_thread();
-  threads_ = std::make_unique<ThreadPool>(coordination_.threads, topology_.size(),
-                                          [this](int who) { make_offered(who); });
+  try {
+    threads_ = std::make_unique<ThreadPool>(coordination_.threads, topology_.size(),
+                                            [this](int who) { make_offered(who); });
+  } catch (const std::system_error& error) {
+    throw Error(ErrorCode::internal, std::to_string(coordination_.threads) +
+                                         " threads can't be started: " + error.code().message());
+  }
 }
 
 /// Whether one of these calls lasts long enough.

@@ -32,6 +32,7 @@ class ThreadPool {
     std::atomic<bool> made = false;
   };
   void publish(int piece);
+  void send_home();
   int take();
   void make(int piece);
   void work_on();
