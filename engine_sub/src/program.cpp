@@ -43,6 +43,15 @@ std::string Program::not_finite(const double* signals, int last) const {
   return "";
 }
 
+bool Program::jumps() const {
+  return std::any_of(courses.begin(), courses.end(), [](const Course& c) { return c.jumps; });
+}
+
+void Program::row(const double* image, double* y) const {
+  for (const int slot : outputs) *y++ = image[slot];
+  for (const int slot : output_rates) *y++ = slot < 0 ? 0.0 : image[slot];
+}
+
 std::string Program::named(const std::string& block) const {
   const auto place = places.find(block);
   const bool is_known = place != places.end() && !place->second.empty();

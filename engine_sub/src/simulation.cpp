@@ -15,7 +15,7 @@ namespace tandem::engine {
 namespace {
 
 constexpr int most_settlings = 100;
-constexpr int smooth = 0, jump = 1, kink = 2;  // levels of Past::record
+constexpr int smooth = 0, broken = 1, kink = 2;  // levels of Past::record
 
 }  // namespace
 
@@ -27,10 +27,13 @@ Simulation::Simulation(const Program& program, InputSource* inputs, std::unique_
     if (delay.past >= 0) delays_.push_back(&delay);
   follows_courses_ = inputs && integrator_->chooses_steps();
   was_told_.resize(program.bounds.size());
-  has_instants_ = !program.breaks.empty() || !program.periodics.empty() || !delays_.empty();
+  has_turns_ = std::any_of(program.crossings.begin(), program.crossings.end(),
+                           [](const Crossing& c) { return c.turn >= 0; });
+  has_instants_ = has_turns_ || !program.breaks.empty() || !program.periodics.empty() || !delays_.empty();
+  watch_jumps();
 }
 
-void Simulation::start(double t) {
+void Simulation::start(double t, bool with_events) {
   system_.image() = system_.program().image;
   start_ = time_ = t;
   begun_ = false;
@@ -38,11 +41,12 @@ void Simulation::start(double t) {
   settle();
   for (const Crossing& c : system_.program().crossings) system_.image()[c.sign] = sign_at_start(c);
   for (const Periodic& p : system_.program().periodics)
-    system_.image()[p.count] = std::max(0.0, std::ceil((t - p.offset) / p.period));
-  record(jump);
-  fire_periodics();
+    system_.image()[p.count] = std::max(0.0, std::ceil(-p.offset / p.period));
+  record(broken);
+  if (with_events) fire_periodics();
   if (system_.changed() >= 0) fire_crossings();
   refuse_outside();
+  if (watches_jumps_) note_sizes();
   integrator_->restart(system_, t, Restart::state);
 }
 
@@ -91,8 +95,8 @@ void Simulation::run(double t_end) {
 /// What happens at the beginning of each own step, from the signals at the end of the last.
 void Simulation::begin_step() {
   const auto& updates = system_.program().step_updates;
+  slot(system_.program().events) = 0.0;
   if (updates.empty()) return;
-  events_ = 0;
   remember();
   apply(updates);
   system_.evaluate(time_);
@@ -100,27 +104,35 @@ void Simulation::begin_step() {
   const auto& image = system_.image();
   const auto differs = [&](const Update& u) { return image[u.to] != before_[u.to]; };
   if (std::none_of(updates.begin(), updates.end(), differs)) return;
-  record(jump);
+  record(broken);
   integrator_->restart(system_, time_, Restart::event);
 }
 
 double Simulation::advance(double t_end) {
-  events_ = 0;
   if (!std::exchange(begun_, true)) look_at_bounds();
+  call_begin_ = time_;
   if (!delays_.empty()) note_jumps();
   course_end_ = time_;
-  while (time_ < t_end) {
+  double& longest = slot(system_.program().longest_step);
+  longest = std::max(longest, t_end - time_);
+  jumped_ = false;
+  while (time_ < t_end && !(stops_ && jumped_)) {
     if (follows_courses_ && time_ >= course_end_) begin_course();
     const double instant = has_instants_ || follows_courses_ ? next_instant(t_end) : t_end;
-    const double before = time_;
+    const double before = time_, events = slot(system_.program().events);
     time_ = integrator_->advance(system_, time_, instant);
     refuse_not_finite();
     if (!system_.program().ranges.empty()) refuse_outside();
     const bool arrived = time_ >= instant;
     if (!delays_.empty()) record(bends() ? kink : smooth);
+    const bool watches = watches_jumps_ && (system_.changed() >= 0 || (arrived && has_instants_));
+    if (watches_jumps_) note_sizes();
+    if (watches) note_left();
     if (system_.changed() >= 0) fire_crossings();
     if (arrived && has_instants_) fire_periodics(), turn_delays();
-    if (!arrived && events_ == 0 && time_ > before) return time_;
+    if (has_turns_) look_at_turns();
+    if (watches) jumped_ = has_jumped(cause());
+    if (!arrived && slot(system_.program().events) == events && time_ > before) return time_;
   }
   return time_;
 }
@@ -144,10 +156,16 @@ double Simulation::next_instant(double t_end) {
   const auto bend = std::upper_bound(program.breaks.begin(), program.breaks.end(), time_ + rounding());
   if (bend != program.breaks.end()) earlier(*bend);
   if (follows_courses_) earlier(course_end_);
-  for (const Periodic& p : program.periodics) earlier(p.offset + system_.image()[p.count] * p.period);
+  if (has_turns_) earlier(next_turn());
+  for (const Periodic& p : program.periodics) earlier(due(p));
   for (const Delay* d : delays_)
     for (const double due : {past(*d).due(), time_ + d->time}) earlier(due);
   return next;
+}
+
+/// Multiplied from the first one on.
+double Simulation::due(const Periodic& p) const {
+  return (start_ + p.offset) + system_.image()[p.count] * p.period;
 }
 
 Past Simulation::past(const Delay& delay) { return {delay, system_.image().data() + delay.past}; }
@@ -185,7 +203,7 @@ void Simulation::note_jumps() {
   for (const Delay* d : delays_) {
     const double now = system_.image()[d->from], before = past(*d).newest();
     if (std::abs(now - before) > 1e-12 * std::max(std::abs(now), std::abs(before)))
-      past(*d).record(time_, now, jump);
+      past(*d).record(time_, now, broken);
   }
 }
 
@@ -205,7 +223,7 @@ void Simulation::fire_periodics() {
   bool fired = false;
   for (const Periodic& p : system_.program().periodics) {
     double& count = system_.image()[p.count];
-    if (p.offset + count * p.period > time_ + rounding()) continue;
+    if (due(p) > time_ + rounding()) continue;
     if (!std::exchange(fired, true)) remember();
     count += 1.0;
     apply(p.updates);
@@ -229,11 +247,12 @@ void Simulation::fire_crossings() {
       using enum Crossing::Direction;
       if (c.direction != both && (c.direction == rising) != rises) continue;
       apply(c.updates);
+      if (c.turn >= 0) slot(c.turn) = time_;
       if (c.bound >= 0) leave(c);
     }
     system_.evaluate(time_);
   }
-  record(jump);
+  record(broken);
   integrator_->restart(system_, time_, Restart::event);
 }
 
@@ -242,7 +261,7 @@ void Simulation::apply(const std::vector<Update>& updates) {
 }
 
 void Simulation::happened(const std::string& block) {
-  if (++events_ <= settings_.most_events) return;
+  if (++slot(system_.program().events) <= settings_.most_events) return;
   throw Error(ErrorCode::numerical,
               fmt::format("{} chatters at t = {} s: more than {} events in one step",
                           system_.program().named(block), time_, settings_.most_events));

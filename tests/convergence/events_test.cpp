@@ -78,6 +78,27 @@ TEST(Events, ThatTheLeaderDoesNotGoBackToAreOfOrderOneAndTold) {
   }));
 }
 
+/// A relay in a diagram, its plant in another subsystem. The diagram's own errors are of order 4, or its
+/// tolerance.
+TEST(Events, OfADiagramKeepTheOrder) {
+  const engine::AdaptiveSettings fine{.relative_tolerance = 1e-10, .absolute_tolerance = 1e-12};
+  for (const engine::IntegratorSettings& integrator :
+       {engine::IntegratorSettings{}, {.name = "cvode_adams", .adaptive = fine}}) {
+    RelayRun run = relay_run("slowest-first", "relay", "lagrange3", 0.02);
+    run.model = RelayRun::Model::diagram;
+    run.integrator = integrator;
+    std::vector<double> leads, follows, parallel;
+    EXPECT_GT(observed_order(run, 3, &leads), 2.8) << integrator.name;
+    EXPECT_LT(leads.back(), 1e-6) << integrator.name;
+    run.order = {"plant", "relay"};
+    EXPECT_NEAR(observed_order(run, 3, &follows), 2.0, 0.4) << integrator.name;
+    EXPECT_LT(follows.back(), 2e-4) << integrator.name;
+    run.schedule = "parallel", run.order = {};
+    EXPECT_GT(observed_order(run, 3, &parallel), 1.4) << integrator.name;
+    EXPECT_LT(parallel.back(), 1e-4) << integrator.name;
+  }
+}
+
 /// A reader that does not end a step at an event reads its jump within a step, which it splits there.
 TEST(Events, OfALeaderKeepTheOrderForWhoSplitsItsStepsThere) {
   RelayRun run = relay_run("slowest-first", "relay", "lagrange3", 0.02);

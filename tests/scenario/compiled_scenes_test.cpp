@@ -20,9 +20,11 @@ text::TimeTable run_of(const test::Scratch& scratch, const std::string& file,
   return text::TimeTable::read(scratch.path() / "o");
 }
 
-/// The largest difference of a column, relative to 1 or its size.
+/// The largest difference of a column, relative to 1 or its size, or of the times, where events end steps.
 double difference(const text::TimeTable& one, const text::TimeTable& other) {
-  double most = one.times == other.times ? 0.0 : INFINITY;
+  double most = one.times.size() == other.times.size() ? 0.0 : INFINITY;
+  for (std::size_t k = 0; k < std::min(one.times.size(), other.times.size()); ++k)
+    most = std::max(most, std::abs(one.times[k] - other.times[k]));
   for (std::size_t c = 0; c < one.columns.size(); ++c)
     for (std::size_t k = 0; k < std::min(one.times.size(), other.times.size()); ++k)
       most = std::max(most, std::abs(one.columns[c][k] - other.columns[c][k]) /
@@ -30,19 +32,20 @@ double difference(const text::TimeTable& one, const text::TimeTable& other) {
   return most;
 }
 
-void same_with(const std::string& file, const std::vector<std::string>& compiled) {
+void same_with(const std::string& file, const std::vector<std::string>& compiled, double rounding) {
   const test::Scratch listed, other;
   const auto one = run_of(listed, file, {});
   ASSERT_GT(one.times.size(), 100U);
-  EXPECT_LT(difference(one, run_of(other, file, compiled)), 1e-9);
+  EXPECT_LT(difference(one, run_of(other, file, compiled)), rounding);
 }
 
+/// The engine's half turns are located to 1e-12 of a step, and flat positions make that larger.
 TEST(CompiledScenes, TheLinkageIsDrivenAsByListedBlocks) {
-  same_with("engine_linkage/engine_linkage.toml", {"manifold=../engine/manifold_compiled.toml"});
+  same_with("engine_linkage/engine_linkage.toml", {"manifold=../engine/manifold_compiled.toml"}, 1e-7);
 }
 
 TEST(CompiledScenes, TheKartIsDrivenAsByListedBlocks) {
-  same_with("kart/kart.toml", {"engine=engine_compiled.toml", "gearbox=kart_automatic_compiled.toml"});
+  same_with("kart/kart.toml", {"engine=engine_compiled.toml", "gearbox=kart_automatic_compiled.toml"}, 1e-9);
 }
 
 }  // namespace

@@ -97,7 +97,7 @@ TEST(RunCommand, RefusesWhatADiagramCanNotDo) {
     std::string blocks, parameters, words;
     int status;
   } list[] = {
-      {fine, "k = 1", "has no own step; give the parameter step", 2},
+      {fine, "k = 1", "has no own step: step is 0 s", 2},
       {fine, "step = -1", "step is -1 s; allowed is a finite number above 0", 2},
       {fine, "step = 0.1, j = 1", "'j'", 2},
       {fine, "step = 0.1, integrator = 'rk5'", "'rk5' is not there; did you mean 'rk4'", 2},

@@ -203,17 +203,35 @@ TEST(Drive, EndsStepsAtInstantsOfTheControllerThatAreNoNodesOfItsOwn) {
   EXPECT_LT(errors_of(lands).drum_speed, 2e-5);
 }
 
+/// A diagram that is sampled wholly is a sampled subsystem like any other: it differs by rounding.
+TEST(Drive, HasTheSameControllerAsADiagram) {
+  for (const std::string schedule : {"slowest-first", "fastest-first", "parallel"}) {
+    const Words settings = scheme(schedule, "lagrange3");
+    const TimeTable expected = rows_of("drive_libraries.toml", settings),
+                    rows = rows_of("drive_libraries.toml",
+                                   settings + Words{"subsystems.controller.source=diagram:controller.toml",
+                                                    "subsystems.controller.parameters={}"});
+    ASSERT_EQ(rows.times, expected.times) << schedule;
+    for (std::size_t c = 0; c < rows.columns.size(); ++c)
+      for (std::size_t k = 0; k < rows.times.size(); ++k)
+        ASSERT_NEAR(rows.columns[c][k], expected.columns[c][k],
+                    1e-11 * std::max(1.0, std::abs(rows.columns[c][k])))
+            << schedule << " at " << rows.times[k];
+  }
+}
+
 /// A controller that is stepped like one that integrates itself.
 Words of_steps(const std::string& schedule) {
   return scheme(schedule, "lagrange3") +
-         Words{"subsystems.controller.source=diagram:" + drive_folder + "controller.toml",
-               "subsystems.controller.parameters={step = 2.5e-3}",
-               "connections[motor.i_ref].reconstruction=lagrange0"};
+         Words{
+             "subsystems.controller.command=[\"env\", \"PYTHONPATH=../../transports/python\", \"python3\", "
+             "\"controller_of_steps.py\"]",
+             "connections[motor.i_ref].reconstruction=lagrange0"};
 }
 
 TEST(Drive, AControllerThatIsSteppedIsRightWhereItFollowsAndWrongWhereItLeads) {
-  const DriveErrors follows = errors_of(rows_of("drive_libraries.toml", of_steps("fastest-first")));
-  const DriveErrors leads = errors_of(rows_of("drive_libraries.toml", of_steps("slowest-first")));
+  const DriveErrors follows = errors_of(rows_of("drive.toml", of_steps("fastest-first")));
+  const DriveErrors leads = errors_of(rows_of("drive.toml", of_steps("slowest-first")));
   EXPECT_LT(follows.drum_speed, 1e-5);
   EXPECT_GT(leads.drum_speed, 0.1);
 }

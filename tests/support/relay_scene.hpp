@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 // The relay and its plant in a coupled run, against their exact solution.
 #pragma once
+#include <fmt/format.h>
+
 #include <cmath>
 #include <memory>
 #include <string>
@@ -8,6 +10,8 @@
 
 #include "exact_relay.hpp"
 #include "run_bench.hpp"
+#include "tandem/engine/read.hpp"
+#include "tandem/engine/subsystem.hpp"
 
 namespace tandem::test {
 
@@ -18,8 +22,22 @@ struct RelayRun {
   std::vector<std::string> order = {};
   double t_start = 0.0, span = 4.0;
   Landing landing = Landing::automatic;
-  bool tells = true;  ///< else its relay is a QuietRelay
+  enum class Model { exact, quiet, diagram } model = Model::exact;  ///< of the relay
+  engine::IntegratorSettings integrator = {};                       ///< of the diagram
 };
+
+/// The same as Relay.
+inline std::unique_ptr<Subsystem> relay_diagram(const RelaySystem& s, const engine::SubsystemSettings& how) {
+  const std::string text = fmt::format(
+      "[inputs]\nx = {{ unit = 'm' }}\n[blocks]\n"
+      "r = {{ kind = 'relay', input = 'x', low = {}, high = {}, on = -1, off = 1 }}\n"
+      "rate = {{ kind = 'sum', inputs = ['x', 'r', 'z'], gains = [1, 1, {}] }}\n"
+      "z = {{ kind = 'integrator', input = 'rate' }}\n"
+      "y = {{ kind = 'sum', inputs = ['z', 'r'], gains = [1, {}] }}\n"
+      "[outputs]\nr = {{ unit = '1' }}\ny = {{ unit = '1' }}\n",
+      -s.width, s.width, -s.k, s.jump);
+  return engine::make_subsystem(engine::read_diagram("relay", text), how);
+}
 
 /// The coupled run, with its parts put together.
 class RelayBench {
@@ -45,7 +63,9 @@ class RelayBench {
 
  private:
   static std::unique_ptr<Subsystem> make(const RelayRun& what) {
-    if (what.tells) return std::make_unique<FixedStep<Relay>>(Relay(what.system, what.relay_step));
+    using enum RelayRun::Model;
+    if (what.model == diagram) return relay_diagram(what.system, {what.relay_step, what.integrator, {}});
+    if (what.model == exact) return std::make_unique<FixedStep<Relay>>(Relay(what.system, what.relay_step));
     return std::make_unique<FixedStep<QuietRelay>>(QuietRelay(what.system, what.relay_step));
   }
 

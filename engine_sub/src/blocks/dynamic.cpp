@@ -41,6 +41,7 @@ int freedom(Lowering& to, int state, int input, const Limits& limits) {
     if (!std::isfinite(limit)) continue;
     const int event =
         to.crossing(to.linear(-limit, 1.0, state), above ? Direction::rising : Direction::falling);
+    to.events[event].effect = Event::Effect::limit;
     to.update(event, state, to.constant(limit));
     to.update(event, limits.mode, to.constant(above ? 1.0 : -1.0));
   }

@@ -15,23 +15,22 @@ using Code = Operation::Code;
 
 void constant(Lowering& to, Arguments& a) { to.define("", to.constant(a.number("value"))); }
 
-/// A signal that is positive from t on, as an event at t says.
-int after(Lowering& to, double t) {
-  const int wanted = to.operation(Code::compare, to.time(), to.constant(t));
-  return to.mode(wanted, {to.linear(-t, 1.0, to.time())});
-}
-
-/// before, until `time`; then after.
+/// before, until `time`, where there is an event; then after.
 void step(Lowering& to, Arguments& a) {
+  const double t = a.number("time");
   const int before = to.constant(a.number("before", 0.0)), level = to.constant(a.number("after"));
-  to.define("", to.operation(Code::select, level, before, {}, after(to, a.number("time"))));
+  const int wanted = to.operation(Code::compare, to.time(), to.constant(t));
+  const int after = to.mode(wanted, {to.linear(-t, 1.0, to.time())});
+  to.define("", to.operation(Code::select, level, before, {}, after));
 }
 
 /// start + slope (t - time) from `time` on.
 void ramp(Lowering& to, Arguments& a) {
-  const double t = a.number("time", 0.0), slope = a.number("slope"), start = a.number("start", 0.0);
-  const int line = to.linear(start - slope * t, slope, to.time());
-  to.define("", to.operation(Code::select, line, to.constant(start), {}, after(to, t)));
+  const int since = to.linear(-a.number("time", 0.0), 1.0, to.time());
+  const std::vector<double> limits = {0.0, std::numeric_limits<double>::infinity()};
+  const int mode = to.mode(to.operation(Code::beyond, since, 0, limits), {since});
+  to.define("", to.linear(a.number("start", 0.0), a.number("slope"),
+                          to.operation(Code::clamp, since, 0, limits, mode)));
 }
 
 /// mean + amplitude sin(2 pi frequency t + phase).

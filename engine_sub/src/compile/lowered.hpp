@@ -47,6 +47,9 @@ struct Event {
   std::vector<Update> updates = {};
   std::string block = {};
   bool sees_start = false, repeats = false;
+  /// What its updates make: a mode, which other signals want just so at any time; a state that is where they
+  /// put it but for rounding, as it has reached a limit there; or something else.
+  enum class Effect { any, mode, limit } effect = Effect::any;
   int bound = -1;
 };
 

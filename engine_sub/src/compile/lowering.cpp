@@ -230,7 +230,11 @@ int Lowering::own_step() { return event(Event::Kind::own_step, -1); }
 int Lowering::mode(int wanted, const std::vector<int>& crossed) {
   if (scope().trigger >= 0) return wanted;
   const int mode = held(0.0);
-  for (const int signal : crossed) update(crossing(signal, Crossing::Direction::both), mode, wanted);
+  for (const int signal : crossed) {
+    const int event = crossing(signal, Crossing::Direction::both);
+    events[event].effect = Event::Effect::mode;
+    update(event, mode, wanted);
+  }
   settled.push_back({mode, wanted});
   return mode;
 }

@@ -20,6 +20,11 @@ void SignalInputs::at(double t, double* values) {
     for (const Signal& signal : courses_.empty() ? signals_ : courses_) *values++ = signal.value(t);
 }
 
+bool SignalInputs::jump_at(double t) {
+  return std::any_of(signals_.begin(), signals_.end(),
+                     [t](const Signal& signal) { return signal.jumps_at(t, TimeTolerance()); });
+}
+
 /// The segment of each signal after t.
 double SignalInputs::begin_course(double t) {
   double end = std::numeric_limits<double>::infinity();
@@ -38,21 +43,13 @@ double SignalInputs::begin_course(double t) {
 DiagramModel::Machine::Machine(const Description& of, const SubsystemSettings& settings)
     : diagram{of.name, of.parameters, of.inputs, {}, of.outputs},
       program(compile(of)),
-      simulation(program, &inputs, make_integrator(settings.integrator), settings.simulation) {
-  for (const int slot : program.outputs) {
-    rates.push_back(slot < program.states ? program.rates[static_cast<std::size_t>(slot)] : -1);
-    derivatives = std::max(derivatives, slot < program.states ? 1 : 0);
-  }
-}
+      simulation(program, &inputs, make_integrator(settings.integrator), settings.simulation) {}
 
 DiagramModel::DiagramModel(const Description& diagram, const SubsystemSettings& settings)
     : machine_(std::make_shared<Machine>(diagram, settings)),
       step_(settings.step),
       hidden_(diagram.outputs.size()) {
-  if (!(step_ > 0.0) || !std::isfinite(step_))
-    throw Error(
-        ErrorCode::invalid_argument,
-        fmt::format("diagram '{}': step is {} s; allowed is a finite number above 0", diagram.name, step_));
+  check_step(diagram.name);
   if (diagram.outputs.empty())
     throw Error(
         ErrorCode::invalid_argument,
@@ -60,6 +57,22 @@ DiagramModel::DiagramModel(const Description& diagram, const SubsystemSettings& 
   if (settings.simulation.tell)
     for (const std::string& block : machine_->program.left_out)
       settings.simulation.tell("block '" + block + "' feeds no output and is left out");
+}
+
+void DiagramModel::check_step(const std::string& name) const {
+  const auto refuse = [&](const std::string& what) {
+    throw Error(ErrorCode::invalid_argument, "diagram '" + name + "' " + what);
+  };
+  if (const double period = program().shortest_period; program().sampled() && step_ != 0.0)
+    refuse(
+        fmt::format("is sampled: all it gives changes at its blocks' instants alone, {} s or more apart; it "
+                    "takes no own steps, and allowed is no step in place of {} s",
+                    period, step_));
+  if (!program().sampled() && (!(step_ > 0.0) || !std::isfinite(step_)))
+    refuse(fmt::format(
+        "has no own step: step is {} s; allowed is a finite number above 0, by the parameter step or "
+        "step in the table [run] of its file",
+        step_));
 }
 
 DiagramModel::DiagramModel(const DiagramModel& other) { *this = other; }
@@ -80,9 +93,13 @@ SubsystemInfo DiagramModel::info() const {
   SubsystemInfo info;
   info.name = m.diagram.name;
   info.abilities.serializes_state = m.simulation.keeps_exactly();
+  info.abilities.events = !m.program.sampled() && m.program.jumps();
   for (const Input& input : m.diagram.inputs) info.inputs.push_back({input.name, input.unit});
-  for (std::size_t k = 0; k < m.diagram.outputs.size(); ++k)
-    info.outputs.push_back({m.diagram.outputs[k].name, m.diagram.outputs[k].unit, 1, m.rates[k] < 0 ? 0 : 1});
+  for (std::size_t k = 0; k < m.diagram.outputs.size(); ++k) {
+    info.outputs.push_back({m.diagram.outputs[k].name, m.diagram.outputs[k].unit});
+    info.outputs.back().derivatives = m.program.outputs[k] < m.program.states ? 1 : 0;
+    info.outputs.back().held = m.program.courses[k].held;
+  }
   for (const auto& [output, input] : m.program.feedthrough) info.feedthrough.push_back({output, input});
   return info;
 }
@@ -92,32 +109,61 @@ void DiagramModel::start(double t, std::span<const double> u0) {
   Machine& m = *machine_;
   std::vector<double> values(u0.begin(), u0.end());
   std::fill(hidden_.begin(), hidden_.end(), false);
-  for (const auto& [output, input] : m.program.feedthrough)
-    if (std::isnan(u0[static_cast<std::size_t>(input)])) hidden_[static_cast<std::size_t>(output)] = true;
+  if (!m.program.sampled())
+    for (const auto& [output, input] : m.program.feedthrough)
+      if (std::isnan(u0[static_cast<std::size_t>(input)])) hidden_[static_cast<std::size_t>(output)] = true;
   for (double& value : values)
     if (std::isnan(value)) value = 0.0;
   m.inputs.set_constants(values);
-  m.simulation.start(t);
+  m.simulation.start(t, !m.program.sampled());
   kept_.clear();
 }
 
-void DiagramModel::step(const OwnStep& s, std::span<const Signal> u) {
-  Machine& m = *machine_;
-  m.inputs.set(u);
-  if (!kept_.empty()) m.simulation.restore(kept_time_, kept_), kept_.clear();
+Simulation& DiagramModel::resume() {
+  Simulation& simulation = machine_->simulation;
+  if (!kept_.empty()) simulation.restore(kept_time_, kept_), kept_.clear();
+  return simulation;
+}
+
+bool DiagramModel::step_to_event(OwnStep& s, std::span<const Signal> u) {
+  machine_->inputs.set(u);
   std::fill(hidden_.begin(), hidden_.end(), false);
-  m.simulation.run(s.end);
+  Simulation& simulation = resume();
+  if (!simulation.run_to_jump(s.end)) return false;
+  s.end = simulation.time();
+  return true;
+}
+
+void DiagramModel::outputs_before(double* y) const {
+  std::copy(machine_->simulation.left().begin(), machine_->simulation.left().end(), y);
+}
+
+bool DiagramModel::jump(double, std::span<const Signal> u) {
+  if (program().feedthrough.empty()) return false;
+  machine_->inputs.set(u);
+  std::fill(hidden_.begin(), hidden_.end(), false);
+  return resume().jump();
+}
+
+void DiagramModel::act(double t, std::span<const double> u) {
+  machine_->inputs.set_constants(u);
+  resume().act(t);
+}
+
+void DiagramModel::look(double t, std::span<const double> u, double* y) {
+  Simulation& simulation = resume();
+  const double now = simulation.time();
+  machine_->before = simulation.signals();
+  act(t, u);
+  outputs(y);
+  simulation.restore(now, machine_->before);
 }
 
 void DiagramModel::outputs(double* y) const {
-  const Machine& m = *machine_;
-  const auto& image = kept_.empty() ? m.simulation.signals() : kept_;
-  const std::size_t count = m.rates.size();
-  for (std::size_t k = 0; k < count; ++k) {
-    y[k] = hidden_[k] ? std::numeric_limits<double>::quiet_NaN()
-                      : image[static_cast<std::size_t>(m.program.outputs[k])];
-    if (m.derivatives > 0) y[count + k] = m.rates[k] < 0 ? 0.0 : image[static_cast<std::size_t>(m.rates[k])];
-  }
+  const auto& image = kept_.empty() ? machine_->simulation.signals() : kept_;
+  program().row(image.data(), y);
+  for (std::size_t k = 0; k < hidden_.size(); ++k)
+    if (hidden_[k]) y[k] = std::numeric_limits<double>::quiet_NaN();
 }
 
 /// Of a state that is kept, as all are that leave the process.

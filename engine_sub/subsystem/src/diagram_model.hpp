@@ -2,6 +2,7 @@
 #pragma once
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "tandem/engine/subsystem.hpp"
@@ -18,6 +19,7 @@ class SignalInputs final : public InputSource {
   }
   void at(double t, double* values) override;
   double begin_course(double t) override;
+  bool jump_at(double t) override;
 
  private:
   std::span<const Signal> signals_;
@@ -35,28 +37,37 @@ class DiagramModel {
   SubsystemInfo info() const;
   double own_step() const { return step_; }
   void start(double t, std::span<const double> u0);
-  void step(const OwnStep& s, std::span<const Signal> u);
+  bool step_to_event(OwnStep& s, std::span<const Signal> u);
+  void outputs_before(double* y) const;
+  bool jump(double t, std::span<const Signal> u);
   void outputs(double* y) const;
   void write(ByteWriter& to) const;
   void read(ByteReader& from);
+  /// Of a sampled diagram: what happens at its instant t; or what it would give, and nothing changes.
+  void act(double t, std::span<const double> u);
+  void look(double t, std::span<const double> u, double* y);
+  double next_instant() const { return machine_->simulation.next_periodic(); }
   Statistics statistics() const { return machine_->simulation.statistics(); }
   const Program& program() const { return machine_->program; }
 
  private:
+  void check_step(const std::string& name) const;
   struct Machine {
     Machine(const Description& diagram, const SubsystemSettings& settings);
     Description diagram;  ///< without its blocks
     Program program;
     SignalInputs inputs;
     Simulation simulation;
-    std::vector<int> rates;  ///< by output: the slot of its derivative, -1 for none
-    int derivatives = 0;
+    std::vector<double> before;  ///< of look()
   };
+
+  /// Goes on with the state that is kept.
+  Simulation& resume();
 
   std::shared_ptr<Machine> machine_;
   double step_ = 0.0;
-  std::vector<bool> hidden_;  ///< outputs that follow an unknown input at once
-  std::vector<double> kept_;  ///< Simulation::state(), of a state that is kept
+  std::vector<bool> hidden_ = {};  ///< outputs that follow an unknown input at once
+  std::vector<double> kept_;       ///< Simulation::state(), of a state that is kept
   double kept_time_ = 0.0;
 };
 

@@ -3,24 +3,36 @@
 
 #include <fmt/format.h>
 
-#include "diagram_model.hpp"
+#include "sampled_diagram.hpp"
 
 namespace tandem::engine {
+namespace {
+
+/// Null for a subsystem that make_subsystem() has not made.
+const DiagramModel* model_of(const Subsystem& subsystem) {
+  if (const auto* steps = dynamic_cast<const FixedStep<DiagramModel>*>(&subsystem)) return &steps->model();
+  const auto* sampled = dynamic_cast<const SampledDiagram*>(&subsystem);
+  return sampled ? &sampled->model() : nullptr;
+}
+
+}  // namespace
 
 std::unique_ptr<Subsystem> make_subsystem(const Description& diagram, const SubsystemSettings& settings) {
-  return std::make_unique<FixedStep<DiagramModel>>(DiagramModel(diagram, settings));
+  DiagramModel model(diagram, settings);
+  if (model.program().sampled()) return std::make_unique<SampledDiagram>(std::move(model));
+  return std::make_unique<FixedStep<DiagramModel>>(std::move(model));
 }
 
 std::optional<Statistics> statistics_of(const Subsystem& subsystem) {
-  const auto* diagram = dynamic_cast<const FixedStep<DiagramModel>*>(&subsystem);
-  return diagram ? std::optional(diagram->model().statistics()) : std::nullopt;
+  const DiagramModel* model = model_of(subsystem);
+  return model ? std::optional(model->statistics()) : std::nullopt;
 }
 
 std::vector<std::string> data_ending_before(const Subsystem& subsystem, double t) {
-  const auto* diagram = dynamic_cast<const FixedStep<DiagramModel>*>(&subsystem);
+  const DiagramModel* model = model_of(subsystem);
   std::vector<std::string> all;
-  if (!diagram) return all;
-  const Program& program = diagram->model().program();
+  if (!model) return all;
+  const Program& program = model->program();
   for (const Range& r : program.ranges)
     if (r.signal == program.time && TimeTolerance().before(r.high, t))
       all.push_back(fmt::format("{}: the data end at t = {} s", r.owner, r.high));

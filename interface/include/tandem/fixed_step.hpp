@@ -46,7 +46,7 @@ concept TakesJumps = requires(Model& model, double t, std::span<const Signal> u)
 /// void step(const OwnStep& s, std::span<const Signal> u);  // integrates over s, reads inputs anywhere in it
 /// void outputs(double* y) const;                           // outputs, then derivatives, as the state is
 /// @endcode
-/// In place of step() a model with the ability `events` in its info() has
+/// In place of step() a model that may have the ability `events` in its info() has
 /// @code
 /// bool step_to_event(OwnStep& s, std::span<const Signal> u);  // true: outputs jump at an event, to which it
 ///                                                             // came, and s.end is its time
@@ -99,7 +99,7 @@ class FixedStep final : public SavedModels<Model, GridPlace> {
 
  private:
   /// An event takes two rows.
-  static bool has_room(const Samples& y) { return HasEvents<Model> ? y.room() > 1 : !y.full(); }
+  bool has_room(const Samples& y) const { return y.room() > (this->info_.abilities.events ? 1 : 0); }
 
   /// A second row where it stands, if inputs have jumped there and outputs with them.
   void take_jump(Samples& y) {

@@ -16,7 +16,10 @@ void Coordinator::hear_of_event(int who) {
   for (const int leader : seat.leaders_back) tell(leader);
   if (!history.jump(history.newest())) return;
   const double t = history.time(history.newest());
-  if (schedule_->kind() == Schedule::Kind::parallel) schedule_->end_round_at(t);
+  const auto is_seen = [&](int reader) { return exchange_->jump(who, reader) != 0.0; };
+  if (schedule_->kind() == Schedule::Kind::parallel &&
+      std::any_of(seat.readers.begin(), seat.readers.end(), is_seen))
+    schedule_->end_round_at(t);
   for (const int reader : seat.readers)
     if (tolerance_.before(t, time(reader))) pass_by(reader, who, t);
   exchange_->note_jump(who);

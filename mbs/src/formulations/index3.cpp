@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "check_memory.hpp"
 #include "checks.hpp"
@@ -17,9 +19,11 @@
 namespace tandem::mbs {
 namespace {
 
-constexpr double gamma = 0.5;           // any other value of Newmark's gamma leaves order 1
-constexpr double settled = 1e-12;       // accelerations at the start: some thousand roundings
-constexpr double shortest = 1e-3;       // [s] step with the penalty as it is
+constexpr double gamma = 0.5;      // any other value of Newmark's gamma leaves order 1
+constexpr double settled = 1e-12;  // accelerations at the start: some thousand roundings
+constexpr double shortest = 1e-3;  // [s] step with the penalty as it is
+constexpr double any_longer = std::numeric_limits<double>::infinity();
+constexpr double short_part = 0.01;     // of an own step
 constexpr int most_substitutions = 10;  // about what a new factor costs
 
 const Index3Settings& checked(const Index3Settings& s) {
@@ -68,18 +72,20 @@ Index3::Index3(Model& model, const Index3Settings& settings)
     : settings_(checked(settings)),
       terms_(model, settings.solver, kind_of_tangent(model.structure())),
       tolerance_(terms_.structure.tolerance(settings.tolerance, 1e-10)),
-      penalty_(penalty(shortest)),
+      penalty_(penalty(any_longer)),
       left_(Eigen::VectorXd::Zero(terms_.structure.constraints)) {
   if (settings_.beta < 0.25) highest_ = std::make_unique<MergedFrequency>(terms_);
 }
 
 Index3::~Index3() = default;
 
-/// What holds a constraint in a step is alpha h^2 beside the mass: by default it does not fall below that of
-/// a step of 1 ms.
+/// What holds a constraint in a step is alpha h^2 beside the mass: it does not fall below that of an own
+/// step, by default nor below that of 1 ms.
 double Index3::penalty(double h) const {
-  const double more = h < shortest ? (shortest / h) * (shortest / h) : 1.0;
-  return settings_.penalty > 0.0 ? settings_.penalty : 1e7 * terms_.largest_mass * more;
+  const bool given = settings_.penalty > 0.0;
+  const double least = given ? settings_.own_step : std::max(shortest, settings_.own_step),
+               more = h < least ? (least / h) * (least / h) : 1.0;
+  return (given ? settings_.penalty : 1e7 * terms_.largest_mass) * more;
 }
 
 void Index3::start(State& s) {
@@ -96,7 +102,7 @@ void Index3::start(State& s) {
 
 /// After constraints(), with M + alpha Phi_q^T Phi_q.
 bool Index3::settle_anew(State& s) {
-  terms_.factorize(s, {0.0, 0.0, weight_ = penalty(shortest)});
+  terms_.factorize(s, {0.0, 0.0, weight_ = penalty(any_longer)});
   return settle(s, settings_.most_iterations);
 }
 
@@ -122,6 +128,7 @@ int Index3::step(State& s, double h, double t_end) {
   const Team team(settings_.threads, settings_.threads_from);
   penalty_ = penalty(h);
   predict(s, h, t_end);
+  if (is_short(h)) return 0;
   for (int iteration = 1; iteration <= settings_.most_iterations; ++iteration) {
     const bool done = correct(s, h) < tolerance_;
     if (done) project_velocities(s, tolerance_ / h);
@@ -165,13 +172,15 @@ void Index3::recall(std::span<const double> memory) {
   needs_own_ = memory[3] != 0.0;
 }
 
+bool Index3::is_short(double h) const { return h < short_part * settings_.own_step; }
+
 void Index3::predict(State& s, double h, double t_end) {
   Setting{"index-3 formulation", "the step", h}.positive();
   if (settings_.beta < 0.25) refuse_unstable(s, h);
   extrapolate(s, h);
   s.time = t_end;
   terms_.model.at_time(t_end);
-  if (!settings_.carry_multipliers) s.lambda.setZero();
+  if (!settings_.carry_multipliers && !is_short(h)) s.lambda.setZero();
   terms_.constraints(s);
 }
 

@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-#include "check_step.hpp"
+#include "own_step.hpp"
 #include "tandem/mbs/mechanism/freedom.hpp"
 #include "tandem/mbs/mechanism/initial.hpp"
 
@@ -17,7 +17,7 @@ namespace tandem::mbs {
 
 Multibody::Machine::Machine(Description description, const SubsystemSettings& settings)
     : mechanism(std::move(description)),
-      stepper(make_stepper(mechanism, settings.stepper)),
+      stepper(make_stepper(mechanism, for_own_steps(settings))),
       outputs(mechanism),
       inputs(mechanism.description()),
       dump(settings.dump),

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "check_step.hpp"
 #include "moving_state.hpp"
+#include "own_step.hpp"
 #include "tandem/fixed_step.hpp"
 #include "tandem/mbs/subsystem.hpp"
 
@@ -19,7 +19,7 @@ class ModelBody {
   ModelBody(NamedModel named, const SubsystemSettings& settings)
       : named_(std::make_shared<const NamedModel>(std::move(named))),
         step_(settings.step),
-        moving_(make_stepper(*named_->model, settings.stepper)) {
+        moving_(make_stepper(*named_->model, for_own_steps(settings))) {
     check_step("model '" + named_->name + "'", step_);
     if (!settings.dump.folder.empty())
       throw Error(ErrorCode::not_supported,

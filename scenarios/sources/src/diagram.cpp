@@ -88,12 +88,6 @@ std::unique_ptr<Subsystem> make_diagram(const SourceFile& file, Parameters& p,
   engine::Description diagram = read(file, p);
   take_data(diagram, p);
   diagram.kinds = std::move(kinds);
-  if (!p.has("step"))
-    throw Error(
-        ErrorCode::invalid_argument,
-        "diagram '" + diagram.name +
-            "' has no own step; give the parameter step, a number above 0 [s], or step in the table [run] "
-            "of its file");
   engine::SubsystemSettings settings;
   settings.step = p.number("step", 0.0);
   settings.integrator.name = p.text("integrator", settings.integrator.name);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine_linkage/linkage.hpp"
+#include "output/on_grid.hpp"
 #include "tandem/engine/subsystem.hpp"
 #include "tandem/error.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
@@ -30,6 +31,7 @@ class Difference final : public Observer {
   explicit Difference(const Truth& truth) : truth_(truth) {}
   bool samples(int subsystem, const History& history, std::int64_t first, std::int64_t last) override {
     for (std::int64_t k = first; k <= last && subsystem == 0 && largest_ <= lost; ++k) {
+      if (!on_grid(history, k, Truth::grid)) continue;
       const double d = std::abs(history.values(k)[0] - truth_.speed(history.time(k)));
       largest_ = d <= largest_ ? largest_ : d;
       sum_ += d * d;

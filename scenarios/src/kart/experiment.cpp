@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "kart/player.hpp"
+#include "output/on_grid.hpp"
 #include "tandem/coordinator/coordinator.hpp"
 #include "tandem/error.hpp"
 
@@ -41,16 +42,19 @@ int output(const Subsystem& subsystem, const std::string& name) {
   return static_cast<int>(it - all.begin());
 }
 
-/// Keeps the pitch of the kart, which is the first, and the torque of the other.
+/// Keeps the pitch of the kart, which is the first, and the torque of the other, at nodes of their own steps.
 class Keep final : public Observer {
  public:
-  Keep(const Subsystem& kart, const Subsystem& other, Course& course)
-      : columns_{output(kart, "pitch"), output(other, "torque")}, course_(course) {
+  Keep(const Subsystem& kart, const Subsystem& other, double kart_step, Course& course)
+      : columns_{output(kart, "pitch"), output(other, "torque")},
+        steps_{kart_step, engine_step},
+        course_(course) {
     course_.trace = Trace(kart.info(), other.info());
   }
   bool samples(int subsystem, const History& history, std::int64_t first, std::int64_t last) override {
     const int column = columns_[subsystem];
     for (std::int64_t k = first; k <= last; ++k) {
+      if (!on_grid(history, k, steps_[subsystem])) continue;
       const double value = history.values(k)[column];
       if (subsystem == 0)
         course_.pitch.push_back(value * degrees);
@@ -63,11 +67,13 @@ class Keep final : public Observer {
 
  private:
   int columns_[2];
+  double steps_[2];
   Course& course_;
 };
 
 /// Two subsystems, the kart first, through the manoeuvre.
-Course run(Topology& topology, Subsystem& kart, Subsystem& other, const std::string& schedule, bool profile) {
+Course run(Topology& topology, Subsystem& kart, Subsystem& other, double kart_step,
+           const std::string& schedule, bool profile) {
   topology.set_start("kart.torque", 0.0);
   topology.check();
   Coordination coordination;
@@ -76,7 +82,7 @@ Course run(Topology& topology, Subsystem& kart, Subsystem& other, const std::str
   coordination.profile = profile;
   Coordinator coordinator(topology, {&kart, &other}, coordination, TimeSpan{0.0, t_stop});
   Course course;
-  Keep keep(kart, other, course);
+  Keep keep(kart, other, kart_step, course);
   coordinator.observe(&keep);
   coordinator.initialize();
   const double starts[] = {coordinator.effort(0).seconds, coordinator.effort(1).seconds};
@@ -105,7 +111,7 @@ Course couple(const Scene& scene, const Kart& kart, const Scheme& scheme, bool p
   topology.connect({"kart.shaft_speed", "engine.shaft", Reconstruction::parse(scheme.to_fast)});
   topology.connect({"kart.speed", "engine.speed", Reconstruction::parse(scheme.to_fast)});
   topology.connect({"engine.torque", "kart.torque", Reconstruction::parse(scheme.to_slow)});
-  return run(topology, *vehicle, *engine, scheme.schedule, profile);
+  return run(topology, *vehicle, *engine, kart.step(), scheme.schedule, profile);
 }
 
 Course replay(const Scene& scene, const Kart& kart, const std::vector<double>& torque, bool mean) {
@@ -114,7 +120,7 @@ Course replay(const Scene& scene, const Kart& kart, const std::vector<double>& t
   topology.add("kart", vehicle->info());
   topology.add("engine", player->info());
   topology.connect({"engine.torque", "kart.torque", Reconstruction::parse(mean ? "mean" : "lagrange1")});
-  return run(topology, *vehicle, *player, "fastest-first", false);
+  return run(topology, *vehicle, *player, kart.step(), "fastest-first", false);
 }
 
 Difference difference(const Course& course, const Course& finer) {

@@ -2,7 +2,8 @@
 #include "kart/trace.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "output/on_grid.hpp"
 
 namespace tandem::kart {
 namespace {
@@ -22,8 +23,7 @@ Trace::Trace(const SubsystemInfo& kart, const SubsystemInfo& engine) {
 }
 
 void Trace::add(int side, const History& history, std::int64_t row) {
-  const double steps = history.time(row) / step;
-  if (std::abs(steps - std::round(steps)) > 1e-6) return;
+  if (!on_grid(history, row, step)) return;
   const auto values = history.values(row);
   for (std::size_t k = 0; k < size; ++k)
     if (traced[k].side == side && columns_[k] >= 0)

@@ -57,9 +57,12 @@ struct Crossing {
   bool repeats = false;     ///< its updates make the signal fall; if it is above 0 even so, it rises again
   int bound = -1;           ///< of a signal that leaves its limits: which of Program::bounds
   int loop = -1;  ///< of a signal that follows from an algebraic loop: the last such of Program::loops
+  /// Of one that puts a state, two slots: when that was, while it is not known whether its signal turns back
+  /// (-infinity: it is known), and whether it did the last time.
+  int turn = -1;
 };
 
-/// What happens at offset + k period, k = 0, 1, ..
+/// What happens at offset + k period after the start of a run, k = 0, 1, ..
 struct Periodic {
   double period, offset;
   int count;  ///< slot of the next k
@@ -97,14 +100,25 @@ struct Bound {
   bool stops;                  ///< the run ends
 };
 
+/// An output's course.
+struct Course {
+  bool held;   ///< constant from event to event, and not for ever
+  bool jumps;  ///< events may change it at once
+};
+
 /// A diagram compiled: operations in the order of evaluation. All that changes during a run stands in one
 /// image of doubles: states first, then time, inputs, held values, signs, results of operations, constants,
-/// and what delays remember.
+/// what delays remember, and what is remembered of the run itself.
 struct Program {
   int states = 0, time = 0;
   std::vector<int> inputs, outputs;  ///< slots
   std::vector<int> rates;            ///< by state: the slot of its derivative
-  /// (output, input): that output depends on that input at once.
+  std::vector<Course> courses;       ///< by output
+  std::vector<int> output_rates;     ///< by output: the slot of its derivative, -1; empty if there is none
+  /// Of a program whose outputs change at its periodic events alone, which has no state but what is held: no
+  /// two of its instants are nearer to each other [s]. 0 of any other.
+  double shortest_period = 0.0;
+  /// (output, input): that output depends on that input at once, of a sampled one at an instant.
   std::vector<std::pair<int, int>> feedthrough;
   std::vector<Operation> operations;
   int rate_operations = 0;  ///< so many of them, the first, are all that derivatives need
@@ -120,10 +134,13 @@ struct Program {
   std::vector<Update> step_updates;  ///< at the beginning of each own step
   std::vector<Range> ranges;
   std::vector<Bound> bounds;
-  std::vector<double> breaks;   ///< [s] where sources have a kink, ascending
-  std::vector<Update> starts;   ///< values at the start that come from signals
-  std::vector<Update> settled;  ///< modes; at the start both are repeated until nothing changes
-  std::vector<double> image;    ///< at the start
+  std::vector<double> breaks;      ///< [s] where sources have a kink, ascending
+  std::vector<Update> starts;      ///< values at the start that come from signals
+  std::vector<Update> settled;     ///< modes; at the start both are repeated until nothing changes
+  std::vector<double> image;       ///< at the start
+  int step_begun = 0, events = 0;  ///< slots: whether an own step is under way, and its events so far
+  int longest_step = 0;            ///< slot: of own steps so far
+  int sizes = 0;                   ///< slots: by output, the largest magnitude so far
   std::vector<std::string> state_names, signal_names;  ///< the second by slot; empty: no name
   std::vector<std::string> signal_blocks;              ///< by slot: the block that makes it
   std::map<std::string, std::string> places;           ///< of blocks by name: "FILE:LINE"
@@ -134,6 +151,13 @@ struct Program {
   /// "block 'f' (engine.toml:12) gives nan": the first operation before `last` that makes what is not finite
   /// out of what is; empty if there is none.
   std::string not_finite(const double* image, int last) const;
+
+  bool sampled() const { return shortest_period > 0.0; }
+  /// Whether events may change an output at once.
+  bool jumps() const;
+  /// The outputs in an image, and then their derivatives, if one of them is a state (0 for those that are
+  /// not).
+  void row(const double* image, double* y) const;
 
   /// Operations from `first` to before `last`, each once.
   void run(double* signals, int first, int last) const;

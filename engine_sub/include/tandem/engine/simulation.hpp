@@ -30,9 +30,21 @@ class Simulation {
   Simulation(const Program& program, InputSource* inputs, std::unique_ptr<Integrator> integrator,
              const SimulationSettings& settings = {});
 
-  void start(double t);
+  /// with_events: also those that are due at t.
+  void start(double t, bool with_events = true);
   /// One own step: to t_end.
   void run(double t_end);
+  /// The same, or what is left of it; but it returns where events make an output jump. True: that is so, at
+  /// time(), which may be t_end.
+  bool run_to_jump(double t_end);
+  /// Where run_to_jump() has returned true: the outputs just before, with their derivatives (Program::row).
+  const std::vector<double>& left() const { return left_; }
+  /// Inputs have jumped at time(). Whether outputs have with them.
+  bool jump();
+  /// Of a sampled program (Program::sampled): what happens at its instant t.
+  void act(double t);
+  /// The first instant of a periodic event that has not been yet; one has to be there.
+  double next_periodic() const;
   /// One own step: to t_end, or, with an integrator that chooses its steps, to the end of one of them.
   /// Returns the time. Both throw Error(numerical) with the time and a block's name: a signal that is not
   /// finite, chattering, an integrator that can't go on.
@@ -58,6 +70,22 @@ class Simulation {
   void settle();
   void begin_step();
   double advance(double t_end);
+  double due(const Periodic& periodic) const;
+  double& slot(int which) { return system_.image()[static_cast<std::size_t>(which)]; }
+  void watch_jumps();
+  void note_left();
+  /// What makes outputs jump. Inputs that have jumped in a way that is no jump of theirs, as they are
+  /// extrapolated anew, may turn a switch that should have turned between: the switch is late then, which is
+  /// nothing of the outputs' own unless they are held.
+  enum class By { events, inputs, break_of_inputs };
+  By cause();
+  bool has_jumped(By by);
+  void note_sizes();
+  double short_step() const;
+  bool is_beyond(const Crossing& crossing) const;
+  double next_turn() const;
+  void look_at_turns();
+  [[noreturn]] void refuse_endless(const Crossing& crossing, double t) const;
   double rounding() const;
   bool bends() const;
   double next_instant(double t_end);
@@ -80,7 +108,13 @@ class Simulation {
   std::unique_ptr<Integrator> integrator_;
   SimulationSettings settings_;
   double start_ = 0.0, time_ = 0.0;
-  int events_ = 0;
+  double call_begin_ = 0.0;
+  bool has_turns_ = false;      ///< there are events that put states
+  bool watches_jumps_ = false;  ///< of outputs
+  bool stops_ = false;          ///< where they are
+  bool jumped_ = false;
+  double smallest_jump_ = 0.0;  ///< relative to the output's size
+  std::vector<double> left_;    ///< a row, of before
   bool begun_ = false;          ///< a step has been asked for since the start
   std::vector<bool> was_told_;  ///< by bound
   std::vector<double> before_;

@@ -21,6 +21,9 @@ class InputSource {
   /// ever): at() gives that course until the next call, also a little beyond it. Of an integrator that
   /// chooses its steps; without a call at() gives each value as it is.
   virtual double begin_course(double t);
+
+  /// Whether one of them jumps at t, which is more than that two polynomials do not quite meet there.
+  virtual bool jump_at(double) { return false; }
 };
 
 /// A program with its image, as integrators see it: x' = f(t, x), and signals whose signs are watched. Held
@@ -50,6 +53,7 @@ class System {
     for (const int slot : program_.rates) *dx++ = image_[static_cast<std::size_t>(slot)];
   }
   double begin_course(double t) { return inputs_->begin_course(t); }
+  bool inputs_jump_at(double t) { return inputs_ && inputs_->jump_at(t); }
   /// Every signal at t, but for those that are needed at events alone.
   void evaluate(double t) {
     set_time(t);

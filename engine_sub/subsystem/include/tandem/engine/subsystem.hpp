@@ -11,15 +11,17 @@
 namespace tandem::engine {
 
 struct SubsystemSettings {
-  double step = 0.0;  ///< own step [s]
+  double step = 0.0;  ///< own step [s]; 0 for a diagram that is sampled
   IntegratorSettings integrator = {};
   SimulationSettings simulation = {};
 };
 
-/// A diagram that integrates itself with a fixed own step. Inputs are read
-/// wherever the integrator evaluates. Feedthrough is what the diagram says. An output that is a state comes
-/// with its derivative by time. Throws Error for a step that is not finite and above 0, and for what
-/// compile() and make_integrator() refuse.
+/// A diagram that integrates itself with a fixed own step. Inputs are read wherever the integrator evaluates.
+/// Feedthrough is what the diagram says. An output that is a state comes with its derivative by time; one
+/// that follows held values alone is held; one that an event makes jump comes with both rows there (ability
+/// `events`). A diagram whose outputs change at its blocks' periodic instants alone, and that has no states,
+/// is a sampled subsystem, which acts at the union of these instants. Throws Error for a step that is not
+/// finite and above 0, or is given to a sampled one, and for what compile() and make_integrator() refuse.
 std::unique_ptr<Subsystem> make_subsystem(const Description& diagram, const SubsystemSettings& settings);
 
 /// What the integrator of a subsystem that make_subsystem() made has done; nothing of another one.
