@@ -1949,10 +1949,18 @@ static void check_jump(reader* in, const double* row) {
   refuse_reply(in, "gives %s as the jump flag of its sample at t = %s s; allowed is 0 or 1", flag, time);
 }
 
-/* Samples of the start, the newest finite but for outputs that nobody can know yet. */
+/* Finite, but for what may follow inputs that are not known: outputs by feedthrough, derivatives by any. */
+static void check_newest(const remote* r, reader* in, const double* row, const double* u0) {
+  const int64_t outputs = output_size(&r->info), inputs = input_size(&r->info);
+  int64_t k, known = 0;
+  while (known < inputs && !isnan(u0[known])) ++known;
+  for (k = 0; !in->bad && k < tandem_row_size(&r->info) - 2; ++k)
+    if (known == inputs || (k < outputs && knows(r, u0, k))) check_value(r, in, row, k, "the start");
+}
+
+/* Samples of the start. */
 static void check_first(const remote* r, reader* in, const double* u0, const tandem_samples* y,
                         int64_t first) {
-  const int64_t outputs = output_size(&r->info);
   char found[32], start[32];
   int64_t k;
   if (y->size == first) refuse_reply(in, "has no first sample");
@@ -1964,8 +1972,7 @@ static void check_first(const remote* r, reader* in, const double* u0, const tan
     }
     check_jump(in, y->rows + k * y->stride);
   }
-  for (k = 0; !in->bad && k < outputs; ++k)
-    if (knows(r, u0, k)) check_value(r, in, y->rows + (y->size - 1) * y->stride, k, "the start");
+  if (!in->bad) check_newest(r, in, y->rows + (y->size - 1) * y->stride, u0);
 }
 
 static int is_sound(const double* row, int64_t stride, double before, double limit) {
