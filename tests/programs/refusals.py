@@ -127,6 +127,7 @@ def refuses_replies():
 def refuses_addresses(address):
     refused("no connection to unix:/none", lambda: tandem.connect("unix:/none"))
     refused("is not of the form", lambda: tandem.connect("nonsense"))
+    refused("has the host '*'", lambda: tandem.connect("tcp://*:1"))
     refused("plain text", lambda: tandem.connect("tcp://192.0.2.1:1"))
     refused(address + ", hello: ", lambda: tandem.connect(address + "?colour=blue"))
     for text in ("0", "-1", "soon", "nan", "inf"):

@@ -537,6 +537,11 @@ static tandem_status resolve(const char* address, int allow_plaintext, struct ad
   length = (size_t)(colon - address) - 6;
   memcpy(host, address + 6, length);
   host[length] = 0;
+  if (strcmp(host, "*") == 0)
+    return refuse(f, TANDEM_INVALID_ARGUMENT,
+                  "address '%s' has the host '*'; allowed is a name or a number, which is 0.0.0.0 or [::] to "
+                  "listen at every interface",
+                  address);
   if (host[0] == '[' && host[length - 1] == ']') memmove(host, host + 1, length), host[length - 2] = 0;
   memset(&hints, 0, sizeof hints);
   hints.ai_socktype = SOCK_STREAM;
