@@ -203,27 +203,6 @@ TEST(RunCommand, AFullDiskIsToldWithStatusOne) {
       << said.err;
 }
 
-/// By the shell, with the standard streams as `streams` has them.
-int status_of(const std::string& arguments, const std::string& streams) {
-  const int status = std::system((test::shell_quoted(TANDEM_COMMAND) + " " + arguments + streams).c_str());
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
-TEST(RunCommand, AStandardErrorThatIsFullLosesNoResults) {
-  const Scratch folder;
-  const std::string run = "run " + test::shell_quoted(two_mass_file("two_mass.toml")) +
-                          " --no-reference --output " + test::shell_quoted(folder.path().string());
-  EXPECT_EQ(status_of(run, " 2>/dev/full"), 0);
-  EXPECT_EQ(json_of(folder.path() / "results.json")["status"], "ok");
-}
-
-TEST(RunCommand, AStandardOutputThatIsFullIsToldWithStatusOne) {
-  const Scratch folder;
-  const std::string err = (folder.path() / "err.txt").string();
-  EXPECT_EQ(status_of("list", " >/dev/full 2>" + test::shell_quoted(err)), 1);
-  EXPECT_EQ(read_text(err), "tandem: standard output can't be written, so not all was told\n");
-}
-
 /// As on a full disk, a write stops in the middle: of a file that may have 100 kB.
 TEST(RunCommand, WhatIsOnAFullDiskStaysReadable) {
   const Scratch folder;
