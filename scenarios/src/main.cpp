@@ -1,6 +1,5 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <spdlog/pattern_formatter.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
@@ -16,6 +15,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/log_file.hpp"
+#include "cli/say.hpp"
 #include "cli/transports.hpp"
 #include "sources/all.hpp"
 #include "tandem/error.hpp"
@@ -67,7 +67,7 @@ void set_up_log(const tandem::cli::Context& context, const std::string& file) {
   log->set_level(spdlog::level::debug);
   log->flush_on(spdlog::level::debug);  // whoever is killed has told all
   log->set_error_handler([](const std::string& why) {
-    if (!log_failed) fmt::print(stderr, "tandem: log {}\n", why);
+    if (!log_failed) tandem::cli::show_progress("tandem: log " + why + "\n");
     log_failed = true;
   });
   spdlog::set_default_logger(log);
@@ -169,6 +169,13 @@ void open_standard_streams() {
     if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", O_RDWR);
 }
 
+/// On a full disk, say.
+bool wrote_all_output() {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return true;
+  spdlog::error("tandem: standard output can't be written, so not all was told");
+  return false;
+}
+
 int main(int argc, char** argv) {
   open_standard_streams();
   std::set_new_handler([] {
@@ -185,6 +192,7 @@ int main(int argc, char** argv) {
   }
   tandem::LibraryCall::begin_program();
   int status = run_and_report(argc, argv);
+  if (status == 0 && !wrote_all_output()) status = 1;
   spdlog::default_logger()->flush();
   if (status == 0 && log_failed) status = 1;
   tandem::LibraryCall::end_program(status);

@@ -249,6 +249,7 @@ def main():
         Command("run two_mass", command, inject, two_mass),
         Resumed("run two_mass with checkpoints", command, inject, [*two_mass, "--checkpoint-every", "0.1"]),
         Command("run engine_linkage", command, inject, linkage),
+        Command("run two_mass with threads", command, inject, [*two_mass, "--threads", "4"]),
         Server("serve a model", command, inject, ["builtin:two_mass.slow"]),
         Server("serve a mechanism", command, inject, [f"mechanism:{scenarios}/mechanisms/four_bar/four_bar.toml"]),
         Server("serve a diagram", command, inject, [f"diagram:{scenarios}/engine/governor.toml?step=0.01"]),

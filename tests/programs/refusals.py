@@ -92,9 +92,9 @@ class ByHand:
         channel.close()
 
 
-def by_hand(*replies, ports=("x",)):
+def by_hand(*replies, ports=("x",), derivatives=0):
     """The start of what has these outputs, with these replies to what follows hello and info."""
-    info = tandem.Info("by hand", [], [tandem.Port(name, "1") for name in ports],
+    info = tandem.Info("by hand", [], [tandem.Port(name, "1", derivatives=derivatives) for name in ports],
                        abilities=tandem.Abilities.SAVES_STATE)
     peer = ByHand((wire.Type.HELLO, wire.put_hello("by hand")), (wire.Type.INFO, wire.put_info(info)), *replies)
     with tandem.Remote(peer.channel) as far:
@@ -108,6 +108,10 @@ def refuses_replies():
     for flag, text in ((2.0, "2"), (-1.0, "-1"), (math.nan, "nan")):
         refused(f"{where}the reply gives {text} as the jump flag of its sample at t = 0 s; allowed is 0 or 1",
                 lambda flag=flag: by_hand((wire.Type.SAMPLES, stands + struct.pack("<3d", 0.0, flag, 5.0))))
+    stands_with_derivative = stands[:-12] + struct.pack("<IQ", 4, 1)
+    refused(where + "the reply gives x (a derivative) not finite at the start",
+            lambda: by_hand((wire.Type.SAMPLES, stands_with_derivative + struct.pack("<4d", 0.0, 0.0, 5.0, math.nan)),
+                            derivatives=1))
     sound = (wire.Type.SAMPLES, stands + struct.pack("<3d", 0.0, 1.0, 5.0))
     error = wire.put_error(tandem.Error("so it is", 4))
     rows = struct.pack("<IQ3d", 3, 1, 0.0, 0.0, 5.0)
@@ -123,6 +127,7 @@ def refuses_replies():
 def refuses_addresses(address):
     refused("no connection to unix:/none", lambda: tandem.connect("unix:/none"))
     refused("is not of the form", lambda: tandem.connect("nonsense"))
+    refused("has the host '*'", lambda: tandem.connect("tcp://*:1"))
     refused("plain text", lambda: tandem.connect("tcp://192.0.2.1:1"))
     refused(address + ", hello: ", lambda: tandem.connect(address + "?colour=blue"))
     for text in ("0", "-1", "soon", "nan", "inf"):

@@ -94,6 +94,7 @@ TEST(Peer, RefusesWhatIsNotRightBeforeItListens) {
   };
   EXPECT_EQ(status({}), 2);
   EXPECT_EQ(status({"--listen", "tcp://0.0.0.0:0"}), 2);
+  EXPECT_EQ(status({"--listen", "tcp://*:0", "--once"}), 2);
   EXPECT_EQ(status({"--listen", "nonsense"}), 2);
   EXPECT_EQ(status({"--listen", "tcp://127.0.0.1:0", "--deadline", "0"}), 2);
   EXPECT_EQ(status({"--listen", "tcp://127.0.0.1:0", "--sessions", "1.5"}), 2);
@@ -107,6 +108,7 @@ auto calling(const std::string& uri) {
 TEST(Peer, AsTheClientItRefusesWhatIsNotRight) {
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'nonsense'", "tcp://HOST:PORT"}, calling("nonsense")));
   EXPECT_TRUE(refuses(ErrorCode::not_supported, {"192.0.2.1", "plain text"}, calling("tcp://192.0.2.1:1")));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'*'", "0.0.0.0"}, calling("tcp://*:1")));
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"deadline"}, calling("tcp://127.0.0.1:1?deadline=soon")));
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"108"}, calling("unix:/" + std::string(107, 'x'))));
   EXPECT_TRUE(refuses(ErrorCode::input_output, {"unix:/none", "No such file"}, calling("unix:/none")));

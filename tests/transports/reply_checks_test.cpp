@@ -196,12 +196,16 @@ TEST_P(ReplyChecks, AClockThatContradictsTheNewestRow) {
 TEST_P(ReplyChecks, AFirstSampleThatIsNotFiniteThoughNoUnknownInputFeedsThrough) {
   EXPECT_EQ(said_of_start({{0.0, not_a_number}}, at_start, not_a_number), "")
       << "x follows u, which is not known";
-  EXPECT_EQ(said_of_start({{0.0, 1, 0, 0, not_a_number, not_a_number}}, at_start), "")
+  EXPECT_EQ(said_of_start({{0.0, 1, 0, 0, not_a_number, not_a_number}}, at_start, not_a_number), "")
       << "derivatives may not be known yet";
   const std::string where = "initialize at t = 0 s: the reply ";
   EXPECT_EQ(said_of_start({{0.0, not_a_number}}, at_start, 0.0), where + "gives x not finite at the start");
   EXPECT_EQ(said_of_start({{0.0, 1.0, 0.0, unbounded}}, at_start, not_a_number),
             where + "gives y[1] not finite at the start");
+  EXPECT_EQ(said_of_start({{0.0, 1, 0, 0, not_a_number}}, at_start),
+            where + "gives x (a derivative) not finite at the start");
+  EXPECT_EQ(said_of_start({{0.0, 1, 0, 0, 0, unbounded}}, at_start),
+            where + "gives y[1] (a derivative) not finite at the start");
   EXPECT_EQ(said_of_start({}, at_start), where + "has no first sample");
   EXPECT_EQ(said_of_start({{0.25, 1.0}}, {0.25, 0.5, Stop::limit}),
             where + "has a sample at t = 0.25 s; allowed is the start, 0 s");

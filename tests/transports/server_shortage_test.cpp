@@ -46,6 +46,18 @@ struct Place {
   std::vector<std::string> options;
 };
 
+/// Its lines go to a program that has ended.
+TEST(ServerLog, ThatNobodyReadsAnyMoreEndsNoSession) {
+  Child server({"bash", "-c", "exec \"$0\" \"$@\" 2> >(true)", TANDEM_COMMAND, "serve", served_model,
+                "--listen", "tcp://127.0.0.1:0"});
+  const std::string uri = server.word_after(" at ");
+  Session first(uri);
+  for (int k = 0; k < 3; ++k) EXPECT_TRUE(Session(uri).goes_on());
+  EXPECT_TRUE(first.goes_on());
+  server.signal(SIGTERM);
+  EXPECT_EQ(server.status(), 0);
+}
+
 class ServerShortage : public testing::TestWithParam<std::string> {
  protected:
   Place place() const {

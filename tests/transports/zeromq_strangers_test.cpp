@@ -184,6 +184,18 @@ TEST(ZeroMqStrangers, AKnockThatIsNoneGetsNoSession) {
   EXPECT_TRUE(knock(*listener, context, {tandem, "x"}).session);
 }
 
+/// There is nobody to be told that the session ends.
+TEST(ZeroMqStrangers, WhoKnockAndStayAwayHoldAPlaceForOneDeadline) {
+  const auto listener = zmq_listen("tcp://127.0.0.1:0", {});
+  zmq::context_t context;
+  const auto [channel, place] = knock(*listener, context, {"TANDEM\r\n", "a token of mine"});
+  ASSERT_TRUE(channel);
+  wire::Session session(*channel, {}, {.deadline = 1.0});
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_THROW(session.serve(), Error);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(1900));
+}
+
 /// Before its peer is in: who comes first is not the peer.
 TEST(ZeroMqStrangers, TakeNoPlaceBeforeThePeerIsThere) {
   const auto listener = zmq_listen("tcp://127.0.0.1:0", {});

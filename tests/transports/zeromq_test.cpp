@@ -81,6 +81,16 @@ TEST(ZeroMq, PlainTextDoesNotGetOutByTheNameOfItsHost) {
                         {"'zmq:" + other + "'", "of the form zmq:tcp://HOST:PORT"}, opening("zmq:" + other)));
 }
 
+/// A name without a file is open to every user, and "*" leaves a folder behind.
+TEST(ZeroMq, AnIpcNameIsAFilesOrRefused) {
+  for (const std::string address : {"ipc://@name", "ipc://*"}) {
+    EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'zmq:" + address + "'", "names no file"},
+                        [&] { zmq_listen(address, {}); }));
+    EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'zmq:" + address + "'", "names no file"},
+                        [&] { zmq_connect(address, {}); }));
+  }
+}
+
 TEST(ZeroMq, ListensAtNamesAndNumbersOfThisMachine) {
   for (const std::string address : {"tcp://localhost:0", "tcp://127.1.2.3:0"}) {
     const Served server(zmq_listen(address, {}), source("builtin:two_mass.slow"));

@@ -155,6 +155,16 @@ TEST(ReplaceText, TakesThePlaceOfNothingThatIsNoRegularFile) {
   EXPECT_TRUE(fs::is_fifo(fifo));
 }
 
+TEST(Json, ANumberThatIsNoneIsToldByTheFile) {
+  try {
+    output::parse_json("{\"secret\": 123456789e999}", "file 'it'");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::input_output);
+    EXPECT_STREQ(error.what(), "file 'it' has a number that is too large; allowed are those of 64 bits");
+  }
+}
+
 TEST(Json, DeepOnesAreRefusedWithoutGoingDown) {
   const auto nested = [](int depth, const std::string& open, const std::string& close) {
     std::string text;

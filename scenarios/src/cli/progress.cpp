@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdio>
+#include "cli/say.hpp"
 
 namespace tandem::cli {
 namespace {
@@ -16,7 +16,7 @@ Progress::Progress(std::string what, std::size_t total, bool shown)
     : what_(std::move(what)), total_(total), shown_(shown), terminal_(isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
-  if (open_line_) static_cast<void>(std::fputc('\n', stderr));
+  if (open_line_) show_progress("\n");
 }
 
 void Progress::update(std::size_t done) {
@@ -43,8 +43,7 @@ void Progress::draw(std::size_t done) {
   const auto filled = static_cast<std::size_t>(30.0 * share);
   const std::string line = fmt::format("{} [{}{}] {}/{}  {}", what_, std::string(filled, '#'),
                                        std::string(30 - filled, '.'), done, total_, left);
-  fmt::print(stderr, "{}{}{}", terminal_ ? "\r" : "", line, terminal_ ? "   " : "\n");
-  static_cast<void>(std::fflush(stderr));
+  show_progress(fmt::format("{}{}{}", terminal_ ? "\r" : "", line, terminal_ ? "   " : "\n"));
   open_line_ = terminal_;
 }
 

@@ -5,7 +5,8 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
+
+#include "cli/say.hpp"
 
 namespace tandem::cli {
 namespace {
@@ -26,7 +27,7 @@ RunProgress::RunProgress(double t_start, double t_stop, bool shown)
       drawn_(began_) {}
 
 RunProgress::~RunProgress() {
-  if (open_line_) static_cast<void>(std::fputc('\n', stderr));
+  if (open_line_) show_progress("\n");
 }
 
 double RunProgress::seconds() const { return seconds_between(began_, Clock::now()); }
@@ -39,17 +40,17 @@ void RunProgress::show(double time) {
   if (!shown_ || seconds_between(drawn_, now) < (terminal_ ? quiet_at_first : 10.0 * quiet_at_first)) return;
   drawn_ = now;
   const double factor = (time - t_start_) / seconds_between(began_, now);
-  fmt::print(stderr, "{}t = {:.6g} of {:.6g} s, {:.3g} x real time{}", terminal_ ? "\r" : "", time, t_stop_,
-             factor, terminal_ ? "   " : "\n");
-  static_cast<void>(std::fflush(stderr));
+  show_progress(fmt::format("{}t = {:.6g} of {:.6g} s, {:.3g} x real time{}", terminal_ ? "\r" : "", time,
+                            t_stop_, factor, terminal_ ? "   " : "\n"));
   open_line_ = terminal_;
 }
 
 void RunProgress::end(double time) {
   if (!shown_) return;
   const double elapsed = seconds(), simulated = time - t_start_;
-  fmt::print(stderr, "{}{:.6g} s simulated in {:.3g} s, {:.3g} x real time{}\n", open_line_ ? "\r" : "",
-             simulated, elapsed, simulated / elapsed, open_line_ ? "          " : "");
+  show_progress(fmt::format("{}{:.6g} s simulated in {:.3g} s, {:.3g} x real time{}\n",
+                            open_line_ ? "\r" : "", simulated, elapsed, simulated / elapsed,
+                            open_line_ ? "          " : ""));
   open_line_ = false;
 }
 

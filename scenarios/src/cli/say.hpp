@@ -2,6 +2,8 @@
 #pragma once
 #include <fmt/format.h>
 
+#include <cstdio>
+#include <string>
 #include <utility>
 
 #include "tandem/printable.hpp"
@@ -13,6 +15,12 @@ namespace tandem::cli {
 template <class... Values>
 void say(fmt::format_string<Values...> form, Values&&... values) {
   fmt::print("{}", printable_lines(fmt::format(form, std::forward<Values>(values)...)));
+}
+
+/// To standard error, at once: how far the work has come. What can't be written there does not end the work.
+inline void show_progress(const std::string& text) {
+  static_cast<void>(std::fputs(text.c_str(), stderr));
+  static_cast<void>(std::fflush(stderr));
 }
 
 }  // namespace tandem::cli

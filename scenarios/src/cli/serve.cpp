@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include <charconv>
+#include <csignal>
 #include <cstdlib>
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -79,6 +80,8 @@ void serve(ServeOptions options, const Context& context) {
                 "--listen is needed: tcp://HOST:PORT (port 0: a free one), tls://HOST:PORT, unix:PATH or "
                 "zmq:ADDRESS");
   const InterruptGuard guard;
+  std::signal(SIGPIPE,
+              [](int) {});  // who reads the log may be gone; programs that are started have it as ever
   try_source(options.source, context);
   auto listener = listener_at(options.address, socket, options.keys);
   options.server.overdue = [&](int sessions) {

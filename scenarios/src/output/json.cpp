@@ -43,6 +43,8 @@ nlohmann::json parse_json(std::string_view text, const std::string& name) {
     const auto line = 1 + std::count(before.begin(), before.end(), '\n');
     refuse_json(name, "is not JSON: line " + std::to_string(line) + ", column " +
                           std::to_string(before.size() - before.rfind('\n')));
+  } catch (const nlohmann::json::out_of_range&) {  // its sentence quotes the number, and names no file
+    refuse_json(name, "has a number that is too large; allowed are those of 64 bits");
   }
 }
 

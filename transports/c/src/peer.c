@@ -537,6 +537,11 @@ static tandem_status resolve(const char* address, int allow_plaintext, struct ad
   length = (size_t)(colon - address) - 6;
   memcpy(host, address + 6, length);
   host[length] = 0;
+  if (strcmp(host, "*") == 0)
+    return refuse(f, TANDEM_INVALID_ARGUMENT,
+                  "address '%s' has the host '*'; allowed is a name or a number, which is 0.0.0.0 or [::] to "
+                  "listen at every interface",
+                  address);
   if (host[0] == '[' && host[length - 1] == ']') memmove(host, host + 1, length), host[length - 2] = 0;
   memset(&hints, 0, sizeof hints);
   hints.ai_socktype = SOCK_STREAM;
@@ -1949,10 +1954,18 @@ static void check_jump(reader* in, const double* row) {
   refuse_reply(in, "gives %s as the jump flag of its sample at t = %s s; allowed is 0 or 1", flag, time);
 }
 
-/* Samples of the start, the newest finite but for outputs that nobody can know yet. */
+/* Finite, but for what may follow inputs that are not known: outputs by feedthrough, derivatives by any. */
+static void check_newest(const remote* r, reader* in, const double* row, const double* u0) {
+  const int64_t outputs = output_size(&r->info), inputs = input_size(&r->info);
+  int64_t k, known = 0;
+  while (known < inputs && !isnan(u0[known])) ++known;
+  for (k = 0; !in->bad && k < tandem_row_size(&r->info) - 2; ++k)
+    if (known == inputs || (k < outputs && knows(r, u0, k))) check_value(r, in, row, k, "the start");
+}
+
+/* Samples of the start. */
 static void check_first(const remote* r, reader* in, const double* u0, const tandem_samples* y,
                         int64_t first) {
-  const int64_t outputs = output_size(&r->info);
   char found[32], start[32];
   int64_t k;
   if (y->size == first) refuse_reply(in, "has no first sample");
@@ -1964,8 +1977,7 @@ static void check_first(const remote* r, reader* in, const double* u0, const tan
     }
     check_jump(in, y->rows + k * y->stride);
   }
-  for (k = 0; !in->bad && k < outputs; ++k)
-    if (knows(r, u0, k)) check_value(r, in, y->rows + (y->size - 1) * y->stride, k, "the start");
+  if (!in->bad) check_newest(r, in, y->rows + (y->size - 1) * y->stride, u0);
 }
 
 static int is_sound(const double* row, int64_t stride, double before, double limit) {

@@ -65,6 +65,9 @@ def split_address(address: str) -> Tuple[str, int]:
     host, colon, port = address[6:].rpartition(":")
     if not address.startswith("tcp://") or not colon or not port.isdigit():
         raise Error(f"address '{address}' is not of the form tcp://HOST:PORT or unix:PATH")
+    if host == "*":
+        raise Error(f"address '{address}' has the host '*'; allowed is a name or a number, which is 0.0.0.0 or [::] to "
+                    "listen at every interface")
     return host.strip("[]"), int(port)
 
 

@@ -45,7 +45,7 @@ def _is_sound(port: Port) -> bool:
 
 def check_first(info: Info, t_start: float, u0: Sequence[float], reply: Tuple[Clock, List[Row]]) -> None:
     """Of initialize: samples of t_start, of which the newest is finite but for outputs with feedthrough of an input that
-    is NaN in u0; the clock stands there."""
+    is NaN in u0, and for derivatives where any is; the clock stands there."""
     clock, rows = reply
     if not rows:
         _refuse("has no first sample")
@@ -53,9 +53,10 @@ def check_first(info: Info, t_start: float, u0: Sequence[float], reply: Tuple[Cl
         if row.time != t_start:
             _refuse(f"has a sample at t = {seconds(row.time)}; allowed is the start, {seconds(t_start)}")
     unknown = {output for output, input_ in info.feedthrough if math.isnan(u0[input_])}
-    for k in range(info.output_size()):
-        if k not in unknown and not math.isfinite(rows[-1].values[k]):
-            _refuse(f"gives {scalar_name(info.outputs, k)} not finite at the start")
+    all_known = not any(map(math.isnan, u0))
+    for k, value in enumerate(rows[-1].values):
+        if not math.isfinite(value) and (all_known or k < info.output_size() and k not in unknown):
+            _refuse_value(info, k, "the start")
     check_clock(info, clock, t_start)
 
 
@@ -118,9 +119,12 @@ def _check_finite(info: Info, row: Row) -> None:
         _refuse("has a sample whose time is not finite")
     for k, value in enumerate(row.values):
         if not math.isfinite(value):
-            block, output = divmod(k, info.output_size())
-            _refuse(f"gives {scalar_name(info.outputs, output)}{' (a derivative)' if block else ''} not finite at "
-                    f"t = {seconds(row.time)}")
+            _refuse_value(info, k, f"t = {seconds(row.time)}")
+
+
+def _refuse_value(info: Info, k: int, when: str) -> NoReturn:
+    block, output = divmod(k, info.output_size())
+    _refuse(f"gives {scalar_name(info.outputs, output)}{' (a derivative)' if block else ''} not finite at {when}")
 
 
 def scalar_name(ports: Sequence[Port], k: int) -> str:

@@ -20,13 +20,15 @@ std::string seconds(double value) { return text_of(value) + " s"; }
   throw Error(ErrorCode::numerical, "the reply " + what);
 }
 
-[[noreturn]] void refuse_value(const SubsystemInfo& info, const Samples& y, std::int64_t row) {
+[[noreturn]] void refuse_value(const SubsystemInfo& info, int column, const std::string& when) {
+  refuse_reply("gives " + scalar_at(info.outputs, column % info.output_size()).name() +
+               (column >= info.output_size() ? " (a derivative)" : "") + " not finite at " + when);
+}
+
+[[noreturn]] void refuse_row(const SubsystemInfo& info, const Samples& y, std::int64_t row) {
   const auto values = y.values(row);
   const auto bad = std::find_if(values.begin(), values.end(), [](double v) { return !std::isfinite(v); });
-  const auto column = static_cast<int>(bad - values.begin());
-  refuse_reply("gives " + scalar_at(info.outputs, column % info.output_size()).name() +
-               (column >= info.output_size() ? " (a derivative)" : "") +
-               " not finite at t = " + seconds(y.time(row)));
+  refuse_value(info, static_cast<int>(bad - values.begin()), "t = " + seconds(y.time(row)));
 }
 
 /// A row's second number.
@@ -46,7 +48,7 @@ void check_row(const SubsystemInfo& info, const Samples& y, std::int64_t row) {
   bool finite = true;
   for (const double v : y.values(row)) finite &= std::isfinite(v);
   if (!std::isfinite(y.time(row))) refuse_reply("has a sample whose time is not finite");
-  if (!finite) refuse_value(info, y, row);
+  if (!finite) refuse_row(info, y, row);
   if (const double flag = flag_of(y, row); !is_flag(flag)) refuse_jump(flag, y.time(row));
 }
 
@@ -60,6 +62,15 @@ bool knows(const SubsystemInfo& info, std::span<const double> u0, int output) {
   return std::none_of(info.feedthrough.begin(), info.feedthrough.end(), [&](const Feedthrough& f) {
     return f.output == output && std::isnan(u0[static_cast<std::size_t>(f.input)]);
   });
+}
+
+/// Finite, but for what may follow inputs that are not known: outputs by feedthrough, derivatives by any.
+void check_newest(const SubsystemInfo& info, std::span<const double> row, std::span<const double> u0) {
+  const bool all_known = std::none_of(u0.begin(), u0.end(), [](double u) { return std::isnan(u); });
+  for (int column = 0; column < static_cast<int>(row.size()); ++column)
+    if (!std::isfinite(row[static_cast<std::size_t>(column)]) &&
+        (all_known || (column < info.output_size() && knows(info, u0, column))))
+      refuse_value(info, column, "the start");
 }
 
 void check_stands(const SubsystemInfo& info, const Clock& clock, double stands) {
@@ -80,9 +91,7 @@ void check_first(const GivenRows& given, double t_start, std::span<const double>
                    seconds(t_start));
     if (const double flag = flag_of(y, row); !is_flag(flag)) refuse_jump(flag, t_start);
   }
-  for (int k = 0; k < info.output_size(); ++k)
-    if (knows(info, u0, k) && !std::isfinite(y.values(y.size() - 1)[static_cast<std::size_t>(k)]))
-      refuse_reply("gives " + scalar_at(info.outputs, k).name() + " not finite at the start");
+  check_newest(info, y.values(y.size() - 1), u0);
   check_stands(info, clock, t_start);
 }
 

@@ -15,8 +15,8 @@ struct GivenRows {
   Clock clock;
 };
 
-/// Of initialize: samples of t_start, of which the newest has finite outputs but for those with feedthrough
-/// of an input that is NaN in u0; the clock stands there.
+/// Of initialize: samples of t_start, of which the newest is finite but for outputs with feedthrough of an
+/// input that is NaN in u0, and for derivatives where any is; the clock stands there.
 void check_first(const GivenRows& given, double t_start, std::span<const double> u0);
 
 /// Where an advance began, and up to where it was asked for [s].

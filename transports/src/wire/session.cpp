@@ -28,6 +28,9 @@ auto asked(const Call& call) {
 
 /// Memory that a request or a reply has left is given back if it is more.
 constexpr std::size_t usual_memory = 1 << 22;  // bytes
+/// For the last word to a peer that has said no whole hello. Nothing was sent before it that would be in its
+/// way, and over ZeroMQ there may be nobody to take it.
+constexpr double farewell = 0.1;  // s
 
 template <class T>
 void release_large(std::vector<T>& memory) {
@@ -273,7 +276,7 @@ void Session::reply(Type type) { begin(frame_, type, number_); }
 
 void Session::send() {
   finish(frame_);
-  channel_.send(frame_.bytes(), in_seconds(settings_.deadline));
+  channel_.send(frame_.bytes(), in_seconds(greeted_ ? settings_.deadline : farewell));
   frame_.release_beyond(usual_memory);
 }
 

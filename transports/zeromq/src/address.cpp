@@ -45,6 +45,14 @@ std::string number_of(const addrinfo& entry) {
                   "--key and --client-key, or say --allow-plaintext");
 }
 
+/// Names that ZeroMQ reads otherwise: "@NAME" has no file, so that every user may connect; "*" is a file in a
+/// new folder, which is left.
+void refuse_without_file(const std::string& address) {
+  if (address.starts_with("ipc://@") || address == "ipc://*")
+    throw Error(ErrorCode::invalid_argument,
+                "address 'zmq:" + address + "' names no file; allowed is a path, as ./@name is");
+}
+
 /// The first number of a host of which all are this machine's, one of IPv4 if there is any.
 std::string loopback_number(const std::string& address, const std::string& host) {
   const bool brackets = host.starts_with('[') && host.ends_with(']');
@@ -73,6 +81,7 @@ std::string to_open(const std::string& address, const ZmqSettings& settings) {
                 "address 'zmq:" + address +
                     "' has the host '*'; allowed is a name or a number, which is "
                     "0.0.0.0 or [::] to listen at every interface");
+  refuse_without_file(address);
   if (!is_tcp(address) || settings.allow_plaintext || !settings.keys.secret_key.empty()) return address;
   return "tcp://" + loopback_number(address, address.substr(name, colon - name)) + address.substr(colon);
 }

@@ -14,11 +14,9 @@ namespace {
 
 constexpr int backlog = 100;  // as ZeroMQ has it
 
-/// Of "ipc://PATH"; "" of other addresses, "ipc://@NAME" among them, which has no file, and "ipc://*", for
-/// which ZeroMQ finds a name that nobody else has.
+/// Of "ipc://PATH"; "" of other addresses.
 std::string path_of(const std::string& address) {
-  const bool is_path = address.starts_with("ipc://") && !address.starts_with("ipc://@");
-  return is_path && address != "ipc://*" ? address.substr(6) : "";
+  return address.starts_with("ipc://") ? address.substr(6) : "";
 }
 
 /// False: the path is too long.

@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// What can't be written to a standard stream.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "command.hpp"
+
+namespace tandem::test {
+namespace {
+
+/// By the shell, with the standard streams as `streams` has them.
+int status_of(const std::string& arguments, const std::string& streams) {
+  const int status = std::system((shell_quoted(TANDEM_COMMAND) + " " + arguments + streams).c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST(StandardStreams, AnErrorOneThatIsFullLosesNoResults) {
+  const Scratch folder;
+  const std::string run = "run " + shell_quoted(two_mass_file("two_mass.toml")) +
+                          " --no-reference --output " + shell_quoted(folder.path().string());
+  EXPECT_EQ(status_of(run, " 2>/dev/full"), 0);
+  EXPECT_EQ(nlohmann::json::parse(read_text(folder.path() / "results.json"))["status"], "ok");
+}
+
+TEST(StandardStreams, AnOutputOneThatIsFullIsToldWithStatusOne) {
+  const Scratch folder;
+  const std::string err = (folder.path() / "err.txt").string();
+  EXPECT_EQ(status_of("list", " >/dev/full 2>" + shell_quoted(err)), 1);
+  EXPECT_EQ(read_text(err), "tandem: standard output can't be written, so not all was told\n");
+}
+
+}  // namespace
+}  // namespace tandem::test
