@@ -133,6 +133,7 @@ class FilesOfAClient : public testing::Test {
       scratch_.write(file, part);
     fs::create_symlink("../beyond/secret.csv", scratch_.path() / "served/link.csv");
     fs::create_directory_symlink("../beyond", scratch_.path() / "served/folder");
+    fs::create_symlink("circle", scratch_.path() / "beyond/circle");
   }
   std::string told(const std::string& pairs) const {
     return refusal("diagram:" + (scratch_.path() / "served/d.toml").string(), pairs);
@@ -152,9 +153,9 @@ TEST_F(FilesOfAClient, NoneBeyondIt) {
   for (const std::string& pairs : std::vector<std::string>{
            std::string("data=../beyond/secret.csv"), "data=" + secret, std::string("data=link.csv"),
            std::string("data=folder/secret.csv"), std::string("data=/etc/shadow"),
-           std::string("data=/nowhere"), std::string("part=../beyond/part.toml"),
-           std::string("part=folder/part.toml"), std::string("part_data=../beyond/secret.csv"),
-           std::string("part_data=link.csv")})
+           std::string("data=/nowhere"), std::string("data=../beyond/circle"),
+           std::string("part=../beyond/part.toml"), std::string("part=folder/part.toml"),
+           std::string("part_data=../beyond/secret.csv"), std::string("part_data=link.csv")})
     EXPECT_TRUE(contains(told(pairs), "allowed from a client")) << pairs << ": " << told(pairs);
   EXPECT_TRUE(contains(told("pick=../beyond/secret.csv"), "allowed is ../beyond/one.csv"));
 }

@@ -23,8 +23,10 @@ const text::Document& DiagramFiles::document(const fs::path& file) {
 }
 
 bool DiagramFiles::in_bounds(const fs::path& file) const {
-  const fs::path path = fs::weakly_canonical(file);
-  return std::mismatch(bound_.begin(), bound_.end(), path.begin(), path.end()).first == bound_.end();
+  std::error_code unknown;  // a folder that may not be searched, a circle of links: it is not told which
+  const fs::path path = fs::weakly_canonical(fs::absolute(file), unknown);
+  return !unknown &&
+         std::mismatch(bound_.begin(), bound_.end(), path.begin(), path.end()).first == bound_.end();
 }
 
 void DiagramFiles::count_block(const text::Place& place) {

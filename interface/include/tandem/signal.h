@@ -3,7 +3,7 @@
 #ifndef TANDEM_SIGNAL_H
 #define TANDEM_SIGNAL_H
 #include <stdint.h>
-#include <string.h>
+#include <math.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -24,8 +24,8 @@ typedef struct tandem_segment {
  * only carries the mark ends where the one before it does. Where a call begins with a marked piece whose
  * origin is the time of the call, the input has jumped there since the call before. */
 static inline int tandem_segment_jumps(const tandem_segment* s) {
-  const double minus_zero = -0.0;
-  return memcmp(&s->c[TANDEM_MAX_COEFFICIENTS - 1], &minus_zero, sizeof minus_zero) == 0;
+  const double last = s->c[TANDEM_MAX_COEFFICIENTS - 1];
+  return last == 0.0 && signbit(last);
 }
 
 /* One input over the span of one `advance`: `count` >= 1 segments, ends ascending. The last one goes on
