@@ -107,7 +107,17 @@ inline void Coordinator::commit(int who, double limit) {
   if (has_events_ && schedule_->member(who).events) hear_of_event(who);
 }
 
+/// A call that ends where it begins.
+void Coordinator::tell_jump(int who) {
+  const Turn turn{who, time(who), false};
+  take(turn, *exchange_);
+  commit(who, turn.limit);
+  if (frozen_) exchange_->publish(who);
+}
+
 void Coordinator::make(std::span<const Turn> turns) {
+  if (!through_.empty())
+    for (const Turn& turn : turns) await_jumps(turn.who, false);
   if (turns.size() > 1 || schedule_->kind() == Schedule::Kind::parallel) return make_together(turns);
   take(turns[0], *exchange_);
   commit(turns[0].who, turns[0].limit);

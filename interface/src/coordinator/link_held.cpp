@@ -40,6 +40,16 @@ double Link::next_break(double time) const {
   return Member::never;
 }
 
+bool Link::jumps_at(double time) const {
+  for (std::int32_t k = 1; k < count_; ++k) {
+    const double at = first_[k].origin;
+    if (tolerance_.before(at, time) || tolerance_.before(time, at)) continue;
+    for (std::size_t l = 0; l < lanes_.size(); ++l)
+      if (tandem_segment_jumps(first_ + static_cast<std::int64_t>(l) * capacity_ + k)) return true;
+  }
+  return false;
+}
+
 void Link::remake(const double* row) {
   if (!follows_) return;
   Segment* s = first_ + (count_ - 1);

@@ -24,6 +24,7 @@ void RunStart::make() {
   const auto all = reads();
   note_samples(all);
   note_events(order);
+  note_through();
   run_.schedule_.emplace(Schedule::Plan{run_.coordination_.schedule,
                                         std::move(order),
                                         {run_.t_start_, run_.t_stop_},

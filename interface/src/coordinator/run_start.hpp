@@ -39,6 +39,8 @@ class RunStart {
   void note_events(const std::vector<int>& order);
   void note_follower(int who, int leader, bool goes_back) const;
   void order_outputs();
+  std::vector<char> jump_with_inputs() const;
+  void note_through();
   void stand_all();
   /// The place of one among equal own steps.
   enum class Tie { jumps, plain, feeds_through };

@@ -22,7 +22,10 @@ Multibody::Machine::Machine(Description description, const SubsystemSettings& se
       inputs(mechanism.description()),
       dump(settings.dump),
       limits(mechanism, settings.tell) {
-  for (int k = 0; k < outputs.size(); ++k) derivatives = std::max(derivatives, outputs.derivatives(k));
+  for (int k = 0; k < outputs.size(); ++k) {
+    derivatives = std::max(derivatives, outputs.derivatives(k));
+    for (const int input : inputs.ports()) feeds_through = feeds_through || outputs.depends(k, input);
+  }
   mechanism.set_inputs(&inputs);
 }
 
@@ -72,13 +75,22 @@ void Multibody::start(double t, std::span<const double> u0) {
   dump_matrices();
 }
 
-void Multibody::step(const OwnStep& s, std::span<const Signal> u) {
+/// Where they are other than at the end of the step before, accelerations and multipliers follow.
+bool Multibody::take_inputs(double t, std::span<const Signal> u) {
   unknown_.clear();
   machine_->inputs.set(u);
-  if (machine_->inputs.read(s.begin, inputs_)) {
-    machine_->mechanism.at_time(s.begin);
-    moving_.refresh();
-  }
+  if (!machine_->inputs.read(t, inputs_)) return false;
+  machine_->mechanism.at_time(t);
+  moving_.refresh();
+  return true;
+}
+
+bool Multibody::jump(double t, std::span<const Signal> u) {
+  return machine_->feeds_through && take_inputs(t, u);
+}
+
+void Multibody::step(const OwnStep& s, std::span<const Signal> u) {
+  take_inputs(s.begin, u);
   if (!std::exchange(machine_->begun, true)) machine_->limits.look(moving_.state());
   moving_.step(s.length, s.end);
   machine_->inputs.read(s.end, inputs_);

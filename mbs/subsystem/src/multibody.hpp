@@ -22,6 +22,7 @@ class Multibody {
   double own_step() const { return step_; }
   void start(double t, std::span<const double> u0);
   void step(const OwnStep& s, std::span<const Signal> u);
+  bool jump(double t, std::span<const Signal> u);
   void outputs(double* y) const;
   std::vector<std::string> redundant_equations() const;
   const Description& description() const { return machine_->mechanism.description(); }
@@ -34,7 +35,8 @@ class Multibody {
     Mechanism mechanism;
     std::shared_ptr<Stepper> stepper;
     Outputs outputs;
-    int derivatives = 0;  ///< of the output that has most
+    int derivatives = 0;         ///< of the output that has most
+    bool feeds_through = false;  ///< an input to an output
     SignalInputs inputs;
     MatrixDump dump;
     std::size_t dumped = 0;  ///< of its times
@@ -42,6 +44,7 @@ class Multibody {
     bool begun = false;  ///< a step has been taken since the start
   };
 
+  bool take_inputs(double t, std::span<const Signal> u);
   void hide_unknown(double* y) const;
   void dump_matrices() const;
 

@@ -101,6 +101,8 @@ class Coordinator {
   std::int64_t last_final(int who) const;
   void keep_rest();
   void note_events();
+  void await_jumps(int reader, bool at_once);
+  void tell_jump(int who);
   void act();
   Clock sample(int who, SamplePart part);
   void give(int who);
@@ -153,7 +155,8 @@ class Coordinator {
   bool lands_elsewhere_ = false;  ///< there are sampled ones or events: steps end elsewhere than at own nodes
   bool frozen_ = false;           ///< then in parallel: what others read is as it was at the begin of a round
   bool ended_ = false;            ///< nobody goes back any more
-  std::vector<double> own_next_;  ///< by subsystem, if there are: see own_next()
+  std::vector<std::vector<Through>> through_;  ///< by subsystem; empty if there is none
+  std::vector<double> own_next_;               ///< by subsystem, if there are: see own_next()
   std::vector<int> output_calls_;  ///< of sampled ones that read each other: who gives outputs, in this order
   std::vector<char> together_;     ///< by subsystem: is one of these
   std::vector<double> outputs_;    ///< of one that acts

@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <algorithm>
 #include <span>
 #include <utility>
 #include <vector>
@@ -79,6 +80,11 @@ class Exchange {
   /// When a held input of `reader`, which stands at `time`, and ends a step there, is known to change next;
   /// `never` if that is not known.
   double next_break(int reader, double time) const;
+  /// Whether an input of one that stands at `time` jumps there, which it has not read yet.
+  bool jumps_at(int reader, double time) const {
+    const auto& in = ends_[static_cast<std::size_t>(reader)].in;
+    return std::any_of(in.begin(), in.end(), [time](const Link* link) { return link->jumps_at(time); });
+  }
 
   /// Makes room for `wanted` rows of `source`: drops what no reader, standing at its newest sample, needs any
   /// more.

@@ -80,6 +80,8 @@ class Link {
   /// When it is known to jump next after `time`: of a sampled source its next sample, of one with events its
   /// last jump; `never` if that is not known.
   double next_break(double time) const;
+  /// Whether it jumps at `time`, which its reader has not read yet.
+  bool jumps_at(double time) const;
   /// The newest row has other values now than when its segments were made.
   void remake(const double* row);
 

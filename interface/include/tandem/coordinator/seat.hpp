@@ -41,6 +41,12 @@ struct OfferedCall {
   std::exception_ptr error = {};
 };
 
+/// One that a subsystem reads, whose outputs jump with its inputs.
+struct Through {
+  int source;
+  bool at_once;  ///< outputs of the subsystem follow what it reads of it
+};
+
 /// What a coordinator knows of the events of one subsystem, and of those that it reads.
 struct EventSeat {
   /// A state that one may go back to, at the newest row of then.

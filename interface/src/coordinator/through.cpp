@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// Inputs that jump, and outputs that jump with them at once. Who stands at such a jump tells the outputs
+// after it at the begin of its next call. Whoever stands there too and reads one of them waits for that row,
+// also if it leads; else it would go on with what was before, and err to first order.
+#include <algorithm>
+
+#include "run_start.hpp"
+
+namespace tandem {
+namespace {
+
+bool feeds(const SubsystemInfo& info, int input) {
+  return std::any_of(info.feedthrough.begin(), info.feedthrough.end(),
+                     [input](const Feedthrough& f) { return f.input == input; });
+}
+
+bool follows(const SubsystemInfo& info, int output) {
+  return std::any_of(info.feedthrough.begin(), info.feedthrough.end(),
+                     [output](const Feedthrough& f) { return f.output == output; });
+}
+
+}  // namespace
+
+/// By subsystem whether inputs that feed through may jump.
+std::vector<char> RunStart::jump_with_inputs() const {
+  std::vector<char> all(clocks_.size());
+  for (bool more = true; more;) {
+    more = false;
+    for (const Line& line : topology_.lines()) {
+      char& reader = all[static_cast<std::size_t>(line.reader)];
+      const bool may = line.how.kind == Reconstruction::Kind::held ||
+                       topology_.info(line.source).abilities.events ||
+                       all[static_cast<std::size_t>(line.source)] != 0;
+      if (reader != 0 || sampled(line.reader) || !may || !feeds(topology_.info(line.reader), line.input))
+        continue;
+      reader = 1, more = true;
+    }
+  }
+  return all;
+}
+
+void RunStart::note_through() {
+  const std::vector<char> jump = jump_with_inputs();
+  if (std::find(jump.begin(), jump.end(), 1) == jump.end()) return;
+  run_.through_.resize(clocks_.size());
+  for (const Line& line : topology_.lines()) {
+    const auto by_name = [&](const Through& t) { return t.source == line.source; };
+    if (jump[static_cast<std::size_t>(line.source)] == 0 || sampled(line.reader) ||
+        line.source == line.reader || !follows(topology_.info(line.source), line.output))
+      continue;
+    auto& sources = run_.through_[static_cast<std::size_t>(line.reader)];
+    auto it = std::find_if(sources.begin(), sources.end(), by_name);
+    if (it == sources.end()) it = sources.insert(it, {line.source, false});
+    it->at_once = it->at_once || (topology_.at_once(line) && feeds(topology_.info(line.reader), line.input));
+  }
+}
+
+/// Of those that it reads and that stand where it stands; before, of those that these read at once. (There
+/// are no circles of these.)
+void Coordinator::await_jumps(int reader, bool at_once) {
+  for (const Through& through : through_[static_cast<std::size_t>(reader)]) {
+    const double t = time(through.source);
+    if (at_once > through.at_once || tolerance_.before(t, time(reader)) || tolerance_.before(time(reader), t))
+      continue;
+    await_jumps(through.source, true);
+    if (exchange_->jumps_at(through.source, t)) tell_jump(through.source);
+  }
+}
+
+}  // namespace tandem
