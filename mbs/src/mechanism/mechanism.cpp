@@ -37,9 +37,9 @@ void Mechanism::reset_inputs() {
   for (std::size_t i = 0; i < inputs_.size(); ++i) {
     const auto follows = [i](const Drive& d) { return d.input == static_cast<int>(i); };
     if (std::any_of(description_.drives.begin(), description_.drives.end(), follows)) continue;
-    const auto& [name, unit, value, function, smooth] = description_.inputs[i];
-    if (unit == "m" || unit == "rad") continue;
-    inputs_[i] = {std::isnan(value) ? 0.0 : value};
+    const Input& input = description_.inputs[i];
+    if (input.unit == "m" || input.unit == "rad") continue;
+    inputs_[i] = {std::isnan(input.value) ? 0.0 : input.value};
   }
 }
 

@@ -39,8 +39,10 @@ class MovingState {
     stepper_->start(state_);
     kept_ = false;
   }
-  void refresh() {
+  /// At t, which is the state's time but for rounding.
+  void refresh(double t) {
     recall();
+    state_.time = t;
     stepper_->refresh(state_);
   }
   void step(double length, double end) {

@@ -27,6 +27,18 @@ Multibody::Machine::Machine(Description description, const SubsystemSettings& se
     for (const int input : inputs.ports()) feeds_through = feeds_through || outputs.depends(k, input);
   }
   mechanism.set_inputs(&inputs);
+  note_jumps();
+}
+
+void Multibody::Machine::note_jumps() {
+  const auto& all = mechanism.description().inputs;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    jumps.insert(jumps.end(), all[i].jumps.begin(), all[i].jumps.end());
+    for (int k = 0; k < outputs.size(); ++k)
+      outputs_jump = outputs_jump || (!all[i].jumps.empty() && outputs.depends(k, static_cast<int>(i)));
+  }
+  std::sort(jumps.begin(), jumps.end());
+  before.resize(static_cast<std::size_t>(outputs.size()) * static_cast<std::size_t>(1 + derivatives));
 }
 
 Multibody::Multibody(Description description, const SubsystemSettings& settings)
@@ -43,6 +55,7 @@ SubsystemInfo Multibody::info() const {
   SubsystemInfo info;
   info.name = m.description().name;
   info.abilities.serializes_state = true;
+  info.abilities.events = machine_->outputs_jump;
   for (const int input : machine_->inputs.ports()) {
     const Input& i = m.description().inputs[static_cast<std::size_t>(input)];
     info.inputs.push_back({i.name, i.unit, 1, 0, i.value});
@@ -80,8 +93,7 @@ bool Multibody::take_inputs(double t, std::span<const Signal> u) {
   unknown_.clear();
   machine_->inputs.set(u);
   if (!machine_->inputs.read(t, inputs_)) return false;
-  machine_->mechanism.at_time(t);
-  moving_.refresh();
+  moving_.refresh(t);
   return true;
 }
 
@@ -89,13 +101,40 @@ bool Multibody::jump(double t, std::span<const Signal> u) {
   return machine_->feeds_through && take_inputs(t, u);
 }
 
-void Multibody::step(const OwnStep& s, std::span<const Signal> u) {
+/// Just before a jump a part of the step ends, and accelerations follow the jump.
+void Multibody::pass_jump(double t, const OwnStep& part) {
+  moving_.step(part.length, std::nextafter(t, -std::numeric_limits<double>::infinity()));
+  if (machine_->outputs_jump) outputs(machine_->before.data());
+  moving_.refresh(t);
+}
+
+/// In parts, where inputs jump that are functions of time. True: outputs have with them, at s.end.
+bool Multibody::move(OwnStep& s) {
+  const TimeTolerance tolerance;
+  const auto& jumps = machine_->jumps;
+  const auto is_passed = [&](double t) { return !tolerance.before(s.begin, t); };
+  auto at = std::find_if_not(std::lower_bound(jumps.begin(), jumps.end(), s.begin), jumps.end(), is_passed);
+  for (; at != jumps.end() && !tolerance.before(s.end, *at); ++at) {
+    pass_jump(*at, {s.begin, *at, *at - s.begin});
+    if (machine_->outputs_jump) return s.end = *at, true;
+    s = {*at, s.end, s.end - *at};
+  }
+  if (tolerance.before(s.begin, s.end)) moving_.step(s.length, s.end);
+  return false;
+}
+
+void Multibody::outputs_before(double* y) const {
+  std::copy(machine_->before.begin(), machine_->before.end(), y);
+}
+
+bool Multibody::step_to_event(OwnStep& s, std::span<const Signal> u) {
   take_inputs(s.begin, u);
   if (!std::exchange(machine_->begun, true)) machine_->limits.look(moving_.state());
-  moving_.step(s.length, s.end);
+  const bool jumps = move(s);
   machine_->inputs.read(s.end, inputs_);
   machine_->limits.look(moving_.state());
   dump_matrices();
+  return jumps;
 }
 
 /// Where the state has got to the next of the times.

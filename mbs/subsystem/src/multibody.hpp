@@ -21,7 +21,8 @@ class Multibody {
   SubsystemInfo info() const;
   double own_step() const { return step_; }
   void start(double t, std::span<const double> u0);
-  void step(const OwnStep& s, std::span<const Signal> u);
+  bool step_to_event(OwnStep& s, std::span<const Signal> u);
+  void outputs_before(double* y) const;
   bool jump(double t, std::span<const Signal> u);
   void outputs(double* y) const;
   std::vector<std::string> redundant_equations() const;
@@ -32,11 +33,15 @@ class Multibody {
  private:
   struct Machine {
     Machine(Description description, const SubsystemSettings& settings);
+    void note_jumps();
     Mechanism mechanism;
     std::shared_ptr<Stepper> stepper;
     Outputs outputs;
     int derivatives = 0;         ///< of the output that has most
     bool feeds_through = false;  ///< an input to an output
+    std::vector<double> jumps;   ///< of inputs that are functions of time, ascending [s]
+    bool outputs_jump = false;   ///< with them
+    std::vector<double> before;  ///< a row, of before the last of them
     SignalInputs inputs;
     MatrixDump dump;
     std::size_t dumped = 0;  ///< of its times
@@ -45,6 +50,8 @@ class Multibody {
   };
 
   bool take_inputs(double t, std::span<const Signal> u);
+  bool move(OwnStep& s);
+  void pass_jump(double t, const OwnStep& part);
   void hide_unknown(double* y) const;
   void dump_matrices() const;
 

@@ -74,6 +74,8 @@ void Reader::read_data(Section& section, const std::string& file, Input& input) 
                  fmt::format("{}:{}: the time {} s is there twice, which is a jump; allowed for a spline "
                              "are times that rise",
                              table.file.string(), twice - table.times.begin() + 3, *twice));
+  for (auto t = twice; t != table.times.end(); t = std::adjacent_find(t + 1, table.times.end()))
+    input.jumps.push_back(*t);
   input.function = text::located(place, [&] {
     return interpolated(table.times, values, input.smooth ? Interpolation::spline : Interpolation::linear,
                         "column '" + column + "' of " + table.file.string());

@@ -28,7 +28,8 @@ struct Input {
   std::string name, unit;
   double value = std::numeric_limits<double>::quiet_NaN();  ///< until something else is given
   std::function<InputValue(double)> function = {};          ///< of time [s]; empty: given from outside
-  bool smooth = true;  ///< its value, rate and acceleration are continuous, as a drive needs them
+  bool smooth = true;              ///< its value, rate and acceleration are continuous, as a drive needs them
+  std::vector<double> jumps = {};  ///< of the function, ascending [s]: just before it has another value
 };
 
 /// A coordinate follows an input: prescribed motion.
