@@ -16,8 +16,10 @@ Description DiagramReader::read() {
   to_.name = root_.text("name").value_or(document().file());
   to_.folder = fs::path(document().file()).parent_path();
   root_.text("description");
-  each("parameters", [this](auto& name, Section& s) { read_parameter(name, s); });
-  refuse_unknown_parameters();
+  for (const text::FileParameter& p : text::read_parameters(root_, given_.values, values_)) {
+    if (p.allowed_word) given_.bounded.erase(p.name);
+    to_.parameters.push_back({p.name, p.unit, p.value});
+  }
   each("inputs", [this](auto& name, Section& s) {
     to_.inputs.push_back({name, s.required_text("unit", "its unit, \"N\""), s.place().text()});
   });
@@ -34,7 +36,7 @@ Description DiagramReader::read() {
 void DiagramReader::read_loops() {
   const toml::table* table = root_.table("loops");
   if (!table) return;
-  Section section(document(), *table, root_.name("loops"));
+  Section section(document(), *table, root_.name("loops"), &values_);
   LoopSettings& loops = to_.loops;
   loops.where = section.place().text();
   loops.solve = section.flag("solve").value_or(loops.solve);
@@ -44,7 +46,7 @@ void DiagramReader::read_loops() {
   loops.most_iterations = static_cast<int>(most);
   if (const toml::table* guesses = section.table("guess"))
     for (const auto& [signal, node] : text::in_file_order(*guesses))
-      loops.guess[signal] = text::number_of(document(), *node, section.name("guess." + signal));
+      loops.guess[signal] = values_.number(document(), *node, section.name("guess." + signal));
   section.refuse_unknown();
 }
 
@@ -57,66 +59,19 @@ void DiagramReader::each(const std::string& key, const Read& read) {
     const std::string path = root_.name(key) + "." + name;
     if (!node->is_table())
       text::refuse(document().place(*node), path + " is " + text::described(*node) + "; allowed is a table");
-    Section section(document(), *node->as_table(), path);
+    Section section(document(), *node->as_table(), path, &values_);
     read(name, section);
     section.refuse_unknown();
   }
 }
 
-void DiagramReader::read_parameter(const std::string& name, Section& section) {
-  const toml::node* value = section.node("value");
-  if (!value) section.missing("value", "a number or a text");
-  std::string unit;
-  if (value->is_string()) {
-    parameters_[name] = given_or(name, *section.text("value"), section);
-    const auto words = section.texts("allowed");
-    const auto& word = std::get<std::string>(parameters_[name]);
-    const bool listed_there = std::find(words.begin(), words.end(), word) != words.end();
-    if (!words.empty() && !listed_there)
-      text::refuse(section.place(),
-                   fmt::format("parameter '{}' is '{}'; allowed is {}", name, word, listed(words)));
-    if (listed_there || word == *section.text("value")) given_.bounded.erase(name);
-  } else {
-    parameters_[name] = given_or(name, *section.number("value"), section);
-    unit = section.required_text("unit", "its unit, \"kg m^2\"");
-  }
-  to_.parameters.push_back({name, unit, parameters_[name]});
-}
-
-/// What is given must be of the type that stands in the file.
-ParameterValue DiagramReader::given_or(const std::string& name, const ParameterValue& value,
-                                       Section& section) const {
-  const auto it = given_.values.find(name);
-  if (it == given_.values.end()) return value;
-  if (it->second.index() == value.index()) return it->second;
-  text::refuse(section.place(), fmt::format("parameter '{}' is {}; allowed is {}", name,
-                                            value.index() == 0 ? "given as a text" : "given as a number",
-                                            value.index() == 0 ? "a number" : "a text"));
-}
-
-void DiagramReader::refuse_unknown_parameters() const {
-  for (const auto& [name, value] : given_.values)
-    if (parameters_.count(name) == 0)
-      throw Error(ErrorCode::invalid_argument,
-                  document().file() + ": " + unknown("parameter", name, known()));
-}
-
-std::vector<std::string> DiagramReader::known() const {
-  std::vector<std::string> names;
-  for (const auto& [name, value] : parameters_) names.push_back(name);
-  return names;
-}
-
-/// A number, "$NAME" for that of a parameter, or a text.
+/// A number, or a text; or what a text stands for that begins with $.
 Wire DiagramReader::wire(const toml::node& node, const std::string& key) const {
-  const auto text = node.value<std::string>();
   if (!node.is_string()) return text::number_of(document(), node, key);
-  if (!text->starts_with("$")) return *text;
-  const auto it = parameters_.find(text->substr(1));
-  if (it == parameters_.end())
-    text::refuse(document().place(node), key + ": " + unknown("parameter", text->substr(1), known()));
-  if (const auto* number = std::get_if<double>(&it->second)) return *number;
-  return std::get<std::string>(it->second);
+  if (!text::Values::refers(node)) return node.as_string()->get();
+  const text::FileValue found = values_.value(document(), node, key);
+  if (const auto* number = std::get_if<double>(&found)) return *number;
+  return std::get<std::string>(found);
 }
 
 /// Whether it is "$NAME" of a parameter with a value that names files only below a folder.
@@ -134,14 +89,6 @@ void DiagramReader::refuse_beyond_bounds(const toml::node& node, const std::stri
         fmt::format("{} is '{}'; allowed from a client is what stands in the diagram, or a file below "
                     "its folder",
                     key, *file));
-}
-
-std::optional<std::string> DiagramReader::text(Section& section, const std::string& key) const {
-  auto found = section.text(key);
-  if (!found || !found->starts_with("$")) return found;
-  const Wire value = wire(*section.node(key), section.name(key));
-  if (const auto* word = std::get_if<std::string>(&value)) return *word;
-  section.wrong(key, "'" + *found + "', a number", "a parameter with a text");
 }
 
 Value DiagramReader::value(const toml::node& node, const std::string& key) const {
@@ -195,7 +142,7 @@ bool DiagramReader::read_tables(Block& block, const std::string& key, const toml
 
 /// Keys are those of the block and of the diagram in it: values of its parameters, and sources of its inputs.
 void DiagramReader::read_nested(Block& block, Section& section) {
-  const auto file = text(section, "file");
+  const auto file = section.text("file");
   if (file) refuse_beyond_bounds(*section.node("file"), section.name("file"));
   const toml::table* table = section.table("diagram");
   if (file && table) section.wrong("diagram", "a table beside file", "one of them");
@@ -224,7 +171,8 @@ Given DiagramReader::given_to(const toml::table& inner, Block& block, const Sect
     const toml::node* given = section.table().get(key);
     if (!given) continue;
     const toml::table* own = node.as_table();
-    const bool takes_text = own && own->contains("value") && own->get("value")->is_string();
+    const toml::node* const value_there = own ? own->get("value") : nullptr;
+    const bool takes_text = value_there && value_there->is_string() && !text::Values::refers(*value_there);
     const Wire value = wire(*given, section.name(key));
     if (std::holds_alternative<std::string>(value) != takes_text)
       text::refuse(document().place(*given),
@@ -252,21 +200,14 @@ void DiagramReader::refuse_other_unit(const toml::node& given, const std::string
                                parameter.unit, unit));
 }
 
-double DiagramReader::limit(Section& section, const std::string& key, double otherwise) const {
-  const toml::node* node = section.node(key);
-  if (!node) return otherwise;
-  const Wire value = wire(*node, section.name(key));
-  if (const auto* number = std::get_if<double>(&value)) return *number;
-  section.wrong(key, text::described(*node), "a number");
-}
-
 void DiagramReader::read_limit(const std::string& name, Section& section) {
   static const std::vector<std::string> words = {"ignore", "warn", "stop"};
-  const double none = HUGE_VAL, low = limit(section, "low", -none), high = limit(section, "high", none);
+  const double none = HUGE_VAL, low = section.number("low").value_or(-none),
+               high = section.number("high").value_or(none);
   if (low == -none && high == none) section.missing("low", "a number at low, at high, or at both");
   const toml::node* signal = section.node("signal");
   if (!signal) section.missing("signal", "the name of a signal");
-  const std::string word = text(section, "on_leaving").value_or("warn");
+  const std::string word = section.text("on_leaving").value_or("warn");
   const auto it = std::find(words.begin(), words.end(), word);
   if (it == words.end()) section.wrong("on_leaving", "'" + word + "'", listed(words));
   to_.limits.push_back({name, wire(*signal, section.name("signal")), low, high,

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "tandem/engine/read.hpp"
-#include "tandem/text/section.hpp"
+#include "tandem/text/file_parameters.hpp"
 
 namespace tandem::engine {
 
@@ -68,11 +68,7 @@ class DiagramReader {
   template <class Read>
   void each(const std::string& key, const Read& read);
   void read_loops();
-  void read_parameter(const std::string& name, Section& section);
-  ParameterValue given_or(const std::string& name, const ParameterValue& value, Section& section) const;
   void refuse_beyond_bounds(const toml::node& node, const std::string& key) const;
-  void refuse_unknown_parameters() const;
-  std::vector<std::string> known() const;
 
   Wire wire(const toml::node& node, const std::string& key) const;
   Value value(const toml::node& node, const std::string& key) const;
@@ -85,15 +81,12 @@ class DiagramReader {
   void refuse_other_unit(const toml::node& given, const std::string& unit, const std::string& key) const;
   void read_output(const std::string& name, Section& section);
   void read_limit(const std::string& name, Section& section);
-  double limit(Section& section, const std::string& key, double otherwise) const;
-  /// A text, or "$NAME" for that of a parameter.
-  std::optional<std::string> text(Section& section, const std::string& key) const;
 
   Section root_;
   bool is_bounded(const toml::node& node) const;
 
   Given given_;
-  ParameterValues parameters_;
+  text::Values values_;
   DiagramFiles& files_;
   Description to_;
 };

@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "tandem/text/section.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -9,8 +11,8 @@
 
 namespace tandem::text {
 
-Section::Section(const Document& document, const toml::table& table, std::string path)
-    : document_(document), table_(table), path_(std::move(path)) {}
+Section::Section(const Document& document, const toml::table& table, std::string path, const Values* values)
+    : document_(document), table_(table), path_(std::move(path)), values_(values) {}
 
 const toml::node* Section::node(const std::string& key) {
   if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) asked_.push_back(key);
@@ -30,7 +32,10 @@ std::optional<std::string> Section::text(const std::string& key) {
   const toml::node* found = node(key);
   if (!found) return std::nullopt;
   if (!found->is_string()) wrong(key, described(*found), "a text in quotes");
-  return found->as_string()->get();
+  if (!values_ || !Values::refers(*found)) return found->as_string()->get();
+  const FileValue value = values_->value(document_, *found, name(key));
+  if (const auto* word = std::get_if<std::string>(&value)) return *word;
+  wrong(key, "'" + found->as_string()->get() + "', a number", "a parameter with a text");
 }
 
 std::string Section::required_text(const std::string& key, const std::string& allowed) {
@@ -49,12 +54,20 @@ void Section::missing(const std::string& key, const std::string& allowed) const 
 std::optional<double> Section::number(const std::string& key) {
   const toml::node* found = node(key);
   if (!found) return std::nullopt;
-  return number_of(document_, *found, name(key));
+  return number_of(*found, name(key));
+}
+
+double Section::number_of(const toml::node& node, const std::string& name) const {
+  return values_ ? values_->number(document_, node, name) : text::number_of(document_, node, name);
 }
 
 std::optional<double> Section::positive(const std::string& key) {
   const auto found = number(key);
-  if (found && *found <= 0.0) wrong(key, described(*table_.get(key)), "a number above 0");
+  if (found && *found <= 0.0) {
+    const toml::node& node = *table_.get(key);
+    wrong(key, node.is_number() ? described(node) : described(node) + fmt::format(", {}", *found),
+          "a number above 0");
+  }
   return found;
 }
 

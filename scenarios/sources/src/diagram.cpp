@@ -9,15 +9,11 @@
 #include "tandem/engine/read.hpp"
 #include "tandem/engine/subsystem.hpp"
 #include "tandem/error.hpp"
+#include "tandem/sources/file_parameters.hpp"
 #include "tandem/sources/run_table.hpp"
 
 namespace tandem {
 namespace {
-
-engine::ParameterValue value(Parameters& p, const engine::Parameter& parameter) {
-  if (const auto* number = std::get_if<double>(&parameter.value)) return p.number(parameter.name, *number);
-  return p.text(parameter.name, std::get<std::string>(parameter.value));
-}
 
 engine::Description read(const SourceFile& file, const engine::ParameterValues& values,
                          const engine::FileBounds& bounds) {
@@ -27,13 +23,10 @@ engine::Description read(const SourceFile& file, const engine::ParameterValues& 
 
 /// The diagram with the parameters that are given.
 engine::Description read(const SourceFile& file, Parameters& p) {
-  engine::ParameterValues values;
+  const text::GivenValues values = take_file_parameters(file.document(), diagram_words(), p);
   engine::FileBounds bounds{file.path.parent_path(), {}};
-  for (const engine::Parameter& parameter : read(file, values, bounds).parameters) {
-    p.declare({{parameter.name, Setter::client}});
-    if (p.has(parameter.name)) values[parameter.name] = value(p, parameter);
-    if (p.from_client(parameter.name)) bounds.parameters.insert(parameter.name);
-  }
+  for (const auto& [name, value] : values)
+    if (p.from_client(name)) bounds.parameters.insert(name);
   return read(file, values, bounds);
 }
 

@@ -11,6 +11,7 @@
 #include "tandem/error.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
 #include "tandem/mbs/subsystem.hpp"
+#include "tandem/sources/file_parameters.hpp"
 #include "tandem/sources/run_table.hpp"
 #include "tandem/sources/stepper.hpp"
 
@@ -63,8 +64,9 @@ std::unique_ptr<Subsystem> make_mechanism(const SourceFile& file, Parameters& p,
                                           const mbs::TellOfLimit& tell) {
   const text::Document document = file.document();
   take_run_table(document, p);
-  mbs::Description description = file.text ? mbs::read_mechanism(file.path.string(), *file.text, kinds)
-                                           : mbs::read_mechanism(file.path, kinds);
+  const text::GivenValues given = take_file_parameters(document, mechanism_words(), p);
+  refuse_words_of_clients(document, given, p);
+  mbs::Description description = mbs::read_mechanism(document, kinds, given);
   if (look) look(document, description, p);
   if (!p.has("step"))
     throw Error(ErrorCode::invalid_argument,

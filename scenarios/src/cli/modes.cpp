@@ -9,6 +9,7 @@
 #include "cli/commands.hpp"
 #include "cli/mechanism_info.hpp"
 #include "cli/say.hpp"
+#include "mechanisms/given.hpp"
 #include "scenario/scenario.hpp"
 #include "scenario/set.hpp"
 #include "sources/elements.hpp"
@@ -66,14 +67,24 @@ void print_modes_of_file(const std::string& file, const std::vector<std::string>
   print_modes(mbs::read_mechanism(document, element_kinds()), start_of(file));
 }
 
-/// What the scenario says of the mechanism: other words of its tyres, inputs at the start.
+/// What the scenario says of the mechanism: parameters, other words of its tyres, inputs at the start.
 mbs::Description described(const std::filesystem::path& file, const scenario::SubsystemEntry& entry) {
-  const auto word = [&](const char* name) {
+  const auto value = [&](const std::string& name) -> std::optional<text::FileValue> {
     for (const scenario::Parameter& p : entry.parameters)
-      if (const auto* text = std::get_if<std::string>(&p.value); text && p.name == name) return *text;
-    return std::string();
+      if (p.name == name) {
+        if (const auto* text = std::get_if<std::string>(&p.value)) return *text;
+        if (const auto* number = std::get_if<double>(&p.value)) return *number;
+      }
+    return std::nullopt;
   };
-  auto d = text::located(entry.source_place, [&] { return mbs::read_mechanism(file, element_kinds(word)); });
+  const auto word = [&](const char* name) {
+    const auto found = value(name);
+    return found && found->index() == 1 ? std::get<std::string>(*found) : std::string();
+  };
+  auto d = text::located(entry.source_place, [&] {
+    const text::Document document(file);
+    return mbs::read_mechanism(document, element_kinds(word), mechanisms::given_values(document, value));
+  });
   std::vector<std::string> names;
   for (const mbs::Input& input : d.inputs) names.push_back(input.name);
   for (const scenario::StartValue& v : entry.inputs) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "mechanisms/given.hpp"
 #include "sources/elements.hpp"
 #include "tandem/error.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
@@ -31,14 +32,34 @@ std::vector<std::pair<std::string, std::string>> sources(const nlohmann::json& v
   return all;
 }
 
-RunMechanism read_mechanism(const std::string& instance, const fs::path& file, const fs::path& results) {
+/// What the run gave to a mechanism: in the scenario's tables of parameters, or in the table [run] of its
+/// file.
+std::optional<text::FileValue> value_of(const nlohmann::json& values, const std::string& instance,
+                                        const std::string& name) {
+  const nlohmann::json subsystems = values.value("subsystems", nlohmann::json::object());
+  const nlohmann::json own = subsystems.value(instance, nlohmann::json::object());
+  for (const auto& table :
+       {own.value("parameters", nlohmann::json::object()),
+        values.value(subsystems.empty() ? "run" : "parameters", nlohmann::json::object())})
+    if (const auto it = table.find(name); it != table.end()) {
+      if (it->is_number()) return it->get<double>();
+      if (it->is_string()) return it->get<std::string>();
+    }
+  return std::nullopt;
+}
+
+RunMechanism read_mechanism(const std::string& instance, const fs::path& file, const fs::path& results,
+                            const nlohmann::json& values) {
   if (!fs::exists(file))
     refuse(
         fmt::format("file '{}' of the mechanism '{}', which {} names, is not there; run 'tandem view' in "
                     "the folder where 'tandem run' was run, or say --plots-only",
                     file.string(), instance, (results / "results.json").string()));
-  RunMechanism mechanism{instance, file, mbs::read_mechanism(file, element_kinds()), {}};
-  mechanism.view = mechanisms::read_view(text::Document(file), mechanism.description);
+  const text::Document document(file);
+  const auto given = mechanisms::given_values(
+      document, [&](const std::string& name) { return value_of(values, instance, name); });
+  RunMechanism mechanism{instance, file, mbs::read_mechanism(document, element_kinds(), given), {}};
+  mechanism.view = mechanisms::read_view(document, mechanism.description);
   return mechanism;
 }
 
@@ -99,7 +120,7 @@ void read_mechanisms(Run& run) {
   for (const auto& [name, source] : sources(scenario["values"], file)) {
     if (!source.starts_with(scheme)) continue;
     const std::string path = source.substr(scheme.size(), source.find('?') - scheme.size());
-    run.mechanisms.push_back(read_mechanism(name, file.parent_path() / path, run.place));
+    run.mechanisms.push_back(read_mechanism(name, file.parent_path() / path, run.place, scenario["values"]));
   }
   const auto order = order_of(run);
   const auto place = [&](const RunMechanism& mechanism) {

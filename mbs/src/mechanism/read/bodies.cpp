@@ -91,7 +91,7 @@ Eigen::Matrix3d Reader::inertia(Section& section) const {
     const toml::array* row = rows && rows->size() == 3 ? rows->get(r)->as_array() : nullptr;
     if (!row || row->size() != 3) section.wrong("inertia", text::described(*node), allowed);
     for (int c = 0; c < 3; ++c)
-      tensor(r, c) = text::number_of(document_, *row->get(c), section.name("inertia"));
+      tensor(r, c) = values_.number(document_, *row->get(c), section.name("inertia"));
   }
   const double largest = tensor.cwiseAbs().maxCoeff();
   if (!(largest > 0.0))

@@ -26,7 +26,7 @@ void Reader::read_relation(const std::string& name, Section& section) {
   if (!terms || terms->empty()) section.missing("terms", "{ COORDINATE = FACTOR }");
   for (const auto& [key, node] : text::in_file_order(*terms)) {
     const std::string path = section.name("terms") + "." + key;
-    relation.terms.push_back({text::number_of(document_, *node, path), coordinate(section, "terms", key)});
+    relation.terms.push_back({values_.number(document_, *node, path), coordinate(section, "terms", key)});
     if (relation.terms.back().factor == 0.0)
       text::refuse(document_.place(*node), path + " is 0; allowed is another factor, or to leave it out");
   }
@@ -49,7 +49,7 @@ void Reader::read_products(Section& section, Relation& relation) const {
                   "an array of { edges = [EDGE, EDGE], factor = NUMBER }");
   for (const toml::node& item : *array) {
     Section one(document_, *item.as_table(),
-                fmt::format("{}[{}]", section.name("products"), relation.products.size()));
+                fmt::format("{}[{}]", section.name("products"), relation.products.size()), &values_);
     const auto [a, b] = two_edges(one, "edges");
     relation.products.push_back({one.number("factor").value_or(1.0), a, b});
     one.refuse_unknown();
@@ -106,8 +106,8 @@ Ends Reader::ends(Section& section) const {
     if (!place || static_cast<int>(place->size()) != to_.dimension)
       section.wrong("ends", text::described(*places->get(k)), allowed);
     for (int axis = 0; axis < to_.dimension; ++axis)
-      result.places[k][axis] = text::number_of(document_, *place->get(static_cast<std::size_t>(axis)),
-                                               fmt::format("{}[{}]", section.name("ends"), k));
+      result.places[k][axis] = values_.number(document_, *place->get(static_cast<std::size_t>(axis)),
+                                              fmt::format("{}[{}]", section.name("ends"), k));
   }
   if (!can_be_squared(drawn(result)))
     section.wrong("ends", fmt::format("{} m apart", drawn(result)), allowed);

@@ -42,7 +42,7 @@ void Reader::read_function(Section& section, Input& input) const {
 }
 
 std::function<InputValue(double)> Reader::sine_of(Section& section, const toml::table& table) const {
-  Section s(document_, table, section.name("sine"));
+  Section s(document_, table, section.name("sine"), &values_);
   const auto amplitude = s.number("amplitude"), frequency = s.positive("frequency");
   if (!amplitude) s.missing("amplitude", "a number");
   if (!frequency) s.missing("frequency", "a number above 0 [Hz]");
@@ -127,7 +127,7 @@ void Reader::read_force(const std::string& name, Section& section) {
   const bool torque = force.kind == Force::Kind::relative && is_angle(to_, {-1, 0, force.index});
   if (const auto gain = section.number("gain"))
     force.gain = *gain;
-  else if (section.node("magnitude")->is_string())
+  else if (!values_.is_number(*section.node("magnitude")))
     unit(section, "magnitude", force.input, {torque ? "N m" : "N"});
   to_.forces.push_back(force);
 }
@@ -159,10 +159,10 @@ void Reader::refuse_unused_inputs(Section& root) const {
 int Reader::magnitude(Section& section, const std::string& name) {
   const toml::node* node = section.node("magnitude");
   if (!node) section.missing("magnitude", "a number, or the name of an input");
-  if (const auto input = node->value<std::string>(); input && node->is_string())
-    return find(inputs_, section, "magnitude", "input", *input);
+  if (node->is_string() && !values_.is_number(*node))
+    return find(inputs_, section, "magnitude", "input", *section.text("magnitude"));
   Input constant{name, ""};
-  constant.value = text::number_of(document_, *node, section.name("magnitude"));
+  constant.value = values_.number(document_, *node, section.name("magnitude"));
   constant.function = polynomial({constant.value});
   to_.inputs.push_back(std::move(constant));
   return static_cast<int>(to_.inputs.size()) - 1;

@@ -14,7 +14,7 @@ Output Reader::signal(Section& section) const {
   const toml::node* node = section.node("signal");
   if (!node) section.missing("signal", "the name of an output, or { element = .., quantity = .. }");
   if (const auto* table = node->as_table()) {
-    Section inner(document_, *table, section.name("signal"));
+    Section inner(document_, *table, section.name("signal"), &values_);
     Output quantity{"", Output::Kind::quantity};
     read_element_quantity(inner, inner.required_text("element", "the name of an element"), quantity);
     inner.refuse_unknown();

@@ -133,7 +133,7 @@ void Reader::read_body_of_reaction(Section& section, const std::string& name, Ou
 void Reader::read_initial(Section& root) {
   const toml::table* table = root.table("initial");
   if (!table) return;
-  Section initial(document_, *table, "initial");
+  Section initial(document_, *table, "initial", &values_);
   read_given(initial, "positions", to_.positions);
   read_given(initial, "velocities", to_.velocities);
   to_.equilibrium = initial.flag("equilibrium").value_or(false);
@@ -149,8 +149,8 @@ void Reader::read_given(Section& initial, const std::string& key, std::vector<Gi
     if (c.entity >= 0 && to_.entities[c.entity].fixed)
       initial.wrong(key, "'" + name + "', of a fixed point", "coordinates that are not fixed");
     std::erase_if(to, [&](const Given& g) { return g.coordinate == c; });
-    to.push_back({c, text::number_of(document_, *node, initial.name(key) + "." + name),
-                  document_.place(*node).text()});
+    to.push_back(
+        {c, values_.number(document_, *node, initial.name(key) + "." + name), document_.place(*node).text()});
   }
 }
 

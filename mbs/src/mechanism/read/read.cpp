@@ -14,9 +14,11 @@ using text::refuse;
 static constexpr const char* not_in_names = "[],\" \t\r\n";  // of ports, which are columns of results
 
 Description Reader::read() {
-  Section root(document_, document_.table(), "");
+  Section root(document_, document_.table(), "", &values_);
   read_name(root);
   root.text("description");
+  for (const text::FileParameter& p : text::read_parameters(root, given_, values_))
+    to_.parameters.push_back({p.name, p.unit, p.value});
   read_dimension(root);
   to_.gravity = vector(root, "gravity").value_or(Eigen::Vector3d::Zero());
   using Read = void (Reader::*)(const std::string&, Section&);
@@ -72,7 +74,7 @@ void Reader::each(Section& root, const std::string& key, const Read& read) {
              fmt::format("{} is {}; allowed is a table", full_name, text::described(*node)));
     if (name.empty())
       refuse(document_.place(*node), key + " has a name of no letters; allowed is one letter or more");
-    Section section(document_, *node->as_table(), full_name);
+    Section section(document_, *node->as_table(), full_name, &values_);
     read(name, section);
     section.refuse_unknown();
   }
@@ -88,7 +90,7 @@ std::optional<Eigen::Vector3d> Reader::vector(Section& section, const std::strin
                   fmt::format("an array of {} numbers", to_.dimension));
   Eigen::Vector3d value = Eigen::Vector3d::Zero();
   for (int i = 0; i < to_.dimension; ++i)
-    value[i] = text::number_of(document_, *array->get(i), fmt::format("{}[{}]", section.name(key), i));
+    value[i] = values_.number(document_, *array->get(i), fmt::format("{}[{}]", section.name(key), i));
   return value;
 }
 
@@ -109,11 +111,11 @@ std::vector<double> Reader::numbers(Section& section, const std::string& key) co
   const toml::node* node = section.node(key);
   if (!node) return {};
   const toml::array* array = node->as_array();
-  if (!array) return {text::number_of(document_, *node, section.name(key))};
+  if (!array) return {values_.number(document_, *node, section.name(key))};
   if (array->empty()) section.wrong(key, "an empty array", "a number, or an array of one or more");
   std::vector<double> all;
   for (const toml::node& item : *array)
-    all.push_back(text::number_of(document_, item, fmt::format("{}[{}]", section.name(key), all.size())));
+    all.push_back(values_.number(document_, item, fmt::format("{}[{}]", section.name(key), all.size())));
   return all;
 }
 
@@ -225,16 +227,19 @@ Coordinate Reader::required_coordinate(Section& section, const std::string& key)
       section.required_text(key, "a point and an axis, \"P.x\", or the name of an angle or length"));
 }
 
-Description read_mechanism(const std::filesystem::path& file, const ElementKinds& kinds) {
-  return read_mechanism(text::Document(file), kinds);
+Description read_mechanism(const std::filesystem::path& file, const ElementKinds& kinds,
+                           const ParameterValues& parameters) {
+  return read_mechanism(text::Document(file), kinds, parameters);
 }
 
-Description read_mechanism(const std::string& name, const std::string& text, const ElementKinds& kinds) {
-  return read_mechanism(text::Document(name, text), kinds);
+Description read_mechanism(const std::string& name, const std::string& text, const ElementKinds& kinds,
+                           const ParameterValues& parameters) {
+  return read_mechanism(text::Document(name, text), kinds, parameters);
 }
 
-Description read_mechanism(const text::Document& document, const ElementKinds& kinds) {
-  return Reader(document, std::filesystem::path(document.file()).parent_path(), kinds).read();
+Description read_mechanism(const text::Document& document, const ElementKinds& kinds,
+                           const ParameterValues& parameters) {
+  return Reader(document, kinds, parameters).read();
 }
 
 }  // namespace tandem::mbs

@@ -7,17 +7,20 @@
 #include <utility>
 #include <vector>
 
-#include "tandem/mbs/mechanism/description.hpp"
-#include "tandem/text/section.hpp"
+#include "tandem/mbs/mechanism/read.hpp"
+#include "tandem/text/file_parameters.hpp"
 
 namespace tandem::mbs {
 
 /// Fills a Description, table by table. What one table names stands in a table read before it.
 class Reader {
  public:
-  /// folder: where data files are looked for. kinds: of elements, which must outlive it.
-  Reader(const text::Document& document, std::filesystem::path folder, const ElementKinds& kinds)
-      : document_(document), folder_(std::move(folder)), kinds_(kinds) {}
+  /// kinds: of elements, which must outlive it, as must the other two.
+  Reader(const text::Document& document, const ElementKinds& kinds, const ParameterValues& given)
+      : document_(document),
+        folder_(std::filesystem::path(document.file()).parent_path()),
+        kinds_(kinds),
+        given_(given) {}
   Description read();
 
  private:
@@ -121,6 +124,8 @@ class Reader {
   std::filesystem::path folder_;
   Description to_;
   const ElementKinds& kinds_;
+  const ParameterValues& given_;
+  text::Values values_;
   Names entities_, bodies_, relatives_, inputs_, drives_, elements_;
 };
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tandem/text/document.hpp"
+#include "tandem/text/values.hpp"
 
 namespace tandem::text {
 
@@ -12,8 +13,10 @@ namespace tandem::text {
 /// is refused. Every error names the place, the key, the value found and what is allowed.
 class Section {
  public:
-  /// path: "coordination" or "connections[0]"; empty for the whole document.
-  Section(const Document& document, const toml::table& table, std::string path);
+  /// path: "coordination" or "connections[0]"; empty for the whole document. values: what texts that begin
+  /// with $ stand for, where a number or a text is asked for; null: they are texts.
+  Section(const Document& document, const toml::table& table, std::string path,
+          const Values* values = nullptr);
 
   const toml::node* node(const std::string& key);  ///< null if it is not there
   std::optional<std::string> text(const std::string& key);
@@ -36,12 +39,16 @@ class Section {
   [[noreturn]] void wrong(const std::string& key, const std::string& found, const std::string& allowed) const;
 
   const Document& document() const { return document_; }
+  const Values* values() const { return values_; }
+  /// The number that a node of this section is, or stands for.
+  double number_of(const toml::node& node, const std::string& name) const;
   const toml::table& table() const { return table_; }
 
  private:
   const Document& document_;
   const toml::table& table_;
   std::string path_;
+  const Values* values_;
   [[noreturn]] void refuse_key(const std::string& key, const std::string& near) const;
 
   std::vector<std::string> asked_;

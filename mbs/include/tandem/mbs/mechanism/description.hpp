@@ -2,6 +2,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "tandem/mbs/mechanism/elements.hpp"
@@ -47,8 +48,15 @@ struct PointMass {
 /// A mechanism before it is assembled. Names are unique among their kind. Indices are of the lists here,
 /// those of points and vectors of `entities`. `where` is what errors begin with: a file and its line, or
 /// nothing.
+/// A parameter of a file, with its value; a word has no unit.
+struct Parameter {
+  std::string name, unit;
+  std::variant<double, std::string> value;
+};
+
 struct Description {
   std::string name;
+  std::vector<Parameter> parameters = {};             ///< whose values stand in the rest already
   int dimension = 3;                                  ///< 2: in the plane
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< [m/s^2]
   std::vector<Entity> entities;

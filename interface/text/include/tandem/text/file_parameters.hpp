@@ -1,0 +1,28 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tandem/text/section.hpp"
+
+namespace tandem::text {
+
+/// Values of a file's parameters by name, in place of those in the file.
+using GivenValues = std::map<std::string, FileValue>;
+
+/// A parameter as its file declares it, with the value that it has.
+struct FileParameter {
+  std::string name, unit;  ///< a word has no unit
+  FileValue value;
+  Place place;
+  bool allowed_word = false;  ///< the word of the file, or one that it allows by a list
+};
+
+/// The table [parameters] of a file: NAME = { value = NUMBER, unit = "kg" }, where the number may be an
+/// expression of parameters before it, or NAME = { value = "word", allowed = ["word", ..] }. Puts their
+/// values, the given ones in place of the file's, into `values`. Throws Error for a value of the other type,
+/// a word that is not allowed, and a given one that the file does not have.
+std::vector<FileParameter> read_parameters(Section& root, const GivenValues& given, Values& values);
+
+}  // namespace tandem::text

@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <map>
+#include <string>
+#include <variant>
+
+#include "tandem/text/document.hpp"
+
+namespace tandem::text {
+
+/// A number, or a word.
+using FileValue = std::variant<double, std::string>;
+
+/// What a file's texts that begin with $ stand for: "$NAME" for the value of a parameter, "$(EXPRESSION)" for
+/// a number, an expression of numbers and of parameters that are numbers (muParser: + - * / ^, comparisons,
+/// ?:, sin, sqrt, exp, .., _pi, _e).
+class Values {
+ public:
+  void set(const std::string& name, FileValue value) { values_[name] = std::move(value); }
+  const std::map<std::string, FileValue>& all() const { return values_; }
+
+  /// Whether a node is a text that begins with $.
+  static bool refers(const toml::node& node);
+  /// Of such a node. Throws Error for a parameter that there is not, an expression that is none, and one that
+  /// is not finite, with its parameters' values; `what` is what the sentence calls the node.
+  FileValue value(const Document& document, const toml::node& node, const std::string& what) const;
+  /// Of any node: the number that it is (number_of), or stands for.
+  double number(const Document& document, const toml::node& node, const std::string& what) const;
+  /// Whether a node is a number, or stands for one.
+  bool is_number(const toml::node& node) const;
+
+ private:
+  std::map<std::string, FileValue> values_;
+};
+
+/// An expression with numbers by name. Throws Error(invalid_argument) with the expression and why.
+double evaluated(const std::string& expression, const std::map<std::string, FileValue>& values);
+
+}  // namespace tandem::text

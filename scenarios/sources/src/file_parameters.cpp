@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/sources/file_parameters.hpp"
+
+#include <algorithm>
+
+namespace tandem {
+namespace {
+
+text::FileValue value(Parameters& p, const text::FileParameter& parameter) {
+  if (const auto* number = std::get_if<double>(&parameter.value)) return p.number(parameter.name, *number);
+  return p.text(parameter.name, std::get<std::string>(parameter.value));
+}
+
+void refuse_setting(const text::FileParameter& parameter, const Words& settings) {
+  const bool is_setting = std::any_of(settings.begin(), settings.end(),
+                                      [&](const Word& word) { return word.name == parameter.name; });
+  if (is_setting)
+    text::refuse(parameter.place, "parameter '" + parameter.name +
+                                      "' has the name of a setting; allowed is a name of its own");
+}
+
+}  // namespace
+
+text::GivenValues take_file_parameters(const text::Document& document, const Words& settings, Parameters& p) {
+  text::Values values;
+  text::Section root(document, document.table(), "");
+  text::GivenValues given;
+  for (const text::FileParameter& parameter : text::read_parameters(root, {}, values)) {
+    refuse_setting(parameter, settings);
+    p.declare({{parameter.name, Setter::client}});
+    if (p.has(parameter.name)) given[parameter.name] = value(p, parameter);
+  }
+  return given;
+}
+
+void refuse_words_of_clients(const text::Document& document, const text::GivenValues& given,
+                             const Parameters& p) {
+  text::Values values;
+  text::Section root(document, document.table(), "");
+  for (const text::FileParameter& parameter : text::read_parameters(root, given, values))
+    if (const auto* word = std::get_if<std::string>(&parameter.value);
+        word && p.from_client(parameter.name) && !parameter.allowed_word)
+      text::refuse(parameter.place,
+                   "parameter '" + parameter.name + "' is '" + *word +
+                       "'; allowed from a client is the word that stands here, or one that is allowed "
+                       "by a list");
+}
+
+}  // namespace tandem
