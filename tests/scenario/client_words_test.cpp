@@ -166,6 +166,37 @@ TEST_F(FilesOfAClient, WhoServesItNamesAny) {
       open(uri + "?data=../beyond/secret.csv&part=../beyond/part.toml&part_data=one.csv", all_sources()));
 }
 
+/// A mechanism whose words may be files' names.
+TEST_F(FilesOfAClient, OfAMechanismTheDefaultAndTheAllowed) {
+  scratch_.write("served/m.toml", R"(
+dimension = 2
+[parameters]
+m = { value = 1, unit = "kg" }
+data = { value = "x.csv" }
+pick = { value = "x", allowed = ["x", "../beyond/one.csv"] }
+[points]
+P = { at = [0, 0] }
+[masses]
+m = { point = "P", mass = "$m" }
+[inputs]
+F = { unit = "N", file = "$data", column = "x" }
+[forces]
+f = { point = "P", direction = [1, 0], magnitude = "F" }
+[outputs]
+x = { position = "P.x" }
+[run]
+step = 0.1
+)");
+  const auto says = [&](const std::string& pairs) {
+    return refusal("mechanism:" + (scratch_.path() / "served/m.toml").string(), pairs);
+  };
+  for (const char* pairs : {"step=0.1", "m=2", "data=x.csv", "pick=../beyond/one.csv"})
+    EXPECT_EQ(says(pairs), "") << pairs;
+  for (const char* pairs : {"data=/etc/shadow", "data=below/x.csv", "data=../beyond/secret.csv"})
+    EXPECT_TRUE(contains(says(pairs), "allowed from a client")) << pairs << ": " << says(pairs);
+  EXPECT_TRUE(contains(says("pick=/etc/shadow"), "allowed is x, ../beyond/one.csv"));
+}
+
 /// Each attack as it was made: by a server and a client, with the client's text.
 class AttackedServer : public testing::Test {
  protected:

@@ -7,11 +7,14 @@
 
 namespace tandem {
 
-/// Whether a row is at a multiple of a step [s], and the first one there: events end steps elsewhere, and a
-/// jump has two rows.
+/// Whether a row is at a multiple of a step [s], and the first one there: events end steps elsewhere, be it
+/// next to a multiple, and a jump has two rows.
 inline bool on_grid(const History& history, std::int64_t row, double step) {
-  const double steps = history.time(row) / step;
-  return std::abs(steps - std::round(steps)) < 1e-6 && !history.jump(row);
+  const auto steps = [&](std::int64_t r) { return history.time(r) / step; };
+  const auto near = [&](std::int64_t r) { return std::abs(steps(r) - std::round(steps(r))) < 1e-6; };
+  const bool again =
+      row > history.oldest() && near(row - 1) && std::round(steps(row - 1)) == std::round(steps(row));
+  return near(row) && !again;
 }
 
 }  // namespace tandem

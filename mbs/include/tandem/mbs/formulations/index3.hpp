@@ -13,9 +13,9 @@ class MergedFrequency;
 struct Index3Settings {
   /// alpha; 0: 1e7 times the largest mass term, and (1 ms / h)^2 times that for steps h below 1 ms
   double penalty = 0.0;
-  /// [s]: shorter steps h, as those are that are cut at events, have (own_step / h)^2 times alpha, and below
-  /// a hundredth of it go on with the acceleration at their begin; 0: none is cut. make_subsystem() puts its
-  /// own step here
+  /// [s]: shorter steps h, as those are that are cut at events, have own_step / h times alpha, and below a
+  /// fiftieth of it go on with the acceleration at their begin; 0: none is cut. make_subsystem() puts its own
+  /// step here
   double own_step = 0.0;
   double beta = 0.25;  ///< Newmark's, 1/12 to 1/4; gamma is 1/2. 1/4: the trapezoidal rule
   /// Newton's iteration ends when |dq| (Euclidean) is below [m]; 0: 1e-10 of the model's length
@@ -52,8 +52,8 @@ bool threads_are_built_in();
 ///   lambda + beta h^2 alpha (Phi_q q'' + gamma) summed over q'' after each projection,
 /// since M da = -Phi_q^T beta h^2 alpha (Phi_q q'' + gamma) - (h/2 C + beta h^2 K) da.
 ///
-/// Steps that are cut: constraints are held by alpha h^2, which stays as it is in an own step. Newmark's
-/// accelerations are differences of positions, 4 dq / h^2, so that in the shortest steps they would be what
+/// Steps that are cut: constraints are held by alpha h^2, so alpha rises as h falls. Newmark's accelerations
+/// are differences of positions, 4 dq / h^2, so that in the shortest steps they would be what
 /// the iteration leaves in dq: there they stay as they are, and velocities are off by h^2/2 times their rate.
 class Index3 final : public Stepper {
  public:
