@@ -22,8 +22,8 @@ TEST(InfoCommand, ShowsWhatADiagramHas) {
   EXPECT_EQ(said.status, 0) << said.err;
   for (const char* part :
        {"order 4: manifold.P, charges.angle, charges.M, crank.N", "parameter J = 0.14 kg m^2",
-        "input throttle [deg]", "output torque [N m], follows at once: none", "parameter stall = 'stop'",
-        "16 signals watched for events"})
+        "input throttle [deg]", "output torque [N m], follows at once: none; events may make it jump\n",
+        "parameter stall = 'stop'", "16 signals watched for events"})
     EXPECT_TRUE(contains(said.out, part)) << part << " is not in:\n" << said.out;
 }
 

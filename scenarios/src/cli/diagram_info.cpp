@@ -24,6 +24,10 @@ std::vector<std::string> event_blocks(const engine::Program& program) {
   return {names.begin(), names.end()};
 }
 
+const char* course(const engine::Course& course) {
+  return course.held ? "; held" : course.jumps ? "; events may make it jump" : "";
+}
+
 std::vector<std::string> inputs_of(const engine::Description& diagram, const engine::Program& program,
                                    int output) {
   std::vector<std::string> names;
@@ -55,14 +59,16 @@ void print_diagram(const std::filesystem::path& file) {
   say("{}: a diagram of {} blocks, {} operations\n", diagram.name, diagram.blocks.size(),
       program.operations.size());
   say("  order {}: {}\n", program.states, listed(program.state_names));
+  if (program.sampled())
+    say("  sampled, its instants {} s or more apart: it takes no step\n", program.shortest_period);
   for (const auto& p : diagram.parameters) print_parameter(p);
   for (const auto& limit : diagram.limits)
     say("  limit {}: {} to {}, {}: {}\n", limit.name, limit.low, limit.high, word_of(limit.on_leaving),
         limit.sentence);
   for (const auto& input : diagram.inputs) say("  input {} [{}]\n", input.name, input.unit);
   for (std::size_t k = 0; k < diagram.outputs.size(); ++k)
-    say("  output {} [{}], follows at once: {}\n", diagram.outputs[k].name, diagram.outputs[k].unit,
-        listed(inputs_of(diagram, program, static_cast<int>(k))));
+    say("  output {} [{}], follows at once: {}{}\n", diagram.outputs[k].name, diagram.outputs[k].unit,
+        listed(inputs_of(diagram, program, static_cast<int>(k))), course(program.courses[k]));
   say("  {} signals watched for events; periodic events: {}; of the blocks {}\n", program.crossings.size(),
       program.periodics.size(), listed(event_blocks(program)));
   for (const std::string& block : program.left_out)
