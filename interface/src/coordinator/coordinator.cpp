@@ -19,6 +19,13 @@ std::string_view name(StartKind start) {
   return names[static_cast<std::size_t>(start)];
 }
 
+/// Rows from `first` on that are the second ones of their times, and no step's.
+static std::int64_t jumps_in(const Samples& y, std::int64_t row) {
+  std::int64_t count = 0;
+  while (row < y.size()) count += y.jump(row++) ? 1 : 0;
+  return count;
+}
+
 Coordinator::Coordinator(const Topology& topology, const std::vector<Subsystem*>& subsystems,
                          Coordination coordination, TimeSpan span)
     : topology_(topology),
@@ -218,7 +225,7 @@ void Coordinator::take(const Turn& turn, Exchange& inputs) {
   const Clock clock = advance(turn, y);
   const std::int64_t steps = y.size() - seat.rows;
   seat.effort.exchanges += 1;
-  seat.effort.steps += steps;
+  seat.effort.steps += lands_elsewhere_ ? steps - jumps_in(y, seat.rows) : steps;
   if (steps > 0 && clock.time == y.time(y.size() - 1) && clock.time > before && clock.time <= turn.limit &&
       clock.next_time > clock.time)
     seat.idle_calls = 0;
