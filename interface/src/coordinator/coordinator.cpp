@@ -19,7 +19,7 @@ std::string_view name(StartKind start) {
   return names[static_cast<std::size_t>(start)];
 }
 
-/// Rows from `first` on that are the second ones of their times, and no step's.
+/// Rows from `row` on that are the second ones of their times, and no step's.
 static std::int64_t jumps_in(const Samples& y, std::int64_t row) {
   std::int64_t count = 0;
   while (row < y.size()) count += y.jump(row++) ? 1 : 0;
