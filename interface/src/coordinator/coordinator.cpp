@@ -245,13 +245,6 @@ void Coordinator::tell(int who) {
   if (observer_ && first <= last && !observer_->samples(who, history, first, last)) stopped_ = true;
 }
 
-/// After an error, and at the end: what might have been taken back.
-void Coordinator::keep_rest() {
-  ended_ = true;
-  for (int i = 0; i < topology_.size(); ++i)
-    if (seat(i).goes_back) tell(i);
-}
-
 /// What is not plain may still be right: no step taken, an end within the tolerance, no further step. Throws
 /// otherwise.
 void Coordinator::check_clock(const Turn& turn, double before, std::int64_t rows, const Clock& after) {
@@ -274,28 +267,6 @@ void Coordinator::check_clock(const Turn& turn, double before, std::int64_t rows
   if (idle_calls >= most_idle_calls)
     fail("it has not moved from t = " + number_text(after.time) + " s in " + std::to_string(most_idle_calls) +
          " calls");
-}
-
-/// Of one that ended own steps at the samples of others.
-void Coordinator::note_extra_steps(int who) {
-  const Abilities& a = topology_.info(who).abilities;
-  const double fit = std::ceil((t_stop_ - t_start_) / own_step(who) - 1e-9);
-  const auto taken = effort(who).steps;
-  if (has_samples_ && !a.sampled && !a.chooses_step && static_cast<double>(taken) > fit)
-    notes_.push_back("subsystem '" + topology_.name(who) + "' took " + std::to_string(taken) +
-                     " own steps where " + number_text(fit) + " fit, as it ended some at samples of others");
-}
-
-bool Coordinator::end() {
-  keep_rest();
-  note_events();
-  for (int i = 0; i < topology_.size(); ++i) note_extra_steps(i);
-  for (int i = 0; i < topology_.size(); ++i)
-    if (!topology_.info(i).abilities.sampled && tolerance_.before(time(i), t_stop_))
-      notes_.push_back("subsystem '" + topology_.name(i) + "' ended at t = " + number_text(time(i)) +
-                       " s, its last own node, " + number_text(t_stop_ - time(i), 3) + " s before the end");
-  stopped_ = true;
-  return false;
 }
 
 }  // namespace tandem

@@ -69,4 +69,14 @@ std::vector<FileParameter> read_parameters(Section& root, const GivenValues& giv
   return all;
 }
 
+GivenValues given_values(const Document& document,
+                         const std::function<std::optional<FileValue>(const FileParameter&)>& find) {
+  GivenValues given;
+  Values own;
+  Section root(document, document.table(), "");
+  for (const FileParameter& parameter : read_parameters(root, {}, own))
+    if (const auto value = find(parameter)) given[parameter.name] = *value;
+  return given;
+}
+
 }  // namespace tandem::text

@@ -22,15 +22,12 @@ void refuse_setting(const text::FileParameter& parameter, const Words& settings)
 }  // namespace
 
 text::GivenValues take_file_parameters(const text::Document& document, const Words& settings, Parameters& p) {
-  text::Values values;
-  text::Section root(document, document.table(), "");
-  text::GivenValues given;
-  for (const text::FileParameter& parameter : text::read_parameters(root, {}, values)) {
-    refuse_setting(parameter, settings);
-    p.declare({{parameter.name, Setter::client}});
-    if (p.has(parameter.name)) given[parameter.name] = value(p, parameter);
-  }
-  return given;
+  return text::given_values(
+      document, [&](const text::FileParameter& parameter) -> std::optional<text::FileValue> {
+        refuse_setting(parameter, settings);
+        p.declare({{parameter.name, Setter::client}});
+        return p.has(parameter.name) ? std::optional(value(p, parameter)) : std::nullopt;
+      });
 }
 
 void refuse_words_of_clients(const text::Document& document, const text::GivenValues& given,

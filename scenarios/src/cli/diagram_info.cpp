@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "cli/print_parameter.hpp"
 #include "cli/say.hpp"
 #include "engine_models/compiled.hpp"
 #include "scenario/scenario.hpp"
@@ -34,13 +35,6 @@ std::vector<std::string> inputs_of(const engine::Description& diagram, const eng
   for (const auto& [to, from] : program.feedthrough)
     if (to == output) names.push_back(diagram.inputs[static_cast<std::size_t>(from)].name);
   return names;
-}
-
-void print_parameter(const engine::Parameter& p) {
-  if (const auto* number = std::get_if<double>(&p.value))
-    say("  parameter {} = {} {}\n", p.name, *number, p.unit);
-  else
-    say("  parameter {} = '{}'\n", p.name, std::get<std::string>(p.value));
 }
 
 const char* word_of(engine::Limit::OnLeaving what) {

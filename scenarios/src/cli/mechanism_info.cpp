@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/print_parameter.hpp"
 #include "cli/say.hpp"
 #include "mechanisms/view_table.hpp"
 #include "scenario/parts.hpp"
@@ -39,11 +40,7 @@ void print_size(const mbs::Mechanism& mechanism) {
   const mbs::Structure& s = mechanism.structure();
   const auto [coordinates, states] = coordinates_and_states(s);
   say("{}: a mechanism in {}\n", in.name, in.dimension == 2 ? "the plane" : "space");
-  for (const mbs::Parameter& p : in.parameters)
-    if (const auto* number = std::get_if<double>(&p.value))
-      say("  parameter {} = {} {}\n", p.name, *number, p.unit);
-    else
-      say("  parameter {} = '{}'\n", p.name, std::get<std::string>(p.value));
+  for (const mbs::Parameter& p : in.parameters) print_parameter(p);
   say("  {} bodies, {} points and vectors\n", in.bodies.size(), in.entities.size());
   say("  {} variables: {}\n", coordinates.size(), listed(coordinates));
   if (!states.empty()) say("  {} states of elements: {}\n", states.size(), listed(states));

@@ -9,14 +9,13 @@
 #include "cli/commands.hpp"
 #include "cli/mechanism_info.hpp"
 #include "cli/say.hpp"
-#include "mechanisms/given.hpp"
 #include "scenario/scenario.hpp"
 #include "scenario/set.hpp"
 #include "sources/elements.hpp"
 #include "tandem/mbs/mechanism/initial.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
 #include "tandem/nearest.hpp"
-#include "tandem/text/document.hpp"
+#include "tandem/text/file_parameters.hpp"
 
 namespace tandem::cli {
 namespace {
@@ -83,7 +82,9 @@ mbs::Description described(const std::filesystem::path& file, const scenario::Su
   };
   auto d = text::located(entry.source_place, [&] {
     const text::Document document(file);
-    return mbs::read_mechanism(document, element_kinds(word), mechanisms::given_values(document, value));
+    return mbs::read_mechanism(
+        document, element_kinds(word),
+        text::given_values(document, [&](const text::FileParameter& p) { return value(p.name); }));
   });
   std::vector<std::string> names;
   for (const mbs::Input& input : d.inputs) names.push_back(input.name);

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include "mechanisms/given.hpp"
 #include "sources/elements.hpp"
 #include "tandem/error.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
+#include "tandem/text/file_parameters.hpp"
 #include "view/about.hpp"
 
 namespace tandem::view {
@@ -56,8 +56,8 @@ RunMechanism read_mechanism(const std::string& instance, const fs::path& file, c
                     "the folder where 'tandem run' was run, or say --plots-only",
                     file.string(), instance, (results / "results.json").string()));
   const text::Document document(file);
-  const auto given = mechanisms::given_values(
-      document, [&](const std::string& name) { return value_of(values, instance, name); });
+  const auto given = text::given_values(
+      document, [&](const text::FileParameter& p) { return value_of(values, instance, p.name); });
   RunMechanism mechanism{instance, file, mbs::read_mechanism(document, element_kinds(), given), {}};
   mechanism.view = mechanisms::read_view(document, mechanism.description);
   return mechanism;

@@ -15,7 +15,8 @@
 namespace tandem {
 
 /// Runs subsystems that integrate themselves from t_start to t_stop. The stepping loop allocates nothing once
-/// the memory of the histories has settled.
+/// the memory of the histories has settled. Its header is long, as one object holds all that a turn touches;
+/// its sources go by concern: samples, events, through, threads, checkpoint, end.
 class Coordinator {
  public:
   /// subsystems: one for each of the topology, in its order; the topology has been checked; both must outlive

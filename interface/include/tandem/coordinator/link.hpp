@@ -16,7 +16,9 @@ namespace tandem {
 /// samples get one segment per sample of the source, with its origin at that sample (the segment's right
 /// node), made once, when the sample is committed; so the signal depends on the samples alone, and many small
 /// calls read what one large call reads. Those of held outputs have it at their begin, the sample's time.
-/// Mean and matched hold depend on the reader's step and are made when it reads.
+/// Mean and matched hold depend on the reader's step and are made when it reads. It is one class for all
+/// kinds, and long for that, as a time loop reads links without a virtual call; each kind has a source of its
+/// own.
 class Link {
  public:
   /// delay [s]: the reader gets at t what the source gave at t - delay.

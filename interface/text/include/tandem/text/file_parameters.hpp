@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <set>
+#include <functional>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,5 +26,9 @@ struct FileParameter {
 /// values, the given ones in place of the file's, into `values`. Throws Error for a value of the other type,
 /// a word that is not allowed, and a given one that the file does not have.
 std::vector<FileParameter> read_parameters(Section& root, const GivenValues& given, Values& values);
+
+/// Of the parameters that a file declares, those that somebody else gives: find tells.
+GivenValues given_values(const Document& document,
+                         const std::function<std::optional<FileValue>(const FileParameter&)>& find);
 
 }  // namespace tandem::text

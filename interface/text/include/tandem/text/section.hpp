@@ -39,7 +39,6 @@ class Section {
   [[noreturn]] void wrong(const std::string& key, const std::string& found, const std::string& allowed) const;
 
   const Document& document() const { return document_; }
-  const Values* values() const { return values_; }
   /// The number that a node of this section is, or stands for.
   double number_of(const toml::node& node, const std::string& name) const;
   const toml::table& table() const { return table_; }

@@ -17,7 +17,6 @@ using FileValue = std::variant<double, std::string>;
 class Values {
  public:
   void set(const std::string& name, FileValue value) { values_[name] = std::move(value); }
-  const std::map<std::string, FileValue>& all() const { return values_; }
 
   /// Whether a node is a text that begins with $.
   static bool refers(const toml::node& node);

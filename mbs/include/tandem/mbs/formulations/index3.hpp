@@ -53,8 +53,8 @@ bool threads_are_built_in();
 /// since M da = -Phi_q^T beta h^2 alpha (Phi_q q'' + gamma) - (h/2 C + beta h^2 K) da.
 ///
 /// Steps that are cut: constraints are held by alpha h^2, so alpha rises as h falls. Newmark's accelerations
-/// are differences of positions, 4 dq / h^2, so that in the shortest steps they would be what
-/// the iteration leaves in dq: there they stay as they are, and velocities are off by h^2/2 times their rate.
+/// are differences of positions, 4 dq / h^2, so that in the shortest steps they would be what the iteration
+/// leaves in dq: there they stay as they are, and velocities are off by h^2/2 times their rate.
 class Index3 final : public Stepper {
  public:
   /// `model` must outlive it. Throws Error for a setting that is not allowed.

@@ -45,15 +45,15 @@ struct PointMass {
   bool free = false;  ///< may be connected to nothing else
 };
 
-/// A mechanism before it is assembled. Names are unique among their kind. Indices are of the lists here,
-/// those of points and vectors of `entities`. `where` is what errors begin with: a file and its line, or
-/// nothing.
 /// A parameter of a file, with its value; a word has no unit.
 struct Parameter {
   std::string name, unit;
   std::variant<double, std::string> value;
 };
 
+/// A mechanism before it is assembled. Names are unique among their kind. Indices are of the lists here,
+/// those of points and vectors of `entities`. `where` is what errors begin with: a file and its line, or
+/// nothing.
 struct Description {
   std::string name;
   std::vector<Parameter> parameters = {};             ///< whose values stand in the rest already
