@@ -45,7 +45,7 @@ void* aligned_alloc(size_t alignment, size_t size) {
 void* memalign(size_t alignment, size_t size) {
   return tandem::test::count_allocation(), __libc_memalign(alignment, size);
 }
-int posix_memalign(void** p, size_t alignment, size_t size) {
+int posix_memalign(void** p, size_t alignment, size_t size) noexcept {
   tandem::test::count_allocation();
   *p = __libc_memalign(alignment, size);
   return *p ? 0 : 12;  // ENOMEM

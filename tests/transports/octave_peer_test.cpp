@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "mass2_library.hpp"
 #include "peers.hpp"
 #include "recording.hpp"
 #include "refusal.hpp"

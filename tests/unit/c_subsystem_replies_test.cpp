@@ -164,5 +164,20 @@ TEST(CSubsystemReplies, HandsSignalsAndRowsOverAsTheyAre) {
   EXPECT_EQ(seen_land, 1);
 }
 
+TEST(CSubsystemReplies, RefusesToSaveWithoutTheAbility) {
+  static tandem_info poorer;
+  Spoilt s([](tandem_subsystem_api& api) {
+    api.info = [](void* self) -> const tandem_info* {
+      poorer = *c_oscillator()->info(self);
+      poorer.abilities = TANDEM_LANDS;
+      return &poorer;
+    };
+    api.save_state = nullptr;
+  });
+  EXPECT_TRUE(refuses(ErrorCode::not_supported, {"c_oscillator"}, [&] { s.subsystem.save_state(); }));
+  EXPECT_TRUE(refuses(ErrorCode::not_supported, {"c_oscillator"}, [&] { s.subsystem.restore_state(0); }));
+  EXPECT_TRUE(refuses(ErrorCode::not_supported, {"c_oscillator"}, [&] { s.subsystem.release_state(0); }));
+}
+
 }  // namespace
 }  // namespace tandem

@@ -17,6 +17,7 @@
 #include "tandem/engine/read.hpp"
 #include "tandem/engine/subsystem.hpp"
 #include "tandem/shared_library/shared_library.hpp"
+#include "tandem/tcp/tcp.hpp"
 #if TANDEM_HAS_ZEROMQ
 #include "tandem/zeromq/zeromq.hpp"
 #endif

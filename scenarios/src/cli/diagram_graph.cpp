@@ -9,6 +9,7 @@
 #include "engine_models/compiled.hpp"
 #include "tandem/engine/compile.hpp"
 #include "tandem/engine/read.hpp"
+#include "tandem/error.hpp"
 
 namespace tandem::cli {
 namespace {
