@@ -54,7 +54,7 @@ class ScaledStepper final : public Stepper {
   int step(State& s, double h, double t_end) override;
   void refresh(State& s) override;
   TangentFactors tangent_factors(double h) const override { return stepper_->tangent_factors(h); }
-  std::vector<double> memory() const override { return stepper_->memory(); }
+  void remember(std::vector<double>& to) const override { stepper_->remember(to); }
   void recall(std::span<const double> memory) override { stepper_->recall(memory); }
 
  private:

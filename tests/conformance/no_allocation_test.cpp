@@ -10,6 +10,7 @@
 #include "four_bar/linkage.hpp"
 #include "pushed_mass.hpp"
 #include "pushed_pendulum.hpp"
+#include "relay_models.hpp"
 #include "run_bench.hpp"
 #include "scheme.hpp"
 #include "scratch.hpp"
@@ -219,6 +220,45 @@ TEST(NoAllocation, InADiagramAsASubsystem) {
     bench.connect("other.y", "wave.u", "lagrange1");
     EXPECT_EQ(allocations_in(bench, 300), 0) << integrator;
   }
+}
+
+/// Its output is a force.
+struct ForceRelay : Relay {
+  using Relay::Relay;
+  SubsystemInfo info() const {
+    SubsystemInfo info = Relay::info();
+    info.outputs[0].unit = "N";
+    return info;
+  }
+};
+
+/// It leads a relay that has events, saves its state before each step, and goes back.
+TEST(NoAllocation, InAMechanismThatGoesBack) {
+  const std::string pendulum = R"(
+dimension = 2
+gravity = [0, -9.81]
+[points]
+O = { at = [0, 0], fixed = true }
+A = { at = [0, -1] }
+[rods]
+r = { points = ["O", "A"], mass = 1 }
+[inputs]
+F = { unit = "N" }
+[forces]
+f = { point = "A", direction = [1, 0], magnitude = "F" }
+[outputs]
+x = { position = "A.x" }
+)";
+  const auto mass = mbs::make_subsystem(mbs::read_mechanism("mass", pendulum), {.step = 0.01, .stepper = {}});
+  FixedStep<ForceRelay> relay(ForceRelay({.width = 1e-3}, 0.01));
+  RunBench bench;
+  bench.add("mass", *mass).add("relay", relay).schedule("slowest-first");
+  bench.coordination.order = {"mass", "relay"};
+  bench.connect("relay.r", "mass.F", "").connect("mass.x", "relay.x", "lagrange3");
+  EXPECT_EQ(allocations_in(bench, 3000), 0);
+  Coordinator& run = bench.make(60.0);
+  run.run();
+  EXPECT_NE(run.notes().back().find("went back"), std::string::npos) << run.notes().back();
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "driven_pendulum.hpp"
+#include "memory_of.hpp"
 #include "refusal.hpp"
 #include "tandem/mbs/formulations/index3.hpp"
 #include "tandem/mbs/mechanism/initial.hpp"
@@ -90,7 +91,7 @@ TEST(Index3, ForgetsATangentThatIsNotPositiveDefiniteWhereAnotherIsPutBack) {
   pushed.v[0] = -150.0;  // with 8000 m/s^2 to 0.95 m: k (1 - 2/0.95) h^2/4 = -1.1 kg across
   formulation.start(stretched);
   formulation.step(stretched, 0.01, 0.01);
-  const auto memory = formulation.memory();
+  const auto memory = test::memory_of(formulation);
   State expected = stretched;
   source.force = 1.0;
   formulation.refresh(expected);
@@ -99,7 +100,7 @@ TEST(Index3, ForgetsATangentThatIsNotPositiveDefiniteWhereAnotherIsPutBack) {
   pushed.a.setZero();
   pushed.a[0] = 8000.0;
   formulation.step(pushed, 0.01, 0.01);
-  ASSERT_EQ(formulation.memory().front(), 0.0);  // no tangent of use
+  ASSERT_EQ(test::memory_of(formulation).front(), 0.0);  // no tangent of use
   formulation.recall(memory);
   source.force = 1.0;
   formulation.refresh(stretched);

@@ -11,6 +11,7 @@
 
 #include "driven_pendulum.hpp"
 #include "four_bar/linkage.hpp"
+#include "memory_of.hpp"
 #include "refusal.hpp"
 #include "standing_linkage.hpp"
 #include "tandem/mbs/mechanism/initial.hpp"
@@ -49,7 +50,8 @@ TEST(Index3, IsOfOrderTwoInPositionsVelocitiesAccelerationsAndMultipliers) {
   for (std::size_t k = 0; k < coarse.size(); ++k) EXPECT_NEAR(order(coarse[k], fine[k]), 2.0, 0.2) << k;
 }
 
-/// All own steps cut anywhere, as at events. Without own_step errors are up to 1000 times those of whole steps.
+/// All own steps cut anywhere, as at events. Without own_step errors are up to 1000 times those of whole
+/// steps.
 TEST(Index3, IsAsGoodWithStepsThatAreCut) {
   constexpr double h = 1.25e-3, end = 0.5;
   for (const int loops : {1, 5}) {
@@ -188,7 +190,7 @@ TEST(Index3, AForceThatBeginsInTheFlatPositionAcceleratesByNoMoreThanItCan) {
     formulation.step(s, h, k * h);
     if (k < 6900) continue;
     State pushed = s;
-    const auto memory = formulation.memory();
+    const auto memory = test::memory_of(formulation);
     source.force = 1.0;
     formulation.refresh(pushed);
     EXPECT_LT((pushed.a - s.a).norm(), 12.0) << s.time;

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "memory_of.hpp"
 #include "refusal.hpp"
 #include "tandem/mbs/integrators/frequency.hpp"
 #include "tandem/mbs/integrators/newmark.hpp"
@@ -139,7 +140,7 @@ TEST(Newmark, SeesWithinFiftyStepsThatItsLimitIsPassed) {
   int k = 1;
   for (; k <= 90; ++k) newmark.step(problem, m, 0.016, k * 0.016);
   restored.start(problem, m);
-  restored.recall(newmark.memory());
+  restored.recall(test::memory_of(newmark));
   const auto more = [&](NewmarkFamily& method) {
     Motion last = m;
     for (; k <= 101; ++k) method.step(problem, last, 0.016, k * 0.016);

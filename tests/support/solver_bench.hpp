@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "memory_of.hpp"
 #include "tandem/mbs/sparse/linear_solver.hpp"
 
 namespace tandem::test {
@@ -41,7 +42,7 @@ class SolverBench {
     place(a);
     return factorize_placed();
   }
-  std::vector<double> memory() const { return solver_->memory(); }
+  std::vector<double> memory() const { return memory_of(*solver_); }
   void recall(const std::vector<double>& memory) { solver_->recall(memory); }
   Eigen::VectorXd solve(Eigen::VectorXd b) {
     solver_->solve(b.data());

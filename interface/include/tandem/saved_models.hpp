@@ -2,7 +2,6 @@
 #pragma once
 #include <algorithm>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -27,22 +26,20 @@ class SavedModels : public Subsystem {
   const SubsystemInfo& info() const override { return info_; }
   const Model& model() const { return model_; }
 
-  StateId save_state() override {
-    saved_.emplace_back(++last_id_, std::pair{model_, place_});
-    return last_id_;
-  }
+  StateId save_state() override { return keep(model_, place_); }
   Clock restore_state(StateId id) override {
-    std::tie(model_, place_) = saved(id)->second;
+    const Saved& from = saved(id);
+    model_ = from.model, place_ = from.place;
     return place_.clock();
   }
-  void release_state(StateId id) override { saved_.erase(saved(id)); }
+  void release_state(StateId id) override { saved(id).id = nobody; }
 
   std::vector<std::byte> serialize_state(StateId id) override {
     if constexpr (WritesState<Model>)
       if (info_.abilities.serializes_state) {
         ByteWriter to;
-        saved(id)->second.second.write(to);
-        saved(id)->second.first.write(to);
+        saved(id).place.write(to);
+        saved(id).model.write(to);
         return {to.bytes().begin(), to.bytes().end()};
       }
     return Subsystem::serialize_state(id);
@@ -51,12 +48,12 @@ class SavedModels : public Subsystem {
     if constexpr (WritesState<Model>)
       if (info_.abilities.serializes_state) {
         ByteReader from(bytes, info_.name, "state of");
-        std::pair state{model_, place_};
-        state.second.read(from);
-        state.first.read(from);
+        Model model = model_;
+        Place place = place_;
+        place.read(from);
+        model.read(from);
         from.end();
-        saved_.emplace_back(++last_id_, std::move(state));
-        return last_id_;
+        return keep(model, place);
       }
     return Subsystem::deserialize_state(bytes);
   }
@@ -72,18 +69,34 @@ class SavedModels : public Subsystem {
   Place place_;
 
  private:
-  using Saved = std::vector<std::pair<StateId, std::pair<Model, Place>>>;
+  static constexpr StateId nobody = -1;
+  struct Saved {
+    StateId id;
+    Model model;
+    Place place;
+  };
 
-  typename Saved::iterator saved(StateId id) {
-    const auto it =
-        std::find_if(saved_.begin(), saved_.end(), [id](const auto& entry) { return entry.first == id; });
-    if (it != saved_.end()) return it;
+  /// In the memory of one that is released, if there is one.
+  StateId keep(const Model& model, const Place& place) {
+    const auto free =
+        std::find_if(saved_.begin(), saved_.end(), [](const Saved& s) { return s.id == nobody; });
+    if (free == saved_.end())
+      saved_.push_back({++last_id_, model, place});
+    else
+      free->model = model, free->place = place, free->id = ++last_id_;
+    return last_id_;
+  }
+
+  Saved& saved(StateId id) {
+    const auto it = std::find_if(saved_.begin(), saved_.end(),
+                                 [id](const Saved& s) { return s.id == id && id != nobody; });
+    if (it != saved_.end()) return *it;
     throw Error(ErrorCode::invalid_argument,
                 "subsystem '" + info_.name + "' has no saved state " + std::to_string(id));
   }
 
   StateId last_id_ = 0;
-  Saved saved_;
+  std::vector<Saved> saved_;
 };
 
 }  // namespace tandem

@@ -155,12 +155,10 @@ void Index3::refuse_unstable(const State& s, double h) {
 
 /// The penalty of the tangent at hand, which refresh() uses, the highest frequency and when it is looked at,
 /// whether refresh() needs a tangent of its own, what the projection left, and that tangent.
-std::vector<double> Index3::memory() const {
-  std::vector<double> all = {weight_, frequency_, static_cast<double>(steps_), needs_own_ ? 1.0 : 0.0};
-  all.insert(all.end(), left_.begin(), left_.end());
-  const auto more = terms_.memory();
-  all.insert(all.end(), more.begin(), more.end());
-  return all;
+void Index3::remember(std::vector<double>& to) const {
+  to.insert(to.end(), {weight_, frequency_, static_cast<double>(steps_), needs_own_ ? 1.0 : 0.0});
+  to.insert(to.end(), left_.begin(), left_.end());
+  terms_.remember(to);
 }
 
 void Index3::recall(std::span<const double> memory) {

@@ -94,14 +94,12 @@ int Terms::factorize_indefinite(const TangentFactors& factors) {
 }
 
 /// Of the tangent, after the number of numbers that it has; of the indefinite one, if there is one.
-std::vector<double> Terms::memory() const {
-  const auto of_tangent = tangent.memory();
-  std::vector<double> all = {static_cast<double>(of_tangent.size())};
-  all.insert(all.end(), of_tangent.begin(), of_tangent.end());
-  if (!indefinite_) return all;
-  const auto more = indefinite_->memory();
-  all.insert(all.end(), more.begin(), more.end());
-  return all;
+void Terms::remember(std::vector<double>& to) const {
+  const std::size_t begin = to.size();
+  to.push_back(0.0);
+  tangent.remember(to);
+  to[begin] = static_cast<double>(to.size() - begin - 1);
+  if (indefinite_) indefinite_->remember(to);
 }
 
 void Terms::recall(std::span<const double> memory) {

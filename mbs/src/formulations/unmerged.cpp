@@ -36,13 +36,12 @@ void Unmerged::refresh(State& s) {
 TangentFactors Unmerged::tangent_factors(double) const { return {0.0, 0.0, formulation_->penalty()}; }
 
 /// The formulation's, the integrator's, and how many numbers are the first's.
-std::vector<double> Unmerged::memory() const {
-  std::vector<double> all = formulation_->memory();
-  const auto first = static_cast<double>(all.size());
-  const auto more = integrator_->memory();
-  all.insert(all.end(), more.begin(), more.end());
-  all.push_back(first);
-  return all;
+void Unmerged::remember(std::vector<double>& to) const {
+  const std::size_t begin = to.size();
+  formulation_->remember(to);
+  const auto first = static_cast<double>(to.size() - begin);
+  integrator_->remember(to);
+  to.push_back(first);
 }
 
 void Unmerged::recall(std::span<const double> memory) {

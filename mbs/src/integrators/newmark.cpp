@@ -38,10 +38,9 @@ void NewmarkFamily::start(SecondOrder& problem, const Motion& motion) {
 }
 
 /// The lag, how many steps ago the highest frequency was looked at, and that.
-std::vector<double> NewmarkFamily::memory() const {
-  std::vector<double> all(lag_.begin(), lag_.end());
-  all.insert(all.end(), {static_cast<double>(steps_), frequency_});
-  return all;
+void NewmarkFamily::remember(std::vector<double>& to) const {
+  to.insert(to.end(), lag_.begin(), lag_.end());
+  to.insert(to.end(), {static_cast<double>(steps_), frequency_});
 }
 
 void NewmarkFamily::recall(std::span<const double> memory) {

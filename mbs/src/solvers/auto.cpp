@@ -91,7 +91,7 @@ class Auto final : public LinearSolver {
   int factorize(double* values) override { return solver_->factorize(values); }
   bool in_place() const override { return solver_->in_place(); }
   void solve(double* b) override { solver_->solve(b); }
-  std::vector<double> memory() const override { return solver_->memory(); }
+  void remember(std::vector<double>& to) const override { solver_->remember(to); }
   void recall(std::span<const double> memory) override { solver_->recall(memory); }
 
  private:

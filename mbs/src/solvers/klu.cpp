@@ -46,7 +46,9 @@ class Klu final : public LinearSolver {
   void solve(double* b) override { klu_solve(symbolic_, numeric_, pattern_.columns(), 1, b, &common_); }
 
   /// The matrix whose pivots it uses.
-  std::vector<double> memory() const override { return pivoted_; }
+  void remember(std::vector<double>& to) const override {
+    to.insert(to.end(), pivoted_.begin(), pivoted_.end());
+  }
   void recall(std::span<const double> memory) override {
     check_memory(memory.empty() || (!always_full_ && memory.size() == pattern_.indices().size()));
     std::vector<double> matrix(memory.begin(), memory.end());

@@ -69,11 +69,9 @@ Tangent::Tangent(const Structure& structure, std::unique_ptr<LinearSolver> solve
   base_ = mass_;
 }
 
-std::vector<double> Tangent::memory() const {
-  std::vector<double> all = values_;
-  const auto more = solver_->memory();
-  all.insert(all.end(), more.begin(), more.end());
-  return all;
+void Tangent::remember(std::vector<double>& to) const {
+  to.insert(to.end(), values_.begin(), values_.end());
+  solver_->remember(to);
 }
 
 void Tangent::recall(std::span<const double> memory) {

@@ -16,7 +16,10 @@ class MovingState {
   explicit MovingState(std::shared_ptr<Stepper> stepper) : stepper_(std::move(stepper)) {}
   MovingState(const MovingState& other) { *this = other; }
   MovingState& operator=(const MovingState& other) {
-    memory_ = other.kept_ ? other.memory_ : other.stepper_->memory();
+    if (other.kept_)
+      memory_ = other.memory_;
+    else
+      memory_.clear(), other.stepper_->remember(memory_);
     kept_ = true;
     stepper_ = other.stepper_;
     state_ = other.state_;
@@ -57,7 +60,7 @@ class MovingState {
 
   std::shared_ptr<Stepper> stepper_;
   State state_;
-  std::vector<double> memory_;  ///< Stepper::memory(), of a state that is kept
+  std::vector<double> memory_;  ///< what the stepper remembers, of a state that is kept
   bool kept_ = false;
 };
 

@@ -28,7 +28,10 @@ class DrivenKart {
         step_(step) {}
   DrivenKart(const DrivenKart& other) { *this = other; }
   DrivenKart& operator=(const DrivenKart& other) {
-    memory_ = other.kept_ ? other.memory_ : other.stepper_->memory();
+    if (other.kept_)
+      memory_ = other.memory_;
+    else
+      memory_.clear(), other.stepper_->remember(memory_);
     kept_ = true;
     model_ = other.model_, stepper_ = other.stepper_, bounds_ = other.bounds_;
     state_ = other.state_, step_ = other.step_, torque_ = other.torque_, known_ = other.known_;

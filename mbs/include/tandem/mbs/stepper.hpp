@@ -10,7 +10,7 @@ namespace tandem::mbs {
 
 /// Moves the state of a model step by step: a formulation of its equations and an integrator of them. It may
 /// keep what belongs to the last step (a factorized matrix), so it serves one run at a time; a state that was
-/// kept is put back with the memory() of its time. Each function throws Error(numerical) with the time and
+/// kept is put back with what was remembered with it. Each function throws Error(numerical) with the time and
 /// the names of what is singular, not finite or does not converge; the state is then of no use. While a
 /// function runs, numbers below 2.2e-308 count as zero where the processor can (they would slow it by far).
 class Stepper {
@@ -31,10 +31,10 @@ class Stepper {
   /// (null_space: none, so the factors are 0).
   virtual TangentFactors tangent_factors([[maybe_unused]] double h) const { return {0.0, 0.0, 0.0}; }
 
-  /// What it goes by besides the state, after a step or start(). With the state of that moment and its memory
-  /// put back, steps are the same to the last bit, also of another stepper of the same kind that has started.
-  /// recall() throws Error(invalid_argument) for the memory of another kind.
-  virtual std::vector<double> memory() const { return {}; }
+  /// Appends what it goes by besides the state, after a step or start(). With the state of that moment and
+  /// its memory put back, steps are the same to the last bit, also of another stepper of the same kind that
+  /// has started. recall() throws Error(invalid_argument) for the memory of another kind.
+  virtual void remember(std::vector<double>& /*to*/) const {}
   virtual void recall(std::span<const double> /*memory*/) {}
 };
 

@@ -19,8 +19,8 @@ class Formulation : public SecondOrder {
   virtual void refresh(State& state) = 0;
   /// alpha in the matrix M + alpha Phi_q^T Phi_q that it factorizes; 0 if there is none.
   virtual double penalty() const { return 0.0; }
-  /// See Stepper::memory().
-  virtual std::vector<double> memory() const = 0;
+  /// See Stepper::remember().
+  virtual void remember(std::vector<double>& to) const = 0;
   virtual void recall(std::span<const double> memory) = 0;
 };
 

@@ -77,7 +77,7 @@ class Index3 final : public Stepper {
   /// on always. What has not settled then, where constraints hardly hold, stays as it is.
   void refresh(State& state) override;
   TangentFactors tangent_factors(double h) const override;
-  std::vector<double> memory() const override;
+  void remember(std::vector<double>& to) const override;
   void recall(std::span<const double> memory) override;
 
  private:

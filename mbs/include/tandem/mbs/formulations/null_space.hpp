@@ -35,7 +35,9 @@ class NullSpace final : public Formulation {
   void finish(const Motion& motion, State& state) override;
   void start(State& state) override;
   void refresh(State& state) override;
-  std::vector<double> memory() const override { return {dependent_.begin(), dependent_.end()}; }
+  void remember(std::vector<double>& to) const override {
+    to.insert(to.end(), dependent_.begin(), dependent_.end());
+  }
   void recall(std::span<const double> memory) override;
 
  private:

@@ -25,7 +25,7 @@ class Stabilized : public Formulation {
   void finish(const Motion& motion, State& state) override;
   void refresh(State& state) override;
   double penalty() const override { return alpha_; }
-  std::vector<double> memory() const override { return terms_.memory(); }
+  void remember(std::vector<double>& to) const override { terms_.remember(to); }
   void recall(std::span<const double> memory) override { terms_.recall(memory); }
 
  protected:

@@ -32,7 +32,7 @@ struct Terms {
   void solve(Eigen::VectorXd& x);
   /// What factorizations go by besides the state, and back: T is that of the time then, which was definite if
   /// it is of use.
-  std::vector<double> memory() const;
+  void remember(std::vector<double>& to) const;
   void recall(std::span<const double> memory);
   /// correction <- factor T^-1 [Q - M a - Phi_q^T weights]; returns its Euclidean norm. Error(numerical)
   /// names a variable and the time where that is not finite.

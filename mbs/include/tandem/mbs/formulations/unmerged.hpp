@@ -16,7 +16,7 @@ class Unmerged final : public Stepper {
   int step(State& state, double h, double t_end) override;
   void refresh(State& state) override;
   TangentFactors tangent_factors(double h) const override;
-  std::vector<double> memory() const override;
+  void remember(std::vector<double>& to) const override;
   void recall(std::span<const double> memory) override;
 
  private:

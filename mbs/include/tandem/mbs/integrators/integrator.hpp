@@ -33,8 +33,8 @@ class Integrator {
   /// leaves. Returns the number of iterations (1 for an explicit method). Throws Error(numerical) with the
   /// time for no convergence; it never takes a smaller step instead.
   virtual int step(SecondOrder& problem, Motion& motion, double h, double t_end) = 0;
-  /// See Stepper::memory().
-  virtual std::vector<double> memory() const { return {}; }
+  /// See Stepper::remember().
+  virtual void remember(std::vector<double>& /*to*/) const {}
   virtual void recall(std::span<const double> /*memory*/) {}
 };
 

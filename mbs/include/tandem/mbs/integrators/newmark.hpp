@@ -44,7 +44,7 @@ class NewmarkFamily final : public Integrator {
 
   void start(SecondOrder& problem, const Motion& motion) override;
   int step(SecondOrder& problem, Motion& motion, double h, double t_end) override;
-  std::vector<double> memory() const override;
+  void remember(std::vector<double>& to) const override;
   void recall(std::span<const double> memory) override;
 
  private:

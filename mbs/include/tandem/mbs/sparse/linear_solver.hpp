@@ -37,9 +37,9 @@ class LinearSolver {
   virtual bool in_place() const { return false; }
   /// b becomes A^-1 b. Precondition: the last factorize() returned -1.
   virtual void solve(double* b) = 0;
-  /// What it goes by besides the matrix that it factorizes (one before, whose pivots it uses), and back: then
-  /// it factorizes with the same bits. Error(invalid_argument) for that of another.
-  virtual std::vector<double> memory() const { return {}; }
+  /// Appends what it goes by besides the matrix that it factorizes (one before, whose pivots it uses); and
+  /// back: then it factorizes with the same bits. Error(invalid_argument) for that of another.
+  virtual void remember(std::vector<double>& /*to*/) const {}
   virtual void recall(std::span<const double> memory);
 };
 

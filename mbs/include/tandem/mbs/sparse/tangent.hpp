@@ -39,7 +39,7 @@ class Tangent {
   const std::vector<double>& values() const { return values_; }
   /// These, and what the solver goes by besides; and back, factorized. Error(invalid_argument) for those of
   /// another.
-  std::vector<double> memory() const;
+  void remember(std::vector<double>& to) const;
   void recall(std::span<const double> memory);
   /// b becomes T^-1 b.
   void solve(double* b);
