@@ -1,13 +1,12 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "sampled_diagram.hpp"
 
-#include <utility>
 
 #include "tandem/error.hpp"
 
 namespace tandem::engine {
 
-SampledDiagram::SampledDiagram(DiagramModel model) : SavedModels(std::move(model)) {
+SampledDiagram::SampledDiagram(const DiagramModel& model) : SavedModels(model) {
   info_.abilities.sampled = true;
   info_.sampling.period = model_.program().shortest_period;
 }

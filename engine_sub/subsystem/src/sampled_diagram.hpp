@@ -17,7 +17,7 @@ struct InstantPlace {
 /// A diagram whose outputs change at its own instants alone.
 class SampledDiagram final : public SavedModels<DiagramModel, InstantPlace> {
  public:
-  explicit SampledDiagram(DiagramModel model);
+  explicit SampledDiagram(const DiagramModel& model);
 
   Clock initialize(double t_start, double t_stop, std::span<const double> u0, Samples& y) override;
   Clock advance(double t_limit, bool land, std::span<const Signal> u, Samples& y) override;

@@ -19,7 +19,7 @@ const DiagramModel* model_of(const Subsystem& subsystem) {
 
 std::unique_ptr<Subsystem> make_subsystem(const Description& diagram, const SubsystemSettings& settings) {
   DiagramModel model(diagram, settings);
-  if (model.program().sampled()) return std::make_unique<SampledDiagram>(std::move(model));
+  if (model.program().sampled()) return std::make_unique<SampledDiagram>(model);
   return std::make_unique<FixedStep<DiagramModel>>(std::move(model));
 }
 
