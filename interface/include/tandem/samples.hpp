@@ -43,6 +43,10 @@ class Samples {
     return {at(row) + header, static_cast<std::size_t>(data_.stride - header)};
   }
 
+  double* rows() const { return data_.rows; }
+  std::int64_t stride() const { return data_.stride; }
+  std::int64_t capacity() const { return data_.capacity; }
+
   /// The same rows as the C interface has them.
   tandem_samples c_view() const { return data_; }
   /// These themselves, for a call across it to fill. Whoever makes the call sees to it that in the end

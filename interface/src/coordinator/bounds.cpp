@@ -12,9 +12,9 @@ constexpr double largest = std::numeric_limits<double>::max();
 }
 
 Bounds::Bounds(const SubsystemInfo& info)
-    : info_(&info),
-      outputs_(info.output_size()),
-      columns_(info.row_size() - Samples::header),
+    : outputs_(info.output_size()),
+      columns_(static_cast<std::int32_t>(info.row_size() - Samples::header)),
+      info_(&info),
       most_(static_cast<std::size_t>(outputs_), largest) {
   find_least();
 }

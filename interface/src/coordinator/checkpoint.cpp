@@ -26,8 +26,8 @@ bool all_finite(std::span<const double> values) {
 }  // namespace
 
 void History::write(ByteWriter& to) const {
-  for (const std::int64_t number : {base_, committed_, seeds_, capacity_}) to.put(number);
-  to.put_list({data_.data(), static_cast<std::size_t>(samples_.size() * stride_)});
+  for (const std::int64_t number : {base_, committed_, seeds_, capacity()}) to.put(number);
+  to.put_list({data_.data(), static_cast<std::size_t>(samples_.size() * stride())});
   bounds_.write(to);
 }
 
@@ -39,23 +39,24 @@ void History::read(ByteReader& from) {
   from.take<std::int64_t>();  // the capacity
   const auto rows = from.take_list();
   bounds_.read(from);
-  const auto count = static_cast<std::int64_t>(rows.size()) / stride_;
-  if (static_cast<std::int64_t>(rows.size()) != count * stride_ || count < 1 || base < 0 ||
+  const auto count = static_cast<std::int64_t>(rows.size()) / stride();
+  if (static_cast<std::int64_t>(rows.size()) != count * stride() || count < 1 || base < 0 ||
       base > most_rows || committed != base + count || seeds < 0 || seeds > committed || !are_rows(rows))
     from.refuse("has a history of subsystem '" + name_ + "' with " + std::to_string(rows.size()) +
-                " numbers; allowed are rows of " + std::to_string(stride_) + " that follow each other");
+                " numbers; allowed are rows of " + std::to_string(stride()) + " that follow each other");
   base_ = base, committed_ = committed, seeds_ = seeds;
-  while (count > capacity_ / 2) capacity_ *= 2;
+  std::int64_t enough = capacity();
+  while (count > enough / 2) enough *= 2;
   data_ = rows;
-  data_.resize(static_cast<std::size_t>(capacity_ * stride_));
-  samples_ = Samples(data_.data(), stride_, capacity_, count);
+  data_.resize(static_cast<std::size_t>(enough * stride()));
+  samples_ = Samples(data_.data(), stride(), enough, count);
 }
 
 /// Whether they are what commit() lets pass.
 bool History::are_rows(std::span<const double> rows) const {
   double before = -std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < rows.size(); k += static_cast<std::size_t>(stride_)) {
-    const auto row = rows.subspan(k, static_cast<std::size_t>(stride_));
+  for (std::size_t k = 0; k < rows.size(); k += static_cast<std::size_t>(stride())) {
+    const auto row = rows.subspan(k, static_cast<std::size_t>(stride()));
     const bool jump = row[1] == 1.0;
     if (!all_finite(row) || !(jump || row[1] == 0.0) || !(row[0] > before || (jump && row[0] == before)))
       return false;

@@ -107,6 +107,7 @@ void Exchange::add_line(const Topology& topology, const Line& line, const LinkTi
     Sum& sum =
         known != reader.sums.end() ? *known : reader.sums.emplace_back(Sum{slot, reader.slots.size(), 0, {}});
     if (sum.count == 0) reader.slots.resize(reader.slots.size() + terms);
+    reader.adds = true;
     slot = sum.first + sum.count++;
   }
   const bool held = scalar_at(topology.info(line.source).outputs, line.output).port->held;
@@ -179,7 +180,7 @@ std::span<const double> Exchange::sample(int reader, TimeSpan to) {
     const auto first = end.values.begin() + static_cast<std::ptrdiff_t>(sum.first);
     end.values[sum.input] = std::accumulate(first, first + static_cast<std::ptrdiff_t>(sum.count), 0.0);
   }
-  return {end.values.data(), end.inputs};
+  return {end.values.data(), static_cast<std::size_t>(end.inputs)};
 }
 
 /// The sum's breaks are those of all its terms, and it jumps where one does: by a marked piece of no length,

@@ -14,21 +14,21 @@
 namespace tandem {
 
 History::History(std::string name, const SubsystemInfo& info, std::int64_t capacity)
-    : name_(std::move(name)),
+    : bounds_(info),
+      name_(std::move(name)),
       info_(&info),
       outputs_(info.output_size()),
-      derivatives_(info.derivatives()),
-      stride_(info.row_size()),
-      capacity_(std::max(capacity, min_capacity)),
-      data_(static_cast<std::size_t>(capacity_ * stride_)),
-      samples_(data_.data(), stride_, capacity_),
-      bounds_(info) {}
+      derivatives_(info.derivatives()) {
+  capacity = std::max(capacity, min_capacity);
+  data_.resize(static_cast<std::size_t>(capacity * info.row_size()));
+  samples_ = Samples(data_.data(), info.row_size(), capacity);
+}
 
 /// The call that gave the rows began at the one before them; without one it was the start.
 void History::fail(const NewRows& rows, double t_limit, const std::string& what) const {
   const bool start = rows.first == data_.data();
   throw Error(ErrorCode::numerical, (start ? "subsystem '" + name_ + "', initialize"
-                                           : advance_of(name_, *(rows.first - stride_), t_limit)) +
+                                           : advance_of(name_, *(rows.first - stride()), t_limit)) +
                                         ": " + what);
 }
 
@@ -74,7 +74,7 @@ double History::taylor(const std::vector<double>& sample, int c, double s) const
 }
 
 void History::seed(int count, double h) {
-  assert(committed_ - base_ == 1 && h > 0.0 && count + 2 < capacity_);
+  assert(committed_ - base_ == 1 && h > 0.0 && count + 2 < capacity());
   const std::vector<double> first(values(base_).begin(), values(base_).end());
   const double t0 = time(base_);
   clear();
@@ -87,25 +87,19 @@ void History::seed(int count, double h) {
 
 void History::clear() {
   base_ = committed_ = seeds_ = 0;
-  samples_ = Samples(data_.data(), stride_, capacity_);
+  samples_ = Samples(data_.data(), stride(), capacity());
 }
 
 void History::make_room(std::int64_t keep, std::int64_t wanted) {
   keep = std::clamp(keep, base_, committed_);
   const std::int64_t kept = base_ + samples_.size() - keep;
-  std::int64_t capacity = capacity_;
+  std::int64_t capacity = this->capacity();
   while (kept + wanted > capacity / 2) capacity *= 2;
-  resize(capacity, keep);
-}
-
-void History::resize(std::int64_t capacity, std::int64_t keep) {
-  const std::int64_t kept = base_ + samples_.size() - keep;
-  const auto first = data_.begin() + (keep - base_) * stride_;
-  std::copy(first, first + kept * stride_, data_.begin());
-  data_.resize(static_cast<std::size_t>(capacity * stride_));
-  capacity_ = capacity;
+  const double* const first = row(keep);
+  std::copy(first, first + kept * stride(), data_.begin());
+  data_.resize(static_cast<std::size_t>(capacity * stride()));
   base_ = keep;
-  samples_ = Samples(data_.data(), stride_, capacity_, kept);
+  samples_ = Samples(data_.data(), stride(), capacity, kept);
 }
 
 }  // namespace tandem

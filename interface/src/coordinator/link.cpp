@@ -12,15 +12,15 @@ constexpr double open_end = std::numeric_limits<double>::infinity();
 }
 
 Link::Link(int source, int reader, Reconstruction how, double delay)
-    : source_(source),
-      reader_(reader),
-      how_(how),
-      extend_(extend_by(how)),
-      degree_(how.polynomial_degree()),
+    : degree_(how.polynomial_degree()),
       follows_(how.follows_samples()),
       held_(how.kind == Reconstruction::Kind::held),
       plain_(follows_ && !held_),
-      delay_(delay) {}
+      extend_(extend_by(how)),
+      delay_(delay),
+      source_(source),
+      reader_(reader),
+      how_(how) {}
 
 void Link::attach(const History& samples, TimeTolerance tolerance) {
   tolerance_ = tolerance;
@@ -151,8 +151,8 @@ void Link::reach_back() {
 
 void Link::follow_room() {
   if (!follows_) return;
-  std::vector<Segment> larger;
-  std::vector<Segment>& target = samples_->capacity() == capacity_ ? segments_ : larger;
+  LineVector<Segment> larger;
+  LineVector<Segment>& target = samples_->capacity() == capacity_ ? segments_ : larger;
   target.resize(lanes_.size() * static_cast<std::size_t>(samples_->capacity()));
   for (std::size_t l = 0; l < lanes_.size(); ++l) {
     const Segment* first = first_ + static_cast<std::int64_t>(l) * capacity_;

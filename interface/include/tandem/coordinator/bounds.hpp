@@ -33,7 +33,7 @@ class Bounds {
   /// that was seen; if not, check() tells. False for what is not a number.
   bool pass(const double* values) const {
     bool within = true;
-    std::int64_t k = 0;
+    std::int32_t k = 0;
     for (; k < outputs_; ++k) within &= std::abs(values[k]) <= least_;
     for (; k < columns_; ++k) within &= std::abs(values[k]) <= std::numeric_limits<double>::max();
     return within;
@@ -50,9 +50,9 @@ class Bounds {
   void settle();
   void find_least();
 
-  const SubsystemInfo* info_;
-  std::int64_t outputs_, columns_;  ///< columns: with derivatives
+  std::int32_t outputs_, columns_;  ///< columns: with derivatives
   double least_ = 0.0;              ///< of most_
+  const SubsystemInfo* info_;
   bool learning_ = false;
   double until_ = 0.0, beyond_ = 0.0;
   std::vector<double> most_;  ///< by output; while it learns, what was seen

@@ -69,8 +69,9 @@ class Exchange {
   std::span<const Signal> inputs(int reader, double time, double next_time) {
     End& end = ends_[static_cast<std::size_t>(reader)];
     for (Link* link : end.in) link->read(time, next_time, end.slots.data());
-    for (Sum& sum : end.sums) add_up(sum, end.slots);
-    return {end.slots.data(), end.inputs};
+    if (end.adds)
+      for (Sum& sum : end.sums) add_up(sum, end.slots);
+    return {end.slots.data(), static_cast<std::size_t>(end.inputs)};
   }
 
   /// The inputs of a sampled `reader` at its instant `to.stop`, having acted at `to.start`. Valid until the
@@ -106,14 +107,17 @@ class Exchange {
     std::vector<Segment> segments;
   };
   /// What one subsystem gives and reads.
-  struct End {
-    End(History own, std::size_t count) : history(std::move(own)), inputs(count), slots(count) {}
+  struct alignas(64) End {
+    End(History own, std::size_t count)
+        : history(std::move(own)), inputs(static_cast<std::int32_t>(count)), slots(count) {}
     History history;
-    std::vector<Link*> out, in;   ///< out: those to sampled readers first
-    std::size_t at_instants = 0;  ///< of these so many
-    std::size_t inputs;
+    // What a turn touches, in one line of the cache, up to where the slots are.
+    std::vector<Link*> out, in;  ///< out: those to sampled readers first
+    std::int32_t inputs;
+    bool adds = false;          ///< there are sums
     std::vector<Signal> slots;  ///< the inputs, then the terms of sums
     std::vector<Sum> sums;
+    std::size_t at_instants = 0;  ///< links of `out`
     std::vector<Segment> constants;
     std::vector<const Link*> breaks;  ///< of in, those at whose breaks it ends a step
     std::vector<double> values;       ///< of a sampled one: the inputs, then the terms of sums

@@ -21,7 +21,7 @@ struct NewRows {
 /// The recent samples of one subsystem. The subsystem appends into room(); readers see the rows after
 /// commit(). Rows are numbered from 0 (the oldest seed, or else the first sample) and keep their number when
 /// older ones are dropped.
-class History {
+class alignas(64) History {
  public:
   static constexpr std::int64_t min_capacity = 16;
   /// name: of the instance, for errors. capacity: rows that there is memory for at first (at least
@@ -42,7 +42,7 @@ class History {
   NewRows commit(double t_limit, const TimeTolerance& tolerance) {
     const NewRows rows{row(committed_), base_ + samples_.size() - committed_};
     const double* y = rows.first;
-    for (std::int64_t left = rows.count; left > 0; --left, ++committed_, y += stride_)
+    for (std::int64_t left = rows.count; left > 0; --left, ++committed_, y += stride())
       if (!plain(y, t_limit)) check(rows, t_limit, tolerance);
     return rows;
   }
@@ -50,7 +50,7 @@ class History {
   /// Takes the newest committed rows back, as if they had not been given. Precondition: some stay.
   void withdraw(std::int64_t rows) {
     committed_ -= rows;
-    samples_ = Samples(data_.data(), stride_, capacity_, committed_ - base_);
+    samples_ = Samples(data_.data(), stride(), capacity(), committed_ - base_);
   }
 
   std::int64_t oldest() const { return base_; }
@@ -62,10 +62,10 @@ class History {
   std::span<const double> values(std::int64_t row) const { return samples_.values(row - base_); }
   /// The row as the subsystem wrote it: time, jump flag, values. The one before it stands stride() doubles
   /// earlier.
-  const double* row(std::int64_t row) const { return data_.data() + (row - base_) * stride_; }
-  std::int64_t stride() const { return stride_; }
+  const double* row(std::int64_t row) const { return samples_.rows() + (row - base_) * stride(); }
+  std::int64_t stride() const { return samples_.stride(); }
   /// The values of the newest row, which is of a sampled subsystem, to be given anew, and checked then.
-  double* newest_values() { return data_.data() + (newest() - base_) * stride_ + Samples::header; }
+  double* newest_values() { return samples_.rows() + (newest() - base_) * stride() + Samples::header; }
   void check_newest() { bounds_.check(name_, time(newest()), values(newest())); }
   int outputs() const { return outputs_; }
   int derivatives() const { return derivatives_; }
@@ -79,11 +79,11 @@ class History {
   /// Forgets everything.
   void clear();
 
-  bool has_room(std::int64_t rows) const { return samples_.size() + rows <= capacity_; }
+  bool has_room(std::int64_t rows) const { return samples_.size() + rows <= capacity(); }
   /// Drops the committed rows before `keep`, and takes more memory where the others and `wanted` more would
   /// fill over half of it.
   void make_room(std::int64_t keep, std::int64_t wanted);
-  std::int64_t capacity() const { return capacity_; }
+  std::int64_t capacity() const { return samples_.capacity(); }
 
   /// All rows, for a checkpoint, and back.
   void write(ByteWriter& to) const;
@@ -94,22 +94,23 @@ class History {
   /// for a jump.)
   bool plain(const double* y, double t_limit) const {
     return bounds_.pass(y + Samples::header) && y[1] == 0.0 && y[0] <= t_limit && committed_ > base_ &&
-           y[0] > y[-stride_];
+           y[0] > y[-stride()];
   }
   void check(const NewRows& rows, double t_limit, const TimeTolerance& tolerance);
   [[noreturn]] void fail(const NewRows& rows, double t_limit, const std::string& what) const;
   bool are_rows(std::span<const double> rows) const;
   double taylor(const std::vector<double>& sample, int column, double s) const;
-  void resize(std::int64_t capacity, std::int64_t keep);
 
+  // What a turn touches, in one line of the cache; Bounds begin with what they go by.
+  Samples samples_;  ///< in data_
+  std::int64_t base_ = 0, committed_ = 0;
+  Bounds bounds_;
+
+  std::int64_t seeds_ = 0;
+  std::vector<double> data_;
   std::string name_;
   const SubsystemInfo* info_;
   int outputs_, derivatives_;
-  std::int64_t stride_, capacity_;
-  std::int64_t base_ = 0, committed_ = 0, seeds_ = 0;
-  std::vector<double> data_;
-  Samples samples_;
-  Bounds bounds_;
 };
 
 }  // namespace tandem

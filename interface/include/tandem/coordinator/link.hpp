@@ -6,6 +6,7 @@
 
 #include "tandem/coordinator/history.hpp"
 #include "tandem/coordinator/lane.hpp"
+#include "tandem/coordinator/lines.hpp"
 #include "tandem/coordinator/member.hpp"
 #include "tandem/coordinator/reconstruction.hpp"
 #include "tandem/time_grid.hpp"
@@ -19,7 +20,7 @@ namespace tandem {
 /// Mean and matched hold depend on the reader's step and are made when it reads. It is one class for all
 /// kinds, and long for that, as a time loop reads links without a virtual call; each kind has a source of its
 /// own.
-class Link {
+class alignas(64) Link {
  public:
   /// delay [s]: the reader gets at t what the source gave at t - delay.
   Link(int source, int reader, Reconstruction how, double delay);
@@ -150,32 +151,32 @@ class Link {
   double line_mean(const Lane& lane, std::int64_t row, TimeSpan span) const;
   double held_mean(const Lane& lane, Rows rows, TimeSpan span) const;
 
-  int source_, reader_;
-  Reconstruction how_;
-  Extend extend_;
-  int degree_;    ///< of the polynomials
-  bool follows_;  ///< how_.follows_samples()
-  bool held_;     ///< how_.kind is held
-  bool plain_;    ///< it is read as it is: neither held nor made when it is read
+  // What a turn touches, in two lines of the cache: what is read, and what is extended beside it.
+  Segment* first_ = nullptr;   ///< of lane 0: the segment that holds the reader's time
+  std::int64_t capacity_ = 0;  ///< segments that there is room for in a lane
+  std::int32_t count_ = 0;     ///< segments from first_ on
+  std::int32_t degree_;        ///< of the polynomials
+  bool follows_;               ///< how_.follows_samples()
+  bool held_;                  ///< how_.kind is held
+  bool plain_;                 ///< it is read as it is: neither held nor made when it is read
   bool been_read_ = false;
-  double delay_;
   std::vector<Lane> lanes_;
-
+  Extend extend_;
+  std::int64_t stride_ = 0;  ///< of the source's rows
+  std::int64_t fitted_ = 0;  ///< rows that may be fitted together with the next one
+  double nearest_ = 0.0;     ///< see pass_over
+  double delay_;
   TimeTolerance tolerance_;
-  const History* samples_ = nullptr;
-  std::int64_t stride_ = 0;          ///< of their rows
-  std::int64_t capacity_ = 0;        ///< segments that there is room for in a lane
-  Segment* first_ = nullptr;         ///< of lane 0: the segment that holds the reader's time
-  std::int32_t count_ = 0;           ///< segments from there on
-  std::int64_t fitted_ = 0;          ///< rows that may be fitted together with the next one
-  double nearest_ = 0.0;             ///< see pass_over
-  bool has_events_ = false;          ///< its source has
-  double jump_at_ = -Member::never;  ///< [s]: the last one of its source that concerns a lane
-  std::vector<Segment> segments_;    ///< by lane, then by row
   std::vector<double> differences_;  ///< by lane: backward divided differences at the newest row
 
-  std::vector<double> nodes_;  ///< rows that a polynomial goes through, where some are passed over
-  std::int64_t late_ = 0;      ///< see wait()
+  const History* samples_ = nullptr;
+  LineVector<Segment> segments_;  ///< by lane, then by row
+  int source_, reader_;
+  Reconstruction how_;
+  bool has_events_ = false;          ///< its source has
+  double jump_at_ = -Member::never;  ///< [s]: the last one of its source that concerns a lane
+  std::vector<double> nodes_;        ///< rows that a polynomial goes through, where some are passed over
+  std::int64_t late_ = 0;            ///< see wait()
   bool sampled_ = false, within_ = false, just_before_ = false;  ///< see read_at_instants
   double read_from_ = 0.0;  ///< begin of the window that a sampled reader read last
 };

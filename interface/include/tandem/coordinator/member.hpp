@@ -5,7 +5,7 @@
 namespace tandem {
 
 /// What a schedule sees of a subsystem.
-struct Member {
+struct alignas(32) Member {
   static constexpr double never = std::numeric_limits<double>::max();
 
   double time = never;  ///< where it stands [s]; `never` if it takes no further part

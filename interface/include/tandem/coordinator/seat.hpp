@@ -13,7 +13,7 @@
 namespace tandem {
 
 /// What a coordinator knows of one subsystem, beside the schedule and the exchange.
-struct Seat {
+struct alignas(64) Seat {
   /// How far its next call is: not begun, failed, its inputs are there, begun by the subsystem itself,
   /// offered to other threads.
   enum class Call : std::uint8_t { none, failed, prepared, under_way, offered };
@@ -21,15 +21,15 @@ struct Seat {
   Subsystem* subsystem;
   double time = 0.0;               ///< where it stands [s]
   std::int64_t batch = 0;          ///< own steps that a call may take
-  std::int64_t told = 0;           ///< last row that the observer knows
   std::int64_t rows = 0;           ///< that there were before the call that has begun
   std::span<const Signal> u = {};  ///< of a call that has begun
-  Effort effort = {};
-  int idle_calls = 0;  ///< since it last moved
+  int idle_calls = 0;              ///< since it last moved
+  Stop stop = Stop::limit;         ///< why its last call returned
   Call call = Call::none;
-  Stop stop = Stop::limit;  ///< why its last call returned
   bool works_here = false;  ///< begins no call by itself (Subsystem::start_advance)
   bool goes_back = false;   ///< to events that it has passed
+  Effort effort = {};
+  std::int64_t told = 0;  ///< last row that the observer knows
 };
 
 /// A call that another thread may make.
