@@ -111,6 +111,8 @@ int run(int argc, char** argv) {
   tandem::cli::add_bench(app, context);
   tandem::cli::add_view(app, context);
   tandem::cli::add_ladder(app, context);
+  tandem::cli::add_help(app, context);
+  tandem::cli::add_schema(app, context);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& done) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <stdexcept>
 
 #include "tandem/nearest.hpp"
 
@@ -14,7 +15,28 @@ namespace tandem::text {
 Section::Section(const Document& document, const toml::table& table, std::string path, const Values* values)
     : document_(document), table_(table), path_(std::move(path)), values_(values) {}
 
+Section::Section(const Document& document, const Keys& language)
+    : document_(document), table_(document.table()), values_(nullptr), language_(&language) {}
+
+Section::Section(const Section& outer, const toml::table& table, std::string path, std::string pattern)
+    : document_(outer.document_),
+      table_(table),
+      path_(std::move(path)),
+      values_(outer.values_),
+      language_(outer.language_),
+      pattern_(std::move(pattern)) {}
+
+/// As the language has it; null without one.
+const Key* Section::known(const std::string& key) const {
+  if (!language_) return nullptr;
+  const std::string path = pattern_.empty() ? key : pattern_ + "." + key;
+  for (const std::string& known : {path, path + "[]"})
+    if (const Key* found = language_->find(known)) return found;
+  throw std::logic_error("key '" + path + "' is read and stands in no list of keys");
+}
+
 const toml::node* Section::node(const std::string& key) {
+  known(key);
   if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) asked_.push_back(key);
   return table_.get(key);
 }
@@ -30,12 +52,35 @@ void Section::wrong(const std::string& key, const std::string& found, const std:
 
 std::optional<std::string> Section::text(const std::string& key) {
   const toml::node* found = node(key);
-  if (!found) return std::nullopt;
+  const Key* const known = this->known(key);
+  if (!found) return known && !known->otherwise.empty() ? std::optional(known->otherwise) : std::nullopt;
   if (!found->is_string()) wrong(key, described(*found), "a text in quotes");
+  if (known && known->type == Key::Type::word) check_word(*known, key, found->as_string()->get());
   if (!values_ || !Values::refers(*found)) return found->as_string()->get();
   const FileValue value = values_->value(document_, *found, name(key));
   if (const auto* word = std::get_if<std::string>(&value)) return *word;
   wrong(key, "'" + found->as_string()->get() + "', a number", "a parameter with a text");
+}
+
+void Section::check_word(const Key& known, const std::string& key, const std::string& word) const {
+  if (known.allows(word)) return;
+  const std::string near = nearest(word, known.words);
+  wrong(key, "'" + word + "'" + (near.empty() ? "" : " (did you mean '" + near + "'?)"), described(known));
+}
+
+std::string Section::required_text(const std::string& key) {
+  if (!node(key)) missing(key);
+  return *text(key);
+}
+
+double Section::required_number(const std::string& key) {
+  if (!node(key)) missing(key);
+  return known(key)->type == Key::Type::positive ? *positive(key) : *number(key);
+}
+
+void Section::missing(const std::string& key) const {
+  const Key& known = *this->known(key);
+  missing(key, described(known));
 }
 
 std::string Section::required_text(const std::string& key, const std::string& allowed) {
@@ -53,8 +98,9 @@ void Section::missing(const std::string& key, const std::string& allowed) const 
 
 std::optional<double> Section::number(const std::string& key) {
   const toml::node* found = node(key);
-  if (!found) return std::nullopt;
-  return number_of(*found, name(key));
+  if (found) return number_of(*found, name(key));
+  const Key* const known = this->known(key);
+  return known && !known->otherwise.empty() ? std::optional(std::stod(known->otherwise)) : std::nullopt;
 }
 
 double Section::number_of(const toml::node& node, const std::string& name) const {
@@ -73,7 +119,9 @@ std::optional<double> Section::positive(const std::string& key) {
 
 std::optional<bool> Section::flag(const std::string& key) {
   const toml::node* found = node(key);
-  if (!found) return std::nullopt;
+  const Key* const known = this->known(key);
+  if (!found)
+    return known && !known->otherwise.empty() ? std::optional(known->otherwise == "true") : std::nullopt;
   if (!found->is_boolean()) wrong(key, described(*found), "true or false");
   return found->as_boolean()->get();
 }
@@ -98,7 +146,42 @@ const toml::table* Section::table(const std::string& key) {
   return found ? found->as_table() : nullptr;
 }
 
+std::optional<Section> Section::section(const std::string& key) {
+  const toml::table* inner = table(key);
+  return inner ? std::optional(Section(*this, *inner, name(key), known(key)->path)) : std::nullopt;
+}
+
+std::vector<std::pair<std::string, Section>> Section::named_sections() {
+  std::vector<std::pair<std::string, Section>> all;
+  for (const auto& [key, found] : in_file_order(table_)) {
+    if (!found->is_table()) wrong(key, described(*found), "a table");
+    all.emplace_back(key, Section(*this, *found->as_table(), name(key), known("NAME")->path));
+  }
+  return all;
+}
+
+std::vector<Section> Section::sections(const std::string& key) {
+  std::vector<Section> all;
+  const toml::node* found = node(key);
+  if (!found) return all;
+  const toml::array* array = found->as_array();
+  if (!array || !(array->empty() || array->is_array_of_tables()))
+    wrong(key, described(*found), "an array of tables, each begun by [[" + name(key) + "]]");
+  for (std::size_t i = 0; i < array->size(); ++i)
+    all.push_back(
+        {*this, *array->get(i)->as_table(), name(key) + "[" + std::to_string(i) + "]", known(key)->path});
+  return all;
+}
+
+/// Keys of the language that are not read would be passed over in silence.
+void Section::refuse_unread() const {
+  for (const std::string& key : language_->in(pattern_))
+    if (key != "NAME" && std::find(asked_.begin(), asked_.end(), key) == asked_.end())
+      throw std::logic_error("key '" + name(key) + "' stands in the list of keys and is not read");
+}
+
 void Section::refuse_unknown() const {
+  if (language_) refuse_unread();
   for (const auto& [key, found] : in_file_order(table_)) {
     if (std::find(asked_.begin(), asked_.end(), key) != asked_.end()) continue;
     refuse_key(key, nearest(key, asked_));

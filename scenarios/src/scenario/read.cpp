@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "scenario/keys.hpp"
 #include "scenario/scenario.hpp"
 #include "scenario/set.hpp"
 #include "scenario/settings.hpp"
@@ -27,15 +28,15 @@ class Reader {
           Place{to_.file.string()},
           "the file holds nothing; allowed is a scenario, with tables [subsystems.NAME], a mechanism, with "
           "points, or a diagram, with blocks");
-    Section root(document_, document_.table(), "");
+    Section root(document_, keys());
     to_.name = root.text("name").value_or(to_.file.stem().string());
     to_.description = root.text("description").value_or("");
     if (const auto* table = root.table("parameters")) shared_ = parameters(*table, "parameters");
     read_subsystems(root);
-    read_connections(root);
+    for (Section& connection : root.sections("connections")) read_connection(connection);
     for (const auto& [name, read_into] : settings())
-      if (const auto* table = root.table(name)) read_into({document_, *table, name}, to_);
-    if (!document_.table().contains("span")) root.missing("span", "a table [span] with start and stop in s");
+      if (auto section = root.section(name)) read_into(*section, to_);
+    if (!root.node("span")) root.missing("span", "a table [span] with start and stop in s");
     root.refuse_unknown();
   }
 
@@ -103,19 +104,14 @@ class Reader {
   }
 
   void read_subsystems(Section& root) {
-    const toml::table* table = root.table("subsystems");
-    if (!table || table->empty())
+    auto all = root.section("subsystems");
+    if (!all || all->table().empty())
       root.missing("subsystems",
                    "a table [subsystems.NAME] for each; a mechanism has points, a diagram blocks");
-    for (const auto& [name, node] : in_file_order(*table)) {
-      const std::string path = "subsystems." + name;
-      if (!node->is_table())
-        refuse(document_.place(*node), path + " is " + described(*node) + "; allowed is a table");
-      read_subsystem(name, {document_, *node->as_table(), path});
-    }
+    for (auto& [name, section] : all->named_sections()) read_subsystem(name, section);
   }
 
-  void read_subsystem(const std::string& name, Section section) {
+  void read_subsystem(const std::string& name, Section& section) {
     SubsystemEntry entry{name, "", shared_, {}, section.place(), section.place("source")};
     if (section.node("command"))
       read_command(section, entry);
@@ -130,8 +126,8 @@ class Reader {
     if (const auto* table = section.table("inputs"))
       for (const auto& [port, node] : in_file_order(*table))
         read_start(entry, port, *node, section.name("inputs." + port));
-    if (const auto land = section.text("land"))
-      to_.coordination.landing[name] = text::located(section.place("land"), [&] { return landing(*land); });
+    const std::string land = *section.text("land");
+    if (section.node("land")) to_.coordination.landing[name] = landing(land);
     section.refuse_unknown();
     to_.subsystems.push_back(std::move(entry));
   }
@@ -161,27 +157,14 @@ class Reader {
     }
   }
 
-  void read_connections(Section& root) {
-    const toml::node* node = root.node("connections");
-    if (!node) return;
-    const toml::array* array = node->as_array();
-    if (!array || !(array->empty() || array->is_array_of_tables()))
-      root.wrong("connections", described(*node), "an array of tables, each begun by [[connections]]");
-    for (std::size_t i = 0; i < array->size(); ++i)
-      read_connection({document_, *array->get(i)->as_table(), "connections[" + std::to_string(i) + "]"});
-  }
-
-  void read_connection(Section section) {
-    const std::string from = section.required_text("from", "an output, \"instance.port\"");
-    const std::string to = section.required_text("to", "an input, \"instance.port\"");
-    Connection c{from, to, {}};
-    if (const auto how = section.text("reconstruction"))
-      c.how = located(section.place("reconstruction"), [&] { return Reconstruction::parse(*how); });
-    c.gain = section.number("gain").value_or(c.gain);
-    c.offset = section.number("offset").value_or(c.offset);
-    c.add = section.flag("add").value_or(c.add);
-    c.convert = section.flag("convert").value_or(c.convert);
-    const bool memory = section.flag("memory").value_or(false), delay = section.flag("delay").value_or(false);
+  void read_connection(Section& section) {
+    Connection c{section.required_text("from"), section.required_text("to"), {}};
+    if (const auto how = section.text("reconstruction")) c.how = Reconstruction::parse(*how);
+    c.gain = *section.number("gain");
+    c.offset = *section.number("offset");
+    c.add = *section.flag("add");
+    c.convert = *section.flag("convert");
+    const bool memory = *section.flag("memory"), delay = *section.flag("delay");
     if (memory && delay) section.wrong("delay", "true beside memory = true", "one of them");
     c.lag = memory ? Lag::memory : delay ? Lag::delay : Lag::none;
     section.refuse_unknown();

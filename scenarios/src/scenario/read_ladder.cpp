@@ -9,26 +9,9 @@ namespace {
 using text::described;
 using text::Section;
 
-std::vector<Section> tables(Section& section, const std::string& key) {
-  std::vector<Section> all;
-  const toml::node* node = section.node(key);
-  if (!node) return all;
-  const toml::array* array = node->as_array();
-  if (!array || !array->is_array_of_tables())
-    section.wrong(key, described(*node), "an array of tables, each begun by [[ladder." + key + "]]");
-  for (std::size_t i = 0; i < array->size(); ++i)
-    all.emplace_back(section.document(), *array->get(i)->as_table(),
-                     section.name(key) + "[" + std::to_string(i) + "]");
-  return all;
-}
-
-LadderQuantity read_judged(Section section) {
-  LadderQuantity judged{section.required_text("quantity", "an output, \"instance.port\""), 0.0,
+LadderQuantity read_judged(Section& section) {
+  LadderQuantity judged{section.required_text("quantity"), section.required_number("tolerance"),
                         section.text("unit").value_or(""), section.place("quantity")};
-  const auto tolerance = section.positive("tolerance");
-  if (!tolerance)
-    section.missing("tolerance", "a number above 0, in `unit` or a fraction of the largest magnitude");
-  judged.tolerance = *tolerance;
   section.refuse_unknown();
   return judged;
 }
@@ -51,10 +34,10 @@ void read_outputs(Section& section, const std::vector<LadderQuantity>& quantitie
   }
 }
 
-LadderRung read_rung(Section section, const Scenario& scenario, const LadderEntry& ladder,
+LadderRung read_rung(Section& section, const Scenario& scenario, const LadderEntry& ladder,
                      std::vector<std::string> overrides) {
   LadderRung rung;
-  rung.name = section.required_text("name", "a name, also of its folder");
+  rung.name = section.required_text("name");
   rung.place = section.place();
   if (rung.name.find_first_of("/\\\"") != std::string::npos || rung.name.starts_with("."))
     section.wrong("name", "'" + rung.name + "'", "a name without / \\ \" and a dot at its beginning");
@@ -73,17 +56,16 @@ LadderRung read_rung(Section section, const Scenario& scenario, const LadderEntr
 
 }  // namespace
 
-void read_ladder(Section section, Scenario& to) {
+void read_ladder(Section& section, Scenario& to) {
   LadderEntry ladder;
   const auto overrides = section.texts("set");
-  for (Section& judged : tables(section, "judged"))
-    ladder.quantities.push_back(read_judged(std::move(judged)));
+  for (Section& judged : section.sections("judged")) ladder.quantities.push_back(read_judged(judged));
   if (ladder.quantities.empty() && to.judge)
     ladder.quantities.push_back({to.judge->quantity, to.judge->tolerance, "", to.judge->place});
   if (ladder.quantities.empty())
     section.missing("judged", "tables [[ladder.judged]] with quantity and tolerance, or a table [judge]");
-  for (Section& rung : tables(section, "rungs"))
-    ladder.rungs.push_back(read_rung(std::move(rung), to, ladder, overrides));
+  for (Section& rung : section.sections("rungs"))
+    ladder.rungs.push_back(read_rung(rung, to, ladder, overrides));
   if (ladder.rungs.size() < 2)
     section.missing("rungs", "two or more tables [[ladder.rungs]], the richest last");
   section.refuse_unknown();

@@ -8,6 +8,6 @@ namespace tandem::scenario {
 /// The table [ladder]: `set`, overrides of all rungs; [[ladder.judged]] with `quantity`, `tolerance` and
 /// `unit`, absent: what [judge] says; [[ladder.rungs]] from simple to rich with `name`, `file` (default: this
 /// one), `set`, and `outputs`, where a judged quantity has another name. Throws Error.
-void read_ladder(text::Section section, Scenario& to);
+void read_ladder(text::Section& section, Scenario& to);
 
 }  // namespace tandem::scenario

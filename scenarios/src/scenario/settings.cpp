@@ -24,23 +24,10 @@ void note_places(const Section& section, std::initializer_list<const char*> keys
   for (const char* key : keys) to.places[section.name(key)] = section.place(key);
 }
 
-StartKind start_kind(Section& section) {
-  const auto word = section.text("start");
-  if (!word) return StartKind::automatic;
-  for (const auto kind : {StartKind::automatic, StartKind::derivatives, StartKind::repeat, StartKind::cold})
-    if (*word == name(kind)) return kind;
-  section.wrong("start", "'" + *word + "'", "automatic, derivatives, repeat or cold");
-}
-
-void refuse_what_is_to_come(Section& section) {
-  const std::string coupling = section.text("coupling").value_or("signals");
-  if (coupling == "impulse" || coupling == "impulse_stiffness")
-    section.wrong("coupling", "'" + coupling + "', which is not there yet", "signals");
-  if (coupling != "signals") section.wrong("coupling", "'" + coupling + "'", "signals");
-  const auto scheme = section.text("scheme");
-  if (scheme && *scheme == "auto")
-    section.wrong("scheme", "'auto', which is not there yet", "to leave it out");
-  if (scheme) section.wrong("scheme", "'" + *scheme + "'", "to leave it out");
+StartKind start_kind(const std::string& word) {
+  auto kind = StartKind::automatic;
+  while (word != name(kind)) kind = static_cast<StartKind>(static_cast<int>(kind) + 1);
+  return kind;
 }
 
 /// Who is missing, or is sampled and has no place there, the coordinator tells.
@@ -57,36 +44,33 @@ void check_order(const Section& section, const Scenario& scenario) {
                   "each subsystem that integrates itself once, slowest first, of " + listed(known));
 }
 
-void read_coordination(Section section, Scenario& to) {
+void read_coordination(Section& section, Scenario& to) {
   note_places(section, {"schedule", "order", "communication_step", "start"}, to);
   Coordination& c = to.coordination;
-  if (const auto word = section.text("schedule"))
-    c.schedule = located(section.place("schedule"), [&] { return Schedule::parse(*word); });
+  c.schedule = Schedule::parse(*section.text("schedule"));
   c.order = section.texts("order");
   c.communication_step = section.positive("communication_step");
-  c.start = start_kind(section);
-  refuse_what_is_to_come(section);
+  c.start = start_kind(*section.text("start"));
+  section.text("coupling");
   section.refuse_unknown();
   if (section.node("order")) check_order(section, to);
 }
 
 double diverged_beyond(Section& section) {
   const toml::node* found = section.node("diverged_beyond");
-  if (!found) return Coordination{}.diverged_beyond;
+  if (!found) return *section.number("diverged_beyond");
   const auto times = found->value<double>();
   if (!times || !(*times > 1.0))
     section.wrong("diverged_beyond", described(*found), "a number above 1, or inf");
   return *times;
 }
 
-void read_span(Section section, Scenario& to) {
+void read_span(Section& section, Scenario& to) {
   note_places(section, {"start", "stop"}, to);
-  to.start = section.number("start").value_or(0.0);
-  const auto stop = section.number("stop");
-  if (!stop) section.missing("stop", "a time in s after span.start");
+  to.start = *section.number("start");
+  to.stop = section.required_number("stop");
   to.coordination.diverged_beyond = diverged_beyond(section);
   section.refuse_unknown();
-  to.stop = *stop;
   const toml::node* start = section.node("start");
   if (to.stop <= to.start)
     section.wrong("stop", described(*section.node("stop")),
@@ -95,7 +79,7 @@ void read_span(Section section, Scenario& to) {
 
 /// Each mechanism is asked for where its points are, unless its own parameters say whether.
 void read_animate(Section& section, Scenario& to) {
-  to.animate = section.flag("animate").value_or(false);
+  to.animate = *section.flag("animate");
   if (!to.animate) return;
   bool found = false;
   for (SubsystemEntry& entry : to.subsystems) {
@@ -109,7 +93,7 @@ void read_animate(Section& section, Scenario& to) {
     section.wrong("animate", "true, but no subsystem has the source mechanism:FILE", "to leave it out");
 }
 
-void read_record(Section section, Scenario& to) {
+void read_record(Section& section, Scenario& to) {
   note_places(section, {"clock", "ports"}, to);
   read_animate(section, to);
   const std::string clock = section.text("clock").value_or("");
@@ -122,27 +106,19 @@ void read_record(Section section, Scenario& to) {
   if (!clock.empty()) check_instance(section.place("clock"), "record.clock: subsystem", clock, known);
 }
 
-double required_tolerance(Section& section) {
-  const auto tolerance = section.positive("tolerance");
-  if (!tolerance)
-    section.missing("tolerance", "a number above 0, a fraction of a column's largest magnitude");
-  return *tolerance;
-}
-
-void read_reference(Section section, Scenario& to) {
-  const std::filesystem::path file =
-      section.required_text("file", "a CSV file, relative to the scenario's folder");
-  to.reference = {to.file.parent_path() / file, required_tolerance(section), section.place("file")};
+void read_reference(Section& section, Scenario& to) {
+  const std::filesystem::path file = section.required_text("file");
+  to.reference = {to.file.parent_path() / file, section.required_number("tolerance"), section.place("file")};
   section.refuse_unknown();
 }
 
-void read_judge(Section section, Scenario& to) {
-  const std::string quantity = section.required_text("quantity", "an output, \"instance.port\"");
-  to.judge = {quantity, required_tolerance(section), section.place("quantity")};
+void read_judge(Section& section, Scenario& to) {
+  to.judge = {section.required_text("quantity"), section.required_number("tolerance"),
+              section.place("quantity")};
   section.refuse_unknown();
 }
 
-void read_view(Section section, Scenario& to) {
+void read_view(Section& section, Scenario& to) {
   note_places(section, {"plots"}, to);
   to.plots = section.texts("plots");
   section.refuse_unknown();
@@ -150,8 +126,8 @@ void read_view(Section section, Scenario& to) {
 
 }  // namespace
 
-const std::vector<std::pair<std::string, std::function<void(Section, Scenario&)>>>& settings() {
-  static const std::vector<std::pair<std::string, std::function<void(Section, Scenario&)>>> all{
+const std::vector<std::pair<std::string, std::function<void(Section&, Scenario&)>>>& settings() {
+  static const std::vector<std::pair<std::string, std::function<void(Section&, Scenario&)>>> all{
       {"coordination", read_coordination},
       {"span", read_span},
       {"record", read_record},

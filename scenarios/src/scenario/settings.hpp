@@ -15,6 +15,6 @@ using text::Section;
 
 /// The tables coordination, span, record, reference, judge, view and ladder, each with what reads it into a
 /// scenario whose subsystems are known. Throw Error.
-const std::vector<std::pair<std::string, std::function<void(Section, Scenario&)>>>& settings();
+const std::vector<std::pair<std::string, std::function<void(Section&, Scenario&)>>>& settings();
 
 }  // namespace tandem::scenario

@@ -115,7 +115,7 @@ TEST(Read, ASubsystemMayBeToldWhetherToLand) {
   const auto file = folder.write("scene.toml", whole);
   EXPECT_TRUE(read(file).coordination.landing.empty());
   EXPECT_EQ(read(file, {"subsystems.fast.land=never"}).coordination.landing.at("fast"), Landing::never);
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"land 'sometimes'", "automatic, always, never"},
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"subsystems.fast.land is 'sometimes'", "automatic, always or never"},
                       [&] { read(file, {"subsystems.fast.land=sometimes"}); }));
 }
 

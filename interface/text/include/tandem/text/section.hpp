@@ -5,18 +5,22 @@
 #include <vector>
 
 #include "tandem/text/document.hpp"
+#include "tandem/text/keys.hpp"
 #include "tandem/text/values.hpp"
 
 namespace tandem::text {
 
 /// A table of a document while it is read: each key is asked for by name and type, and what nobody asked for
-/// is refused. Every error names the place, the key, the value found and what is allowed.
+/// is refused. Every error names the place, the key, the value found and what is allowed. With the keys of a
+/// language, which then says what is allowed, what is missing and what holds where a key is not there.
 class Section {
  public:
   /// path: "coordination" or "connections[0]"; empty for the whole document. values: what texts that begin
   /// with $ stand for, where a number or a text is asked for; null: they are texts.
   Section(const Document& document, const toml::table& table, std::string path,
           const Values* values = nullptr);
+  /// The whole of a document in a language.
+  Section(const Document& document, const Keys& language);
 
   const toml::node* node(const std::string& key);  ///< null if it is not there
   std::optional<std::string> text(const std::string& key);
@@ -25,6 +29,17 @@ class Section {
   std::optional<bool> flag(const std::string& key);
   std::vector<std::string> texts(const std::string& key);  ///< an array of texts; empty if it is not there
   const toml::table* table(const std::string& key);
+
+  // In a language.
+  /// The table of a key, to be read; null if it is not there.
+  std::optional<Section> section(const std::string& key);
+  /// The tables that this one holds by name, in the order of the file.
+  std::vector<std::pair<std::string, Section>> named_sections();
+  /// Those of an array of tables.
+  std::vector<Section> sections(const std::string& key);
+  std::string required_text(const std::string& key);
+  double required_number(const std::string& key);  ///< above 0, if the language says so
+  [[noreturn]] void missing(const std::string& key) const;
 
   std::string required_text(const std::string& key, const std::string& allowed);
   /// Refuses the section for a key that is not there, or for one that looks like it misspelt.
@@ -48,6 +63,13 @@ class Section {
   const toml::table& table_;
   std::string path_;
   const Values* values_;
+  const Keys* language_ = nullptr;
+  std::string pattern_;  ///< its path in the language
+
+  Section(const Section& outer, const toml::table& table, std::string path, std::string pattern);
+  const Key* known(const std::string& key) const;
+  void check_word(const Key& known, const std::string& key, const std::string& word) const;
+  void refuse_unread() const;
   [[noreturn]] void refuse_key(const std::string& key, const std::string& near) const;
 
   std::vector<std::string> asked_;
