@@ -72,7 +72,7 @@ void OutputFile::cut(std::uint64_t size) {
   if (regular_) require(::ftruncate(number_, static_cast<off_t>(size)) == 0);
 }
 
-void OutputFile::sync() { require(::fsync(number_) == 0); }
+void OutputFile::sync() { require(!regular_ || ::fsync(number_) == 0); }
 
 void OutputFile::close() {
   if (const int number = std::exchange(number_, -1); number >= 0) require(::close(number) == 0);

@@ -198,9 +198,46 @@ TEST(RunCommand, AFullDiskIsToldWithStatusOne) {
   std::filesystem::remove(folder.path() / "o/results.json");
   std::filesystem::create_symlink("/dev/full", folder.path() / "o/results.json");
   said = tandem(folder, {"run", two_mass_file("two_mass.toml"), "--output", "o"});
-  EXPECT_EQ(said.status, 1);
-  EXPECT_NE(said.err.find("'o/results.json' can't be written: No space left on device"), std::string::npos)
+  EXPECT_EQ(said.status, 2);
+  EXPECT_NE(said.err.find("'o/results.json' can't be written: what is there is no regular file"),
+            std::string::npos)
       << said.err;
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "o/results.csv"));
+}
+
+/// A run is killed in a folder that holds the results of one that was ok.
+TEST(RunCommand, WhatAKilledRunLeavesIsNotOk) {
+  const Scratch folder;
+  const auto output = folder.path() / "o";
+  ASSERT_EQ(tandem(folder, {"run", two_mass_file("two_mass.toml"), "--no-reference", "--output", "o"}).status,
+            0);
+  ASSERT_EQ(json_of(output / "results.json")["status"], "ok");
+  std::filesystem::remove(output / "results.csv");
+  test::Background run(folder, {"run", two_mass_file("two_mass.toml"), "--no-reference", "--output", "o",
+                                "--set", "span.stop=1e9"});
+  ASSERT_TRUE(run.wait_for_file(output / "results.csv")) << run.err();
+  run.end_by(SIGKILL);
+  const auto about = json_of(output / "results.json");
+  EXPECT_EQ(about["status"], "running");
+  EXPECT_EQ(about["files"][0], "results.csv");
+  EXPECT_FALSE(std::filesystem::exists(output / "machine.json"));
+  const std::string sentence = "is of a run that did not come to its end: running, process ";
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"compare", "o", "o"}, {"compare", "o/results.csv", "o"}, {"view", "o"}})
+    EXPECT_NE(tandem(folder, words).err.find(sentence), std::string::npos) << words[0];
+  const Said said = tandem(folder, {"run", two_mass_file("two_mass.toml"), "--output", "p", "--set",
+                                    "reference.file=" + (output / "results.csv").string()});
+  EXPECT_EQ(said.status, 2);
+  EXPECT_NE(said.err.find(sentence), std::string::npos) << said.err;
+}
+
+TEST(RunCommand, AHangUpEndsCleanly) {
+  const Scratch folder;
+  test::Background run(folder, {"run", two_mass_file("two_mass.toml"), "--no-reference", "--output", "o",
+                                "--set", "span.stop=1e9"});
+  ASSERT_TRUE(run.wait_for_file(folder.path() / "o/results.csv")) << run.err();
+  EXPECT_EQ(run.end_by(SIGHUP), 1);
+  EXPECT_EQ(json_of(folder.path() / "o/results.json")["status"], "interrupted");
 }
 
 /// As on a full disk, a write stops in the middle: of a file that may have 100 kB.

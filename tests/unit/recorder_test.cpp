@@ -115,7 +115,8 @@ TEST(Recorder, AnyInstanceCanBeTheClock) {
 
 TEST(Recorder, OwnModeWritesAFileForEachSubsystem) {
   const Scratch folder;
-  const auto recorder = RecorderBench({0.25, 0.1}).record({folder.path(), "", true, {}});
+  RecorderBench bench({0.25, 0.1});
+  const auto recorder = bench.record({folder.path(), "", true, {}});
   EXPECT_EQ(recorder->files().size(), 2U);
   const TimeTable a = TimeTable::read(folder.path() / "results.a.csv"),
                   b = TimeTable::read(folder.path() / "results.b.csv");

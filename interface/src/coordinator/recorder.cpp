@@ -74,8 +74,8 @@ void Recorder::choose_columns() {
 
 std::vector<std::filesystem::path> Recorder::files() const {
   std::vector<std::filesystem::path> paths;
-  for (const auto& file : files_)
-    if (file) paths.push_back(file->path());
+  for (std::size_t i = 0; i < (what_.own ? tracks_.size() : 1); ++i)
+    if (has_file(i)) paths.push_back(path_of(i));
   return paths;
 }
 

@@ -46,6 +46,7 @@ void Recorder::resume(ByteReader& from) {
   const std::uint64_t notes = from.take_count(sizeof(std::uint32_t));
   for (std::uint64_t k = 0; k < notes; ++k) notes_.push_back(printable(from.take_text(longest_note)));
   from.end();
+  if (what_.begin) what_.begin();
   for (auto& file : files)
     if (file) file->cut_to_beginning();
   files_ = std::move(files);
@@ -71,10 +72,9 @@ std::vector<std::unique_ptr<CsvFile>> Recorder::reopened_files(ByteReader& from)
   std::vector<Beginning> kept(what_.own ? tracks_.size() : 1);
   for (std::size_t i = 0; i < kept.size(); ++i) {
     const auto size = from.take<std::uint64_t>(), sum = from.take<std::uint64_t>();
-    const bool is_written = !what_.own || !tracks_[i].outputs.empty();
-    if ((size > 0) != is_written)
+    if ((size > 0) != has_file(i))
       from.refuse("has " + std::to_string(size) + " bytes of " + path_of(i).filename().string() +
-                  "; allowed are " + (is_written ? "1 or more" : "none"));
+                  "; allowed are " + (has_file(i) ? "1 or more" : "none"));
     if (size == 0) continue;
     kept[i] = beginning_of(path_of(i), size);
     if (kept[i].sum != sum || !kept[i].whole_row)

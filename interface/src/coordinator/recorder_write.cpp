@@ -22,9 +22,9 @@ void Recorder::open_files() {
   if (failed)
     throw Error(ErrorCode::input_output,
                 "folder '" + what_.directory.string() + "' can't be made: " + failed.message());
+  if (what_.begin) what_.begin();
   for (std::size_t i = 0; i < (what_.own ? tracks_.size() : 1); ++i)
-    files_.push_back(what_.own && tracks_[i].outputs.empty() ? nullptr
-                                                             : std::make_unique<CsvFile>(path_of(i)));
+    files_.push_back(has_file(i) ? std::make_unique<CsvFile>(path_of(i)) : nullptr);
   begin_tables();
 }
 

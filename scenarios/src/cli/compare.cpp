@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <charconv>
 #include <cmath>
@@ -48,6 +49,8 @@ std::vector<std::pair<fs::path, fs::path>> pairs_of(const CompareOptions& option
 
 void compare(const CompareOptions& options, const Context& context) {
   std::string worst;
+  for (const std::string& place : {options.a, options.b})
+    if (const std::string what = view::unfinished(place); !what.empty()) spdlog::warn("note: {}", what);
   for (const auto& [file_a, file_b] : pairs_of(options)) {
     const auto a = text::TimeTable::read(file_a), b = text::TimeTable::read(file_b);
     const auto comparison = scenario::compare(a, b, options.columns);

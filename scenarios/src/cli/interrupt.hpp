@@ -3,8 +3,8 @@
 
 namespace tandem::cli {
 
-/// While it lives, Ctrl-C (SIGINT) and SIGTERM set a flag instead of ending the process; a second one ends it
-/// at once.
+/// While it lives, Ctrl-C (SIGINT), SIGTERM and SIGHUP (unless it is ignored) set a flag instead of ending
+/// the process; a second one ends it at once.
 class InterruptGuard {
  public:
   InterruptGuard();

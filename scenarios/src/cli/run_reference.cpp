@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "cli/commands.hpp"
+#include "view/about.hpp"
 
 namespace tandem::cli {
 namespace {
@@ -16,7 +17,11 @@ text::TimeTable read(const scenario::Scenario& of) {
         of.place("record.clock"),
         "record.clock is 'own', which writes no results.csv to compare with the reference; name a "
         "subsystem, or say --no-reference");
-  return scenario::located(of.reference->place, [&] { return text::TimeTable::read(of.reference->file); });
+  return scenario::located(of.reference->place, [&] {
+    if (const std::string what = view::unfinished(of.reference->file); !what.empty())
+      throw Error(ErrorCode::invalid_argument, "reference " + what + "; allowed is one that is 'ok'");
+    return text::TimeTable::read(of.reference->file);
+  });
 }
 
 }  // namespace

@@ -1,10 +1,13 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "cli/run_to_results.hpp"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -59,7 +62,7 @@ class Run {
         kept_(options.dry ? nullptr : std::make_unique<KeptFolder>(folder_)),
         kept_of_matrices_(kept_of_matrices()),
         assembly_(scenario_, context.builtins, options.profile, options.threads),
-        recorder_(assembly_.recorder(folder_)),
+        recorder_(assembly_.recorder(folder_, [this] { begin(); })),
         checkpoint_(scenario_, context.builtins, assembly_, *recorder_),
         began_at_(scenario_.start) {
     if (options.checkpoint_every || !options.resume.empty()) check_checkpoints();
@@ -74,9 +77,7 @@ class Run {
   }
 
   void make() {
-    if (options_.resume.empty()) assembly_.coordinator().observe(recorder_.get());
-    assembly_.initialize();
-    if (!options_.resume.empty()) resume();
+    start();
     output::remove_part(checkpoint_file());  // of a run that was killed
     tell_coordination();
     simulate();
@@ -88,6 +89,26 @@ class Run {
   }
 
  private:
+  void start() try {
+    if (options_.resume.empty()) assembly_.coordinator().observe(recorder_.get());
+    assembly_.initialize();
+    if (!options_.resume.empty()) resume();
+  } catch (const std::exception& error) {
+    fail("failed", sentence_of(error));
+    if (has_begun_) write_results();
+    throw;
+  }
+
+  /// Nobody is to find the status of an earlier run beside the rows of this one, however it ends.
+  void begin() {
+    const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+    RunEnd running{"running", fmt::format("process {}, since {:%Y-%m-%dT%H:%M:%SZ}", getpid(), now)};
+    scenario::write_json(folder_ / "results.json",
+                         scenario::results_of(scenario_, assembly_, *recorder_, running));
+    if (fs::is_regular_file(folder_ / "machine.json")) fs::remove(folder_ / "machine.json");
+    has_begun_ = true;
+  }
+
   std::unique_ptr<KeptFolder> kept_of_matrices() const {
     const auto& folder = options_.matrices.folder;
     return folder && kept_ && !kept_->keeps(*folder) ? std::make_unique<KeptFolder>(*folder) : nullptr;
@@ -167,14 +188,24 @@ class Run {
     }
   }
 
+  /// The status comes last: what it tells of is on the disk then.
   void write() {
-    auto results = scenario::results_of(scenario_, assembly_, *recorder_, end_);
-    if (reference_ && end_.status == "ok") results["reference"] = reference_->figures();
     const double simulated = slowest_time(assembly_.coordinator()) - began_at_;
     try {
-      scenario::write_json(folder_ / "results.json", results);
       scenario::write_json(folder_ / "machine.json",
                            scenario::machine_figures(assembly_, end_, options_.profile, simulated));
+      for (const fs::path& file : recorder_->files()) output::sync(file);
+    } catch (const Error& error) {
+      fail("failed", error.what());
+    }
+    write_results();
+  }
+
+  void write_results() {
+    auto results = scenario::results_of(scenario_, assembly_, *recorder_, end_);
+    if (reference_ && end_.status == "ok") results["reference"] = reference_->figures();
+    try {
+      scenario::write_json(folder_ / "results.json", results);
     } catch (const Error& error) {
       fail("failed", error.what());
     }
@@ -215,6 +246,7 @@ class Run {
   Assembly assembly_;
   std::unique_ptr<Recorder> recorder_;
   scenario::Checkpoint checkpoint_;
+  bool has_begun_ = false;           ///< files of an earlier run are replaced or cut
   double began_at_;                  ///< [s]: where the stepping began
   double checkpoints_passed_ = 0.0;  ///< times of checkpoints that lie behind
   std::optional<RunReference> reference_;

@@ -29,8 +29,10 @@ void Assembly::add_positions(std::vector<std::string>& ports) const {
   }
 }
 
-std::unique_ptr<Recorder> Assembly::recorder(const std::filesystem::path& directory) const {
+std::unique_ptr<Recorder> Assembly::recorder(const std::filesystem::path& directory,
+                                             std::function<void()> begin) const {
   Recording recording = scenario_.recording;
+  recording.begin = std::move(begin);
   recording.directory = directory;
   if (scenario_.animate && !recording.ports.empty()) add_positions(recording.ports);
   return located(scenario_.place("record.ports"),

@@ -21,8 +21,9 @@ class Assembly {
   Coordinator& coordinator() { return *coordinator_; }
   const Coordinator& coordinator() const { return *coordinator_; }
 
-  /// The recorder that the scenario asks for, writing into `directory`.
-  std::unique_ptr<Recorder> recorder(const std::filesystem::path& directory) const;
+  /// The recorder that the scenario asks for, writing into `directory`; begin: see Recording.
+  std::unique_ptr<Recorder> recorder(const std::filesystem::path& directory,
+                                     std::function<void()> begin = {}) const;
   /// Coordinator::initialize.
   void initialize();
   /// The coordinator's, equations of mechanisms that are redundant where they started, and data that end

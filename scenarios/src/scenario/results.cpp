@@ -94,7 +94,8 @@ Json machine_figures(const Assembly& assembly, const RunEnd& end, bool profiled,
 }
 
 void write_json(const std::filesystem::path& file, const Json& json) {
-  output::write_text(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+  const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  output::replace_durably(file, std::as_bytes(std::span(text)));
 }
 
 }  // namespace tandem::scenario

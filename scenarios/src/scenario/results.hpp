@@ -11,8 +11,8 @@ namespace tandem::scenario {
 
 /// How a run ended.
 struct RunEnd {
-  std::string status = "ok";  ///< "ok", "failed", "diverged" or "interrupted"
-  std::string message;        ///< of a run that did not come to its end
+  std::string status = "ok";  ///< "running", "ok", "failed", "diverged" or "interrupted"
+  std::string message;        ///< of a run that is not at its end
   double seconds = 0.0;       ///< of the stepping loop, with the recording
 };
 
@@ -26,7 +26,7 @@ nlohmann::ordered_json results_of(const Scenario& scenario, const Assembly& asse
 nlohmann::ordered_json machine_figures(const Assembly& assembly, const RunEnd& end, bool profiled,
                                        double simulated);
 
-/// Throws Error(input_output) with the path.
+/// In place of what was there, whole, also after a power cut. Throws Error(input_output) with the path.
 void write_json(const std::filesystem::path& file, const nlohmann::ordered_json& json);
 
 }  // namespace tandem::scenario

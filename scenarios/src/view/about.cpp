@@ -76,4 +76,19 @@ nlohmann::json read_about(const fs::path& folder) {
   return about;
 }
 
+std::string unfinished(const fs::path& place) try {
+  const bool is_folder = fs::is_directory(place);
+  const fs::path folder = is_folder ? place : fs::absolute(place).parent_path();
+  if (!fs::exists(folder / "results.json")) return "";
+  const nlohmann::json about = read_about(folder);
+  const auto& files = about["files"];
+  if (!is_folder && std::find(files.begin(), files.end(), place.filename().string()) == files.end()) return "";
+  const std::string status = about.value("status", "ok"), message = about.value("message", "");
+  if (status == "ok") return "";
+  return fmt::format("'{}' is of a run that did not come to its end: {}{}{}", place.string(), status,
+                     message.empty() ? "" : ", ", message);
+} catch (const Error&) {
+  return "";  // of no run
+}
+
 }  // namespace tandem::view

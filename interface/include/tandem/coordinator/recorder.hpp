@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -17,7 +18,8 @@ struct Recording {
   std::filesystem::path directory = ".";  ///< made if it is not there; earlier results in it are replaced
   std::string clock;  ///< the instance at whose own steps there are rows; empty: the smallest first step
   bool own = false;   ///< a file for each subsystem instead, at its own steps
-  std::vector<std::string> ports;  ///< outputs, "instance.port" or "instance.port[i]"; empty: all
+  std::vector<std::string> ports;    ///< outputs, "instance.port" or "instance.port[i]"; empty: all
+  std::function<void()> begin = {};  ///< called once, before files of an earlier run are replaced or cut
 };
 
 /// Of the first of `ports` that names none of `outputs`, nor an array of them: "recorded output 'x' is not
@@ -43,7 +45,8 @@ class Recorder final : public Observer {
   struct Column {
     int subsystem;
     std::string name, unit;
-    Fill fill;  ///< how its cells were made: its own samples, or interpolated, or constant from one to the next
+    Fill fill;  ///< how its cells were made: its own samples, or interpolated, or constant from one to the
+                ///< next
   };
 
   /// `run` must outlive the recorder. Throws Error for a clock or port that is not there.
@@ -107,6 +110,7 @@ class Recorder final : public Observer {
   void start(double t_start);
   int smallest_step() const;
   std::filesystem::path path_of(std::size_t subsystem) const;
+  bool has_file(std::size_t subsystem) const { return !what_.own || !tracks_[subsystem].outputs.empty(); }
   void open_files();
   void begin_tables();
   std::vector<std::unique_ptr<CsvFile>> reopened_files(ByteReader& from) const;
