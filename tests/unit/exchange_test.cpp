@@ -144,6 +144,23 @@ TEST(Exchange, DroppedRowsAndNewMemoryChangeNoBit) {
   }
 }
 
+/// The reader stands at 1.25 s when source a goes back to 0.6 s, and its memory has moved in between.
+TEST(Exchange, ASourceGoesBackToBeforeItsReaderWhenMemoryHasMoved) {
+  Bench bench("lagrange1", "lagrange1"), still("lagrange1", "lagrange1");
+  for (Bench* b : {&bench, &still}) b->give(0, 5), b->give(1, 6), b->read(1.25, 1.5);
+  bench.exchange->keep_from(0, 0.6);
+  bench.stand(1.25);
+  bench.exchange->make_room(0, 1);
+  bench.exchange->withdraw(0, 3);
+  for (const double t : {0.9, 1.2, 1.5}) {
+    double* y = bench.exchange->history(0).room().append(t);
+    y[0] = f(t), y[1] = 0.0;
+    bench.exchange->commit(0, t);
+  }
+  for (const double t : {1.25, 1.4, 1.5})
+    EXPECT_EQ(bench.read(1.25, 1.5)[1].value(t), still.read(1.25, 1.5)[1].value(t)) << t;
+}
+
 TEST(Exchange, TwoOutputsOfOneSourceAddUp) {
   const SubsystemInfo two{"two", {}, {{"p", "1", 2}}, {}, {}}, one{"one", {{"u", "1"}}, {}, {}, {}};
   Topology topology;
