@@ -16,7 +16,8 @@ bool RunStart::derivatives_suffice() const {
 
 bool RunStart::can_repeat() const {
   for (int i = 0; i < topology_.size(); ++i)
-    if (!topology_.info(i).abilities.restarts || sampled(i)) return false;
+    if (const Abilities& a = topology_.info(i).abilities; !a.restarts || a.sampled || (a.events && !a.lands))
+      return false;
   return std::none_of(topology_.lines().begin(), topology_.lines().end(),
                       [](const Line& line) { return line.how.kind == Reconstruction::Kind::matched_hold; });
 }
@@ -27,7 +28,8 @@ StartKind RunStart::choose() {
   const StartKind asked = run_.coordination_.start;
   const std::string needs = "the outputs give too few derivatives for the degrees of their connections";
   const std::string stays =
-      "not every subsystem can restart, one is sampled, or a connection is a matched hold";
+      "not every subsystem can restart, one is sampled, one with events can't shorten a step, or a "
+      "connection is a matched hold";
   if (asked == StartKind::derivatives && !derivatives_suffice())
     throw Error(ErrorCode::not_supported, "start from derivatives: " + needs);
   if (asked == StartKind::repeat && !can_repeat())
