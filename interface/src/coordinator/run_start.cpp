@@ -21,9 +21,10 @@ void RunStart::make() {
     throw Error(ErrorCode::invalid_argument,
                 "communication_step is " + number_text(h) + " s; it must be finite and above 0");
   note_times(h);
-  const auto all = reads();
+  auto all = reads();
   note_samples(all);
   note_events(order);
+  wait_for_events(order, all);
   note_through();
   run_.schedule_.emplace(Schedule::Plan{run_.coordination_.schedule,
                                         std::move(order),

@@ -37,6 +37,7 @@ class RunStart {
   std::vector<Read> reads() const;
   void note_samples(const std::vector<Read>& reads);
   void note_events(const std::vector<int>& order);
+  void wait_for_events(const std::vector<int>& order, std::vector<Read>& reads) const;
   void note_follower(int who, int leader, bool goes_back) const;
   void order_outputs();
   std::vector<char> jump_with_inputs() const;
