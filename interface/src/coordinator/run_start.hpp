@@ -61,11 +61,13 @@ class RunStart {
   void open_exchange(const std::vector<int>& seeds);
 
   StartKind choose();
+  /// (A sampled reader at whose instants its source ends steps reads samples alone.)
   bool seeds_needed(const Line& line) const {
-    return line.how.follows_samples() && line.how.derivatives_at_start() > 0;
+    return line.how.follows_samples() && line.how.derivatives_at_start() > 0 &&
+           !(sampled(line.reader) && lands(line));
   }
-  bool derivatives_suffice() const;
-  bool can_repeat() const;
+  std::string lacks_derivatives() const;
+  std::string does_not_repeat() const;
   void note_cold(const std::string& why) const;
   void seed();
   struct FirstSteps {
