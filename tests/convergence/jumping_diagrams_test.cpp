@@ -86,5 +86,52 @@ TEST(JumpingDiagrams, FollowAHeldInputAtOnceInEverySchedule) {
     }
 }
 
+/// The plant leads a relay that switches its force, and goes back to where it did.
+const std::string relay = "F = { kind = 'relay', input = 'x', low = -0.02, high = 0.01, on = -1, off = 1 }\n";
+
+double error_behind_relay(std::vector<std::string> order, double h) {
+  const auto mass = part_of_scene(plant, {"F"}, {"a", "x"}, h),
+             switching = part_of_scene(relay, {"x"}, {"F"}, 0.7 * h),
+             lag = part_of_scene(filter, {"a"}, {"q"}, 0.6 * h);
+  RunBench bench;
+  bench.add("plant", *mass).add("relay", *switching).add("filter", *lag).schedule("slowest-first");
+  bench.connect("plant.x", "relay.x", "lagrange3").connect("relay.F", "plant.F", "");
+  bench.connect("plant.a", "filter.a", "lagrange3");
+  bench.coordination.order = std::move(order);
+  return difference_from(plant + filter + relay, "q", bench.run(jumping_span).all()[2]);
+}
+
+/// It would read, up to where the plant stood, what that takes back: 1.1e-1 at 10 ms, of order 1.
+TEST(JumpingDiagrams, AreNotReadFurtherThanWhatStays) {
+  for (const std::vector<std::string>& order : {Leaders{}, {"plant", "relay", "filter"}}) {
+    std::vector<double> errors;
+    for (const double h : {0.04, 0.02, 0.01, 0.005}) errors.push_back(error_behind_relay(order, h));
+    EXPECT_GT(std::log2(errors.front() / errors.back()) / 3.0, 2.0);
+    EXPECT_LT(errors.back(), 2e-5);
+  }
+}
+
+/// A controller of the speed of such a plant, on which it acts or not, may act shortly after a switching.
+double error_of_samples(bool acts, double offset, double h) {
+  const std::string all = std::string("a = { kind = 'sum', inputs = ['F', 'y', 'x', 'v'], gains = [1, ") +
+                          (acts ? "0.5" : "0") + ", -25, -1] }\n" + plant.substr(plant.find("v =")),
+                    sample = "y = { kind = 'sample', input = 'v', period = 0.2, offset = " +
+                             std::to_string(offset) + " }\n";
+  const auto mass = part_of_scene(all, {"F", "y"}, {"v", "x"}, h),
+             switching = part_of_scene(relay, {"x"}, {"F"}, 0.7 * h),
+             control = part_of_scene(sample, {"v"}, {"y"}, 0.0);
+  RunBench bench;
+  bench.add("plant", *mass).add("relay", *switching).add("control", *control).schedule("slowest-first");
+  bench.connect("plant.x", "relay.x", "lagrange3").connect("relay.F", "plant.F", "");
+  bench.connect("plant.v", "control.v", "lagrange3").connect("control.y", "plant.y", "");
+  return difference_from(all + sample + relay, "y", bench.run(jumping_span).all()[2]);
+}
+
+TEST(JumpingDiagrams, AreNotSampledFurtherThanWhatStays) {
+  double most = 0.0;
+  for (int k = 0; k < 40; ++k) most = std::max(most, error_of_samples(true, 0.005 * k, 0.02));
+  EXPECT_LT(most, 1e-3);
+}
+
 }  // namespace
 }  // namespace tandem::test

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "connection.hpp"
 
@@ -142,6 +144,23 @@ TEST(Exchange, DroppedRowsAndNewMemoryChangeNoBit) {
   }
 }
 
+/// The reader stands at 1.25 s when source a goes back to 0.6 s, and its memory has moved in between.
+TEST(Exchange, ASourceGoesBackToBeforeItsReaderWhenMemoryHasMoved) {
+  Bench bench("lagrange1", "lagrange1"), still("lagrange1", "lagrange1");
+  for (Bench* b : {&bench, &still}) b->give(0, 5), b->give(1, 6), b->read(1.25, 1.5);
+  bench.exchange->keep_from(0, 0.6);
+  bench.stand(1.25);
+  bench.exchange->make_room(0, 1);
+  bench.exchange->withdraw(0, 3);
+  for (const double t : {0.9, 1.2, 1.5}) {
+    double* y = bench.exchange->history(0).room().append(t);
+    y[0] = f(t), y[1] = 0.0;
+    bench.exchange->commit(0, t);
+  }
+  for (const double t : {1.25, 1.4, 1.5})
+    EXPECT_EQ(bench.read(1.25, 1.5)[1].value(t), still.read(1.25, 1.5)[1].value(t)) << t;
+}
+
 TEST(Exchange, TwoOutputsOfOneSourceAddUp) {
   const SubsystemInfo two{"two", {}, {{"p", "1", 2}}, {}, {}}, one{"one", {{"u", "1"}}, {}, {}, {}};
   Topology topology;
@@ -160,6 +179,40 @@ TEST(Exchange, TwoOutputsOfOneSourceAddUp) {
   exchange.commit(0, 2.0);
   EXPECT_EQ(exchange.inputs(1, 0.0, 1.0)[0].value(0.5), 5.0 + 50.0 + 100.0);
   EXPECT_EQ(exchange.inputs(1, 2.0, 3.0)[0].value(3.0), 30.0 + 300.0 + 200.0);
+}
+
+/// Four terms of very different sizes, of three sources, to a reader that integrates itself and a sampled
+/// one.
+TEST(Exchange, ASumHasTheSameBitsInWhateverOrderItsTermsAreConnected) {
+  const SubsystemInfo two{"two", {}, {{"p", "1", 2}}, {}, {}};
+  SubsystemInfo one{"one", {{"u", "1"}}, {{"y", "1"}}, {}, {}};
+  one.outputs[0].held = true;
+  for (const bool sampled : {false, true}) {
+    one.abilities.sampled = sampled;
+    one.sampling.period = sampled ? 0.5 : 0.0;
+    const auto sum = [&](const std::vector<int>& order) {
+      std::vector<Connection> terms = {
+          connection("a.p[0]", "one.u", "lagrange1"), connection("a.p[1]", "one.u"),
+          connection("b.p[0]", "one.u", "lagrange1"), connection("a.p[1]", "one.u")};
+      terms[3].gain = 1e-9 / 3.0;
+      Topology topology;
+      for (const char* name : {"a", "b"}) topology.add(name, two);
+      topology.add("one", one);
+      for (const int k : order) topology.connect(added(terms[static_cast<std::size_t>(k)]));
+      const std::int64_t capacities[] = {32, 32, 32};
+      Exchange exchange(topology, TimeTolerance(0.0), {{1.0, 1.0, 1.0}, 1.0}, capacities);
+      for (const int i : {0, 1}) {
+        double* y = exchange.history(i).room().append(0.0);
+        y[0] = i == 0 ? 1.0 / 3.0 : -1.0 / 3.0 + 1e-9;
+        y[1] = 1e5 / 7.0;
+        exchange.commit(i, 0.0);
+      }
+      return sampled ? exchange.sample(2, {0.0, 0.5})[0] : exchange.inputs(2, 0.0, 1.0)[0].value(0.5);
+    };
+    std::vector<int> order = {0, 1, 2, 3};
+    const double expected = sum(order);
+    while (std::next_permutation(order.begin(), order.end())) EXPECT_EQ(sum(order), expected) << sampled;
+  }
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
 #include "refusal.hpp"
 #include "run_bench.hpp"
@@ -32,7 +33,7 @@ TEST(FirstSamples, PassThroughAChainWhateverItsOrder) {
 TEST(FirstSamples, AreFoundWhereEachNeedsTheOthersFirstOutput) {
   // "state" feeds nothing through, "mirror" its input: u of each is the state, 3.
   const SubsystemInfo info{"state", {{"u", "1"}}, {{"y", "1"}}, {}, {}};
-  Scripted state(info, 0.1, [](double, const auto&, double*y) { y[0] = 3.0; }), mirror = test::mirror(0.1);
+  Scripted state(info, 0.1, [](double, const auto&, double* y) { y[0] = 3.0; }), mirror = test::mirror(0.1);
   RunBench bench;
   bench.add("mirror", mirror)
       .add("state", state)
@@ -122,6 +123,44 @@ TEST(FirstSamples, BehindABrokenLoopNeedNoStartValueOfTheirOwn) {
     EXPECT_NO_THROW(bench.run(0.5)) << "the line to 'behind' has a memory too, but closes no loop";
     EXPECT_EQ(start(behind)[0], 2.5);
   }
+}
+
+/// A relay gives 1, and -1 where its input is known and above 2: no output follows an input at once.
+Scripted relay() {
+  const SubsystemInfo info{"relay", {{"u", "1"}}, {{"y", "1"}}, {}, {}};
+  return {info, 0.1, [](double, const auto& u, double* y) { y[0] = u[0] > 2.0 ? -1.0 : 1.0; }};
+}
+
+TEST(FirstSamples, ThatFollowAnInputAtTheStartAloneArePassedOnAgain) {
+  for (const bool relay_first : {true, false}) {
+    Scripted one = relay(), two = relay(), a = test::source(0.1, [](double) { return 5.0; }),
+             reader = test::mirror(0.1);
+    RunBench bench;
+    if (relay_first) bench.add("two", two).add("one", one);
+    bench.add("reader", reader).add("a", a);
+    if (!relay_first) bench.add("one", one).add("two", two);
+    Connection scaled = connection("one.y", "two.u");
+    scaled.gain = -3.0;
+    bench.topology.connect(scaled);
+    bench.connect("a.y", "one.u").connect("two.y", "reader.u").run(0.2);
+    EXPECT_EQ(start(two)[0], 3.0);
+    EXPECT_EQ(start(reader)[0], -1.0);
+    EXPECT_EQ(bench.recording.value(relay_first ? 2 : 0, 0), -1.0);
+  }
+}
+
+/// y = -u with |u| = 5 from the start on: what one gives is what the other can't have.
+TEST(FirstSamples, ThatContradictEachOtherEndAllTheSame) {
+  Scripted one = relay(), two = relay();
+  RunBench bench;
+  bench.add("one", one).add("two", two);
+  for (const auto& [from, to, gain] :
+       {std::tuple("one.y", "two.u", -5.0), std::tuple("two.y", "one.u", 5.0)}) {
+    Connection scaled = connection(from, to);
+    scaled.gain = gain;
+    bench.topology.connect(scaled);
+  }
+  EXPECT_NO_THROW(bench.run(0.2));
 }
 
 }  // namespace

@@ -66,5 +66,30 @@ TEST_F(LandingNotes, TellWhereStepsAreMoreThanDoubled) {
   EXPECT_EQ(notes(0.11, Landing::automatic).find("times its own steps"), std::string::npos);
 }
 
+TEST_F(LandingNotes, TellOfASampledOneThatIsToLand) {
+  RunBench bench;
+  bench.add("plant", plant_).add("control", *control_);
+  bench.connect("plant.y", "control.u", "lagrange1").connect("control.y", "plant.u", "");
+  bench.coordination.landing["control"] = Landing::always;
+  bench.run(2.0);
+  EXPECT_EQ(
+      bench.coordinator->notes().at(0).find("land has no effect for subsystem 'control', which is sampled"),
+      0U);
+}
+
+/// The controller reads samples of the plant alone, whatever the degree.
+TEST_F(LandingNotes, TellOfNoColdStartWhereOnlySamplesAreRead) {
+  for (const bool lands : {true, false}) {
+    RunBench bench;
+    bench.add("plant", plant_).add("control", *control_);
+    bench.connect("plant.y", "control.u", "lagrange4").connect("control.y", "plant.u", "");
+    bench.coordination.landing["plant"] = lands ? Landing::automatic : Landing::never;
+    bench.run(2.0);
+    std::string all;
+    for (const std::string& note : bench.coordinator->notes()) all += note;
+    EXPECT_EQ(all.find("cold start: output plant.y gives ") != std::string::npos, !lands) << all;
+  }
+}
+
 }  // namespace
 }  // namespace tandem::test

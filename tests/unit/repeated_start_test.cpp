@@ -89,6 +89,23 @@ TEST(RepeatedStartOfARelay, IsColdWithANoteWhereItSwitchesInTheFirstSteps) {
   EXPECT_EQ(later.bench.coordinator->start(), StartKind::repeat);
 }
 
+// x passes 0.16 m at 0.187 s, after the relay's last own node within the four steps of 50 ms and before the
+// plant's. A switching that the plant had passed there was seen 50 ms later, whoever led.
+TEST(RepeatedStartOfARelay, IsColdTooWhereItSwitchesAfterItsLastNodeInThem) {
+  for (const std::vector<std::string>& order :
+       {std::vector<std::string>{"relay", "plant"}, {"plant", "relay"}}) {
+    test::RelayRun what;
+    what.system.width = 0.16;
+    what.relay_step = 0.035, what.plant_step = 0.05;
+    what.order = order;
+    test::RelayBench cold(what), automatic(what);
+    cold.bench.coordination.start = StartKind::cold;
+    const auto expected = cold.run();
+    EXPECT_TRUE(test::same_bits(automatic.run(), expected));
+    EXPECT_TRUE(tells(*automatic.bench.coordinator, "cold start: an output jumps within the first steps"));
+  }
+}
+
 // 0.153 with the repeated start, which ends far from what is repeated there.
 TEST(RepeatedStartOfTwoMasses, IsLeftWhereTheSlowStepGoesOverMostOfAFastCycle) {
   const auto outcome =

@@ -90,7 +90,7 @@ void Link::read(ByteReader& from) {
   check(count, from);
   count_ = count;
   segments_.assign(lanes_.size() * static_cast<std::size_t>(capacity_), Segment{});
-  first_ = segments_.data();
+  first_ = segments_.data() + (follows_ ? samples_->newest() + 1 - samples_->oldest() - count_ : 0);
   for (std::size_t l = 0; l < lanes_.size(); ++l)
     read({first_ + static_cast<std::int64_t>(l) * capacity_, static_cast<std::size_t>(count_)}, from);
   read_from_ = from.take<double>();

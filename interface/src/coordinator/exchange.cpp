@@ -101,14 +101,16 @@ void Exchange::add_line(const Topology& topology, const Line& line, const LinkTi
                         std::vector<std::size_t>& of_pair) {
   End& reader = ends_[static_cast<std::size_t>(line.reader)];
   auto slot = static_cast<std::size_t>(line.input);
-  if (const auto terms = topology.lines_to(line.reader, line.input).size(); terms > 1) {
+  if (const auto terms = topology.lines_to(line.reader, line.input); terms.size() > 1) {
     const auto known =
         std::find_if(reader.sums.begin(), reader.sums.end(), [&](const Sum& s) { return s.input == slot; });
-    Sum& sum =
-        known != reader.sums.end() ? *known : reader.sums.emplace_back(Sum{slot, reader.slots.size(), 0, {}});
-    if (sum.count == 0) reader.slots.resize(reader.slots.size() + terms);
+    const bool first = known == reader.sums.end();
+    Sum& sum = first ? reader.sums.emplace_back(Sum{slot, reader.slots.size(), terms.size(), {}}) : *known;
+    if (first) reader.slots.resize(reader.slots.size() + terms.size());
     reader.adds = true;
-    slot = sum.first + sum.count++;
+    const auto number = static_cast<int>(&line - topology.lines().data());
+    slot =
+        sum.first + static_cast<std::size_t>(std::find(terms.begin(), terms.end(), number) - terms.begin());
   }
   const bool held = scalar_at(topology.info(line.source).outputs, line.output).port->held;
   link_for(topology, line, times, of_pair)

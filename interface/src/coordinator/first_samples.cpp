@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "../number_text.hpp"
 #include "named.hpp"
@@ -16,12 +17,13 @@ constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 /// Subsystems need each other's first outputs as inputs. Each is initialized with what is known, NaN
 /// elsewhere, and again whenever more of its inputs have become known; without an algebraic loop this ends
 /// with all of them known. Where only lines with a memory or delay are left open, the reader's start value
-/// closes them.
+/// closes them. A state, or what is held, may follow an input at the start alone, where nothing feeds
+/// through: what was given before that input was known is passed on again where it has changed.
 class FirstSamples {
  public:
   FirstSamples(const Topology& topology, std::vector<std::vector<double>>& u0,
                std::vector<std::vector<double>>& rows)
-      : topology_(topology), u0_(u0), rows_(rows), due_(u0.size(), 1) {}
+      : topology_(topology), u0_(u0), rows_(rows), due_(u0.size(), 1), corrections_(u0.size()) {}
 
   template <class Initialize>
   void make(const Initialize& initialize) {
@@ -32,7 +34,7 @@ class FirstSamples {
         initialize(static_cast<int>(i));
         check_declared(static_cast<int>(i));
       }
-      if (!pass_on()) close_lags();
+      if (!pass_on() && !pass_on_changes()) close_lags();
     } while (std::find(due_.begin(), due_.end(), 1) != due_.end());
   }
 
@@ -56,19 +58,38 @@ class FirstSamples {
                         " is not finite at the start, though no unknown input feeds through to it");
   }
 
-  /// Sets each input whose sources are all known; true if there was one.
-  bool pass_on() {
+  /// Gives each input that `which` names what its sources give, if they are all known; true if one is new.
+  template <class Which>
+  bool set_inputs(const Which& which) {
     bool any = false;
     for (std::size_t i = 0; i < u0_.size(); ++i)
       for (std::size_t k = 0; k < u0_[i].size(); ++k) {
-        if (!std::isnan(u0_[i][k])) continue;
+        if (!which(static_cast<int>(i), static_cast<int>(k))) continue;
         const double value = sum_of_lines(static_cast<int>(i), static_cast<int>(k));
-        if (std::isnan(value)) continue;
+        if (std::isnan(value) || value == u0_[i][k]) continue;
         u0_[i][k] = value;
         due_[i] = 1;
         any = true;
       }
     return any;
+  }
+
+  bool pass_on() {
+    return set_inputs([this](int i, int k) { return std::isnan(input(i, k)); });
+  }
+
+  /// A chain of changes is no longer than there are subsystems.
+  bool pass_on_changes() {
+    const bool any = corrections_ > 0 &&
+                     set_inputs([this](int i, int k) { return !std::isnan(input(i, k)) && !stays(i, k); });
+    if (any) --corrections_;
+    return any;
+  }
+
+  /// It is not connected, or closed a loop by its start value.
+  bool stays(int reader, int input) const {
+    return topology_.lines_to(reader, input).empty() ||
+           std::find(closed_.begin(), closed_.end(), std::pair(reader, input)) != closed_.end();
   }
 
   double sum_of_lines(int reader, int input) const {
@@ -97,12 +118,12 @@ class FirstSamples {
       throw Error(ErrorCode::invalid_argument,
                   "input " + name(*first) + " closes a loop with a memory or delay and has no start value");
     value(*first) = start;
+    closed_.emplace_back(first->reader, first->input);
     due_[static_cast<std::size_t>(first->reader)] = 1;
   }
 
-  double& value(const Line& line) {
-    return u0_[static_cast<std::size_t>(line.reader)][static_cast<std::size_t>(line.input)];
-  }
+  double& value(const Line& line) { return input(line.reader, line.input); }
+  double& input(int i, int k) { return u0_[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)]; }
 
   /// The line's input reaches its output, over feedthrough and any lines.
   bool in_loop(const Line& line) const {
@@ -131,6 +152,8 @@ class FirstSamples {
   std::vector<std::vector<double>>& u0_;
   std::vector<std::vector<double>>& rows_;
   std::vector<char> due_;
+  std::size_t corrections_;                  ///< rounds that may still change what was known
+  std::vector<std::pair<int, int>> closed_;  ///< inputs whose start value closes a loop
 };
 
 void RunStart::first_samples() {

@@ -149,18 +149,23 @@ void Link::reach_back() {
   count_ -= before;
 }
 
+/// The segments of all rows that are there stay, also those that the reader has let go: it may stand past
+/// where the source goes back to.
 void Link::follow_room() {
   if (!follows_) return;
+  const std::int64_t rows = samples_->newest() + 1 - samples_->oldest() - late_,
+                     let_go = std::min(rows - count_, first_ - segments_.data());
   LineVector<Segment> larger;
   LineVector<Segment>& target = samples_->capacity() == capacity_ ? segments_ : larger;
   target.resize(lanes_.size() * static_cast<std::size_t>(samples_->capacity()));
   for (std::size_t l = 0; l < lanes_.size(); ++l) {
-    const Segment* first = first_ + static_cast<std::int64_t>(l) * capacity_;
-    std::copy(first, first + count_, target.data() + static_cast<std::int64_t>(l) * samples_->capacity());
+    const Segment* first = first_ - let_go + static_cast<std::int64_t>(l) * capacity_;
+    std::copy(first, first + let_go + count_,
+              target.data() + static_cast<std::int64_t>(l) * samples_->capacity());
   }
   if (&target == &larger) segments_ = std::move(larger);
   capacity_ = samples_->capacity();
-  first_ = segments_.data();
+  first_ = segments_.data() + let_go;
 }
 
 }  // namespace tandem

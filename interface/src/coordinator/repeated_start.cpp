@@ -164,7 +164,8 @@ Clock RunStart::start_again(int who) {
 }
 
 /// The subsystem starts again and goes to its last own node at or before `until`, step by step, on the
-/// signals of `before`.
+/// signals of `before`; one with events that others read goes all the way, as they may stand further than its
+/// last node.
 void RunStart::pass(int who, Exchange& before, double until) {
   const Member& member = run_.schedule_->member(who);
   run_.stand(who, start_again(who));
@@ -172,6 +173,7 @@ void RunStart::pass(int who, Exchange& before, double until) {
     const bool land = member.lands && !run_.tolerance_.before(member.next, run_.t_stop_);
     run_.take({who, member.next, land}, before);
   }
+  if (member.events && run_.time(who) < until - rounding()) run_.take({who, until, true}, before);
   run_.exchange_->commit(who, until);
 }
 

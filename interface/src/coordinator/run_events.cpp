@@ -42,6 +42,19 @@ void RunStart::note_events(const std::vector<int>& order) {
   run_.frozen_ = run_.lands_elsewhere_ && schedule == Kind::parallel;
 }
 
+/// What a leader gave past the last node of one with events, it may still take back: those that read it and
+/// come later in the order, or are sampled, wait for that one.
+void RunStart::wait_for_events(const std::vector<int>& order, std::vector<Read>& reads) const {
+  const auto place = [&](int who) { return std::find(order.begin(), order.end(), who) - order.begin(); };
+  for (const Read& r : std::vector(reads))
+    for (const int other : run_.events(r.source).events_behind) {
+      if (r.reader == other || (!sampled(r.reader) && place(r.reader) < place(other))) continue;
+      const bool lands = sampled(r.reader) && topology_.info(r.reader).sampling.period >=
+                                                  times_.shortest_period[static_cast<std::size_t>(other)];
+      reads.push_back({r.reader, other, r.lag, false, lands});
+    }
+}
+
 void RunStart::note_follower(int who, int leader, bool goes_back) const {
   const std::string name = "'" + topology_.name(who) + "'", ahead = "'" + topology_.name(leader) + "'";
   run_.notes_.push_back("subsystem " + ahead + " reads " + name + ", which has events, and leads it: it " +

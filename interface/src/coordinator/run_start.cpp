@@ -21,9 +21,10 @@ void RunStart::make() {
     throw Error(ErrorCode::invalid_argument,
                 "communication_step is " + number_text(h) + " s; it must be finite and above 0");
   note_times(h);
-  const auto all = reads();
+  auto all = reads();
   note_samples(all);
   note_events(order);
+  wait_for_events(order, all);
   note_through();
   run_.schedule_.emplace(Schedule::Plan{run_.coordination_.schedule,
                                         std::move(order),
@@ -91,6 +92,10 @@ void RunStart::note_without_effect() const {
     run_.notes_.push_back("communication_step has no effect: it serves schedule parallel and delays");
   if (!run_.coordination_.order.empty() && parallel)
     run_.notes_.push_back("order has no effect in schedule parallel");
+  for (int i = 0; i < topology_.size(); ++i)
+    if (sampled(i) && landing_of(i) != Landing::automatic)
+      run_.notes_.push_back("land has no effect for subsystem '" + topology_.name(i) +
+                            "', which is sampled and has no own steps to end; it is for those that read it");
 }
 
 /// Own steps as the subsystems stand.

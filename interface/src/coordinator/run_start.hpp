@@ -37,6 +37,7 @@ class RunStart {
   std::vector<Read> reads() const;
   void note_samples(const std::vector<Read>& reads);
   void note_events(const std::vector<int>& order);
+  void wait_for_events(const std::vector<int>& order, std::vector<Read>& reads) const;
   void note_follower(int who, int leader, bool goes_back) const;
   void order_outputs();
   std::vector<char> jump_with_inputs() const;
@@ -60,11 +61,13 @@ class RunStart {
   void open_exchange(const std::vector<int>& seeds);
 
   StartKind choose();
+  /// (A sampled reader at whose instants its source ends steps reads samples alone.)
   bool seeds_needed(const Line& line) const {
-    return line.how.follows_samples() && line.how.derivatives_at_start() > 0;
+    return line.how.follows_samples() && line.how.derivatives_at_start() > 0 &&
+           !(sampled(line.reader) && lands(line));
   }
-  bool derivatives_suffice() const;
-  bool can_repeat() const;
+  std::string lacks_derivatives() const;
+  std::string does_not_repeat() const;
   void note_cold(const std::string& why) const;
   void seed();
   struct FirstSteps {

@@ -1,43 +1,55 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <string>
 
 #include "run_start.hpp"
 #include "tandem/error.hpp"
 
 namespace tandem {
 
-bool RunStart::derivatives_suffice() const {
-  return std::all_of(topology_.lines().begin(), topology_.lines().end(), [&](const Line& line) {
-    return !seeds_needed(line) ||
-           scalar_at(topology_.info(line.source).outputs, line.output).port->derivatives >=
-               line.how.derivatives_at_start();
-  });
+/// Which output gives too few derivatives for a start from them; empty if none does.
+std::string RunStart::lacks_derivatives() const {
+  for (const Line& line : topology_.lines()) {
+    if (!seeds_needed(line)) continue;
+    const int given = scalar_at(topology_.info(line.source).outputs, line.output).port->derivatives,
+              needed = line.how.derivatives_at_start();
+    if (given < needed)
+      return "output " + topology_.output_name(line.source, line.output) + " gives " + std::to_string(given) +
+             " derivatives, and " + line.how.name() + " needs " + std::to_string(needed) + " of it";
+  }
+  return {};
 }
 
-bool RunStart::can_repeat() const {
-  for (int i = 0; i < topology_.size(); ++i)
-    if (!topology_.info(i).abilities.restarts || sampled(i)) return false;
-  return std::none_of(topology_.lines().begin(), topology_.lines().end(),
-                      [](const Line& line) { return line.how.kind == Reconstruction::Kind::matched_hold; });
+/// Who stands against a repeated start; empty if nobody does.
+std::string RunStart::does_not_repeat() const {
+  for (int i = 0; i < topology_.size(); ++i) {
+    const Abilities& a = topology_.info(i).abilities;
+    const std::string name = "subsystem '" + topology_.name(i) + "' ";
+    if (a.sampled) return name + "is sampled";
+    if (!a.restarts) return name + "can't restart";
+    if (a.events && !a.lands) return name + "has events and can't shorten a step";
+  }
+  for (const Line& line : topology_.lines())
+    if (line.how.kind == Reconstruction::Kind::matched_hold)
+      return "input " + topology_.input_name(line.reader, line.input) + " is a matched hold";
+  return {};
 }
 
 /// The start that is asked for, or the best that there is. Notes a cold one that costs order.
 StartKind RunStart::choose() {
   const auto& lines = topology_.lines();
   const StartKind asked = run_.coordination_.start;
-  const std::string needs = "the outputs give too few derivatives for the degrees of their connections";
-  const std::string stays =
-      "not every subsystem can restart, one is sampled, or a connection is a matched hold";
-  if (asked == StartKind::derivatives && !derivatives_suffice())
-    throw Error(ErrorCode::not_supported, "start from derivatives: " + needs);
-  if (asked == StartKind::repeat && !can_repeat())
-    throw Error(ErrorCode::not_supported, "repeated start: " + stays);
+  const std::string lacking = lacks_derivatives(), staying = does_not_repeat();
+  if (asked == StartKind::derivatives && !lacking.empty())
+    throw Error(ErrorCode::not_supported, "start from derivatives: " + lacking);
+  if (asked == StartKind::repeat && !staying.empty())
+    throw Error(ErrorCode::not_supported, "repeated start: " + staying);
   if (asked != StartKind::automatic) return asked;
   if (std::none_of(lines.begin(), lines.end(), [&](const Line& line) { return seeds_needed(line); }))
     return StartKind::cold;
-  if (derivatives_suffice()) return StartKind::derivatives;
-  if (can_repeat()) return StartKind::repeat;
-  note_cold(needs + ", and " + stays);
+  if (lacking.empty()) return StartKind::derivatives;
+  if (staying.empty()) return StartKind::repeat;
+  note_cold(lacking + "; " + staying);
   return StartKind::cold;
 }
 

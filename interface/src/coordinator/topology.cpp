@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <tuple>
 
 #include "tandem/check_info.hpp"
 #include "tandem/coordinator/units.hpp"
@@ -130,12 +131,28 @@ void Topology::connect_scalars(Line line, bool add, const Place& from, const Pla
   }
   for (int k = 0; k < to.count; ++k) {
     const auto number = static_cast<int>(lines_.size());
-    reader.to[static_cast<std::size_t>(to.first + k)].push_back(number);
     instances_[static_cast<std::size_t>(from.instance)].from.push_back(number);
     line.source = from.instance, line.output = from.first + k;
     line.reader = to.instance, line.input = to.first + k;
     lines_.push_back(line);
+    auto& terms = reader.to[static_cast<std::size_t>(line.input)];
+    terms.insert(std::upper_bound(terms.begin(), terms.end(), number,
+                                  [this](int a, int b) {
+                                    return is_summed_before(lines_[static_cast<std::size_t>(a)],
+                                                            lines_[static_cast<std::size_t>(b)]);
+                                  }),
+                 number);
   }
+}
+
+/// Of two that say the same, either is first.
+bool Topology::is_summed_before(const Line& a, const Line& b) const {
+  const auto key = [this](const Line& line) {
+    const auto& [kind, degree, extra] = line.how;
+    return std::tuple(std::string_view(name(line.source)), line.output, line.gain, line.offset, line.lag,
+                      kind, degree, extra);
+  };
+  return key(a) < key(b);
 }
 
 void Topology::connect_half(std::string_view port, bool output) {

@@ -77,11 +77,12 @@ class Topology {
   }
   /// By scalar input: its start value, NaN for none.
   const std::vector<double>& start(int instance) const { return at(instance).start; }
-  /// Numbers of the lines that end at a scalar input, in the order in which they were connected.
+  /// Numbers of the lines that end at a scalar input, by the names of their sources and what is made of them:
+  /// they are summed in this order, in whatever order they were connected.
   std::span<const int> lines_to(int instance, int input) const {
     return at(instance).to[static_cast<std::size_t>(input)];
   }
-  /// Numbers of the lines that begin at an instance, likewise.
+  /// Numbers of the lines that begin at an instance, in the order in which they were connected.
   std::span<const int> lines_from(int instance) const { return at(instance).from; }
 
   std::string input_name(int instance, int input) const;    ///< "instance.port" or "instance.port[i]"
@@ -109,6 +110,7 @@ class Topology {
   const Instance& at(int i) const { return instances_[static_cast<std::size_t>(i)]; }
   Place find(std::string_view text, bool output) const;
   void connect_scalars(Line line, bool add, const Place& from, const Place& to);
+  bool is_summed_before(const Line& a, const Line& b) const;
   void check_loops() const;
 
   std::vector<Instance> instances_;
