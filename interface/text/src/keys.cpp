@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <regex>
 
 #include "tandem/error.hpp"
 #include "tandem/nearest.hpp"
@@ -56,8 +55,7 @@ std::string words_of(const Key& key) {
 }  // namespace
 
 bool Key::allows(const std::string& word) const {
-  return std::find(words.begin(), words.end(), word) != words.end() ||
-         (!pattern.empty() && std::regex_match(word, std::regex(pattern)));
+  return std::find(words.begin(), words.end(), word) != words.end() || (also && also(word));
 }
 
 /// With marks of Markdown around words.

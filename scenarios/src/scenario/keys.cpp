@@ -2,6 +2,8 @@
 #include "scenario/keys.hpp"
 
 #include "tandem/coordinator/coordination.hpp"
+#include "tandem/coordinator/reconstruction.hpp"
+#include "tandem/error.hpp"
 
 namespace tandem::scenario {
 namespace {
@@ -22,6 +24,12 @@ std::vector<std::string> starts() {
   for (const auto kind : {StartKind::automatic, StartKind::derivatives, StartKind::repeat, StartKind::cold})
     words.emplace_back(name(kind));
   return words;
+}
+
+bool is_reconstruction(const std::string& word) try {
+  return Reconstruction::parse(word), true;
+} catch (const Error&) {
+  return false;
 }
 
 const std::string fraction = "a fraction of the largest magnitude";
@@ -106,7 +114,8 @@ std::vector<Key> of_connections() {
        .allowed = "`least_squaresD_EXTRA`: degree D 0 to 4 through 1 to 16 EXTRA samples",
        .words = {"lagrange0", "lagrange1", "lagrange2", "lagrange3", "lagrange4", "hermite", "mean",
                  "matched_hold"},
-       .pattern = "least_squares[0-4]_([1-9]|1[0-6])"},
+       .pattern = "least_squares[0-4]_([1-9]|1[0-6])",
+       .also = is_reconstruction},
       {.path = "connections[].gain",
        .type = Type::number,
        .sentence = "The input is gain times output plus offset.",

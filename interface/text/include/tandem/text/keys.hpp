@@ -11,7 +11,7 @@ namespace tandem::text {
 struct Key {
   enum class Type {
     text,
-    word,  ///< one of `words`, or what `pattern` matches
+    word,  ///< one of `words`, or of those of `pattern`
     number,
     positive,  ///< a number above 0
     flag,
@@ -31,7 +31,8 @@ struct Key {
   std::string allowed = {};    ///< what an error and the page say is allowed besides
   bool required = false;
   std::vector<std::string> words = {};
-  std::string pattern = {};  ///< a regular expression
+  std::string pattern = {};                    ///< a regular expression of further words, for the schema
+  bool (*also)(const std::string&) = nullptr;  ///< whether one is one of these
 
   /// Of a word.
   bool allows(const std::string& word) const;
