@@ -3,23 +3,22 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "background.hpp"
 #include "command.hpp"
+#include "json_of.hpp"
 #include "tandem/text/time_table.hpp"
 
 namespace tandem {
 namespace {
 
+using test::json_of;
 using test::read_text;
 using test::Said;
 using test::Scratch;
 using test::tandem;
 using test::two_mass_file;
 using text::TimeTable;
-
-nlohmann::json json_of(const std::filesystem::path& file) { return nlohmann::json::parse(read_text(file)); }
 
 TEST(RunCommand, WritesResultsWithUnitsAndMachineFigures) {
   const Scratch folder;
@@ -205,41 +204,6 @@ TEST(RunCommand, AFullDiskIsToldWithStatusOne) {
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "o/results.csv"));
 }
 
-/// A run is killed in a folder that holds the results of one that was ok.
-TEST(RunCommand, WhatAKilledRunLeavesIsNotOk) {
-  const Scratch folder;
-  const auto output = folder.path() / "o";
-  ASSERT_EQ(tandem(folder, {"run", two_mass_file("two_mass.toml"), "--no-reference", "--output", "o"}).status,
-            0);
-  ASSERT_EQ(json_of(output / "results.json")["status"], "ok");
-  std::filesystem::remove(output / "results.csv");
-  test::Background run(folder, {"run", two_mass_file("two_mass.toml"), "--no-reference", "--output", "o",
-                                "--set", "span.stop=1e9"});
-  ASSERT_TRUE(run.wait_for_file(output / "results.csv")) << run.err();
-  run.end_by(SIGKILL);
-  const auto about = json_of(output / "results.json");
-  EXPECT_EQ(about["status"], "running");
-  EXPECT_EQ(about["files"][0], "results.csv");
-  EXPECT_FALSE(std::filesystem::exists(output / "machine.json"));
-  const std::string sentence = "is of a run that did not come to its end: running, process ";
-  for (const std::vector<std::string>& words :
-       {std::vector<std::string>{"compare", "o", "o"}, {"compare", "o/results.csv", "o"}, {"view", "o"}})
-    EXPECT_NE(tandem(folder, words).err.find(sentence), std::string::npos) << words[0];
-  const Said said = tandem(folder, {"run", two_mass_file("two_mass.toml"), "--output", "p", "--set",
-                                    "reference.file=" + (output / "results.csv").string()});
-  EXPECT_EQ(said.status, 2);
-  EXPECT_NE(said.err.find(sentence), std::string::npos) << said.err;
-}
-
-TEST(RunCommand, AHangUpEndsCleanly) {
-  const Scratch folder;
-  test::Background run(folder, {"run", two_mass_file("two_mass.toml"), "--no-reference", "--output", "o",
-                                "--set", "span.stop=1e9"});
-  ASSERT_TRUE(run.wait_for_file(folder.path() / "o/results.csv")) << run.err();
-  EXPECT_EQ(run.end_by(SIGHUP), 1);
-  EXPECT_EQ(json_of(folder.path() / "o/results.json")["status"], "interrupted");
-}
-
 /// As on a full disk, a write stops in the middle: of a file that may have 100 kB.
 TEST(RunCommand, WhatIsOnAFullDiskStaysReadable) {
   const Scratch folder;
@@ -285,19 +249,6 @@ TEST(RunCommand, AFolderThatCannotBeMadeIsStatusTwo) {
   const Said said = tandem(folder, {"run", two_mass_file("two_mass.toml"), "--output", "/dev/null/o"});
   EXPECT_EQ(said.status, 2);
   EXPECT_NE(said.err.find("'/dev/null/o'"), std::string::npos) << said.err;
-}
-
-/// A run that would take hours, interrupted as soon as its results file is there.
-TEST(RunCommand, CtrlCEndsCleanlyAndKeepsResults) {
-  const Scratch folder;
-  const auto output = folder.path() / "o";
-  test::Background run(folder, {"run", two_mass_file("two_mass.toml"), "--no-reference", "--output", "o",
-                                "--set", "span.stop=1e9"});
-  ASSERT_TRUE(run.wait_for_file(output / "results.csv")) << run.err();
-  EXPECT_EQ(run.end_by(SIGINT), 1);
-  EXPECT_NE(run.err().find("interrupted at t = "), std::string::npos) << run.err();
-  EXPECT_EQ(json_of(output / "results.json")["status"], "interrupted");
-  EXPECT_GT(TimeTable::read(output).times.size(), 1000U);
 }
 
 TEST(RunCommand, ADryRunRefusesAFolderThatCannotBeMade) {

@@ -1,7 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "sampled_diagram.hpp"
 
-
 #include "tandem/error.hpp"
 
 namespace tandem::engine {

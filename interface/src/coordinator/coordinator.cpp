@@ -126,7 +126,7 @@ void Coordinator::make(std::span<const Turn> turns) {
   if (!through_.empty())
     for (const Turn& turn : turns) await_jumps(turn.who, false);
   if (turns.size() > 1 || schedule_->kind() == Schedule::Kind::parallel) return make_together(turns);
-  if (not_known_here_ > 0) make_ready(turns[0].who), start(turns[0]);
+  if (!seat(turns[0].who).works_here) make_ready(turns[0].who), start(turns[0]);  // it may work elsewhere
   take(turns[0], *exchange_);
   commit(turns[0].who, turns[0].limit);
 }

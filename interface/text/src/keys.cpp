@@ -60,17 +60,17 @@ bool Key::allows(const std::string& word) const {
 
 /// With marks of Markdown around words.
 static std::string marked(const Key& key) {
-  static constexpr const char* names[] = {"text",
-                                          "word",
-                                          "number",
-                                          "number above 0",
+  static constexpr const char* names[] = {"a text",
+                                          "a word",
+                                          "a number",
+                                          "a number above 0",
                                           "true or false",
-                                          "array of texts",
-                                          "number, true, false or text",
-                                          "number, or array of numbers",
-                                          "number or text",
-                                          "table",
-                                          "array of tables"};
+                                          "an array of texts",
+                                          "a number, true, false or a text",
+                                          "a number, or an array of numbers",
+                                          "a number or a text",
+                                          "a table",
+                                          "an array of tables"};
   std::string all = names[static_cast<std::size_t>(key.type)];
   if (key.type == Key::Type::word) all = words_of(key);
   if (!key.unit.empty()) all += " [" + key.unit + "]";

@@ -35,6 +35,12 @@ const Key* Section::known(const std::string& key) const {
   throw std::logic_error("key '" + path + "' is read and stands in no list of keys");
 }
 
+/// What holds where it is not there, as the language has it.
+std::optional<std::string> Section::otherwise(const std::string& key) const {
+  const Key* const known = this->known(key);
+  return known && !known->otherwise.empty() ? std::optional(known->otherwise) : std::nullopt;
+}
+
 const toml::node* Section::node(const std::string& key) {
   known(key);
   if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) asked_.push_back(key);
@@ -52,10 +58,10 @@ void Section::wrong(const std::string& key, const std::string& found, const std:
 
 std::optional<std::string> Section::text(const std::string& key) {
   const toml::node* found = node(key);
-  const Key* const known = this->known(key);
-  if (!found) return known && !known->otherwise.empty() ? std::optional(known->otherwise) : std::nullopt;
+  if (!found) return otherwise(key);
   if (!found->is_string()) wrong(key, described(*found), "a text in quotes");
-  if (known && known->type == Key::Type::word) check_word(*known, key, found->as_string()->get());
+  if (const Key* known = this->known(key); known && known->type == Key::Type::word)
+    check_word(*known, key, found->as_string()->get());
   if (!values_ || !Values::refers(*found)) return found->as_string()->get();
   const FileValue value = values_->value(document_, *found, name(key));
   if (const auto* word = std::get_if<std::string>(&value)) return *word;
@@ -99,8 +105,8 @@ void Section::missing(const std::string& key, const std::string& allowed) const 
 std::optional<double> Section::number(const std::string& key) {
   const toml::node* found = node(key);
   if (found) return number_of(*found, name(key));
-  const Key* const known = this->known(key);
-  return known && !known->otherwise.empty() ? std::optional(std::stod(known->otherwise)) : std::nullopt;
+  const auto value = otherwise(key);
+  return value ? std::optional(std::stod(*value)) : std::nullopt;
 }
 
 double Section::number_of(const toml::node& node, const std::string& name) const {
@@ -119,9 +125,10 @@ std::optional<double> Section::positive(const std::string& key) {
 
 std::optional<bool> Section::flag(const std::string& key) {
   const toml::node* found = node(key);
-  const Key* const known = this->known(key);
-  if (!found)
-    return known && !known->otherwise.empty() ? std::optional(known->otherwise == "true") : std::nullopt;
+  if (!found) {
+    const auto value = otherwise(key);
+    return value ? std::optional(*value == "true") : std::nullopt;
+  }
   if (!found->is_boolean()) wrong(key, described(*found), "true or false");
   return found->as_boolean()->get();
 }

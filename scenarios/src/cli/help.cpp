@@ -7,8 +7,6 @@
 #include "cli/say.hpp"
 #include "scenario/keys.hpp"
 #include "scenario/schema.hpp"
-#include "tandem/error.hpp"
-#include "tandem/nearest.hpp"
 
 namespace tandem::cli {
 namespace {

@@ -126,8 +126,7 @@ class Reader {
     if (const auto* table = section.table("inputs"))
       for (const auto& [port, node] : in_file_order(*table))
         read_start(entry, port, *node, section.name("inputs." + port));
-    const std::string land = *section.text("land");
-    if (section.node("land")) to_.coordination.landing[name] = landing(land);
+    if (section.node("land")) to_.coordination.landing[name] = landing(*section.text("land"));
     section.refuse_unknown();
     to_.subsystems.push_back(std::move(entry));
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "scenario/keys.hpp"
 #include "scenario/read_ladder.hpp"
 #include "tandem/nearest.hpp"
 
@@ -24,10 +25,10 @@ void note_places(const Section& section, std::initializer_list<const char*> keys
   for (const char* key : keys) to.places[section.name(key)] = section.place(key);
 }
 
+/// Of a word that the language allows: they stand in the order of the kinds.
 StartKind start_kind(const std::string& word) {
-  auto kind = StartKind::automatic;
-  while (word != name(kind)) kind = static_cast<StartKind>(static_cast<int>(kind) + 1);
-  return kind;
+  const auto& words = scenario::keys().find("coordination.start")->words;
+  return static_cast<StartKind>(std::find(words.begin(), words.end(), word) - words.begin());
 }
 
 /// Who is missing, or is sampled and has no place there, the coordinator tells.
@@ -51,7 +52,7 @@ void read_coordination(Section& section, Scenario& to) {
   c.order = section.texts("order");
   c.communication_step = section.positive("communication_step");
   c.start = start_kind(*section.text("start"));
-  section.text("coupling");
+  section.text("coupling");  // the language allows one alone
   section.refuse_unknown();
   if (section.node("order")) check_order(section, to);
 }

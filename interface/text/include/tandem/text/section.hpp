@@ -68,6 +68,7 @@ class Section {
 
   Section(const Section& outer, const toml::table& table, std::string path, std::string pattern);
   const Key* known(const std::string& key) const;
+  std::optional<std::string> otherwise(const std::string& key) const;
   void check_word(const Key& known, const std::string& key, const std::string& word) const;
   void refuse_unread() const;
   [[noreturn]] void refuse_key(const std::string& key, const std::string& near) const;
