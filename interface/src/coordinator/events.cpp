@@ -16,19 +16,30 @@ void Coordinator::hear_of_event(int who) {
   for (const int leader : seat.leaders_back) tell(leader);
   if (!history.jump(history.newest())) return;
   const double t = history.time(history.newest());
-  const auto is_seen = [&](int reader) { return exchange_->jump(who, reader) != 0.0; };
+  const auto is_seen = [&](int reader) { return jump_seen(who, reader) != 0.0; };
   if (schedule_->kind() == Schedule::Kind::parallel &&
       std::any_of(seat.readers.begin(), seat.readers.end(), is_seen))
     schedule_->end_round_at(t);
   for (const int reader : seat.readers)
     if (tolerance_.before(t, time(reader))) pass_by(reader, who, t);
   exchange_->note_jump(who);
+  if (std::any_of(seat.carriers.begin(), seat.carriers.end(), is_seen))
+    for (const int carrier : seat.carriers) exchange_->expect_jump(carrier, t);
   for (const int reader : seat.readers) place(reader);
+}
+
+/// By how much an input of the reader jumps, or one of those with which what it reads jumps at once.
+double Coordinator::jump_seen(int who, int reader) const {
+  const EventSeat& seat = events(who);
+  double largest = exchange_->jump(who, reader);
+  if (std::find(seat.of_carriers.begin(), seat.of_carriers.end(), reader) != seat.of_carriers.end())
+    for (const int carrier : seat.carriers) largest = std::max(largest, exchange_->jump(who, carrier));
+  return largest;
 }
 
 /// `reader` stands past an event of `who` at t.
 void Coordinator::pass_by(int reader, int who, double t) {
-  const double jump = exchange_->jump(who, reader);
+  const double jump = jump_seen(who, reader);
   if (jump == 0.0) return;
   if (!events(reader).back.empty()) return go_back(reader, t);
   EventSeat& seat = events(who);

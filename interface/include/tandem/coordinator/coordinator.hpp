@@ -95,6 +95,7 @@ class Coordinator {
   Turn next_call(const Turn& turn) const;
   void check_clock(const Turn& turn, double before, std::int64_t rows, const Clock& after);
   void hear_of_event(int who);
+  double jump_seen(int who, int reader) const;
   void pass_by(int reader, int who, double t);
   void remember(int who);
   double earliest_event(int who) const;
