@@ -41,7 +41,8 @@ double Coordinator::jump_seen(int who, int reader) const {
 void Coordinator::pass_by(int reader, int who, double t) {
   const double jump = jump_seen(who, reader);
   if (jump == 0.0) return;
-  if (!events(reader).back.empty()) return go_back(reader, t);
+  const auto& behind = events(reader).events_behind;  // a follower that a ring let pass keeps no such state
+  if (std::find(behind.begin(), behind.end(), who) != behind.end()) return go_back(reader, t);
   EventSeat& seat = events(who);
   const double size = jump * (time(reader) - t);
   seat.missed += 1;
@@ -63,10 +64,12 @@ void Coordinator::remember(int who) {
   exchange_->keep_from(who, back.front().time);
 }
 
-/// No event comes before this time [s] that it leads.
+/// No event comes before this time [s] that it leads, nor one that those may go back for whose events it
+/// leads.
 double Coordinator::earliest_event(int who) const {
   double earliest = Member::never;
-  for (const int other : events(who).events_behind) earliest = std::min(earliest, time(other));
+  for (const int other : events(who).events_behind)
+    earliest = std::min({earliest, time(other), earliest_event(other)});
   return earliest;
 }
 

@@ -102,6 +102,7 @@ class Coordinator {
   void go_back(int who, double t);
   std::int64_t last_final(int who) const;
   void keep_rest();
+  void check_end() const;
   void note_events();
   void await_jumps(int reader, bool at_once);
   void tell_jump(int who);
