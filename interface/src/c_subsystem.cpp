@@ -120,8 +120,10 @@ void CSubsystem::check(tandem_status status, const char* call) const {
   if (status == TANDEM_OK) return;
   const char* sentence = self_ ? guarded("last_error", [&] { return api_.last_error(self_); }) : nullptr;
   const bool known = status >= TANDEM_INVALID_ARGUMENT && status <= TANDEM_INTERNAL;
+  const std::string name =
+      info_.name.empty() ? "" : "subsystem '" + info_.name + "', ";  // none before info()
   throw Error(known ? static_cast<ErrorCode>(status) : ErrorCode::internal,
-              "subsystem '" + info_.name + "', " + call + ": " +
+              name + call + ": " +
                   (sentence && *sentence ? sentence : "status " + std::to_string(static_cast<int>(status))));
 }
 

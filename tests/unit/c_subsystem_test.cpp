@@ -91,6 +91,15 @@ TEST(CSubsystem, PassesOnTheCodeAndSentenceOfAnError) {
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"above 0"}, make("h=0")));
 }
 
+TEST(CSubsystem, HasNoNameInAnErrorOfCreate) {
+  try {
+    CSubsystem(c_oscillator(), "mass=1");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(std::string(error.what()).find("create: "), 0U) << error.what();
+  }
+}
+
 TEST(CSubsystem, DestroysWhatItCreatedOnceAlsoWhenItFails) {
   static int alive;
   alive = 0;

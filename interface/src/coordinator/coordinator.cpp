@@ -76,10 +76,11 @@ bool Coordinator::round() {
   return !stopped_;
 }
 
-/// Before a call: a state to go back to, if it may, and room for its rows.
+/// Before a call: a state to go back to, if it may, and room for its rows. What stays by now is told, as rows
+/// from before the oldest state are dropped.
 inline void Coordinator::make_ready(int who) {
   const Seat& seat = this->seat(who);
-  if (seat.goes_back) remember(who);
+  if (seat.goes_back) tell(who), remember(who);
   if (!exchange_->history(who).has_room(seat.batch)) exchange_->make_room(who, seat.batch);
 }
 

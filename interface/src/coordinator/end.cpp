@@ -4,6 +4,7 @@
 
 #include "../number_text.hpp"
 #include "tandem/coordinator/coordinator.hpp"
+#include "tandem/error.hpp"
 
 namespace tandem {
 
@@ -24,7 +25,20 @@ void Coordinator::note_extra_steps(int who) {
                      " own steps where " + number_text(fit) + " fit, as it ended some at samples of others");
 }
 
+/// A schedule without a turn is at its end, or it is wrong: never is that an end in silence.
+void Coordinator::check_end() const {
+  std::string waiting;
+  for (int i = 0; i < topology_.size(); ++i)
+    if (const Member& m = schedule_->member(i); !m.finished() && tolerance_.before(m.next, t_stop_))
+      waiting += (waiting.empty() ? "subsystem '" : ", '") + topology_.name(i) +
+                 "' at t = " + number_text(time(i)) + " s";
+  if (!waiting.empty())
+    throw Error(ErrorCode::internal,
+                "each waits for another: " + waiting + "; no schedule should come to that");
+}
+
 bool Coordinator::end() {
+  check_end();
   keep_rest();
   note_events();
   for (int i = 0; i < topology_.size(); ++i) note_extra_steps(i);

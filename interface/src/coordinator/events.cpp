@@ -16,21 +16,33 @@ void Coordinator::hear_of_event(int who) {
   for (const int leader : seat.leaders_back) tell(leader);
   if (!history.jump(history.newest())) return;
   const double t = history.time(history.newest());
-  const auto is_seen = [&](int reader) { return exchange_->jump(who, reader) != 0.0; };
+  const auto is_seen = [&](int reader) { return jump_seen(who, reader) != 0.0; };
   if (schedule_->kind() == Schedule::Kind::parallel &&
       std::any_of(seat.readers.begin(), seat.readers.end(), is_seen))
     schedule_->end_round_at(t);
   for (const int reader : seat.readers)
     if (tolerance_.before(t, time(reader))) pass_by(reader, who, t);
   exchange_->note_jump(who);
+  if (std::any_of(seat.carriers.begin(), seat.carriers.end(), is_seen))
+    for (const int carrier : seat.carriers) exchange_->expect_jump(carrier, t);
   for (const int reader : seat.readers) place(reader);
+}
+
+/// By how much an input of the reader jumps, or one of those with which what it reads jumps at once.
+double Coordinator::jump_seen(int who, int reader) const {
+  const EventSeat& seat = events(who);
+  double largest = exchange_->jump(who, reader);
+  if (std::find(seat.of_carriers.begin(), seat.of_carriers.end(), reader) != seat.of_carriers.end())
+    for (const int carrier : seat.carriers) largest = std::max(largest, exchange_->jump(who, carrier));
+  return largest;
 }
 
 /// `reader` stands past an event of `who` at t.
 void Coordinator::pass_by(int reader, int who, double t) {
-  const double jump = exchange_->jump(who, reader);
+  const double jump = jump_seen(who, reader);
   if (jump == 0.0) return;
-  if (!events(reader).back.empty()) return go_back(reader, t);
+  const auto& behind = events(reader).events_behind;  // a follower that a ring let pass keeps no such state
+  if (std::find(behind.begin(), behind.end(), who) != behind.end()) return go_back(reader, t);
   EventSeat& seat = events(who);
   const double size = jump * (time(reader) - t);
   seat.missed += 1;
@@ -52,10 +64,12 @@ void Coordinator::remember(int who) {
   exchange_->keep_from(who, back.front().time);
 }
 
-/// No event comes before this time [s] that it leads.
+/// No event comes before this time [s] that it leads, nor one that those may go back for whose events it
+/// leads.
 double Coordinator::earliest_event(int who) const {
   double earliest = Member::never;
-  for (const int other : events(who).events_behind) earliest = std::min(earliest, time(other));
+  for (const int other : events(who).events_behind)
+    earliest = std::min({earliest, time(other), earliest_event(other)});
   return earliest;
 }
 

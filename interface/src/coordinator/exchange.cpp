@@ -8,6 +8,8 @@
 #include <tuple>
 #include <utility>
 
+#include "feedthrough.hpp"
+
 namespace tandem {
 namespace {
 
@@ -44,12 +46,19 @@ const Segment& piece(const Signal& signal, const Segment& of_sum, const TimeTole
   return tandem_segment_jumps(&of_sum) && jump != segments.end() ? *jump : piece_before(signal, of_sum.end);
 }
 
+/// Whether what the source gives may jump with events of another.
+bool carries_jumps(const SubsystemInfo& source, const Link& link, const LinkTimes& times) {
+  return !times.carries.empty() && times.carries[static_cast<std::size_t>(link.source())] &&
+         std::any_of(link.lanes().begin(), link.lanes().end(),
+                     [&](const Lane& lane) { return follows(source, lane.output); });
+}
+
 /// Whether the reader ends a step where an output of the source is known to jump.
-bool ends_steps_at(const SubsystemInfo& source, int reader, const LinkTimes& times) {
+bool ends_steps_at(const SubsystemInfo& source, int reader, bool carries, const LinkTimes& times) {
   if (times.shortest_period.empty()) return false;
   const double shortest = times.shortest_period[static_cast<std::size_t>(reader)];
-  return source.abilities.events ? std::isfinite(shortest)
-                                 : source.abilities.sampled && source.sampling.period >= shortest;
+  return source.abilities.events || carries ? std::isfinite(shortest)
+                                            : source.abilities.sampled && source.sampling.period >= shortest;
 }
 
 }  // namespace
@@ -70,11 +79,14 @@ Exchange::Exchange(const Topology& topology, TimeTolerance tolerance, const Link
     End &source = ends_[static_cast<std::size_t>(link.source())],
         &reader = ends_[static_cast<std::size_t>(link.reader())];
     const bool at_instants = topology.info(link.reader()).abilities.sampled;
+    const SubsystemInfo& info = topology.info(link.source());
+    const bool carries = !at_instants && carries_jumps(info, link, times);
+    if (carries) link.expect_jumps();
     link.attach(source.history, tolerance_);
     source.out.insert(at_instants ? source.out.begin() : source.out.end(), &link);
     source.at_instants += at_instants ? 1 : 0;
     reader.in.push_back(&link);
-    if (ends_steps_at(topology.info(link.source()), link.reader(), times)) reader.breaks.push_back(&link);
+    if (ends_steps_at(info, link.reader(), carries, times)) reader.breaks.push_back(&link);
   }
 }
 
@@ -221,6 +233,8 @@ void Exchange::add_up(Sum& sum, std::span<Signal> slots) const {
 void Exchange::make_room(int source, std::int64_t wanted) {
   End& end = ends_[static_cast<std::size_t>(source)];
   std::int64_t keep = end.history.newest();
+  if (end.keep_from != Member::never)  // also for observers, which are not told yet
+    while (keep > end.history.oldest() && tolerance_.before(end.keep_from, end.history.time(keep))) --keep;
   for (Link* link : end.out) {
     const End& reader = ends_[static_cast<std::size_t>(link->reader())];
     keep = reader.history.empty()

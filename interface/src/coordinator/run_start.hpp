@@ -38,7 +38,13 @@ class RunStart {
   void note_samples(const std::vector<Read>& reads);
   void note_events(const std::vector<int>& order);
   void wait_for_events(const std::vector<int>& order, std::vector<Read>& reads) const;
-  void note_follower(int who, int leader, bool goes_back) const;
+  /// Who reads one with events, by itself or by one that jumps with it.
+  struct ReadEvents {
+    int source, reader, by;
+  };
+  void note_reader(const ReadEvents& what, const std::vector<int>& order);
+  void note_carriers(int source, const std::vector<int>& order);
+  void note_follower(const ReadEvents& what, bool goes_back) const;
   void order_outputs();
   std::vector<char> jump_with_inputs() const;
   void note_through();

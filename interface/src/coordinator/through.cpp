@@ -4,23 +4,10 @@
 // also if it leads; else it would go on with what was before, and err to first order.
 #include <algorithm>
 
+#include "feedthrough.hpp"
 #include "run_start.hpp"
 
 namespace tandem {
-namespace {
-
-bool feeds(const SubsystemInfo& info, int input) {
-  return std::any_of(info.feedthrough.begin(), info.feedthrough.end(),
-                     [input](const Feedthrough& f) { return f.input == input; });
-}
-
-bool follows(const SubsystemInfo& info, int output) {
-  return std::any_of(info.feedthrough.begin(), info.feedthrough.end(),
-                     [output](const Feedthrough& f) { return f.output == output; });
-}
-
-}  // namespace
-
 /// By subsystem whether inputs that feed through may jump.
 std::vector<char> RunStart::jump_with_inputs() const {
   std::vector<char> all(clocks_.size());

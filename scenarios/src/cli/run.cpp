@@ -14,7 +14,7 @@ tandem validate SCENARIO names them and runs none.
 Any value of the scenario can be set by its path:
   --set coordination.schedule=fastest-first         --set parameters.frequency_ratio=25
   --set connections[0].reconstruction=lagrange1     --set connections[fast.x2].gain=2 (by `to`)
-  --set connections.reconstruction=hermite (all)    --set span.stop=5
+  --set connections.reconstruction=hermite (all that have one)    --set span.stop=5
 
 Results: results.csv (or results.INSTANCE.csv with record.clock = "own"), results.json (status, units, how cells were
 interpolated, the scenario with what was set, versions), machine.json (steps, exchanges, seconds, real-time factor:

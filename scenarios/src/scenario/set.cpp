@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "scenario/set.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <vector>
 
@@ -142,14 +143,21 @@ class Override {
                      ".KEY");
     std::vector<std::string> names;
     bool found = false;
+    const bool some_only = all && steps_[next].text == "reconstruction" && has(array, "reconstruction");
     for (std::size_t k = 0; k < array.size(); ++k) {
       const std::string name = (*array[k].as_table())["to"].value_or(std::string());
       names.push_back(name);
       if (!all && steps_[i].text != name && steps_[i].text != std::to_string(k)) continue;
+      if (some_only && !array[k].as_table()->contains("reconstruction")) continue;  // of a held output
       at_table(*array[k].as_table(), next);
       found = true;
     }
     if (!found) fail_no_element(i, names);
+  }
+
+  static bool has(const toml::array& array, std::string_view key) {
+    return std::any_of(array.begin(), array.end(),
+                       [key](const toml::node& node) { return node.as_table()->contains(key); });
   }
 
   [[noreturn]] void fail_no_element(std::size_t i, const std::vector<std::string>& names) const {

@@ -75,6 +75,16 @@ TEST(Set, NamesAConnectionByIndexOrByItsInputOrAll) {
   EXPECT_EQ(all.at_path("connections[1].gain").value<int>(), 3);
 }
 
+TEST(Set, LeavesConnectionsOfHeldOutputsWithoutAReconstruction) {
+  toml::table table = scene();
+  set(table, "connections[0].reconstruction=lagrange1");
+  set(table, "connections.reconstruction=hermite");
+  EXPECT_EQ(table.at_path("connections[0].reconstruction").value<std::string>(), "hermite");
+  EXPECT_FALSE(table.at_path("connections[1].reconstruction"));
+  EXPECT_TRUE(with("connections.reconstruction=hermite").at_path("connections[1].reconstruction"))
+      << "none has one: it is for the run to say what is wrong";
+}
+
 TEST(Set, ReplacesAnElementOfAnArray) {
   EXPECT_EQ(with("record.ports[1]=c").at_path("record.ports[1]").value<std::string>(), "c");
 }

@@ -95,12 +95,14 @@ class Coordinator {
   Turn next_call(const Turn& turn) const;
   void check_clock(const Turn& turn, double before, std::int64_t rows, const Clock& after);
   void hear_of_event(int who);
+  double jump_seen(int who, int reader) const;
   void pass_by(int reader, int who, double t);
   void remember(int who);
   double earliest_event(int who) const;
   void go_back(int who, double t);
   std::int64_t last_final(int who) const;
   void keep_rest();
+  void check_end() const;
   void note_events();
   void await_jumps(int reader, bool at_once);
   void tell_jump(int who);

@@ -21,6 +21,8 @@ struct LinkTimes {
   std::vector<double> shortest_period = {};
   /// By subsystem: a number that is the same for those that depend on each other. Empty: as if all did.
   std::vector<int> loop = {};
+  /// By subsystem: outputs that follow its inputs at once may jump with events of another. Empty: none may.
+  std::vector<char> carries = {};
 };
 
 /// What passes between the subsystems of a run: the recent samples of each, and the signals made from them.
@@ -51,6 +53,11 @@ class Exchange {
   /// The newest row of `source`, which has events, is a jump: next_break() of its readers knows of it.
   void note_jump(int source) {
     for (Link* link : ends_[static_cast<std::size_t>(source)].out) link->note_jump();
+  }
+  /// The outputs of `source` that follow its inputs will jump at t: next_break() of their readers knows of
+  /// it.
+  void expect_jump(int source, double t) {
+    for (Link* link : ends_[static_cast<std::size_t>(source)].out) link->expect_jump(t);
   }
   /// By how much, at most, an input of `reader` jumps at the newest row of `source`.
   double jump(int source, int reader) const;

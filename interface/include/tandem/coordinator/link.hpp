@@ -40,8 +40,12 @@ class alignas(64) Link {
   /// above 0, to the next newer one that a polynomial goes through is passed over; after a jump of a lane its
   /// polynomials go through the samples from the jump on, and the segment there is marked. Before attach().
   void pass_over(double nearest) { nearest_ = nearest, plain_ = false; }
-  /// Its source has events. Before attach().
+  /// Its source has events, or jumps with those of another. Before attach().
   void expect_jumps() { has_events_ = true; }
+  /// Where it jumps next, if it does.
+  void expect_jump(double t) {
+    if (has_events_) jump_at_ = t + delay_;
+  }
   /// Makes the segments of the samples committed last.
   void extend(NewRows rows) { extend_(*this, rows); }
   /// Samples that were committed, and whose segments are made later, by extend_late().

@@ -25,14 +25,16 @@ struct Relation {
   Kind kind;
   double lag;  ///< [s]: the reader sees at t what the source gave at t - lag
   bool lands;  ///< held, nearest: who integrates itself ends a step at each instant of the sampled one
+  bool goes_on = false;  ///< nearest: it does not wait there, as the sampled one reads it with less lag too
 
   bool operator==(const Relation&) const = default;
 
   Waits waits(const Member& a, const Member& b, const TimeTolerance& tolerance) const {
     if (kind == Kind::turns) return tolerance.before(a.time, b.next) ? Waits::second : Waits::first;
     if (first_waits(a, b, tolerance)) return Waits::first;
-    return lands && kind == Kind::nearest && !tolerance.before(b.time, a.next - lag) ? Waits::second
-                                                                                     : Waits::none;
+    return lands && !goes_on && kind == Kind::nearest && !tolerance.before(b.time, a.next - lag)
+               ? Waits::second
+               : Waits::none;
   }
 
  private:

@@ -55,7 +55,9 @@ struct EventSeat {
     double time;
     std::int64_t row;
   };
-  std::vector<int> readers = {};       ///< of one with events: who integrates itself and reads it
+  std::vector<int> readers = {};   ///< of one with events: who integrates itself and reads it, or a carrier
+  std::vector<int> carriers = {};  ///< whose outputs jump with its at once, by however many others
+  std::vector<int> of_carriers = {};   ///< of the readers those of carriers
   std::vector<int> leaders_back = {};  ///< of these who may go back
   std::vector<int> events_behind =
       {};                       ///< of one that may go back: those with events that it reads and leads
