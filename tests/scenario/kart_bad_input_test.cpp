@@ -41,26 +41,26 @@ const std::vector<std::string> validate = {"validate", "kart/kart.toml"};
 TEST(KartBadInput, RatiosOfGearsThatDoNotFallAreRefused) {
   ChangedScene("engine/gears.toml", "[2.393, 1.45, 1.0]", "[2.393, 1.0, 1.45]")
       .refuses(validate,
-               {"gears.toml:19", "ratio is 1.45 in 'third'", "above 0 and below 1, that of 'second'"});
+               {"gears.toml:20", "ratio is 1.45 in 'third'", "above 0 and below 1, that of 'second'"});
   ChangedScene("engine/gears.toml", "[2.393, 1.45, 1.0]", "[2.393, 1.45, -1.0]")
-      .refuses(validate, {"gears.toml:19", "ratio is -1 in 'third'", "a number above 0"});
+      .refuses(validate, {"gears.toml:20", "ratio is -1 in 'third'", "a number above 0"});
 }
 
 TEST(KartBadInput, SpeedsOfShiftsOutOfOrderAreRefused) {
   ChangedScene("engine/gears.toml", "y = [4, 6, 13, 15, 18]", "y = [4, 6, 13, 15, 31]")
-      .refuses(validate, {"gears.toml:23", "from 'second' to 'third' is 30 at 25",
+      .refuses(validate, {"gears.toml:24", "from 'second' to 'third' is 30 at 25",
                           "above 31, the threshold from 'first'"});
   ChangedScene("engine/clutch_gearbox.toml", "up23 = { value = 14.0", "up23 = { value = 7.0")
       .refuses(
           {"validate", "kart/kart.toml", "--set", "subsystems.engine.parameters.gearbox=clutch_gearbox.toml"},
-          {"clutch_gearbox.toml:25", "from 'second' to 'third' is 7", "above 11.2"});
+          {"clutch_gearbox.toml:26", "from 'second' to 'third' is 7", "above 11.2"});
 }
 
 TEST(KartBadInput, AThrottleBeyondItsPlateIsRefused) {
   for (const char* value : {"-1", "50.5"})
     ChangedScene("engine/throttle_kart.toml", "[3, 3, 10.5", std::string("[3, 3, ") + value)
         .refuses(validate,
-                 {"throttle_kart.toml:5", std::string("an array with ") + value, "allowed is 0 to 50"});
+                 {"throttle_kart.toml:6", std::string("an array with ") + value, "allowed is 0 to 50"});
 }
 
 TEST(KartBadInput, ANegativeMassIsRefused) {

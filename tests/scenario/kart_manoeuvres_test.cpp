@@ -114,7 +114,7 @@ TEST(KartManoeuvres, AnUnknownLawOrLeverOrOneOfAMechanismWithoutTyresIsRefused) 
   const Said lever =
       tandem(folder, {"run", kart_folder + "kerb.toml", "--set", "subsystems.kart.parameters.lever=long"});
   EXPECT_EQ(lever.status, 2);
-  EXPECT_TRUE(contains(lever.err, "lever is 'long'; allowed is radius or height")) << lever.err;
+  EXPECT_TRUE(contains(lever.err, "'lever' is 'long'; allowed is radius, height")) << lever.err;
   const std::string pendulum =
       std::string(TANDEM_SOURCE_DIR) + "/scenarios/mechanisms/pendulum/pendulum.toml";
   const Said none = tandem(folder, {"run", pendulum, "--set", "run.tyre=linear"});

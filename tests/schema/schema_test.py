@@ -1,33 +1,131 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-"""schema_test.py TANDEM FOLDER: the schema of scenarios lets every scenario of the folder pass, and no file with an
-unknown key, a wrong type, a word that is not allowed or a required key that is missing. The same files are read, or
-refused, by tandem itself."""
+"""schema_test.py TANDEM FOLDER: the schemas let every scenario, mechanism and diagram of the folder pass, and no file
+with an unknown key, a wrong type, a word that is not allowed or a required key that is missing. What they refuse of
+mechanisms and diagrams tandem itself refuses too."""
 import copy
 import json
 import pathlib
 import subprocess
 import sys
+import tempfile
 import tomllib
 
 import jsonschema
 
 tandem, folder = sys.argv[1], pathlib.Path(sys.argv[2])
-schema = json.loads(subprocess.run([tandem, "schema", "scenario"], check=True, capture_output=True).stdout)
-assert schema == json.loads((folder / "scenarios/scenario.schema.json").read_text()), "the file in scenarios is stale"
-jsonschema.Draft202012Validator.check_schema(schema)
-validator = jsonschema.Draft202012Validator(schema)
 
-files = {f: tomllib.loads(f.read_text()) for f in sorted(folder.glob("scenarios/**/*.toml"))}
-scenarios = {f: d for f, d in files.items() if "subsystems" in d}
-assert len(scenarios) > 20
-for file, document in scenarios.items():
-    error = next(validator.iter_errors(document), None)
+
+def schema_of(language):
+    schema = json.loads(subprocess.run([tandem, "schema", language], check=True, capture_output=True).stdout)
+    there = json.loads((folder / f"scenarios/{language}.schema.json").read_text())
+    assert schema == there, f"the file of {language} in scenarios is stale"
+    jsonschema.Draft202012Validator.check_schema(schema)
+    return jsonschema.Draft202012Validator(schema)
+
+
+def language_of(document):
+    return "scenario" if "subsystems" in document else "diagram" if "blocks" in document else "mechanism"
+
+
+folders = ("scenarios", "tests/examples", "tests/consumer")
+files = {f: tomllib.loads(f.read_text()) for name in folders for f in sorted((folder / name).glob("**/*.toml"))}
+validators = {language: schema_of(language) for language in ("scenario", "mechanism", "diagram")}
+for file, document in files.items():
+    language = language_of(document)
+    error = next(validators[language].iter_errors(document), None)
     assert error is None, f"{file}: {error.message}"
-    up = "../" * (len(file.relative_to(folder / "scenarios").parts) - 1)
-    assert file.read_text().startswith(f"#:schema {up}scenario.schema.json\n"), f"{file} does not name the schema"
+    named = file.read_text().split("\n")[0].removeprefix("#:schema ")
+    there = folder / f"scenarios/{language}.schema.json"
+    assert (file.parent / named).resolve() == there.resolve(), f"{file} does not name the schema"
+assert len(files) > 70
 
-good = scenarios[folder / "scenarios/two_mass/two_mass.toml"]
+
+def refused(document):
+    return next(validators[language_of(document)].iter_errors(document), None) is not None
+
+
+def told(text):
+    """What tandem says of a file with that text; nothing if it is well."""
+    with tempfile.NamedTemporaryFile("w", suffix=".toml") as file:
+        file.write(text)
+        file.flush()
+        done = subprocess.run([tandem, "info", file.name], capture_output=True, text=True)
+    assert (done.returncode == 0) == (not done.stderr), done
+    assert done.returncode in (0, 2), done
+    return done.stderr
+
+
+# A line in place of another one, or more lines.
+mechanism = """
+dimension = 2
+gravity = [0, "$(-g)"]
+[parameters]
+g = { value = 9.81, unit = "m/s^2" }
+[points]
+O = { at = [0, 0], fixed = true }
+P = { at = [1, 0] }
+[rods.arm]
+points = ["O", "P"]
+mass = "$g"
+[elements.air]
+kind = "drag"
+point = "P"
+coefficient = 1.0
+[outputs]
+x = { position = "P.x" }
+"""
+diagram = """
+[parameters]
+k = { value = 2.0, unit = "1" }
+how = { value = "hold", allowed = ["hold", "extend"] }
+[inputs]
+u = { unit = "m" }
+[blocks]
+twice = { kind = "gain", input = "u", gain = "$k" }
+limit = { kind = "table", input = "twice", x = [0, 1], y = [0, "$k"], beyond = "$how" }
+y = { kind = "integrator", input = "limit", initial = "$(1 + k)" }
+[outputs]
+y = { unit = "m s" }
+"""
+changes = [
+    (mechanism, "dimension = 2", "dimension = 'two'"),
+    (mechanism, "dimension = 2", "dimension = 2\ncolour = 1"),
+    (mechanism, "mass = \"$g\"", ""),
+    (mechanism, "mass = \"$g\"", "mass = -1"),
+    (mechanism, "mass = \"$g\"", "mass = 'g'"),
+    (mechanism, "mass = \"$g\"", "mass = 1\nlength = 2"),
+    (mechanism, "fixed = true", "fixed = 1"),
+    (mechanism, "at = [1, 0]", "at = 1"),
+    (mechanism, "at = [1, 0]", "at = [1, 'a']"),
+    (mechanism, "[\"O\", \"P\"]", "\"O\""),
+    (mechanism, "\"drag\"", "\"drug\""),
+    (mechanism, "coefficient = 1.0", ""),
+    (mechanism, "coefficient = 1.0", "coefficient = 1.0\nspin = 'x'"),
+    (mechanism, "value = 9.81, ", ""),
+    (mechanism, "position =", "place ="),
+    (diagram, "unit = \"m\" }", "units = \"m\" }"),
+    (diagram, "\"gain\"", "\"gian\""),
+    (diagram, "gain = \"$k\"", "gain = 'k'"),
+    (diagram, "gain = \"$k\"", "again = 2"),
+    (diagram, ", gain = \"$k\"", ""),
+    (diagram, "x = [0, 1]", "x = true"),
+    (diagram, "\"$how\"", "\"held\""),
+    (diagram, "\"$how\"", "1"),
+    (diagram, "initial = \"$(1 + k)\"", "initial = true"),
+    (diagram, "[outputs]", "[loops]\nsolve = 1\n[outputs]"),
+    (diagram, "[outputs]", "[loops]\ntolerance = 0\n[outputs]"),
+    (diagram, "[outputs]", "[output]"),
+]
+for text in (mechanism, diagram):
+    assert not refused(tomllib.loads(text)) and not told(text), told(text)
+for text, old, new in changes:
+    assert old in text, old
+    changed = text.replace(old, new, 1)
+    assert refused(tomllib.loads(changed)), f"passes: {changed}"
+    assert told(changed), f"is read: {changed}"
+
+good = files[folder / "scenarios/two_mass/two_mass.toml"]
 
 
 def with_(*path_and_value):
@@ -67,6 +165,6 @@ bad = [
     with_("parameters", "frequency_ratio", [1.0]),
 ]
 for document in bad:
-    assert next(validator.iter_errors(document), None), f"passes: {document}"
-assert not next(validator.iter_errors(with_("connections", 0, "reconstruction", "least_squares2_16")), None)
-print(f"{len(scenarios)} scenarios pass, {len(bad)} bad ones do not")
+    assert refused(document), f"passes: {document}"
+assert not refused(with_("connections", 0, "reconstruction", "least_squares2_16"))
+print(f"{len(files)} files pass, {len(bad) + len(changes)} bad ones do not")

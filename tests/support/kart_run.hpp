@@ -37,7 +37,7 @@ inline const std::vector<std::pair<std::string, std::string>> without_lateral = 
 
 /// Tyres as printed: the force along a wheel acts on the ground below its centre.
 inline const std::vector<std::pair<std::string, std::string>> printed_lever = {
-    {"radius = 0.139\n", "radius = 0.139\nlever = \"height\"\n"}};
+    {"lever = { value = \"radius\"", "lever = { value = \"height\""}};
 
 inline mbs::Description kart(const std::string& text) {
   return mbs::read_mechanism("kart", text, kart::element_kinds());

@@ -48,7 +48,10 @@ TEST(Expressions, ThatAreNoneAreRefused) {
 
 std::vector<FileParameter> read(const std::string& text, const GivenValues& given, Values& values) {
   const Document document("f.toml", text);
-  Section root(document, document.table(), "");
+  KeyList list;
+  keys_of_parameters(list);
+  const Keys language(std::move(list).list());
+  Section root(document, language);
   return read_parameters(root, given, values);
 }
 

@@ -12,7 +12,7 @@ using Code = Operation::Code;
 
 /// offset + gain input.
 void gain(Lowering& to, Arguments& a) {
-  to.define("", to.linear(a.number("offset", 0.0), a.number("gain"), a.wire("input")));
+  to.define("", to.linear(a.number("offset"), a.number("gain"), a.wire("input")));
 }
 
 /// The inputs times their factors, by default 1.
@@ -51,25 +51,53 @@ std::vector<std::string> names(const List& list) {
 
 /// A function of one input, or of two.
 void function(Lowering& to, Arguments& a) {
-  a.required_text("function", listed(a.has("inputs") ? names(functions2) : names(functions)));
-  if (a.has("inputs")) {
-    const auto inputs = a.wires("inputs");
-    if (inputs.size() != 2) a.refuse("inputs", fmt::format("an array of {}", inputs.size()), "one of 2");
-    const auto number = static_cast<int>(a.word("function", names(functions2)));
-    to.define("", to.operation(Code::function2, inputs[0], inputs[1], {}, number));
-    return;
-  }
-  const auto number = static_cast<int>(a.word("function", names(functions)));
-  to.define("", to.operation(Code::function, a.wire("input"), number));
+  const auto number = static_cast<int>(a.word("function")), ones = static_cast<int>(functions.size());
+  const bool of_two = a.has("inputs");
+  if (of_two != (number >= ones))
+    a.refuse("function", "'" + a.text("function") + "'",
+             listed(of_two ? names(functions2) : names(functions)) + " of " +
+                 (of_two ? "two inputs" : "one input"));
+  if (!of_two) return to.define("", to.operation(Code::function, a.wire("input"), number));
+  const auto inputs = a.wires("inputs");
+  if (inputs.size() != 2) a.refuse("inputs", fmt::format("an array of {}", inputs.size()), "one of 2");
+  to.define("", to.operation(Code::function2, inputs[0], inputs[1], {}, number - ones));
+}
+
+void keys_of_function(text::KeyList& to) {
+  auto words = names(functions);
+  for (const std::string& name : names(functions2)) words.push_back(name);
+  to.need("function", Type::word, "The function; the last six of two inputs.", {.words = words})
+      .may("input", Type::signal, "Of a function of one.")
+      .may("inputs", Type::signals, "Of a function of two.", {.allowed = "two"});
 }
 
 }  // namespace
 
-const std::vector<BlockKind> algebraic_blocks = {{"gain", gain},
-                                                 {"sum", sum},
-                                                 {"product", product},
-                                                 {"quotient", quotient},
-                                                 {"polynomial", polynomial},
-                                                 {"function", function}};
+const std::vector<BlockKind> algebraic_blocks = {
+    {"gain", gain, "offset + gain input.",
+     [](text::KeyList& to) {
+       to.need("input", Type::signal, "The signal.")
+           .need("gain", Type::number, "The factor.")
+           .may("offset", Type::number, "What is added.", {.otherwise = "0.0"});
+     }},
+    {"sum", sum, "The sum of signals, each times its gain.",
+     [](text::KeyList& to) {
+       to.need("inputs", Type::signals, "The signals.")
+           .may("gains", Type::numbers, "One for each; without them all 1.");
+     }},
+    {"product", product, "The product of signals.",
+     [](text::KeyList& to) { to.need("inputs", Type::signals, "The signals."); }},
+    {"quotient", quotient, "numerator / denominator.",
+     [](text::KeyList& to) {
+       to.need("numerator", Type::signal, "A signal.").need("denominator", Type::signal, "A signal.");
+     }},
+    {"polynomial", polynomial, "A polynomial of a signal.",
+     [](text::KeyList& to) {
+       to.need("input", Type::signal, "The signal.")
+           .need("coefficients", Type::numbers, "From the constant upwards.");
+     }},
+    {"function", function,
+     "A function of one signal, or of two. It has no events: `abs` and `sign` bend within a step.",
+     keys_of_function}};
 
 }  // namespace tandem::engine

@@ -5,33 +5,35 @@
 #include <vector>
 
 #include "compile/lowering.hpp"
+#include "tandem/text/keys.hpp"
 
 namespace tandem::engine {
 
-/// The ports and parameters of a block while it is compiled: each is asked for by its key, and what nobody
+/// The ports and parameters of a block while it is compiled, by the keys of its kind in the language of
+/// diagrams, which says what holds where one is not there; a block of a compiled kind has none. What nobody
 /// asked for is refused. Errors name the block, the key, the value found and what is allowed.
 class Arguments {
  public:
-  Arguments(const Block& block, Lowering& to) : block_(block), to_(to) {}
+  /// table: of the language, where it is not the block's own.
+  Arguments(const Block& block, Lowering& to, const text::Keys* language, std::string table = "blocks.NAME");
+  /// Those of a table in the block, "transitions[]".
+  Arguments part(const std::string& key, const Block& table) {
+    return {table, to_, language_, table_ + "." + key};
+  }
 
   bool has(const std::string& key) const { return block_.values.count(key) != 0; }
   int wire(const std::string& key);
-  int wire(const std::string& key, double otherwise) {
-    return has(key) ? wire(key) : to_.constant(otherwise);
-  }
   std::vector<int> wires(const std::string& key);
   double number(const std::string& key);
-  double number(const std::string& key, double otherwise);
   double positive(const std::string& key);
   std::vector<double> numbers(const std::string& key);
-  std::string text(const std::string& key, const std::string& otherwise);
-  std::string required_text(const std::string& key, const std::string& allowed);
+  std::string text(const std::string& key);
   std::vector<std::string> texts(const std::string& key);
   /// Tables at a key; none if it is not there.
   const std::vector<Block>& tables(const std::string& key);
-  /// The place of a word in a list, the first if the key is not there.
-  std::size_t word(const std::string& key, const std::vector<std::string>& allowed);
-  bool flag(const std::string& key, bool otherwise);
+  /// The place of a word among those of the language.
+  std::size_t word(const std::string& key);
+  bool flag(const std::string& key);
 
   [[noreturn]] void refuse(const std::string& key, const std::string& found,
                            const std::string& allowed) const;
@@ -42,13 +44,18 @@ class Arguments {
   void refuse_unknown() const;
 
  private:
+  const text::Key* known(const std::string& key) const;
   const Value* find(const std::string& key);
-  const Value& required(const std::string& key, const std::string& allowed);
+  /// What stands there, or what holds without it.
+  Value required(const std::string& key, const std::string& allowed);
   std::string place(const std::string& key) const;
+  void refuse_unread(const std::string& key) const;
   int slot(const std::string& key, const Wire& wire);
 
   const Block& block_;
   Lowering& to_;
+  const text::Keys* language_;
+  std::string table_;
   std::set<std::string> asked_;
 };
 

@@ -10,7 +10,7 @@ namespace {
 
 /// A parameter, or what it is if it is not given.
 double parameter(Arguments& a, const CompiledBlock::Quantity& q) {
-  return std::isnan(q.otherwise) ? a.number(q.name) : a.number(q.name, q.otherwise);
+  return std::isnan(q.otherwise) || a.has(q.name) ? a.number(q.name) : q.otherwise;
 }
 
 void check(const CompiledBlock& kind, const Arguments& a) {
@@ -33,7 +33,7 @@ void lower_compiled(const CompiledBlock& kind, Lowering& to, Arguments& a) {
   to.keep_together(x);
   for (std::size_t k = 0; k < x.size(); ++k) {
     const auto& q = kind.states[k];
-    to.start(x[k], std::isnan(q.otherwise) ? a.wire(q.name) : a.wire(q.name, q.otherwise));
+    to.start(x[k], std::isnan(q.otherwise) || a.has(q.name) ? a.wire(q.name) : to.constant(q.otherwise));
   }
   const int states = x.empty() ? -1 : x[0], inputs = to.gathered(u);
   const auto y = to.call(

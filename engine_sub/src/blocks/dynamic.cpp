@@ -51,8 +51,7 @@ int freedom(Lowering& to, int state, int input, const Limits& limits) {
 }
 
 std::optional<Limits> limits_of(Lowering& to, Arguments& a) {
-  constexpr double none = std::numeric_limits<double>::infinity();
-  const double low = a.number("low", -none), high = a.number("high", none);
+  const double low = a.number("low"), high = a.number("high");
   if (!(low < high)) a.refuse("low", fmt::format("{}", low), fmt::format("below high, {}", high));
   if (!std::isfinite(low) && !std::isfinite(high)) return std::nullopt;
   return Limits{low, high, to.held()};
@@ -60,7 +59,7 @@ std::optional<Limits> limits_of(Lowering& to, Arguments& a) {
 
 /// What a state is put to: a number within the limits, or a signal, which is cut to them.
 int put(Lowering& to, Arguments& a, const char* key, const std::optional<Limits>& limits) {
-  const int value = a.wire(key, 0.0);
+  const int value = a.wire(key);
   const Slot& slot = to.signals[value];
   if (limits && slot.kind == Slot::Kind::constant && (slot.start < limits->low || slot.start > limits->high))
     a.refuse(key, fmt::format("{}", slot.start), fmt::format("{} to {}", limits->low, limits->high));
@@ -89,8 +88,8 @@ void integrator(Lowering& to, Arguments& a) {
 void lag(Lowering& to, Arguments& a) {
   const double rate = 1.0 / a.positive("time");
   const int state = to.state(-1);
-  to.start(state, a.wire("initial", 0.0));
-  to.signals[state].rate = to.sum({a.wire("input"), state}, {rate * a.number("gain", 1.0), -rate});
+  to.start(state, a.wire("initial"));
+  to.signals[state].rate = to.sum({a.wire("input"), state}, {rate * a.number("gain"), -rate});
   to.define("", state);
 }
 
@@ -186,13 +185,12 @@ void transfer_function(Lowering& to, Arguments& a) {
 /// u = kp e + I + D within limits; I' = ki e + back (u - its value without limits), D = kd e' by a lag of
 /// 1/filter.
 void pid(Lowering& to, Arguments& a) {
-  constexpr double none = std::numeric_limits<double>::infinity();
   const int e = a.wire("input"), integral = to.state(-1), filtered = to.state(-1);
-  const double kp = a.number("kp"), ki = a.number("ki", 0.0), kd = a.number("kd", 0.0);
-  const double filter = a.has("filter") ? a.positive("filter") : 100.0, back = a.number("back", 1.0);
-  const double low = a.number("low", -none), high = a.number("high", none);
+  const double kp = a.number("kp"), ki = a.number("ki"), kd = a.number("kd");
+  const double filter = a.positive("filter"), back = a.number("back");
+  const double low = a.number("low"), high = a.number("high");
   if (!(low < high)) a.refuse("low", fmt::format("{}", low), fmt::format("below high, {}", high));
-  to.start(integral, a.wire("initial", 0.0));
+  to.start(integral, a.wire("initial"));
   to.define("integral", integral);
   to.define("filtered", filtered);
   const int slope = to.sum({e, filtered}, {filter * kd, -filter});
@@ -210,13 +208,63 @@ void pid(Lowering& to, Arguments& a) {
   to.define("", u);
 }
 
+void keys_of_integrator(text::KeyList& to) {
+  to.need("input", Type::signal, "Its derivative.")
+      .may("initial", Type::signal, "What it is at the start.", {.otherwise = "0.0"})
+      .may("low", Type::number, "The least that it can be, where it stays until its input points inwards.",
+           {.otherwise = "-inf"})
+      .may("high", Type::number, "The most.", {.otherwise = "inf"})
+      .may("reset", Type::signal, "Where this rises above 0 it is put to `reset_to`.")
+      .may("reset_to", Type::signal, "See `reset`.", {.otherwise = "0.0"});
+}
+
+void keys_of_pid(text::KeyList& to) {
+  to.need("input", Type::signal, "The error e.")
+      .need("kp", Type::number, "Of e.")
+      .may("ki", Type::number, "Of the integral of e.", {.unit = "1/s", .otherwise = "0.0"})
+      .may("kd", Type::number, "Of the derivative of e.", {.unit = "s", .otherwise = "0.0"})
+      .may("filter", Type::positive, "Of the derivative, by a lag of 1/filter.",
+           {.unit = "1/s", .otherwise = "100.0"})
+      .may("low", Type::number, "The least output.", {.otherwise = "-inf"})
+      .may("high", Type::number, "The largest output.", {.otherwise = "inf"})
+      .may("back", Type::number, "How fast a limited output pulls the integral back.",
+           {.unit = "1/s", .otherwise = "1.0"})
+      .may("initial", Type::signal, "The integral at the start.", {.otherwise = "0.0"});
+}
+
 }  // namespace
 
-const std::vector<BlockKind> dynamic_blocks = {{"integrator", integrator},
-                                               {"lag", lag},
-                                               {"rate_limiter", rate_limiter},
-                                               {"state_space", state_space},
-                                               {"transfer_function", transfer_function},
-                                               {"pid", pid}};
+const std::vector<BlockKind> dynamic_blocks = {
+    {"integrator", integrator, "The integral of a signal, within limits if there are.", keys_of_integrator},
+    {"lag", lag, "time y' = gain input - y.",
+     [](text::KeyList& to) {
+       to.need("input", Type::signal, "The signal.")
+           .need("time", Type::positive, "Its time constant.", {.unit = "s"})
+           .may("gain", Type::number, "Of the input.", {.otherwise = "1.0"})
+           .may("initial", Type::signal, "What it is at the start.", {.otherwise = "0.0"});
+     }},
+    {"rate_limiter", rate_limiter, "y' = (input - y) / time, within -falling and rising.",
+     [](text::KeyList& to) {
+       to.need("input", Type::signal, "The signal.")
+           .need("rising", Type::positive, "The most, by time.")
+           .need("falling", Type::positive, "The same downwards.")
+           .need("time", Type::positive, "Its time constant within these.", {.unit = "s"})
+           .may("initial", Type::signal, "What it is at the start; without it the input.");
+     }},
+    {"state_space", state_space, "x' = a x + b u, y = c x + d u; outputs `BLOCK.1`, .. if more than one.",
+     [](text::KeyList& to) {
+       to.need("inputs", Type::signals, "u.")
+           .need("a", Type::numbers, "A matrix, row by row.")
+           .need("b", Type::numbers, "A matrix, row by row.")
+           .need("c", Type::numbers, "A matrix, row by row.")
+           .may("d", Type::numbers, "A matrix, row by row; without it 0.");
+     }},
+    {"transfer_function", transfer_function, "numerator(s) / denominator(s) of a signal, from rest.",
+     [](text::KeyList& to) {
+       to.need("input", Type::signal, "The signal.")
+           .need("numerator", Type::numbers, "Coefficients, that of the highest power first.")
+           .need("denominator", Type::numbers, "Coefficients, that of the highest power first.");
+     }},
+    {"pid", pid, "kp e + its integral + its filtered derivative, within limits.", keys_of_pid}};
 
 }  // namespace tandem::engine

@@ -17,15 +17,15 @@ constexpr double never = 1e300;  // [s]
 class Machine {
  public:
   Machine(Lowering& to, Arguments& a)
-      : to_(to), a_(a), names_(a.texts("states")), start_(a.word("start", names_)) {
+      : to_(to), a_(a), names_(a.texts("states")), start_(a.has("start") ? state(a, "start") : 0) {
     for (std::size_t k = 0; k < names_.size(); ++k) is_.push_back(to.held(k == start_ ? 1.0 : 0.0));
     free_ = to.held(1.0);
     entered_ = to.held();
     to.start(entered_, a.has("entered") ? to.constant(a.number("entered")) : to.time());
     unlocked_ = to.held(never);
-    lock_ = a.number("lockout", 0.0);
+    lock_ = a.number("lockout");
     if (lock_ < 0.0) a.refuse("lockout", fmt::format("{}", lock_), "0 or more [s]");
-    gears_ = a.text("gears", "");
+    if (a.has("gears")) gears_ = a.text("gears");
   }
 
   void lower() {
@@ -35,7 +35,7 @@ class Machine {
     // Of two at once the first in the file has the last word.
     std::reverse(transitions.begin(), transitions.end());
     for (const Block& block : transitions) {
-      Arguments part(block, to_);
+      Arguments part = a_.part("transitions[]", block);
       transition(part);
       part.refuse_unknown();
     }
@@ -66,7 +66,7 @@ class Machine {
     to_.define("entered", entered_);
     for (const Block& block : a_.tables("outputs"))
       for (const auto& [name, value] : block.values) {
-        Arguments part(block, to_);
+        Arguments part = a_.part("outputs", block);
         const auto values = part.numbers(name);
         if (values.size() != names_.size())
           part.refuse(name, fmt::format("an array of {}", values.size()),
@@ -107,7 +107,7 @@ class Machine {
 
   void transition(Arguments& t) {
     const std::size_t from = state(t, "from"), next = state(t, "to");
-    const double dwell = t.number("dwell", 0.0);
+    const double dwell = t.number("dwell");
     if (dwell < 0.0) t.refuse("dwell", fmt::format("{}", dwell), "0 or more [s]");
     const int enabled = to_.operation(Code::product, is_[from], free_);
     const int armed = to_.operation(Code::select, condition(t), to_.constant(-1.0), {}, enabled);
@@ -148,7 +148,7 @@ class Machine {
   }
 
   std::size_t state(Arguments& t, const std::string& key) {
-    const std::string name = t.required_text(key, "the name of a state");
+    const std::string name = t.text(key);
     const auto it = std::find(names_.begin(), names_.end(), name);
     if (it == names_.end())
       t.refuse(key, "'" + name + "'", "one of the states " + fmt::format("{}", fmt::join(names_, ", ")));
@@ -190,8 +190,28 @@ class Machine {
 
 void machine(Lowering& to, Arguments& a) { Machine(to, a).lower(); }
 
+void keys_of_machine(text::KeyList& to) {
+  to.need("states", Type::texts, "Names of its states.")
+      .may("start", Type::text, "The state at the start; without it the first.")
+      .may("entered", Type::number, "When it was entered; without it at the start.", {.unit = "s"})
+      .may("lockout", Type::number, "After a transition the time in which none begins.",
+           {.unit = "s", .otherwise = "0.0"})
+      .may("gears", Type::text, "The output that is the ratio, of states that are gears.")
+      .table("blocks.NAME.outputs",
+             "Numbers by state: `BLOCK.NAME`, and `BLOCK.NAME_before` of the state before.")
+      .may("NAME", Type::numbers, "One for each state.")
+      .table("blocks.NAME.transitions[]", "Transitions; of two at one time the first is taken.", true)
+      .need("from", Type::text, "The state that it leaves.")
+      .need("to", Type::text, "The state that it enters.")
+      .need("input", Type::signal, "What has to be above or below.")
+      .may("above", Type::signal, "A threshold, or")
+      .may("below", Type::signal, "one downwards.")
+      .may("dwell", Type::number, "How long it has to hold.", {.unit = "s", .otherwise = "0.0"});
+}
+
 }  // namespace
 
-const std::vector<BlockKind> machine_blocks = {{"machine", machine}};
+const std::vector<BlockKind> machine_blocks = {
+    {"machine", machine, "A state machine: the number of its state, from 1 on.", keys_of_machine}};
 
 }  // namespace tandem::engine

@@ -47,7 +47,7 @@ void diagram(Lowering& to, Arguments& a) {
 
 /// Its outputs are held from event to event; before the first they are what the diagram gives at the start.
 void triggered(Lowering& to, Arguments& a) {
-  const int event = a.has("period") ? to.periodic(a.positive("period"), a.number("offset", 0.0))
+  const int event = a.has("period") ? to.periodic(a.positive("period"), a.number("offset"))
                                     : to.crossing(a.wire("trigger"), Crossing::Direction::rising);
   std::vector<int> held;
   for (const int output : contents(to, a, event)) {
@@ -58,8 +58,24 @@ void triggered(Lowering& to, Arguments& a) {
   define(to, a, held);
 }
 
+void keys_of_diagram(text::KeyList& to) {
+  to.may("file", Type::text, "Its file, from the diagram's folder, or")
+      .may("diagram", Type::itself, "the diagram itself.")
+      .may("NAME", Type::signal,
+           "An input of that diagram: its signal; or another value of a parameter of it.");
+}
+
 }  // namespace
 
-const std::vector<BlockKind> nested_blocks = {{"diagram", diagram}, {"triggered", triggered}};
+const std::vector<BlockKind> nested_blocks = {
+    {"diagram", diagram, "A diagram in a block.", keys_of_diagram},
+    {"triggered", triggered, "A diagram that is evaluated at events alone, and held between.",
+     [](text::KeyList& to) {
+       keys_of_diagram(to);
+       to.may("trigger", Type::signal, "Where this rises above 0 there is an event, or")
+           .may("period", Type::positive, "from event to event.", {.unit = "s"})
+           .may("offset", Type::number, "When the first is, from the start of the run.",
+                {.unit = "s", .otherwise = "0.0"});
+     }}};
 
 }  // namespace tandem::engine

@@ -15,12 +15,12 @@ namespace {
 using Beyond = Curve::Beyond;
 
 Curve::Between between(Arguments& a) {
-  return a.word("interpolation", {"linear", "cubic"}) == 1 ? Curve::Between::cubic : Curve::Between::linear;
+  return a.word("interpolation") == 1 ? Curve::Between::cubic : Curve::Between::linear;
 }
 
 Beyond beyond(Arguments& a) {
   constexpr Beyond words[] = {Beyond::hold, Beyond::extend, Beyond::refuse};
-  return words[a.word("beyond", {"hold", "extend", "refuse"})];
+  return words[a.word("beyond")];
 }
 
 /// A table of one variable.
@@ -62,9 +62,9 @@ const std::vector<double>& column(const text::TimeTable& table, const std::strin
 
 /// A column of a file over time: straight lines between its rows.
 void csv(Lowering& to, Arguments& a) {
-  const auto file = to.scope().folder / a.required_text("file", "the name of a CSV file, in quotes");
-  const auto name = a.required_text("column", "the name of a column");
-  const bool hold = a.word("beyond", {"refuse", "hold"}) == 1;
+  const auto file = to.scope().folder / a.text("file");
+  const auto name = a.text("column");
+  const bool hold = a.word("beyond") == 1;
   const Curve curve = made(a, [&] {
     const auto data = text::TimeTable::read(file);
     return Curve(a.owner() + ", file " + data.file.string() + ",", data.times, column(data, name, a),
@@ -76,8 +76,37 @@ void csv(Lowering& to, Arguments& a) {
   to.define("", y);
 }
 
+/// How values are joined, and what holds beyond them.
+void keys_of_joining(text::KeyList& to) {
+  to.may("interpolation", Type::word, "How points are joined; `cubic` is monotone.",
+         {.otherwise = "linear", .words = {"linear", "cubic"}})
+      .may("beyond", Type::word, "Beyond the table: the last value, the last slope, or an error.",
+           {.otherwise = "hold", .words = {"hold", "extend", "refuse"}});
+}
+
 }  // namespace
 
-const std::vector<BlockKind> table_blocks = {{"table", table}, {"table2", table2}, {"csv", csv}};
+const std::vector<BlockKind> table_blocks = {
+    {"table", table, "A table of one variable.",
+     [](text::KeyList& to) {
+       to.need("input", Type::signal, "The variable.")
+           .need("x", Type::numbers, "Its values, which rise.")
+           .need("y", Type::numbers, "Those of the output.");
+       keys_of_joining(to);
+     }},
+    {"table2", table2, "A table of two variables.",
+     [](text::KeyList& to) {
+       to.need("inputs", Type::signals, "The variables x and y.", {.allowed = "two"})
+           .need("x", Type::numbers, "Values of the first, which rise.")
+           .need("y", Type::numbers, "Values of the second, which rise.")
+           .need("z", Type::numbers, "Those of the output: for each x a row over y.");
+       keys_of_joining(to);
+     }},
+    {"csv", csv, "A column of a CSV file over time; straight lines between its rows.", [](text::KeyList& to) {
+       to.need("file", Type::text, "The file, from the diagram's folder.")
+           .need("column", Type::text, "The column, by its name in the first row.")
+           .may("beyond", Type::word, "Before the first row and after the last.",
+                {.otherwise = "refuse", .words = {"refuse", "hold"}});
+     }}};
 
 }  // namespace tandem::engine

@@ -5,6 +5,7 @@
 
 #include "blocks/kinds.hpp"
 #include "order.hpp"
+#include "read/reader.hpp"
 #include "refuse.hpp"
 #include "tandem/nearest.hpp"
 #include "units.hpp"
@@ -12,14 +13,6 @@
 
 namespace tandem::engine {
 namespace {
-
-std::vector<BlockKind> kinds() {
-  std::vector<BlockKind> all;
-  for (const auto* list : {&source_blocks, &algebraic_blocks, &table_blocks, &nonlinear_blocks,
-                           &dynamic_blocks, &discrete_blocks, &machine_blocks, &nested_blocks})
-    all.insert(all.end(), list->begin(), list->end());
-  return all;
-}
 
 /// Names that are known in a scope.
 std::vector<std::string> known_signals(const Lowering& d, int scope) {
@@ -41,18 +34,40 @@ void refuse_unknown_signals(const Lowering& d) {
 
 }  // namespace
 
+const std::vector<BlockKind>& kinds_of_blocks() {
+  static const std::vector<BlockKind> all = [] {
+    std::vector<BlockKind> kinds;
+    for (const auto* list : {&source_blocks, &algebraic_blocks, &table_blocks, &nonlinear_blocks,
+                             &dynamic_blocks, &discrete_blocks, &machine_blocks, &nested_blocks})
+      kinds.insert(kinds.end(), list->begin(), list->end());
+    return kinds;
+  }();
+  return all;
+}
+
+static void lower_own(const BlockKind& kind, const Block& block, Lowering& to) {
+  Arguments arguments(block, to, &language_of_diagrams());
+  kind.lower(to, arguments);
+  arguments.refuse_unknown();
+}
+
+static void lower_compiled(const CompiledBlock& kind, const Block& block, Lowering& to) {
+  Arguments arguments(block, to, nullptr);
+  lower_compiled(kind, to, arguments);
+  arguments.refuse_unknown();
+}
+
 void lower(const Block& block, Lowering& to) {
-  Arguments arguments(block, to);
-  std::vector<std::string> known = block_kinds();
+  std::vector<std::string> known;
+  for (const BlockKind& kind : kinds_of_blocks()) known.emplace_back(kind.name);
   for (const CompiledBlock& kind : to.kinds) known.push_back(kind.kind);
   if (std::find(known.begin(), known.end(), block.kind) == known.end())
     refuse(block.where, "block '" + to.full_name(block.name) + "': " + unknown("kind", block.kind, known));
   const Block* const outside = to.begin(block);
-  for (const BlockKind& kind : kinds())
-    if (block.kind == kind.name) kind.lower(to, arguments);
+  for (const BlockKind& kind : kinds_of_blocks())
+    if (block.kind == kind.name) lower_own(kind, block, to);
   for (const CompiledBlock& kind : to.kinds)
-    if (block.kind == kind.kind) lower_compiled(kind, to, arguments);
-  arguments.refuse_unknown();
+    if (block.kind == kind.kind) lower_compiled(kind, block, to);
   keep_units(block, to);
   to.end(outside);
 }
@@ -60,12 +75,6 @@ void lower(const Block& block, Lowering& to) {
 void lower_contents(const Description& diagram, Lowering& to) {
   for (const Block& block : diagram.blocks) lower(block, to);
   for (const Limit& limit : diagram.limits) to.watch(limit);
-}
-
-std::vector<std::string> block_kinds() {
-  std::vector<std::string> names;
-  for (const BlockKind& kind : kinds()) names.push_back(kind.name);
-  return names;
 }
 
 Program compile(const Description& diagram) {

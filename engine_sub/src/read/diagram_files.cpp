@@ -54,7 +54,7 @@ Description DiagramFiles::read(const fs::path& file, const Given& given) {
                             found.file(), fmt::join(chain, " > ")));
   }
   open_.push_back(path);
-  Description all = DiagramReader({found, found.table(), ""}, given, *this).read();
+  Description all = DiagramReader({found, language_of_diagrams()}, given, *this).read();
   open_.pop_back();
   all.folder = file.parent_path();
   return all;

@@ -15,7 +15,7 @@ Description read_diagram(const std::string& name, const std::string& text, const
                          const FileBounds& bounds) {
   DiagramFiles files(bounds.folder);
   const text::Document document(name, text);
-  return DiagramReader({document, document.table(), ""}, {parameters, bounds.parameters}, files).read();
+  return DiagramReader({document, language_of_diagrams()}, {parameters, bounds.parameters}, files).read();
 }
 
 }  // namespace tandem::engine

@@ -6,11 +6,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tandem/engine/keys.hpp"
 #include "tandem/nearest.hpp"
+#include "tandem/text/limits.hpp"
 
 namespace tandem::engine {
 
 namespace fs = std::filesystem;
+
+const text::Keys& language_of_diagrams() {
+  static const text::Keys all = diagram_keys();
+  return all;
+}
 
 Description DiagramReader::read() {
   to_.name = root_.text("name").value_or(document().file());
@@ -21,46 +28,52 @@ Description DiagramReader::read() {
     to_.parameters.push_back({p.name, p.unit, p.value});
   }
   each("inputs", [this](auto& name, Section& s) {
-    to_.inputs.push_back({name, s.required_text("unit", "its unit, \"N\""), s.place().text()});
+    to_.inputs.push_back({name, s.required_text("unit"), s.place().text()});
   });
-  each("blocks", [this](auto& name, Section& s) { read_block(name, s); });
+  read_blocks();
   each("outputs", [this](auto& name, Section& s) { read_output(name, s); });
   each("limits", [this](auto& name, Section& s) { read_limit(name, s); });
   read_loops();
-  root_.table("run");  // for whoever runs it
+  root_.section("run");  // for whoever runs it
   root_.refuse_unknown();
   if (to_.blocks.empty()) root_.missing("blocks", "a table [blocks.NAME] for each block");
   return std::move(to_);
 }
 
 void DiagramReader::read_loops() {
-  const toml::table* table = root_.table("loops");
-  if (!table) return;
-  Section section(document(), *table, root_.name("loops"), &values_);
+  auto section = root_.section("loops");
+  if (!section) return;
   LoopSettings& loops = to_.loops;
-  loops.where = section.place().text();
-  loops.solve = section.flag("solve").value_or(loops.solve);
-  loops.tolerance = section.positive("tolerance").value_or(loops.tolerance);
-  const double most = section.positive("most_iterations").value_or(loops.most_iterations);
-  if (most < 1.0 || most > 1e6) section.wrong("most_iterations", fmt::format("{}", most), "1 to 1e6");
+  loops.where = section->place().text();
+  loops.solve = *section->flag("solve");
+  loops.tolerance = *section->positive("tolerance");
+  const double most = *section->positive("most_iterations");
+  if (most < 1.0 || most > 1e6) section->wrong("most_iterations", fmt::format("{}", most), "1 to 1e6");
   loops.most_iterations = static_cast<int>(most);
-  if (const toml::table* guesses = section.table("guess"))
+  if (const toml::table* guesses = section->table("guess"))
     for (const auto& [signal, node] : text::in_file_order(*guesses))
-      loops.guess[signal] = values_.number(document(), *node, section.name("guess." + signal));
-  section.refuse_unknown();
+      loops.guess[signal] = values_.number(document(), *node, section->name("guess." + signal));
+  section->refuse_unknown();
 }
 
 /// Calls read(name, section) for each table below a key, in the order of the file.
 template <class Read>
 void DiagramReader::each(const std::string& key, const Read& read) {
-  const toml::table* table = root_.table(key);
+  auto table = root_.section(key);
   if (!table) return;
-  for (const auto& [name, node] : text::in_file_order(*table)) {
-    const std::string path = root_.name(key) + "." + name;
-    if (!node->is_table())
-      text::refuse(document().place(*node), path + " is " + text::described(*node) + "; allowed is a table");
-    Section section(document(), *node->as_table(), path, &values_);
+  for (auto& [name, section] : table->named_sections()) {
     read(name, section);
+    section.refuse_unknown();
+  }
+}
+
+/// Their keys are known when they are compiled, as kinds of them may be written in C++.
+void DiagramReader::read_blocks() {
+  auto table = root_.section("blocks");
+  if (!table) return;
+  for (const auto& [name, known] : table->named_sections()) {
+    Section section(document(), known.table(), known.path(), &values_);
+    read_block(name, section);
     section.refuse_unknown();
   }
 }
@@ -152,7 +165,7 @@ void DiagramReader::read_nested(Block& block, Section& section) {
     const auto given = given_to(file ? files_.document(path).table() : *table, block, section);
     Description inner = files_.nested(section.place(), [&] {
       return file ? files_.read(path, given)
-                  : DiagramReader({document(), *table, section.name("diagram")}, given, files_).read();
+                  : DiagramReader(root_.inner(*table, section.name("diagram")), given, files_).read();
     });
     block.diagram = std::make_shared<const Description>(std::move(inner));
   });
@@ -201,22 +214,15 @@ void DiagramReader::refuse_other_unit(const toml::node& given, const std::string
 }
 
 void DiagramReader::read_limit(const std::string& name, Section& section) {
-  static const std::vector<std::string> words = {"ignore", "warn", "stop"};
-  const double none = HUGE_VAL, low = section.number("low").value_or(-none),
-               high = section.number("high").value_or(none);
-  if (low == -none && high == none) section.missing("low", "a number at low, at high, or at both");
+  const text::FileLimit read = text::read_limit(section);
   const toml::node* signal = section.node("signal");
-  if (!signal) section.missing("signal", "the name of a signal");
-  const std::string word = section.text("on_leaving").value_or("warn");
-  const auto it = std::find(words.begin(), words.end(), word);
-  if (it == words.end()) section.wrong("on_leaving", "'" + word + "'", listed(words));
-  to_.limits.push_back({name, wire(*signal, section.name("signal")), low, high,
-                        section.required_text("sentence", "why, a text"),
-                        static_cast<Limit::OnLeaving>(it - words.begin()), section.place().text()});
+  if (!signal) section.missing("signal");
+  to_.limits.push_back({name, wire(*signal, section.name("signal")), read.low, read.high, read.sentence,
+                        static_cast<Limit::OnLeaving>(read.on_leaving), section.place().text()});
 }
 
 void DiagramReader::read_output(const std::string& name, Section& section) {
-  Output output{name, section.required_text("unit", "its unit, \"rad/s\""), name, section.place().text()};
+  Output output{name, section.required_text("unit"), name, section.place().text()};
   if (const toml::node* from = section.node("from")) output.from = wire(*from, section.name("from"));
   to_.outputs.push_back(std::move(output));
 }

@@ -52,12 +52,15 @@ class DiagramFiles {
   int blocks_ = 0, depth_ = 0;
 };
 
+/// diagram_keys() without kinds of blocks in C++, which are not known while a file is read.
+const text::Keys& language_of_diagrams();
+
 /// Fills a Description, table by table.
 class DiagramReader {
  public:
   /// root: the whole document, or the table in a block that holds a diagram.
-  DiagramReader(text::Section root, Given given, DiagramFiles& files)
-      : root_(std::move(root)), given_(std::move(given)), files_(files) {}
+  DiagramReader(const text::Section& root, Given given, DiagramFiles& files)
+      : root_(root.with(values_)), given_(std::move(given)), files_(files) {}
 
   Description read();
 
@@ -72,6 +75,7 @@ class DiagramReader {
 
   Wire wire(const toml::node& node, const std::string& key) const;
   Value value(const toml::node& node, const std::string& key) const;
+  void read_blocks();
   void read_block(const std::string& name, Section& section);
   /// Keys of a block, or of a table in one.
   void read_values(Block& block, Section& section, const std::vector<std::string>& besides);
@@ -82,11 +86,11 @@ class DiagramReader {
   void read_output(const std::string& name, Section& section);
   void read_limit(const std::string& name, Section& section);
 
-  Section root_;
   bool is_bounded(const toml::node& node) const;
 
-  Given given_;
   text::Values values_;
+  Section root_;
+  Given given_;
   DiagramFiles& files_;
   Description to_;
 };

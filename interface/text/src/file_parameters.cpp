@@ -36,12 +36,15 @@ void read_word(FileParameter& parameter, const GivenValues& given, Section& sect
 FileParameter read_parameter(const std::string& name, const GivenValues& given, Section& section) {
   FileParameter parameter{name, "", 0.0, section.place()};
   const toml::node* value = section.node("value");
-  if (!value) section.missing("value", "a number or a text");
+  if (!value) section.missing("value");
   if (value->is_string() && !Values::refers(*value)) {
+    section.leave_out("unit", "a word has none");
     read_word(parameter, given, section);
   } else {
+    section.leave_out("allowed", "a number has no list of words");
     parameter.value = given_or(name, *section.number("value"), given, section);
-    parameter.unit = section.required_text("unit", "its unit, \"kg m^2\"");
+    if (!section.node("unit")) section.missing("unit");
+    parameter.unit = *section.text("unit");
   }
   section.refuse_unknown();
   return parameter;
@@ -49,14 +52,18 @@ FileParameter read_parameter(const std::string& name, const GivenValues& given, 
 
 }  // namespace
 
+void keys_of_parameters(KeyList& to) {
+  using enum Key::Type;
+  to.named("parameters", "Numbers and words that others may set.", "One of them; `$NAME` stands for it.")
+      .need("value", name, "What it is unless somebody else gives it.")
+      .may("unit", text, "Of a number: its unit, which it has to have.", {.allowed = "like \"kg m^2\""})
+      .may("allowed", texts, "Of a word: the words that it may be; without it any.");
+}
+
 std::vector<FileParameter> read_parameters(Section& root, const GivenValues& given, Values& values) {
   std::vector<FileParameter> all;
-  if (const toml::table* table = root.table("parameters"))
-    for (const auto& [name, node] : in_file_order(*table)) {
-      const std::string path = root.name("parameters." + name);
-      if (!node->is_table())
-        refuse(root.document().place(*node), path + " is " + described(*node) + "; allowed is a table");
-      Section section(root.document(), *node->as_table(), path, &values);
+  if (auto table = root.section("parameters"))
+    for (auto& [name, section] : table->with(values).named_sections()) {
       all.push_back(read_parameter(name, given, section));
       values.set(name, all.back().value);
     }
@@ -69,12 +76,21 @@ std::vector<FileParameter> read_parameters(Section& root, const GivenValues& giv
   return all;
 }
 
+std::vector<FileParameter> parameters_of(const Document& document, const GivenValues& given) {
+  static const Keys language = [] {
+    KeyList list;
+    keys_of_parameters(list);
+    return Keys(std::move(list).list());
+  }();
+  Values own;
+  Section root(document, language);
+  return read_parameters(root, given, own);
+}
+
 GivenValues given_values(const Document& document,
                          const std::function<std::optional<FileValue>(const FileParameter&)>& find) {
   GivenValues given;
-  Values own;
-  Section root(document, document.table(), "");
-  for (const FileParameter& parameter : read_parameters(root, {}, own))
+  for (const FileParameter& parameter : parameters_of(document, {}))
     if (const auto value = find(parameter)) given[parameter.name] = *value;
   return given;
 }

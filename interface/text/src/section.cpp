@@ -15,8 +15,8 @@ namespace tandem::text {
 Section::Section(const Document& document, const toml::table& table, std::string path, const Values* values)
     : document_(document), table_(table), path_(std::move(path)), values_(values) {}
 
-Section::Section(const Document& document, const Keys& language)
-    : document_(document), table_(document.table()), values_(nullptr), language_(&language) {}
+Section::Section(const Document& document, const Keys& language, const Values* values)
+    : document_(document), table_(document.table()), values_(values), language_(&language) {}
 
 Section::Section(const Section& outer, const toml::table& table, std::string path, std::string pattern)
     : document_(outer.document_),
@@ -31,7 +31,7 @@ const Key* Section::known(const std::string& key) const {
   if (!language_) return nullptr;
   const std::string path = pattern_.empty() ? key : pattern_ + "." + key;
   for (const std::string& known : {path, path + "[]"})
-    if (const Key* found = language_->find(known)) return found;
+    if (const Key* found = language_->find(known, kind_)) return found;
   throw std::logic_error("key '" + path + "' is read and stands in no list of keys");
 }
 
@@ -60,12 +60,27 @@ std::optional<std::string> Section::text(const std::string& key) {
   const toml::node* found = node(key);
   if (!found) return otherwise(key);
   if (!found->is_string()) wrong(key, described(*found), "a text in quotes");
+  const std::string word = text_of(*found, key);
   if (const Key* known = this->known(key); known && known->type == Key::Type::word)
-    check_word(*known, key, found->as_string()->get());
-  if (!values_ || !Values::refers(*found)) return found->as_string()->get();
-  const FileValue value = values_->value(document_, *found, name(key));
+    check_word(*known, key, word);
+  return word;
+}
+
+/// The text that a node is, or stands for.
+std::string Section::text_of(const toml::node& node, const std::string& key) const {
+  if (!values_ || !Values::refers(node)) return node.as_string()->get();
+  const FileValue value = values_->value(document_, node, name(key));
   if (const auto* word = std::get_if<std::string>(&value)) return *word;
-  wrong(key, "'" + found->as_string()->get() + "', a number", "a parameter with a text");
+  wrong(key, "'" + node.as_string()->get() + "', a number", "a parameter with a text");
+}
+
+std::string Section::kind() {
+  kind_ = required_text("kind");
+  return kind_;
+}
+
+void Section::leave_out(const std::string& key, const std::string& why) {
+  if (node(key)) refuse(place(key), name(key) + " has no meaning: " + why);
 }
 
 void Section::check_word(const Key& known, const std::string& key, const std::string& word) const {
@@ -182,8 +197,9 @@ std::vector<Section> Section::sections(const std::string& key) {
 
 /// Keys of the language that are not read would be passed over in silence.
 void Section::refuse_unread() const {
-  for (const std::string& key : language_->in(pattern_))
-    if (key != "NAME" && std::find(asked_.begin(), asked_.end(), key) == asked_.end())
+  for (const Key* known : language_->in(pattern_, kind_))
+    if (const std::string key = name_of(*known);
+        key != "NAME" && std::find(asked_.begin(), asked_.end(), key) == asked_.end())
       throw std::logic_error("key '" + name(key) + "' stands in the list of keys and is not read");
 }
 

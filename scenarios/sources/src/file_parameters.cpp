@@ -32,9 +32,7 @@ text::GivenValues take_file_parameters(const text::Document& document, const Wor
 
 void refuse_words_of_clients(const text::Document& document, const text::GivenValues& given,
                              const Parameters& p) {
-  text::Values values;
-  text::Section root(document, document.table(), "");
-  for (const text::FileParameter& parameter : text::read_parameters(root, given, values))
+  for (const text::FileParameter& parameter : text::parameters_of(document, given))
     if (const auto* word = std::get_if<std::string>(&parameter.value);
         word && p.from_client(parameter.name) && !parameter.allowed_word)
       text::refuse(parameter.place,

@@ -1,54 +1,74 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
-
-#include <map>
+#include <fmt/ranges.h>
 
 #include "cli/commands.hpp"
 #include "cli/say.hpp"
 #include "scenario/keys.hpp"
+#include "scenario/languages.hpp"
 #include "scenario/schema.hpp"
 
 namespace tandem::cli {
 namespace {
 
-const std::map<std::string, const text::Keys*>& languages() {
-  static const std::map<std::string, const text::Keys*> all = {{"scenario", &scenario::keys()}};
+using text::Key;
+using text::Keys;
+
+std::vector<std::string> names() {
+  std::vector<std::string> all;
+  for (const auto& [name, keys] : scenario::languages()) all.push_back(name);
   return all;
 }
 
-void print(const text::Key& key) {
-  say("{}\n  {}\n  value: {}\n", key.path, key.sentence, text::described(key));
+std::string kind_of(const Key& key) {
+  return key.kinds.empty() ? "" : fmt::format(" of kind {}", fmt::join(key.kinds, ", "));
+}
+
+void print(const std::string& language, const Keys& keys, const Key& key) {
+  say("{}{} ({})\n  {}\n  value: {}\n", key.path, kind_of(key), language, key.sentence, text::described(key));
   if (key.required)
     say("  it is required\n");
   else if (!key.otherwise.empty())
     say("  where it is not there: {}\n", key.otherwise);
+  std::vector<std::string> inner;
+  for (const Key* one : keys.in(key.path, key.kinds.empty() ? "" : key.kinds[0]))
+    inner.push_back(text::name_of(*one));
+  if (!inner.empty()) say("  keys: {}\n", fmt::join(inner, ", "));
 }
 
-/// A language, or a key of one.
+/// A language, or a key of any of them.
 void help(const std::string& asked) {
-  if (const auto language = languages().find(asked); language != languages().end())
-    return say("{}", language->second->page());
-  print(scenario::keys().named(asked));
+  if (const auto language = scenario::languages().find(asked); language != scenario::languages().end())
+    return say("{}", language->second.page());
+  bool found = false;
+  for (const auto& [name, keys] : scenario::languages())
+    for (const Key* key : keys.matching(asked)) {
+      print(name, keys, *key);
+      found = true;
+    }
+  if (found) return;
+  const std::string table = asked.substr(0, asked.find_first_of(".["));
+  for (const auto& [name, keys] : scenario::languages())
+    if (!keys.matching(table).empty()) keys.refuse(asked);
+  scenario::keys().refuse(asked);
 }
 
 void print_schema(const std::string& language) {
-  say("{}\n", scenario::schema(*languages().at(language), "tandem " + language).dump(2));
-}
-
-std::vector<std::string> names() {
-  std::vector<std::string> all;
-  for (const auto& [name, keys] : languages()) all.push_back(name);
-  return all;
+  say("{}\n", scenario::schema(scenario::languages().at(language), "tandem " + language).dump(2));
 }
 
 }  // namespace
 
 void add_help(CLI::App& app, Context&) {
-  auto* command = app.add_subcommand("help", "Tell what a key of a scenario means, or all of them");
+  auto* command =
+      app.add_subcommand("help", "Tell what a key of a scenario or a mechanism means, or all of them");
   auto asked = std::make_shared<std::string>();
   command
-      ->add_option("key", *asked,
-                   "A key, like coordination.order or connections.gain; or scenario, for the page of all")
+      ->add_option(
+          "key", *asked,
+          fmt::format("A key, like coordination.order, connections.gain or elements.drag.along; or {}, "
+                      "for the page of all",
+                      fmt::join(names(), " or ")))
       ->required();
   command->callback([asked] { help(*asked); });
 }
@@ -56,7 +76,9 @@ void add_help(CLI::App& app, Context&) {
 void add_schema(CLI::App& app, Context&) {
   auto* command = app.add_subcommand("schema", "Print the JSON schema of a language, for editors");
   auto language = std::make_shared<std::string>();
-  command->add_option("language", *language, "Which: scenario")->required()->check(CLI::IsMember(names()));
+  command->add_option("language", *language, fmt::format("Which: {}", fmt::join(names(), ", ")))
+      ->required()
+      ->check(CLI::IsMember(names()));
   command->callback([language] { print_schema(*language); });
 }
 

@@ -66,7 +66,7 @@ void print_modes_of_file(const std::string& file, const std::vector<std::string>
   print_modes(mbs::read_mechanism(document, element_kinds()), start_of(file));
 }
 
-/// What the scenario says of the mechanism: parameters, other words of its tyres, inputs at the start.
+/// What the scenario says of the mechanism: parameters, and inputs at the start.
 mbs::Description described(const std::filesystem::path& file, const scenario::SubsystemEntry& entry) {
   const auto value = [&](const std::string& name) -> std::optional<text::FileValue> {
     for (const scenario::Parameter& p : entry.parameters)
@@ -76,14 +76,10 @@ mbs::Description described(const std::filesystem::path& file, const scenario::Su
       }
     return std::nullopt;
   };
-  const auto word = [&](const char* name) {
-    const auto found = value(name);
-    return found && found->index() == 1 ? std::get<std::string>(*found) : std::string();
-  };
   auto d = text::located(entry.source_place, [&] {
     const text::Document document(file);
     return mbs::read_mechanism(
-        document, element_kinds(word),
+        document, element_kinds(),
         text::given_values(document, [&](const text::FileParameter& p) { return value(p.name); }));
   });
   std::vector<std::string> names;

@@ -6,6 +6,7 @@
 #include "kart/rolling_tyre.hpp"
 #include "kart/tyre_element.hpp"
 #include "tandem/error.hpp"
+#include "tandem/text/key_list.hpp"
 
 namespace tandem::kart {
 namespace {
@@ -93,14 +94,20 @@ class PlaneTyres final : public mbs::ForceElement {
 
 }  // namespace
 
-std::unique_ptr<mbs::ForceElement> make_plane_tyres(mbs::ElementKeys& keys, const TyreWords& words) {
+void keys_of_plane_tyres(text::KeyList& to) {
+  using enum text::Key::Type;
+  to.need("centre", text, "The point at the wheels' centre.").need("rim", text, "A point of their body.");
+  TyreData::keys(to);
+}
+
+std::unique_ptr<mbs::ForceElement> make_plane_tyres(mbs::ElementKeys& keys) {
   if (keys.dimension() != 2)
     keys.at("kind", [] {
       throw Error(ErrorCode::invalid_argument, "plane_tyres need dimension = 2; in space there is tyre");
     });
   auto coordinates = keys.axes(keys.point("centre"));
   for (const mbs::Coordinate& c : keys.axes(keys.point("rim"))) coordinates.push_back(c);
-  const TyreData data = TyreData::from(keys, words);
+  const TyreData data = TyreData::from(keys);
   coordinates.push_back(keys.state("slip"));
   return std::make_unique<PlaneTyres>(data, std::move(coordinates));
 }

@@ -4,34 +4,37 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tandem/error.hpp"
+#include "tandem/text/key_list.hpp"
 
 namespace tandem::kart {
 namespace {
 
 constexpr double slow = 0.1;  // [m/s]: below, rolling resistance and brake fade
 
-Lever lever_of(const std::string& word) {
-  if (word != "radius" && word != "height")
-    throw Error(ErrorCode::invalid_argument, "lever is '" + word + "'; allowed is radius or height");
-  return word == "radius" ? Lever::radius : Lever::height;
-}
-
 }  // namespace
 
-TyreData TyreData::from(mbs::ElementKeys& keys, const TyreWords& words) {
+void TyreData::keys(text::KeyList& to) {
+  using enum text::Key::Type;
+  to.need("law", word, "How its force follows slip and load.",
+          {.words = {"linear", "magic_formula", "tmeasy"}})
+      .may("lever", word,
+           "Where the force along acts: with `radius` what drives a wheel is what slips, `height` is as "
+           "printed.",
+           {.otherwise = "radius", .words = {"radius", "height"}})
+      .need("axle", word, "Whose tyres it has.", {.words = {"front", "rear"}})
+      .need("radius", positive, "That slip goes by.", {.unit = "m"})
+      .need("free_radius", positive, "Without load.", {.unit = "m"})
+      .need("stiffness", positive, "Upwards.", {.unit = "N/m"})
+      .need("damping", number, "Upwards.", {.unit = "N s/m"})
+      .need("rolling", number, "Coefficient of rolling resistance.")
+      .need("relaxation", positive, "The length in which slip follows.", {.unit = "m"});
+}
+
+TyreData TyreData::from(mbs::ElementKeys& keys) {
   TyreData d{};
-  const auto chosen = [&](const char* parameter) { return words ? words(parameter) : std::string(); };
-  keys.at("law", [&] { d.law = tyre_law(keys.text("law")); });
-  if (const std::string law = chosen("tyre"); !law.empty()) d.law = tyre_law(law);
-  if (keys.has("lever")) keys.at("lever", [&] { d.lever = lever_of(keys.text("lever")); });
-  if (const std::string lever = chosen("lever"); !lever.empty()) d.lever = lever_of(lever);
-  const std::string axle = keys.text("axle");
-  if (axle != "front" && axle != "rear")
-    keys.at("axle", [&] {
-      throw Error(ErrorCode::invalid_argument, "axle is '" + axle + "'; allowed is front or rear");
-    });
-  d.axle = axle == "front" ? Axle::front : Axle::rear;
+  d.law = tyre_law(keys.text("law"));
+  d.lever = keys.text("lever") == "radius" ? Lever::radius : Lever::height;
+  d.axle = keys.text("axle") == "front" ? Axle::front : Axle::rear;
   d.radius = keys.positive("radius");
   d.free_radius = keys.positive("free_radius");
   d.stiffness = keys.positive("stiffness");

@@ -17,7 +17,8 @@ struct TyreData {
   Lever lever;
   double radius, free_radius, stiffness, damping, rolling, relaxation;
 
-  static TyreData from(mbs::ElementKeys& keys, const TyreWords& words);
+  static TyreData from(mbs::ElementKeys& keys);
+  static void keys(text::KeyList& to);  ///< those that it reads
 
   /// At a height of the centre over the ground [m], rising with `rate` [m/s].
   double load(double height, double rate) const;

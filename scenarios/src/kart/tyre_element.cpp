@@ -8,6 +8,7 @@
 
 #include "kart/rolling_tyre.hpp"
 #include "tandem/error.hpp"
+#include "tandem/text/key_list.hpp"
 
 namespace tandem::kart {
 namespace {
@@ -226,16 +227,31 @@ void add_upright(mbs::ElementKeys& keys, std::vector<Coordinate>& coordinates) {
 
 }  // namespace
 
-std::unique_ptr<mbs::ForceElement> make_tyre(mbs::ElementKeys& keys, const TyreWords& words) {
+void keys_of_tyre(text::KeyList& to) {
+  using enum text::Key::Type;
+  to.need("centre", text, "The point at the wheel's centre.")
+      .need("axis", text, "The vector along its axle, to the left, of length 1.")
+      .may("spin", text, "The coordinate of its absolute spin, or")
+      .may("spokes", texts, "two vectors that turn with it, with the axis a right-handed frame.")
+      .may("lateral", flag, "It has a force across.", {.otherwise = "true"})
+      .may("ground", text, "The input that is the height of the ground; without it 0.", {.unit = "m"})
+      .may("brake", text, "The input that is the brake's couple, not below 0.", {.unit = "N m"})
+      .may("lower", text, "With `brake`: a point of the upright that carries it, and")
+      .may("upper", text, "another one, across from the axis.");
+  TyreData::keys(to);
+}
+
+std::unique_ptr<mbs::ForceElement> make_tyre(mbs::ElementKeys& keys) {
   if (keys.dimension() != 3)
     refuse(keys, "kind", "a tyre needs dimension = 3; in the plane there is plane_tyres");
-  Tyre::Places places{keys.axes(keys.point("centre")), {}, false, keys.flag("lateral", true), false, false};
+  Tyre::Places places{keys.axes(keys.point("centre")), {}, false, keys.flag("lateral"), false, false};
   const auto append = [&](int vector) {
     for (const Coordinate& c : keys.axes(vector)) places.coordinates.push_back(c);
   };
   append(keys.vector("axis"));
   places.spokes = keys.has("spokes");
   if (places.spokes) {
+    keys.leave_out("spin", "spokes tell it");
     const auto spokes = keys.vectors("spokes");
     if (spokes.size() != 2) refuse(keys, "spokes", "spokes are not two vectors; allowed are two");
     append(spokes[0]);
@@ -243,20 +259,24 @@ std::unique_ptr<mbs::ForceElement> make_tyre(mbs::ElementKeys& keys, const TyreW
   } else {
     places.coordinates.push_back(keys.coordinate("spin"));
   }
-  const TyreData data = TyreData::from(keys, words);
+  const TyreData data = TyreData::from(keys);
   const int ground = keys.input("ground", "m"), brake = keys.input("brake", "N m");
   places.ground = ground >= 0, places.brake = brake >= 0;
   for (const int input : {ground, brake})
     if (input >= 0) places.inputs.push_back(input);
   places.coordinates.push_back(keys.state("slip"));
   if (places.lateral) places.coordinates.push_back(keys.state("side_slip"));
-  if (places.brake) add_upright(keys, places.coordinates);
+  if (places.brake)
+    add_upright(keys, places.coordinates);
+  else
+    for (const char* key : {"lower", "upper"}) keys.leave_out(key, "there is no brake");
   return std::make_unique<Tyre>(data, std::move(places));
 }
 
-mbs::ElementKinds element_kinds(const TyreWords& words) {
-  return {{"tyre", [words](mbs::ElementKeys& keys) { return make_tyre(keys, words); }},
-          {"plane_tyres", [words](mbs::ElementKeys& keys) { return make_plane_tyres(keys, words); }}};
+mbs::ElementKinds element_kinds() {
+  return {{"tyre", {"A wheel's tyre in space.", keys_of_tyre, make_tyre}},
+          {"plane_tyres",
+           {"The tyres of an axle's wheels in the plane.", keys_of_plane_tyres, make_plane_tyres}}};
 }
 
 }  // namespace tandem::kart

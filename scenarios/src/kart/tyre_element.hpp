@@ -29,12 +29,11 @@ namespace tandem::kart {
 ///
 /// "plane_tyres", in the plane: both wheels of an axle. Keys: `centre`, `rim` (two points of the wheels'
 /// body), and those above but `lateral`, `ground` and the brake's; numbers are of one tyre, and quantities.
-///
-/// `words` is asked for each tyre: "tyre" for a law and "lever" for a lever in place of those of the file,
-/// unless they are empty.
-mbs::ElementKinds element_kinds(const TyreWords& words = {});
+mbs::ElementKinds element_kinds();
 
-std::unique_ptr<mbs::ForceElement> make_tyre(mbs::ElementKeys& keys, const TyreWords& words);
-std::unique_ptr<mbs::ForceElement> make_plane_tyres(mbs::ElementKeys& keys, const TyreWords& words);
+std::unique_ptr<mbs::ForceElement> make_tyre(mbs::ElementKeys& keys);
+std::unique_ptr<mbs::ForceElement> make_plane_tyres(mbs::ElementKeys& keys);
+void keys_of_tyre(text::KeyList& to);
+void keys_of_plane_tyres(text::KeyList& to);
 
 }  // namespace tandem::kart

@@ -9,8 +9,6 @@ namespace tandem::kart {
 enum class TyreLaw { linear, magic_formula, tmeasy };
 /// "linear", "magic_formula", "tmeasy". Throws Error(invalid_argument) for another name.
 TyreLaw tyre_law(const std::string& name);
-/// Gives the word of a parameter ("tyre", a name for tyre_law; "lever"), or "" for what stands in a file.
-using TyreWords = std::function<std::string(const char* parameter)>;
 
 /// The tyres of both axles differ in their lateral force alone.
 enum class Axle { front, rear };

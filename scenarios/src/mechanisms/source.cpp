@@ -34,11 +34,9 @@ void look_at(const text::Document& document, mbs::Description& description, Para
 
 void add_sources(Builtins& builtins, const mbs::TellOfLimit& tell) {
   const auto make = [tell](const Address& address, Parameters& p) {
-    return make_mechanism({address.file()}, p,
-                          element_kinds([&p](const char* word) { return p.text(word, ""); }), look_at, tell);
+    return make_mechanism({address.file()}, p, element_kinds(), look_at, tell);
   };
-  builtins.schemes["mechanism"] = {mechanism_words() + words_by(Setter::client, {"animate", "tyre", "lever"}),
-                                   make};
+  builtins.schemes["mechanism"] = {mechanism_words() + words_by(Setter::client, {"animate"}), make};
 }
 
 Builtins without_matrices(Builtins builtins) {

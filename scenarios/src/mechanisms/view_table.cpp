@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "tandem/mbs/mechanism/keys.hpp"
 #include "tandem/nearest.hpp"
 #include "tandem/text/section.hpp"
 
@@ -17,11 +18,14 @@ using text::Section;
 /// Reads the table with the names of one description.
 class Reader {
  public:
-  Reader(const text::Document& document, const mbs::Description& in) : document_(document), in_(in) {}
+  explicit Reader(const mbs::Description& in) : in_(in) {}
 
   ViewTable read(Section section) {
     ViewTable to;
-    read_wheels(section, to);
+    for (Section& wheel : section.sections("wheels")) {
+      to.wheels.push_back(read_wheel(wheel));
+      wheel.refuse_unknown();
+    }
     to.ground = section.number("ground");
     if (const auto name = section.text("follow")) to.follow = entity(section, "follow", Kind::point, *name);
     for (const std::string& name : section.texts("trace"))
@@ -32,29 +36,17 @@ class Reader {
   }
 
  private:
-  void read_wheels(Section& section, ViewTable& to) {
-    const toml::node* node = section.node("wheels");
-    if (!node) return;
-    const toml::array* array = node->as_array();
-    if (!array || !array->is_array_of_tables())
-      section.wrong("wheels", text::described(*node), "an array of tables { centre, axis, radius }");
-    for (std::size_t i = 0; i < array->size(); ++i) {
-      Section wheel(document_, *array->get(i)->as_table(), fmt::format("view.wheels[{}]", i));
-      to.wheels.push_back(read_wheel(wheel));
-      wheel.refuse_unknown();
-    }
-  }
-
   ViewTable::Wheel read_wheel(Section& section) {
-    const std::string centre = section.required_text("centre", "the name of a point");
-    const auto radius = section.positive("radius");
-    if (!radius) section.missing("radius", "a number above 0 [m]");
-    const double width = section.positive("width").value_or(0.5 * *radius);
-    ViewTable::Wheel wheel{entity(section, "centre", Kind::point, centre), {}, *radius, width};
-    if (in_.dimension == 3) {
-      if (!section.node("axis")) section.missing("axis", edges);
+    const std::string centre = section.required_text("centre");
+    const double radius = section.required_number("radius"),
+                 width = section.positive("width").value_or(0.5 * radius);
+    ViewTable::Wheel wheel{entity(section, "centre", Kind::point, centre), {}, radius, width};
+    if (in_.dimension == 2)
+      section.leave_out("axis", "in the plane it is known");
+    else if (!section.node("axis"))
+      section.missing("axis");
+    else
       wheel.axis = edge(section, "axis");
-    }
     if (section.node("spoke")) wheel.spoke = edge(section, "spoke");
     if (const auto name = section.text("angle")) wheel.angle = output(section, "angle", *name);
     if (wheel.spoke.to >= 0 && !wheel.angle.empty())
@@ -98,16 +90,15 @@ class Reader {
   }
 
   static constexpr const char* edges = "the name of a vector, or an array of two points";
-  const text::Document& document_;
   const mbs::Description& in_;
 };
 
 }  // namespace
 
 ViewTable read_view(const text::Document& document, const mbs::Description& description) {
-  Section root(document, document.table(), "");
-  const toml::table* table = root.table("view");
-  return table ? Reader(document, description).read({document, *table, "view"}) : ViewTable{};
+  static const text::Keys language = mbs::mechanism_keys();
+  auto section = Section(document, language).section("view");
+  return section ? Reader(description).read(std::move(*section)) : ViewTable{};
 }
 
 }  // namespace tandem::mechanisms

@@ -8,8 +8,7 @@
 namespace tandem::scenario {
 namespace {
 
-using text::Key;
-using Type = Key::Type;
+using text::KeyList;
 
 std::vector<std::string> schedules() {
   std::vector<std::string> words;
@@ -32,189 +31,118 @@ bool is_reconstruction(const std::string& word) try {
   return false;
 }
 
-std::vector<Key> of_file() {
-  return {
-      {.path = "name", .type = Type::text, .sentence = "Its name; without it the file's."},
-      {.path = "description", .type = Type::text, .sentence = "A sentence that `tandem list` prints."},
-      {.path = "parameters",
-       .type = Type::table,
-       .sentence = "Parameters that every subsystem gets, before its own."},
-      {.path = "parameters.NAME",
-       .type = Type::value,
-       .sentence = "As the source of each subsystem knows it."},
-      {.path = "subsystems",
-       .type = Type::table,
-       .sentence = "The subsystems, a table for each.",
-       .required = true},
-  };
+void of_file(KeyList& to) {
+  using enum text::Key::Type;
+  to.may("name", text, "Its name; without it the file's.")
+      .may("description", text, "A sentence that `tandem list` prints.")
+      .table("parameters", "Parameters that every subsystem gets, before its own.")
+      .may("NAME", value, "As the source of each subsystem knows it.")
+      .table("subsystems", "The subsystems, a table for each.", true);
 }
 
-std::vector<Key> of_subsystems() {
-  return {
-      {.path = "subsystems.NAME",
-       .type = Type::table,
-       .sentence =
-           "A subsystem, by the name that connections and results have. It has a `source` or a `command`."},
-      {.path = "subsystems.NAME.source",
-       .type = Type::text,
-       .sentence =
-           "Where it comes from, a URI: `mechanism:FILE`, `diagram:FILE`, `lib:FILE`, `spawn:PROGRAM`, "
-           "`tcp://HOST:PORT`, ...; `tandem list` has all. Files stand relative to the scenario's folder."},
-      {.path = "subsystems.NAME.command",
-       .type = Type::texts,
-       .sentence =
-           "A program and its arguments, which is started and speaks the protocol on its standard input and "
-           "output (in place of `source`).",
-       .allowed = "at least one"},
-      {.path = "subsystems.NAME.parameters",
-       .type = Type::table,
-       .sentence = "Its parameters: settings of its source and parameters of its model."},
-      {.path = "subsystems.NAME.parameters.NAME",
-       .type = Type::value,
-       .sentence = "`tandem info SOURCE` tells which there are."},
-      {.path = "subsystems.NAME.inputs",
-       .type = Type::table,
-       .sentence =
-           "Values of its inputs, in the units of the ports: where an input is connected before the first "
-           "exchange, else all the time."},
-      {.path = "subsystems.NAME.inputs.NAME",
-       .type = Type::numbers,
-       .sentence = "The value, or one for each element of the port. Without it: that of the port."},
-      {.path = "subsystems.NAME.land",
-       .type = Type::word,
-       .sentence =
-           "Whether one that can cut a step ends one at each instant of a sampled subsystem that it reads or "
-           "that reads it; `automatic`: if that one's period is at least its own step.",
-       .otherwise = "automatic",
-       .words = {"automatic", "always", "never"}},
-  };
+void of_subsystems(KeyList& to) {
+  using enum text::Key::Type;
+  to.table("subsystems.NAME",
+           "A subsystem, by the name that connections and results have. It has a `source` or a "
+           "`command`.")
+      .may("source", text,
+           "Where it comes from, a URI: `mechanism:FILE`, `diagram:FILE`, `lib:FILE`, "
+           "`spawn:PROGRAM`, `tcp://HOST:PORT`, ...; `tandem list` has all. Files stand relative "
+           "to the scenario's folder.")
+      .may("command", texts,
+           "A program and its arguments, which is started and speaks the protocol on its standard "
+           "input and output (in place of `source`).",
+           {.allowed = "at least one"})
+      .may("land", word,
+           "Whether one that can cut a step ends one at each instant of a sampled subsystem that "
+           "it reads or that reads it; `automatic`: if that one's period is at least its own step.",
+           {.otherwise = "automatic", .words = {"automatic", "always", "never"}})
+      .table("subsystems.NAME.parameters",
+             "Its parameters: settings of its source and parameters of its model.")
+      .may("NAME", value, "`tandem info SOURCE` tells which there are.")
+      .table("subsystems.NAME.inputs",
+             "Values of its inputs, in the units of the ports: where an input is connected before "
+             "the first exchange, else all the time.")
+      .may("NAME", numbers, "The value, or one for each element of the port. Without it: that of the port.");
 }
 
-std::vector<Key> of_connections() {
-  return {
-      {.path = "connections[]",
-       .type = Type::tables,
-       .sentence = "From an output to an input of the same unit."},
-      {.path = "connections[].from",
-       .type = Type::text,
-       .sentence = "The output.",
-       .allowed = "\"instance.port\" or \"instance.port[i]\"",
-       .required = true},
-      {.path = "connections[].to",
-       .type = Type::text,
-       .sentence = "The input.",
-       .allowed = "\"instance.port\" or \"instance.port[i]\"",
-       .required = true},
-      {.path = "connections[].reconstruction",
-       .type = Type::word,
-       .sentence = "How the input is made a function of time from samples of the output. A held output needs "
-                   "none; any other has to have one.",
-       .allowed = "`least_squaresD_EXTRA`: degree D 0 to 4 through 1 to 16 EXTRA samples",
-       .words = {"lagrange0", "lagrange1", "lagrange2", "lagrange3", "lagrange4", "hermite", "mean",
-                 "matched_hold"},
-       .pattern = "least_squares[0-4]_([1-9]|1[0-6])",
-       .also = is_reconstruction},
-      {.path = "connections[].gain",
-       .type = Type::number,
-       .sentence = "The input is gain times output plus offset.",
-       .otherwise = "1.0"},
-      {.path = "connections[].offset",
-       .type = Type::number,
-       .sentence = "See gain; in the unit of the input.",
-       .otherwise = "0.0"},
-      {.path = "connections[].add",
-       .type = Type::flag,
-       .sentence = "The input is the sum of this and other connections, which all say so.",
-       .otherwise = "false"},
-      {.path = "connections[].convert",
-       .type = Type::flag,
-       .sentence =
-           "Where the units differ and are of one kind, the number is converted from the output's to the "
-           "input's.",
-       .otherwise = "false"},
-      {.path = "connections[].memory",
-       .type = Type::flag,
-       .sentence =
-           "The reader gets at t what the output was one own step of the reader before; between sampled "
-           "subsystems the value just before the instant.",
-       .otherwise = "false"},
-      {.path = "connections[].delay",
-       .type = Type::flag,
-       .sentence = "The reader gets at t what the output was one `coordination.communication_step` before.",
-       .otherwise = "false"},
-  };
+void of_connections(KeyList& to) {
+  using enum text::Key::Type;
+  to.table("connections[]", "From an output to an input of the same unit.")
+      .need("from", text, "The output.", {.allowed = "\"instance.port\" or \"instance.port[i]\""})
+      .need("to", text, "The input.", {.allowed = "\"instance.port\" or \"instance.port[i]\""})
+      .may("reconstruction", word,
+           "How the input is made a function of time from samples of the output. A held output "
+           "needs none; any other has to have one.",
+           {.allowed = "`least_squaresD_EXTRA`: degree D 0 to 4 through 1 to 16 EXTRA samples",
+            .words = {"lagrange0", "lagrange1", "lagrange2", "lagrange3", "lagrange4", "hermite", "mean",
+                      "matched_hold"},
+            .pattern = "least_squares[0-4]_([1-9]|1[0-6])",
+            .also = is_reconstruction})
+      .may("gain", number, "The input is gain times output plus offset.", {.otherwise = "1.0"})
+      .may("offset", number, "See gain; in the unit of the input.", {.otherwise = "0.0"})
+      .may("add", flag, "The input is the sum of this and other connections, which all say so.",
+           {.otherwise = "false"})
+      .may("convert", flag,
+           "Where the units differ and are of one kind, the number is converted from the output's "
+           "to the input's.",
+           {.otherwise = "false"})
+      .may("memory", flag,
+           "The reader gets at t what the output was one own step of the reader before; between "
+           "sampled subsystems the value just before the instant.",
+           {.otherwise = "false"})
+      .may("delay", flag,
+           "The reader gets at t what the output was one `coordination.communication_step` before.",
+           {.otherwise = "false"});
 }
 
-std::vector<Key> of_coordination() {
-  return {
-      {.path = "coordination", .type = Type::table, .sentence = "Who goes first, and how the run starts."},
-      {.path = "coordination.schedule",
-       .type = Type::word,
-       .sentence =
-           "Whose turn it is: with `slowest-first` the slow one goes ahead on extrapolated inputs and the "
-           "fast ones follow, with `fastest-first` the other way round; `staggered`: the slow one steps in "
-           "the "
-           "middle of its step, of two with matched hold; `parallel`: all go to the next communication "
-           "point.",
-       .otherwise = "slowest-first",
-       .words = schedules()},
-      {.path = "coordination.order",
-       .type = Type::texts,
-       .sentence =
-           "The subsystems that integrate themselves, the slowest first: with `slowest-first` the first one "
-           "leads, with `fastest-first` the last one. Without it: by the length of their own steps.",
-       .allowed = "each once"},
-      {.path = "coordination.communication_step",
-       .type = Type::positive,
-       .sentence =
-           "Time between the communication points of `parallel`, and the time of a `delay`. Without it: the "
-           "own step of the slowest.",
-       .unit = "s"},
-      {.path = "coordination.start",
-       .type = Type::word,
-       .sentence =
-           "How histories are filled before the first step: from `derivatives` of the outputs, by a "
-           "`repeat` of the first steps, or not (`cold`, of low order at first); `automatic`: the first of "
-           "these that can be.",
-       .otherwise = "automatic",
-       .words = starts()},
-      {.path = "coordination.coupling",
-       .type = Type::word,
-       .sentence = "What the subsystems exchange.",
-       .otherwise = "signals",
-       .words = {"signals"}},
-  };
+void of_coordination(KeyList& to) {
+  using enum text::Key::Type;
+  to.table("coordination", "Who goes first, and how the run starts.")
+      .may("schedule", word,
+           "Whose turn it is: with `slowest-first` the slow one goes ahead on extrapolated "
+           "inputs and the fast ones follow, with `fastest-first` the other way round; "
+           "`staggered`: the slow one steps in the middle of its step, of two with matched "
+           "hold; `parallel`: all go to the next communication point.",
+           {.otherwise = "slowest-first", .words = schedules()})
+      .may("order", texts,
+           "The subsystems that integrate themselves, the slowest first: with "
+           "`slowest-first` the first one leads, with `fastest-first` the last one. Without "
+           "it: by the length of their own steps.",
+           {.allowed = "each once"})
+      .may("communication_step", positive,
+           "Time between the communication points of `parallel`, and the time of a `delay`. "
+           "Without it: the own step of the slowest.",
+           {.unit = "s"})
+      .may("start", word,
+           "How histories are filled before the first step: from `derivatives` of the "
+           "outputs, by a `repeat` of the first steps, or not (`cold`, of low order at "
+           "first); `automatic`: the first of these that can be.",
+           {.otherwise = "automatic", .words = starts()})
+      .may("coupling", word, "What the subsystems exchange.", {.otherwise = "signals", .words = {"signals"}});
 }
 
-std::vector<Key> of_span() {
-  return {
-      {.path = "span", .type = Type::table, .sentence = "The time of the run.", .required = true},
-      {.path = "span.start", .type = Type::number, .sentence = "Its begin.", .unit = "s", .otherwise = "0.0"},
-      {.path = "span.stop",
-       .type = Type::number,
-       .sentence = "Its end.",
-       .unit = "s",
-       .allowed = "after `start`",
-       .required = true},
-      {.path = "span.diverged_beyond",
-       .type = Type::number,
-       .sentence =
-           "The run ends as diverged where an output exceeds so many times the largest of its magnitude in "
-           "the first hundredth of the span, its port's nominal value and 1; `inf`: never.",
-       .otherwise = "1e8",
-       .allowed = "above 1, or `inf`"},
-  };
+void of_span(KeyList& to) {
+  using enum text::Key::Type;
+  to.table("span", "The time of the run.", true)
+      .may("start", number, "Its begin.", {.unit = "s", .otherwise = "0.0"})
+      .need("stop", number, "Its end.", {.unit = "s", .allowed = "after `start`"})
+      .may("diverged_beyond", number,
+           "The run ends as diverged where an output exceeds so many times the largest of "
+           "its magnitude in the first hundredth of the span, its port's nominal value and "
+           "1; `inf`: never.",
+           {.otherwise = "1e8", .allowed = "above 1, or `inf`"});
 }
 
 }  // namespace
 
 const text::Keys& keys() {
   static const text::Keys all = [] {
-    std::vector<Key> list;
-    for (auto part : {of_file(), of_subsystems(), of_connections(), of_coordination(), of_span(),
-                      keys_of_results(), keys_of_ladder()})
-      list.insert(list.end(), part.begin(), part.end());
-    return text::Keys(std::move(list));
+    KeyList list;
+    for (const auto part :
+         {of_file, of_subsystems, of_connections, of_coordination, of_span, keys_of_results, keys_of_ladder})
+      part(list);
+    return text::Keys(std::move(list).list());
   }();
   return all;
 }

@@ -1,8 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <vector>
-
-#include "tandem/text/keys.hpp"
+#include "tandem/text/key_list.hpp"
 
 namespace tandem::scenario {
 
@@ -10,7 +8,7 @@ namespace tandem::scenario {
 const text::Keys& keys();
 
 /// Of these, the tables record, reference, judge and view; and ladder.
-std::vector<text::Key> keys_of_results();
-std::vector<text::Key> keys_of_ladder();
+void keys_of_results(text::KeyList& to);
+void keys_of_ladder(text::KeyList& to);
 
 }  // namespace tandem::scenario

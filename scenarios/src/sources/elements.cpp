@@ -5,6 +5,6 @@
 
 namespace tandem {
 
-mbs::ElementKinds element_kinds(const kart::TyreWords& words) { return kart::element_kinds(words); }
+mbs::ElementKinds element_kinds() { return kart::element_kinds(); }
 
 }  // namespace tandem

@@ -15,6 +15,7 @@
 #include "tandem/mbs/mechanism/initial.hpp"
 #include "tandem/mbs/mechanism/outputs.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
+#include "tandem/text/key_list.hpp"
 
 namespace tandem::mbs {
 namespace {
@@ -44,7 +45,7 @@ TEST(ReadElements, PointSlidesOnABodyByACoordinate) {
 }
 
 TEST(ReadElements, UnknownElementIsRefusedByName) {
-  EXPECT_TRUE(test::refuses(ErrorCode::invalid_argument, {"element 'drug' is not there", "drag"},
+  EXPECT_TRUE(test::refuses(ErrorCode::invalid_argument, {"'drug' (did you mean 'drag'?)", "rotor or shaft"},
                             [] { read_mechanism("m", text + "[elements.air]\nkind = \"drug\"\n"); }));
 }
 
@@ -82,13 +83,18 @@ class Cubic final : public ForceElement {
   double length_;
 };
 
+void keys_of_cubic(text::KeyList& to) {
+  to.need("point", text::Key::Type::text, "A point.")
+      .need("length", text::Key::Type::positive, "Its length.", {.unit = "m"});
+}
+
 /// K = |x|^2 + 2 x x^T and C of the same form, x and v of one length: by differences over a millionth of it
 /// to 1e-12 by curvature, and to 1e-9 by rounding where the nearest power of 1024 is a thirtieth of it.
 TEST(ReadElements, ForceIsDifferentiatedByTheLengthOfItsMechanism) {
-  const ElementKinds kinds = {{"cubic", [](ElementKeys& keys) {
-                                 return std::make_unique<Cubic>(keys.axes(keys.point("point")),
-                                                                keys.positive("length"));
-                               }}};
+  const ElementKinds kinds = {{"cubic", {"Cubic.", keys_of_cubic, [](ElementKeys& keys) {
+                                           return std::make_unique<Cubic>(keys.axes(keys.point("point")),
+                                                                          keys.positive("length"));
+                                         }}}};
   for (const double length : {1e-6, 1.0, 1e3, 1e6}) {
     Mechanism m(
         read_mechanism("m",
@@ -130,11 +136,16 @@ class Wavy final : public ForceElement {
   double length_, time_;
 };
 
-const ElementKinds wavy_kind = {{"wavy", [](ElementKeys& keys) {
-                                   return std::make_unique<Wavy>(keys.axes(keys.point("point")),
-                                                                 keys.positive("length"),
-                                                                 keys.positive("time"));
-                                 }}};
+void keys_of_wavy(text::KeyList& to) {
+  keys_of_cubic(to);
+  to.need("time", text::Key::Type::positive, "Of a length.", {.unit = "s"});
+}
+
+const ElementKinds wavy_kind = {{"wavy", {"Wavy.", keys_of_wavy, [](ElementKeys& keys) {
+                                            return std::make_unique<Wavy>(keys.axes(keys.point("point")),
+                                                                          keys.positive("length"),
+                                                                          keys.positive("time"));
+                                          }}}};
 
 /// The quantity's derivative by time at x, v and a, which are in these lengths and times; likewise.
 double measured_rate(double length, double time, const std::array<Eigen::Vector2d, 3>& motion) {

@@ -29,7 +29,7 @@ TEST(ReadMechanism, ReadsTheLinkage) {
 
 TEST(ReadMechanism, TheLinkageInTheRepositoryIsTheOneOfTheBenchmark) {
   const auto file = std::filesystem::path(TANDEM_SOURCE_DIR) / "scenarios/mechanisms/four_bar/four_bar.toml";
-  EXPECT_EQ(test::read_text(file), four_bar::text(5));
+  EXPECT_EQ(test::read_text(file), "#:schema ../../mechanism.schema.json\n" + four_bar::text(5));
   EXPECT_EQ(read_mechanism(file).bodies.size(), 11U);
 }
 
@@ -73,7 +73,7 @@ TEST(ReadMechanism, RefusesWithFileLineValueAndWhatIsAllowed) {
       {"dimension = 2", "dimensoin = 2", 1, {"unknown key 'dimensoin'", "did you mean 'dimension'?"}},
       {"[0, -9.81]", "[0, 0, -9.81]", 2, {"gravity is an array of 3", "an array of 2 numbers"}},
       {"[0, -9.81]", "[0, 'g']", 2, {"gravity[1] is the text 'g'", "a number"}},
-      {"at = [1, 0]", "to = [1, 0]", 5, {"points.P.at is missing", "coordinates as drawn"}},
+      {"at = [1, 0]", "to = [1, 0]", 5, {"points.P.at is missing", "points.P.at is missing"}},
       {"at = [1, 0]", "at = [0, 0]", 7, {"rods.rod.points are drawn at one place", "above 0 m"}},
       {"fixed = true", "fixed = true, velocity = [1, 0]", 4, {"points.O.velocity is not zero"}},
       {"[\"O\", \"P\"], mass", "[\"O\", \"Q\"], mass", 7, {"point 'Q' is not there", "There are: O, P"}},
@@ -128,7 +128,7 @@ TEST(ReadMechanism, RefusesElementsWithWhatIsAllowed) {
       refused("[inputs]\nF = { unit = 'N', value = 2, polynomial = [1] }\n", {"has 2 of value, polynomial"}));
   EXPECT_TRUE(refused("[outputs]\no = { position = 'P.x', velocity = 'P.x' }\n", {"names 2 quantities"}));
   EXPECT_TRUE(refused("[outputs]\no = { reaction = 'P.x' }\n", {"a point that is not fixed"}));
-  EXPECT_TRUE(refused("[outputs]\no = { energy = 'all' }\n", {"'all'", "kinetic, potential, total, drift"}));
+  EXPECT_TRUE(refused("[outputs]\no = { energy = 'all' }\n", {"'all'", "kinetic, potential, total or drift"}));
   EXPECT_TRUE(refused("[drives]\nd = { coordinate = 'O.x', motion = 'u' }\n", {"of a fixed point"}));
   EXPECT_TRUE(
       refused("[inputs]\nu = { unit = 'm', value = 1 }\n[drives]\nd = { coordinate = 'P.x', motion = 'u' }\n"
@@ -196,7 +196,7 @@ TEST(ReadMechanism, RefusesNamesThatStandInTheWay) {
   EXPECT_TRUE(refused("[outputs]\n'O.x' = { energy = 'total' }\n", {"p.toml:14", "another name"}));
   EXPECT_TRUE(taken("[outputs]\n'P.x' = { position = 'P.x' }\n'P.z' = { energy = 'total' }\n"));
   EXPECT_TRUE(refused("[outputs]\no = { position = 'P.x', unit = 'm' }\n",
-                      {"Allowed are: position, velocity, acceleration, reaction, energy"}));
+                      {"Allowed are: position, velocity, acceleration, reaction, body, energy"}));
 }
 
 TEST(ReadMechanism, RefusesAnInertiaThatIsZeroOrNotSymmetric) {

@@ -4,14 +4,20 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <map>
 
 #include "refusal.hpp"
+#include "scenario/languages.hpp"
 #include "scenario/scenario.hpp"
 #include "scenario/schema.hpp"
 #include "scratch.hpp"
 #include "tandem/coordinator/reconstruction.hpp"
+#include "tandem/engine/compile.hpp"
+#include "tandem/engine/keys.hpp"
+#include "tandem/engine/read.hpp"
 #include "tandem/text/section.hpp"
 
 namespace tandem::scenario {
@@ -26,23 +32,30 @@ std::string text_of(const std::string& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-TEST(Keys, ThePageAndTheSchemaOfTheTreeAreThoseOfTheProgram) {
-  EXPECT_NE(text_of("docs/scenarios.md").find(keys().page()), std::string::npos)
-      << "docs/scenarios.md is stale: what `tandem help scenario` prints belongs at its end";
-  EXPECT_EQ(text_of("scenarios/scenario.schema.json"), schema(keys(), "tandem scenario").dump(2) + "\n")
-      << "scenarios/scenario.schema.json is stale: tandem schema scenario";
+TEST(Keys, ThePagesAndTheSchemasOfTheTreeAreThoseOfTheProgram) {
+  for (const auto& [name, keys] : languages()) {
+    EXPECT_TRUE(text_of("docs/" + std::string(name == "scenario" ? "" : "keys_of_") + name + "s.md")
+                    .ends_with(keys.page()))
+        << "stale: what `tandem help " << name << "` prints belongs at the end of its page";
+    EXPECT_TRUE(text_of("scenarios/" + name + ".schema.json") ==
+                schema(keys, "tandem " + name).dump(2) + "\n")
+        << "scenarios/" << name << ".schema.json is stale: tandem schema " << name;
+  }
 }
 
 TEST(Keys, EachHasASentenceAndATableThatHoldsIt) {
-  for (const Key& key : keys().all()) {
-    EXPECT_FALSE(key.sentence.empty()) << key.path;
-    const auto dot = key.path.rfind('.');
-    if (dot == std::string::npos) continue;
-    const Key* table = keys().find(key.path.substr(0, dot));
-    ASSERT_NE(table, nullptr) << key.path;
-    EXPECT_TRUE(table->type == Key::Type::table || table->type == Key::Type::tables) << key.path;
-    EXPECT_EQ(key.type == Key::Type::word, !key.words.empty()) << key.path;
-  }
+  for (const auto& [name, keys] : languages())
+    for (const Key& key : keys.all()) {
+      EXPECT_FALSE(key.sentence.empty()) << key.path;
+      EXPECT_EQ(key.type == Key::Type::word, !key.words.empty()) << key.path;
+      EXPECT_EQ(key.type == Key::Type::any, key.type == Key::Type::any && !key.allowed.empty()) << key.path;
+      const auto dot = key.path.rfind('.');
+      if (dot == std::string::npos) continue;
+      const std::string table = key.path.substr(0, dot);
+      EXPECT_TRUE(std::any_of(keys.all().begin(), keys.all().end(), [&](const Key& one) {
+        return one.path == table && (one.type == Key::Type::table || one.type == Key::Type::tables);
+      })) << key.path;
+    }
 }
 
 /// A scenario in which each key of the list is left out, of the wrong type, or a word that is not allowed.
@@ -126,14 +139,80 @@ TEST(Keys, WordsAreThoseThatTheCoordinatorKnows) {
   }
 }
 
+std::string found(const text::Keys& keys, const std::string& path) {
+  std::string all;
+  for (const Key* key : keys.matching(path)) all += (all.empty() ? "" : " ") + key->path;
+  return all;
+}
+
 TEST(Keys, AreFoundAsAUserWritesThem) {
-  EXPECT_EQ(keys().named("coordination.order").path, "coordination.order");
-  EXPECT_EQ(keys().named("connections.gain").path, "connections[].gain");
-  EXPECT_EQ(keys().named("connections[3].gain").path, "connections[].gain");
-  EXPECT_EQ(keys().named("subsystems.motor.parameters.R").path, "subsystems.NAME.parameters.NAME");
+  EXPECT_EQ(found(keys(), "coordination.order"), "coordination.order");
+  EXPECT_EQ(found(keys(), "connections.gain"), "connections[].gain");
+  EXPECT_EQ(found(keys(), "connections[3].gain"), "connections[].gain");
+  EXPECT_EQ(found(keys(), "subsystems.motor.parameters.R"), "subsystems.NAME.parameters.NAME");
+  EXPECT_EQ(found(keys(), "coordination.ordr"), "");
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"[coordination] 'ordr'", "did you mean 'order'?"},
-                      [] { keys().named("coordination.ordr"); }));
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'spam'", "span"}, [] { keys().named("spam.stop"); }));
+                      [] { keys().refuse("coordination.ordr"); }));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'spam'", "span"}, [] { keys().refuse("spam.stop"); }));
+}
+
+TEST(Keys, OfKindsAreFoundByTheKind) {
+  const text::Keys& diagram = languages().at("diagram");
+  ASSERT_EQ(diagram.matching("blocks.pid.low").size(), 1u);
+  EXPECT_EQ(diagram.matching("blocks.pid.low")[0]->otherwise, "-inf");
+  EXPECT_GT(diagram.matching("blocks.my_block.low").size(), 4u);  // of some kind
+  ASSERT_EQ(diagram.matching("blocks.my_block").size(), 1u);
+  EXPECT_TRUE(diagram.matching("blocks.my_block")[0]->kinds.empty());
+  EXPECT_EQ(diagram.find("blocks.NAME.low", "gain"), nullptr);
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"[blocks.NAME]", "'lowest'"},
+                      [&] { diagram.refuse("blocks.pid.lowest"); }));
+}
+
+/// What blocks of some kinds need besides, or otherwise, that all of their keys are looked at.
+const std::map<std::string, std::map<std::string, std::string>> given = {
+    {"csv", {{"file", "'x'"}, {"column", "'y'"}}},
+    {"integrator", {{"reset", "1"}}},
+    {"sample", {{"period", "1"}}},
+    {"state_space", {{"inputs", "[1]"}, {"a", "[1]"}, {"b", "[1]"}, {"c", "[1]"}}},
+    {"transfer_function", {{"numerator", "[1]"}, {"denominator", "[1, 1]"}}},
+    {"unit_delay", {{"period", "1"}}}};
+
+std::string right_value(const std::string& kind, const Key& key) {
+  const std::string name = text::name_of(key);
+  if (const auto own = given.find(kind); own != given.end() && own->second.contains(name))
+    return own->second.at(name);
+  if (!key.required || name == "kind") return "";
+  if (!key.words.empty()) return "'" + key.words[0] + "'";
+  if (name == "low") return "0";
+  return key.type == Key::Type::numbers || key.type == Key::Type::signals ? "[0, 1]" : "1";
+}
+
+/// A diagram with a block of that kind, of which one key is of a wrong type.
+std::string with_wrong(const text::Keys& language, const std::string& kind, const Key& wrong) {
+  std::string block = "b = { kind = '" + kind + "'";
+  const bool trigger = text::name_of(wrong) == "trigger", of_two = wrong.path == "blocks.NAME.inputs";
+  for (const Key* key : language.in("blocks.NAME", kind)) {
+    std::string value = &wrong == key ? key->type == Key::Type::flag ? "1" : "true" : right_value(kind, *key);
+    if (trigger && text::name_of(*key) == "period") value.clear();
+    if (kind == "function" && of_two && text::name_of(*key) == "function") value = "'min'";
+    if (!value.empty()) block += ", " + text::name_of(*key) + " = " + value;
+  }
+  return "[blocks]\n" + block + " }\n[outputs]\nb = { unit = '1' }\n";
+}
+
+TEST(Keys, ABlockReadsEachKeyOfItsKind) {
+  const text::Keys language = engine::diagram_keys();
+  for (const Key* kind : language.kinds("blocks.NAME")) {
+    const std::string word = kind->kinds[0];
+    if (word == "diagram" || word == "triggered" || word == "machine") continue;  // have tests of their own
+    for (const Key* wrong : language.in("blocks.NAME", word)) {
+      if (wrong->kinds.empty()) continue;
+      const std::string text = with_wrong(language, word, *wrong);
+      EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {text::name_of(*wrong) + " is "}, [&] {
+        engine::compile(engine::read_diagram("d", text));
+      })) << text;
+    }
+  }
 }
 
 /// What the list and the reader do not agree on ends the read, whoever is wrong.

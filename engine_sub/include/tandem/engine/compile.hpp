@@ -11,7 +11,4 @@ namespace tandem::engine {
 /// it.
 Program compile(const Description& diagram);
 
-/// The kinds of block that there are.
-std::vector<std::string> block_kinds();
-
 }  // namespace tandem::engine

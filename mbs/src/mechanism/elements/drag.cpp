@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "own_elements.hpp"
-#include "tandem/error.hpp"
+#include "tandem/text/key_list.hpp"
 
 namespace tandem::mbs {
 namespace {
@@ -42,16 +42,18 @@ class Drag final : public ForceElement {
 
 }  // namespace
 
+void keys_of_drag(text::KeyList& to) {
+  using enum text::Key::Type;
+  to.need("point", text, "The point.")
+      .may("along", word, "Of that component of its velocity alone.", {.words = {"x", "y", "z"}})
+      .need("coefficient", positive, "c.", {.unit = "N s^2/m^2"});
+}
+
 std::unique_ptr<ForceElement> make_drag(ElementKeys& keys) {
   auto coordinates = keys.axes(keys.point("point"));
   if (keys.has("along")) {
-    const std::string axis = keys.text("along");
-    const auto k = std::string("xyz").substr(0, coordinates.size()).find(axis);
-    if (axis.size() != 1 || k == std::string::npos)
-      keys.at("along", [&] {
-        throw Error(ErrorCode::invalid_argument, "along is '" + axis + "'; allowed is x" +
-                                                     (coordinates.size() == 2 ? " or y" : ", y or z"));
-      });
+    const auto k = std::string("xyz").find(keys.text("along"));
+    if (k >= coordinates.size()) keys.leave_out("along", "there is no z in the plane");
     coordinates = {coordinates[k]};
   }
   return std::make_unique<Drag>(std::move(coordinates), keys.positive("coefficient"));

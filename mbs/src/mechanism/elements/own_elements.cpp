@@ -3,7 +3,13 @@
 
 namespace tandem::mbs {
 
-ElementKinds own_elements() { return {{"drag", make_drag}, {"rotor", make_rotor}, {"shaft", make_shaft}}; }
+ElementKinds own_elements() {
+  return {{"drag", {"Of a point in the air: -c |v| v.", keys_of_drag, make_drag}},
+          {"rotor", {"A body of revolution that turns about an axis.", keys_of_rotor, make_rotor}},
+          {"shaft",
+           {"A body drives rotors through an open differential, and has the reaction.", keys_of_shaft,
+            make_shaft}}};
+}
 
 std::vector<Coordinate> ElementKeys::axes(int entity) const {
   std::vector<Coordinate> all;

@@ -10,5 +10,8 @@ ElementKinds own_elements();
 std::unique_ptr<ForceElement> make_drag(ElementKeys& keys);
 std::unique_ptr<ForceElement> make_rotor(ElementKeys& keys);
 std::unique_ptr<ForceElement> make_shaft(ElementKeys& keys);
+void keys_of_drag(text::KeyList& to);
+void keys_of_rotor(text::KeyList& to);
+void keys_of_shaft(text::KeyList& to);
 
 }  // namespace tandem::mbs

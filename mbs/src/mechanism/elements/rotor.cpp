@@ -3,6 +3,7 @@
 
 #include "own_elements.hpp"
 #include "tandem/error.hpp"
+#include "tandem/text/key_list.hpp"
 
 namespace tandem::mbs {
 namespace {
@@ -32,6 +33,16 @@ class Rotor final : public ForceElement {
 };
 
 }  // namespace
+
+void keys_of_rotor(text::KeyList& to) {
+  using enum text::Key::Type;
+  to.need("axis", text, "The vector that it turns about, of length 1.")
+      .need("spin", text, "The free coordinate whose rate is its absolute spin.")
+      .need("centre", text, "The point at its centre.")
+      .need("mass", positive, "Its mass.", {.unit = "kg"})
+      .need("spin_inertia", positive, "About the axis.", {.unit = "kg m^2"})
+      .need("diametral_inertia", positive, "Across the axis.", {.unit = "kg m^2"});
+}
 
 std::unique_ptr<ForceElement> make_rotor(ElementKeys& keys) {
   if (keys.dimension() != 3)

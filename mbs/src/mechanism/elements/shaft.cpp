@@ -3,6 +3,7 @@
 
 #include "own_elements.hpp"
 #include "tandem/error.hpp"
+#include "tandem/text/key_list.hpp"
 
 namespace tandem::mbs {
 namespace {
@@ -63,6 +64,14 @@ class Shaft final : public ForceElement {
 
 }  // namespace
 
+void keys_of_shaft(text::KeyList& to) {
+  using enum text::Key::Type;
+  to.need("body", text, "A vector of the body, along which the shaft turns where rotors do not.")
+      .need("axes", texts, "The axes of the rotors.")
+      .need("spins", texts, "Their spins.", {.allowed = "one for each axis"})
+      .need("torque", text, "The input that is its torque.", {.unit = "N m"});
+}
+
 std::unique_ptr<ForceElement> make_shaft(ElementKeys& keys) {
   auto coordinates = keys.axes(keys.vector("body"));
   const auto axes = keys.vectors("axes");
@@ -75,12 +84,8 @@ std::unique_ptr<ForceElement> make_shaft(ElementKeys& keys) {
     for (const Coordinate& c : keys.axes(axes[k])) coordinates.push_back(c);
     coordinates.push_back(spins[k]);
   }
-  const int torque = keys.input("torque", "N m");
-  if (torque < 0)
-    keys.at("torque", [] {
-      throw Error(ErrorCode::invalid_argument, "torque is missing; allowed is the name of an input");
-    });
-  return std::make_unique<Shaft>(std::move(coordinates), torque);
+  keys.text("torque");  // has to be there
+  return std::make_unique<Shaft>(std::move(coordinates), keys.input("torque", "N m"));
 }
 
 }  // namespace tandem::mbs

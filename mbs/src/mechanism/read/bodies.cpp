@@ -11,19 +11,19 @@ namespace tandem::mbs {
 void Reader::read_entity(const std::string& name, Section& section, Entity::Kind kind) {
   Entity entity{name, kind};
   port_name(section, name);
-  entity.at = required_vector(section, "at", fmt::format("its {} coordinates as drawn [m]", to_.dimension));
-  entity.fixed = section.flag("fixed").value_or(false);
-  entity.massless = section.flag("massless").value_or(false);
+  entity.at = required_vector(section, "at");
+  entity.fixed = *section.flag("fixed");
+  entity.massless = *section.flag("massless");
   entity.where = section.place().text();
   if (kind == Entity::Kind::vector && !(entity.at.norm() > 0.0)) section.wrong("at", "zero", "a direction");
   this->name(entities_, section, name, to_.entities.size());
-  if (const auto velocity = vector(section, "velocity")) {
-    entity.velocity = *velocity;
-    if (entity.fixed && velocity->norm() > 0.0)
+  if (section.node("velocity")) {
+    entity.velocity = vector(section, "velocity");
+    if (entity.fixed && entity.velocity.norm() > 0.0)
       section.wrong("velocity", "not zero", "zero, as the point is fixed");
     for (int axis = 0; axis < to_.dimension && !entity.fixed; ++axis)
       to_.velocities.push_back({{static_cast<int>(to_.entities.size()), axis},
-                                (*velocity)[axis],
+                                entity.velocity[axis],
                                 section.place("velocity").text()});
   }
   to_.entities.push_back(entity);
@@ -32,9 +32,8 @@ void Reader::read_entity(const std::string& name, Section& section, Entity::Kind
 void Reader::read_rod(const std::string& name, Section& section) {
   const Edge points = two_points(section, "points");
   this->name(bodies_, section, name, to_.bodies.size());
-  to_.bodies.push_back(
-      uniform_rod(to_, name, points.from, points.to, required_positive(section, "mass", "kg")));
-  to_.bodies.back().free = section.flag("free").value_or(false);
+  to_.bodies.push_back(uniform_rod(to_, name, points.from, points.to, section.required_number("mass")));
+  to_.bodies.back().free = *section.flag("free");
   to_.bodies.back().where = section.place().text();
 }
 
@@ -42,7 +41,7 @@ void Reader::read_body(const std::string& name, Section& section) {
   Body body{name, {}};
   for (const std::string& entity : section.texts("points"))
     add_entity(section, "points", point(section, "points", entity), body);
-  if (body.entities.empty()) section.missing("points", "the names of one point or more");
+  if (body.entities.empty()) section.missing("points");
   for (const std::string& entity : section.texts("vectors")) {
     const int e = find(entities_, section, "vectors", "vector", entity);
     if (to_.entities[e].kind != Entity::Kind::vector)
@@ -55,10 +54,10 @@ void Reader::read_body(const std::string& name, Section& section) {
       section.wrong("basis", "'" + entity + "', which is none of the body's", "its own points and vectors");
     body.basis.push_back(e);
   }
-  body.mass = required_positive(section, "mass", "kg");
-  body.centre = required_vector(section, "centre", "the centre of mass as drawn [m]");
+  body.mass = section.required_number("mass");
+  body.centre = required_vector(section, "centre");
   body.inertia = inertia(section);
-  body.free = section.flag("free").value_or(false);
+  body.free = *section.flag("free");
   body.where = section.place().text();
   this->name(bodies_, section, name, to_.bodies.size());
   to_.bodies.push_back(std::move(body));
@@ -71,21 +70,22 @@ void Reader::add_entity(Section& section, const std::string& key, int entity, Bo
 }
 
 void Reader::read_mass(const std::string& name, Section& section) {
-  const int p = point(section, "point", section.required_text("point", "the name of a point"));
-  to_.masses.push_back({name, p, required_positive(section, "mass", "kg"), section.place().text(),
-                        section.flag("free").value_or(false)});
+  const int p = point(section, "point", section.required_text("point"));
+  to_.masses.push_back(
+      {name, p, section.required_number("mass"), section.place().text(), *section.flag("free")});
 }
 
 /// In the plane a number; in space three rows of three.
 Eigen::Matrix3d Reader::inertia(Section& section) const {
   Eigen::Matrix3d tensor = Eigen::Matrix3d::Zero();
   if (to_.dimension == 2) {
-    tensor(2, 2) = required_positive(section, "inertia", "kg m^2");
+    if (!section.node("inertia")) section.missing("inertia");
+    tensor(2, 2) = *section.positive("inertia");
     return tensor;
   }
   const std::string allowed = "three arrays of three numbers [kg m^2], symmetric";
   const toml::node* node = section.node("inertia");
-  if (!node) section.missing("inertia", allowed);
+  if (!node) section.missing("inertia");
   const toml::array* rows = node->as_array();
   for (int r = 0; r < 3; ++r) {
     const toml::array* row = rows && rows->size() == 3 ? rows->get(r)->as_array() : nullptr;

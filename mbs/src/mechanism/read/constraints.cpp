@@ -8,17 +8,7 @@
 namespace tandem::mbs {
 namespace {
 
-const std::vector<std::pair<std::string, Joint::Kind>>& joint_kinds() {
-  using enum Joint::Kind;
-  static const std::vector<std::pair<std::string, Joint::Kind>> kinds = {{"revolute", revolute},
-                                                                         {"prismatic", prismatic},
-                                                                         {"cylindrical", cylindrical},
-                                                                         {"spherical", spherical},
-                                                                         {"universal", universal},
-                                                                         {"point_on_line", point_on_line},
-                                                                         {"point_on_plane", point_on_plane}};
-  return kinds;
-}
+constexpr const char* ends_of_places = "two points are the ends";
 
 /// What has a meaning in the plane.
 bool is_planar(Joint::Kind kind) {
@@ -31,9 +21,11 @@ bool is_planar(Joint::Kind kind) {
 void Reader::read_distance(const std::string& name, Section& section) {
   only_one(section, "distance '" + name + "'", {"points", "between"});
   if (section.node("between")) {
+    section.leave_out("length", "a distance of places is as drawn");
     to_.links.push_back({name, ends(section), section.place().text()});
     return;
   }
+  section.leave_out("ends", ends_of_places);
   const Edge edge = two_points(section, "points");
   const double l = section.positive("length").value_or(drawn(to_, edge).norm());
   if (!can_be_squared(l)) section.wrong("length", fmt::format("{} m", l), "1e-100 to 1e100 m");
@@ -58,34 +50,28 @@ void Reader::read_fixed_angle(const std::string& name, Section& section) {
 void Reader::read_joint(const std::string& name, Section& section) {
   Joint joint{name, Joint::Kind::revolute, {}, {}};
   joint.where = section.place().text();
-  std::vector<std::string> known;
-  for (const auto& [word, kind] : joint_kinds())
-    if (to_.dimension == 3 || is_planar(kind)) known.push_back(word);
-  const std::string found = section.required_text("kind", listed(known));
-  if (std::find(known.begin(), known.end(), found) == known.end())
-    text::refuse(section.place("kind"), section.name("kind") + ": " + unknown("joint", found, known));
-  for (const auto& [word, kind] : joint_kinds())
-    if (word == found) joint.kind = kind;
+  const std::string word = section.kind();
+  const auto& words = language_.find("joints.NAME.kind")->words;  // in the order of the kinds
+  joint.kind = static_cast<Joint::Kind>(std::find(words.begin(), words.end(), word) - words.begin());
+  if (to_.dimension == 2 && !is_planar(joint.kind))
+    section.wrong("kind", "'" + word + "'", "revolute, prismatic or point_on_line in the plane");
   const auto between = section.texts("between");
   if (between.size() != 2)
     section.wrong("between", fmt::format("{} names", between.size()),
                   "two names, each of a body, of a point, or \"ground\"");
   joint.first = carrier(section, between[0]);
   joint.second = carrier(section, between[1]);
-  joint.at = required_vector(section, "at", "its place as drawn [m]");
+  joint.at = required_vector(section, "at");
   read_axes(section, joint);
   to_.joints.push_back(joint);
 }
 
 void Reader::read_axes(Section& section, Joint& joint) const {
   using enum Joint::Kind;
-  if (joint.kind == spherical || (joint.kind == revolute && to_.dimension == 2)) return;
-  if (joint.kind != universal) {
-    joint.axes[0] = required_vector(section, "axis", "a direction as drawn");
-    return;
-  }
-  joint.axes[0] = required_vector(section, "axis", "the first body's axis as drawn");
-  joint.axes[1] = required_vector(section, "second_axis", "the second body's axis as drawn");
+  if (joint.kind == spherical) return;
+  if (joint.kind == revolute && to_.dimension == 2) return section.leave_out("axis", "in the plane");
+  joint.axes[0] = required_vector(section, "axis");
+  if (joint.kind == universal) joint.axes[1] = required_vector(section, "second_axis");
 }
 
 Carrier Reader::carrier(Section& section, const std::string& name) const {
@@ -104,9 +90,9 @@ void Reader::read_angle(const std::string& name, Section& section) {
   angle.b = edge(section, "to", section.node("to"));
   angle.where = section.place().text();
   if (to_.dimension == 3)
-    angle.axis =
-        vector_named(section, "axis", section.required_text("axis", "the vector that it turns about"),
-                     "the name of a vector");
+    angle.axis = vector_named(section, "axis", section.required_text("axis"), "the name of a vector");
+  else
+    section.leave_out("axis", "in the plane all turn about one");
   relative_name(section, name);
   to_.relatives.push_back(angle);
 }
@@ -115,7 +101,12 @@ void Reader::read_length(const std::string& name, Section& section) {
   only_one(section, "length '" + name + "'", {"points", "between"});
   Relative length{name, Relative::Kind::length};
   length.where = section.place().text();
-  section.node("points") ? void(length.a = two_points(section, "points")) : void(length.ends = ends(section));
+  if (section.node("points")) {
+    section.leave_out("ends", ends_of_places);
+    length.a = two_points(section, "points");
+  } else {
+    length.ends = ends(section);
+  }
   relative_name(section, name);
   to_.relatives.push_back(std::move(length));
 }
@@ -124,8 +115,7 @@ void Reader::read_drive(const std::string& name, Section& section) {
   Drive drive{name, required_coordinate(section, "coordinate"), -1, section.place().text()};
   if (drive.coordinate.entity >= 0 && to_.entities[drive.coordinate.entity].fixed)
     section.wrong("coordinate", "of a fixed point", "one that is not fixed");
-  drive.input =
-      find(inputs_, section, "motion", "input", section.required_text("motion", "the name of an input"));
+  drive.input = find(inputs_, section, "motion", "input", section.required_text("motion"));
   const Coordinate& c = drive.coordinate;
   const bool vector = c.entity >= 0 && to_.entities[c.entity].kind == Entity::Kind::vector;
   unit(section, "motion", drive.input,

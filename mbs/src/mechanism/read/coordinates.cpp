@@ -8,10 +8,8 @@ namespace tandem::mbs {
 
 void Reader::read_coordinate(const std::string& name, Section& section) {
   Relative free{name, Relative::Kind::free};
-  const std::string unit = section.required_text("unit", "rad or m");
-  if (unit != "rad" && unit != "m") section.wrong("unit", "'" + unit + "'", "rad or m");
-  free.turns = unit == "rad";
-  free.at = section.number("at").value_or(0.0);
+  free.turns = section.required_text("unit") == "rad";
+  free.at = *section.number("at");
   free.where = section.place().text();
   relative_name(section, name);
   if (const auto inertia = section.positive("inertia"))
@@ -41,17 +39,9 @@ void Reader::read_relation(const std::string& name, Section& section) {
 }
 
 void Reader::read_products(Section& section, Relation& relation) const {
-  const toml::node* node = section.node("products");
-  if (!node) return;
-  const toml::array* array = node->as_array();
-  if (!array || !array->is_homogeneous(toml::node_type::table))
-    section.wrong("products", text::described(*node),
-                  "an array of { edges = [EDGE, EDGE], factor = NUMBER }");
-  for (const toml::node& item : *array) {
-    Section one(document_, *item.as_table(),
-                fmt::format("{}[{}]", section.name("products"), relation.products.size()), &values_);
+  for (Section& one : section.sections("products")) {
     const auto [a, b] = two_edges(one, "edges");
-    relation.products.push_back({one.number("factor").value_or(1.0), a, b});
+    relation.products.push_back({*one.number("factor"), a, b});
     one.refuse_unknown();
   }
 }
@@ -64,9 +54,9 @@ int Reader::relative(Section& section, const std::string& key) const {
 
 void Reader::read_slide(const std::string& name, Section& section) {
   Slide slide{name,
-              point(section, "point", section.required_text("point", "the name of a point")),
-              carrier(section, section.required_text("on", "the name of a body")),
-              required_vector(section, "along", "a direction of the body as drawn"),
+              point(section, "point", section.required_text("point")),
+              carrier(section, section.required_text("on")),
+              required_vector(section, "along"),
               relative(section, "coordinate"),
               section.place().text()};
   if (!(slide.along.norm() > 0.0)) section.wrong("along", "zero", "a direction");

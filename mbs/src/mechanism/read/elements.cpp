@@ -17,30 +17,28 @@ class Reader::Keys final : public ElementKeys {
   bool has(const std::string& key) override { return section_.node(key) != nullptr; }
   double number(const std::string& key) override {
     const auto value = section_.number(key);
-    if (!value) section_.missing(key, "a number");
+    if (!value) section_.missing(key);
     return *value;
-  }
-  double number(const std::string& key, double otherwise) override {
-    return section_.number(key).value_or(otherwise);
   }
   double positive(const std::string& key) override {
     const auto value = section_.positive(key);
-    if (!value) section_.missing(key, "a number above 0");
+    if (!value) section_.missing(key);
     return *value;
   }
-  bool flag(const std::string& key, bool otherwise) override {
-    return section_.flag(key).value_or(otherwise);
+  bool flag(const std::string& key) override { return *section_.flag(key); }
+  std::string text(const std::string& key) override {
+    const auto value = section_.text(key);
+    if (!value) section_.missing(key);
+    return *value;
   }
-  std::string text(const std::string& key) override { return section_.required_text(key, "a text"); }
+  void leave_out(const std::string& key, const std::string& why) override { section_.leave_out(key, why); }
   void at(const std::string& key, const std::function<void()>& use) override {
     text::located(section_.place(key), use);
   }
   int point(const std::string& key) override {
-    return reader_.point(section_, key, section_.required_text(key, "the name of a point"));
+    return reader_.point(section_, key, section_.required_text(key));
   }
-  int vector(const std::string& key) override {
-    return vector_of(key, section_.required_text(key, "the name of a vector"));
-  }
+  int vector(const std::string& key) override { return vector_of(key, section_.required_text(key)); }
   std::vector<int> vectors(const std::string& key) override {
     std::vector<int> all;
     for (const std::string& name : names(key)) all.push_back(vector_of(key, name));
@@ -80,7 +78,7 @@ class Reader::Keys final : public ElementKeys {
  private:
   std::vector<std::string> names(const std::string& key) {
     auto all = section_.texts(key);
-    if (all.empty()) section_.missing(key, "an array of names");
+    if (all.empty()) section_.missing(key);
     return all;
   }
   int vector_of(const std::string& key, const std::string& name) {
@@ -96,17 +94,10 @@ class Reader::Keys final : public ElementKeys {
 };
 
 void Reader::read_element(const std::string& name, Section& section) {
-  ElementKinds kinds = own_elements();
-  kinds.insert(kinds_.begin(), kinds_.end());
-  std::vector<std::string> known;
-  for (const auto& [word, make] : kinds) known.push_back(word);
-  const std::string kind = section.required_text("kind", listed(known));
-  const auto found = kinds.find(kind);
-  if (found == kinds.end())
-    text::refuse(section.place("kind"), section.name("kind") + ": " + unknown("element", kind, known));
+  const ElementKind& kind = kinds_.at(section.kind());
   Keys keys(*this, section, name);
   this->name(elements_, section, name, to_.elements.size());
-  to_.elements.push_back({name, found->second(keys), section.place().text()});
+  to_.elements.push_back({name, kind.make(keys), section.place().text()});
 }
 
 }  // namespace tandem::mbs

@@ -12,7 +12,7 @@ namespace tandem::mbs {
 
 void Reader::read_input(const std::string& name, Section& section) {
   port_name(section, name);
-  Input input{name, section.required_text("unit", "its unit, \"N\"")};
+  Input input{name, section.required_text("unit")};
   if (input.unit.empty()) section.wrong("unit", "empty", "its unit, \"N\"; \"1\" for a ratio");
   if (const auto value = section.number("value")) input.value = *value;
   read_function(section, input);
@@ -27,13 +27,15 @@ void Reader::read_function(Section& section, Input& input) const {
     input.function = polynomial(std::move(c));
     ++given;
   }
-  if (const toml::table* table = section.table("sine")) {
-    input.function = sine_of(section, *table);
+  if (auto wave = section.section("sine")) {
+    input.function = sine(sine_of(std::move(*wave)));
     ++given;
   }
   if (const auto file = section.text("file")) {
     read_data(section, *file, input);
     ++given;
+  } else {
+    for (const char* key : {"column", "interpolation"}) section.leave_out(key, "there is no file");
   }
   if (given > 1)
     text::refuse(section.place(),
@@ -41,21 +43,18 @@ void Reader::read_function(Section& section, Input& input) const {
                              input.name, given));
 }
 
-std::function<InputValue(double)> Reader::sine_of(Section& section, const toml::table& table) const {
-  Section s(document_, table, section.name("sine"), &values_);
-  const auto amplitude = s.number("amplitude"), frequency = s.positive("frequency");
-  if (!amplitude) s.missing("amplitude", "a number");
-  if (!frequency) s.missing("frequency", "a number above 0 [Hz]");
-  const Sine read{*amplitude, *frequency, s.number("phase").value_or(0.0), s.number("mean").value_or(0.0)};
-  s.refuse_unknown();
-  return sine(read);
+Sine Reader::sine_of(Section section) {
+  const Sine read{section.required_number("amplitude"), section.required_number("frequency"),
+                  *section.number("phase"), *section.number("mean")};
+  section.refuse_unknown();
+  return read;
 }
 
 /// A table's row k stands in line k + 2 of its file, below the names.
 void Reader::read_data(Section& section, const std::string& file, Input& input) const {
   const text::Place place = section.place("file");
   const auto table = text::located(place, [&] { return text::TimeTable::read(folder_ / file); });
-  const std::string column = section.required_text("column", "a column of the file");
+  const std::string column = section.required_text("column");
   Names columns;
   for (std::size_t k = 0; k < table.names.size(); ++k) columns.emplace(table.names[k], static_cast<int>(k));
   const auto& values =
@@ -65,9 +64,7 @@ void Reader::read_data(Section& section, const std::string& file, Input& input) 
       text::refuse(section.place("column"),
                    fmt::format("{}:{}: column {} is empty; an input's column has a finite number in each row",
                                table.file.string(), k + 2, column));
-  const std::string how = section.text("interpolation").value_or("linear");
-  if (how != "linear" && how != "spline") section.wrong("interpolation", "'" + how + "'", "linear or spline");
-  input.smooth = how == "spline";
+  input.smooth = *section.text("interpolation") == "spline";
   const auto twice = std::adjacent_find(table.times.begin(), table.times.end());
   if (input.smooth && twice != table.times.end())
     text::refuse(place,
@@ -111,9 +108,9 @@ void Reader::read_force(const std::string& name, Section& section) {
     force.index = point(section, "point", *on);
     if (to_.entities[force.index].fixed)
       section.wrong("point", "'" + *on + "', which is fixed", "a point that is not");
-    force.direction = required_vector(section, "direction", "the direction that it acts in");
+    force.direction = required_vector(section, "direction");
     if (!(force.direction.norm() > 0.0)) section.wrong("direction", "zero", "a direction");
-  } else if (section.node("between")) {
+  } else if (section.leave_out("direction", "the force is on no point"); section.node("between")) {
     force.kind = Force::Kind::line;
     force.points = two_points(section, "between");
     if (to_.entities[force.points.to].fixed && to_.entities[force.points.from].fixed)
@@ -158,7 +155,7 @@ void Reader::refuse_unused_inputs(Section& root) const {
 
 int Reader::magnitude(Section& section, const std::string& name) {
   const toml::node* node = section.node("magnitude");
-  if (!node) section.missing("magnitude", "a number, or the name of an input");
+  if (!node) section.missing("magnitude");
   if (node->is_string() && !values_.is_number(*node))
     return find(inputs_, section, "magnitude", "input", *section.text("magnitude"));
   Input constant{name, ""};

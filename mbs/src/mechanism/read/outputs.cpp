@@ -22,18 +22,14 @@ constexpr std::pair<const char*, Kind> residual_words[] = {{"position", Kind::po
                                                            {"velocity", Kind::velocity_residual},
                                                            {"acceleration", Kind::acceleration_residual}};
 
-/// What the key names, of those that are allowed.
+/// What the key means, if it is there.
 template <std::size_t N>
 bool read_word(text::Section& section, const std::string& key, const std::pair<const char*, Kind> (&words)[N],
                Kind& kind) {
   const auto word = section.text(key);
-  if (!word) return false;
-  std::vector<std::string> allowed;
-  for (const auto& [name, meant] : words) {
-    if (*word == name) return kind = meant, true;
-    allowed.emplace_back(name);
-  }
-  section.wrong(key, "'" + *word + "'", fmt::format("{}", fmt::join(allowed, ", ")));
+  for (const auto& [name, meant] : words)
+    if (word == name) return kind = meant, true;
+  return false;
 }
 
 }  // namespace
@@ -53,6 +49,8 @@ void Reader::read_output(const std::string& name, Section& section) {
   if (const auto of = section.text("reaction")) {
     read_reaction(section, *of, output);
     ++given;
+  } else {
+    section.leave_out("body", "it is no reaction");
   }
   given += read_word(section, "energy", energy_words, output.kind);
   given += read_word(section, "residual", residual_words, output.kind);
@@ -65,8 +63,10 @@ void Reader::read_output(const std::string& name, Section& section) {
   if (const auto element = section.text("element")) {
     read_element_quantity(section, *element, output);
     ++given;
+  } else {
+    section.leave_out("quantity", "it is of no element");
   }
-  output.gain = section.number("gain").value_or(1.0);
+  output.gain = *section.number("gain");
   if (given != 1)
     text::refuse(section.place(),
                  fmt::format("output '{}' names {} quantities; allowed is one of position, velocity, "
@@ -108,6 +108,7 @@ void Reader::read_element_quantity(Section& section, const std::string& element,
 /// Of a drive, of a fixed point along an axis, or on a body at one of its points.
 void Reader::read_reaction(Section& section, const std::string& of, Output& output) const {
   if (const auto it = drives_.find(of); it != drives_.end()) {
+    section.leave_out("body", "it is the reaction of a drive");
     output.kind = Kind::drive_reaction;
     output.drive = it->second;
     return;
@@ -131,13 +132,12 @@ void Reader::read_body_of_reaction(Section& section, const std::string& name, Ou
 }
 
 void Reader::read_initial(Section& root) {
-  const toml::table* table = root.table("initial");
-  if (!table) return;
-  Section initial(document_, *table, "initial", &values_);
-  read_given(initial, "positions", to_.positions);
-  read_given(initial, "velocities", to_.velocities);
-  to_.equilibrium = initial.flag("equilibrium").value_or(false);
-  initial.refuse_unknown();
+  auto initial = root.section("initial");
+  if (!initial) return;
+  read_given(*initial, "positions", to_.positions);
+  read_given(*initial, "velocities", to_.velocities);
+  to_.equilibrium = *initial->flag("equilibrium");
+  initial->refuse_unknown();
 }
 
 /// Replaces what is known of a coordinate already.

@@ -5,6 +5,7 @@
 
 #include "reader.hpp"
 #include "tandem/mbs/mechanism/body_mass.hpp"
+#include "tandem/mbs/mechanism/keys.hpp"
 #include "tandem/nearest.hpp"
 
 namespace tandem::mbs {
@@ -14,13 +15,13 @@ using text::refuse;
 static constexpr const char* not_in_names = "[],\" \t\r\n";  // of ports, which are columns of results
 
 Description Reader::read() {
-  Section root(document_, document_.table(), "", &values_);
+  Section root(document_, language_, &values_);
   read_name(root);
   root.text("description");
   for (const text::FileParameter& p : text::read_parameters(root, given_, values_))
     to_.parameters.push_back({p.name, p.unit, p.value});
   read_dimension(root);
-  to_.gravity = vector(root, "gravity").value_or(Eigen::Vector3d::Zero());
+  to_.gravity = vector(root, "gravity");
   using Read = void (Reader::*)(const std::string&, Section&);
   each(root, "points", [this](auto& name, Section& s) { read_entity(name, s, Entity::Kind::point); });
   each(root, "vectors", [this](auto& name, Section& s) { read_entity(name, s, Entity::Kind::vector); });
@@ -38,8 +39,8 @@ Description Reader::read() {
   for (const auto& [key, read] : tables)
     each(root, key, [this, read = read](auto& name, Section& s) { (this->*read)(name, s); });
   read_initial(root);
-  root.table("run");   // for whoever runs it
-  root.table("view");  // for whoever draws it
+  root.section("run");   // for whoever runs it
+  root.section("view");  // for whoever draws it
   root.refuse_unknown();
   refuse_unused_inputs(root);
   if (to_.bodies.empty() && to_.masses.empty())
@@ -55,35 +56,29 @@ void Reader::read_name(Section& root) {
 }
 
 void Reader::read_dimension(Section& root) {
-  const auto dimension = root.number("dimension");
-  if (!dimension) root.missing("dimension", "2 for the plane, 3 for space");
-  if (*dimension != 2.0 && *dimension != 3.0)
-    root.wrong("dimension", fmt::format("{}", *dimension), "2 for the plane, 3 for space");
-  to_.dimension = static_cast<int>(*dimension);
+  const double dimension = root.required_number("dimension");
+  if (dimension != 2.0 && dimension != 3.0)
+    root.wrong("dimension", fmt::format("{}", dimension), "2 for the plane, 3 for space");
+  to_.dimension = static_cast<int>(dimension);
 }
 
 /// Calls read(name, section) for each table below a key, in the order of the file.
 template <class Read>
 void Reader::each(Section& root, const std::string& key, const Read& read) {
-  const toml::table* table = root.table(key);
+  auto table = root.section(key);
   if (!table) return;
-  for (const auto& [name, node] : text::in_file_order(*table)) {
-    const std::string full_name = fmt::format("{}.{}", key, name);
-    if (!node->is_table())
-      refuse(document_.place(*node),
-             fmt::format("{} is {}; allowed is a table", full_name, text::described(*node)));
+  for (auto& [name, section] : table->named_sections()) {
     if (name.empty())
-      refuse(document_.place(*node), key + " has a name of no letters; allowed is one letter or more");
-    Section section(document_, *node->as_table(), full_name, &values_);
+      refuse(section.place(), key + " has a name of no letters; allowed is one letter or more");
     read(name, section);
     section.refuse_unknown();
   }
 }
 
 /// As many numbers as the mechanism has dimensions; the third is zero in the plane.
-std::optional<Eigen::Vector3d> Reader::vector(Section& section, const std::string& key) const {
+Eigen::Vector3d Reader::vector(Section& section, const std::string& key) const {
   const toml::node* node = section.node(key);
-  if (!node) return std::nullopt;
+  if (!node) return Eigen::Vector3d::Zero();
   const toml::array* array = node->as_array();
   if (!array || static_cast<int>(array->size()) != to_.dimension)
     section.wrong(key, array ? fmt::format("an array of {}", array->size()) : text::described(*node),
@@ -94,17 +89,9 @@ std::optional<Eigen::Vector3d> Reader::vector(Section& section, const std::strin
   return value;
 }
 
-Eigen::Vector3d Reader::required_vector(Section& section, const std::string& key,
-                                        const std::string& what) const {
-  const auto value = vector(section, key);
-  if (!value) section.missing(key, what);
-  return *value;
-}
-
-double Reader::required_positive(Section& section, const std::string& key, const std::string& unit) const {
-  const auto value = section.positive(key);
-  if (!value) section.missing(key, "a number above 0 [" + unit + "]");
-  return *value;
+Eigen::Vector3d Reader::required_vector(Section& section, const std::string& key) const {
+  if (!section.node(key)) section.missing(key);
+  return vector(section, key);
 }
 
 std::vector<double> Reader::numbers(Section& section, const std::string& key) const {
@@ -161,7 +148,7 @@ int Reader::vector_named(Section& section, const std::string& key, const std::st
 Edge Reader::two_points(Section& section, const std::string& key) const {
   const std::string allowed = "the names of two points";
   const auto names = section.texts(key);
-  if (!section.node(key)) section.missing(key, allowed);
+  if (!section.node(key)) section.missing(key);
   if (names.size() != 2) section.wrong(key, fmt::format("{} names", names.size()), allowed);
   const Edge edge{point(section, key, names[1]), point(section, key, names[0])};
   if (edge.to == edge.from) section.wrong(key, "'" + names[0] + "' twice", allowed);
@@ -222,9 +209,7 @@ Coordinate Reader::coordinate(const Section& section, const std::string& key, co
 }
 
 Coordinate Reader::required_coordinate(Section& section, const std::string& key) const {
-  return coordinate(
-      section, key,
-      section.required_text(key, "a point and an axis, \"P.x\", or the name of an angle or length"));
+  return coordinate(section, key, section.required_text(key));
 }
 
 Description read_mechanism(const std::filesystem::path& file, const ElementKinds& kinds,

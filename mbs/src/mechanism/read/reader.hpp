@@ -7,6 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "mechanism/elements/own_elements.hpp"
+#include "tandem/mbs/mechanism/keys.hpp"
+#include "tandem/mbs/mechanism/motions.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
 #include "tandem/text/file_parameters.hpp"
 
@@ -15,12 +18,15 @@ namespace tandem::mbs {
 /// Fills a Description, table by table. What one table names stands in a table read before it.
 class Reader {
  public:
-  /// kinds: of elements, which must outlive it, as must the other two.
+  /// document and given must outlive it. kinds: of elements, besides the own ones.
   Reader(const text::Document& document, const ElementKinds& kinds, const ParameterValues& given)
       : document_(document),
         folder_(std::filesystem::path(document.file()).parent_path()),
-        kinds_(kinds),
-        given_(given) {}
+        language_(mechanism_keys(kinds)),
+        kinds_(own_elements()),
+        given_(given) {
+    kinds_.insert(kinds.begin(), kinds.end());
+  }
   Description read();
 
  private:
@@ -32,9 +38,8 @@ class Reader {
   void read_dimension(Section& root);
   template <class Read>
   void each(Section& root, const std::string& key, const Read& read);
-  std::optional<Eigen::Vector3d> vector(Section& section, const std::string& key) const;
-  Eigen::Vector3d required_vector(Section& section, const std::string& key, const std::string& what) const;
-  double required_positive(Section& section, const std::string& key, const std::string& unit) const;
+  Eigen::Vector3d vector(Section& section, const std::string& key) const;  ///< zero if it is not there
+  Eigen::Vector3d required_vector(Section& section, const std::string& key) const;
   /// A number or an array of numbers; empty if it is not there.
   std::vector<double> numbers(Section& section, const std::string& key) const;
   /// A name of an angle, length or free coordinate; of what belongs to a point a dot tells.
@@ -92,7 +97,7 @@ class Reader {
   // forces.cpp
   void read_input(const std::string& name, Section& section);
   void read_function(Section& section, Input& input) const;
-  std::function<InputValue(double)> sine_of(Section& section, const toml::table& table) const;
+  static Sine sine_of(Section section);
   void read_data(Section& section, const std::string& file, Input& input) const;
   void read_spring(const std::string& name, Section& section);
   void read_force(const std::string& name, Section& section);
@@ -123,7 +128,8 @@ class Reader {
   const text::Document& document_;
   std::filesystem::path folder_;
   Description to_;
-  const ElementKinds& kinds_;
+  text::Keys language_;
+  ElementKinds kinds_;
   const ParameterValues& given_;
   text::Values values_;
   Names entities_, bodies_, relatives_, inputs_, drives_, elements_;

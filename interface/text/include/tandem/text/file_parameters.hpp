@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tandem/text/key_list.hpp"
 #include "tandem/text/section.hpp"
 
 namespace tandem::text {
@@ -26,6 +27,10 @@ struct FileParameter {
 /// values, the given ones in place of the file's, into `values`. Throws Error for a value of the other type,
 /// a word that is not allowed, and a given one that the file does not have.
 std::vector<FileParameter> read_parameters(Section& root, const GivenValues& given, Values& values);
+/// The same of a document of which nothing else is read.
+std::vector<FileParameter> parameters_of(const Document& document, const GivenValues& given);
+/// The keys of that table, for the language of such files.
+void keys_of_parameters(KeyList& to);
 
 /// Of the parameters that a file declares, those that somebody else gives: find tells.
 GivenValues given_values(const Document& document,

@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,9 +19,17 @@ struct Key {
     texts,
     value,    ///< a number, a flag or a text
     numbers,  ///< a number, or an array of them
+    vector,   ///< an array of numbers
+    matrix,   ///< a number, or an array of arrays of them
     name,     ///< a number or a text
+    signal,   ///< a signal of a diagram, or a number
+    signals,  ///< an array of these
+    edge,     ///< a text, or an array of texts
+    edges,    ///< an array of these
     table,
     tables,  ///< an array of tables
+    itself,  ///< a table with what a whole file has
+    any,     ///< what `allowed` says
   };
   /// "coordination.order"; NAME stands for any name, and [] for each of an array of tables.
   std::string path;
@@ -33,6 +42,9 @@ struct Key {
   std::vector<std::string> words = {};
   std::string pattern = {};                    ///< a regular expression of further words, for the schema
   bool (*also)(const std::string&) = nullptr;  ///< whether one is one of these
+  /// Of tables that say by a key `kind` what they are, the kinds that have this key; empty: all. A key for
+  /// the table itself with a kind has that kind's sentence.
+  std::vector<std::string> kinds = {};
 
   /// Of a word.
   bool allows(const std::string& word) const;
@@ -44,25 +56,41 @@ std::string described(const Key& key);
 /// All keys of a language, tables before what they hold.
 class Keys {
  public:
-  explicit Keys(std::vector<Key> keys) : keys_(std::move(keys)) {}
+  enum class Texts {
+    plain,
+    refer,  ///< "$NAME" and "$(EXPRESSION)" may stand for a number or a word
+  };
+  explicit Keys(std::vector<Key> keys, Texts texts = Texts::plain);
 
   const std::vector<Key>& all() const { return keys_; }
-  /// By its path as it stands in the list; null if it is not there.
-  const Key* find(std::string_view path) const;
-  /// The names of the keys of a table, "" for the file.
-  std::vector<std::string> in(std::string_view table) const;
+  bool refer() const { return texts_ == Texts::refer; }
+  /// By its path as it stands in the list, in a table of that kind; null if it is not there.
+  const Key* find(std::string_view path, std::string_view kind = {}) const;
+  /// Those of a table of that kind, "" for the file; with no kind those of every one.
+  std::vector<const Key*> in(std::string_view table, std::string_view kind = {}) const;
+  /// The kinds of a table, with the sentence of each; empty: it has none.
+  std::vector<const Key*> kinds(std::string_view table) const;
   /// By a path as a user writes it, "subsystems.motor.land", "connections.gain": NAME is any name there, and
-  /// [] can be left out or have a number in it. Throws Error that tells which is near.
-  const Key& named(const std::string& path) const;
+  /// [] can be left out or have a number in it; where a table has kinds, its name may be one of these. More
+  /// than one where keys of kinds have one name, none if there is none.
+  std::vector<const Key*> matching(const std::string& path) const;
+  /// Throws Error that tells which is near a path for which there is none.
+  [[noreturn]] void refuse(const std::string& path) const;
 
   /// Tables in Markdown: one for each table of the language.
   std::string page() const;
 
  private:
-  const Key* matching(const std::vector<std::string>& path) const;
+  bool may_be_in(const Key& key, const std::vector<std::string>& asked) const;
+  std::string titled(const Key& table) const;
   bool holds_tables_alone(const Key& table) const;
 
   std::vector<Key> keys_;
+  Texts texts_;
+  std::multimap<std::string, std::size_t, std::less<>> by_path_;
 };
+
+/// The name of a key in its table: "gain" of "connections[].gain".
+std::string name_of(const Key& key);
 
 }  // namespace tandem::text

@@ -20,7 +20,13 @@ class Section {
   Section(const Document& document, const toml::table& table, std::string path,
           const Values* values = nullptr);
   /// The whole of a document in a language.
-  Section(const Document& document, const Keys& language);
+  Section(const Document& document, const Keys& language, const Values* values = nullptr);
+  /// This one with other values.
+  Section with(const Values& values) const {
+    Section other = *this;
+    other.values_ = &values;
+    return other;
+  }
 
   const toml::node* node(const std::string& key);  ///< null if it is not there
   std::optional<std::string> text(const std::string& key);
@@ -33,6 +39,10 @@ class Section {
   // In a language.
   /// The table of a key, to be read; null if it is not there.
   std::optional<Section> section(const std::string& key);
+  /// Of a file's, a table below that holds what a whole file does.
+  Section inner(const toml::table& table, std::string path) const {
+    return {*this, table, std::move(path), pattern_};
+  }
   /// The tables that this one holds by name, in the order of the file.
   std::vector<std::pair<std::string, Section>> named_sections();
   /// Those of an array of tables.
@@ -40,6 +50,10 @@ class Section {
   std::string required_text(const std::string& key);
   double required_number(const std::string& key);  ///< above 0, if the language says so
   [[noreturn]] void missing(const std::string& key) const;
+  /// Its key `kind`; from here on it has the keys of that kind.
+  std::string kind();
+  /// Refuses a key of the language that has no meaning here.
+  void leave_out(const std::string& key, const std::string& why);
 
   std::string required_text(const std::string& key, const std::string& allowed);
   /// Refuses the section for a key that is not there, or for one that looks like it misspelt.
@@ -57,6 +71,7 @@ class Section {
   /// The number that a node of this section is, or stands for.
   double number_of(const toml::node& node, const std::string& name) const;
   const toml::table& table() const { return table_; }
+  const std::string& path() const { return path_; }  ///< "connections[0]", empty for the document
 
  private:
   const Document& document_;
@@ -64,11 +79,12 @@ class Section {
   std::string path_;
   const Values* values_;
   const Keys* language_ = nullptr;
-  std::string pattern_;  ///< its path in the language
+  std::string pattern_, kind_;  ///< its path in the language, and of what kind it is
 
   Section(const Section& outer, const toml::table& table, std::string path, std::string pattern);
   const Key* known(const std::string& key) const;
   std::optional<std::string> otherwise(const std::string& key) const;
+  std::string text_of(const toml::node& node, const std::string& key) const;
   void check_word(const Key& known, const std::string& key, const std::string& word) const;
   void refuse_unread() const;
   [[noreturn]] void refuse_key(const std::string& key, const std::string& near) const;

@@ -9,6 +9,10 @@
 
 #include "tandem/mbs/mechanism/elements.hpp"
 
+namespace tandem::text {
+class KeyList;
+}
+
 namespace tandem::mbs {
 
 /// Where a force element stands: values and rates of its coordinates, and its inputs, in its own order. SI
@@ -66,19 +70,20 @@ struct NamedElement {
   std::string where = {};
 };
 
-/// The table of an element in a mechanism's file, while it is read. A key that is not there, or wrong, is
-/// refused with its place; keys that nobody asks for are refused too. Points and vectors are numbers of the
-/// description's entities.
+/// The table of an element in a mechanism's file, while it is read by the keys that its kind lists. One that
+/// is not there is as the list says, or refused, as is what is wrong, with its place. Points and vectors are
+/// numbers of the description's entities.
 class ElementKeys {
  public:
   virtual ~ElementKeys() = default;
   virtual int dimension() const = 0;
   virtual bool has(const std::string& key) = 0;
   virtual double number(const std::string& key) = 0;
-  virtual double number(const std::string& key, double otherwise) = 0;
   virtual double positive(const std::string& key) = 0;
-  virtual bool flag(const std::string& key, bool otherwise) = 0;
+  virtual bool flag(const std::string& key) = 0;
   virtual std::string text(const std::string& key) = 0;
+  /// Refuses a listed key that has no meaning beside the others: "why" ends the sentence.
+  virtual void leave_out(const std::string& key, const std::string& why) = 0;
   /// What fails in `use` is refused with the key's place.
   virtual void at(const std::string& key, const std::function<void()>& use) = 0;
 
@@ -99,7 +104,14 @@ class ElementKeys {
   virtual void add_mass(int point, double mass) = 0;
 };
 
-/// Makes elements of a kind, by the word of the key `kind`.
-using ElementKinds = std::map<std::string, std::function<std::unique_ptr<ForceElement>(ElementKeys&)>>;
+/// A kind of elements: what it is, the keys of its table (each has to be asked for, or left out, when one is
+/// made), and what makes one.
+struct ElementKind {
+  std::string sentence;
+  void (*keys)(text::KeyList& to);
+  std::function<std::unique_ptr<ForceElement>(ElementKeys&)> make;
+};
+/// By the word of the key `kind`.
+using ElementKinds = std::map<std::string, ElementKind>;
 
 }  // namespace tandem::mbs

@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/engine/keys.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "blocks/kinds.hpp"
+#include "tandem/text/file_parameters.hpp"
+#include "tandem/text/limits.hpp"
+
+namespace tandem::engine {
+namespace {
+
+using text::KeyList;
+
+void keys_of_file(KeyList& to) {
+  to.may("name", Type::text, "Its name; without it the file's.")
+      .may("description", Type::text, "A sentence about it.");
+  text::keys_of_parameters(to);
+  to.named("inputs", "Signals from outside: ports.", "An input.")
+      .need("unit", Type::text, "Its unit.", {.allowed = "like \"N\""})
+      .named("outputs", "Signals for others: ports.", "An output.")
+      .need("unit", Type::text, "Its unit.", {.allowed = "like \"rad/s\""})
+      .may("from", Type::signal, "The signal; without it the one of that name.");
+  text::keys_of_limits(to, "which is located as an event", "a signal, or a number");
+}
+
+void keys_of_runs(KeyList& to) {
+  to.table("loops", "What is done about algebraic loops; the table of the outermost diagram counts.")
+      .may("solve", Type::flag, "They are solved; else they are refused.", {.otherwise = "false"})
+      .may("tolerance", Type::positive, "Relative, or absolute for a signal below 1.", {.otherwise = "1e-12"})
+      .may("most_iterations", Type::positive, "Of Newton's method.",
+           {.otherwise = "50.0", .allowed = "1 to 1e6"})
+      .table("loops.guess", "Where loops are cut, and where to begin.")
+      .may("NAME", Type::number, "By the signal; without one somewhere, and at 0.")
+      .table("run", "How it runs alone, and its settings where a scenario says nothing else.")
+      .may("start", Type::number, "The begin of the run.", {.unit = "s", .otherwise = "0.0"})
+      .may("stop", Type::number, "Its end, which it has to have to be run alone.", {.unit = "s"})
+      .may("NAME", Type::value, "`step`, `integrator` and other settings, and its parameters.")
+      .table("run.inputs", "What its inputs are.")
+      .may("NAME", Type::name, "A number, or a column of a CSV file: \"FILE\" or \"FILE:COLUMN\".");
+}
+
+/// Of a parameter or a state of a compiled kind.
+void keys_of_quantity(KeyList& to, const CompiledBlock::Quantity& quantity, Type type, const char* sentence) {
+  if (std::isnan(quantity.otherwise))
+    to.need(quantity.name, type, sentence);
+  else
+    to.may(quantity.name, type, sentence, {.otherwise = fmt::format("{}", quantity.otherwise)});
+}
+
+void keys_of_compiled(KeyList& to, const CompiledBlock& kind) {
+  to.kind(kind.kind, "A kind that is written in C++.");
+  for (const std::string& name : kind.inputs) to.need(name, Type::signal, "An input.");
+  for (const auto& one : kind.parameters) keys_of_quantity(to, one, Type::number, "A parameter.");
+  for (const auto& one : kind.states) keys_of_quantity(to, one, Type::signal, "A state at the start.");
+}
+
+void keys_of_blocks(KeyList& to, const std::vector<CompiledBlock>& kinds) {
+  std::vector<std::string> words;
+  for (const BlockKind& kind : kinds_of_blocks()) words.emplace_back(kind.name);
+  for (const CompiledBlock& kind : kinds) words.push_back(kind.kind);
+  to.named("blocks", "What signals are made of.", "A block; its name is that of its signal.", true)
+      .need("kind", Type::word, "What it is.", {.words = words});
+  for (const BlockKind& kind : kinds_of_blocks()) {
+    to.kind(kind.name, kind.sentence);
+    kind.keys(to);
+  }
+  for (const CompiledBlock& kind : kinds) keys_of_compiled(to, kind);
+}
+
+}  // namespace
+
+text::Keys diagram_keys(const std::vector<CompiledBlock>& kinds) {
+  KeyList list;
+  keys_of_file(list);
+  keys_of_blocks(list, kinds);
+  keys_of_runs(list);
+  return text::Keys(std::move(list).list(), text::Keys::Texts::refer);
+}
+
+}  // namespace tandem::engine
