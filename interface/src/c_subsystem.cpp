@@ -108,7 +108,7 @@ CSubsystem::~CSubsystem() { destroy(); }
 
 void CSubsystem::destroy() noexcept {
   const LibraryCall in_library(library_.empty() ? nullptr : library_.c_str());
-  if (self_) api_.destroy(self_);
+  if (self_ && !LibraryCall::has_faulted()) api_.destroy(self_);
 }
 
 /// How errors call it of which the library is to blame.

@@ -9,10 +9,12 @@ namespace tandem {
 /// C functions don't throw; what a library in C++ lets pass all the same becomes an error with its name.
 template <class Call>
 auto CSubsystem::guarded(const char* call, const Call& make) const {
-  const LibraryCall in_library(library_.empty() ? nullptr : library_.c_str());
+  LibraryCall in_library(library_.empty() ? nullptr : library_.c_str());
   try {
-    return make();
+    return in_library.make(make);
   } catch (const std::exception& error) {
+    if (LibraryCall::has_faulted())
+      throw Error(ErrorCode::internal, who() + ", " + call + ": " + error.what());
     throw Error(ErrorCode::internal, "subsystem '" + info_.name + "', " + call +
                                          ": threw through its C function: " + error.what());
   } catch (...) {

@@ -19,7 +19,7 @@ std::atomic<int> own_status = of_nobody;  ///< of a program that says when it en
 
 }  // namespace
 
-constinit thread_local const char* LibraryCall::current_ = nullptr;
+constinit thread_local const LibraryCall* LibraryCall::current_ = nullptr;
 
 void LibraryCall::guard_exit() {
   static const bool done = [] {
@@ -30,7 +30,10 @@ void LibraryCall::guard_exit() {
   if (!done) throw Error(ErrorCode::internal, "no library is loaded, as the program's end can't be guarded");
 }
 
-void LibraryCall::begin_program() noexcept { own_status = not_yet; }
+void LibraryCall::begin_program() noexcept {
+  own_status = not_yet;
+  guard_faults();
+}
 
 void LibraryCall::end_program(int status) noexcept { own_status = status; }
 
@@ -38,7 +41,7 @@ int LibraryCall::refuse_exit(int status) noexcept {
   if (::getpid() != guarded_process) return status;
   const bool its_own_end = own_status >= 0;
   if (its_own_end || !(current_ || own_status == not_yet)) return its_own_end ? own_status.load() : status;
-  const char* who = current_ ? current_ : "a library that was loaded";
+  const char* who = current_ ? current_->library_ : "a library that was loaded";
   own_status = 1;
   static_cast<void>(std::fflush(nullptr));
   static_cast<void>(std::fprintf(stderr,

@@ -14,6 +14,7 @@
 #include <string_view>
 
 #include "cli/commands.hpp"
+#include "cli/limited_memory.hpp"
 #include "cli/log_file.hpp"
 #include "cli/say.hpp"
 #include "cli/transports.hpp"
@@ -179,6 +180,7 @@ bool wrote_all_output() {
 }
 
 int main(int argc, char** argv) {
+  tandem::cli::begin_anew_if_limited(argv);
   open_standard_streams();
   std::set_new_handler([] {
     memory_was_short = true;
@@ -198,5 +200,6 @@ int main(int argc, char** argv) {
   spdlog::default_logger()->flush();
   if (status == 0 && log_failed) status = 1;
   tandem::LibraryCall::end_program(status);
+  if (tandem::LibraryCall::has_faulted()) std::_Exit(status);  // unloads none
   return status;
 }

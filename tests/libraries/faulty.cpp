@@ -122,6 +122,38 @@ const tandem_subsystem_api* aborts() {
   return &api;
 }
 
+/// After ten calls that are sound.
+tandem_status after_ten(void* self, tandem_samples* y, tandem_clock* c, void (*fault)()) {
+  static int calls = 0;
+  if (++calls > 10) fault();
+  return step(self, 0.1, 1.0, y, c);
+}
+
+const tandem_subsystem_api* reaches_for_nothing() {
+  static const tandem_subsystem_api api =
+      with([](void* self, double, std::int32_t, const tandem_signal*, tandem_samples* y, tandem_clock* c) {
+        return after_ten(self, y, c, [] { *static_cast<volatile int*>(nullptr) = 1; });
+      });
+  return &api;
+}
+
+/// Its own stack is at its end.
+int deeper(volatile int* here) {
+  volatile int there[1024] = {*here};
+  return deeper(there) + there[7];
+}
+
+const tandem_subsystem_api* calls_itself() {
+  static const tandem_subsystem_api api =
+      with([](void* self, double, std::int32_t, const tandem_signal*, tandem_samples* y, tandem_clock* c) {
+        return after_ten(self, y, c, [] {
+          volatile int first = 1;
+          deeper(&first);
+        });
+      });
+  return &api;
+}
+
 const tandem_subsystem_api* exits() {
   static const tandem_subsystem_api api =
       with([](void*, double, std::int32_t, const tandem_signal*, tandem_samples*,

@@ -31,5 +31,16 @@ TEST(StandardStreams, AnOutputOneThatIsFullIsToldWithStatusOne) {
   EXPECT_EQ(read_text(err), "tandem: standard output can't be written, so not all was told\n");
 }
 
+/// Under a limit of its addresses: 200 MB are less than OpenBLAS wants for a thread of its own, which tried
+/// for ever, and the command's end waited for it.
+TEST(LimitedMemory, TheCommandEnds) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "a sanitizer needs more addresses";
+#endif
+  const int status =
+      std::system("ulimit -v 200000; exec timeout 60 '" TANDEM_COMMAND "' list > /dev/null 2>&1");
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+}
+
 }  // namespace
 }  // namespace tandem::test

@@ -1,6 +1,9 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <tuple>
+
 #include "child.hpp"
 #include "refusal.hpp"
 #include "run_bench.hpp"
@@ -146,6 +149,51 @@ TEST(SharedLibrary, WhatBreaksTheContractInARunEndsItWithASentence) {
   EXPECT_TRUE(refuses(ErrorCode::numerical,
                       {"'it'", "it gave 0.5 as the jump flag of its sample at t = 0.1 s; allowed is 0 or 1"},
                       run("flag_of_a_half")));
+}
+
+/// Ten calls are sound, the next is not. In a run: a sentence, status 1, every row before it, results.json.
+TEST(SharedLibrary, AFaultInACallEndsTheRunWithASentenceAndItsRows) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "the sanitizer has these signals";
+#endif
+  const std::string nowhere = "it reached for memory that is not there (signal 11)";
+  for (const auto& [how, what, rows] : {std::tuple{"aborts", std::string("it gave up (abort) (signal 6)"), 1},
+                                        {"reaches_for_nothing", nowhere, 11},
+                                        {"calls_itself", nowhere, 11}}) {
+    const test::Scratch scratch;
+    const auto scenario = scratch.write(
+        "s.toml", "[subsystems.it]\nsource = \"" + entry(how) + "\"\n[span]\nstart = 0\nstop = 5\n");
+    const std::string output = (scratch.path() / "o").string();
+    test::Child run({"sh", "-c",
+                     "exec '" TANDEM_COMMAND "' run " + scenario.string() + " --quiet --output " + output +
+                         " > " + output + ".txt 2>&1"});
+    EXPECT_EQ(run.status(), 1) << how;
+    const std::string said = test::read_text(output + ".txt"),
+                      table = test::read_text(output + "/results.csv"),
+                      about = test::read_text(output + "/results.json");
+    EXPECT_NE(said.find(", advance: " + what + ", and is not called again"), std::string::npos) << said;
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+    EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), rows + 1) << how << table;
+    EXPECT_NE(about.find("\"failed\""), std::string::npos) << about;
+    EXPECT_NE(about.find(what), std::string::npos) << about;
+  }
+}
+
+/// Others may be at work in a server: it ends, and says why.
+TEST(SharedLibrary, AFaultEndsAServerWithASentence) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "the sanitizer has these signals";
+#endif
+  const test::Scratch scratch;
+  const auto scenario = scratch.write(
+      "s.toml", std::string("[subsystems.it]\ncommand = [\"" TANDEM_COMMAND "\", \"serve\", \"") +
+                    entry("reaches_for_nothing") + "\"]\n[span]\nstart = 0\nstop = 5\n");
+  const std::string output = (scratch.path() / "o").string();
+  test::Child run(
+      {"sh", "-c",
+       "exec '" TANDEM_COMMAND "' run " + scenario.string() + " --quiet --output " + output + " 2>&1"});
+  EXPECT_EQ(run.word_after("faulty_library.so' reached for memory that is not there in a "), "call");
+  EXPECT_EQ(run.status(), 1);
 }
 
 TEST(SharedLibrary, OneThatAbortsIsTriedInAProcessOfItsOwn) {

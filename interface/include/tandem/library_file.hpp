@@ -1,5 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <setjmp.h>  // sigsetjmp
+
 #include <filesystem>
 #include <string>
 
@@ -19,16 +21,31 @@ void check_function(const void* address, const std::string& library, const std::
 /// While there is one, this thread is in a call of a library. One that ends the program there, by exit or
 /// quick_exit, ends it with a sentence that names the library and with status 1, whatever status it gives. In
 /// a program that says when it ends (begin_program, end_program) so does one that ends it before in any other
-/// way: in a thread of its own, or as it is unloaded. (What takes the process' place, exec, can't be told.)
+/// way: in a thread of its own, or as it is unloaded; and one that makes a fault in a call, a signal: memory
+/// that is not there, a division by zero, abort. (What takes the process' place, exec, can't be told.)
 class LibraryCall {
  public:
   /// library: how the sentence calls it, "library 'FILE'"; outlives the call. Null: no library.
-  explicit LibraryCall(const char* library) noexcept : outer_(current_) {
-    if (library) current_ = library;
+  explicit LibraryCall(const char* library) noexcept : library_(library), outer_(current_) {
+    if (library) current_ = this;
   }
   ~LibraryCall() { current_ = outer_; }
   LibraryCall(const LibraryCall&) = delete;
   LibraryCall& operator=(const LibraryCall&) = delete;
+
+  /// Makes the call, once. In a program that has called return_from_faults() a fault in it is an
+  /// Error(internal) that says what it was: the program is to end soon, without a call of any library, since
+  /// what the fault has left behind is not known.
+  template <class Call>
+  auto make(const Call& call) {
+    sigjmp_buf back;
+    if (const int signal = sigsetjmp(back, 0); signal != 0) refuse_fault(signal);
+    back_ = &back;
+    return call();
+  }
+  static void return_from_faults() noexcept;
+  /// Then no library is to be called or unloaded any more.
+  static bool has_faulted() noexcept;
 
   /// Before the first call; a second time it does nothing. Throws Error(internal) if it can't be done.
   static void guard_exit();
@@ -40,8 +57,14 @@ class LibraryCall {
   static int refuse_exit(int status) noexcept;
 
  private:
-  static constinit thread_local const char* current_;
-  const char* outer_;
+  static void guard_faults() noexcept;
+  static void fault(int signal) noexcept;
+  [[noreturn]] static void refuse_fault(int signal);
+
+  static constinit thread_local const LibraryCall* current_;
+  const char* library_;
+  const LibraryCall* outer_;
+  sigjmp_buf* back_ = nullptr;
 };
 
 }  // namespace tandem

@@ -22,6 +22,7 @@
 #include "output/files.hpp"
 #include "scenario/checkpoint.hpp"
 #include "scenario/results.hpp"
+#include "tandem/library_file.hpp"
 
 namespace tandem::cli {
 namespace {
@@ -77,6 +78,7 @@ class Run {
   }
 
   void make() {
+    LibraryCall::return_from_faults();
     start();
     output::remove_part(checkpoint_file());  // of a run that was killed
     tell_coordination();

@@ -20,12 +20,16 @@ boost::dll::shared_library load_library(const std::filesystem::path& file,
   check_library_file(from, "library");
   LibraryCall::guard_exit();
   const std::string name = library_named(file);
-  const LibraryCall beginning(name.c_str());  // of what it does when it is loaded
+  LibraryCall beginning(name.c_str());  // of what it does when it is loaded
   try {
     return boost::dll::shared_library(from, load_mode::rtld_now | load_mode::rtld_local);
   } catch (const std::exception& error) {
     throw Error(ErrorCode::input_output, name + " can't be loaded: " + error.what());
   }
+}
+
+LoadedLibrary::~LoadedLibrary() {
+  if (LibraryCall::has_faulted()) static_cast<void>(new boost::dll::shared_library(std::move(library_)));
 }
 
 }  // namespace tandem

@@ -4,6 +4,7 @@
 #include <boost/dll/shared_library.hpp>
 #include <filesystem>
 #include <string>
+#include <utility>
 
 namespace tandem {
 
@@ -14,5 +15,18 @@ void require_library(const std::filesystem::path& file);
 /// The whole of it at once: a symbol that it lacks is told here, not in the middle of a run. Throws
 /// Error(input_output) that names `file`, of which `from` may be a copy.
 boost::dll::shared_library load_library(const std::filesystem::path& file, const std::filesystem::path& from);
+
+/// A library that goes with its owner, unless one has made a fault.
+class LoadedLibrary {
+ public:
+  explicit LoadedLibrary(boost::dll::shared_library library) : library_(std::move(library)) {}
+  ~LoadedLibrary();
+  LoadedLibrary(const LoadedLibrary&) = delete;
+  LoadedLibrary& operator=(const LoadedLibrary&) = delete;
+  const boost::dll::shared_library& get() const { return library_; }
+
+ private:
+  boost::dll::shared_library library_;
+};
 
 }  // namespace tandem

@@ -21,9 +21,9 @@ const tandem_subsystem_api* table(const dll::shared_library& library, const fs::
   const std::string name = library_named(file);
   auto& give = library.get<const tandem_subsystem_api*()>(entry);
   check_function(reinterpret_cast<const void*>(&give), name, entry);
-  const LibraryCall in_library(name.c_str());
+  LibraryCall in_library(name.c_str());
   try {
-    return give();
+    return in_library.make(give);
   } catch (const std::exception& error) {
     throw Error(ErrorCode::internal, library_named(file) + ": '" + entry + "' threw: " + error.what());
   } catch (...) {
@@ -31,16 +31,11 @@ const tandem_subsystem_api* table(const dll::shared_library& library, const fs::
   }
 }
 
-/// The library, to be kept for longer than what is made from it.
-struct Loaded {
-  dll::shared_library library;
-};
-
-class LibrarySubsystem final : Loaded, public CSubsystem {
+class LibrarySubsystem final : LoadedLibrary, public CSubsystem {
  public:
   LibrarySubsystem(dll::shared_library loaded, const tandem_subsystem_api* api, const std::string& parameters,
                    const std::string& library)
-      : Loaded{std::move(loaded)}, CSubsystem(api, parameters, library) {}
+      : LoadedLibrary(std::move(loaded)), CSubsystem(api, parameters, library) {}
 };
 
 /// "three_functions:FILE": what the library does not say of itself are parameters.

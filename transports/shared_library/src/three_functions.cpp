@@ -74,9 +74,9 @@ class ThreeFunctionLibrary final : public Subsystem {
       : name_(library_named(file)),
         what_(std::move(what)),
         library_(load_copy(file)),
-        initiate_(function<void()>(library_, file, what_.initiate)),
-        step_(function<void(const double*, double*)>(library_, file, what_.step)),
-        clean_up_(function<void()>(library_, file, what_.clean_up)) {
+        initiate_(function<void()>(library_.get(), file, what_.initiate)),
+        step_(function<void(const double*, double*)>(library_.get(), file, what_.step)),
+        clean_up_(function<void()>(library_.get(), file, what_.clean_up)) {
     info_.name = file.stem().string();
     info_.inputs = what_.inputs;
     info_.outputs = what_.outputs;
@@ -85,30 +85,31 @@ class ThreeFunctionLibrary final : public Subsystem {
   }
   ~ThreeFunctionLibrary() override {
     const LibraryCall in_library(name_.c_str());
-    if (initiated_) clean_up_();
+    if (initiated_ && !LibraryCall::has_faulted()) clean_up_();
   }
 
   const SubsystemInfo& info() const override { return info_; }
   bool one_thread() const override { return true; }  // their state is anybody's guess
 
   Clock initialize(double t_start, double, std::span<const double>, Samples& y) override {
-    const LibraryCall in_library(name_.c_str());
-    if (std::exchange(initiated_, true)) clean_up_();
-    initiate_();
+    LibraryCall(name_.c_str()).make([this] {
+      if (std::exchange(initiated_, true)) clean_up_();
+      initiate_();
+    });
     grid_ = TimeGrid(t_start, what_.own_step);
     std::copy(what_.start.begin(), what_.start.end(), y.append(t_start));
     return clock(Stop::limit);
   }
 
   Clock advance(double t_limit, bool, std::span<const Signal> u, Samples& y) override {
-    const LibraryCall in_library(name_.c_str());
     values_.resize(u.size());
-    while (grid_.fits(t_limit)) {
-      if (y.full()) return clock(Stop::samples_full);
-      for (std::size_t k = 0; k < u.size(); ++k) values_[k] = u[k].value(grid_.time());
-      grid_.step();
-      step_(values_.data(), y.append(grid_.time()));
-    }
+    LibraryCall(name_.c_str()).make([&] {
+      while (grid_.fits(t_limit) && !y.full()) {
+        for (std::size_t k = 0; k < u.size(); ++k) values_[k] = u[k].value(grid_.time());
+        grid_.step();
+        step_(values_.data(), y.append(grid_.time()));
+      }
+    });
     return clock(y.full() ? Stop::samples_full : Stop::limit);
   }
 
@@ -117,7 +118,7 @@ class ThreeFunctionLibrary final : public Subsystem {
 
   std::string name_;
   ThreeFunctions what_;
-  boost::dll::shared_library library_;
+  LoadedLibrary library_;
   void (*initiate_)();
   void (*step_)(const double*, double*);
   void (*clean_up_)();

@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// Faults of libraries: signals that end the program where nobody takes them.
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <cstring>
+
+#include "tandem/error.hpp"
+#include "tandem/library_file.hpp"
+
+namespace tandem {
+namespace {
+
+std::atomic<pid_t> watched_process = 0;  ///< not one that is made from it
+std::atomic<bool> returns = false, faulted = false;
+constexpr unsigned seconds_to_end = 10;  ///< for a program of which a library may have left a lock closed
+
+struct Fault {
+  int signal;
+  const char* what;
+};
+constexpr Fault faults[] = {{SIGSEGV, "reached for memory that is not there"},
+                            {SIGBUS, "reached for memory that is not there"},
+                            {SIGFPE, "divided by zero"},
+                            {SIGILL, "has an instruction that this processor does not"},
+                            {SIGABRT, "gave up (abort)"}};
+
+const char* what(int signal) noexcept {
+  for (const Fault& fault : faults)
+    if (fault.signal == signal) return fault.what;
+  return "made a fault";
+}
+
+void say(const char* text) noexcept {
+  const auto written = ::write(STDERR_FILENO, text, std::strlen(text));
+  static_cast<void>(written);
+}
+
+}  // namespace
+
+void LibraryCall::return_from_faults() noexcept { returns = true; }
+
+bool LibraryCall::has_faulted() noexcept { return faulted; }
+
+/// Also of a stack that is at its end, in the thread that the program begins with. A handler that is there
+/// already, a sanitizer's, keeps its place.
+void LibraryCall::guard_faults() noexcept {
+  static char other_stack[std::size_t{1} << 16];
+  stack_t stack{};
+  stack.ss_sp = other_stack;
+  stack.ss_size = sizeof other_stack;
+  ::sigaltstack(&stack, nullptr);
+  watched_process = ::getpid();
+  struct sigaction ours {};
+  ours.sa_handler = fault;
+  ours.sa_flags = static_cast<int>(SA_ONSTACK | SA_NODEFER | SA_RESETHAND);
+  for (const Fault& one : faults)
+    if (struct sigaction before{};
+        ::sigaction(one.signal, nullptr, &before) == 0 && before.sa_handler == SIG_DFL)
+      ::sigaction(one.signal, &ours, nullptr);
+}
+
+/// By calls alone that a handler may make. A fault that is no library's ends the program as it would without
+/// a handler: there is none any more.
+void LibraryCall::fault(int signal) noexcept {
+  if (!current_ || ::getpid() != watched_process) {
+    ::raise(signal);
+    return;
+  }
+  if (returns && current_->back_) {
+    faulted = true;
+    ::alarm(seconds_to_end);
+    siglongjmp(*current_->back_, signal);
+  }
+  say("tandem: ");
+  say(current_->library_);
+  say(" ");
+  say(what(signal));
+  say(" in a call\n");
+  end_program(1);
+  ::_exit(1);
+}
+
+void LibraryCall::refuse_fault(int signal) {
+  throw Error(ErrorCode::internal, std::string("it ") + what(signal) + " (signal " + std::to_string(signal) +
+                                       "), and is not called again");
+}
+
+}  // namespace tandem
