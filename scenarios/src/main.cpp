@@ -19,6 +19,7 @@
 #include "cli/say.hpp"
 #include "cli/transports.hpp"
 #include "sources/all.hpp"
+#include "sources/this_program.hpp"
 #include "tandem/error.hpp"
 #include "tandem/library_file.hpp"
 #include "tandem/nearest.hpp"
@@ -88,6 +89,8 @@ int run(int argc, char** argv) {
   app.fallthrough();
   tandem::cli::Context context;
   tandem::add_sources(context.builtins, [](const std::string& what) { spdlog::warn("{}", what); });
+  if (const std::string own = tandem::this_program(); !own.empty())
+    context.builtins.server = {own, "--quiet", "serve"};
   std::string log_file;
   auto* quiet = app.add_flag("--quiet", context.quiet, "Print results and errors only");
   app.add_flag("--verbose", context.verbose, "Print more of what is done")->excludes(quiet);

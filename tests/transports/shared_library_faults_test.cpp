@@ -196,6 +196,42 @@ TEST(SharedLibrary, AFaultEndsAServerWithASentence) {
   EXPECT_EQ(run.status(), 1);
 }
 
+/// A run of one entry in a process of its own: what it said, and its results.
+struct IsolatedRun {
+  int status;
+  std::string said, table;
+};
+IsolatedRun isolated(const std::string& how, const std::string& more) {
+  const test::Scratch scratch;
+  const auto scenario = scratch.write("s.toml", "[subsystems.it]\nsource = \"lib:" + faulty + "\"\n" + more +
+                                                    "parameters = { entry = \"" + how +
+                                                    "\", deadline = 2 }\n[span]\nstop = 5\n");
+  const std::string output = (scratch.path() / "o").string();
+  test::Child run({"sh", "-c",
+                   "exec '" TANDEM_COMMAND "' run " + scenario.string() + " --quiet --output " + output +
+                       " > " + output + ".txt 2>&1"});
+  const int status = run.status();
+  return {status, test::read_text(output + ".txt"), test::read_text(output + "/results.csv")};
+}
+
+TEST(SharedLibrary, IsolatedItIsTheSameAndEndsItsProcessAlone) {
+  const IsolatedRun plain = isolated("without_a_fault", ""),
+                    own = isolated("without_a_fault", "isolate = true\n");
+  EXPECT_EQ(plain.status, 0) << plain.said;
+  EXPECT_EQ(own.status, 0) << own.said;
+  EXPECT_EQ(std::count(own.table.begin(), own.table.end(), '\n'), 52);
+  EXPECT_EQ(own.table, plain.table);
+  for (const auto& [how, what] : {std::pair{"reaches_for_nothing", "ended with status 1"},
+                                  {"exits", "ended with status 1"},
+                                  {"computes_on", "2 s"}}) {
+    const IsolatedRun run = isolated(how, "isolate = true\n");
+    EXPECT_EQ(run.status, 1) << how;
+    EXPECT_NE(run.said.find("subsystem 'it'"), std::string::npos) << run.said;
+    EXPECT_NE(run.said.find(what), std::string::npos) << run.said;
+    EXPECT_GE(std::count(run.table.begin(), run.table.end(), '\n'), 2) << how;
+  }
+}
+
 TEST(SharedLibrary, OneThatAbortsIsTriedInAProcessOfItsOwn) {
   test::Child check({"sh", "-c", "exec '" TANDEM_COMMAND "' check '" + entry("aborts") + "' 2>&1"});
   EXPECT_EQ(check.word_after("signal "), std::to_string(SIGABRT));

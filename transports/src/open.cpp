@@ -41,6 +41,26 @@ Address taken_apart(const std::string& uri, const Source& source, Opening& openi
   return address;
 }
 
+/// The same source in a program of its own, which is handed all but the parameters of the way there.
+std::unique_ptr<Subsystem> open_isolated(std::string uri, const Source& source, const Builtins& builtins,
+                                         Opening opening) {
+  if (!source.native)
+    throw Error(ErrorCode::invalid_argument,
+                "isolate is true beside source '" + printable(uri) +
+                    "'; allowed is it beside native code, lib: or three_functions:");
+  if (builtins.server.empty())
+    throw Error(ErrorCode::not_supported,
+                "isolate is true, but there is no program here that serves a source");
+  Opening outside{{}, opening.folder, builtins.server};
+  for (const Word& word : source_of("spawn:", builtins).words)
+    if (opening.parameters.has(word.name))
+      outside.parameters.set(word.name, opening.parameters.number(word.name, 0.0));
+  if (const std::string rest = opening.parameters.rest(); !rest.empty())
+    uri += (uri.find('?') == std::string::npos ? "?" : "&") + rest;
+  outside.command.push_back(std::move(uri));
+  return open("spawn:", builtins, std::move(outside));
+}
+
 }  // namespace
 
 const Source& source_of(const std::string& uri, const Builtins& builtins) {
@@ -61,6 +81,7 @@ const Source& source_of(const std::string& uri, const Builtins& builtins) {
 
 std::unique_ptr<Subsystem> open(const std::string& uri, const Builtins& builtins, Opening opening) {
   const Source& source = source_of(uri, builtins);
+  if (opening.isolated) return open_isolated(uri, source, builtins, std::move(opening));
   const Address address = taken_apart(uri, source, opening);
   auto subsystem = source.make(address, opening.parameters);
   opening.parameters.refuse_unused(address.name());

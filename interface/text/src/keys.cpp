@@ -24,9 +24,13 @@ std::vector<std::string> parts(std::string_view path) {
   return all;
 }
 
-bool matches(const std::vector<std::string>& pattern, const std::vector<std::string>& path) {
-  return std::equal(pattern.begin(), pattern.end(), path.begin(), path.end(),
-                    [](const std::string& a, const std::string& b) { return a == "NAME" || a == b; });
+/// NAME is any name, or left out.
+bool matches(std::vector<std::string> pattern, const std::vector<std::string>& path) {
+  const bool whole =
+      std::equal(pattern.begin(), pattern.end(), path.begin(), path.end(),
+                 [](const std::string& a, const std::string& b) { return a == "NAME" || a == b; });
+  std::erase(pattern, "NAME");
+  return whole || pattern == path;
 }
 
 std::string_view table_of(std::string_view path) {
@@ -140,7 +144,8 @@ std::vector<const Key*> Keys::kinds(std::string_view table) const {
 bool Keys::may_be_in(const Key& key, const std::vector<std::string>& asked) const {
   if (key.kinds.empty()) return true;
   const auto table = key.type == Key::Type::table && !kinds(key.path).empty() ? key.path : table_of(key.path);
-  const std::string& name = asked[parts(table).size() - 1];
+  const std::size_t place = parts(table).size() - 1;
+  const std::string name = place < asked.size() ? asked[place] : "";
   const auto all = kinds(table);
   const bool is_kind =
       std::any_of(all.begin(), all.end(), [&](const Key* kind) { return kind->kinds[0] == name; });

@@ -14,6 +14,7 @@
 #include "mechanisms/source.hpp"
 #include "output/files.hpp"
 #include "sources/diagram.hpp"
+#include "sources/this_program.hpp"
 #include "tandem/engine/read.hpp"
 #include "tandem/engine/subsystem.hpp"
 #include "tandem/shared_library/shared_library.hpp"

@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "sources/this_program.hpp"
 #include "tandem/error.hpp"
 
 extern char** environ;  // NOLINT: POSIX gives it no header
@@ -70,8 +71,6 @@ std::string first_line(int descriptor) {
 }
 
 }  // namespace
-
-std::string this_program() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
 
 ServedProcess::ServedProcess(const std::string& source, const std::string& transport,
                              const LinkFolder& folder) {

@@ -8,9 +8,6 @@
 
 namespace tandem::bench {
 
-/// The file of the program that runs.
-std::string this_program();
-
 /// A source in another process: `tandem serve SOURCE`, this same program, at an address of one of
 /// linked_transports(), for one session. It ends with its owner.
 class ServedProcess {

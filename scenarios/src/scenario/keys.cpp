@@ -53,6 +53,13 @@ void of_subsystems(KeyList& to) {
            "A program and its arguments, which is started and speaks the protocol on its standard "
            "input and output (in place of `source`).",
            {.allowed = "at least one"})
+      .may("isolate", flag,
+           "Native code, `lib:` or `three_functions:`, runs in a process of its own, as behind `spawn:`, "
+           "whose "
+           "parameters it may have besides: a crash, or a call that does not end within its `deadline`, ends "
+           "the "
+           "run with a sentence.",
+           {.otherwise = "false"})
       .may("land", word,
            "Whether one that can cut a step ends one at each instant of a sampled subsystem that "
            "it reads or that reads it; `automatic`: if that one's period is at least its own step.",

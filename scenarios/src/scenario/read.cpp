@@ -126,6 +126,9 @@ class Reader {
     if (const auto* table = section.table("inputs"))
       for (const auto& [port, node] : in_file_order(*table))
         read_start(entry, port, *node, section.name("inputs." + port));
+    entry.isolated = *section.flag("isolate");
+    if (entry.isolated && !entry.command.empty())
+      section.leave_out("isolate", "a command is a process of its own");
     if (section.node("land")) to_.coordination.landing[name] = landing(*section.text("land"));
     section.refuse_unknown();
     to_.subsystems.push_back(std::move(entry));

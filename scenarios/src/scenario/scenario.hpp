@@ -36,6 +36,7 @@ struct SubsystemEntry {
   std::vector<StartValue> inputs;
   Place place, source_place;
   std::vector<std::string> command = {};  ///< a program and its arguments; empty: there is a source
+  bool isolated = false;                  ///< in a process of its own
 
   /// "lib:./x.so", without parameters, or "command [...]".
   std::string address() const;

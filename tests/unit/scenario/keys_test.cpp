@@ -150,6 +150,9 @@ TEST(Keys, AreFoundAsAUserWritesThem) {
   EXPECT_EQ(found(keys(), "connections.gain"), "connections[].gain");
   EXPECT_EQ(found(keys(), "connections[3].gain"), "connections[].gain");
   EXPECT_EQ(found(keys(), "subsystems.motor.parameters.R"), "subsystems.NAME.parameters.NAME");
+  EXPECT_EQ(found(keys(), "subsystems.land"), "subsystems.NAME.land");
+  EXPECT_EQ(found(languages().at("mechanism"), "rods.mass"), "rods.NAME.mass");
+  EXPECT_EQ(found(languages().at("mechanism"), "rods"), "rods");
   EXPECT_EQ(found(keys(), "coordination.ordr"), "");
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"[coordination] 'ordr'", "did you mean 'order'?"},
                       [] { keys().refuse("coordination.ordr"); }));

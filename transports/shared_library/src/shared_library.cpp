@@ -86,8 +86,8 @@ std::unique_ptr<Subsystem> load_subsystem(const fs::path& file, const std::strin
 void add_shared_library(Builtins& builtins) {
   builtins.schemes["three_functions"] = {
       words_by(Setter::operator_only, {"initiate", "advance", "clean_up", "step", "inputs", "outputs"}),
-      three_functions, true, true, look_at_three_functions};
-  builtins.schemes["lib"] = {words_by(Setter::operator_only, {"entry"}), lib, true, true, look_at_lib};
+      three_functions, true, true, look_at_three_functions, true};
+  builtins.schemes["lib"] = {words_by(Setter::operator_only, {"entry"}), lib, true, true, look_at_lib, true};
 }
 
 }  // namespace tandem

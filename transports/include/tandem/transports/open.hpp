@@ -32,6 +32,7 @@ struct Source {
   bool code = false;       ///< to open it runs code that its place names
   /// Of code: checks what can be without running any, and asks the parameters that `make` asks for.
   std::function<void(const Address&, Parameters&)> look = {};
+  bool native = false;  ///< of code: it is loaded into this process, unless it is isolated
 };
 
 /// What URIs can name. Whoever owns the models fills it, and add_shared_library(), add_tcp() and the like add
@@ -39,6 +40,9 @@ struct Source {
 struct Builtins {
   std::map<std::string, Source> models;   ///< by the NAME of "builtin:NAME"
   std::map<std::string, Source> schemes;  ///< by the scheme of "scheme:PLACE"
+  /// A program and its first arguments, which serves the source that is its next argument to the process that
+  /// starts it, for what is isolated. Empty: there is none.
+  std::vector<std::string> server = {};
 };
 
 /// What a URI is opened with.
@@ -47,6 +51,8 @@ struct Opening {
   std::filesystem::path folder = {};  ///< where a file is looked for that is not named from the root
   /// In place of what follows "spawn:": a program and its arguments, which is started without a shell.
   std::vector<std::string> command = {};
+  /// Native code runs in a process of its own, as behind "spawn:", whose parameters it may have besides.
+  bool isolated = false;
 };
 
 /// The subsystem that a URI names: "builtin:NAME", "mechanism:FILE" or "tcp://HOST:PORT", each with

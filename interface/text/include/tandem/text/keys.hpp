@@ -70,9 +70,9 @@ class Keys {
   std::vector<const Key*> in(std::string_view table, std::string_view kind = {}) const;
   /// The kinds of a table, with the sentence of each; empty: it has none.
   std::vector<const Key*> kinds(std::string_view table) const;
-  /// By a path as a user writes it, "subsystems.motor.land", "connections.gain": NAME is any name there, and
-  /// [] can be left out or have a number in it; where a table has kinds, its name may be one of these. More
-  /// than one where keys of kinds have one name, none if there is none.
+  /// By a path as a user writes it, "subsystems.motor.land", "connections.gain": NAME is any name there, or
+  /// left out, and [] can be left out or have a number in it; where a table has kinds, its name may be one of
+  /// these. More than one where keys of kinds have one name, none if there is none.
   std::vector<const Key*> matching(const std::string& path) const;
   /// Throws Error that tells which is near a path for which there is none.
   [[noreturn]] void refuse(const std::string& path) const;
