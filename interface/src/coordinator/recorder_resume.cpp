@@ -33,6 +33,7 @@ void Recorder::save(ByteWriter& to) const {
     to.put(std::uint64_t{track.cursor});
     to.put(std::uint8_t{track.end_noted});
   }
+  for (const RowChoice& choice : choices_) choice.write(to);
   to.put(static_cast<std::uint32_t>(notes_.size()));
   for (const std::string& note : notes_) to.put_text(note);
 }
@@ -43,6 +44,7 @@ void Recorder::resume(ByteReader& from) {
   start(t_start);
   auto files = reopened_files(from);
   for (Track& track : tracks_) read_track(track, from);
+  for (RowChoice& choice : choices_) choice.read(from);
   const std::uint64_t notes = from.take_count(sizeof(std::uint32_t));
   for (std::uint64_t k = 0; k < notes; ++k) notes_.push_back(printable(from.take_text(longest_note)));
   from.end();

@@ -48,27 +48,35 @@ void Recorder::close() {
 /// Writes the rows that no further sample can change; with `all`, the others too.
 void Recorder::write_waiting(bool all) {
   if (what_.own)
-    for (std::size_t i = 0; i < tracks_.size(); ++i) write_own(i);
+    for (std::size_t i = 0; i < tracks_.size(); ++i) write_own(i, all);
   else
     write_at_clock(all);
 }
 
-void Recorder::write_own(std::size_t i) {
+void Recorder::write_own(std::size_t i, bool all) {
   Track& track = tracks_[i];
-  for (std::size_t row = 0; files_[i] && row < track.size(); ++row) {
+  const std::size_t end = known_rows(track, i, all);
+  for (std::size_t row = 0; files_[i] && row < end; ++row) {
+    if (!choices_[i].takes(track.time(row), row + 1 == track.size())) continue;
     files_[i]->number(track.time(row));
     for (std::size_t k = 0; k < track.outputs.size(); ++k) files_[i]->number(track.value(row, k));
     files_[i]->end_row();
   }
-  track.drop(track.size());
+  track.drop(end);
+}
+
+/// How many rows of a file may be written: of its last one it has to be known that it is the last.
+std::size_t Recorder::known_rows(const Track& track, std::size_t file, bool all) const {
+  return track.size() - (!all && choices_[file].waits() ? std::min<std::size_t>(track.size(), 1) : 0);
 }
 
 void Recorder::write_at_clock(bool all) {
   Track& clock = tracks_[static_cast<std::size_t>(clock_)];
   std::size_t row = 0;
-  for (; row < clock.size() && (place_cursors(clock.time(row)) || all); ++row) {
+  for (const std::size_t end = known_rows(clock, 0, all);
+       row < end && (place_cursors(clock.time(row)) || all); ++row) {
     clock.cursor = row;  // itself, where a jump repeats a time
-    write_row(clock.time(row));
+    if (choices_[0].takes(clock.time(row), row + 1 == clock.size())) write_row(clock.time(row));
   }
   clock.cursor = row;
   for (Track& track : tracks_)

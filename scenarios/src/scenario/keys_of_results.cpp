@@ -20,6 +20,13 @@ void keys_of_results(KeyList& to) {
            {.allowed = "a subsystem, or `own`"})
       .may("ports", texts, "Outputs that are recorded. Without it: all.",
            {.allowed = "\"instance.port\" or \"instance.port[i]\""})
+      .may("every", positive,
+           "Rows are at least so far apart: the first at or after each multiple of it, both of a jump there, "
+           "and "
+           "the last. Without it: all.",
+           {.unit = "s"})
+      .may("from", number, "The first time that is recorded. Without it: that of the start.", {.unit = "s"})
+      .may("to", number, "The last one. Without it: that of the end.", {.unit = "s"})
       .may("animate", flag, "Mechanisms tell where their points are, for `tandem view`.",
            {.otherwise = "false"})
       .table("reference", "Results that those of a run are compared with.")

@@ -76,6 +76,7 @@ std::vector<std::string> Ladder::take_quantities(Scenario& rung, const LadderRun
   const auto known = outputs_of(Assembly(rung, builtins_).topology());
   std::vector<std::string> names;
   rung.recording.ports.clear();
+  rung.recording.rows = {};
   for (const LadderQuantity& q : entry_.quantities)
     if (entry.constants.contains(q.quantity)) {
       continue;

@@ -94,6 +94,18 @@ void read_animate(Section& section, Scenario& to) {
     section.wrong("animate", "true, but no subsystem has the source mechanism:FILE", "to leave it out");
 }
 
+RowRules row_rules(Section& section, const Scenario& of) {
+  RowRules rules;
+  rules.every = section.positive("every").value_or(0.0);
+  rules.from = section.number("from").value_or(rules.from);
+  rules.to = section.number("to").value_or(rules.to);
+  if (!(rules.from < rules.to))
+    section.wrong("to", described(*section.node("to")), "a time in s after record.from");
+  if (!(rules.from < of.stop)) section.wrong("from", described(*section.node("from")), "before span.stop");
+  if (!(rules.to > of.start)) section.wrong("to", described(*section.node("to")), "after span.start");
+  return rules;
+}
+
 void read_record(Section& section, Scenario& to) {
   note_places(section, {"clock", "ports"}, to);
   read_animate(section, to);
@@ -101,6 +113,7 @@ void read_record(Section& section, Scenario& to) {
   to.recording.own = clock == "own";
   if (!to.recording.own) to.recording.clock = clock;
   to.recording.ports = section.texts("ports");
+  to.recording.rows = row_rules(section, to);
   section.refuse_unknown();
   auto known = instances(to);
   known.emplace_back("own");

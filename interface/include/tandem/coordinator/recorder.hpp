@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tandem/coordinator/coordinator.hpp"
+#include "tandem/coordinator/row_choice.hpp"
 
 namespace tandem {
 
@@ -16,10 +17,11 @@ class CsvFile;
 /// What a run writes, and where.
 struct Recording {
   std::filesystem::path directory = ".";  ///< made if it is not there; earlier results in it are replaced
-  std::string clock;  ///< the instance at whose own steps there are rows; empty: the smallest first step
-  bool own = false;   ///< a file for each subsystem instead, at its own steps
-  std::vector<std::string> ports;    ///< outputs, "instance.port" or "instance.port[i]"; empty: all
-  std::function<void()> begin = {};  ///< called once, before files of an earlier run are replaced or cut
+  std::string clock = {};  ///< the instance at whose own steps there are rows; empty: the smallest first step
+  bool own = false;        ///< a file for each subsystem instead, at its own steps
+  std::vector<std::string> ports = {};  ///< outputs, "instance.port" or "instance.port[i]"; empty: all
+  RowRules rows = {};                   ///< which there are
+  std::function<void()> begin = {};     ///< called once, before files of an earlier run are replaced or cut
 };
 
 /// Of the first of `ports` that names none of `outputs`, nor an array of them: "recorded output 'x' is not
@@ -116,8 +118,9 @@ class Recorder final : public Observer {
   std::vector<std::unique_ptr<CsvFile>> reopened_files(ByteReader& from) const;
   void read_track(Track& track, ByteReader& from) const;
   void write_waiting(bool all);
-  void write_own(std::size_t subsystem);
+  void write_own(std::size_t subsystem, bool all);
   void write_at_clock(bool all);
+  std::size_t known_rows(const Track& track, std::size_t file, bool all) const;
   bool place_cursors(double t);
   void write_row(double t);
   void note_end(std::size_t subsystem);
@@ -130,6 +133,7 @@ class Recorder final : public Observer {
   std::vector<Track> tracks_;  ///< by subsystem
   std::vector<Column> columns_;
   std::vector<std::unique_ptr<CsvFile>> files_;  ///< one, or by subsystem
+  std::vector<RowChoice> choices_;               ///< likewise
   std::vector<std::string> notes_;
   bool closed_ = false;
 };
