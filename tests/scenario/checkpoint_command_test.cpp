@@ -203,5 +203,13 @@ TEST(CheckpointCommand, AFullDiskEndsTheRunWithASentence) {
     EXPECT_FALSE(std::filesystem::exists(folder.path() / name)) << name;
 }
 
+TEST(CheckpointCommand, ThatNoneWasWrittenIsTold) {
+  const Scratch folder;
+  const Said said = tandem(folder, {"run", two_mass_file("two_mass.toml"), "--no-reference", "--set",
+                                    "span.stop=3", "--output", "o", "--checkpoint-every", "5"});
+  EXPECT_EQ(said.status, 0);
+  EXPECT_TRUE(contains(said.err, "note: no checkpoint was written")) << said.err;
+}
+
 }  // namespace
 }  // namespace tandem

@@ -226,6 +226,9 @@ class Run {
   void tell_notes() const {
     for (const std::string& note : assembly_.notes()) spdlog::info("note: {}", note);
     for (const std::string& note : recorder_->notes()) spdlog::info("note: {}", note);
+    if (has_begun_ && options_.checkpoint_every && !fs::exists(checkpoint_file()))
+      spdlog::info("note: no checkpoint was written: the run ended before the first, {} s after its start",
+                   *options_.checkpoint_every);
   }
 
   void tell() const {

@@ -49,15 +49,18 @@ void serve_parent(const std::string& number, const ServeOptions& options, const 
   wire::Session(*channel, maker(options.source, context), options.server.session).serve();
 }
 
-/// Refused at once, not when the first session begins, if it is not there. Otherwise it is only said why it
-/// can't be opened: it may need parameters that a client gives.
+/// Refused at once, not when the first session begins, if it is not there. Otherwise the error is only told:
+/// it may need parameters that a client gives.
 void try_source(const std::string& source, const Context& context) {
   source_of(source, context.builtins);
   try {
     open(source, context.builtins);
   } catch (const Error& error) {
     if (error.code() == ErrorCode::input_output) throw;
-    spdlog::warn("tandem: without the parameters of a client this source is refused: {}", error.what());
+    spdlog::warn(
+        "tandem: opened without a client's parameters this source has an error: {}; each session opens "
+        "it anew, with those of its client",
+        error.what());
   }
 }
 
