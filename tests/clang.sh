@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# clang.sh: builds everything with clang-16 into build/clang, warnings as errors, and runs the quick tests.
+# clang.sh: builds everything with clang-16 (packages clang-16, libomp-16-dev) into build/clang, warnings as errors, and runs
+# the quick tests.
 set -euo pipefail
 
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
