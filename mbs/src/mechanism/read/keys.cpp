@@ -14,7 +14,7 @@ void keys_of_file(KeyList& to) {
   using enum text::Key::Type;
   to.may("name", text, "Its name; without it the file's.", {.allowed = "without [ ] , \" and blanks"})
       .may("description", text, "A sentence about it.")
-      .need("dimension", number, "Of what it moves in.", {.allowed = "2 for the plane, 3 for space"})
+      .need("dimension", number, "How many it moves in.", {.allowed = "2 for the plane, 3 for space"})
       .may("gravity", vector, "The acceleration of what falls; without it zero.", {.unit = "m/s^2"});
   text::keys_of_parameters(to);
 }
