@@ -29,7 +29,7 @@ std::vector<Relation> relations(std::span<const int> order, std::span<const Read
   const auto same = [](const std::vector<int>& of, const Read& r) {
     return of[static_cast<std::size_t>(r.reader)] == of[static_cast<std::size_t>(r.source)];
   };
-  std::vector<std::size_t> place(members.size(), members.size());
+  std::vector<std::size_t> place(members.size());
   for (std::size_t p = 0; p < order.size(); ++p) place[static_cast<std::size_t>(order[p])] = p;
   std::vector<Relation> all;
   for (const Read& r : reads) {
@@ -51,7 +51,7 @@ std::vector<Relation> relations(std::span<const int> order, std::span<const Read
   }
   const auto key = [&](const Relation& r) {
     return std::tuple(r.kind, place[static_cast<std::size_t>(r.first)],
-                      place[static_cast<std::size_t>(r.second)], r.first, r.second, r.lag, r.lands);
+                      place[static_cast<std::size_t>(r.second)], r.lag, r.lands);
   };
   std::sort(all.begin(), all.end(), [&](const Relation& a, const Relation& b) { return key(a) < key(b); });
   all.erase(std::unique(all.begin(), all.end()), all.end());

@@ -30,7 +30,8 @@ void RunStart::make() {
                                         std::move(order),
                                         {run_.t_start_, run_.t_stop_},
                                         h,
-                                        given ? -1 : slowest()},
+                                        given ? -1 : slowest(),
+                                        sampled_by_name()},
                          members(), all);
   stand_all();
   measure_batches();

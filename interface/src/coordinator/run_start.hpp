@@ -54,6 +54,7 @@ class RunStart {
   Tie tie(int who) const;
   std::vector<std::vector<int>> by_own_steps() const;
   std::vector<int> leaders_first() const;
+  std::vector<int> sampled_by_name() const;
   bool read_each_other(const std::vector<int>& group) const;
   void note_tie(const std::vector<int>& group) const;
   void check_named_order() const;

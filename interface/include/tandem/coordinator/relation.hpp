@@ -56,9 +56,9 @@ struct Relation {
   }
 };
 
-/// Those of a run: order: who integrates itself, leaders first, by number of member. reads: in any number and
-/// order. Each once, leaders before followers and those of sampled members last. turns: whether they go in
-/// turns.
+/// Those of a run. order: by number of member who integrates itself, leaders first, then the sampled ones.
+/// reads: in any number and order. Each once, by kind, then by the places of its members. turns: whether they
+/// go in turns.
 std::vector<Relation> relations(std::span<const int> order, std::span<const Read> reads,
                                 std::span<const Member> members, bool turns);
 
