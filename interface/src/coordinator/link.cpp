@@ -101,14 +101,15 @@ double Link::newest_jump() const {
   return largest;
 }
 
-/// Segments that the reader has let go are still there, as nothing has been added since.
+/// Segments that the reader has let go are still there, as nothing has been added since. One stays for a
+/// reader that stands past where the source goes back to.
 void Link::withdraw(std::int64_t rows) {
   if (!follows_) return;
-  fitted_ -= rows;
+  if (!held_) fitted_ -= rows;
   count_ -= static_cast<std::int32_t>(rows);
-  if (count_ < 0) first_ += count_, count_ = 0;
+  if (count_ < 1) first_ += count_ - 1, count_ = 1;
   jump_at_ = -Member::never;
-  for (std::size_t l = 0; held_ && count_ > 0 && l < lanes_.size(); ++l)
+  for (std::size_t l = 0; held_ && l < lanes_.size(); ++l)
     first_[static_cast<std::int64_t>(l) * capacity_ + count_ - 1].end = open_end;
 }
 
