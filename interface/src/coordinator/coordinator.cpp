@@ -188,10 +188,12 @@ void Coordinator::keep(const Turn& turn) {
 }
 
 /// A node that lies beside the point of communication by rounding is the limit itself, for subsystems that
-/// compare strictly.
+/// compare strictly. Where it is to land there may have become known on the way.
 Turn Coordinator::next_call(const Turn& turn) const {
   if (schedule_->kind() != Schedule::Kind::parallel) return turn;
-  return {turn.who, std::max(turn.limit, schedule_->member(turn.who).next), turn.land};
+  const Member& member = schedule_->member(turn.who);
+  return {turn.who, std::max(turn.limit, member.next),
+          turn.land || !tolerance_.before(turn.limit, member.landing)};
 }
 
 void Coordinator::start(const Turn& turn) {

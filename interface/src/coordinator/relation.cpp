@@ -41,7 +41,7 @@ std::vector<Relation> relations(std::span<const int> order, std::span<const Read
                      r.lag, false});
     else if (members[reader].sampled)
       all.push_back({r.reader, r.source, same(loop, r) ? Relation::Kind::nearest : Relation::Kind::passed,
-                     r.lag, r.lands && same(loop, r)});
+                     r.lag, r.lands && same(loop, r), r.period});
     else if (members[source].sampled)
       all.push_back({r.reader, r.source, Relation::Kind::held, r.lag, r.lands});
     else if (turns && place[reader] < place[source])

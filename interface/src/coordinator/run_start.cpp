@@ -24,7 +24,7 @@ void RunStart::make() {
   auto all = reads();
   note_samples(all);
   note_events(order);
-  wait_for_events(order, all);
+  wait_for_events(all);
   note_through();
   run_.schedule_.emplace(Schedule::Plan{run_.coordination_.schedule,
                                         std::move(order),
