@@ -113,12 +113,14 @@ class alignas(64) Link {
   void forget_held(double time) {
     for (; count_ > 1 && !tolerance_.before(time, first_[1].origin); --count_) ++first_;
   }
-  /// Likewise, of one that jumps.
+  /// Likewise, where one of the lanes jumps.
   void forget_to(double time) {
-    while (count_ > 1 && (first_->end < time ||
-                          (tandem_segment_jumps(first_ + 1) && !tolerance_.before(time, first_[1].origin))))
+    while (count_ > 1 &&
+           (first_->end < time || (!tolerance_.before(time, first_[1].origin) && jumps_in(first_ + 1))))
       --count_, ++first_;
   }
+  /// Whether that segment of lane 0, or one beside it, begins with a jump.
+  bool jumps_in(const Segment* of_first) const;
   bool is_past(double t) const;
   using Extend = void (*)(Link&, NewRows rows);
   static Extend extend_by(Reconstruction how);
