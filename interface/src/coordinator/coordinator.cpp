@@ -192,8 +192,8 @@ void Coordinator::keep(const Turn& turn) {
 Turn Coordinator::next_call(const Turn& turn) const {
   if (schedule_->kind() != Schedule::Kind::parallel) return turn;
   const Member& member = schedule_->member(turn.who);
-  return {turn.who, std::max(turn.limit, member.next),
-          turn.land || !tolerance_.before(turn.limit, member.landing)};
+  if (!turn.land && !tolerance_.before(turn.limit, member.landing)) return {turn.who, member.landing, true};
+  return {turn.who, std::max(turn.limit, member.next), turn.land};
 }
 
 void Coordinator::start(const Turn& turn) {

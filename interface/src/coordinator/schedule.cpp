@@ -66,11 +66,13 @@ double Schedule::find_landing(int who, double time, double break_at) {
   return m.landing;
 }
 
+/// Who lands does so to the last bit where it is to, whatever limit is near there.
 inline void Schedule::add(int who, double limit) {
   const Member& m = member(who);
-  const double to = std::max(std::min(limit, plan_.span.stop), m.next);
-  round_[count_++] = {who, to,
-                      m.lands && (to >= earliest_stop_ || (landings_ && !tolerance_.before(to, m.landing)))};
+  double to = std::max(std::min(limit, plan_.span.stop), m.next);
+  const bool stops = to >= earliest_stop_, lands = landings_ && !stops && !tolerance_.before(to, m.landing);
+  if (lands) to = m.landing;
+  round_[count_++] = {who, to, m.lands && (stops || lands)};
 }
 
 /// The slow side steps when the fast side stands in the middle of that step. Who waits for a sampled member
