@@ -88,7 +88,7 @@ void expect_whole(const RandomScene& scene, const RandomScene::Part& part, const
   SCOPED_TRACE(part.name);
   for (std::size_t k = 1; k < rows.size(); ++k)
     EXPECT_TRUE(rows[k - 1][0] < rows[k][0] || (rows[k - 1][0] == rows[k][0] && rows[k][1] == 1.0))
-        << rows[k][0];
+        << rows[k - 1][0] << " " << rows[k][0];
   if (part.kind != RandomScene::Kind::sampled)
     EXPECT_EQ(rows.back()[0], scene.t_stop);
   else

@@ -64,13 +64,21 @@ void Coordinator::remember(int who) {
   exchange_->keep_from(who, back.front().time);
 }
 
-/// No event comes before this time [s] that it leads, nor one that those may go back for whose events it
-/// leads.
+/// No event comes before this time [s] that it leads: those that have them stand there or later, or go back
+/// there at most.
 double Coordinator::earliest_event(int who) const {
   double earliest = Member::never;
   for (const int other : events(who).events_behind)
-    earliest = std::min({earliest, time(other), earliest_event(other)});
+    earliest = std::min(earliest, earliest_stand(other, earliest_event(other)));
   return earliest;
+}
+
+/// Where it stands, or goes back to for an event at t.
+double Coordinator::earliest_stand(int who, double t) const {
+  const auto& back = events(who).back;
+  double stand = time(who);
+  for (auto to = back.rbegin(); to != back.rend() && tolerance_.before(t, stand); ++to) stand = to->time;
+  return stand;
 }
 
 /// To its last own node at or before t; what it gave after that is taken back.

@@ -235,7 +235,7 @@ void Exchange::make_room(int source, std::int64_t wanted) {
   End& end = ends_[static_cast<std::size_t>(source)];
   std::int64_t keep = end.history.newest();
   if (end.keep_from != Member::never)  // also for observers, which are not told yet
-    while (keep > end.history.oldest() && tolerance_.before(end.keep_from, end.history.time(keep))) --keep;
+    while (keep > end.history.oldest() && !tolerance_.before(end.history.time(keep), end.keep_from)) --keep;
   for (Link* link : end.out) {
     const End& reader = ends_[static_cast<std::size_t>(link->reader())];
     keep = reader.history.empty()

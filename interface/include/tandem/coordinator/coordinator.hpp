@@ -99,6 +99,7 @@ class Coordinator {
   void pass_by(int reader, int who, double t);
   void remember(int who);
   double earliest_event(int who) const;
+  double earliest_stand(int who, double t) const;
   void go_back(int who, double t);
   std::int64_t last_final(int who) const;
   void keep_rest();
