@@ -141,7 +141,8 @@ class alignas(64) Link {
   int rows_looked_at() const { return (spreads() ? 4 : 1) * how_.samples(); }
   int rows_kept() const { return rows_looked_at() + (spreads() ? 1 : 0); }  ///< a jump's takes that before it
   bool jumps(const double* row, const Lane& lane) const;
-  void check(std::int32_t count, const ByteReader& from) const;
+  std::int32_t let_go() const;
+  void check(std::int32_t count, std::int32_t old, const ByteReader& from) const;
   void read(std::span<Segment> lane, ByteReader& from) const;
   void read_otherwise(double time, double next_time, Signal* slots);
   void read_window(double time, double next_time, Signal* slots);
