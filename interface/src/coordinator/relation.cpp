@@ -55,9 +55,6 @@ std::vector<Relation> relations(std::span<const int> order, std::span<const Read
   };
   std::sort(all.begin(), all.end(), [&](const Relation& a, const Relation& b) { return key(a) < key(b); });
   all.erase(std::unique(all.begin(), all.end()), all.end());
-  for (std::size_t k = 1; k < all.size(); ++k)  // by rising lags
-    all[k].goes_on = all[k].kind == Relation::Kind::nearest && all[k - 1].kind == all[k].kind &&
-                     all[k - 1].first == all[k].first && all[k - 1].second == all[k].second;
   return all;
 }
 

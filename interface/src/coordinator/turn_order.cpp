@@ -26,7 +26,7 @@ TurnOrder::TurnOrder(std::span<const int> order, std::vector<Relation> relations
 void TurnOrder::link() {
   std::vector<std::vector<Neighbour>> of(waits_.size());
   for (std::size_t k = 0; k < relations_.size(); ++k) {
-    const auto& [a, b, kind, lag, lands, period, goes_on] = relations_[k];
+    const auto& [a, b, kind, lag, lands, period] = relations_[k];
     const auto number = static_cast<std::int32_t>(k);
     of[static_cast<std::size_t>(a)].push_back({b, number, Relation::Waits::first, kind});
     of[static_cast<std::size_t>(b)].push_back({a, number, Relation::Waits::second, kind});

@@ -25,8 +25,7 @@ struct Relation {
   Kind kind;
   double lag;  ///< [s]: the reader sees at t what the source gave at t - lag
   bool lands;  ///< held, nearest: who integrates itself ends a step at each instant of the sampled one
-  double period = 0.0;   ///< [s]: nearest: the least time between two instants of the sampled one
-  bool goes_on = false;  ///< nearest: it does not wait there, as the sampled one reads it with less lag too
+  double period = 0.0;  ///< [s]: nearest: the least time between two instants of the sampled one
 
   bool operator==(const Relation&) const = default;
 
@@ -38,7 +37,7 @@ struct Relation {
                : Waits::none;
   }
   /// `second` ends a step where the sampled `first` reads it.
-  bool ends_steps() const { return lands && !goes_on && kind == Kind::nearest; }
+  bool ends_steps() const { return lands && kind == Kind::nearest; }
   /// From where that is on it may do so again: no further is it known where it ends steps. That is not before
   /// the instant of `first`, as the lag is at most the period, so that nobody waits in a ring.
   double known(const Member& sampled) const { return sampled.next - lag + period; }
