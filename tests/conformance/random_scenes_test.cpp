@@ -128,7 +128,7 @@ TEST(RandomScenes, AreSound) {
     SCOPED_TRACE(seed);
     try {
       expect_sound(seed);
-    } catch (const Diverged&) { std::printf("diverged %d\n",(int)seed);
+    } catch (const Diverged&) {
     } catch (const std::exception& error) {
       ADD_FAILURE() << error.what();
     }

@@ -270,7 +270,10 @@ void Coordinator::check_clock(const Turn& turn, double before, std::int64_t rows
   idle_calls = after.time > before ? 0 : idle_calls + 1;
   if (idle_calls >= most_idle_calls)
     fail("it has not moved from t = " + number_text(after.time) + " s in " + std::to_string(most_idle_calls) +
-         " calls");
+         (after.stop == Stop::event
+              ? " calls, each of which had an event: who switches what it reads is switched back, without "
+                "end; memory = true on one of their connections breaks the ring"
+              : " calls"));
 }
 
 }  // namespace tandem

@@ -76,6 +76,7 @@ class Coordinator {
   void work_at_once(std::span<const Turn> turns, FirstError& error);
   void make_in_parts(std::span<const Turn> turns);
   void make_part(std::span<const Turn> turns);
+  void let_one_switch();
   void start(const Turn& turn);
   void go_on(const Turn& turn);
   void take(const Turn& turn, Exchange& inputs);
