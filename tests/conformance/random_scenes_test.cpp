@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-// What must hold of any scene: the same bits in any order of the file, in calls of any length, over a checkpoint
-// and with threads; rows whose times rise; and all come to the end.
+// What must hold of any scene: the same bits in any order of the file, in calls of any length, over a
+// checkpoint and with threads; rows whose times rise; and all come to the end.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -114,11 +114,14 @@ void expect_sound(std::uint64_t seed) {
   EXPECT_TRUE(same_bits(threads.run(), rows)) << "with threads";
 }
 
-/// How many; the environment may ask for others: FIRST-LAST.
+/// The first and the last; the environment may ask for others, as in TANDEM_RANDOM_SCENES=1-5000.
 std::pair<std::uint64_t, std::uint64_t> seeds() {
-  const char* asked = std::getenv("TANDEM_RANDOM_SCENES");
-  std::uint64_t first = 1, last = 100;
-  if (asked) first = std::strtoull(asked, const_cast<char**>(&asked), 10), last = std::strtoull(asked + 1, nullptr, 10);
+  std::uint64_t first = 1, last = 250;
+  if (const char* asked = std::getenv("TANDEM_RANDOM_SCENES")) {
+    char* rest = nullptr;
+    first = std::strtoull(asked, &rest, 10);
+    last = *rest == '-' ? std::strtoull(rest + 1, nullptr, 10) : first;
+  }
   return {first, last};
 }
 
@@ -128,7 +131,7 @@ TEST(RandomScenes, AreSound) {
     SCOPED_TRACE(seed);
     try {
       expect_sound(seed);
-    } catch (const Diverged&) {
+    } catch (const Diverged&) {  // feedback at random is not always stable
     } catch (const std::exception& error) {
       ADD_FAILURE() << error.what();
     }

@@ -88,7 +88,8 @@ class RandomScenes {
     return fmt::format(
         "mix = {{ kind = 'sum', inputs = ['u', 'y', 'x'], gains = [-0.7, 0.2, 0.2] }}\n"
         "x = {{ kind = 'sample', input = 'mix', period = {}, offset = {} }}\n"
-        "v = {{ kind = 'gain', input = 'x', gain = -0.3 }}\na = {{ kind = 'gain', input = 'x', gain = 0.5 }}\n",
+        "v = {{ kind = 'gain', input = 'x', gain = -0.3 }}\na = {{ kind = 'gain', input = 'x', gain = 0.5 "
+        "}}\n",
         part.period, number(2) ? 0.0 : rounded(0.0, 0.1));
   }
 

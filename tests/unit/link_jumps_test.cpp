@@ -61,6 +61,20 @@ TEST(LinkJumps, ReadFromThereAreBehindThem) {
   EXPECT_DOUBLE_EQ(turned.read(0.35, 0.4, 1).value(0.35), after_jump(0.35));
 }
 
+/// Its reader stands at 0.25 s and has let go what was before; it goes on with what is left.
+TEST(LinkJumps, OneSegmentStaysWhereTheSourceTakesRowsBack) {
+  for (const char* how : {"held", "lagrange0"}) {
+    test::LinkBench bench(how, 0.0, {0, 0}, {1, 1}, 0.05);
+    for (const double t : {0.0, 0.1, 0.2, 0.3}) bench.give(t, 1.0 + t);
+    bench.read(0.25, 0.3);
+    bench.history().withdraw(3);
+    bench.link().withdraw(3);
+    EXPECT_EQ(bench.read(0.25, 0.3).value(0.25), 1.0) << how;
+    bench.give(0.15, 2.0);
+    EXPECT_EQ(bench.read(0.25, 0.3).value(0.25), 2.0) << how;
+  }
+}
+
 /// The sum of a relay, which jumps at 0.35 s, and of a parabola on another grid, whichever comes first.
 void expect_jumps_of_sum(const std::string& relay) {
   SubsystemInfo switching{"switching", {}, {{"y", "1"}}, {}, {}};
