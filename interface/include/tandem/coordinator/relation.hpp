@@ -40,7 +40,7 @@ struct Relation {
   bool ends_steps() const { return lands && kind == Kind::nearest; }
   /// From where that is on it may do so again: no further is it known where it ends steps. That is not before
   /// the instant of `first`, as the lag is at most the period, so that nobody waits in a ring.
-  double known(const Member& sampled) const { return sampled.next - lag + period; }
+  double known(const Member& sampled) const { return sampled.next + (period - lag); }
 
  private:
   bool first_waits(const Member& a, const Member& b, const TimeTolerance& tolerance) const {
