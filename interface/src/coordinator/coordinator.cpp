@@ -124,8 +124,7 @@ void Coordinator::tell_jump(int who) {
 }
 
 void Coordinator::make(std::span<const Turn> turns) {
-  if (!through_.empty())
-    for (const Turn& turn : turns) await_jumps(turn.who, false);
+  if (!through_.empty()) await_jumps(turns);
   if (turns.size() > 1 || schedule_->kind() == Schedule::Kind::parallel) return make_together(turns);
   if (!seat(turns[0].who).works_here) make_ready(turns[0].who), start(turns[0]);  // it may work elsewhere
   take(turns[0], *exchange_);

@@ -106,6 +106,7 @@ class Coordinator {
   void keep_rest();
   void check_end() const;
   void note_events();
+  void await_jumps(std::span<const Turn> turns);
   void await_jumps(int reader, bool at_once);
   void tell_jump(int who);
   void act();
@@ -168,6 +169,7 @@ class Coordinator {
   std::vector<char> acts_;         ///< by subsystem: of `together_`, in the present round
   std::vector<int> acting_;        ///< in the present round
   std::vector<Turn> going_;        ///< likewise
+  std::vector<int> awaiting_;      ///< likewise: who waits for jumps of what it reads
   std::vector<double> own_steps_;
   std::vector<std::string> notes_;
   std::vector<OfferedCall> offered_;     ///< by subsystem; empty without threads
