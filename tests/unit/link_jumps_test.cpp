@@ -50,16 +50,41 @@ TEST(LinkJumps, OfOneOutputCutNoOther) {
   for (const double t : {0.31, 0.34, 0.37, 0.45, 0.55, 0.65}) EXPECT_NEAR(b.value(t), smooth(t), bound) << t;
 }
 
-/// The sum of a relay, which jumps at 0.35 s, and of a parabola on another grid.
-TEST(LinkJumps, AreThoseOfASumToo) {
+/// Who stands at a jump reads what is after it, also where it is not the first lane that jumps.
+TEST(LinkJumps, ReadFromThereAreBehindThem) {
+  CutBench bench;
+  const Signal a = bench.read(0.35, 0.4, 0);
+  EXPECT_DOUBLE_EQ(a.value(0.35), after_jump(0.35));
+  test::LinkBench turned("lagrange3", 0.0, {0, 0}, {1, 1}, 0.05);
+  for (const double t : {0.0, 0.1, 0.2, 0.3, 0.35}) turned.give(t, smooth(t), before_jump(t));
+  turned.give(0.35, smooth(0.35), after_jump(0.35), 0.0, 0.0, true);
+  EXPECT_DOUBLE_EQ(turned.read(0.35, 0.4, 1).value(0.35), after_jump(0.35));
+}
+
+/// Its reader stands at 0.25 s and has let go what was before; it goes on with what is left.
+TEST(LinkJumps, OneSegmentStaysWhereTheSourceTakesRowsBack) {
+  for (const char* how : {"held", "lagrange0"}) {
+    test::LinkBench bench(how, 0.0, {0, 0}, {1, 1}, 0.05);
+    for (const double t : {0.0, 0.1, 0.2, 0.3}) bench.give(t, 1.0 + t);
+    bench.read(0.25, 0.3);
+    bench.history().withdraw(3);
+    bench.link().withdraw(3);
+    EXPECT_EQ(bench.read(0.25, 0.3).value(0.25), 1.0) << how;
+    bench.give(0.15, 2.0);
+    EXPECT_EQ(bench.read(0.25, 0.3).value(0.25), 2.0) << how;
+  }
+}
+
+/// The sum of a relay, which jumps at 0.35 s, and of a parabola on another grid, whichever comes first.
+void expect_jumps_of_sum(const std::string& relay) {
   SubsystemInfo switching{"switching", {}, {{"y", "1"}}, {}, {}};
   switching.abilities.events = true;
   const SubsystemInfo source{"source", {}, {{"y", "1"}}, {}, {}}, reader{"reader", {{"u", "1"}}, {}, {}, {}};
   Topology topology;
-  topology.add("relay", switching);
+  topology.add(relay, switching);
   topology.add("source", source);
   topology.add("reader", reader);
-  for (const char* from : {"relay.y", "source.y"})
+  for (const std::string& from : {relay + ".y", std::string("source.y")})
     topology.connect(test::added(test::connection(from, "reader.u", "lagrange2")));
   const std::int64_t capacities[] = {32, 32, 32};
   Exchange exchange(topology, TimeTolerance(0.0), LinkTimes{{1.0, 1.0, 1.0}, 0.0, {0.05, 0.0, 0.0}},
@@ -70,14 +95,26 @@ TEST(LinkJumps, AreThoseOfASumToo) {
   };
   for (const double t : {0.0, 0.1, 0.2, 0.3, 0.35}) give(0, t, 1.0);
   give(0, 0.35, -1.0, true);
-  for (const double t : {0.4, 0.5}) give(0, t, -1.0);
   for (int k = 0; k < 6; ++k) give(1, 0.12 * k, 0.12 * k * 0.12 * k);
-  const Signal u = exchange.inputs(2, 0.25, 0.5)[0];
-  EXPECT_EQ(u.next_jump(0.25), 0.35);
-  EXPECT_NEAR(u.value(0.35), 1.0 + 0.35 * 0.35, 1e-14);
-  EXPECT_NEAR(u.from_jump_at(0.35).value(0.35), -1.0 + 0.35 * 0.35, 1e-14);
-  for (const double t : {0.26, 0.34, 0.36, 0.45, 0.5})
-    EXPECT_NEAR((t < 0.35 ? u : u.from_jump_at(0.35)).value(t), (t < 0.35 ? 1.0 : -1.0) + t * t, 1e-14) << t;
+  const auto expect = [&] {
+    const Signal u = exchange.inputs(2, 0.25, 0.5)[0];
+    EXPECT_EQ(u.next_jump(0.25), 0.35);
+    EXPECT_NEAR(u.value(0.35), 1.0 + 0.35 * 0.35, 1e-14);
+    EXPECT_NEAR(u.from_jump_at(0.35).value(0.35), -1.0 + 0.35 * 0.35, 1e-14);
+    for (const double t : {0.26, 0.34, 0.36, 0.45, 0.5})
+      EXPECT_NEAR((t < 0.35 ? u : u.from_jump_at(0.35)).value(t), (t < 0.35 ? 1.0 : -1.0) + t * t, 1e-14)
+          << t;
+  };
+  expect();
+  for (const double t : {0.4, 0.5}) give(0, t, -1.0);
+  expect();
+}
+
+TEST(LinkJumps, AreThoseOfASumToo) {
+  for (const char* relay : {"relay", "that"}) {
+    SCOPED_TRACE(relay);
+    expect_jumps_of_sum(relay);
+  }
 }
 
 }  // namespace

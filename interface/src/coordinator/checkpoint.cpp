@@ -65,13 +65,21 @@ bool History::are_rows(std::span<const double> rows) const {
   return true;
 }
 
+/// Segments that its reader has let go, and may read again where the source takes rows back.
+std::int32_t Link::let_go() const {
+  const std::int64_t rows = samples_->newest() + 1 - samples_->oldest() - late_;
+  return static_cast<std::int32_t>(std::min(rows - count_, first_ - segments_.data()));
+}
+
 void Link::write(ByteWriter& to) const {
+  const std::int32_t old = spreads() && follows_ ? let_go() : 0;
   to.put(std::uint8_t{been_read_});
   to.put(count_);
+  to.put(old);
   to.put(fitted_);
   to.put_list(differences_);
   for (std::size_t l = 0; l < lanes_.size(); ++l)
-    for (std::int32_t k = 0; k < count_; ++k) {
+    for (std::int32_t k = -old; k < count_; ++k) {
       const Segment& s = first_[static_cast<std::int64_t>(l) * capacity_ + k];
       to.put(s.end);
       to.put(s.origin);
@@ -83,16 +91,17 @@ void Link::write(ByteWriter& to) const {
 
 void Link::read(ByteReader& from) {
   been_read_ = from.take<std::uint8_t>() != 0;
-  const auto count = from.take<std::int32_t>();
+  const auto count = from.take<std::int32_t>(), old = from.take<std::int32_t>();
   fitted_ = from.take<std::int64_t>();
   from.take_list(differences_);
   capacity_ = follows_ ? samples_->capacity() : 1;
-  check(count, from);
+  check(count, old, from);
   count_ = count;
   segments_.assign(lanes_.size() * static_cast<std::size_t>(capacity_), Segment{});
   first_ = segments_.data() + (follows_ ? samples_->newest() + 1 - samples_->oldest() - count_ : 0);
   for (std::size_t l = 0; l < lanes_.size(); ++l)
-    read({first_ + static_cast<std::int64_t>(l) * capacity_, static_cast<std::size_t>(count_)}, from);
+    read({first_ - old + static_cast<std::int64_t>(l) * capacity_, static_cast<std::size_t>(old + count_)},
+         from);
   read_from_ = from.take<double>();
   jump_at_ = from.take<double>();
   if (!std::isfinite(read_from_) || !std::isfinite(jump_at_))
@@ -100,11 +109,14 @@ void Link::read(ByteReader& from) {
 }
 
 /// Each segment is of a row that is there, and so are the rows that the next one is fitted to.
-void Link::check(std::int32_t count, const ByteReader& from) const {
+void Link::check(std::int32_t count, std::int32_t old, const ByteReader& from) const {
   const std::int64_t rows = samples_->newest() + 1 - samples_->oldest(), fewest = follows_ ? 1 : 0;
   if (count < fewest || count > (follows_ ? rows : 0))
     from.refuse("has " + std::to_string(count) + " segments; allowed are " + std::to_string(fewest) + " to " +
                 std::to_string(rows));
+  if (old < 0 || old > (follows_ ? rows - count : 0))
+    from.refuse("has " + std::to_string(old) + " segments from before; allowed are 0 to " +
+                std::to_string(rows - count));
   if (fitted_ < 0 || std::min<std::int64_t>(fitted_, rows_looked_at() - 1) > rows)
     from.refuse("has " + std::to_string(fitted_) + " rows to be fitted together, of " + std::to_string(rows) +
                 " that are there");

@@ -124,8 +124,7 @@ void Coordinator::tell_jump(int who) {
 }
 
 void Coordinator::make(std::span<const Turn> turns) {
-  if (!through_.empty())
-    for (const Turn& turn : turns) await_jumps(turn.who, false);
+  if (!through_.empty()) await_jumps(turns);
   if (turns.size() > 1 || schedule_->kind() == Schedule::Kind::parallel) return make_together(turns);
   if (!seat(turns[0].who).works_here) make_ready(turns[0].who), start(turns[0]);  // it may work elsewhere
   take(turns[0], *exchange_);
@@ -188,10 +187,12 @@ void Coordinator::keep(const Turn& turn) {
 }
 
 /// A node that lies beside the point of communication by rounding is the limit itself, for subsystems that
-/// compare strictly.
+/// compare strictly. Where it is to land there may have become known on the way.
 Turn Coordinator::next_call(const Turn& turn) const {
   if (schedule_->kind() != Schedule::Kind::parallel) return turn;
-  return {turn.who, std::max(turn.limit, schedule_->member(turn.who).next), turn.land};
+  const Member& member = schedule_->member(turn.who);
+  if (!turn.land && !tolerance_.before(turn.limit, member.landing)) return {turn.who, member.landing, true};
+  return {turn.who, std::max(turn.limit, member.next), turn.land};
 }
 
 void Coordinator::start(const Turn& turn) {
@@ -268,7 +269,10 @@ void Coordinator::check_clock(const Turn& turn, double before, std::int64_t rows
   idle_calls = after.time > before ? 0 : idle_calls + 1;
   if (idle_calls >= most_idle_calls)
     fail("it has not moved from t = " + number_text(after.time) + " s in " + std::to_string(most_idle_calls) +
-         " calls");
+         (after.stop == Stop::event
+              ? " calls, each of which had an event: who switches what it reads is switched back, without "
+                "end; memory = true on one of their connections breaks the ring"
+              : " calls"));
 }
 
 }  // namespace tandem

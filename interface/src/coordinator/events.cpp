@@ -64,13 +64,21 @@ void Coordinator::remember(int who) {
   exchange_->keep_from(who, back.front().time);
 }
 
-/// No event comes before this time [s] that it leads, nor one that those may go back for whose events it
-/// leads.
+/// No event comes before this time [s] that it leads: those that have them stand there or later, or go back
+/// there at most.
 double Coordinator::earliest_event(int who) const {
   double earliest = Member::never;
   for (const int other : events(who).events_behind)
-    earliest = std::min({earliest, time(other), earliest_event(other)});
+    earliest = std::min(earliest, earliest_stand(other, earliest_event(other)));
   return earliest;
+}
+
+/// Where it stands, or goes back to for an event at t.
+double Coordinator::earliest_stand(int who, double t) const {
+  const auto& back = events(who).back;
+  double stand = time(who);
+  for (auto to = back.rbegin(); to != back.rend() && tolerance_.before(t, stand); ++to) stand = to->time;
+  return stand;
 }
 
 /// To its last own node at or before t; what it gave after that is taken back.
@@ -95,14 +103,18 @@ void Coordinator::go_back(int who, double t) {
   stand(who, clock);
 }
 
-/// The last row that is not taken back any more.
+/// The last row that is not taken back any more: that of the state which the earliest event leads back to. (A
+/// jump with the inputs is told at the begin of a call, and is one row more at that time.)
 std::int64_t Coordinator::last_final(int who) const {
-  const History& history = exchange_->history(who);
-  std::int64_t last = history.newest();
-  if (!seat(who).goes_back || ended_) return last;
+  const std::int64_t newest = exchange_->history(who).newest();
+  const auto& back = events(who).back;
+  if (!seat(who).goes_back || ended_ || back.empty()) return newest;
   const double earliest = earliest_event(who);
-  while (last >= history.oldest() && tolerance_.before(earliest, history.time(last))) --last;
-  return last;
+  if (!tolerance_.before(earliest, time(who))) return newest;
+  const auto to = std::find_if(back.rbegin(), back.rend(), [&](const EventSeat::Back& b) {
+    return !tolerance_.before(earliest, b.time);
+  });
+  return to == back.rend() ? back.front().row : to->row;
 }
 
 void Coordinator::note_events() {

@@ -222,9 +222,10 @@ void Exchange::add_up(Sum& sum, std::span<Signal> slots) const {
   sum.segments.erase(last, sum.segments.end());
   int degree = 0;
   for (Segment& s : sum.segments) {
-    const bool jump = jumps(s) != 0;
-    for (const Signal& term : terms) add_shifted(piece(term, s, tolerance_), s.origin, s.c);
-    mark_jump(s, jump);
+    Segment total{s.end, s.origin, {}};  // the mark of s is to be seen by all terms
+    for (const Signal& term : terms) add_shifted(piece(term, s, tolerance_), s.origin, total.c);
+    mark_jump(total, jumps(s) != 0);
+    s = total;
   }
   for (const Signal& term : terms) degree = std::max(degree, static_cast<int>(term.degree()));
   slots[sum.input] = Signal(sum.segments.data(), static_cast<std::int32_t>(sum.segments.size()), degree);
@@ -234,7 +235,7 @@ void Exchange::make_room(int source, std::int64_t wanted) {
   End& end = ends_[static_cast<std::size_t>(source)];
   std::int64_t keep = end.history.newest();
   if (end.keep_from != Member::never)  // also for observers, which are not told yet
-    while (keep > end.history.oldest() && tolerance_.before(end.keep_from, end.history.time(keep))) --keep;
+    while (keep > end.history.oldest() && !tolerance_.before(end.history.time(keep), end.keep_from)) --keep;
   for (Link* link : end.out) {
     const End& reader = ends_[static_cast<std::size_t>(link->reader())];
     keep = reader.history.empty()

@@ -101,14 +101,15 @@ double Link::newest_jump() const {
   return largest;
 }
 
-/// Segments that the reader has let go are still there, as nothing has been added since.
+/// Segments that the reader has let go are still there, as nothing has been added since. One stays for a
+/// reader that stands past where the source goes back to.
 void Link::withdraw(std::int64_t rows) {
   if (!follows_) return;
-  fitted_ -= rows;
+  if (!held_) fitted_ -= rows;
   count_ -= static_cast<std::int32_t>(rows);
-  if (count_ < 0) first_ += count_, count_ = 0;
+  if (count_ < 1) first_ += count_ - 1, count_ = 1;
   jump_at_ = -Member::never;
-  for (std::size_t l = 0; held_ && count_ > 0 && l < lanes_.size(); ++l)
+  for (std::size_t l = 0; held_ && l < lanes_.size(); ++l)
     first_[static_cast<std::int64_t>(l) * capacity_ + count_ - 1].end = open_end;
 }
 
@@ -153,19 +154,18 @@ void Link::reach_back() {
 /// where the source goes back to.
 void Link::follow_room() {
   if (!follows_) return;
-  const std::int64_t rows = samples_->newest() + 1 - samples_->oldest() - late_,
-                     let_go = std::min(rows - count_, first_ - segments_.data());
+  const std::int64_t old = let_go();
   LineVector<Segment> larger;
   LineVector<Segment>& target = samples_->capacity() == capacity_ ? segments_ : larger;
   target.resize(lanes_.size() * static_cast<std::size_t>(samples_->capacity()));
   for (std::size_t l = 0; l < lanes_.size(); ++l) {
-    const Segment* first = first_ - let_go + static_cast<std::int64_t>(l) * capacity_;
-    std::copy(first, first + let_go + count_,
+    const Segment* first = first_ - old + static_cast<std::int64_t>(l) * capacity_;
+    std::copy(first, first + old + count_,
               target.data() + static_cast<std::int64_t>(l) * samples_->capacity());
   }
   if (&target == &larger) segments_ = std::move(larger);
   capacity_ = samples_->capacity();
-  first_ = segments_.data() + let_go;
+  first_ = segments_.data() + old;
 }
 
 }  // namespace tandem

@@ -43,10 +43,14 @@ double Link::next_break(double time) const {
 bool Link::jumps_at(double time) const {
   for (std::int32_t k = 1; k < count_; ++k) {
     const double at = first_[k].origin;
-    if (tolerance_.before(at, time) || tolerance_.before(time, at)) continue;
-    for (std::size_t l = 0; l < lanes_.size(); ++l)
-      if (tandem_segment_jumps(first_ + static_cast<std::int64_t>(l) * capacity_ + k)) return true;
+    if (!tolerance_.before(at, time) && !tolerance_.before(time, at) && jumps_in(first_ + k)) return true;
   }
+  return false;
+}
+
+bool Link::jumps_in(const Segment* of_first) const {
+  for (std::size_t l = 0; l < lanes_.size(); ++l, of_first += capacity_)
+    if (tandem_segment_jumps(of_first)) return true;
   return false;
 }
 

@@ -29,7 +29,7 @@ std::vector<Relation> relations(std::span<const int> order, std::span<const Read
   const auto same = [](const std::vector<int>& of, const Read& r) {
     return of[static_cast<std::size_t>(r.reader)] == of[static_cast<std::size_t>(r.source)];
   };
-  std::vector<std::size_t> place(members.size(), members.size());
+  std::vector<std::size_t> place(members.size());
   for (std::size_t p = 0; p < order.size(); ++p) place[static_cast<std::size_t>(order[p])] = p;
   std::vector<Relation> all;
   for (const Read& r : reads) {
@@ -41,7 +41,7 @@ std::vector<Relation> relations(std::span<const int> order, std::span<const Read
                      r.lag, false});
     else if (members[reader].sampled)
       all.push_back({r.reader, r.source, same(loop, r) ? Relation::Kind::nearest : Relation::Kind::passed,
-                     r.lag, r.lands && same(loop, r)});
+                     r.lag, r.lands && same(loop, r), r.period});
     else if (members[source].sampled)
       all.push_back({r.reader, r.source, Relation::Kind::held, r.lag, r.lands});
     else if (turns && place[reader] < place[source])
@@ -51,13 +51,10 @@ std::vector<Relation> relations(std::span<const int> order, std::span<const Read
   }
   const auto key = [&](const Relation& r) {
     return std::tuple(r.kind, place[static_cast<std::size_t>(r.first)],
-                      place[static_cast<std::size_t>(r.second)], r.first, r.second, r.lag, r.lands);
+                      place[static_cast<std::size_t>(r.second)], r.lag, r.lands);
   };
   std::sort(all.begin(), all.end(), [&](const Relation& a, const Relation& b) { return key(a) < key(b); });
   all.erase(std::unique(all.begin(), all.end()), all.end());
-  for (std::size_t k = 1; k < all.size(); ++k)  // by rising lags
-    all[k].goes_on = all[k].kind == Relation::Kind::nearest && all[k - 1].kind == all[k].kind &&
-                     all[k - 1].first == all[k].first && all[k - 1].second == all[k].second;
   return all;
 }
 

@@ -73,17 +73,22 @@ void RunStart::note_carriers(int source, const std::vector<int>& order) {
     }
 }
 
-/// What a leader gave past the last node of one with events, it may still take back: those that read it and
-/// come later in the order, or are sampled, wait for that one. Who reads what jumps with an event goes in
-/// turns with the one that has it.
-void RunStart::wait_for_events(const std::vector<int>& order, std::vector<Read>& reads) const {
-  const auto place = [&](int who) { return std::find(order.begin(), order.end(), who) - order.begin(); };
-  for (const Read& r : std::vector(reads))
-    for (const int other : run_.events(r.source).events_behind) {
-      if (r.reader == other || (!sampled(r.reader) && place(r.reader) < place(other))) continue;
-      const bool lands = sampled(r.reader) && topology_.info(r.reader).sampling.period >=
-                                                  times_.shortest_period[static_cast<std::size_t>(other)];
-      reads.push_back({r.reader, other, r.lag, false, lands});
+/// What a leader gave past the last node of one with events, it may still take back: who reads it goes in
+/// turns with that one, so that what it reads does not depend on who went first elsewhere; where it comes
+/// later in the order, or is sampled, it waits. So does who reads what jumps with an event.
+void RunStart::wait_for_events(std::vector<Read>& reads) const {
+  const auto is_there = [&](const Read& r) {
+    return std::any_of(reads.begin(), reads.end(), [&](const Read& known) {
+      return known.reader == r.reader && known.source == r.source && known.lag == r.lag;
+    });
+  };
+  for (std::size_t k = 0; k < reads.size(); ++k)  // of those that are added too
+    for (const int other : run_.events(reads[k].source).events_behind) {
+      Read r = reads[k];
+      r.source = other, r.just_before = false;
+      r.lands = sampled(r.reader) && r.lag <= r.period + rounding() &&
+                r.period >= times_.shortest_period[static_cast<std::size_t>(other)];
+      if (r.reader != other && !is_there(r)) reads.push_back(r);
     }
   for (int i = 0; i < topology_.size(); ++i)
     for (const int reader : run_.events(i).readers) reads.push_back({reader, i});

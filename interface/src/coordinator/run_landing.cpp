@@ -37,8 +37,11 @@ bool RunStart::meets_samples(const Line& line) const {
          (sampled(line.source) || loop(line.source) == loop(line.reader));
 }
 
-/// Whether the one that integrates itself ends a step at each instant of the other.
+/// Whether the one that integrates itself ends a step at each instant of the other, or so much before that as
+/// the line lags: where that is more than the period, too late is it known when.
 bool RunStart::lands(const Line& line) const {
+  if (sampled(line.reader) && lag_of(line) > topology_.info(line.reader).sampling.period + rounding())
+    return false;
   const int who = sampled(line.reader) ? line.source : line.reader,
             other = sampled(line.reader) ? line.reader : line.source;
   return meets_samples(line) &&

@@ -92,6 +92,14 @@ std::vector<int> RunStart::leaders_first() const {
   return order;
 }
 
+std::vector<int> RunStart::sampled_by_name() const {
+  std::vector<int> all;
+  for (int i = 0; i < topology_.size(); ++i)
+    if (sampled(i)) all.push_back(i);
+  std::sort(all.begin(), all.end(), [&](int a, int b) { return topology_.name(a) < topology_.name(b); });
+  return all;
+}
+
 bool RunStart::read_each_other(const std::vector<int>& group) const {
   std::vector<char> there(static_cast<std::size_t>(topology_.size()));
   for (const int who : group) there[static_cast<std::size_t>(who)] = 1;

@@ -32,14 +32,19 @@ double RunStart::nearest_node(int who) const {
                                                     : run_.own_step(who) / 2.0 - rounding();
 }
 
+/// [s]: of a memory or delay.
+double RunStart::lag_of(const Line& line) const {
+  if (line.lag == Lag::memory) return run_.own_step(line.reader);
+  return line.lag == Lag::delay ? times_.delay : 0.0;
+}
+
 std::vector<Read> RunStart::reads() const {
   std::vector<Read> all;
   for (const Line& line : topology_.lines()) {
     const bool just_before = topology_.just_before(line);
-    double lag = topology_.info(line.source).sampling.latency;
-    if (line.lag == Lag::memory && !just_before) lag += run_.own_step(line.reader);
-    if (line.lag == Lag::delay) lag += times_.delay;
-    all.push_back({line.reader, line.source, lag, just_before, lands(line)});
+    const double lag = topology_.info(line.source).sampling.latency + (just_before ? 0.0 : lag_of(line));
+    all.push_back({line.reader, line.source, lag, just_before, lands(line),
+                   topology_.info(line.reader).sampling.period});
   }
   return all;
 }

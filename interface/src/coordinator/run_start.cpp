@@ -24,13 +24,14 @@ void RunStart::make() {
   auto all = reads();
   note_samples(all);
   note_events(order);
-  wait_for_events(order, all);
+  wait_for_events(all);
   note_through();
   run_.schedule_.emplace(Schedule::Plan{run_.coordination_.schedule,
                                         std::move(order),
                                         {run_.t_start_, run_.t_stop_},
                                         h,
-                                        given ? -1 : slowest()},
+                                        given ? -1 : slowest(),
+                                        sampled_by_name()},
                          members(), all);
   stand_all();
   measure_batches();

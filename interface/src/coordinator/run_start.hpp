@@ -34,10 +34,11 @@ class RunStart {
   void note_missed(int who, const std::vector<int>& others) const;
   void note_multiplied(int who, const std::vector<int>& others) const;
   std::vector<Member> members() const;
+  double lag_of(const Line& line) const;
   std::vector<Read> reads() const;
   void note_samples(const std::vector<Read>& reads);
   void note_events(const std::vector<int>& order);
-  void wait_for_events(const std::vector<int>& order, std::vector<Read>& reads) const;
+  void wait_for_events(std::vector<Read>& reads) const;
   /// Who reads one with events, by itself or by one that jumps with it.
   struct ReadEvents {
     int source, reader, by;
@@ -54,6 +55,7 @@ class RunStart {
   Tie tie(int who) const;
   std::vector<std::vector<int>> by_own_steps() const;
   std::vector<int> leaders_first() const;
+  std::vector<int> sampled_by_name() const;
   bool read_each_other(const std::vector<int>& group) const;
   void note_tie(const std::vector<int>& group) const;
   void check_named_order() const;

@@ -26,8 +26,24 @@ void Coordinator::make_part(std::span<const Turn> turns) {
       acting_.push_back(turn.who);
     else
       going_.push_back(turn);
+  if (frozen_) let_one_switch();
   act();
   if (!going_.empty()) make(going_);
+}
+
+/// Two that switch each other, and do so at the same time, on what was known before, would go on for ever. Of
+/// those that have had events again and again where they stand one goes on, by their order, and the others
+/// see what it gives first.
+void Coordinator::let_one_switch() {
+  const auto switches = [this](const Turn& turn) { return seat(turn.who).idle_calls > 1; };
+  if (std::count_if(going_.begin(), going_.end(), switches) < 2) return;
+  const auto goes = [&](int who) {
+    return std::any_of(going_.begin(), going_.end(),
+                       [&](const Turn& turn) { return turn.who == who && switches(turn); });
+  };
+  const auto order = schedule_->order();
+  const int first = *std::find_if(order.begin(), order.end(), goes);
+  std::erase_if(going_, [&](const Turn& turn) { return switches(turn) && turn.who != first; });
 }
 
 /// Those that read each other first give all their outputs, then go on on these.

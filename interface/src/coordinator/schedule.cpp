@@ -23,13 +23,10 @@ bool are_linked(std::span<const Read> reads) {
   return std::any_of(reads.begin(), reads.end(), [](const Read& r) { return r.reader != r.source; });
 }
 
-/// Sampled ones last.
-std::vector<int> all_in_order(std::vector<int> order, std::size_t members) {
-  std::vector<char> there(members);
-  for (const int who : order) there[static_cast<std::size_t>(who)] = 1;
-  for (std::size_t i = 0; i < members; ++i)
-    if (!there[i]) order.push_back(static_cast<int>(i));
-  return order;
+std::vector<int> all_in_order(const Schedule::Plan& plan) {
+  std::vector<int> all = plan.order;
+  all.insert(all.end(), plan.sampled.begin(), plan.sampled.end());
+  return all;
 }
 }  // namespace
 
@@ -56,9 +53,10 @@ Schedule::Schedule(Plan plan, std::vector<Member> members, std::span<const Read>
       earliest_stop_(plan_.span.stop - tolerance_.width(plan_.span.start, plan_.span.stop)),
       latest_stop_(plan_.span.stop + tolerance_.width(plan_.span.start, plan_.span.stop)),
       round_(members_.size()) {
-  if (related_)
-    turns_ = TurnOrder(all_in_order(plan_.order, members_.size()),
-                       relations(plan_.order, reads, members_, in_turns_), tolerance_);
+  if (!related_) return;
+  const std::vector<int> all = all_in_order(plan_);
+  assert(all.size() == members_.size());
+  turns_ = TurnOrder(all, relations(all, reads, members_, in_turns_), tolerance_);
 }
 
 double Schedule::find_landing(int who, double time, double break_at) {
@@ -68,11 +66,13 @@ double Schedule::find_landing(int who, double time, double break_at) {
   return m.landing;
 }
 
+/// Who lands does so to the last bit where it is to, whatever limit is near there.
 inline void Schedule::add(int who, double limit) {
   const Member& m = member(who);
-  const double to = std::max(std::min(limit, plan_.span.stop), m.next);
-  round_[count_++] = {who, to,
-                      m.lands && (to >= earliest_stop_ || (landings_ && !tolerance_.before(to, m.landing)))};
+  double to = std::max(std::min(limit, plan_.span.stop), m.next);
+  const bool stops = to >= earliest_stop_, lands = landings_ && !stops && !tolerance_.before(to, m.landing);
+  if (lands) to = m.landing;
+  round_[count_++] = {who, to, m.lands && (stops || lands)};
 }
 
 /// The slow side steps when the fast side stands in the middle of that step. Who waits for a sampled member

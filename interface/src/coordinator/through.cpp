@@ -30,6 +30,7 @@ void RunStart::note_through() {
   const std::vector<char> jump = jump_with_inputs();
   if (std::find(jump.begin(), jump.end(), 1) == jump.end()) return;
   run_.through_.resize(clocks_.size());
+  run_.awaiting_.reserve(clocks_.size());
   for (const Line& line : topology_.lines()) {
     const auto by_name = [&](const Through& t) { return t.source == line.source; };
     if (jump[static_cast<std::size_t>(line.source)] == 0 || sampled(line.reader) ||
@@ -40,6 +41,19 @@ void RunStart::note_through() {
     if (it == sources.end()) it = sources.insert(it, {line.source, false});
     it->at_once = it->at_once || (topology_.at_once(line) && feeds(topology_.info(line.reader), line.input));
   }
+  for (auto& sources : run_.through_)
+    std::sort(sources.begin(), sources.end(), [this](const Through& a, const Through& b) {
+      return topology_.name(a.source) < topology_.name(b.source);
+    });
+}
+
+/// In an order that the file does not decide, as one that tells a jump may read what another told before.
+void Coordinator::await_jumps(std::span<const Turn> turns) {
+  awaiting_.clear();
+  for (const Turn& turn : turns) awaiting_.push_back(turn.who);
+  std::sort(awaiting_.begin(), awaiting_.end(),
+            [this](int a, int b) { return topology_.name(a) < topology_.name(b); });
+  for (const int who : awaiting_) await_jumps(who, false);
 }
 
 /// Of those that it reads and that stand where it stands; before, of those that these read at once. (There

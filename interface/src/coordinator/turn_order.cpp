@@ -26,7 +26,7 @@ TurnOrder::TurnOrder(std::span<const int> order, std::vector<Relation> relations
 void TurnOrder::link() {
   std::vector<std::vector<Neighbour>> of(waits_.size());
   for (std::size_t k = 0; k < relations_.size(); ++k) {
-    const auto& [a, b, kind, lag, lands, goes_on] = relations_[k];
+    const auto& [a, b, kind, lag, lands, period] = relations_[k];
     const auto number = static_cast<std::int32_t>(k);
     of[static_cast<std::size_t>(a)].push_back({b, number, Relation::Waits::first, kind});
     of[static_cast<std::size_t>(b)].push_back({a, number, Relation::Waits::second, kind});
@@ -120,8 +120,8 @@ void TurnOrder::mark(std::span<const Member> members, int who) {
     waiting_.push_back(group_of_[i]);
 }
 
-/// Leaders stand past its next node, followers' next nodes lie past where it stands, and outputs of sampled
-/// ones are known.
+/// Leaders stand past its next node, followers' next nodes lie past where it stands, outputs of sampled ones
+/// are known, and where it ends steps for them.
 double TurnOrder::limit(std::span<const Member> members, int who) const {
   const Member& m = members[static_cast<std::size_t>(who)];
   if (m.one_step) return m.next;
@@ -130,8 +130,11 @@ double TurnOrder::limit(std::span<const Member> members, int who) const {
     const Member& other = members[static_cast<std::size_t>(n.who)];
     if (n.kind == Relation::Kind::turns)
       limit = std::min(limit, n.leads() ? other.time : other.next);
-    else if (n.kind == Relation::Kind::held)
-      limit = std::min(limit, other.next + relations_[static_cast<std::size_t>(n.relation)].lag);
+    else if (const Relation& r = relations_[static_cast<std::size_t>(n.relation)];
+             n.kind == Relation::Kind::held)
+      limit = std::min(limit, other.next + r.lag);
+    else if (n.mine == Relation::Waits::second && r.ends_steps())
+      limit = std::min(limit, r.known(other));
   }
   return limit;
 }

@@ -11,7 +11,7 @@ namespace tandem::scenario {
 /// what follows: a text, what it is a checkpoint of (identity()), Coordinator::save, Recorder::save.
 class Checkpoint {
  public:
-  static constexpr std::uint32_t format_version = 4;
+  static constexpr std::uint32_t format_version = 5;
 
   /// All must outlive it.
   Checkpoint(const Scenario& scenario, const Builtins& builtins, Assembly& assembly, Recorder& recorder);

@@ -76,6 +76,7 @@ class Coordinator {
   void work_at_once(std::span<const Turn> turns, FirstError& error);
   void make_in_parts(std::span<const Turn> turns);
   void make_part(std::span<const Turn> turns);
+  void let_one_switch();
   void start(const Turn& turn);
   void go_on(const Turn& turn);
   void take(const Turn& turn, Exchange& inputs);
@@ -99,11 +100,13 @@ class Coordinator {
   void pass_by(int reader, int who, double t);
   void remember(int who);
   double earliest_event(int who) const;
+  double earliest_stand(int who, double t) const;
   void go_back(int who, double t);
   std::int64_t last_final(int who) const;
   void keep_rest();
   void check_end() const;
   void note_events();
+  void await_jumps(std::span<const Turn> turns);
   void await_jumps(int reader, bool at_once);
   void tell_jump(int who);
   void act();
@@ -166,6 +169,7 @@ class Coordinator {
   std::vector<char> acts_;         ///< by subsystem: of `together_`, in the present round
   std::vector<int> acting_;        ///< in the present round
   std::vector<Turn> going_;        ///< likewise
+  std::vector<int> awaiting_;      ///< likewise: who waits for jumps of what it reads
   std::vector<double> own_steps_;
   std::vector<std::string> notes_;
   std::vector<OfferedCall> offered_;     ///< by subsystem; empty without threads

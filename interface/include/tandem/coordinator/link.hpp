@@ -113,12 +113,14 @@ class alignas(64) Link {
   void forget_held(double time) {
     for (; count_ > 1 && !tolerance_.before(time, first_[1].origin); --count_) ++first_;
   }
-  /// Likewise, of one that jumps.
+  /// Likewise, where one of the lanes jumps.
   void forget_to(double time) {
-    while (count_ > 1 && (first_->end < time ||
-                          (tandem_segment_jumps(first_ + 1) && !tolerance_.before(time, first_[1].origin))))
+    while (count_ > 1 &&
+           (first_->end < time || (!tolerance_.before(time, first_[1].origin) && jumps_in(first_ + 1))))
       --count_, ++first_;
   }
+  /// Whether that segment of lane 0, or one beside it, begins with a jump.
+  bool jumps_in(const Segment* of_first) const;
   bool is_past(double t) const;
   using Extend = void (*)(Link&, NewRows rows);
   static Extend extend_by(Reconstruction how);
@@ -139,7 +141,8 @@ class alignas(64) Link {
   int rows_looked_at() const { return (spreads() ? 4 : 1) * how_.samples(); }
   int rows_kept() const { return rows_looked_at() + (spreads() ? 1 : 0); }  ///< a jump's takes that before it
   bool jumps(const double* row, const Lane& lane) const;
-  void check(std::int32_t count, const ByteReader& from) const;
+  std::int32_t let_go() const;
+  void check(std::int32_t count, std::int32_t old, const ByteReader& from) const;
   void read(std::span<Segment> lane, ByteReader& from) const;
   void read_otherwise(double time, double next_time, Signal* slots);
   void read_window(double time, double next_time, Signal* slots);

@@ -26,7 +26,9 @@ struct Read {
   int reader, source;
   double lag = 0.0;          ///< [s]: the reader sees at t what the source gave at t - lag
   bool just_before = false;  ///< between sampled ones: the value just before an instant
-  bool lands = false;  ///< the one that integrates itself ends a step at each instant of the sampled one
+  bool lands = false;   ///< the one that integrates itself ends a step at each instant of the sampled one
+  double period = 0.0;  ///< [s]: of a sampled reader, the least time between two instants; at least the lag
+                        ///< where the source lands
 };
 
 }  // namespace tandem

@@ -25,17 +25,22 @@ struct Relation {
   Kind kind;
   double lag;  ///< [s]: the reader sees at t what the source gave at t - lag
   bool lands;  ///< held, nearest: who integrates itself ends a step at each instant of the sampled one
-  bool goes_on = false;  ///< nearest: it does not wait there, as the sampled one reads it with less lag too
+  double period = 0.0;  ///< [s]: nearest: the least time between two instants of the sampled one
 
   bool operator==(const Relation&) const = default;
 
   Waits waits(const Member& a, const Member& b, const TimeTolerance& tolerance) const {
     if (kind == Kind::turns) return tolerance.before(a.time, b.next) ? Waits::second : Waits::first;
     if (first_waits(a, b, tolerance)) return Waits::first;
-    return lands && !goes_on && kind == Kind::nearest && !tolerance.before(b.time, a.next - lag)
+    return ends_steps() && !tolerance.before(b.time, a.next - lag) && tolerance.before(known(a), b.next)
                ? Waits::second
                : Waits::none;
   }
+  /// `second` ends a step where the sampled `first` reads it.
+  bool ends_steps() const { return lands && kind == Kind::nearest; }
+  /// From where that is on it may do so again: no further is it known where it ends steps. That is not before
+  /// the instant of `first`, as the lag is at most the period, so that nobody waits in a ring.
+  double known(const Member& sampled) const { return sampled.next + (period - lag); }
 
  private:
   bool first_waits(const Member& a, const Member& b, const TimeTolerance& tolerance) const {
@@ -56,9 +61,9 @@ struct Relation {
   }
 };
 
-/// Those of a run: order: who integrates itself, leaders first, by number of member. reads: in any number and
-/// order. Each once, leaders before followers and those of sampled members last. turns: whether they go in
-/// turns.
+/// Those of a run. order: by number of member who integrates itself, leaders first, then the sampled ones.
+/// reads: in any number and order. Each once, by kind, then by the places of its members. turns: whether they
+/// go in turns.
 std::vector<Relation> relations(std::span<const int> order, std::span<const Read> reads,
                                 std::span<const Member> members, bool turns);
 

@@ -38,6 +38,7 @@ class Schedule {
     /// The member at whose own nodes, as long as it goes, parallel has its communication points: they are
     /// multiples of communication_step from its next node on; -1: from the start on.
     int pace = -1;
+    std::vector<int> sampled = {};  ///< sampled members, in an order that the scenario's file does not decide
   };
 
   /// reads: who reads whom. The members stand nowhere until stand().
