@@ -47,9 +47,9 @@ bool Program::jumps() const {
   return std::any_of(courses.begin(), courses.end(), [](const Course& c) { return c.jumps; });
 }
 
-void Program::row(const double* image, double* y) const {
-  for (const int slot : outputs) *y++ = image[slot];
-  for (const int slot : output_rates) *y++ = slot < 0 ? 0.0 : image[slot];
+void Program::row(const double* values, double* y) const {
+  for (const int slot : outputs) *y++ = values[slot];
+  for (const int slot : output_rates) *y++ = slot < 0 ? 0.0 : values[slot];
 }
 
 std::string Program::named(const std::string& block) const {

@@ -45,7 +45,7 @@ const std::string plant =
     "a = { kind = 'sum', inputs = ['F', 'x', 'v'], gains = [1, -25, -1] }\n"
     "v = { kind = 'integrator', input = 'a' }\nx = { kind = 'integrator', input = 'v' }\n";
 const std::string filter = "q = { kind = 'lag', input = 'a', time = 0.2 }\n";
-const std::string control =
+const std::string held_force =
     "e = { kind = 'sum', inputs = [1, 'q', 'x'], gains = [1, -2, -3] }\n"
     "F = { kind = 'sample', input = 'e', period = 0.1, offset = 0.013 }\n";
 
@@ -67,12 +67,12 @@ std::unique_ptr<Subsystem> plant_mechanism(double h) {
 double error_of_held_force(bool mechanism, const std::string& schedule, double h) {
   const auto mass = mechanism ? plant_mechanism(h) : part_of_scene(plant, {"F"}, {"a", "x"}, h);
   const auto lag = part_of_scene(filter, {"a"}, {"q"}, 0.7 * h),
-             sampled = part_of_scene(control, {"q", "x"}, {"F"}, 0.0);
+             sampled = part_of_scene(held_force, {"q", "x"}, {"F"}, 0.0);
   RunBench bench;
   bench.add("plant", *mass).add("filter", *lag).add("control", *sampled).schedule(schedule);
   bench.connect("plant.a", "filter.a", "lagrange2").connect("filter.q", "control.q", "lagrange3");
   bench.connect("plant.x", "control.x", "lagrange3").connect("control.F", "plant.F", "");
-  return difference_from(plant + filter + control, "q", bench.run(jumping_span).all()[1]);
+  return difference_from(plant + filter + held_force, "q", bench.run(jumping_span).all()[1]);
 }
 
 /// Who leads waits for the row with the new acceleration: without it errors are 9e-3 and 5e-3 at 2.5 ms, of

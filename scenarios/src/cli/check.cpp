@@ -97,9 +97,9 @@ void add_check(CLI::App& app, Context& context) {
       "Some 100 own steps: ports, start, steps, early returns, landing, saved states, several instances.\n"
       "Exit status: 0; 1 if something is wrong; 2 if the source can't be opened.");
   command->callback([options, &all = context] {
-    Context context = all;
-    context.builtins = mechanisms::without_matrices(all.builtins);
-    in_own_process([&](const Tell& tell) { check_source(*options, context, tell); });
+    Context looking = all;
+    looking.builtins = mechanisms::without_matrices(all.builtins);
+    in_own_process([&](const Tell& tell) { check_source(*options, looking, tell); });
   });
 }
 

@@ -173,23 +173,23 @@ void add_info(CLI::App& app, Context& context) {
       "only.\n"
       "Exit status: 0, or 2 for what is not right.");
   command->callback([options, &all = context] {
-    Context context = all;
-    context.builtins = mechanisms::without_matrices(all.builtins);
+    Context looking = all;
+    looking.builtins = mechanisms::without_matrices(all.builtins);
     const bool source = is_source(options->what);
     if (source && options->run_programs)
       throw Error(ErrorCode::invalid_argument, "--run-programs belongs to a scenario; a source is opened");
     if (source && !options->overrides.empty())
       throw Error(ErrorCode::invalid_argument, "--set belongs to a scenario; a source takes its values as " +
                                                    options->what + "?KEY=VALUE");
-    if (source) return print_source(options->what, context);
+    if (source) return print_source(options->what, looking);
     const bool mechanism = is_mechanism(options->what), diagram = !mechanism && is_diagram(options->what);
     if (options->dot && !diagram)
       throw Error(ErrorCode::invalid_argument, "--dot belongs to a diagram; " + options->what + " is none");
-    if (!mechanism && !diagram) return print_scenario(*options, context);
+    if (!mechanism && !diagram) return print_scenario(*options, looking);
     if (!options->overrides.empty())
       throw Error(ErrorCode::invalid_argument, "--set belongs to a scenario; " + options->what + " is a " +
                                                    (mechanism ? "mechanism" : "diagram"));
-    if (mechanism) return print_mechanism(options->what, context.builtins);
+    if (mechanism) return print_mechanism(options->what, looking.builtins);
     options->dot ? print_dot(options->what) : print_diagram(options->what);
   });
 }

@@ -71,7 +71,7 @@ TEST(Off, AVectorsDriveIsAPureNumber) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, OffBy, testing::ValuesIn(off_cases),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& of) { return std::string(of.param.name); });
 
 }  // namespace
 }  // namespace tandem::mbs
