@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <sstream>
 
+#include "recorder_bench.hpp"
 #include "recording.hpp"
 #include "refusal.hpp"
 #include "scratch.hpp"
@@ -15,51 +15,16 @@
 namespace tandem {
 namespace {
 
+using test::cubic_of_time;
+using test::line;
 using test::read_text;
+using test::RecorderBench;
 using test::refuses;
 using test::Scratch;
 using test::Scripted;
+using test::shapes;
+using test::slope;
 using text::TimeTable;
-
-double cubic_of_time(double t) { return 1.0 - 2.0 * t + 0.5 * t * t * t; }
-double slope(double t) { return -2.0 + 1.5 * t * t; }
-double line(double t) { return 3.0 - 7.0 * t; }
-
-/// Outputs: "c", a cubic with its derivative; "l", a straight line without; "a", an array of two.
-Scripted shapes(double own_step) {
-  SubsystemInfo info{"shapes", {}, {{"c", "m", 1, 1}, {"l", "N"}, {"a", "1", 2}}, {}, {}};
-  return {info, own_step, [](double t, const std::vector<double>&, double* y) {
-            const double row[] = {cubic_of_time(t), line(t), 2.0 * t, std::sin(t), slope(t), 0.0, 0.0, 0.0};
-            std::copy(std::begin(row), std::end(row), y);
-          }};
-}
-
-/// A run of shapes, one for each own step, named "a", "b", ... and not connected.
-struct RecorderBench {
-  explicit RecorderBench(const std::vector<double>& own_steps, double t_stop = 2.0,
-                         const Coordination& coordination = {}) {
-    for (const double h : own_steps) subsystems.push_back(std::make_unique<Scripted>(shapes(h)));
-    std::vector<Subsystem*> all;
-    for (std::size_t i = 0; i < subsystems.size(); ++i) {
-      topology.add(std::string(1, static_cast<char>('a' + i)), subsystems[i]->info());
-      all.push_back(subsystems[i].get());
-    }
-    run.emplace(topology, all, coordination, TimeSpan{0.0, t_stop});
-  }
-
-  /// Runs and closes; the recorder as it is then.
-  std::unique_ptr<Recorder> record(tandem::Recording what) {
-    auto recorder = std::make_unique<Recorder>(*run, std::move(what));
-    run->observe(recorder.get());
-    run->run();
-    recorder->close();
-    return recorder;
-  }
-
-  std::vector<std::unique_ptr<Scripted>> subsystems;
-  Topology topology;
-  std::optional<Coordinator> run;
-};
 
 const std::vector<double>& column(const TimeTable& table, const std::string& name) {
   const auto it = std::find(table.names.begin(), table.names.end(), name);
@@ -292,73 +257,6 @@ TEST(Recorder, DoesNotInterpolateAcrossAJump) {
   recorder.close();
   EXPECT_EQ(read_text(folder.path() / "results.csv"),
             "time,clock.y,other.y\n0,0,0\n1,1,1\n1,10,1\n1.5,1.5,1.5\n1.75,1.75,5\n2,2,7\n");
-}
-
-std::vector<double> times_of(const std::string& file) { return TimeTable::read(file).times; }
-
-/// Own steps of 0.01 s and of 0.03 s, which never meet a multiple of 0.1 s but at 0.3 s and so on.
-TEST(Recorder, KeepsTheFirstRowAtOrAfterEachMultipleAndTheLast) {
-  for (const bool own : {false, true}) {
-    const Scratch folder;
-    RecorderBench bench({0.01, 0.03}, 0.65);
-    Recording what{folder.path()};
-    what.own = own;
-    what.rows.every = 0.1;
-    bench.record(what);
-    const auto times = times_of((folder.path() / (own ? "results.a.csv" : "results.csv")).string());
-    ASSERT_EQ(times.size(), 8U);
-    for (std::size_t k = 0; k < 7; ++k) EXPECT_NEAR(times[k], 0.1 * static_cast<double>(k), 1e-12);
-    EXPECT_NEAR(times[7], 0.65, 1e-12);
-    if (!own) continue;
-    const std::vector<double> slow = times_of((folder.path() / "results.b.csv").string()),
-                              expected = {0.0, 0.12, 0.21, 0.3, 0.42, 0.51, 0.6, 0.63};
-    ASSERT_EQ(slow.size(), expected.size());
-    for (std::size_t k = 0; k < slow.size(); ++k) EXPECT_NEAR(slow[k], expected[k], 1e-12);
-  }
-}
-
-TEST(Recorder, AWindowHasTheRowsOfItsTimesWithItsOwnMultiples) {
-  const Scratch folder;
-  RecorderBench bench({0.01});
-  Recording what{folder.path()};
-  what.rows = {0.5, 1.0, 0.2};
-  bench.record(what);
-  const std::vector<double> expected = {0.5, 0.7, 0.9},
-                            times = times_of((folder.path() / "results.csv").string());
-  ASSERT_EQ(times.size(), expected.size());
-  for (std::size_t k = 0; k < times.size(); ++k) EXPECT_NEAR(times[k], expected[k], 1e-12);
-}
-
-/// The same rows as all of them, less some: no other values. However far apart, and with a long step too.
-TEST(Recorder, KeptRowsAreThoseOfAWholeRecording) {
-  const Scratch folder;
-  std::vector<std::string> files;
-  for (const double every : {0.0, 0.05, 0.011, 0.5}) {
-    RecorderBench bench({0.01, 0.007});
-    Recording what{folder.path() / std::to_string(every)};
-    what.rows.every = every;
-    bench.record(what);
-    files.push_back(read_text(what.directory / "results.csv"));
-  }
-  for (std::size_t k = 1; k < files.size(); ++k) {
-    std::istringstream kept(files[k]);
-    std::size_t at = 0, rows = 0;
-    for (std::string line; std::getline(kept, line); ++rows) {
-      at = files[0].find(line + "\n", at);
-      ASSERT_NE(at, std::string::npos) << line;
-    }
-    EXPECT_EQ(rows, std::vector<std::size_t>({0, 42, 183, 6})[k]);
-  }
-}
-
-TEST(RowChoice, BothRowsOfAJumpAreKeptOrNone) {
-  RowChoice choice({.every = 1.0}, 0.0);
-  std::vector<bool> kept;
-  for (const double t : {0.0, 0.0, 0.5, 0.5, 1.2, 1.2, 1.2, 1.9, 2.0, 3.5, 3.9, 4.1})
-    kept.push_back(choice.takes(t, false));
-  EXPECT_EQ(kept,
-            (std::vector<bool>{true, true, false, false, true, true, true, false, true, true, false, true}));
-  EXPECT_TRUE(choice.takes(4.2, true));
 }
 
 }  // namespace

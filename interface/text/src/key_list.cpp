@@ -46,9 +46,4 @@ KeyList& KeyList::need(const std::string& name, Key::Type type, std::string sent
   return *this;
 }
 
-KeyList& KeyList::append(const std::vector<Key>& others) {
-  keys_.insert(keys_.end(), others.begin(), others.end());
-  return *this;
-}
-
 }  // namespace tandem::text

@@ -1,6 +1,5 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <functional>
 #include <string>
 
 namespace tandem::kart {

@@ -29,8 +29,6 @@ class KeyList {
   /// A key that may be there, and one that has to be.
   KeyList& may(const std::string& name, Key::Type type, std::string sentence, KeyDetails details = {});
   KeyList& need(const std::string& name, Key::Type type, std::string sentence, KeyDetails details = {});
-  /// Others, after these.
-  KeyList& append(const std::vector<Key>& others);
 
   std::vector<Key> list() && { return std::move(keys_); }
 
