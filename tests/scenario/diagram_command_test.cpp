@@ -138,7 +138,7 @@ TEST(RunCommand, RunsADiagramAlone) {
   const std::string figures = test::read_text(folder.path() / "o" / "machine.json");
   EXPECT_TRUE(contains(figures, "\"rate_evaluations\": 400")) << figures;
   folder.write("ramp.csv", "time,u,w\n0,0,0\n1,1,2\n");
-  folder.write("e.toml", lagging + "inputs = { u = 'ramp.csv:w' }\n");
+  folder.write("e.toml", lagging + "inputs.u = { file = 'ramp.csv', column = 'w' }\n");
   ASSERT_EQ(tandem(folder, {"run", "e.toml", "--output", "o"}).status, 0);
   EXPECT_TRUE(contains(test::read_text(folder.path() / "o" / "results.csv"), "\n1,1.13533"));
 }
@@ -150,7 +150,7 @@ TEST(RunCommand, RefusesToRunADiagramAloneWithoutWhatItTakes) {
   folder.write("d.toml", lagging + "inputs = { w = 1 }\n");
   EXPECT_TRUE(contains(tandem(folder, {"run", "d.toml"}).err, "d.toml:14"))
       << tandem(folder, {"run", "d.toml"}).err;
-  folder.write("d.toml", lagging + "inputs = { u = 'none.csv' }\n");
+  folder.write("d.toml", lagging + "inputs.u = { file = 'none.csv', column = 'u' }\n");
   EXPECT_TRUE(contains(tandem(folder, {"run", "d.toml"}).err, "none.csv"));
   EXPECT_EQ(tandem(folder, {"run", "d.toml", "--set", "blocks.x.input=3"}).status, 2);
 }

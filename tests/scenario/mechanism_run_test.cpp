@@ -82,7 +82,7 @@ TEST(RunCommand, AForceComesFromADataFile) {
   const Said beyond = tandem(folder, {"run", "m.toml", "--set", "run.stop=1.2", "--output", "p"});
   EXPECT_EQ(beyond.status, 1);
   EXPECT_NE(beyond.err.find("column 'F' of"), std::string::npos) << beyond.err;
-  EXPECT_NE(beyond.err.find("nothing is extrapolated"), std::string::npos) << beyond.err;
+  EXPECT_NE(beyond.err.find("beyond = \"refuse\" says that nothing is known there"), std::string::npos) << beyond.err;
   EXPECT_GT(TimeTable::read(folder.path() / "p").times.size(), 90U)
       << "results up to the last exchange are kept";
 }

@@ -30,24 +30,6 @@ engine::Description read(const SourceFile& file, Parameters& p) {
   return read(file, values, bounds);
 }
 
-/// Inputs for which there is a parameter data.NAME, "FILE" or "FILE:COLUMN": a column of a CSV file, of the
-/// input's name if none is given.
-void take_data(engine::Description& d, Parameters& p) {
-  std::vector<engine::Input> others;
-  for (engine::Input& input : d.inputs) {
-    const std::string data = p.text("data." + input.name, "");
-    if (data.empty()) {
-      others.push_back(std::move(input));
-      continue;
-    }
-    const auto colon = data.find(':');
-    const std::string column = colon == std::string::npos ? input.name : data.substr(colon + 1);
-    d.blocks.push_back(
-        {input.name, "csv", {{"file", data.substr(0, colon)}, {"column", column}}, input.where});
-  }
-  d.inputs = std::move(others);
-}
-
 long most_steps(Parameters& p, long otherwise) {
   const double value = p.number("most_steps", static_cast<double>(otherwise));
   if (value == std::floor(value) && value >= 1.0 && value <= 1e9) return static_cast<long>(value);
@@ -70,8 +52,7 @@ void take(Parameters& p, engine::AdaptiveSettings& s) {
 Words diagram_words() {
   return words_by(Setter::client,
                   {"step", "integrator", "locate_events", "relative_tolerance", "absolute_tolerance",
-                   "absolute_tolerance.*", "longest_step", "shortest_step", "most_steps"}) +
-         words_by(Setter::operator_only, {"data.*"});
+                   "absolute_tolerance.*", "longest_step", "shortest_step", "most_steps"});
 }
 
 std::unique_ptr<Subsystem> make_diagram(const SourceFile& file, Parameters& p,
@@ -79,7 +60,6 @@ std::unique_ptr<Subsystem> make_diagram(const SourceFile& file, Parameters& p,
   p.declare(diagram_words());
   take_run_table(file.document(), p);
   engine::Description diagram = read(file, p);
-  take_data(diagram, p);
   diagram.kinds = std::move(kinds);
   engine::SubsystemSettings settings;
   settings.step = p.number("step", 0.0);

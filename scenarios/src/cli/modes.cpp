@@ -67,7 +67,8 @@ void print_modes_of_file(const std::string& file, const std::vector<std::string>
 }
 
 /// What the scenario says of the mechanism: parameters, and inputs at the start.
-mbs::Description described(const std::filesystem::path& file, const scenario::SubsystemEntry& entry) {
+mbs::Description described(const std::filesystem::path& file, const scenario::SubsystemEntry& entry,
+                           double start) {
   const auto value = [&](const std::string& name) -> std::optional<text::FileValue> {
     for (const scenario::Parameter& p : entry.parameters)
       if (p.name == name) {
@@ -84,10 +85,10 @@ mbs::Description described(const std::filesystem::path& file, const scenario::Su
   });
   std::vector<std::string> names;
   for (const mbs::Input& input : d.inputs) names.push_back(input.name);
-  for (const scenario::StartValue& v : entry.inputs) {
-    const auto at = std::find(names.begin(), names.end(), v.port);
-    if (at == names.end()) text::refuse(v.place, unknown("input", v.port, names));
-    d.inputs[static_cast<std::size_t>(at - names.begin())].value = v.value;
+  for (const scenario::InputEntry& input : entry.inputs) {
+    const auto at = std::find(names.begin(), names.end(), input.port);
+    if (at == names.end()) text::refuse(input.place, unknown("input", input.port, names));
+    d.inputs[static_cast<std::size_t>(at - names.begin())].value = input.at(start);
   }
   return d;
 }
@@ -99,7 +100,7 @@ void print_modes_of_scenario(const std::string& file, const std::vector<std::str
   for (const auto& s : scenario.subsystems) {
     if (!s.source.starts_with(scheme)) continue;
     const auto mechanism = scenario.file.parent_path() / s.source.substr(scheme.size());
-    print_modes(described(mechanism, s), scenario.start);
+    print_modes(described(mechanism, s, scenario.start), scenario.start);
     any = true;
   }
   if (!any)
