@@ -17,7 +17,7 @@ std::size_t place(const std::array<std::string_view, Count>& words, const std::s
 }
 
 template <std::size_t Count>
-std::vector<std::string> listed(const std::array<std::string_view, Count>& words) {
+std::vector<std::string> texts_of(const std::array<std::string_view, Count>& words) {
   return {words.begin(), words.end()};
 }
 
@@ -37,10 +37,10 @@ void keys_of_joining(KeyList& to, const std::string& beyond) {
   to.may("interpolation", Key::Type::word,
          "How the values are joined: by straight lines, not at all (each holds until the next), or by the "
          "natural cubic spline. A time that is there twice is a jump; a spline has none.",
-         {.otherwise = "linear", .words = listed(TimeSeries::between_words)})
+         {.otherwise = "linear", .words = texts_of(TimeSeries::between_words)})
       .may("beyond", Key::Type::word,
            "Before the first time and after the last: an error, or the first and the last value.",
-           {.otherwise = beyond, .words = listed(TimeSeries::beyond_words)});
+           {.otherwise = beyond, .words = texts_of(TimeSeries::beyond_words)});
 }
 
 void keys_of_series(KeyList& to) {

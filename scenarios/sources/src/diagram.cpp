@@ -15,19 +15,13 @@
 namespace tandem {
 namespace {
 
-engine::Description read(const SourceFile& file, const engine::ParameterValues& values,
-                         const engine::FileBounds& bounds) {
-  return file.text ? engine::read_diagram(file.path.string(), *file.text, values, bounds)
-                   : engine::read_diagram(file.path, values, bounds);
-}
-
 /// The diagram with the parameters that are given.
-engine::Description read(const SourceFile& file, Parameters& p) {
-  const text::GivenValues values = take_file_parameters(file.document(), diagram_words(), p);
-  engine::FileBounds bounds{file.path.parent_path(), {}};
+engine::Description read(const text::Document& document, Parameters& p) {
+  const text::GivenValues values = take_file_parameters(document, diagram_words(), p);
+  engine::FileBounds bounds{std::filesystem::path(document.file()).parent_path(), {}};
   for (const auto& [name, value] : values)
     if (p.from_client(name)) bounds.parameters.insert(name);
-  return read(file, values, bounds);
+  return engine::read_diagram(document, values, bounds);
 }
 
 long most_steps(Parameters& p, long otherwise) {
@@ -58,8 +52,9 @@ Words diagram_words() {
 std::unique_ptr<Subsystem> make_diagram(const SourceFile& file, Parameters& p,
                                         std::vector<engine::CompiledBlock> kinds, const TellOfDiagram& tell) {
   p.declare(diagram_words());
-  take_run_table(file.document(), p);
-  engine::Description diagram = read(file, p);
+  const text::Document document = file.document();
+  take_run_table(document, p);
+  engine::Description diagram = read(document, p);
   diagram.kinds = std::move(kinds);
   engine::SubsystemSettings settings;
   settings.step = p.number("step", 0.0);

@@ -10,7 +10,6 @@
 #include "cli/mechanism_info.hpp"
 #include "cli/say.hpp"
 #include "scenario/scenario.hpp"
-#include "scenario/set.hpp"
 #include "sources/elements.hpp"
 #include "tandem/mbs/mechanism/initial.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
@@ -60,10 +59,8 @@ void print_modes(mbs::Description description, double start) {
 /// Of a mechanism alone, with any values of its file set.
 void print_modes_of_file(const std::string& file, const std::vector<std::string>& overrides) {
   text::Document document{std::filesystem::path(file)};
-  for (const std::string& text : overrides)
-    text::located(text::Place{file, 0, text::set_prefix + text},
-                  [&] { scenario::set(document.table(), text); });
-  print_modes(mbs::read_mechanism(document, element_kinds()), start_of(file));
+  document.set(overrides);
+  print_modes(mbs::read_mechanism(document, element_kinds()), start_of(document));
 }
 
 /// What the scenario says of the mechanism: parameters, and inputs at the start.
@@ -122,9 +119,7 @@ void add_modes(CLI::App& app, Context&) {
   command->add_option("what", options->what, "A mechanism, or a scenario with mechanisms")
       ->required()
       ->type_name("FILE");
-  command
-      ->add_option("--set", options->overrides,
-                   "Set a value of the mechanism's file, or of the scenario as in run (repeatable)")
+  command->add_option("--set", options->overrides, "Set a value of the file, as in run (repeatable)")
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->take_all();

@@ -19,7 +19,11 @@ namespace {
 /// address alone may serve several.
 template <class Use>
 auto with_opening(const SubsystemEntry& entry, const Builtins& builtins, const Use& use) {
-  Opening opening{{}, std::filesystem::path(entry.place.file).parent_path(), entry.command, entry.isolated};
+  Opening opening{{},
+                  std::filesystem::path(entry.place.file).parent_path(),
+                  entry.command,
+                  entry.overrides,
+                  entry.isolated};
   for (const Parameter& p : entry.parameters) opening.parameters.set(p.name, p.value);
   const auto place_of = [&](const std::string& sentence) { return entry.place_named_in(sentence); };
   return located(place_of, [&] {

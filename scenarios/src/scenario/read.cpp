@@ -5,7 +5,6 @@
 
 #include "scenario/keys.hpp"
 #include "scenario/scenario.hpp"
-#include "scenario/set.hpp"
 #include "scenario/settings.hpp"
 #include "scenario/to_json.hpp"
 #include "tandem/text/section.hpp"
@@ -42,7 +41,7 @@ class Reader {
   }
 
   /// A mechanism or a diagram alone: its file is the source, its table [run] says how long and how.
-  void read_alone(const std::string& kind) {
+  void read_alone(const std::string& kind, const std::vector<std::string>& overrides) {
     Section root(document_, document_.table(), "");
     to_.name = root.text("name").value_or(to_.file.stem().string());
     to_.description = root.text("description").value_or("");
@@ -51,6 +50,7 @@ class Reader {
     SubsystemEntry entry{
         to_.file.stem().string(), kind + ":" + to_.file.filename().string(), {}, {}, document_.place(*table),
         document_.place(*table)};
+    entry.overrides = overrides;
     Section run(document_, *table, "run");
     read_span(run);
     for (Parameter& p : parameters(*table, "run", kind == "diagram" ? "inputs" : ""))
@@ -202,17 +202,12 @@ std::string kind_alone(const std::filesystem::path& file) { return kind_of(Docum
 
 Scenario read(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   Document document(file);
+  document.set(overrides);
   const std::string alone = kind_of(document.table());
-  for (const std::string& text : overrides) {
-    const Place place{file.string(), 0, text::set_prefix + text};
-    if (!alone.empty() && !text.starts_with("run."))
-      refuse(place, "of a " + alone + "'s file only run.KEY can be set; the rest is what it is made of");
-    located(place, [&] { set(document.table(), text); });
-  }
   Scenario scenario;
   scenario.file = file;
   Reader reader(document, scenario);
-  alone.empty() ? reader.read() : reader.read_alone(alone);
+  alone.empty() ? reader.read() : reader.read_alone(alone, overrides);
   scenario.overrides = overrides;
   scenario.document = to_json(document.table());
   return scenario;

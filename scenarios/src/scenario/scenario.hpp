@@ -40,8 +40,9 @@ struct SubsystemEntry {
   std::vector<Parameter> parameters;  ///< those that all subsystems share are among them
   std::vector<InputEntry> inputs;
   Place place, source_place;
-  std::vector<std::string> command = {};  ///< a program and its arguments; empty: there is a source
-  bool isolated = false;                  ///< in a process of its own
+  std::vector<std::string> command = {};    ///< a program and its arguments; empty: there is a source
+  bool isolated = false;                    ///< in a process of its own
+  std::vector<std::string> overrides = {};  ///< of the file that is the source, "KEY=VALUE"
 
   /// "lib:./x.so", without parameters, or "command [...]".
   std::string address() const;
