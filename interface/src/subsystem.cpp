@@ -14,6 +14,8 @@ namespace {
 }
 }  // namespace
 
+std::vector<std::string> Subsystem::remarks(double) const { return {}; }
+
 std::uint32_t to_bits(const SubsystemInfo& info) {
   const Abilities& a = info.abilities;
   std::uint32_t bits = 0;

@@ -64,7 +64,7 @@ TEST(RunCommand, TellsWhichEquationsAreRedundant) {
     return test::read_text(folder.path() / name / "results.json");
   };
   const std::string bricard = notes("bricard");
-  EXPECT_NE(bricard.find("mechanism 'bricard' has 1 redundant equation: body rod"), std::string::npos);
+  EXPECT_NE(bricard.find("subsystem 'bricard': 1 redundant equation: body rod"), std::string::npos);
   EXPECT_EQ(notes("four_bar").find("redundant"), std::string::npos);
 }
 

@@ -134,7 +134,8 @@ TEST_F(ViewCommand, ARunChecksWhatTheViewIsToldByItsFiles) {
   const Said none =
       tandem(folder, {"run", scenario_file("two_mass/two_mass.toml"), "--set", "record.animate=true"});
   EXPECT_EQ(none.status, 2);
-  EXPECT_TRUE(says(none, "record.animate is true, but no subsystem has the source mechanism:FILE"))
+  EXPECT_TRUE(
+      says(none, "record.animate is true, but no subsystem has a source that tells where its points are"))
       << none.err;
   const Said plots =
       tandem(folder, {"run", scenario_file("two_mass/two_mass.toml"), "--set", "view.plots=['fast.x9']"});

@@ -166,6 +166,16 @@ void DiagramModel::outputs(double* y) const {
     if (hidden_[k]) y[k] = std::numeric_limits<double>::quiet_NaN();
 }
 
+/// Data that end before.
+std::vector<std::string> DiagramModel::remarks(double t_stop) const {
+  std::vector<std::string> all;
+  for (const Range& r : program().ranges)
+    if (r.signal == program().time && TimeTolerance().before(r.high, t_stop))
+      all.push_back(fmt::format("{}: the data end at t = {} s; the run to {} s fails where they end", r.owner,
+                                r.high, t_stop));
+  return all;
+}
+
 /// Of a state that is kept, as all are that leave the process.
 void DiagramModel::write(ByteWriter& to) const {
   to.put(kept_time_);

@@ -41,6 +41,7 @@ class DiagramModel {
   void outputs_before(double* y) const;
   bool jump(double t, std::span<const Signal> u);
   void outputs(double* y) const;
+  std::vector<std::string> remarks(double t_stop) const;
   void write(ByteWriter& to) const;
   void read(ByteReader& from);
   /// Of a sampled diagram: what happens at its instant t; or what it would give, and nothing changes.

@@ -1,8 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "tandem/engine/subsystem.hpp"
 
-#include <fmt/format.h>
-
 #include "sampled_diagram.hpp"
 
 namespace tandem::engine {
@@ -26,17 +24,6 @@ std::unique_ptr<Subsystem> make_subsystem(const Description& diagram, const Subs
 std::optional<Statistics> statistics_of(const Subsystem& subsystem) {
   const DiagramModel* model = model_of(subsystem);
   return model ? std::optional(model->statistics()) : std::nullopt;
-}
-
-std::vector<std::string> data_ending_before(const Subsystem& subsystem, double t) {
-  const DiagramModel* model = model_of(subsystem);
-  std::vector<std::string> all;
-  if (!model) return all;
-  const Program& program = model->program();
-  for (const Range& r : program.ranges)
-    if (r.signal == program.time && TimeTolerance().before(r.high, t))
-      all.push_back(fmt::format("{}: the data end at t = {} s", r.owner, r.high));
-  return all;
 }
 
 }  // namespace tandem::engine

@@ -26,6 +26,11 @@ class SavedModels : public Subsystem {
   const SubsystemInfo& info() const override { return info_; }
   const Model& model() const { return model_; }
 
+  std::vector<std::string> remarks(double t_stop) const override {
+    if constexpr (requires { model_.remarks(t_stop); }) return model_.remarks(t_stop);
+    return {};
+  }
+
   StateId save_state() override { return keep(model_, place_); }
   Clock restore_state(StateId id) override {
     const Saved& from = saved(id);

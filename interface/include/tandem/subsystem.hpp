@@ -48,6 +48,10 @@ class Subsystem {
   /// Whether all calls have to come from the thread that made it. The base class says false.
   virtual bool one_thread() const;
 
+  /// After initialize(): sentences on what a user of a run to t_stop [s] should know. The base class has
+  /// none.
+  virtual std::vector<std::string> remarks(double t_stop) const;
+
   /// Puts the state at t_start [s] and appends the first sample; the run ends at t_stop [s], past which no
   /// step is asked for. A sampled subsystem gives the outputs that hold before its first instant, which is
   /// its next_time, t_start or later. u0: one value per scalar input, NaN where it is not known yet; an

@@ -168,13 +168,31 @@ void Multibody::hide_unknown(double* y) const {
   }
 }
 
+/// Redundant equations, and data that end before: these refuse a time beyond them, where other functions have
+/// a value.
+std::vector<std::string> Multibody::remarks(double t_stop) const {
+  const Description& d = machine_->mechanism.description();
+  if (moving_.state().q.size() == 0)
+    throw Error(ErrorCode::wrong_state, "mechanism '" + d.name +
+                                            "' is asked for remarks before initialize(), where it stands "
+                                            "nowhere yet; allowed is after it");
+  std::vector<std::string> all;
+  if (const auto names = redundant_equations(); !names.empty())
+    all.push_back(fmt::format("{} redundant equation{}: {}", names.size(), names.size() > 1 ? "s" : "",
+                              fmt::join(names, ", ")));
+  for (const Input& input : d.inputs)
+    if (input.function) try {
+        input.function(t_stop);
+      } catch (const Error& error) {
+        all.push_back(fmt::format("input '{}': {}; the run to {} s fails where they end", input.name,
+                                  error.what(), t_stop));
+      }
+  return all;
+}
+
 /// No gradient depends on inputs; signals of the last call are gone.
 std::vector<std::string> Multibody::redundant_equations() const {
   Mechanism& m = machine_->mechanism;
-  if (moving_.state().q.size() == 0)
-    throw Error(ErrorCode::wrong_state, "mechanism '" + m.description().name +
-                                            "': redundant equations are asked for before initialize(), where "
-                                            "it stands nowhere yet; allowed is after it");
   m.set_inputs(nullptr);
   const Freedom found = freedom(m, moving_.state());
   m.set_inputs(&machine_->inputs);
@@ -199,25 +217,6 @@ void Multibody::read(ByteReader& from) {
 
 std::unique_ptr<Subsystem> make_subsystem(Description description, const SubsystemSettings& settings) {
   return std::make_unique<FixedStep<Multibody>>(Multibody(std::move(description), settings));
-}
-
-std::vector<std::string> redundant_equations(const Subsystem& subsystem) {
-  const auto* mechanism = dynamic_cast<const FixedStep<Multibody>*>(&subsystem);
-  return mechanism ? mechanism->model().redundant_equations() : std::vector<std::string>{};
-}
-
-/// Data refuse a time beyond them; other functions have a value at each.
-std::vector<std::string> data_ending_before(const Subsystem& subsystem, double t) {
-  const auto* mechanism = dynamic_cast<const FixedStep<Multibody>*>(&subsystem);
-  std::vector<std::string> all;
-  if (!mechanism) return all;
-  for (const Input& input : mechanism->model().description().inputs)
-    if (input.function) try {
-        input.function(t);
-      } catch (const Error& error) {
-        all.push_back("input '" + input.name + "': " + error.what());
-      }
-  return all;
 }
 
 }  // namespace tandem::mbs

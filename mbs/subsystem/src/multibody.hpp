@@ -25,8 +25,7 @@ class Multibody {
   void outputs_before(double* y) const;
   bool jump(double t, std::span<const Signal> u);
   void outputs(double* y) const;
-  std::vector<std::string> redundant_equations() const;
-  const Description& description() const { return machine_->mechanism.description(); }
+  std::vector<std::string> remarks(double t_stop) const;
   void write(ByteWriter& to) const;
   void read(ByteReader& from);
 
@@ -53,6 +52,7 @@ class Multibody {
   bool move(OwnStep& s);
   void pass_jump(double t, const OwnStep& part);
   void hide_unknown(double* y) const;
+  std::vector<std::string> redundant_equations() const;
   void dump_matrices() const;
 
   std::shared_ptr<Machine> machine_;

@@ -25,14 +25,14 @@ void check_times(const std::string& times, const Scenario& scenario) {
 
 }  // namespace
 
-Scenario with_matrices(Scenario scenario, const Matrices& matrices) {
+Scenario with_matrices(Scenario scenario, const Matrices& matrices, const Builtins& builtins) {
   if (!matrices.folder) return scenario;
   if (matrices.folder->empty())
     throw Error(ErrorCode::invalid_argument, "--dump-matrices is ''; allowed is the name of a folder");
   if (matrices.times) check_times(*matrices.times, scenario);
   bool found = false;
   for (auto& entry : scenario.subsystems) {
-    if (!entry.source.starts_with("mechanism:")) continue;
+    if (!scenario::takes(entry, builtins, "matrices")) continue;
     found = true;
     if (entry.name.find('/') != std::string::npos || entry.name.starts_with("."))
       scenario::refuse(entry.place, "subsystem '" + entry.name +

@@ -15,6 +15,7 @@ struct Matrices {
 
 /// The scenario with the matrices asked for of each mechanism, in a folder of its name. Throws Error for
 /// a folder without a name, what is no time of the run, and where there is no mechanism.
-scenario::Scenario with_matrices(scenario::Scenario scenario, const Matrices& matrices);
+scenario::Scenario with_matrices(scenario::Scenario scenario, const Matrices& matrices,
+                                 const Builtins& builtins);
 
 }  // namespace tandem::cli

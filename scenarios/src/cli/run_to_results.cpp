@@ -32,8 +32,8 @@ using scenario::Assembly;
 using scenario::RunEnd;
 using scenario::Scenario;
 
-Scenario scenario_of(const RunOptions& options) {
-  return with_matrices(scenario::read(options.file, options.overrides), options.matrices);
+Scenario scenario_of(const RunOptions& options, const Context& context) {
+  return with_matrices(scenario::read(options.file, options.overrides), options.matrices, context.builtins);
 }
 
 fs::path folder_of(const RunOptions& options) {
@@ -58,7 +58,7 @@ class Run {
   Run(const RunOptions& options, const Context& context)
       : options_(options),
         context_(context),
-        scenario_(scenario_of(options)),
+        scenario_(scenario_of(options, context)),
         folder_(folder_of(options)),
         kept_(options.dry ? nullptr : std::make_unique<KeptFolder>(folder_)),
         kept_of_matrices_(kept_of_matrices()),
@@ -263,7 +263,7 @@ class Run {
 void run_to_results(const RunOptions& options, const Context& context) { Run(options, context).make(); }
 
 void run_dry(const RunOptions& options, const Context& context) {
-  const Scenario scenario = scenario_of(options);
+  const Scenario scenario = scenario_of(options, context);
   Context looking = context;
   looking.builtins = mechanisms::without_matrices(context.builtins);
   if (options.run_programs || !scenario::names_code(scenario, looking.builtins))

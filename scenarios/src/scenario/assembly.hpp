@@ -26,8 +26,7 @@ class Assembly {
                                      std::function<void()> begin = {}) const;
   /// Coordinator::initialize.
   void initialize();
-  /// The coordinator's, equations of mechanisms that are redundant where they started, and data that end
-  /// before the span does.
+  /// The coordinator's, and what the subsystems remark.
   std::vector<std::string> notes() const;
 
  private:

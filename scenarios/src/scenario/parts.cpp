@@ -1,24 +1,23 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "scenario/parts.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "tandem/engine/subsystem.hpp"
 #include "tandem/error.hpp"
-#include "tandem/mbs/subsystem.hpp"
 #include "tandem/nearest.hpp"
 #include "tandem/printable.hpp"
 
 namespace tandem::scenario {
 namespace {
 
+const std::string animated = "animate";
+
 /// use(opening) with errors that name the place in the file, and a subsystem that lives elsewhere: the
-/// address alone may serve several.
+/// address alone may serve several. animate: it is to tell where its points are, unless its own parameters
+/// say whether.
 template <class Use>
-auto with_opening(const SubsystemEntry& entry, const Builtins& builtins, const Use& use) {
+auto with_opening(const SubsystemEntry& entry, const Builtins& builtins, bool animate, const Use& use) {
   Opening opening{{},
                   std::filesystem::path(entry.place.file).parent_path(),
                   entry.command,
@@ -27,6 +26,8 @@ auto with_opening(const SubsystemEntry& entry, const Builtins& builtins, const U
   for (const Parameter& p : entry.parameters) opening.parameters.set(p.name, p.value);
   const auto place_of = [&](const std::string& sentence) { return entry.place_named_in(sentence); };
   return located(place_of, [&] {
+    if (animate && takes(entry, builtins, animated) && !opening.parameters.has(animated))
+      opening.parameters.set(animated, true);
     try {
       return use(std::move(opening));
     } catch (const Error& error) {
@@ -59,10 +60,18 @@ void start(Subsystem& subsystem, const Topology& topology, int instance, const T
 
 }  // namespace
 
+bool takes(const SubsystemEntry& entry, const Builtins& builtins, const std::string& word) {
+  return located(entry.source_place, [&] {
+    const Words& words = source_of(entry.source, builtins).words;
+    return std::any_of(words.begin(), words.end(), [&](const Word& one) { return one.name == word; });
+  });
+}
+
 Parts::Parts(const Scenario& scenario, const Builtins& builtins, Code code) : scenario_(scenario) {
+  if (scenario.animate) check_animation(builtins);
   for (const SubsystemEntry& entry : scenario.subsystems) {
     const bool out = code == Code::leave_out && is_code(entry, builtins);
-    subsystems_.push_back(out ? leave_out(entry, builtins) : opened(entry, builtins));
+    subsystems_.push_back(out ? leave_out(entry, builtins) : opened(entry, builtins, scenario.animate));
     located(entry.place, [&] { topology_.add(entry.name, out ? no_ports_ : subsystems_.back()->info()); });
   }
   set_inputs();
@@ -76,14 +85,25 @@ Parts::Parts(const Scenario& scenario, const Builtins& builtins, Code code) : sc
           [&] { topology_.check(); });
 }
 
-std::unique_ptr<Subsystem> Parts::opened(const SubsystemEntry& entry, const Builtins& builtins) {
-  return with_opening(entry, builtins,
+void Parts::check_animation(const Builtins& builtins) const {
+  const auto& all = scenario_.subsystems;
+  const bool any = std::any_of(all.begin(), all.end(),
+                               [&](const SubsystemEntry& entry) { return takes(entry, builtins, animated); });
+  if (!any)
+    refuse(scenario_.place("record.animate"),
+           "record.animate is true, but no subsystem has a source that tells where its points are, as "
+           "mechanism:FILE does; allowed is to leave it out");
+}
+
+std::unique_ptr<Subsystem> Parts::opened(const SubsystemEntry& entry, const Builtins& builtins,
+                                         bool animate) {
+  return with_opening(entry, builtins, animate,
                       [&](Opening opening) { return open(entry.source, builtins, std::move(opening)); });
 }
 
 /// Its address is shown as who decides whether it may be run has to see it.
 std::unique_ptr<Subsystem> Parts::leave_out(const SubsystemEntry& entry, const Builtins& builtins) {
-  with_opening(entry, builtins,
+  with_opening(entry, builtins, scenario_.animate,
                [&](Opening opening) { look_at(entry.source, builtins, std::move(opening)); });
   left_out_.push_back(
       entry.source_place.text() + ": subsystem '" + entry.name +
@@ -137,24 +157,11 @@ void Parts::check_each() const {
 
 std::vector<std::string> Parts::notes() const {
   std::vector<std::string> all;
-  for (int i = 0; i < topology_.size(); ++i) {
-    if (!subsystem(i)) continue;
-    if (const auto names = mbs::redundant_equations(*subsystem(i)); !names.empty())
-      all.push_back("mechanism '" + topology_.name(i) + "' has " + std::to_string(names.size()) +
-                    " redundant equation" + (names.size() > 1 ? "s" : "") + ": " + listed(names));
-    add_ending_data(i, all);
-  }
+  for (int i = 0; i < topology_.size(); ++i)
+    if (const Subsystem* one = subsystem(i))
+      for (const std::string& remark : one->remarks(scenario_.stop))
+        all.push_back("subsystem '" + topology_.name(i) + "': " + remark);
   return all;
-}
-
-void Parts::add_ending_data(int instance, std::vector<std::string>& notes) const {
-  auto ending = mbs::data_ending_before(*subsystem(instance), scenario_.stop);
-  for (std::string& sentence : engine::data_ending_before(*subsystem(instance), scenario_.stop))
-    ending.push_back(std::move(sentence));
-  for (const std::string& sentence : ending)
-    notes.push_back(
-        fmt::format("subsystem '{}', {}; the span goes on to {} s, and the run fails where they end",
-                    topology_.name(instance), sentence, scenario_.stop));
 }
 
 bool names_code(const Scenario& scenario, const Builtins& builtins) {

@@ -29,18 +29,18 @@ class Parts {
   /// What a run checks beyond that of each subsystem alone: recorded outputs, and its start with what is
   /// known of its inputs.
   void check_each() const;
-  /// After a start: equations of mechanisms that are redundant there, a sentence for each mechanism, and data
-  /// of files that end before the span does.
+  /// After a start: what the subsystems remark (Subsystem::remarks).
   std::vector<std::string> notes() const;
 
-  /// One subsystem alone.
-  static std::unique_ptr<Subsystem> opened(const SubsystemEntry& entry, const Builtins& builtins);
+  /// One subsystem alone. animate: it tells where its points are, if it can.
+  static std::unique_ptr<Subsystem> opened(const SubsystemEntry& entry, const Builtins& builtins,
+                                           bool animate = false);
 
  private:
   std::unique_ptr<Subsystem> leave_out(const SubsystemEntry& entry, const Builtins& builtins);
   bool is_left_out(const std::string& port) const;
+  void check_animation(const Builtins& builtins) const;
   void set_inputs();
-  void add_ending_data(int instance, std::vector<std::string>& notes) const;
   void connect(const ConnectionEntry& entry);
   void check_output(const Place& place, const std::string& what, const std::string& name) const;
 
@@ -50,6 +50,9 @@ class Parts {
   Topology topology_;
   std::vector<std::string> left_out_;
 };
+
+/// Whether its source itself has a parameter of this name, besides those of the model.
+bool takes(const SubsystemEntry& entry, const Builtins& builtins, const std::string& word);
 
 /// Whether a source of it is code.
 bool names_code(const Scenario& scenario, const Builtins& builtins);

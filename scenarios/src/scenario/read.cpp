@@ -55,10 +55,8 @@ class Reader {
     read_span(run);
     for (Parameter& p : parameters(*table, "run", kind == "diagram" ? "inputs" : ""))
       if (p.name != "start" && p.name != "stop") entry.parameters.push_back(std::move(p));
-    if (kind == "diagram")
-      read_inputs_of_diagram(run, entry);
-    else if (!run.node("animate"))
-      entry.parameters.push_back({"animate", true, entry.place});
+    if (kind == "diagram") read_inputs_of_diagram(run, entry);
+    to_.animate = kind == "mechanism" && !run.node("animate");
     to_.subsystems.push_back(std::move(entry));
   }
 

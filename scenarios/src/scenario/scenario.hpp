@@ -111,7 +111,7 @@ struct Scenario {
   std::optional<ReferenceEntry> reference;
   std::optional<JudgeEntry> judge;
   std::optional<LadderEntry> ladder;
-  bool animate = false;            ///< where the mechanisms' points are is recorded
+  bool animate = false;            ///< where points are is recorded, of sources that can tell
   std::vector<std::string> plots;  ///< outputs that `tandem view` plots at first
 
   std::vector<std::string> overrides;  ///< "KEY=VALUE"

@@ -78,22 +78,6 @@ void read_span(Section& section, Scenario& to) {
                   "a time in s after span.start, which is " + (start ? described(*start) : "0"));
 }
 
-/// Each mechanism is asked for where its points are, unless its own parameters say whether.
-void read_animate(Section& section, Scenario& to) {
-  to.animate = *section.flag("animate");
-  if (!to.animate) return;
-  bool found = false;
-  for (SubsystemEntry& entry : to.subsystems) {
-    if (!entry.source.starts_with("mechanism:")) continue;
-    found = true;
-    const bool there = std::any_of(entry.parameters.begin(), entry.parameters.end(),
-                                   [](const Parameter& p) { return p.name == "animate"; });
-    if (!there) entry.parameters.push_back({"animate", true, section.place("animate")});
-  }
-  if (!found)
-    section.wrong("animate", "true, but no subsystem has the source mechanism:FILE", "to leave it out");
-}
-
 RowRules row_rules(Section& section, const Scenario& of) {
   RowRules rules;
   rules.every = section.positive("every").value_or(0.0);
@@ -107,8 +91,8 @@ RowRules row_rules(Section& section, const Scenario& of) {
 }
 
 void read_record(Section& section, Scenario& to) {
-  note_places(section, {"clock", "ports"}, to);
-  read_animate(section, to);
+  note_places(section, {"clock", "ports", "animate"}, to);
+  to.animate = *section.flag("animate");
   const std::string clock = section.text("clock").value_or("");
   to.recording.own = clock == "own";
   if (!to.recording.own) to.recording.clock = clock;

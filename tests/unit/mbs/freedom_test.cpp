@@ -76,7 +76,7 @@ TEST(Freedom, IsNotTakenByAJointWhereThereIsOneAlready) {
   for (const int c : f.redundant) EXPECT_EQ(m.structure().constraint_names[c].substr(0, 7), "joint j");
 }
 
-TEST(RedundantEquations, AreRefusedBeforeAMechanismStandsSomewhere) {
+TEST(RedundantEquations, AreRemarkedWhereAMechanismStandsSomewhere) {
   const auto rod = make_subsystem(
       read_mechanism("m",
                      "name = 'rod'\ndimension = 2\n[points]\nO = { at = [0, 0], fixed = true }\n"
@@ -84,11 +84,11 @@ TEST(RedundantEquations, AreRefusedBeforeAMechanismStandsSomewhere) {
                      "[distances]\nd = { points = ['O', 'P'] }\n[outputs]\nx = { position = 'P.x' }\n"),
       {.step = 1e-3});
   EXPECT_TRUE(test::refuses(ErrorCode::wrong_state, {"mechanism 'rod'", "before initialize()"},
-                            [&] { redundant_equations(*rod); }));
+                            [&] { rod->remarks(1.0); }));
   std::vector<double> row(static_cast<std::size_t>(rod->info().row_size()));
   Samples y(row.data(), rod->info().row_size(), 1);
   rod->initialize(0.0, 1.0, {}, y);
-  EXPECT_EQ(redundant_equations(*rod), std::vector<std::string>{"distance d"});
+  EXPECT_EQ(rod->remarks(1.0), std::vector<std::string>{"1 redundant equation: distance d"});
 }
 
 }  // namespace

@@ -20,14 +20,12 @@ struct SubsystemSettings {
 /// Feedthrough is what the diagram says. An output that is a state comes with its derivative by time; one
 /// that follows held values alone is held; one that an event makes jump comes with both rows there (ability
 /// `events`). A diagram whose outputs change at its blocks' periodic instants alone, and that has no states,
-/// is a sampled subsystem, which acts at the union of these instants. Throws Error for a step that is not
+/// is a sampled subsystem, which acts at the union of these instants. It remarks data that end before the run
+/// does and are not held. Throws Error for a step that is not
 /// finite and above 0, or is given to a sampled one, and for what compile() and make_integrator() refuse.
 std::unique_ptr<Subsystem> make_subsystem(const Description& diagram, const SubsystemSettings& settings);
 
 /// What the integrator of a subsystem that make_subsystem() made has done; nothing of another one.
 std::optional<Statistics> statistics_of(const Subsystem& subsystem);
-
-/// Of such a subsystem: a sentence for each of its data of a file that end before t [s], and may not be held.
-std::vector<std::string> data_ending_before(const Subsystem& subsystem, double t);
 
 }  // namespace tandem::engine

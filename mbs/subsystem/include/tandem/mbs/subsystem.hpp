@@ -35,16 +35,10 @@ struct SubsystemSettings {
 /// prescribed motion is followed by all. Inputs are read at the end of each own step, and at its beginning:
 /// where they differ from what they were at the end of the step before, accelerations and multipliers are
 /// computed anew first (a held input would ruin the trapezoidal rule otherwise). A step may be cut (lands).
-/// Limits are looked at where a run begins and at the end of each own step.
+/// Limits are looked at where a run begins and at the end of each own step. It remarks constraints that say
+/// nothing beside the others where it stands (freedom.hpp), and data that end before the run does.
 /// Throws Error for a step that is not finite and above 0, and for what Mechanism and make_stepper() refuse.
 std::unique_ptr<Subsystem> make_subsystem(Description description, const SubsystemSettings& settings);
-
-/// Constraints of a mechanism that say nothing beside its others where it stands (freedom.hpp), by name. None
-/// of a subsystem that is no mechanism in this process. Throws Error(wrong_state) before initialize().
-std::vector<std::string> redundant_equations(const Subsystem& subsystem);
-
-/// Of a mechanism in this process: a sentence for each of its data of a file that do not reach to t [s].
-std::vector<std::string> data_ending_before(const Subsystem& subsystem, double t);
 
 /// A model that is no mechanism, and how it begins.
 struct NamedModel {
