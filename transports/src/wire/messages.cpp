@@ -70,6 +70,45 @@ void read_sampling(Reader& in, Sampling& sampling) {
   sampling.latency = in.take<double>();
 }
 
+/// Bits of a declared parameter.
+constexpr std::uint32_t is_word = 1, has_otherwise = 2;
+
+void put_declared(Writer& frame, const DeclaredParameters& declared) {
+  frame.put(static_cast<std::uint32_t>(declared.size()));
+  for (const DeclaredParameter& p : declared) {
+    frame.put((p.unit ? 0U : is_word) | (p.otherwise ? has_otherwise : 0U));
+    frame.put_text(p.name);
+    frame.put_text(p.unit.value_or(""));
+    frame.put_text(p.otherwise.value_or(""));
+    frame.put_text(p.sentence);
+  }
+}
+
+DeclaredParameter read_parameter(Reader& in) {
+  const auto bits = in.take<std::uint32_t>();
+  if (bits > (is_word | has_otherwise))
+    in.refuse("gives " + std::to_string(bits) + " for the kind of a parameter; allowed are 0 to 3");
+  DeclaredParameter p;
+  p.name = read_name(in);
+  p.unit = read_name(in);
+  p.otherwise = read_name(in);
+  p.sentence = read_name(in);
+  if (bits & is_word) p.unit.reset();
+  if (!(bits & has_otherwise)) p.otherwise.reset();
+  return p;
+}
+
+DeclaredParameters read_declared(Reader& in) {
+  const std::uint64_t count = in.take_count(20);
+  if (count > most_parameters)
+    in.refuse("declares " + std::to_string(count) + " parameters; allowed are up to " +
+              std::to_string(most_parameters));
+  DeclaredParameters declared;
+  for (std::uint64_t i = 0; i < count; ++i) declared.push_back(read_parameter(in));
+  check_declared(declared);
+  return declared;
+}
+
 Clock read_clock(Reader& in) {
   Clock clock{};
   clock.time = in.take<double>();
@@ -115,6 +154,11 @@ ErrorCode code_from(std::uint32_t code) {
   return known ? static_cast<ErrorCode>(code) : ErrorCode::internal;
 }
 
+Error read_error(Reader& in) {
+  const ErrorCode code = code_from(in.take<std::uint32_t>());
+  return {code, printable(in.take_text(longest_sentence))};
+}
+
 }  // namespace
 
 void put_hello(Writer& frame, const Hello& hello) {
@@ -124,9 +168,10 @@ void put_hello(Writer& frame, const Hello& hello) {
   frame.put(hello.longest);
   frame.put(hello.capabilities);
   frame.put_text(hello.text);
+  if (hello.declared) put_declared(frame, *hello.declared);
 }
 
-Hello read_hello(std::span<const std::byte> payload) {
+Hello read_hello(std::span<const std::byte> payload, std::uint32_t asked_with) {
   Reader in(payload, "hello");
   for (const char c : magic)
     if (in.take<char>() != c) in.refuse("does not begin with TANDEM, so the peer speaks something else");
@@ -136,11 +181,12 @@ Hello read_hello(std::span<const std::byte> payload) {
   hello.longest = in.take<std::uint64_t>();
   hello.capabilities = in.take<std::uint32_t>();
   hello.text = in.take_text(longest_sentence);
+  if (hello.capabilities & asked_with & carries_parameters) hello.declared = read_declared(in);
   in.end();
   return hello;
 }
 
-void put_info(Writer& frame, const SubsystemInfo& info) {
+void put_info(Writer& frame, const SubsystemInfo& info, std::uint32_t capabilities) {
   frame.put_text(info.name);
   frame.put(to_bits(info));
   put_ports(frame, info.inputs);
@@ -151,9 +197,11 @@ void put_info(Writer& frame, const SubsystemInfo& info) {
     frame.put(std::int32_t{f.input});
   }
   put_held(frame, info);
+  if (capabilities & carries_nominal)
+    for (const Port& port : info.outputs) frame.put(port.nominal);
 }
 
-SubsystemInfo read_info(std::span<const std::byte> payload) {
+SubsystemInfo read_info(std::span<const std::byte> payload, std::uint32_t capabilities) {
   Reader in(payload, "info");
   SubsystemInfo info;
   info.name = read_name(in);
@@ -168,6 +216,8 @@ SubsystemInfo read_info(std::span<const std::byte> payload) {
   }
   read_held(in, (bits & TANDEM_HOLDS) != 0, info);
   if (info.abilities.sampled) read_sampling(in, info.sampling);
+  if (capabilities & carries_nominal)
+    for (Port& port : info.outputs) port.nominal = in.take<double>();
   in.end();
   check_info(info.name, info);
   return info;
@@ -236,13 +286,25 @@ void put_error(Writer& frame, const Error& error, const Samples& y) {
   put_with_rows(frame, head, y, [&] { put_error(frame, error.code(), error.what()); });
 }
 
+void put_error(Writer& frame, const NotMade& error) {
+  put_error(frame, error.code(), error.what());
+  put_declared(frame, error.parameters());
+}
+
 Error read_error(std::span<const std::byte> payload, Samples* y) {
   Reader in(payload, "error");
-  const ErrorCode code = code_from(in.take<std::uint32_t>());
-  const std::string sentence = printable(in.take_text(longest_sentence));
+  Error error = read_error(in);
   if (y && in.left() > 0) read_rows(in, *y);
   in.end();
-  return {code, sentence};
+  return error;
+}
+
+Error read_error(std::span<const std::byte> payload, DeclaredParameters& declared) {
+  Reader in(payload, "error");
+  Error error = read_error(in);
+  if (in.left() > 0) declared = read_declared(in);
+  in.end();
+  return error;
 }
 
 void read_nothing(const Frame& frame) { Reader(frame.payload, name(frame.header.type)).end(); }
