@@ -53,8 +53,10 @@ class ByHand {
 
 /// The first answers of every server.
 inline std::vector<ByHand::Answer> opening_answers(const SubsystemInfo& info) {
-  return {{wire::Type::hello, [](wire::Writer& w) { wire::put_hello(w, {.text = "by hand"}); }},
-          {wire::Type::info, [info](wire::Writer& w) { wire::put_info(w, info); }}};
+  return {
+      {wire::Type::hello,
+       [](wire::Writer& w) { wire::put_hello(w, {.text = "by hand", .declared = DeclaredParameters{}}); }},
+      {wire::Type::info, [info](wire::Writer& w) { wire::put_info(w, info); }}};
 }
 
 }  // namespace tandem::test

@@ -37,7 +37,8 @@ static inline void tandem_complete_parameter(tandem_values* values, const tandem
   values->words[i] = text;
   values->p[i] = text && declared[i].unit ? strtod(text, &end) : NAN;
   if (!text)
-    snprintf(values->error, sizeof values->error, "parameter '%.100s' is needed", declared[i].name);
+    snprintf(values->error, sizeof values->error, "parameter '%.60s' is needed: %.100s", declared[i].name,
+             declared[i].sentence);
   else if (declared[i].unit && (end == text || *end || !isfinite(values->p[i])))
     snprintf(values->error, sizeof values->error, "parameter '%.100s' is no finite number", declared[i].name);
 }
