@@ -76,6 +76,20 @@ TEST_F(CModelStates, AsBytesItGoesOnInAnotherInstance) {
   EXPECT_EQ(to(other, 3.0), to(integral, 3.0));
 }
 
+/// Also where a node is not rounded as the one before and a step are.
+TEST_F(CModelStates, AsBytesItIsTakenAtEachNode) {
+  CSubsystem other(c_integral(), "");
+  start(other);
+  for (int k = 1; k <= 2000; ++k) {
+    to(integral, 0.5 + k * 0.1);
+    const StateId id = integral.save_state();
+    StateId there = 0;
+    ASSERT_NO_THROW(there = other.deserialize_state(integral.serialize_state(id))) << k;
+    integral.release_state(id);
+    other.release_state(there);
+  }
+}
+
 TEST_F(CModelStates, BytesOfAnotherGridOrOfNoneAreRefused) {
   const auto bytes = integral.serialize_state(integral.save_state());
   const auto refused = [](Subsystem& s, std::span<const std::byte> state) {

@@ -64,13 +64,14 @@ static inline tandem_status tandem_serialize(void* made, int64_t id, const void*
   return *bytes ? TANDEM_OK : TANDEM_INVALID_ARGUMENT;
 }
 
-/* Of this grid, and standing where the next node is that of its number. */
+/* It has to be of this grid, and to stand from the node before its next one on. */
 static inline tandem_status tandem_deserialize(void* made, const void* bytes, int64_t size, int64_t* id) {
   tandem_instance* const self = (tandem_instance*)made;
-  tandem_place its = {0.0, 0.0, 0.0, 0.0, 0, 0, 0};
+  const double origin = self->now->origin, h = self->now->h;
+  tandem_place its = {0.0, 0.0, 0.0, 0.0, -1, 0, 0};
   if (size == (int64_t)self->place_size) memcpy(&its, bytes, sizeof its);
-  if (its.h == self->now->h && its.origin == self->now->origin && its.node >= 0 && its.time <= its.next &&
-      its.next == its.origin + (double)its.node * its.h && (its.node == 0 || its.time >= its.next - its.h))
+  if (its.origin == origin && its.h == h && its.node >= 0 && its.next == origin + (double)its.node * h &&
+      its.time <= its.next && (its.node == 0 || its.time >= origin + (double)(its.node - 1) * h))
     return tandem_keep(self, bytes, id);
   return tandem_refuse(self, TANDEM_INVALID_ARGUMENT, "the state is none of this model with these own steps");
 }
