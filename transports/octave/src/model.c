@@ -305,23 +305,9 @@ static const tandem_subsystem_api model_api = {
     .parameters = parameters_of,
 };
 
-/* NULL of an empty array. */
-static const char* text_in(const mxArray* cells, size_t row, size_t column) {
-  const mxArray* const cell = mxGetCell(cells, row + column * mxGetM(cells));
-  return mxIsChar(cell) ? mxArrayToString(cell) : NULL;
-}
-
-const tandem_subsystem_api* octave_model(mxArray* make, mxArray* cells) {
-  const size_t count = mxGetM(cells);
-  size_t k;
+const tandem_subsystem_api* octave_model(mxArray* make, mxArray* parameters) {
   maker = make;
-  declared_cells = cells;
-  declared = mxCalloc(count + 1, sizeof *declared);
-  for (k = 0; k < count; ++k) {
-    declared[k].name = text_in(cells, k, 0);
-    declared[k].unit = text_in(cells, k, 1);
-    declared[k].otherwise = text_in(cells, k, 2);
-    declared[k].sentence = text_in(cells, k, 3);
-  }
+  declared_cells = parameters;
+  declared = parameters_in(parameters);
   return &model_api;
 }

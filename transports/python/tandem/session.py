@@ -9,7 +9,7 @@ from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
 from . import wire
 from .contract import Abilities, Error, Info, Parameter, Row
-from .parameters import Value, texts_of, values_of
+from .parameters import Value, put_declared, texts_of, values_of
 from .printable import is_printable, printable
 from .states import States
 
@@ -274,7 +274,7 @@ class Session:
 
     def _try_to_tell(self, error: Error) -> None:
         not_made = self._subsystem is None and self._tells()
-        declared = wire.put_declared(self._declared) if not_made else b""
+        declared = put_declared(self._declared) if not_made else b""
         try:
             self._reply(wire.Type.ERROR, wire.put_error(error) + declared)
         except Error:

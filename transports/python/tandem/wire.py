@@ -10,8 +10,9 @@ from typing import List, NamedTuple, Optional, Sequence, Tuple
 
 from .channel import HEADER, LONGEST, Channel, Payload, Type
 from .contract import Abilities, Clock, Error, Info, Parameter, Part, Port, Row, Segment, Signal, Stop
+from .parameters import put_declared, read_declared
 from .printable import printable
-from .reader import Reader
+from .reader import Reader, put_text
 from .reply_checks import check_jump
 
 __all__ = ["HEADER", "LONGEST", "Channel", "Payload", "Reader", "Type"]
@@ -20,7 +21,6 @@ VERSION = 1
 # Capabilities: held outputs and sampled subsystems, declared parameters, nominal values.
 CARRIES_HELD, CARRIES_PARAMETERS, CARRIES_NOMINAL = 1, 2, 4
 CAPABILITIES = CARRIES_HELD | CARRIES_PARAMETERS | CARRIES_NOMINAL
-MOST_PARAMETERS = 4096
 HOLDS = 128  # a bit of the abilities
 ABILITIES = sum(Abilities)  # the bits that are known here
 MAGIC = b"TANDEM\r\n"
@@ -29,11 +29,6 @@ LONGEST_TOLD = 4000  # bytes of a sentence of ours
 #: that a request may have: as objects they take up to 400 bytes each
 MOST_SEGMENTS = 1 << 17
 AT_ONCE = 1 << 12  # numbers of a row that are put into a reply
-
-
-def put_text(text: str) -> bytes:
-    data = text.encode("utf-8", "surrogateescape")
-    return struct.pack("<I", len(data)) + data
 
 
 def put_hello(text: str, declared: Optional[Sequence[Parameter]] = None) -> bytes:
@@ -64,30 +59,6 @@ def read_hello(data: memoryview, asked_with: int = 0) -> Hello:
         hello = hello._replace(declared=read_declared(reader))
     reader.end()
     return hello
-
-
-def put_declared(declared: Sequence[Parameter]) -> bytes:
-    parts = [struct.pack("<I", len(declared))]
-    for p in declared:
-        parts.append(struct.pack("<I", (p.unit is None) | 2 * (p.otherwise is not None)))
-        texts = (p.name, p.unit or "", "" if p.otherwise is None else str(p.otherwise), p.sentence)
-        parts += [put_text(text) for text in texts]
-    return b"".join(parts)
-
-
-def read_declared(reader: Reader) -> List[Parameter]:
-    count = reader.count(20)
-    if count > MOST_PARAMETERS:
-        reader.refuse(f"declares {count} parameters; allowed are up to {MOST_PARAMETERS}")
-    return [_read_parameter(reader) for _ in range(count)]
-
-
-def _read_parameter(reader: Reader) -> Parameter:
-    (bits,) = reader.take("I")
-    if bits > 3:
-        reader.refuse(f"gives {bits} for the kind of a parameter; allowed are 0 to 3")
-    name, unit, otherwise, sentence = (reader.name() for _ in range(4))
-    return Parameter(name, None if bits & 1 else unit, sentence, otherwise if bits & 2 else None)
 
 
 def put_info(info: Info, capabilities: int = CAPABILITIES) -> bytes:

@@ -3,6 +3,7 @@
 
 #include <cstring>
 
+#include "declared.hpp"
 #include "tandem/check_info.hpp"
 #include "tandem/printable.hpp"
 
@@ -10,11 +11,8 @@ namespace tandem::wire {
 namespace {
 
 constexpr char magic[] = {'T', 'A', 'N', 'D', 'E', 'M', '\r', '\n'};
-constexpr std::uint32_t longest_name = 4096, longest_sentence = 1U << 20;  // bytes
-constexpr std::size_t longest_told = 4000;                                 // bytes of a sentence of ours
-
-/// A name or a unit, to be shown.
-std::string read_name(Reader& in) { return printable(in.take_text(longest_name), longest_name); }
+constexpr std::uint32_t longest_sentence = 1U << 20;  // bytes
+constexpr std::size_t longest_told = 4000;            // bytes of a sentence of ours
 
 Port read_port(Reader& in) {
   Port port;
@@ -68,45 +66,6 @@ void read_held(Reader& in, bool told, SubsystemInfo& info) {
 void read_sampling(Reader& in, Sampling& sampling) {
   sampling.period = in.take<double>();
   sampling.latency = in.take<double>();
-}
-
-/// Bits of a declared parameter.
-constexpr std::uint32_t is_word = 1, has_otherwise = 2;
-
-void put_declared(Writer& frame, const DeclaredParameters& declared) {
-  frame.put(static_cast<std::uint32_t>(declared.size()));
-  for (const DeclaredParameter& p : declared) {
-    frame.put((p.unit ? 0U : is_word) | (p.otherwise ? has_otherwise : 0U));
-    frame.put_text(p.name);
-    frame.put_text(p.unit.value_or(""));
-    frame.put_text(p.otherwise.value_or(""));
-    frame.put_text(p.sentence);
-  }
-}
-
-DeclaredParameter read_parameter(Reader& in) {
-  const auto bits = in.take<std::uint32_t>();
-  if (bits > (is_word | has_otherwise))
-    in.refuse("gives " + std::to_string(bits) + " for the kind of a parameter; allowed are 0 to 3");
-  DeclaredParameter p;
-  p.name = read_name(in);
-  p.unit = read_name(in);
-  p.otherwise = read_name(in);
-  p.sentence = read_name(in);
-  if (bits & is_word) p.unit.reset();
-  if (!(bits & has_otherwise)) p.otherwise.reset();
-  return p;
-}
-
-DeclaredParameters read_declared(Reader& in) {
-  const std::uint64_t count = in.take_count(20);
-  if (count > most_parameters)
-    in.refuse("declares " + std::to_string(count) + " parameters; allowed are up to " +
-              std::to_string(most_parameters));
-  DeclaredParameters declared;
-  for (std::uint64_t i = 0; i < count; ++i) declared.push_back(read_parameter(in));
-  check_declared(declared);
-  return declared;
 }
 
 Clock read_clock(Reader& in) {
