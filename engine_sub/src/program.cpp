@@ -93,6 +93,9 @@ void Program::run(  // NOLINT(readability-function-size): one switch over all op
       case curve:
         out = curves[static_cast<std::size_t>(o.b)](s[o.a]);
         break;
+      case data:
+        out = this->data[static_cast<std::size_t>(o.b)].value(static_cast<std::size_t>(s[o.more]), s[o.a]);
+        break;
       case surface:
         out = surfaces[static_cast<std::size_t>(o.more)](s[o.a], s[o.b]);
         break;

@@ -29,7 +29,8 @@ Simulation::Simulation(const Program& program, InputSource* inputs, std::unique_
   was_told_.resize(program.bounds.size());
   has_turns_ = std::any_of(program.crossings.begin(), program.crossings.end(),
                            [](const Crossing& c) { return c.turn >= 0; });
-  has_instants_ = has_turns_ || !program.breaks.empty() || !program.periodics.empty() || !delays_.empty();
+  has_instants_ = has_turns_ || !program.breaks.empty() || !program.periodics.empty() || !delays_.empty() ||
+                  !program.data_jumps.empty();
   watch_jumps();
 }
 
@@ -38,12 +39,13 @@ void Simulation::start(double t, bool with_events) {
   start_ = time_ = t;
   begun_ = false;
   for (const Delay* d : delays_) past(*d).clear();
+  pass_data_jumps();
   settle();
   for (const Crossing& c : system_.program().crossings) system_.image()[c.sign] = sign_at_start(c);
   for (const Periodic& p : system_.program().periodics)
     system_.image()[p.count] = std::max(0.0, std::ceil(-p.offset / p.period));
   record(broken);
-  if (with_events) fire_periodics();
+  if (with_events) fire_known();
   if (system_.changed() >= 0) fire_crossings();
   refuse_outside();
   if (watches_jumps_) note_sizes();
@@ -129,7 +131,7 @@ double Simulation::advance(double t_end) {
     if (watches_jumps_) note_sizes();
     if (watches) note_left();
     if (system_.changed() >= 0) fire_crossings();
-    if (arrived && has_instants_) fire_periodics(), turn_delays();
+    if (arrived && has_instants_) fire_known(), turn_delays();
     if (has_turns_) look_at_turns();
     if (watches) jumped_ = has_jumped(cause());
     if (!arrived && slot(system_.program().events) == events && time_ > before) return time_;
@@ -158,6 +160,7 @@ double Simulation::next_instant(double t_end) {
   if (follows_courses_) earlier(course_end_);
   if (has_turns_) earlier(next_turn());
   for (const Periodic& p : program.periodics) earlier(due(p));
+  for (const DataJumps& d : program.data_jumps) earlier(next_jump(d));
   for (const Delay* d : delays_)
     for (const double due : {past(*d).due(), time_ + d->time}) earlier(due);
   return next;
@@ -219,7 +222,27 @@ void Simulation::turn_delays() {
   integrator_->restart(system_, time_, Restart::event);
 }
 
-void Simulation::fire_periodics() {
+/// Of data, after the run that they are in.
+double Simulation::next_jump(const DataJumps& d) const {
+  const auto jumps = system_.program().data[static_cast<std::size_t>(d.data)].jumps();
+  const auto run = static_cast<std::size_t>(system_.image()[static_cast<std::size_t>(d.run)]);
+  return run < jumps.size() ? jumps[run] : std::numeric_limits<double>::infinity();
+}
+
+/// Data go on to what holds from now on. Whether there was a jump.
+bool Simulation::pass_data_jumps() {
+  bool any = false;
+  for (const DataJumps& d : system_.program().data_jumps)
+    for (; next_jump(d) <= time_ + rounding(); any = true) slot(d.run) += 1.0;
+  return any;
+}
+
+/// What is known beforehand: data jump, and events of periods see what follows from that.
+void Simulation::fire_known() {
+  if (pass_data_jumps()) {
+    system_.evaluate(time_);
+    fire_crossings();
+  }
   bool fired = false;
   for (const Periodic& p : system_.program().periodics) {
     double& count = system_.image()[p.count];

@@ -86,10 +86,11 @@ bool Simulation::jump() {
 void Simulation::act(double t) {
   time_ = t;
   slot(system_.program().events) = 0.0;
+  pass_data_jumps();
   system_.evaluate(t);
   if (!std::exchange(begun_, true)) look_at_bounds();
   if (system_.changed() >= 0) fire_crossings();
-  fire_periodics();
+  fire_known();
   refuse_not_finite();
   if (!system_.program().ranges.empty()) refuse_outside();
 }

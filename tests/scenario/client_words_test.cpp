@@ -70,7 +70,6 @@ TEST(ClientWords, WhatNamesProgramsSymbolsFilesAndPlacesIsTheOperators) {
     {"lib", {"entry"}},
     {"three_functions", {"initiate", "advance", "clean_up", "step", "inputs", "outputs"}},
     {"mechanism", {"matrices", "matrices_at", "matrices_format", "threads", "threads_from"}},
-    {"diagram", {"data.u"}},
     {"tcp", {"deadline", "spin"}},
     {"tls", {"deadline", "spin", "key", "authority"}},
     {"unix", {"deadline", "spin"}},

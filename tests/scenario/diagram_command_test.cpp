@@ -135,10 +135,16 @@ TEST(RunCommand, RunsADiagramAlone) {
   EXPECT_TRUE(contains(test::read_text(folder.path() / "o" / "results.csv"), "\n1,2.59399"));
   ASSERT_EQ(tandem(folder, {"run", "d.toml", "--set", "run.T=1", "--output", "o"}).status, 0);
   EXPECT_TRUE(contains(test::read_text(folder.path() / "o" / "results.csv"), "\n1,1.89636"));
+  ASSERT_EQ(tandem(folder, {"run", "d.toml", "--set", "blocks.d.gains=[2, -1]", "--output", "o"}).status, 0);
+  EXPECT_TRUE(contains(test::read_text(folder.path() / "o" / "results.csv"), "\n1,5.18798"));
+  const Said wrong = tandem(folder, {"run", "d.toml", "--set", "blocks.d.kind=som"});
+  EXPECT_TRUE(contains(wrong.err, "d.toml: --set blocks.d.kind=som: block 'd': kind 'som' is not there"))
+      << wrong.err;
+  ASSERT_EQ(tandem(folder, {"run", "d.toml", "--set", "run.T=1", "--output", "o"}).status, 0);
   const std::string figures = test::read_text(folder.path() / "o" / "machine.json");
   EXPECT_TRUE(contains(figures, "\"rate_evaluations\": 400")) << figures;
   folder.write("ramp.csv", "time,u,w\n0,0,0\n1,1,2\n");
-  folder.write("e.toml", lagging + "inputs = { u = 'ramp.csv:w' }\n");
+  folder.write("e.toml", lagging + "inputs.u = { file = 'ramp.csv', column = 'w' }\n");
   ASSERT_EQ(tandem(folder, {"run", "e.toml", "--output", "o"}).status, 0);
   EXPECT_TRUE(contains(test::read_text(folder.path() / "o" / "results.csv"), "\n1,1.13533"));
 }
@@ -150,9 +156,9 @@ TEST(RunCommand, RefusesToRunADiagramAloneWithoutWhatItTakes) {
   folder.write("d.toml", lagging + "inputs = { w = 1 }\n");
   EXPECT_TRUE(contains(tandem(folder, {"run", "d.toml"}).err, "d.toml:14"))
       << tandem(folder, {"run", "d.toml"}).err;
-  folder.write("d.toml", lagging + "inputs = { u = 'none.csv' }\n");
+  folder.write("d.toml", lagging + "inputs.u = { file = 'none.csv', column = 'u' }\n");
   EXPECT_TRUE(contains(tandem(folder, {"run", "d.toml"}).err, "none.csv"));
-  EXPECT_EQ(tandem(folder, {"run", "d.toml", "--set", "blocks.x.input=3"}).status, 2);
+  EXPECT_EQ(tandem(folder, {"run", "d.toml", "--set", "blocks.x.input=y"}).status, 2);
 }
 
 /// What SUNDIALS says goes into the one sentence of the error.

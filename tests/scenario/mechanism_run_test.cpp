@@ -82,7 +82,8 @@ TEST(RunCommand, AForceComesFromADataFile) {
   const Said beyond = tandem(folder, {"run", "m.toml", "--set", "run.stop=1.2", "--output", "p"});
   EXPECT_EQ(beyond.status, 1);
   EXPECT_NE(beyond.err.find("column 'F' of"), std::string::npos) << beyond.err;
-  EXPECT_NE(beyond.err.find("nothing is extrapolated"), std::string::npos) << beyond.err;
+  EXPECT_NE(beyond.err.find("beyond = \"refuse\" says that nothing is known there"), std::string::npos)
+      << beyond.err;
   EXPECT_GT(TimeTable::read(folder.path() / "p").times.size(), 90U)
       << "results up to the last exchange are kept";
 }
@@ -145,7 +146,9 @@ TEST(RunCommand, RefusesWhatAMechanismCanNotDo) {
       {{"--set", "run.threads_from=0"}, {"'threads_from' is 0", "a whole number from 1"}},
       {{"--set", "run.penalty=0"}, {"'penalty' is 0", "above 0, or to leave it out"}},
       {{"--set", "run.step=1000"}, {"run.step is the number 1000", "from run.start to run.stop"}},
-      {{"--set", "gravity=3"}, {"run.KEY"}},
+      {{"--set", "gravity=3"},
+       {"--set gravity=3: gravity is the number 3; allowed is an array of 2 numbers"}},
+      {{"--set", "rods.rodd.mass=1"}, {"--set rods.rodd.mass=1: table of [rods] 'rodd' is not there"}},
       {{"--set", "run.stop=-3"}, {"run.stop", "-3"}},
       {{"--set", "run.matrices_at='0'"}, {"'matrices_at' is given without 'matrices'"}}};
   for (const BadArguments& bad : list) {

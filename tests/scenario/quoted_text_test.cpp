@@ -57,7 +57,8 @@ class ForeignText : public testing::Test {
     folder_.write("diagram.toml", "[subsystems.a]\nsource = \"diagram:foreign\"\n" + span);
     folder_.write(
         "data.toml",
-        "[subsystems.a]\nsource = \"diagram:d.toml\"\nparameters = { \"data.u\" = \"foreign\" }\n" + span);
+        "[subsystems.a]\nsource = \"diagram:d.toml\"\ninputs.u = { file = \"foreign\", column = \"x\" }\n" +
+            span);
     folder_.write(
         "d.toml",
         "[inputs]\nu = { unit = \"1\" }\n[outputs]\nu = { unit = \"1\" }\n[run]\nstep = 0.1\nstop = 1.0\n"

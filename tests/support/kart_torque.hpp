@@ -1,12 +1,11 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <algorithm>
 #include <functional>
 #include <vector>
 
 #include "kart/monolithic.hpp"
 #include "kart/plane.hpp"
-#include "tandem/mbs/mechanism/motions.hpp"
+#include "tandem/time_series.hpp"
 
 namespace tandem::test {
 
@@ -17,8 +16,9 @@ inline const std::function<double(double)>& kart_torque() {
     const auto run = kart::run_monolithic(kart, 1e-4);
     std::vector<double> times, values;
     for (const auto& row : run.rows) times.push_back(row.time), values.push_back(row.torque);
-    const auto data = mbs::interpolated(times, values, mbs::Interpolation::linear, "torque");
-    return [data, end = times.back()](double t) { return data(std::min(t, end)).value; };
+    return
+        [data = TimeSeries("torque", times, values, {TimeSeries::Between::linear, TimeSeries::Beyond::hold})](
+            double t) { return data.value(t); };
   }();
   return function;
 }

@@ -41,7 +41,7 @@ class Bench {
     topology_.connect(added(connection("b.y", "reader.sum", how_b)));
     topology_.connect(connection("b.y", "reader.b", how_b));
     const std::int64_t capacities[] = {capacity, capacity, capacity};
-    exchange.emplace(topology_, TimeTolerance(0.0), LinkTimes{{1.0, 1.0, 1.0}, delay_a}, capacities);
+    exchange.emplace(topology_, 0.0, LinkTimes{{1.0, 1.0, 1.0}, delay_a}, capacities);
     for (const int i : {0, 1}) give(i, 1);
   }
   void give(int source, int rows) {
@@ -54,7 +54,7 @@ class Bench {
     }
     exchange->commit(source, times_[source]);
   }
-  std::span<const Signal> read(double from, double to) { return exchange->inputs(2, from, to); }
+  std::span<const Signal> read(double from, double to) { return exchange->inputs(2, from, to, to); }
   /// The reader gives its sample at t: it will not read before it.
   void stand(double t) {
     if (!exchange->history(2).has_room(1)) exchange->make_room(2, 1);
@@ -170,15 +170,15 @@ TEST(Exchange, TwoOutputsOfOneSourceAddUp) {
   topology.connect(added(connection("two.p[1]", "one.u", "lagrange1")));
   topology.connect(added(connection("two.p[1]", "one.u", "lagrange0")));
   const std::int64_t capacities[] = {32, 32};
-  Exchange exchange(topology, TimeTolerance(0.0), {{1.0, 1.0}, 1.0}, capacities);
+  Exchange exchange(topology, 0.0, {{1.0, 1.0}, 1.0}, capacities);
   for (const double t : {0.0, 1.0, 2.0}) {
     double* y = exchange.history(0).room().append(t);
     y[0] = 10.0 * t;
     y[1] = 100.0 * t;
   }
   exchange.commit(0, 2.0);
-  EXPECT_EQ(exchange.inputs(1, 0.0, 1.0)[0].value(0.5), 5.0 + 50.0 + 100.0);
-  EXPECT_EQ(exchange.inputs(1, 2.0, 3.0)[0].value(3.0), 30.0 + 300.0 + 200.0);
+  EXPECT_EQ(exchange.inputs(1, 0.0, 1.0, 1.0)[0].value(0.5), 5.0 + 50.0 + 100.0);
+  EXPECT_EQ(exchange.inputs(1, 2.0, 3.0, 3.0)[0].value(3.0), 30.0 + 300.0 + 200.0);
 }
 
 /// Four terms of very different sizes, of three sources, to a reader that integrates itself and a sampled
@@ -200,14 +200,14 @@ TEST(Exchange, ASumHasTheSameBitsInWhateverOrderItsTermsAreConnected) {
       topology.add("one", one);
       for (const int k : order) topology.connect(added(terms[static_cast<std::size_t>(k)]));
       const std::int64_t capacities[] = {32, 32, 32};
-      Exchange exchange(topology, TimeTolerance(0.0), {{1.0, 1.0, 1.0}, 1.0}, capacities);
+      Exchange exchange(topology, 0.0, {{1.0, 1.0, 1.0}, 1.0}, capacities);
       for (const int i : {0, 1}) {
         double* y = exchange.history(i).room().append(0.0);
         y[0] = i == 0 ? 1.0 / 3.0 : -1.0 / 3.0 + 1e-9;
         y[1] = 1e5 / 7.0;
         exchange.commit(i, 0.0);
       }
-      return sampled ? exchange.sample(2, {0.0, 0.5})[0] : exchange.inputs(2, 0.0, 1.0)[0].value(0.5);
+      return sampled ? exchange.sample(2, {0.0, 0.5})[0] : exchange.inputs(2, 0.0, 1.0, 1.0)[0].value(0.5);
     };
     std::vector<int> order = {0, 1, 2, 3};
     const double expected = sum(order);

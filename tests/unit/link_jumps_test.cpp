@@ -87,7 +87,7 @@ void expect_jumps_of_sum(const std::string& relay) {
   for (const std::string& from : {relay + ".y", std::string("source.y")})
     topology.connect(test::added(test::connection(from, "reader.u", "lagrange2")));
   const std::int64_t capacities[] = {32, 32, 32};
-  Exchange exchange(topology, TimeTolerance(0.0), LinkTimes{{1.0, 1.0, 1.0}, 0.0, {0.05, 0.0, 0.0}},
+  Exchange exchange(topology, 0.0, LinkTimes{{1.0, 1.0, 1.0}, 0.0, {0.05, 0.0, 0.0}},
                     capacities);
   const auto give = [&](int who, double t, double y, bool jump = false) {
     *exchange.history(who).room().append(t, jump) = y;
@@ -97,7 +97,7 @@ void expect_jumps_of_sum(const std::string& relay) {
   give(0, 0.35, -1.0, true);
   for (int k = 0; k < 6; ++k) give(1, 0.12 * k, 0.12 * k * 0.12 * k);
   const auto expect = [&] {
-    const Signal u = exchange.inputs(2, 0.25, 0.5)[0];
+    const Signal u = exchange.inputs(2, 0.25, 0.5, 0.5)[0];
     EXPECT_EQ(u.next_jump(0.25), 0.35);
     EXPECT_NEAR(u.value(0.35), 1.0 + 0.35 * 0.35, 1e-14);
     EXPECT_NEAR(u.from_jump_at(0.35).value(0.35), -1.0 + 0.35 * 0.35, 1e-14);

@@ -34,7 +34,8 @@ std::string schemes(const Builtins& builtins) {
 /// A URI taken apart, with its parameters beside the others; those that are the source's own are declared.
 Address taken_apart(const std::string& uri, const Source& source, Opening& opening) {
   const auto colon = uri.find(':');
-  Address address{uri, uri.substr(0, colon), uri.substr(colon + 1), opening.folder, opening.command};
+  Address address{
+      uri, uri.substr(0, colon), uri.substr(colon + 1), opening.folder, opening.command, opening.overrides};
   take_query(uri, address.place, opening.parameters);
   opening.parameters.declare(source.words);
   opening.parameters.refuse_foreign(address.name());

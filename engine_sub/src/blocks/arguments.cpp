@@ -48,11 +48,6 @@ const Value* Arguments::find(const std::string& key) {
   return it == block_.values.end() ? nullptr : &it->second;
 }
 
-std::string Arguments::place(const std::string& key) const {
-  const auto it = block_.places.find(key);
-  return it == block_.places.end() ? block_.where : it->second;
-}
-
 Value Arguments::required(const std::string& key, const std::string& allowed) {
   if (const Value* value = find(key)) return *value;
   const text::Key* const known = this->known(key);
@@ -62,12 +57,12 @@ Value Arguments::required(const std::string& key, const std::string& allowed) {
 }
 
 void Arguments::refuse(const std::string& key, const std::string& found, const std::string& allowed) const {
-  engine::refuse(place(key), owner() + ": " + key + " is " + found + "; allowed is " + allowed);
+  engine::refuse(block_.place(key), owner() + ": " + key + " is " + found + "; allowed is " + allowed);
 }
 
 int Arguments::slot(const std::string& key, const Wire& wire) {
   if (const auto* number = std::get_if<double>(&wire)) return to_.constant(*number);
-  return to_.named(std::get<std::string>(wire), place(key));
+  return to_.named(std::get<std::string>(wire), block_.place(key));
 }
 
 int Arguments::wire(const std::string& key) {
@@ -169,10 +164,11 @@ void Arguments::refuse_unread(const std::string& key) const {
   if (asked_.count(key) != 0) return;
   const std::vector<std::string> read(asked_.begin(), asked_.end());
   const bool is_known = language_ && language_->find(table_ + "." + key, block_.kind);
-  engine::refuse(place(key), owner() + ": " +
-                                 (is_known ? "key '" + key + "' has no meaning beside the others; read are " +
-                                                 listed(read)
-                                           : unknown("key", key, read)));
+  engine::refuse(
+      block_.place(key),
+      owner() + ": " +
+          (is_known ? "key '" + key + "' has no meaning beside the others; read are " + listed(read)
+                    : unknown("key", key, read)));
 }
 
 }  // namespace tandem::engine

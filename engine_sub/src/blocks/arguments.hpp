@@ -48,7 +48,6 @@ class Arguments {
   const Value* find(const std::string& key);
   /// What stands there, or what holds without it.
   Value required(const std::string& key, const std::string& allowed);
-  std::string place(const std::string& key) const;
   void refuse_unread(const std::string& key) const;
   int slot(const std::string& key, const Wire& wire);
 

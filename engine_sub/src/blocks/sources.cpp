@@ -5,8 +5,10 @@
 #include <limits>
 #include <numbers>
 
+#include "data.hpp"
 #include "kinds.hpp"
 #include "made.hpp"
+#include "tandem/text/series.hpp"
 
 namespace tandem::engine {
 namespace {
@@ -49,15 +51,12 @@ void check_values(Arguments& a, const std::vector<double>& values) {
       a.refuse("values", fmt::format("an array with {}", value), fmt::format("{} to {}", low, high));
 }
 
-/// Straight lines through points of time; before the first and after the last its value.
+/// Values at points of time.
 void piecewise_linear(Lowering& to, Arguments& a) {
-  Curve curve = made(a, [&] {
-    return Curve(a.owner(), a.numbers("times"), a.numbers("values"), Curve::Between::linear,
-                 Curve::Beyond::hold);
-  });
-  check_values(a, a.numbers("values"));
-  for (const double t : curve.x()) to.kink(t);
-  to.define("", to.curve(std::move(curve), to.time()));
+  const auto values = a.numbers("values");
+  check_values(a, values);
+  const auto how = joining(a);
+  define_data(to, a, made(a, [&] { return TimeSeries(a.owner(), a.numbers("times"), values, how); }));
 }
 
 }  // namespace
@@ -84,13 +83,12 @@ const std::vector<BlockKind> source_blocks = {
            .may("phase", Type::number, "Its phase.", {.unit = "rad", .otherwise = "0.0"})
            .may("mean", Type::number, "In the unit of the output.", {.otherwise = "0.0"});
      }},
-    {"piecewise_linear", piecewise_linear,
-     "Straight lines between points of time; held before the first and after the last.",
-     [](text::KeyList& to) {
-       to.need("times", Type::numbers, "Times, which rise.", {.unit = "s"})
+    {"piecewise_linear", piecewise_linear, "Values at points of time.", [](text::KeyList& to) {
+       to.need("times", Type::numbers, "Times.", {.unit = "s"})
            .need("values", Type::numbers, "One for each time.")
            .may("low", Type::number, "The least value that is allowed.", {.otherwise = "-inf"})
            .may("high", Type::number, "The largest value that is allowed.", {.otherwise = "inf"});
+       text::keys_of_joining(to, "hold");
      }}};
 
 }  // namespace tandem::engine

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "compile/refuse.hpp"
+#include "data.hpp"
 #include "kinds.hpp"
 #include "made.hpp"
-#include "tandem/nearest.hpp"
-#include "tandem/text/time_table.hpp"
+#include "tandem/text/series.hpp"
 
 namespace tandem::engine {
 namespace {
@@ -23,12 +23,19 @@ Beyond beyond(Arguments& a) {
   return words[a.word("beyond")];
 }
 
+/// Where the table says so, values of a signal before its first point and after its last.
+void refuse_beyond(Lowering& to, int user, Range range, const std::vector<double>& points, Beyond beyond) {
+  if (beyond != Beyond::refuse) return;
+  range.low = points.front(), range.high = points.back();
+  to.range(user, std::move(range));
+}
+
 /// A table of one variable.
 void table(Lowering& to, Arguments& a) {
   const Curve curve =
       made(a, [&] { return Curve(a.owner(), a.numbers("x"), a.numbers("y"), between(a), beyond(a)); });
   const int input = a.wire("input"), y = to.curve(curve, input);
-  to.range(y, input, curve, a.owner(), "its input");
+  refuse_beyond(to, y, {input, 0.0, 0.0, a.owner(), "its input"}, curve.x(), curve.beyond());
   to.define("", y);
 }
 
@@ -41,43 +48,21 @@ void table2(Lowering& to, Arguments& a) {
   const auto outside = beyond(a);
   const int z =
       to.surface(made(a, [&] { return Surface(a.owner(), grid, how, outside); }), inputs[0], inputs[1]);
-  to.range(z, inputs[0], {"", grid.x, grid.x, how, outside}, a.owner(), "its first input");
-  to.range(z, inputs[1], {"", grid.y, grid.y, how, outside}, a.owner(), "its second input");
+  refuse_beyond(to, z, {inputs[0], 0.0, 0.0, a.owner(), "its first input"}, grid.x, outside);
+  refuse_beyond(to, z, {inputs[1], 0.0, 0.0, a.owner(), "its second input"}, grid.y, outside);
   to.define("", z);
 }
 
-/// The column of that name, whole.
-const std::vector<double>& column(const text::TimeTable& table, const std::string& name, const Arguments& a) {
-  for (std::size_t k = 0; k < table.names.size(); ++k) {
-    if (table.names[k] != name) continue;
-    for (std::size_t row = 0; row < table.times.size(); ++row)
-      if (std::isnan(table.columns[k][row]))
-        refuse(fmt::format("{}:{}", table.file.string(), row + 2),
-               "column " + name + " is empty; allowed for " + a.owner() + " is a number in each row");
-    return table.columns[k];
-  }
-  refuse(a.where(),
-         a.owner() + ", file " + table.file.string() + ": " + unknown("column", name, table.names));
-}
-
-/// A column of a file over time: straight lines between its rows.
+/// A column of a file over time.
 void csv(Lowering& to, Arguments& a) {
   const auto file = to.scope().folder / a.text("file");
   const auto name = a.text("column");
-  const bool hold = a.word("beyond") == 1;
-  const Curve curve = made(a, [&] {
-    const auto data = text::TimeTable::read(file);
-    return Curve(a.owner() + ", file " + data.file.string() + ",", data.times, column(data, name, a),
-                 Curve::Between::linear, hold ? Beyond::hold : Beyond::refuse);
-  });
-  for (const double t : curve.x()) to.kink(t);
-  const int y = to.curve(curve, to.time());
-  to.range(y, to.time(), curve, a.owner(), "time");
-  to.define("", y);
+  const auto how = joining(a);
+  define_data(to, a, made(a, [&] { return text::column_series(file, name, how); }));
 }
 
 /// How values are joined, and what holds beyond them.
-void keys_of_joining(text::KeyList& to) {
+void keys_of_tables(text::KeyList& to) {
   to.may("interpolation", Type::word, "How points are joined; `cubic` is monotone.",
          {.otherwise = "linear", .words = {"linear", "cubic"}})
       .may("beyond", Type::word, "Beyond the table: the last value, the last slope, or an error.",
@@ -92,7 +77,7 @@ const std::vector<BlockKind> table_blocks = {
        to.need("input", Type::signal, "The variable.")
            .need("x", Type::numbers, "Its values, which rise.")
            .need("y", Type::numbers, "Those of the output.");
-       keys_of_joining(to);
+       keys_of_tables(to);
      }},
     {"table2", table2, "A table of two variables.",
      [](text::KeyList& to) {
@@ -100,13 +85,12 @@ const std::vector<BlockKind> table_blocks = {
            .need("x", Type::numbers, "Values of the first, which rise.")
            .need("y", Type::numbers, "Values of the second, which rise.")
            .need("z", Type::numbers, "Those of the output: for each x a row over y.");
-       keys_of_joining(to);
+       keys_of_tables(to);
      }},
-    {"csv", csv, "A column of a CSV file over time; straight lines between its rows.", [](text::KeyList& to) {
+    {"csv", csv, "A column of a CSV file over time.", [](text::KeyList& to) {
        to.need("file", Type::text, "The file, from the diagram's folder.")
-           .need("column", Type::text, "The column, by its name in the first row.")
-           .may("beyond", Type::word, "Before the first row and after the last.",
-                {.otherwise = "refuse", .words = {"refuse", "hold"}});
+           .need("column", Type::text, "The column, by its name in the first row.");
+       text::keys_of_joining(to);
      }}};
 
 }  // namespace tandem::engine

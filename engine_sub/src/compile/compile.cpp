@@ -62,7 +62,8 @@ void lower(const Block& block, Lowering& to) {
   for (const BlockKind& kind : kinds_of_blocks()) known.emplace_back(kind.name);
   for (const CompiledBlock& kind : to.kinds) known.push_back(kind.kind);
   if (std::find(known.begin(), known.end(), block.kind) == known.end())
-    refuse(block.where, "block '" + to.full_name(block.name) + "': " + unknown("kind", block.kind, known));
+    refuse(block.place("kind"),
+           "block '" + to.full_name(block.name) + "': " + unknown("kind", block.kind, known));
   const Block* const outside = to.begin(block);
   for (const BlockKind& kind : kinds_of_blocks())
     if (block.kind == kind.name) lower_own(kind, block, to);

@@ -62,6 +62,7 @@ Courses::Courses(const Lowering& d, const std::vector<Sequence>& order)
         held_[slot(u.to)] = false;
       else if (event.effect != Event::Effect::limit)
         jumps_[slot(u.to)] = true;
+  for (const DataJumps& data : d.data_jumps) jumps_[slot(data.run)] = true;
   spread(held_, [this](const Step& step) { return is_held(step); });
   spread(jumps_, [this](const Step& step) { return can_jump(step); });
 }
@@ -119,6 +120,7 @@ bool Courses::sampled(const std::vector<int>& outputs, const std::vector<bool>& 
       is_periodic = is_periodic || event.kind == Event::Kind::periodic;
       free[slot(u.to)] = free[slot(u.to)] || is_free;
     }
+  for (const DataJumps& data : d_.data_jumps) free[slot(data.run)] = alive[slot(data.run)];
   const auto seen = needed_at_once(d_, outputs);
   for (std::size_t s = 0; s < seen.size(); ++s)
     if (seen[s] && (free[s] || !held_[slot(static_cast<int>(s))])) return false;

@@ -137,10 +137,14 @@ int Lowering::surface(Surface surface, int a, int b) {
   return operation(Operation::Code::surface, a, b, {}, static_cast<int>(surfaces.size()) - 1);
 }
 
-void Lowering::range(int user, int signal, const Curve& over, const std::string& owner,
-                     const std::string& what) {
-  if (over.beyond() == Curve::Beyond::refuse)
-    guards.push_back({user, {signal, over.x().front(), over.x().back(), owner, what}});
+int Lowering::data(TimeSeries data) {
+  const auto number = static_cast<int>(series.size());
+  const int run = data.jumps().empty() ? constant(0.0) : held(0.0);
+  if (!data.jumps().empty()) data_jumps.push_back({number, run, full_name(block_->name)});
+  for (const double t : data.kinks()) kink(t);
+  const int of = data.degree() == 0 ? run : time();  // held: the run says all
+  series.push_back(std::move(data));
+  return operation(Operation::Code::data, of, number, {}, run);
 }
 
 void Lowering::keep_together(const std::vector<int>& together) {

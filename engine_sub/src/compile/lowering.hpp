@@ -51,6 +51,8 @@ class Lowering {
   int sum(const std::vector<int>& signals, const std::vector<double>& factors);
   int curve(Curve curve, int a);
   int surface(Surface surface, int a, int b);
+  /// Of time; steps end at its kinks and jumps.
+  int data(TimeSeries data);
   /// Signals made one after the other stay so, and all are there if one is.
   void keep_together(const std::vector<int>& signals);
   /// Copies of signals, together; -1 for none. Returns the first.
@@ -64,8 +66,8 @@ class Lowering {
   std::vector<int> call(const Call& call, const std::vector<double>& parameters);
   /// `from` as it was `time` seconds before; `initial` before the start.
   int delay(int from, int initial, double time, int points);
-  /// Refuses values of a signal beyond these, where something depends on `user`.
-  void range(int user, int signal, const Curve& over, const std::string& owner, const std::string& what);
+  /// Refuses values of a signal outside of range.low to range.high, where something depends on `user`.
+  void range(int user, Range range) { guards.push_back({user, std::move(range)}); }
 
   /// The event when a signal changes its sign; of what it does the others can be added.
   int crossing(int signal, Crossing::Direction direction);
@@ -90,6 +92,8 @@ class Lowering {
   std::vector<double> parameters, breaks;
   std::vector<Curve> curves;
   std::vector<Surface> surfaces;
+  std::vector<TimeSeries> series;
+  std::vector<DataJumps> data_jumps;
   std::vector<CompiledBlock::Function> calls;
   std::vector<Delay> delays;
   const std::vector<CompiledBlock>& kinds;

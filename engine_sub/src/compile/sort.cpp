@@ -69,6 +69,7 @@ std::vector<int*> slots_of(Operation& o) {
     case Code::leave:
     case Code::dead_zone:
     case Code::delay:
+    case Code::data:
       return {&o.a, &o.more};
     case Code::call: {
       std::vector<int*> slots;

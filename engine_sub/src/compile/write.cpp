@@ -40,6 +40,7 @@ class Writer {
     program_.parameters = d_.parameters;
     program_.curves = d_.curves;
     program_.surfaces = d_.surfaces;
+    program_.data = d_.series;
     program_.calls = d_.calls;
     program_.places = d_.places;
     write_delays();
@@ -156,6 +157,9 @@ class Writer {
   }
 
   void write_events() {
+    for (const DataJumps& jumps : d_.data_jumps)
+      if (alive_[d_.resolved(jumps.run)])
+        program_.data_jumps.push_back({jumps.data, at(jumps.run), jumps.name});
     for (const Event& e : d_.events) {
       auto updates = moved(e.updates);
       if (updates.empty() && e.bound < 0) continue;

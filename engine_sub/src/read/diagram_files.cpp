@@ -41,9 +41,8 @@ void DiagramFiles::check_depth(const text::Place& place) const {
     text::refuse(place, fmt::format("diagrams stand in each other more than {} deep", deepest));
 }
 
-Description DiagramFiles::read(const fs::path& file, const Given& given) {
-  const text::Document& found = document(file);
-  const fs::path path = fs::weakly_canonical(file);
+Description DiagramFiles::read(const text::Document& found, const Given& given) {
+  const fs::path path = fs::weakly_canonical(found.file());
   const auto first = std::find(open_.begin(), open_.end(), path);
   if (first != open_.end()) {
     std::vector<std::string> chain;
@@ -56,7 +55,6 @@ Description DiagramFiles::read(const fs::path& file, const Given& given) {
   open_.push_back(path);
   Description all = DiagramReader({found, language_of_diagrams()}, given, *this).read();
   open_.pop_back();
-  all.folder = file.parent_path();
   return all;
 }
 

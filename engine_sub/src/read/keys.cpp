@@ -8,6 +8,7 @@
 #include "blocks/kinds.hpp"
 #include "tandem/text/file_parameters.hpp"
 #include "tandem/text/limits.hpp"
+#include "tandem/text/series.hpp"
 
 namespace tandem::engine {
 namespace {
@@ -39,7 +40,9 @@ void keys_of_runs(KeyList& to) {
       .may("stop", Type::number, "Its end, which it has to have to be run alone.", {.unit = "s"})
       .may("NAME", Type::value, "`step`, `integrator` and other settings, and its parameters.")
       .table("run.inputs", "What its inputs are.")
-      .may("NAME", Type::name, "A number, or a column of a CSV file: \"FILE\" or \"FILE:COLUMN\".");
+      .table("run.inputs.NAME", "A number, or data over time.")
+      .or_numbers();
+  text::keys_of_series(to);
 }
 
 /// Of a parameter or a state of a compiled kind.

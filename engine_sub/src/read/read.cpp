@@ -7,15 +7,17 @@ namespace tandem::engine {
 
 Description read_diagram(const std::filesystem::path& file, const ParameterValues& parameters,
                          const FileBounds& bounds) {
-  DiagramFiles files(bounds.folder);
-  return files.read(file, {parameters, bounds.parameters});
+  return read_diagram(text::Document(file), parameters, bounds);
+}
+
+Description read_diagram(const text::Document& document, const ParameterValues& parameters,
+                         const FileBounds& bounds) {
+  return DiagramFiles(bounds.folder).read(document, {parameters, bounds.parameters});
 }
 
 Description read_diagram(const std::string& name, const std::string& text, const ParameterValues& parameters,
                          const FileBounds& bounds) {
-  DiagramFiles files(bounds.folder);
-  const text::Document document(name, text);
-  return DiagramReader({document, language_of_diagrams()}, {parameters, bounds.parameters}, files).read();
+  return read_diagram(text::Document(name, text), parameters, bounds);
 }
 
 }  // namespace tandem::engine

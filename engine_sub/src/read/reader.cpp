@@ -119,6 +119,7 @@ Value DiagramReader::value(const toml::node& node, const std::string& key) const
 void DiagramReader::read_block(const std::string& name, Section& section) {
   files_.count_block(section.place());
   Block block{name, section.required_text("kind", "the kind of the block"), {}, section.place().text()};
+  block.places.emplace("kind", section.place("kind").text());
   if (block.kind == "diagram" || block.kind == "triggered")
     read_nested(block, section);
   else
@@ -164,7 +165,7 @@ void DiagramReader::read_nested(Block& block, Section& section) {
     const fs::path path = to_.folder / file.value_or("");
     const auto given = given_to(file ? files_.document(path).table() : *table, block, section);
     Description inner = files_.nested(section.place(), [&] {
-      return file ? files_.read(path, given)
+      return file ? files_.read(files_.document(path), given)
                   : DiagramReader(root_.inner(*table, section.name("diagram")), given, files_).read();
     });
     block.diagram = std::make_shared<const Description>(std::move(inner));

@@ -26,7 +26,7 @@ class DiagramFiles {
       : bound_(std::filesystem::weakly_canonical(bound.empty() ? "." : bound)) {}
 
   /// Refuses a diagram that contains itself, with the files from the one to the other.
-  Description read(const std::filesystem::path& file, const Given& given);
+  Description read(const text::Document& file, const Given& given);
   const text::Document& document(const std::filesystem::path& file);
   /// Counts a block; refuses more than a system can have. (A few files that contain each other twice, and so
   /// on, stand for millions.)

@@ -85,10 +85,10 @@ inline void Coordinator::make_ready(int who) {
 }
 
 /// Its inputs, from where it stands.
-inline void Coordinator::read(int who, Exchange& inputs) {
-  Seat& seat = this->seat(who);
-  seat.u = inputs.inputs(who, seat.time, schedule_->member(who).next);
-  seat.rows = exchange_->history(who).room().size();
+inline void Coordinator::read(const Turn& turn, Exchange& inputs) {
+  Seat& seat = this->seat(turn.who);
+  seat.u = inputs.inputs(turn.who, seat.time, schedule_->member(turn.who).next, turn.limit);
+  seat.rows = exchange_->history(turn.who).room().size();
   seat.call = Seat::Call::prepared;
 }
 
@@ -197,8 +197,8 @@ Turn Coordinator::next_call(const Turn& turn) const {
 
 void Coordinator::start(const Turn& turn) {
   Seat& seat = this->seat(turn.who);
-  read(turn.who, *exchange_);
   const Turn first = next_call(turn);
+  read(first, *exchange_);
   const bool under_way = named_advance(topology_.name(turn.who), seat.time, first.limit, [&] {
     return seat.subsystem->start_advance(first.limit, first.land, seat.u,
                                          exchange_->history(turn.who).room());
@@ -222,7 +222,7 @@ void Coordinator::go_on(const Turn& turn) {
 void Coordinator::take(const Turn& turn, Exchange& inputs) {
   const int who = turn.who;
   Seat& seat = this->seat(who);
-  if (seat.call == Seat::Call::none) make_ready(who), read(who, inputs);
+  if (seat.call == Seat::Call::none) make_ready(who), read(turn, inputs);
   Samples& y = exchange_->history(who).room();
   const double before = seat.time;
   const Clock clock = advance(turn, y);

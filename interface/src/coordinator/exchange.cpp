@@ -63,9 +63,9 @@ bool ends_steps_at(const SubsystemInfo& source, int reader, bool carries, const 
 
 }  // namespace
 
-Exchange::Exchange(const Topology& topology, TimeTolerance tolerance, const LinkTimes& times,
+Exchange::Exchange(const Topology& topology, double t_start, const LinkTimes& times,
                    std::span<const std::int64_t> capacities)
-    : tolerance_(tolerance) {
+    : tolerance_(t_start) {
   for (int i = 0; i < topology.size(); ++i) {
     const auto inputs = static_cast<std::size_t>(topology.info(i).input_size());
     History history(topology.name(i), topology.info(i), capacities[static_cast<std::size_t>(i)]);
@@ -74,7 +74,8 @@ Exchange::Exchange(const Topology& topology, TimeTolerance tolerance, const Link
   std::map<std::pair<int, int>, std::vector<std::size_t>> of_pairs;
   for (const Line& line : topology.lines())
     add_line(topology, line, times, of_pairs[{line.source, line.reader}]);
-  for (int i = 0; i < topology.size(); ++i) hold_start_values(topology, i);
+  for (int i = 0; i < topology.size(); ++i) hold_start_values(topology, i), drive(topology, i, t_start);
+  for (std::size_t i = 0; i < times.breaks.size(); ++i) ends_[i].known_breaks = times.breaks[i];
   for (Link& link : links_) {
     End &source = ends_[static_cast<std::size_t>(link.source())],
         &reader = ends_[static_cast<std::size_t>(link.reader())];
@@ -119,7 +120,7 @@ void Exchange::add_line(const Topology& topology, const Line& line, const LinkTi
     const bool first = known == reader.sums.end();
     Sum& sum = first ? reader.sums.emplace_back(Sum{slot, reader.slots.size(), terms.size(), {}}) : *known;
     if (first) reader.slots.resize(reader.slots.size() + terms.size());
-    reader.adds = true;
+    reader.has_more = true;
     const auto number = static_cast<int>(&line - topology.lines().data());
     slot =
         sum.first + static_cast<std::size_t>(std::find(terms.begin(), terms.end(), number) - terms.begin());
@@ -142,6 +143,13 @@ void Exchange::hold_start_values(const Topology& topology, int i) {
   if (topology.info(i).abilities.sampled) reader.values.resize(reader.slots.size());
 }
 
+void Exchange::drive(const Topology& topology, int i, double t_start) {
+  End& reader = ends_[static_cast<std::size_t>(i)];
+  for (std::size_t k = 0; k < static_cast<std::size_t>(reader.inputs); ++k)
+    if (const TimeSeries* series = topology.series(i, static_cast<int>(k)))
+      reader.driven.emplace_back(*series, k, tolerance_, t_start), reader.has_more = true;
+}
+
 std::int64_t Exchange::accept(int source, double t_limit) {
   End& end = ends_[static_cast<std::size_t>(source)];
   const NewRows rows = end.history.commit(t_limit, tolerance_);
@@ -158,10 +166,12 @@ void Exchange::publish(int source) {
 }
 
 double Exchange::next_break(int reader, double time) const {
+  const End& end = ends_[static_cast<std::size_t>(reader)];
   double first = Member::never;
-  for (const Link* link : ends_[static_cast<std::size_t>(reader)].breaks)
-    first = std::min(first, link->next_break(time));
-  return first;
+  for (const Link* link : end.breaks) first = std::min(first, link->next_break(time));
+  const auto known =
+      std::upper_bound(end.known_breaks.begin(), end.known_breaks.end(), time + tolerance_.width(time, time));
+  return known == end.known_breaks.end() ? first : std::min(first, *known);
 }
 
 void Exchange::remake_newest(int source) {
@@ -194,6 +204,7 @@ std::span<const double> Exchange::sample(int reader, TimeSpan to) {
     const auto first = end.values.begin() + static_cast<std::ptrdiff_t>(sum.first);
     end.values[sum.input] = std::accumulate(first, first + static_cast<std::ptrdiff_t>(sum.count), 0.0);
   }
+  for (Driven& input : end.driven) end.values[input.slot()] = input.at(to.stop);
   return {end.values.data(), static_cast<std::size_t>(end.inputs)};
 }
 

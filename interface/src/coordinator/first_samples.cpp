@@ -161,7 +161,10 @@ void RunStart::first_samples() {
     const auto& start = topology_.start(i);
     auto& u0 = u0_.emplace_back(start.size(), not_known);
     for (std::size_t k = 0; k < start.size(); ++k)
-      if (topology_.lines_to(i, static_cast<int>(k)).empty()) u0[k] = start[k];
+      if (const TimeSeries* series = topology_.series(i, static_cast<int>(k)))
+        u0[k] = series->value(run_.t_start_);
+      else if (topology_.lines_to(i, static_cast<int>(k)).empty())
+        u0[k] = start[k];
     rows_.emplace_back(static_cast<std::size_t>(topology_.info(i).row_size() - Samples::header));
   }
   clocks_.resize(u0_.size());

@@ -93,7 +93,7 @@ void RunStart::repeat() {
   std::vector<double> changes;
   const auto change = [&](Exchange& from) {
     for (int i = 0; i < topology_.size(); ++i)
-      read.note(from.inputs(i, run_.t_start_, run_.t_start_ + run_.own_step(i)));
+      read.note(from.inputs(i, run_.t_start_, run_.t_start_ + run_.own_step(i), until));
     return read.change();
   };
   change(*run_.exchange_);
@@ -170,7 +170,8 @@ void RunStart::pass(int who, Exchange& before, double until) {
   const Member& member = run_.schedule_->member(who);
   run_.stand(who, start_again(who));
   while (!run_.tolerance_.before(until, member.next)) {
-    const bool land = member.lands && !run_.tolerance_.before(member.next, run_.t_stop_);
+    const bool land =
+        member.lands && !run_.tolerance_.before(member.next, std::min(member.landing, run_.t_stop_));
     run_.take({who, member.next, land}, before);
   }
   if (member.events && run_.time(who) < until - rounding()) run_.take({who, until, true}, before);

@@ -28,7 +28,7 @@ void RunStart::note_events(const std::vector<int>& order) {
       note_reader({line.source, line.reader, line.source}, order);
   for (int i = 0; i < topology_.size() && schedule != Schedule::Kind::staggered; ++i)
     if (!run_.events(i).readers.empty()) note_carriers(i, order);
-  run_.lands_elsewhere_ = run_.has_samples_ || run_.has_events_;
+  run_.lands_elsewhere_ = run_.has_samples_ || run_.has_events_ || has_breaks_;
   run_.frozen_ = run_.lands_elsewhere_ && schedule == Schedule::Kind::parallel;
 }
 

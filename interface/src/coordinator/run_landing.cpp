@@ -68,13 +68,17 @@ void RunStart::note_landing() const {
 
 void RunStart::note_missed(int who, const std::vector<int>& others) const {
   if (others.empty()) return;
+  std::string names = "'" + topology_.name(others[0]) + "'";
+  if (others.size() > 1) names += " and " + std::to_string(others.size() - 1) + " more";
+  note_missed(who, "samples of " + names);
+}
+
+void RunStart::note_missed(int who, const std::string& what) const {
   const std::string why = !topology_.info(who).abilities.lands ? "it can't shorten a step"
                           : landing_of(who) == Landing::never  ? "land = \"never\" says so"
                                                                : "they come more often than its own steps";
-  std::string names = "'" + topology_.name(others[0]) + "'";
-  if (others.size() > 1) names += " and " + std::to_string(others.size() - 1) + " more";
-  run_.notes_.push_back("subsystem '" + topology_.name(who) + "' does not end own steps at the samples of " +
-                        names + ", as " + why +
+  run_.notes_.push_back("subsystem '" + topology_.name(who) + "' does not end own steps at the " + what +
+                        ", as " + why +
                         "; where it does not split them there itself, it errs to first order");
 }
 

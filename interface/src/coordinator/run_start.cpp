@@ -11,6 +11,7 @@ namespace tandem {
 RunStart::RunStart(Coordinator& run) : run_(run), topology_(run.topology_) {}
 
 void RunStart::make() {
+  topology_.check_span({run_.t_start_, run_.t_stop_});
   first_samples();
   note_steps();
   std::vector<int> order = leaders_first();
@@ -21,6 +22,7 @@ void RunStart::make() {
     throw Error(ErrorCode::invalid_argument,
                 "communication_step is " + number_text(h) + " s; it must be finite and above 0");
   note_times(h);
+  note_driven();
   auto all = reads();
   note_samples(all);
   note_events(order);
@@ -31,11 +33,14 @@ void RunStart::make() {
                                         {run_.t_start_, run_.t_stop_},
                                         h,
                                         given ? -1 : slowest(),
-                                        sampled_by_name()},
+                                        sampled_by_name(),
+                                        has_breaks_,
+                                        rounds_end_at_},
                          members(), all);
   stand_all();
   measure_batches();
   open_exchange(std::vector<int>(run_.own_steps_.size()));
+  if (has_breaks_) run_.place_all();
   note_without_effect();
   note_landing();
   run_.start_ = choose();
@@ -193,7 +198,7 @@ std::vector<std::int64_t> RunStart::capacities(const std::vector<int>& seeds) co
 
 /// An exchange that holds the first samples and, before them, as many seeds as asked for of each subsystem.
 void RunStart::open_exchange(const std::vector<int>& seeds) {
-  run_.exchange_.emplace(topology_, run_.tolerance_, times_, capacities(seeds));
+  run_.exchange_.emplace(topology_, run_.t_start_, times_, capacities(seeds));
   for (int i = 0; i < topology_.size(); ++i) {
     History& history = run_.exchange_->history(i);
     history.watch(run_.t_start_ + (run_.t_stop_ - run_.t_start_) / 100.0, run_.coordination_.diverged_beyond);

@@ -32,7 +32,19 @@ class RunStart {
   bool lands(const Line& line) const;
   void note_landing() const;
   void note_missed(int who, const std::vector<int>& others) const;
+  void note_missed(int who, const std::string& what) const;
   void note_multiplied(int who, const std::vector<int>& others) const;
+  template <class Visit>
+  void each_driven(int who, const Visit& visit) const;
+  struct KnownJumps {
+    std::vector<std::vector<double>> of_inputs, of_outputs;  ///< by subsystem, ascending [s]
+  };
+  KnownJumps known_jumps() const;
+  bool outputs_jump(int who) const;
+  std::vector<double> within_span(std::vector<double> times) const;
+  bool are_too_many(int who, const std::vector<double>& times) const;
+  std::vector<double> breaks_of(int who, const std::vector<double>& jumps) const;
+  void note_driven();
   std::vector<Member> members() const;
   double lag_of(const Line& line) const;
   std::vector<Read> reads() const;
@@ -96,6 +108,8 @@ class RunStart {
   std::vector<Clock> clocks_;              ///< by subsystem: as it was initialized
   std::vector<std::vector<double>> u0_;    ///< by subsystem: the inputs that it was initialized with
   LinkTimes times_;
+  bool has_breaks_ = false;            ///< LinkTimes::breaks
+  std::vector<double> rounds_end_at_;  ///< [s]: where outputs are known to jump
 };
 
 }  // namespace tandem

@@ -46,7 +46,7 @@ Schedule::Schedule(Plan plan, std::vector<Member> members, std::span<const Read>
       in_turns_(plan_.kind == Kind::slowest_first || plan_.kind == Kind::fastest_first),
       sampled_(any(members_, &Member::sampled)),
       events_(any(members_, &Member::events)),
-      landings_(sampled_ || (events_ && plan_.kind != Kind::staggered)),
+      landings_(sampled_ || plan_.has_breaks || (events_ && plan_.kind != Kind::staggered)),
       pair_(in_turns_ && !landings_ && members_.size() == 2 && are_linked(reads)),
       related_((in_turns_ && !pair_) || sampled_),
       tolerance_(plan_.span.start),
@@ -70,7 +70,8 @@ double Schedule::find_landing(int who, double time, double break_at) {
 inline void Schedule::add(int who, double limit) {
   const Member& m = member(who);
   double to = std::max(std::min(limit, plan_.span.stop), m.next);
-  const bool stops = to >= earliest_stop_, lands = landings_ && !stops && !tolerance_.before(to, m.landing);
+  const bool lands = landings_ && m.landing < earliest_stop_ && !tolerance_.before(to, m.landing),
+             stops = !lands && to >= earliest_stop_;
   if (lands) to = m.landing;
   round_[count_++] = {who, to, m.lands && (stops || lands)};
 }
@@ -117,6 +118,15 @@ inline double Schedule::communication_point() const {
   double first = Member::never;
   for (std::size_t i = 0; i < members_.size(); ++i)
     if (!related_ || !turns_.waits(static_cast<int>(i))) first = std::min(first, members_[i].next);
+  if (first == Member::never || plan_.rounds_end_at.empty()) return communication_point(first);
+  const auto jump = std::lower_bound(plan_.rounds_end_at.begin(), plan_.rounds_end_at.end(),
+                                     first - tolerance_.width(first, first));
+  const double point = communication_point(first);
+  return jump == plan_.rounds_end_at.end() ? point : std::min(point, *jump);
+}
+
+/// Without known jumps.
+inline double Schedule::communication_point(double first) const {
   if (first == Member::never) return first;
   if (plan_.pace >= 0 && !member(plan_.pace).finished() && !(related_ && turns_.waits(plan_.pace)))
     return std::min(member(plan_.pace).next, plan_.span.stop);

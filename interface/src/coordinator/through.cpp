@@ -11,6 +11,7 @@ namespace tandem {
 /// By subsystem whether inputs that feed through may jump.
 std::vector<char> RunStart::jump_with_inputs() const {
   std::vector<char> all(clocks_.size());
+  for (int i = 0; i < topology_.size(); ++i) all[static_cast<std::size_t>(i)] = outputs_jump(i);
   for (bool more = true; more;) {
     more = false;
     for (const Line& line : topology_.lines()) {

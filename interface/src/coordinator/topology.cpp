@@ -6,6 +6,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "../number_text.hpp"
 #include "tandem/check_info.hpp"
 #include "tandem/coordinator/units.hpp"
 #include "tandem/error.hpp"
@@ -46,7 +47,8 @@ int Topology::add(const std::string& name, const SubsystemInfo& info) {
   if (numbers_.contains(name)) refuse_topology("instance name '" + name + "' is used twice");
   check_info(name, info);
   const auto inputs = static_cast<std::size_t>(info.input_size());
-  Instance instance{name, &info, {}, std::vector<char>(inputs), std::vector<char>(inputs), {}, {}};
+  Instance instance{name, &info, {}, std::vector<char>(inputs), std::vector<char>(inputs), {}, {}, {}};
+  instance.driven.resize(inputs);
   instance.to.resize(inputs);
   for (const Port& port : info.inputs)
     instance.start.insert(instance.start.end(), static_cast<std::size_t>(port.size), port.start);
@@ -127,6 +129,7 @@ void Topology::connect_scalars(Line line, bool add, const Place& from, const Pla
     if (!lines_to(to.instance, to.first + k).empty() && !(shared && add))
       refuse_topology("input " + input_name(to.instance, to.first + k) +
                       " is connected twice; to sum connections, each of them says add = true");
+    refuse_driven(to.instance, to.first + k, "connected");
     shared = add;
   }
   for (int k = 0; k < to.count; ++k) {
@@ -168,13 +171,46 @@ void Topology::set_start(std::string_view port, double value) {
   for (int k = 0; k < place.count; ++k) start[static_cast<std::size_t>(place.first + k)] = value;
 }
 
+void Topology::drive(std::string_view port, std::shared_ptr<const TimeSeries> series) {
+  const Place place = find(port, false);
+  if (place.count > 1)
+    refuse_topology("input " + std::string(port) + " is driven by " + series->name() +
+                    ", which is one number, and has " + std::to_string(place.count) +
+                    "; allowed are its elements, " + std::string(port) + "[0] and so on");
+  if (!lines_to(place.instance, place.first).empty())
+    refuse_topology("input " + std::string(port) + " is driven by " + series->name() +
+                    " and connected; allowed is one of them");
+  refuse_driven(place.instance, place.first, "driven once more");
+  instances_[static_cast<std::size_t>(place.instance)].driven[static_cast<std::size_t>(place.first)] =
+      std::move(series);
+}
+
+void Topology::refuse_driven(int instance, int input, const std::string& besides) const {
+  if (const TimeSeries* series = this->series(instance, input))
+    refuse_topology("input " + input_name(instance, input) + " is driven by " + series->name() + " and " +
+                    besides + "; allowed is one of them");
+}
+
 void Topology::check() const {
   for (int i = 0; i < size(); ++i)
     for (int k = 0; k < info(i).input_size(); ++k)
-      if (lines_to(i, k).empty() && !at(i).half[static_cast<std::size_t>(k)] &&
+      if (lines_to(i, k).empty() && !at(i).half[static_cast<std::size_t>(k)] && !series(i, k) &&
           std::isnan(start(i)[static_cast<std::size_t>(k)]))
         refuse_topology("input " + input_name(i, k) + " is not connected and has no start value");
   check_loops();
+}
+
+void Topology::check_span(TimeSpan span) const {
+  const TimeTolerance tolerance(span.start);
+  for (int i = 0; i < size(); ++i)
+    for (int k = 0; k < info(i).input_size(); ++k)
+      if (const TimeSeries* data = series(i, k);
+          data && (tolerance.before(span.start, data->begin()) || tolerance.before(data->end(), span.stop)))
+        refuse_topology("input " + input_name(i, k) + " is driven by " + data->name() +
+                        ", which has data from " + number_text(data->begin()) + " to " +
+                        number_text(data->end()) + " s; the run goes from " + number_text(span.start) +
+                        " to " + number_text(span.stop) +
+                        " s; allowed are data for all of it, or beyond = \"hold\"");
 }
 
 std::string Topology::input_name(int instance, int input) const {

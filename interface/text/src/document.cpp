@@ -8,6 +8,7 @@
 
 #include "tandem/input_file.hpp"
 #include "tandem/text/nesting.hpp"
+#include "tandem/text/set.hpp"
 
 namespace tandem::text {
 namespace {
@@ -36,6 +37,11 @@ Document::Document(std::string name, const std::string& text) : file_(std::move(
   } catch (const toml::parse_error& error) {
     refuse({file_, static_cast<int>(error.source().begin.line)}, not_toml(error));
   }
+}
+
+void Document::set(const std::vector<std::string>& overrides) {
+  for (const std::string& text : overrides)
+    located(Place{file_, 0, set_prefix + text}, [&] { text::set(table_, text); });
 }
 
 Place Document::place(const toml::node& node) const {

@@ -12,6 +12,11 @@ KeyList& KeyList::table(std::string path, std::string sentence, bool required) {
   return *this;
 }
 
+KeyList& KeyList::or_numbers() {
+  keys_.back().type = Key::Type::numbers_or_table;
+  return *this;
+}
+
 KeyList& KeyList::named(const std::string& path, std::string sentence, std::string of_each, bool required) {
   table(path, std::move(sentence), required).table(path + ".NAME", std::move(of_each));
   with_kinds_ = table_;

@@ -50,7 +50,7 @@ bool contains(const std::vector<std::string>& all, std::string_view one) {
 
 std::string in_marks(const std::string& text) { return text.empty() ? "" : "`" + text + "`"; }
 
-bool holds_keys(const Key& key) { return key.type == Key::Type::table || key.type == Key::Type::tables; }
+bool holds_keys(const Key& key) { return key.type >= Key::Type::table && key.type <= Key::Type::tables; }
 
 /// "a, b or c".
 std::string words_of(const Key& key) {
@@ -83,6 +83,7 @@ static std::string marked(const Key& key) {
                                           "a text, or an array of texts",
                                           "an array of texts, or of arrays of texts",
                                           "a table",
+                                          "a number, an array of numbers, or a table",
                                           "an array of tables",
                                           "a table with what a file has",
                                           ""};

@@ -18,6 +18,15 @@ Section::Section(const Document& document, const toml::table& table, std::string
 Section::Section(const Document& document, const Keys& language, const Values* values)
     : document_(document), table_(document.table()), values_(values), language_(&language) {}
 
+Section::Section(const Document& document, const Keys& language, const toml::table& table, std::string path,
+                 std::string pattern)
+    : document_(document),
+      table_(table),
+      path_(std::move(path)),
+      values_(nullptr),
+      language_(&language),
+      pattern_(std::move(pattern)) {}
+
 Section::Section(const Section& outer, const toml::table& table, std::string path, std::string pattern)
     : document_(outer.document_),
       table_(table),
@@ -175,11 +184,14 @@ std::optional<Section> Section::section(const std::string& key) {
 
 std::vector<std::pair<std::string, Section>> Section::named_sections() {
   std::vector<std::pair<std::string, Section>> all;
-  for (const auto& [key, found] : in_file_order(table_)) {
-    if (!found->is_table()) wrong(key, described(*found), "a table");
-    all.emplace_back(key, Section(*this, *found->as_table(), name(key), known("NAME")->path));
-  }
+  for (const auto& [key, found] : in_file_order(table_)) all.emplace_back(key, of_name(key));
   return all;
+}
+
+Section Section::of_name(const std::string& key) {
+  const toml::node& found = *table_.get(key);
+  if (!found.is_table()) wrong(key, described(found), "a table");
+  return {*this, *found.as_table(), name(key), known("NAME")->path};
 }
 
 std::vector<Section> Section::sections(const std::string& key) {

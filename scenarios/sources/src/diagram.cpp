@@ -15,37 +15,13 @@
 namespace tandem {
 namespace {
 
-engine::Description read(const SourceFile& file, const engine::ParameterValues& values,
-                         const engine::FileBounds& bounds) {
-  return file.text ? engine::read_diagram(file.path.string(), *file.text, values, bounds)
-                   : engine::read_diagram(file.path, values, bounds);
-}
-
 /// The diagram with the parameters that are given.
-engine::Description read(const SourceFile& file, Parameters& p) {
-  const text::GivenValues values = take_file_parameters(file.document(), diagram_words(), p);
-  engine::FileBounds bounds{file.path.parent_path(), {}};
+engine::Description read(const text::Document& document, Parameters& p) {
+  const text::GivenValues values = take_file_parameters(document, diagram_words(), p);
+  engine::FileBounds bounds{std::filesystem::path(document.file()).parent_path(), {}};
   for (const auto& [name, value] : values)
     if (p.from_client(name)) bounds.parameters.insert(name);
-  return read(file, values, bounds);
-}
-
-/// Inputs for which there is a parameter data.NAME, "FILE" or "FILE:COLUMN": a column of a CSV file, of the
-/// input's name if none is given.
-void take_data(engine::Description& d, Parameters& p) {
-  std::vector<engine::Input> others;
-  for (engine::Input& input : d.inputs) {
-    const std::string data = p.text("data." + input.name, "");
-    if (data.empty()) {
-      others.push_back(std::move(input));
-      continue;
-    }
-    const auto colon = data.find(':');
-    const std::string column = colon == std::string::npos ? input.name : data.substr(colon + 1);
-    d.blocks.push_back(
-        {input.name, "csv", {{"file", data.substr(0, colon)}, {"column", column}}, input.where});
-  }
-  d.inputs = std::move(others);
+  return engine::read_diagram(document, values, bounds);
 }
 
 long most_steps(Parameters& p, long otherwise) {
@@ -70,16 +46,15 @@ void take(Parameters& p, engine::AdaptiveSettings& s) {
 Words diagram_words() {
   return words_by(Setter::client,
                   {"step", "integrator", "locate_events", "relative_tolerance", "absolute_tolerance",
-                   "absolute_tolerance.*", "longest_step", "shortest_step", "most_steps"}) +
-         words_by(Setter::operator_only, {"data.*"});
+                   "absolute_tolerance.*", "longest_step", "shortest_step", "most_steps"});
 }
 
 std::unique_ptr<Subsystem> make_diagram(const SourceFile& file, Parameters& p,
                                         std::vector<engine::CompiledBlock> kinds, const TellOfDiagram& tell) {
   p.declare(diagram_words());
-  take_run_table(file.document(), p);
-  engine::Description diagram = read(file, p);
-  take_data(diagram, p);
+  const text::Document document = file.document();
+  take_run_table(document, p);
+  engine::Description diagram = read(document, p);
   diagram.kinds = std::move(kinds);
   engine::SubsystemSettings settings;
   settings.step = p.number("step", 0.0);

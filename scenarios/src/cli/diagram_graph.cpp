@@ -142,8 +142,8 @@ void print_graph(const Description& diagram, const std::vector<std::string>& lef
 
 }  // namespace
 
-void print_dot(const std::filesystem::path& file) {
-  Description diagram = engine::read_diagram(file);
+void print_dot(const text::Document& document) {
+  Description diagram = engine::read_diagram(document);
   diagram.kinds = engine_models::compiled_kinds();
   try {
     print_graph(diagram, engine::compile(diagram).left_out);

@@ -46,8 +46,8 @@ const char* word_of(engine::Limit::OnLeaving what) {
 
 bool is_diagram(const std::filesystem::path& file) { return scenario::kind_alone(file) == "diagram"; }
 
-void print_diagram(const std::filesystem::path& file) {
-  engine::Description diagram = engine::read_diagram(file);
+void print_diagram(const text::Document& document) {
+  engine::Description diagram = engine::read_diagram(document);
   diagram.kinds = engine_models::compiled_kinds();
   const engine::Program program = engine::compile(diagram);
   say("{}: a diagram of {} blocks, {} operations\n", diagram.name, diagram.blocks.size(),

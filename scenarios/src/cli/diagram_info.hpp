@@ -2,16 +2,18 @@
 #pragma once
 #include <filesystem>
 
+#include "tandem/text/document.hpp"
+
 namespace tandem::cli {
 
 /// True for a TOML file that has a table of blocks, as only diagrams do.
 bool is_diagram(const std::filesystem::path& file);
 
 /// Prints parameters, ports with units, states, feedthrough, events and what is left out.
-void print_diagram(const std::filesystem::path& file);
+void print_diagram(const text::Document& diagram);
 
-/// The graph of blocks and signals in the language of Graphviz; blocks that are left out are dashed. A diagram
-/// that is refused, for an algebraic loop say, is drawn before.
-void print_dot(const std::filesystem::path& file);
+/// The graph of blocks and signals in the language of Graphviz; blocks that are left out are dashed. A
+/// diagram that is refused, for an algebraic loop say, is drawn before.
+void print_dot(const text::Document& diagram);
 
 }  // namespace tandem::cli

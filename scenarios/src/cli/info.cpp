@@ -175,7 +175,7 @@ void add_info(CLI::App& app, Context& context) {
                    "mechanism or a diagram")
       ->required()
       ->type_name("SOURCE|FILE");
-  command->add_option("--set", options->overrides, "Set a value of the scenario, as in run (repeatable)")
+  command->add_option("--set", options->overrides, "Set a value of the file, as in run (repeatable)")
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->take_all();
@@ -192,18 +192,17 @@ void add_info(CLI::App& app, Context& context) {
     if (source && options->run_programs)
       throw Error(ErrorCode::invalid_argument, "--run-programs belongs to a scenario; a source is opened");
     if (source && !options->overrides.empty())
-      throw Error(ErrorCode::invalid_argument, "--set belongs to a scenario; a source takes its values as " +
-                                                   options->what + "?KEY=VALUE");
+      throw Error(ErrorCode::invalid_argument,
+                  "--set belongs to a file; a source takes its values as " + options->what + "?KEY=VALUE");
     if (source) return print_source(options->what, looking);
     const bool mechanism = is_mechanism(options->what), diagram = !mechanism && is_diagram(options->what);
     if (options->dot && !diagram)
       throw Error(ErrorCode::invalid_argument, "--dot belongs to a diagram; " + options->what + " is none");
     if (!mechanism && !diagram) return print_scenario(*options, looking);
-    if (!options->overrides.empty())
-      throw Error(ErrorCode::invalid_argument, "--set belongs to a scenario; " + options->what + " is a " +
-                                                   (mechanism ? "mechanism" : "diagram"));
-    if (mechanism) return print_mechanism(options->what, looking.builtins);
-    options->dot ? print_dot(options->what) : print_diagram(options->what);
+    if (mechanism) return print_mechanism(options->what, options->overrides, looking.builtins);
+    text::Document file{std::filesystem::path(options->what)};
+    file.set(options->overrides);
+    options->dot ? print_dot(file) : print_diagram(file);
   });
 }
 

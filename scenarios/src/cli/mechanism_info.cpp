@@ -98,15 +98,16 @@ void print_start(mbs::Mechanism& mechanism, double start) {
 }
 
 /// Without a stop the mechanism is a part of a scenario, which may give the step.
-void check_run(const std::filesystem::path& file, const Builtins& builtins) {
-  const text::Document document(file);
+void check_run(const text::Document& document, const std::vector<std::string>& overrides,
+               const Builtins& builtins) {
+  const std::filesystem::path file = document.file();
   const toml::table* run = document.table()["run"].as_table();
   if (!run) return;
   if (run->contains("stop")) {
-    scenario::Parts::opened(scenario::read(file).subsystems[0], builtins);
+    scenario::Parts::opened(scenario::read(file, overrides).subsystems[0], builtins);
     return;
   }
-  Opening opening{{}, file.parent_path()};
+  Opening opening{{}, file.parent_path(), {}, overrides};
   if (!run->contains("step")) opening.parameters.set("step", 1.0);
   text::located(document.place(*run),
                 [&] { open("mechanism:" + file.filename().string(), builtins, std::move(opening)); });
@@ -124,18 +125,21 @@ std::string take_unknown_inputs_as_zero(mbs::Description& description) {
   return names.empty() ? "" : fmt::format("  inputs that are not known are taken as 0: {}\n", listed(names));
 }
 
-double start_of(const std::filesystem::path& file) {
-  return text::Document(file).table()["run"]["start"].value<double>().value_or(0.0);
+double start_of(const text::Document& mechanism) {
+  return mechanism.table()["run"]["start"].value<double>().value_or(0.0);
 }
 
 bool is_mechanism(const std::filesystem::path& file) { return scenario::kind_alone(file) == "mechanism"; }
 
-void print_mechanism(const std::filesystem::path& file, const Builtins& builtins) {
-  mbs::Description description = mbs::read_mechanism(file, element_kinds());
-  mechanisms::read_view(text::Document(file), description);
+void print_mechanism(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                     const Builtins& builtins) {
+  text::Document document(file);
+  document.set(overrides);
+  mbs::Description description = mbs::read_mechanism(document, element_kinds());
+  mechanisms::read_view(document, description);
   const std::string told = take_unknown_inputs_as_zero(description);
   mbs::Mechanism mechanism(description);
-  const double start = start_of(file);
+  const double start = start_of(document);
   const text::Place whole{file.string()};
   const auto found = text::located(whole, [&] { return mbs::assembled(mechanism, start); });
   print_size(mechanism);
@@ -144,7 +148,7 @@ void print_mechanism(const std::filesystem::path& file, const Builtins& builtins
   print_tangent(mechanism.structure());
   print_limits(mechanism.description());
   text::located(whole, [&] { print_start(mechanism, start); });
-  check_run(file, builtins);
+  check_run(document, overrides, builtins);
 }
 
 }  // namespace tandem::cli

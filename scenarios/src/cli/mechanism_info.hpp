@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "tandem/mbs/mechanism/description.hpp"
+#include "tandem/text/document.hpp"
 #include "tandem/transports/open.hpp"
 
 namespace tandem::cli {
@@ -11,7 +12,7 @@ namespace tandem::cli {
 bool is_mechanism(const std::filesystem::path& file);
 
 /// [s]: of the table [run].
-double start_of(const std::filesystem::path& file);
+double start_of(const text::Document& mechanism);
 
 /// Those that the file gives no value. A line that tells which, or "".
 std::string take_unknown_inputs_as_zero(mbs::Description& description);
@@ -19,6 +20,8 @@ std::string take_unknown_inputs_as_zero(mbs::Description& description);
 /// Prints variables, constraints, degrees of freedom, redundant and contradictory equations and the filling
 /// of the tangent. Then throws Error for what a run of it would refuse: a start that can't be, and what its
 /// table [run] says.
-void print_mechanism(const std::filesystem::path& file, const Builtins& builtins);
+/// overrides: "KEY=VALUE".
+void print_mechanism(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                     const Builtins& builtins);
 
 }  // namespace tandem::cli

@@ -10,7 +10,6 @@
 #include "cli/mechanism_info.hpp"
 #include "cli/say.hpp"
 #include "scenario/scenario.hpp"
-#include "scenario/set.hpp"
 #include "sources/elements.hpp"
 #include "tandem/mbs/mechanism/initial.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
@@ -60,14 +59,13 @@ void print_modes(mbs::Description description, double start) {
 /// Of a mechanism alone, with any values of its file set.
 void print_modes_of_file(const std::string& file, const std::vector<std::string>& overrides) {
   text::Document document{std::filesystem::path(file)};
-  for (const std::string& text : overrides)
-    text::located(text::Place{file, 0, text::set_prefix + text},
-                  [&] { scenario::set(document.table(), text); });
-  print_modes(mbs::read_mechanism(document, element_kinds()), start_of(file));
+  document.set(overrides);
+  print_modes(mbs::read_mechanism(document, element_kinds()), start_of(document));
 }
 
 /// What the scenario says of the mechanism: parameters, and inputs at the start.
-mbs::Description described(const std::filesystem::path& file, const scenario::SubsystemEntry& entry) {
+mbs::Description described(const std::filesystem::path& file, const scenario::SubsystemEntry& entry,
+                           double start) {
   const auto value = [&](const std::string& name) -> std::optional<text::FileValue> {
     for (const scenario::Parameter& p : entry.parameters)
       if (p.name == name) {
@@ -84,10 +82,10 @@ mbs::Description described(const std::filesystem::path& file, const scenario::Su
   });
   std::vector<std::string> names;
   for (const mbs::Input& input : d.inputs) names.push_back(input.name);
-  for (const scenario::StartValue& v : entry.inputs) {
-    const auto at = std::find(names.begin(), names.end(), v.port);
-    if (at == names.end()) text::refuse(v.place, unknown("input", v.port, names));
-    d.inputs[static_cast<std::size_t>(at - names.begin())].value = v.value;
+  for (const scenario::InputEntry& input : entry.inputs) {
+    const auto at = std::find(names.begin(), names.end(), input.port);
+    if (at == names.end()) text::refuse(input.place, unknown("input", input.port, names));
+    d.inputs[static_cast<std::size_t>(at - names.begin())].value = input.at(start);
   }
   return d;
 }
@@ -99,7 +97,7 @@ void print_modes_of_scenario(const std::string& file, const std::vector<std::str
   for (const auto& s : scenario.subsystems) {
     if (!s.source.starts_with(scheme)) continue;
     const auto mechanism = scenario.file.parent_path() / s.source.substr(scheme.size());
-    print_modes(described(mechanism, s), scenario.start);
+    print_modes(described(mechanism, s, scenario.start), scenario.start);
     any = true;
   }
   if (!any)
@@ -121,9 +119,7 @@ void add_modes(CLI::App& app, Context&) {
   command->add_option("what", options->what, "A mechanism, or a scenario with mechanisms")
       ->required()
       ->type_name("FILE");
-  command
-      ->add_option("--set", options->overrides,
-                   "Set a value of the mechanism's file, or of the scenario as in run (repeatable)")
+  command->add_option("--set", options->overrides, "Set a value of the file, as in run (repeatable)")
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->take_all();

@@ -34,7 +34,7 @@ void look_at(const text::Document& document, mbs::Description& description, Para
 
 void add_sources(Builtins& builtins, const mbs::TellOfLimit& tell) {
   const auto make = [tell](const Address& address, Parameters& p) {
-    return make_mechanism({address.file()}, p, element_kinds(), look_at, tell);
+    return make_mechanism({address.file(), {}, address.overrides}, p, element_kinds(), look_at, tell);
   };
   builtins.schemes["mechanism"] = {mechanism_words() + words_by(Setter::client, {"animate"}), make};
 }

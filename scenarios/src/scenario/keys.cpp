@@ -4,6 +4,7 @@
 #include "tandem/coordinator/coordination.hpp"
 #include "tandem/coordinator/reconstruction.hpp"
 #include "tandem/error.hpp"
+#include "tandem/text/series.hpp"
 
 namespace tandem::scenario {
 namespace {
@@ -68,9 +69,18 @@ void of_subsystems(KeyList& to) {
              "Its parameters: settings of its source and parameters of its model.")
       .may("NAME", value, "`tandem info SOURCE` tells which there are.")
       .table("subsystems.NAME.inputs",
-             "Values of its inputs, in the units of the ports: where an input is connected before "
-             "the first exchange, else all the time.")
-      .may("NAME", numbers, "The value, or one for each element of the port. Without it: that of the port.");
+             "What its inputs are, by port, or by element of one, `\"u[0]\"`, in the units of the ports. "
+             "Without "
+             "it: what the port says.")
+      .table(
+          "subsystems.NAME.inputs.NAME",
+          "A number, or one for each element of the port: where the input is connected before the first "
+          "exchange, else all the time. Or data over time, over the whole span, of one that is not "
+          "connected. "
+          "A subsystem that can shorten a step ends one where these jump, and where they bend unless that is "
+          "more often than its own steps (see `land`).")
+      .or_numbers();
+  text::keys_of_series(to);
 }
 
 void of_connections(KeyList& to) {

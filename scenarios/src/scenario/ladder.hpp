@@ -43,8 +43,8 @@ LadderVerdict ladder_verdict(const std::vector<LadderColumn>& columns);
 /// A table of the rungs and the verdict in sentences.
 std::string ladder_text(const std::vector<RungRun>& runs, const std::vector<LadderColumn>& columns);
 
-/// Rows of ladder.csv, one for each rung (in quotes) and quantity. Units are "1" for fractions, seconds are empty if not
-/// taken; status ok, absent (no such quantity) or failed.
+/// Rows of ladder.csv, one for each rung (in quotes) and quantity. Units are "1" for fractions, seconds are
+/// empty if not taken; status ok, absent (no such quantity) or failed.
 inline constexpr const char* ladder_header = "rung,quantity,unit,difference,to_next,tolerance,seconds,status";
 std::string ladder_rows(const std::vector<RungRun>& runs, const std::vector<LadderColumn>& columns);
 

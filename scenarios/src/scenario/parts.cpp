@@ -19,7 +19,11 @@ namespace {
 /// address alone may serve several.
 template <class Use>
 auto with_opening(const SubsystemEntry& entry, const Builtins& builtins, const Use& use) {
-  Opening opening{{}, std::filesystem::path(entry.place.file).parent_path(), entry.command, entry.isolated};
+  Opening opening{{},
+                  std::filesystem::path(entry.place.file).parent_path(),
+                  entry.command,
+                  entry.overrides,
+                  entry.isolated};
   for (const Parameter& p : entry.parameters) opening.parameters.set(p.name, p.value);
   const auto place_of = [&](const std::string& sentence) { return entry.place_named_in(sentence); };
   return located(place_of, [&] {
@@ -39,8 +43,11 @@ bool is_code(const SubsystemEntry& entry, const Builtins& builtins) {
 /// As a run does it first: with the inputs that are not connected, and NaN for the others.
 void start(Subsystem& subsystem, const Topology& topology, int instance, const TimeSpan& span) {
   std::vector<double> u0 = topology.start(instance);
-  for (std::size_t k = 0; k < u0.size(); ++k)
-    if (!topology.lines_to(instance, static_cast<int>(k)).empty()) u0[k] = std::nan("");
+  for (int k = 0; k < static_cast<int>(u0.size()); ++k)
+    if (const TimeSeries* series = topology.series(instance, k))
+      u0[static_cast<std::size_t>(k)] = series->value(span.start);
+    else if (!topology.lines_to(instance, k).empty())
+      u0[static_cast<std::size_t>(k)] = std::nan("");
   std::vector<double> row(static_cast<std::size_t>(subsystem.info().row_size()));
   Samples y(row.data(), subsystem.info().row_size(), 1);
   try {
@@ -58,7 +65,7 @@ Parts::Parts(const Scenario& scenario, const Builtins& builtins, Code code) : sc
     subsystems_.push_back(out ? leave_out(entry, builtins) : opened(entry, builtins));
     located(entry.place, [&] { topology_.add(entry.name, out ? no_ports_ : subsystems_.back()->info()); });
   }
-  set_starts();
+  set_inputs();
   for (const ConnectionEntry& entry : scenario.connections)
     located([&](const std::string& sentence) { return entry.place_named_in(sentence); },
             [&] { connect(entry); });
@@ -90,11 +97,16 @@ bool Parts::is_left_out(const std::string& port) const {
   return false;
 }
 
-void Parts::set_starts() {
+void Parts::set_inputs() {
   for (const SubsystemEntry& entry : scenario_.subsystems)
-    for (const StartValue& value : entry.inputs)
-      if (const std::string port = entry.name + "." + value.port; !is_left_out(port))
-        located(value.place, [&] { topology_.set_start(port, value.value); });
+    for (const InputEntry& input : entry.inputs)
+      if (const std::string port = entry.name + "." + input.port; !is_left_out(port))
+        located(input.place, [&] {
+          if (const double* value = std::get_if<double>(&input.value))
+            topology_.set_start(port, *value);
+          else
+            topology_.drive(port, std::get<1>(input.value));
+        });
 }
 
 void Parts::connect(const ConnectionEntry& entry) {
@@ -116,12 +128,11 @@ void Parts::check_each() const {
   std::erase_if(ports, [this](const std::string& port) { return is_left_out(port); });
   if (const auto why = unknown_output(topology_.output_names(), ports); !why.empty())
     refuse(scenario_.place("record.ports"), why);
+  const TimeSpan span{scenario_.start, scenario_.stop};
+  const auto place_of = [&](const std::string& sentence) { return scenario_.place_named_in(sentence); };
+  located(place_of, [&] { topology_.check_span(span); });
   for (int i = 0; i < topology_.size(); ++i)
-    if (Subsystem* one = subsystem(i))
-      located([&](const std::string& sentence) { return scenario_.place_named_in(sentence); },
-              [&] {
-                start(*one, topology_, i, {scenario_.start, scenario_.stop});
-              });
+    if (Subsystem* one = subsystem(i)) located(place_of, [&] { start(*one, topology_, i, span); });
 }
 
 std::vector<std::string> Parts::notes() const {

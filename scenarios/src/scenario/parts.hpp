@@ -39,7 +39,7 @@ class Parts {
  private:
   std::unique_ptr<Subsystem> leave_out(const SubsystemEntry& entry, const Builtins& builtins);
   bool is_left_out(const std::string& port) const;
-  void set_starts();
+  void set_inputs();
   void add_ending_data(int instance, std::vector<std::string>& notes) const;
   void connect(const ConnectionEntry& entry);
   void check_output(const Place& place, const std::string& what, const std::string& name) const;

@@ -5,10 +5,10 @@
 
 #include "scenario/keys.hpp"
 #include "scenario/scenario.hpp"
-#include "scenario/set.hpp"
 #include "scenario/settings.hpp"
 #include "scenario/to_json.hpp"
 #include "tandem/text/section.hpp"
+#include "tandem/text/series.hpp"
 
 namespace tandem::scenario {
 namespace {
@@ -41,7 +41,7 @@ class Reader {
   }
 
   /// A mechanism or a diagram alone: its file is the source, its table [run] says how long and how.
-  void read_alone(const std::string& kind) {
+  void read_alone(const std::string& kind, const std::vector<std::string>& overrides) {
     Section root(document_, document_.table(), "");
     to_.name = root.text("name").value_or(to_.file.stem().string());
     to_.description = root.text("description").value_or("");
@@ -50,12 +50,13 @@ class Reader {
     SubsystemEntry entry{
         to_.file.stem().string(), kind + ":" + to_.file.filename().string(), {}, {}, document_.place(*table),
         document_.place(*table)};
+    entry.overrides = overrides;
     Section run(document_, *table, "run");
     read_span(run);
     for (Parameter& p : parameters(*table, "run", kind == "diagram" ? "inputs" : ""))
       if (p.name != "start" && p.name != "stop") entry.parameters.push_back(std::move(p));
     if (kind == "diagram")
-      read_inputs(run, entry);
+      read_inputs_of_diagram(run, entry);
     else if (!run.node("animate"))
       entry.parameters.push_back({"animate", true, entry.place});
     to_.subsystems.push_back(std::move(entry));
@@ -73,15 +74,12 @@ class Reader {
                 fmt::format("up to {} s, the time from run.start to run.stop", to_.stop - to_.start));
   }
 
-  /// Of a diagram alone: a number, or a CSV file.
-  void read_inputs(Section& run, SubsystemEntry& entry) const {
-    const toml::table* table = run.table("inputs");
-    if (!table) return;
-    for (const auto& [port, node] : in_file_order(*table))
-      if (const auto* file = node->as_string())
-        entry.parameters.push_back({"data." + port, file->get(), document_.place(*node)});
-      else
-        read_start(entry, port, *node, "run.inputs." + port);
+  /// They are what those of a subsystem are.
+  void read_inputs_of_diagram(Section& run, SubsystemEntry& entry) const {
+    if (const toml::table* table = run.table("inputs")) {
+      Section inputs(document_, keys(), *table, run.name("inputs"), "subsystems.NAME.inputs");
+      read_inputs(inputs, entry);
+    }
   }
 
   std::vector<Parameter> parameters(const toml::table& table, const std::string& path,
@@ -123,9 +121,7 @@ class Reader {
         std::erase_if(entry.parameters, [&](const Parameter& p) { return p.name == own.name; });
         entry.parameters.push_back(std::move(own));
       }
-    if (const auto* table = section.table("inputs"))
-      for (const auto& [port, node] : in_file_order(*table))
-        read_start(entry, port, *node, section.name("inputs." + port));
+    if (auto inputs = section.section("inputs")) read_inputs(*inputs, entry);
     entry.isolated = *section.flag("isolate");
     if (entry.isolated && !entry.command.empty())
       section.leave_out("isolate", "a command is a process of its own");
@@ -145,8 +141,23 @@ class Reader {
     entry.source_place = section.place("command");
   }
 
-  void read_start(SubsystemEntry& entry, const std::string& port, const toml::node& node,
-                  const std::string& path) const {
+  void read_inputs(Section& inputs, SubsystemEntry& entry) const {
+    for (const auto& [port, node] : in_file_order(inputs.table()))
+      if (node->is_table())
+        read_series(inputs.of_name(port), port, entry);
+      else
+        read_numbers(*node, inputs.name(port), port, entry);
+  }
+
+  void read_series(Section section, const std::string& port, SubsystemEntry& entry) const {
+    const auto series = text::read_series(section, to_.file.parent_path());
+    if (!series) section.missing("file", "file and column, or times and values");
+    section.refuse_unknown();
+    entry.inputs.push_back({port, std::make_shared<const TimeSeries>(*series), section.place()});
+  }
+
+  void read_numbers(const toml::node& node, const std::string& path, const std::string& port,
+                    SubsystemEntry& entry) const {
     if (!node.is_array()) {
       entry.inputs.push_back({port, number_of(document_, node, path), document_.place(node)});
       return;
@@ -191,17 +202,12 @@ std::string kind_alone(const std::filesystem::path& file) { return kind_of(Docum
 
 Scenario read(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   Document document(file);
+  document.set(overrides);
   const std::string alone = kind_of(document.table());
-  for (const std::string& text : overrides) {
-    const Place place{file.string(), 0, text::set_prefix + text};
-    if (!alone.empty() && !text.starts_with("run."))
-      refuse(place, "of a " + alone + "'s file only run.KEY can be set; the rest is what it is made of");
-    located(place, [&] { set(document.table(), text); });
-  }
   Scenario scenario;
   scenario.file = file;
   Reader reader(document, scenario);
-  alone.empty() ? reader.read() : reader.read_alone(alone);
+  alone.empty() ? reader.read() : reader.read_alone(alone, overrides);
   scenario.overrides = overrides;
   scenario.document = to_json(document.table());
   return scenario;

@@ -52,6 +52,9 @@ Place Scenario::place_named_in(const std::string& sentence) const {
   for (const auto& [words, key] : keys)
     if (mentions(sentence, words)) return place(key);
   for (const SubsystemEntry& s : subsystems)
+    for (const InputEntry& input : s.inputs)
+      if (mentions(sentence, "input " + s.name + "." + input.port)) return input.place;
+  for (const SubsystemEntry& s : subsystems)
     if (mentions(sentence, s.name)) return s.place;
   return {file.string()};
 }
@@ -66,6 +69,11 @@ Place ConnectionEntry::place_named_in(const std::string& sentence) const {
   for (const Place& end : {from_place, to_place, how_place})
     if (!end.set_by.empty()) return end;
   return place;
+}
+
+double InputEntry::at(double t) const {
+  const double* number = std::get_if<double>(&value);
+  return number ? *number : std::get<1>(value)->value(t);
 }
 
 std::string SubsystemEntry::address() const {

@@ -2,9 +2,11 @@
 #pragma once
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "tandem/coordinator/recorder.hpp"
@@ -23,20 +25,24 @@ struct Parameter {
   Place place;
 };
 
-/// The start value of an input, "port" or "port[i]".
-struct StartValue {
+/// What an input is, "port" or "port[i]".
+struct InputEntry {
   std::string port;
-  double value;
+  std::variant<double, std::shared_ptr<const TimeSeries>> value;
   Place place;
+
+  /// At t [s].
+  double at(double t) const;
 };
 
 struct SubsystemEntry {
   std::string name, source;           ///< source: of a command "spawn:"
   std::vector<Parameter> parameters;  ///< those that all subsystems share are among them
-  std::vector<StartValue> inputs;
+  std::vector<InputEntry> inputs;
   Place place, source_place;
-  std::vector<std::string> command = {};  ///< a program and its arguments; empty: there is a source
-  bool isolated = false;                  ///< in a process of its own
+  std::vector<std::string> command = {};    ///< a program and its arguments; empty: there is a source
+  bool isolated = false;                    ///< in a process of its own
+  std::vector<std::string> overrides = {};  ///< of the file that is the source, "KEY=VALUE"
 
   /// "lib:./x.so", without parameters, or "command [...]".
   std::string address() const;

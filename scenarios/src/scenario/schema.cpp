@@ -49,6 +49,8 @@ class Schema {
       one = object(key.path);
     else if (key.type == Key::Type::tables)
       one = array(object(key.path));
+    else if (key.type == Key::Type::numbers_or_table)
+      one = any_of({number(), array(number()), object(key.path)});
     else
       one = type_of(key);
     one["description"] = key.sentence;
@@ -106,6 +108,7 @@ class Schema {
         return {{"$ref", "#"}};
       case Type::any:
       case Type::table:
+      case Type::numbers_or_table:
       case Type::tables:
         break;
     }

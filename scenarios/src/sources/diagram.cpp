@@ -7,7 +7,7 @@ namespace tandem::diagrams {
 
 void add_sources(Builtins& builtins, const TellOfDiagram& tell) {
   const auto make = [tell](const Address& address, Parameters& p) {
-    return make_diagram({address.file()}, p, engine_models::compiled_kinds(), tell);
+    return make_diagram({address.file(), {}, address.overrides}, p, engine_models::compiled_kinds(), tell);
   };
   builtins.schemes["diagram"] = {diagram_words(), make};
 }

@@ -96,6 +96,69 @@ TEST_F(Files, AreColumnsOverTimeFromTheDiagramsFolder) {
   EXPECT_EQ(at(3.0, "column = 'w', beyond = 'hold'"), 4.5);
 }
 
+/// Own steps of 0.3 s end at the jumps, so that each part is integrated for itself.
+TEST_F(Files, JumpWhereATimeIsThereTwice) {
+  folder.write("u.csv", "time,u\n0,1\n0.5,3\n0.5,7\n2,7\n2,0\n3,0\n");
+  folder.write("d.toml",
+               "[blocks]\ny = { kind = 'csv', file = 'u.csv', column = 'u' }\n"
+               "x = { kind = 'integrator', input = 'y' }\n"
+               "[outputs]\ny = { unit = '1' }\nx = { unit = 's' }\n");
+  const Program program = compile(read_diagram(folder.path() / "d.toml"));
+  for (const char* integrator : {"rk4", "cvode_bdf"}) {
+    Simulation s(program, nullptr, make_integrator({integrator}));
+    s.start(0.0);
+    for (int k = 1; k <= 10; ++k) s.run(0.3 * k);
+    EXPECT_NEAR(s.output(1), 1.0 + 1.5 * 7.0, 1e-7) << integrator;
+    if (integrator == std::string("rk4")) {
+      EXPECT_NEAR(s.output(1), 11.5, 1e-14);
+    }
+    EXPECT_EQ(s.output(0), 0.0);
+  }
+  Simulation late(program, nullptr, make_integrator({}));
+  late.start(0.5);
+  EXPECT_EQ(late.output(0), 7.0) << "what holds from a jump at the start on";
+  EXPECT_TRUE(late.run_to_jump(2.5));
+  EXPECT_EQ(late.time(), 2.0);
+  EXPECT_EQ(late.left()[0], 7.0);
+  EXPECT_EQ(late.output(0), 0.0);
+}
+
+TEST_F(Files, AreHeldOrSmoothWhereTheySaySo) {
+  folder.write("u.csv", "time,u\n0,1\n1,3\n2,1\n");
+  EXPECT_EQ(at(0.9, "column = 'u', interpolation = 'hold'"), 1.0);
+  EXPECT_EQ(at(1.0, "column = 'u', interpolation = 'hold'"), 3.0);
+  EXPECT_EQ(at(0.5, "column = 'u', interpolation = 'spline'"), 2.375);
+}
+
+/// At the instant of a jump what holds from then on, also in a diagram that is not sampled wholly.
+TEST_F(Files, AreSampledAsTheyAreAfterAJump) {
+  folder.write("u.csv", "time,u\n0,1\n0.2,1\n0.2,5\n0.35,5\n0.35,9\n1,9\n");
+  const std::string blocks =
+                        "[blocks]\nu = { kind = 'csv', file = 'u.csv', column = 'u' }\n"
+                        "r = { kind = 'switch', control = 'u', threshold = 4, above = 1, below = 0 }\n"
+                        "y = { kind = 'sample', input = 'u', period = 0.1 }\n"
+                        "z = { kind = 'sample', input = 'r', period = 0.1 }\n",
+                    outputs = "[outputs]\ny = { unit = '1' }\nz = { unit = '1' }\n";
+  folder.write("sampled.toml", blocks + outputs);
+  folder.write("not.toml",
+               blocks + "x = { kind = 'integrator', input = 'u' }\n" + outputs + "x = { unit = 's' }\n");
+  const Program sampled = compile(read_diagram(folder.path() / "sampled.toml")),
+                not_sampled = compile(read_diagram(folder.path() / "not.toml"));
+  ASSERT_TRUE(sampled.sampled() && !not_sampled.sampled());
+  Simulation a(sampled, nullptr, make_integrator({})), b(not_sampled, nullptr, make_integrator({}));
+  a.start(0.0, false);
+  b.start(0.0);
+  const std::vector<double> expected{1, 1, 5, 5, 9};
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    const double t = 0.1 * static_cast<double>(k);
+    a.act(t);
+    if (k > 0) b.run(t);
+    EXPECT_EQ(a.output(0), expected[k]) << k;
+    EXPECT_EQ(b.output(0), expected[k]) << k;
+    for (const Simulation* s : {&a, &b}) EXPECT_EQ(s->output(1), expected[k] > 4.0 ? 1.0 : 0.0) << k;
+  }
+}
+
 TEST_F(Files, AreRefusedBeyondTheirTimes) {
   folder.write("u.csv", "time,u\n0,1\n0.5,3\n");
   EXPECT_TRUE(refuses(ErrorCode::numerical, {"block 'y' of kind csv", "time is 0.7", "0 to 0.5", "beyond"},
@@ -109,11 +172,11 @@ TEST_F(Files, AreRefusedByPlace) {
     folder.write("u.csv", text);
     return refuses(code, words, [&] { at(0.1, keys); });
   };
-  EXPECT_TRUE(refused("time,v\n0,1\n1,1\n", {"d.toml:2", "'y'", "u.csv", "column 'u'", "v"}));
-  EXPECT_TRUE(refused("time,u\n0,1\n1,\n", {"u.csv:3", "column u is empty"}));
+  EXPECT_TRUE(refused("time,v\n0,1\n1,1\n", {"d.toml:2", "u.csv: column 'u' is not there. There are: v"}));
+  EXPECT_TRUE(refused("time,u\n0,1\n1,\n", {"u.csv:3", "column 'u' is empty"}));
   EXPECT_TRUE(refused("time,u\n0,1\n1,x\n", {"u.csv:3", "column 2"}));
   EXPECT_TRUE(refused("time,u\n1,1\n0,1\n", {"u.csv:3", "time falls"}));
-  EXPECT_TRUE(refused("time,u\n0,1\n0,2\n", {"d.toml:2", "u.csv", "the point 0 after 0"}));
+  EXPECT_TRUE(refused("time,u\n0,1\n0,2\n", {"d.toml:2", "u.csv", "has one time"}));
   EXPECT_TRUE(refused("time,u\n0,1\n1,2\n", {"d.toml:2", "no column"}, "beyond = 'hold'"));
   EXPECT_TRUE(refused("time,u\n0,1\n1,2\n", {"beyond is 'extend'", "refuse, hold"},
                       "column = 'u', beyond = 'extend'"));

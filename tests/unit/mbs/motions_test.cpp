@@ -24,16 +24,6 @@ TEST(Motions, PolynomialAndSineHaveTheirDerivatives) {
   EXPECT_DOUBLE_EQ(s.acceleration, -2.0 * w * w * std::sin(phase));
 }
 
-TEST(Motions, StraightPiecesJumpWhereATimeIsThereTwice) {
-  const auto f = interpolated({0, 1, 1, 3}, {0, 2, 5, 1}, Interpolation::linear, "data");
-  EXPECT_EQ(f(0.5).value, 1.0);
-  EXPECT_EQ(f(0.5).rate, 2.0);
-  EXPECT_EQ(f(1.0).value, 5.0);
-  EXPECT_EQ(f(2.0).value, 3.0);
-  EXPECT_EQ(f(3.0).value, 1.0);
-  EXPECT_EQ(f(3.0).acceleration, 0.0);
-}
-
 /// A natural spline has y'' = 0 at its ends, as sin(x) has on [0, pi]: then its error is of order 4
 /// everywhere.
 TEST(Motions, SplineIsOfOrderFourAndItsRatesOfThreeAndTwo) {
@@ -43,7 +33,7 @@ TEST(Motions, SplineIsOfOrderFourAndItsRatesOfThreeAndTwo) {
       t.push_back(std::acos(-1.0) * k / pieces);
       y.push_back(std::sin(t.back()));
     }
-    const auto f = interpolated(t, y, Interpolation::spline, "data");
+    const auto f = data({"data", t, y, {TimeSeries::Between::spline}});
     std::array<double, 3> worst{};
     for (double x = 0.0; x < 3.14; x += 0.001) {
       const InputValue m = f(x);
@@ -59,21 +49,10 @@ TEST(Motions, SplineIsOfOrderFourAndItsRatesOfThreeAndTwo) {
 }
 
 TEST(Motions, RefuseWhatLiesBeyondTheData) {
-  const auto f = interpolated({1, 2}, {3, 4}, Interpolation::linear, "column 'F'");
+  const auto f = data({"column 'F'", std::vector{1.0, 2.0}, std::vector{3.0, 4.0}, {}});
   EXPECT_EQ(f(2.0 + 4e-16).value, 4.0);  // rounding
   EXPECT_TRUE(refuses(ErrorCode::numerical, {"column 'F'", "t = 2.1 s", "from 1 to 2 s"}, [&] { f(2.1); }));
   EXPECT_TRUE(refuses(ErrorCode::numerical, {"t = 0.9 s"}, [&] { f(0.9); }));
-  const auto made = [](std::vector<double> t, Interpolation how) {
-    return [=] { interpolated(t, std::vector<double>(t.size(), 1.0), how, "data"); };
-  };
-  EXPECT_TRUE(
-      refuses(ErrorCode::invalid_argument, {"1 points", "2 or more"}, made({1}, Interpolation::linear)));
-  EXPECT_TRUE(
-      refuses(ErrorCode::invalid_argument, {"0.5 s twice"}, made({0, 0.5, 0.5, 1}, Interpolation::spline)));
-  EXPECT_TRUE(
-      refuses(ErrorCode::invalid_argument, {"begins or ends"}, made({0, 0, 1}, Interpolation::linear)));
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"0.5 s three times", "twice for a jump"},
-                      made({0, 0.5, 0.5, 0.5, 1}, Interpolation::linear)));
 }
 
 }  // namespace

@@ -66,13 +66,13 @@ TEST(ReadInputs, RefusesDataThatADriveCanNotFollow) {
   };
   EXPECT_TRUE(says({"p.toml:14: drives.d.motion is 'F'", "no acceleration", "interpolation = \"spline\""},
                    read("file = 'good.csv'")));
-  EXPECT_TRUE(says({"p.toml:12: ", "jump.csv:4: the time 0.1 s is there twice, which is a jump"},
+  EXPECT_TRUE(says({"p.toml:12: ", "jump.csv has the time 0.1 s twice, which is a jump"},
                    read("file = 'jump.csv', interpolation = 'spline'")));
   EXPECT_TRUE(
       says({"p.toml:12: ", "wrong.csv:3: column 2 holds something else"}, read("file = 'wrong.csv'")));
-  EXPECT_TRUE(says(
-      {"p.toml:12: ", "empty.csv:3: column F is empty; an input's column has a finite number in each row"},
-      read("file = 'empty.csv'")));
+  EXPECT_TRUE(
+      says({"p.toml:12: ", "empty.csv:3: column 'F' is empty; allowed is a finite number in each row"},
+           read("file = 'empty.csv'")));
   EXPECT_NO_THROW(read("file = 'good.csv', interpolation = 'spline'")());
   EXPECT_NO_THROW(read("file = 'jump.csv'", false)());
 }

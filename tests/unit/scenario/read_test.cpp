@@ -94,7 +94,40 @@ TEST(Read, StartValuesOfAnArrayAreItsElements) {
   ASSERT_EQ(inputs.size(), 3U);
   EXPECT_EQ(inputs[0].port, "u");
   EXPECT_EQ(inputs[2].port, "v[1]");
-  EXPECT_EQ(inputs[2].value, 5.0);
+  EXPECT_EQ(inputs[2].at(0.0), 5.0);
+}
+
+TEST(Read, DataOfAnInputStandInAFileOrInTheScenario) {
+  const Scratch folder;
+  folder.write("d.csv", "time,F\n0,1\n2,5\n");
+  const auto inputs_of = [&](const std::string& inputs) {
+    return read(folder.write("s.toml", "[subsystems.a]\nsource = 'lib:a.so'\n[subsystems.a.inputs]\n" +
+                                           inputs + "\n[span]\nstop = 1\n"))
+        .subsystems[0]
+        .inputs;
+  };
+  EXPECT_EQ(inputs_of("u = { file = 'd.csv', column = 'F' }")[0].at(0.5), 2.0);
+  EXPECT_EQ(inputs_of("u = { times = [0, 1], values = [1, 3], interpolation = 'hold' }")[0].at(0.5), 1.0);
+  EXPECT_EQ(inputs_of("'u[1]' = { times = [0, 1], values = [1, 3], beyond = 'hold' }")[0].at(2.0), 3.0);
+  const auto refused = [&](const std::string& inputs, const std::string& sentence) {
+    return test::refuses(ErrorCode::invalid_argument, {"s.toml:4", sentence}, [&] { inputs_of(inputs); });
+  };
+  EXPECT_TRUE(refused("u = { file = 'd.csv', column = 'G' }", "column 'G' is not there"));
+  EXPECT_TRUE(refused("u = { file = 'd.csv' }", "subsystems.a.inputs.u.column is missing"));
+  EXPECT_TRUE(test::refuses(ErrorCode::input_output, {"s.toml:4", "e.csv' is not there"},
+                            [&] { inputs_of("u = { file = 'e.csv', column = 'F' }"); }));
+  EXPECT_TRUE(refused("u = { column = 'F' }", "column has no meaning: there is no file"));
+  EXPECT_TRUE(refused("u = {}", "subsystems.a.inputs.u.file is missing"));
+  EXPECT_TRUE(refused("u = { times = [0, 1] }", "subsystems.a.inputs.u.values is missing"));
+  EXPECT_TRUE(
+      refused("u = { times = [0, 1], values = [1] }", "subsystems.a.inputs.u has 2 times and 1 values"));
+  EXPECT_TRUE(refused("u = { times = [0, 1], values = [1, 2], interpolation = 'cubic' }",
+                      "allowed is linear, hold or spline"));
+  EXPECT_TRUE(
+      refused("u = { times = [0, 1], values = [1, 2], file = 'd.csv' }", "times is given beside file"));
+  EXPECT_TRUE(refused("u = { times = [0, 1], values = [1, 2], unit = 'N' }",
+                      "unknown key of [subsystems.a.inputs.u] 'unit'"));
+  EXPECT_TRUE(refused("u = 'd.csv'", "allowed is a number"));
 }
 
 TEST(Read, AConnectionHasAllItsKeys) {
@@ -115,7 +148,8 @@ TEST(Read, ASubsystemMayBeToldWhetherToLand) {
   const auto file = folder.write("scene.toml", whole);
   EXPECT_TRUE(read(file).coordination.landing.empty());
   EXPECT_EQ(read(file, {"subsystems.fast.land=never"}).coordination.landing.at("fast"), Landing::never);
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"subsystems.fast.land is 'sometimes'", "automatic, always or never"},
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument,
+                      {"subsystems.fast.land is 'sometimes'", "automatic, always or never"},
                       [&] { read(file, {"subsystems.fast.land=sometimes"}); }));
 }
 

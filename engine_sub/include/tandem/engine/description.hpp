@@ -26,6 +26,12 @@ struct Block {
   std::map<std::string, Value> values = {};
   std::string where = {};                          ///< file and line, or nothing
   std::map<std::string, std::string> places = {};  ///< the same by key
+
+  /// Of a key, or of the block.
+  const std::string& place(const std::string& key) const {
+    const auto it = places.find(key);
+    return it == places.end() ? where : it->second;
+  }
   /// Tables, and arrays of them, at a key: each like a block of its own.
   std::map<std::string, std::vector<Block>> tables = {};
   std::shared_ptr<const Description> diagram =

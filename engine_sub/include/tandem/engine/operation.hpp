@@ -17,6 +17,7 @@ struct Operation {
     function2,   ///< out = functions2[more](a, b)
     curve,       ///< out = curves[b](a)
     surface,     ///< out = surfaces[more](a, b)
+    data,        ///< out = data[b] at the time a, of the run `more` between two jumps; of held data, at any
     select,      ///< out = more > 0 ? a : b
     clamp,       ///< out = more < 0 ? p0 : more > 0 ? p1 : a
     dead_zone,   ///< out = more < 0 ? a - p0 : more > 0 ? a - p1 : 0

@@ -11,6 +11,7 @@
 #include "tandem/engine/description.hpp"
 #include "tandem/engine/operation.hpp"
 #include "tandem/engine/surface.hpp"
+#include "tandem/time_series.hpp"
 
 namespace tandem::engine {
 
@@ -41,6 +42,13 @@ struct Periodic {
   int count;  ///< slot of the next k
   std::vector<Update> updates;
   std::string name;
+};
+
+/// Data over time jump where they go on to the next run of theirs.
+struct DataJumps {
+  int data;          ///< which of Program::data
+  int run;           ///< slot of the run's number
+  std::string name;  ///< of its block
 };
 
 /// What a delay remembers stands in the image from `past` on (src/past.hpp).
@@ -99,6 +107,8 @@ struct Program {
   std::vector<double> parameters;
   std::vector<Curve> curves;
   std::vector<Surface> surfaces;
+  std::vector<TimeSeries> data;
+  std::vector<DataJumps> data_jumps;  ///< of those that have jumps
   std::vector<CompiledBlock::Function> calls;
   std::vector<Delay> delays;
   std::vector<Loop> loops;  ///< in the order of their operations

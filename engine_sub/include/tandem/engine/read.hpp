@@ -6,6 +6,7 @@
 #include <string>
 
 #include "tandem/engine/description.hpp"
+#include "tandem/text/document.hpp"
 
 namespace tandem::engine {
 
@@ -22,6 +23,10 @@ struct FileBounds {
 /// A diagram from its TOML file (docs/diagrams.md has the form). Throws Error that names file, line, the
 /// value found and the values allowed.
 Description read_diagram(const std::filesystem::path& file, const ParameterValues& parameters = {},
+                         const FileBounds& bounds = {});
+
+/// The same of a file that has been opened.
+Description read_diagram(const text::Document& document, const ParameterValues& parameters = {},
                          const FileBounds& bounds = {});
 
 /// The same from a text; `name` is what errors call it, and files that it names are looked for in the folder

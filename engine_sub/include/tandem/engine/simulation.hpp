@@ -89,7 +89,9 @@ class Simulation {
   double rounding() const;
   bool bends() const;
   double next_instant(double t_end);
-  void fire_periodics();
+  double next_jump(const DataJumps& data) const;
+  bool pass_data_jumps();
+  void fire_known();
   void fire_crossings();
   void apply(const std::vector<Update>& updates);
   void happened(const std::string& block);

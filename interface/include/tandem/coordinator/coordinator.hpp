@@ -81,7 +81,7 @@ class Coordinator {
   void go_on(const Turn& turn);
   void take(const Turn& turn, Exchange& inputs);
   void make_ready(int who);
-  void read(int who, Exchange& inputs);
+  void read(const Turn& turn, Exchange& inputs);
   Clock advance(const Turn& turn, Samples& y);
   void begin_threads();
   bool is_timed(int who) const {

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "tandem/coordinator/driven.hpp"
 #include "tandem/coordinator/link.hpp"
 #include "tandem/coordinator/topology.hpp"
 
@@ -23,14 +24,17 @@ struct LinkTimes {
   std::vector<int> loop = {};
   /// By subsystem: outputs that follow its inputs at once may jump with events of another. Empty: none may.
   std::vector<char> carries = {};
+  /// By reader, ascending: where it ends a step, as an input is known to jump or bend there. Empty: nowhere.
+  std::vector<std::vector<double>> breaks = {};
 };
 
 /// What passes between the subsystems of a run: the recent samples of each, and the signals made from them.
 /// Subsystem i appends to history(i), commit(i) makes that visible, inputs(j) gives what j reads.
 class Exchange {
  public:
-  /// capacities: rows of memory by subsystem, to begin with. `topology` must outlive the exchange.
-  Exchange(const Topology& topology, TimeTolerance tolerance, const LinkTimes& times,
+  /// Of a run from t_start [s] on. capacities: rows of memory by subsystem, to begin with. `topology` must
+  /// outlive the exchange.
+  Exchange(const Topology& topology, double t_start, const LinkTimes& times,
            std::span<const std::int64_t> capacities);
   Exchange(Exchange&&) = default;
   Exchange& operator=(Exchange&&) = default;
@@ -71,13 +75,15 @@ class Exchange {
   /// The newest row of a sampled source has other values now than when it was committed.
   void remake_newest(int source);
 
-  /// The inputs of `reader` for a call that begins at `time`, with an own step to `next_time`. Valid until
-  /// the next commit of one of its sources or the next call of inputs() for it.
-  std::span<const Signal> inputs(int reader, double time, double next_time) {
+  /// The inputs of `reader` for a call from `time` to `limit`, with a first own step to `next_time`. Valid
+  /// until the next commit of one of its sources or the next call of inputs() for it.
+  std::span<const Signal> inputs(int reader, double time, double next_time, double limit) {
     End& end = ends_[static_cast<std::size_t>(reader)];
     for (Link* link : end.in) link->read(time, next_time, end.slots.data());
-    if (end.adds)
+    if (end.has_more) {
       for (Sum& sum : end.sums) add_up(sum, end.slots);
+      for (Driven& input : end.driven) end.slots[input.slot()] = input.over(time, limit);
+    }
     return {end.slots.data(), static_cast<std::size_t>(end.inputs)};
   }
 
@@ -85,13 +91,16 @@ class Exchange {
   /// next call for it.
   std::span<const double> sample(int reader, TimeSpan to);
 
-  /// When a held input of `reader`, which stands at `time`, and ends a step there, is known to change next;
+  /// When an input of `reader`, which stands at `time`, and ends a step there, is known to change next;
   /// `never` if that is not known.
   double next_break(int reader, double time) const;
   /// Whether an input of one that stands at `time` jumps there, which it has not read yet.
   bool jumps_at(int reader, double time) const {
-    const auto& in = ends_[static_cast<std::size_t>(reader)].in;
-    return std::any_of(in.begin(), in.end(), [time](const Link* link) { return link->jumps_at(time); });
+    const End& end = ends_[static_cast<std::size_t>(reader)];
+    return std::any_of(end.in.begin(), end.in.end(),
+                       [time](const Link* link) { return link->jumps_at(time); }) ||
+           std::any_of(end.driven.begin(), end.driven.end(),
+                       [time](const Driven& d) { return d.jumps_at(time); });
   }
 
   /// Makes room for `wanted` rows of `source`: drops what no reader, standing at its newest sample, needs any
@@ -121,13 +130,15 @@ class Exchange {
     // What a turn touches, in one line of the cache, up to where the slots are.
     std::vector<Link*> out, in;  ///< out: those to sampled readers first
     std::int32_t inputs;
-    bool adds = false;          ///< there are sums
+    bool has_more = false;      ///< there are sums, or driven inputs
     std::vector<Signal> slots;  ///< the inputs, then the terms of sums
     std::vector<Sum> sums;
+    std::vector<Driven> driven;
     std::size_t at_instants = 0;  ///< links of `out`
     std::vector<Segment> constants;
-    std::vector<const Link*> breaks;  ///< of in, those at whose breaks it ends a step
-    std::vector<double> values;       ///< of a sampled one: the inputs, then the terms of sums
+    std::vector<const Link*> breaks;   ///< of in, those at whose breaks it ends a step
+    std::vector<double> known_breaks;  ///< LinkTimes::breaks
+    std::vector<double> values;        ///< of a sampled one: the inputs, then the terms of sums
     double keep_from = Member::never;
   };
   Link& link_for(const Topology& topology, const Line& line, const LinkTimes& times,
@@ -135,6 +146,7 @@ class Exchange {
   void add_line(const Topology& topology, const Line& line, const LinkTimes& times,
                 std::vector<std::size_t>& of_pair);
   void hold_start_values(const Topology& topology, int reader);
+  void drive(const Topology& topology, int reader, double t_start);
   void add_up(Sum& sum, std::span<Signal> slots) const;
 
   TimeTolerance tolerance_;

@@ -39,6 +39,8 @@ class Schedule {
     /// multiples of communication_step from its next node on; -1: from the start on.
     int pace = -1;
     std::vector<int> sampled = {};  ///< sampled members, in an order that the scenario's file does not decide
+    bool has_breaks = false;        ///< members end steps where their inputs are known to jump or bend
+    std::vector<double> rounds_end_at = {};  ///< [s], ascending: communication points of parallel besides
   };
 
   /// reads: who reads whom. The members stand nowhere until stand().
@@ -88,6 +90,7 @@ class Schedule {
   void turn_of_pair();
   bool add_samples();
   double communication_point() const;
+  double communication_point(double first) const;
   void add_up_to(double target);
   template <class Takes>
   void add_those(double target, const Takes& takes);

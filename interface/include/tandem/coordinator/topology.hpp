@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include "tandem/coordinator/reconstruction.hpp"
 #include "tandem/subsystem.hpp"
+#include "tandem/time_series.hpp"
 
 namespace tandem {
 
@@ -58,9 +60,17 @@ class Topology {
   /// connected. Throws Error for an unknown port, an index out of range, and a value that is not finite.
   void set_start(std::string_view port, double value);
 
-  /// Throws Error for an input that is neither connected nor has a start value, and for an algebraic loop,
-  /// with its cycle.
+  /// The input ("instance.port", of one number, or one element) is this over the whole run. Throws Error for
+  /// an unknown port, an index out of range, a port of several numbers, and an input that is connected or
+  /// driven already.
+  void drive(std::string_view port, std::shared_ptr<const TimeSeries> series);
+
+  /// Throws Error for an input that is neither connected nor driven nor has a start value, and for an
+  /// algebraic loop, with its cycle.
   void check() const;
+
+  /// Throws Error for a driven input that is not known over the whole of a run's span.
+  void check_span(TimeSpan span) const;
 
   int size() const { return static_cast<int>(instances_.size()); }
   const std::string& name(int instance) const { return at(instance).name; }
@@ -77,6 +87,10 @@ class Topology {
   }
   /// By scalar input: its start value, NaN for none.
   const std::vector<double>& start(int instance) const { return at(instance).start; }
+  /// What drives a scalar input; null: nothing does.
+  const TimeSeries* series(int instance, int input) const {
+    return at(instance).driven[static_cast<std::size_t>(input)].get();
+  }
   /// Numbers of the lines that end at a scalar input, by the names of their sources and what is made of them:
   /// they are summed in this order, in whatever order they were connected.
   std::span<const int> lines_to(int instance, int input) const {
@@ -96,10 +110,11 @@ class Topology {
     std::string name;
     const SubsystemInfo* info;
     std::vector<double> start;
-    std::vector<char> shared;          ///< by scalar input: connected with `add`
-    std::vector<char> half;            ///< by scalar input: by connect_half()
-    std::vector<std::vector<int>> to;  ///< by scalar input: its lines
-    std::vector<int> from;             ///< lines
+    std::vector<char> shared;                               ///< by scalar input: connected with `add`
+    std::vector<char> half;                                 ///< by scalar input: by connect_half()
+    std::vector<std::shared_ptr<const TimeSeries>> driven;  ///< by scalar input; null: it is not
+    std::vector<std::vector<int>> to;                       ///< by scalar input: its lines
+    std::vector<int> from;                                  ///< lines
   };
   /// A port, or one element of it, found by its text.
   struct Place {
@@ -111,6 +126,7 @@ class Topology {
   Place find(std::string_view text, bool output) const;
   void connect_scalars(Line line, bool add, const Place& from, const Place& to);
   bool is_summed_before(const Line& a, const Line& b) const;
+  void refuse_driven(int instance, int input, const std::string& besides) const;
   void check_loops() const;
 
   std::vector<Instance> instances_;

@@ -123,9 +123,10 @@ void Reader::read_drive(const std::string& name, Section& section) {
        : vector         ? std::vector<std::string>{"1", "m"}
                         : std::vector<std::string>{"m"});
   if (const Input& motion = to_.inputs[drive.input]; !motion.smooth)
-    section.wrong(
-        "motion", "'" + motion.name + "', data joined by straight lines, which have no acceleration",
-        "a function with one: data with interpolation = \"spline\", a polynomial or a sine, or a port");
+    section.wrong("motion", "'" + motion.name + "', data that jump or bend, where there is no acceleration",
+                  "a function with one: data with interpolation = \"spline\" and without an end in the run, "
+                  "a polynomial "
+                  "or a sine, or a port");
   this->name(drives_, section, name, to_.drives.size());
   to_.drives.push_back(drive);
 }

@@ -6,7 +6,7 @@
 #include "reader.hpp"
 #include "tandem/mbs/mechanism/motions.hpp"
 #include "tandem/nearest.hpp"
-#include "tandem/text/time_table.hpp"
+#include "tandem/text/series.hpp"
 
 namespace tandem::mbs {
 
@@ -31,15 +31,15 @@ void Reader::read_function(Section& section, Input& input) const {
     input.function = sine(sine_of(std::move(*wave)));
     ++given;
   }
-  if (const auto file = section.text("file")) {
-    read_data(section, *file, input);
+  if (auto series = text::read_series(section, folder_)) {
+    input.jumps.assign(series->jumps().begin(), series->jumps().end());
+    input.smooth = input.jumps.empty() && series->kinks().empty();
+    input.function = data(std::move(*series));
     ++given;
-  } else {
-    for (const char* key : {"column", "interpolation"}) section.leave_out(key, "there is no file");
   }
   if (given > 1)
     text::refuse(section.place(),
-                 fmt::format("input '{}' has {} of value, polynomial, sine and file; allowed is one",
+                 fmt::format("input '{}' has {} of value, polynomial, sine and data; allowed is one",
                              input.name, given));
 }
 
@@ -48,35 +48,6 @@ Sine Reader::sine_of(Section section) {
                   *section.number("phase"), *section.number("mean")};
   section.refuse_unknown();
   return read;
-}
-
-/// A table's row k stands in line k + 2 of its file, below the names.
-void Reader::read_data(Section& section, const std::string& file, Input& input) const {
-  const text::Place place = section.place("file");
-  const auto table = text::located(place, [&] { return text::TimeTable::read(folder_ / file); });
-  const std::string column = section.required_text("column");
-  Names columns;
-  for (std::size_t k = 0; k < table.names.size(); ++k) columns.emplace(table.names[k], static_cast<int>(k));
-  const auto& values =
-      table.columns[static_cast<std::size_t>(find(columns, section, "column", "column", column))];
-  for (std::size_t k = 0; k < values.size(); ++k)
-    if (!(values[k] == values[k]))
-      text::refuse(section.place("column"),
-                   fmt::format("{}:{}: column {} is empty; an input's column has a finite number in each row",
-                               table.file.string(), k + 2, column));
-  input.smooth = *section.text("interpolation") == "spline";
-  const auto twice = std::adjacent_find(table.times.begin(), table.times.end());
-  if (input.smooth && twice != table.times.end())
-    text::refuse(place,
-                 fmt::format("{}:{}: the time {} s is there twice, which is a jump; allowed for a spline "
-                             "are times that rise",
-                             table.file.string(), twice - table.times.begin() + 3, *twice));
-  for (auto t = twice; t != table.times.end(); t = std::adjacent_find(t + 1, table.times.end()))
-    input.jumps.push_back(*t);
-  input.function = text::located(place, [&] {
-    return interpolated(table.times, values, input.smooth ? Interpolation::spline : Interpolation::linear,
-                        "column '" + column + "' of " + table.file.string());
-  });
 }
 
 void Reader::read_spring(const std::string& name, Section& section) {

@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "keys.hpp"
+#include "tandem/text/series.hpp"
 
 namespace tandem::mbs {
 namespace {
@@ -9,15 +10,14 @@ using text::KeyList;
 void keys_of_inputs(KeyList& to) {
   using enum text::Key::Type;
   to.named("inputs", "What forces, drives and elements follow: ports, or functions of time.",
-           "An input. It has at most one of `value`, `polynomial`, `sine` and `file`.")
+           "An input. It has at most one of `value`, `polynomial`, `sine`, `file` and `times`. Data of a "
+           "drive are a "
+           "spline.")
       .need("unit", text, "Its unit.", {.allowed = "like \"N\"; \"1\" for a ratio"})
       .may("value", number, "What the port has until something else is given.")
-      .may("polynomial", numbers, "Coefficients of a polynomial of time, from the constant upwards.")
-      .may("file", text, "A CSV file, from the mechanism's folder.")
-      .may("column", text, "The column of the file that it is.")
-      .may("interpolation", word, "How the rows of the file are joined; a drive needs a spline.",
-           {.otherwise = "linear", .words = {"linear", "spline"}})
-      .table("inputs.NAME.sine", "mean + amplitude sin(2 pi frequency t + phase).")
+      .may("polynomial", numbers, "Coefficients of a polynomial of time, from the constant upwards.");
+  text::keys_of_series(to);
+  to.table("inputs.NAME.sine", "mean + amplitude sin(2 pi frequency t + phase).")
       .need("amplitude", number, "In the unit of the input.")
       .need("frequency", positive, "Its frequency.", {.unit = "Hz"})
       .may("phase", number, "Its phase.", {.unit = "rad", .otherwise = "0.0"})

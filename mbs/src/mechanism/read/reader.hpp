@@ -98,7 +98,6 @@ class Reader {
   void read_input(const std::string& name, Section& section);
   void read_function(Section& section, Input& input) const;
   static Sine sine_of(Section section);
-  void read_data(Section& section, const std::string& file, Input& input) const;
   void read_spring(const std::string& name, Section& section);
   void read_force(const std::string& name, Section& section);
   /// An input's name, or a number, which becomes an input of its own.

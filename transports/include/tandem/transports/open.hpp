@@ -15,8 +15,9 @@ namespace tandem {
 /// A URI taken apart: "lib:./x.so?entry=name" has the scheme "lib" and the place "./x.so".
 struct Address {
   std::string uri, scheme, place;
-  std::filesystem::path folder;           ///< where a file is looked for that is not named from the root
-  std::vector<std::string> command = {};  ///< Opening::command
+  std::filesystem::path folder;             ///< where a file is looked for that is not named from the root
+  std::vector<std::string> command = {};    ///< Opening::command
+  std::vector<std::string> overrides = {};  ///< Opening::overrides
   std::filesystem::path file() const { return folder / place; }
   /// "source 'URI'" or "command [...]": what errors call it.
   std::string name() const;
@@ -51,6 +52,8 @@ struct Opening {
   std::filesystem::path folder = {};  ///< where a file is looked for that is not named from the root
   /// In place of what follows "spawn:": a program and its arguments, which is started without a shell.
   std::vector<std::string> command = {};
+  /// "KEY=VALUE" that the command line puts into the file that the place names, if the source reads one.
+  std::vector<std::string> overrides = {};
   /// Native code runs in a process of its own, as behind "spawn:", whose parameters it may have besides.
   bool isolated = false;
 };

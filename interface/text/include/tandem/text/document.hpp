@@ -20,9 +20,12 @@ class Document {
   /// Of a text; `name` is what errors call it.
   Document(std::string name, const std::string& text);
 
+  /// Puts overrides of the command line in, "KEY=VALUE" (set.hpp). Throws Error that names the one that can't
+  /// be.
+  void set(const std::vector<std::string>& overrides);
+
   const std::string& file() const { return file_; }
   const toml::table& table() const { return table_; }
-  toml::table& table() { return table_; }
   Place place(const toml::node& node) const;
 
  private:

@@ -22,6 +22,8 @@ class KeyList {
  public:
   /// Begins a table, "coordination", or an array of tables, "connections[]".
   KeyList& table(std::string path, std::string sentence, bool required = false);
+  /// In place of the table that was begun last there may be a number, or an array of numbers.
+  KeyList& or_numbers();
   /// Begins [NAME.*]: tables of any name below `path`, which holds nothing else.
   KeyList& named(const std::string& path, std::string sentence, std::string of_each, bool required = false);
   /// Begins the keys that the tables named last have where their key `kind` is this word.

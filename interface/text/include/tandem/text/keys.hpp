@@ -27,6 +27,7 @@ struct Key {
     edge,     ///< a text, or an array of texts
     edges,    ///< an array of these
     table,
+    numbers_or_table,
     tables,  ///< an array of tables
     itself,  ///< a table with what a whole file has
     any,     ///< what `allowed` says

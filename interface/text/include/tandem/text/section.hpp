@@ -21,6 +21,9 @@ class Section {
           const Values* values = nullptr);
   /// The whole of a document in a language.
   Section(const Document& document, const Keys& language, const Values* values = nullptr);
+  /// A table of a document in another language, `path`, read as the table `pattern` of this one.
+  Section(const Document& document, const Keys& language, const toml::table& table, std::string path,
+          std::string pattern);
   /// This one with other values.
   Section with(const Values& values) const {
     Section other = *this;
@@ -43,6 +46,8 @@ class Section {
   Section inner(const toml::table& table, std::string path) const {
     return {*this, table, std::move(path), pattern_};
   }
+  /// The table that this one holds by a name of the user's.
+  Section of_name(const std::string& name);
   /// The tables that this one holds by name, in the order of the file.
   std::vector<std::pair<std::string, Section>> named_sections();
   /// Those of an array of tables.

@@ -1,11 +1,10 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <filesystem>
 #include <functional>
-#include <string>
 #include <vector>
 
 #include "tandem/mbs/mechanism/elements.hpp"
+#include "tandem/time_series.hpp"
 
 namespace tandem::mbs {
 
@@ -18,14 +17,8 @@ struct Sine {
 };
 std::function<InputValue(double)> sine(const Sine& s);
 
-enum class Interpolation {
-  linear,  ///< a time that is there twice is a jump; the rate is that of the piece, the acceleration 0
-  spline   ///< natural cubic spline: value, rate and acceleration are continuous
-};
-
-/// Values over time from points that the caller has. Beyond them it throws Error with the time, `name` and
-/// what is allowed. Throws Error for fewer than two points, and for a time twice with a spline.
-std::function<InputValue(double)> interpolated(std::vector<double> times, std::vector<double> values,
-                                               Interpolation how, const std::string& name);
+/// Data. Where nothing is known of them it throws Error (TimeSeries::require); the acceleration of straight
+/// pieces is 0.
+std::function<InputValue(double)> data(TimeSeries series);
 
 }  // namespace tandem::mbs

@@ -12,15 +12,14 @@ namespace tandem {
 /// Takes a sentence that a diagram tells once: a signal has left its limits.
 using TellOfDiagram = std::function<void(const std::string&)>;
 
-/// The words of make_diagram() that stand in no diagram; data.* are the operator's alone.
+/// The words of make_diagram() that stand in no diagram.
 Words diagram_words();
 
 /// A diagram's file as a subsystem. Parameters: `step` [s], `integrator`, the settings of the one that is
-/// chosen by the names of IntegratorSettings and AdaptiveSettings, the diagram's own parameters, and
-/// `data.INPUT`, "FILE" or "FILE:COLUMN": a CSV file beside the diagram's that drives that input, which is no
-/// port then. What is not given is taken from the file's table [run], else by default; `step` must be given.
-/// A client of a server may set the diagram's own parameters too, but names files only below the folder of
-/// the diagram's file, besides those that stand in it. kinds: of blocks, besides those that are built in.
+/// chosen by the names of IntegratorSettings and AdaptiveSettings, and the diagram's own parameters. What is
+/// not given is taken from the file's table [run], else by default; `step` must be given. A client of a
+/// server may set the diagram's own parameters too, but names files only below the folder of the diagram's
+/// file, besides those that stand in it. kinds: of blocks, besides those that are built in.
 std::unique_ptr<Subsystem> make_diagram(const SourceFile& file, Parameters& parameters,
                                         std::vector<engine::CompiledBlock> kinds = {},
                                         const TellOfDiagram& tell = {});

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "tandem/subsystem.hpp"
 #include "tandem/text/document.hpp"
@@ -14,10 +15,13 @@ namespace tandem {
 /// A file that subsystems are made from. Files that it names are looked for beside it.
 struct SourceFile {
   std::filesystem::path path;
-  std::optional<std::string> text = {};  ///< in place of what the file holds, which then need not be there
+  std::optional<std::string> text = {};     ///< in place of what the file holds, which then need not be there
+  std::vector<std::string> overrides = {};  ///< "KEY=VALUE", of the command line
 
   text::Document document() const {
-    return text ? text::Document(path.string(), *text) : text::Document(path);
+    auto all = text ? text::Document(path.string(), *text) : text::Document(path);
+    all.set(overrides);
+    return all;
   }
 };
 

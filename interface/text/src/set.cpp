@@ -1,5 +1,5 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-#include "scenario/set.hpp"
+#include "tandem/text/set.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -10,11 +10,8 @@
 #include "tandem/text/document.hpp"
 #include "tandem/text/nesting.hpp"
 
-namespace tandem::scenario {
+namespace tandem::text {
 namespace {
-
-using text::described;
-using text::keys;
 
 [[noreturn]] void refuse_setting(const std::string& sentence) {
   throw Error(ErrorCode::invalid_argument, sentence);
@@ -68,15 +65,14 @@ std::string in_quotes(const std::string& text) {
 /// One override: the path is walked from the root; what it ends at is replaced or added.
 class Override {
  public:
-  explicit Override(const std::string& text) : source_(text::set_prefix + text) {
+  explicit Override(const std::string& text) : source_(set_prefix + text) {
     const auto equals = text.find('=');
     if (equals == std::string::npos || equals == 0)
       refuse_setting("'" + text + "' is not of the form KEY=VALUE");
     steps_ = split(text.substr(0, equals));
     value_ = text.substr(equals + 1);
-    if (steps_.size() > text::deepest_nesting ||
-        text::deeper_than("v = " + value_, text::deepest_nesting) > 0)
-      refuse_setting("'" + printable(text, 60) + "': " + text::too_deep);
+    if (steps_.size() > deepest_nesting || deeper_than("v = " + value_, deepest_nesting) > 0)
+      refuse_setting("'" + printable(text, 60) + "': " + too_deep);
     try {
       if (toml::parse(std::string_view("v = " + value_)).size() == 1) return;
     } catch (const toml::parse_error&) {  // not TOML: a text
@@ -114,12 +110,22 @@ class Override {
     const Step& step = steps_[i];
     if (step.bracket) refuse_setting("'" + written(i) + "' is a table; it has no [" + step.text + "]");
     toml::node* node = table.get(step.text);
-    if (!node && i == 1 && steps_[0].text == "subsystems")
-      refuse_setting(unknown("subsystem", step.text, keys(table)));
+    if (!node && i > 0 && i + 1 < steps_.size() && holds_tables_alone(table)) refuse_new(table, i);
     if (node && i + 1 < steps_.size()) return go_on(*node, i + 1);
     toml::table made = parsed(i);
     if (i == 2 && steps_[0].text == "subsystems") leave_one_origin(table, step.text);
     made.get(step.text)->visit([&](auto& value) { table.insert_or_assign(step.text, std::move(value)); });
+  }
+
+  /// As [subsystems] and [rods] do, by name.
+  static bool holds_tables_alone(const toml::table& table) {
+    return !table.empty() &&
+           std::all_of(table.begin(), table.end(), [](const auto& entry) { return entry.second.is_table(); });
+  }
+
+  [[noreturn]] void refuse_new(const toml::table& table, std::size_t i) const {
+    refuse_setting(unknown("table of [" + written(i) + "]", steps_[i].text, keys(table)) +
+                   "; a new one is set as a whole, " + written(i + 1) + "={..}");
   }
 
   /// A source takes the place of a command, and the other way round.
@@ -189,6 +195,6 @@ class Override {
 
 }  // namespace
 
-void set(toml::table& scenario, const std::string& override_text) { Override(override_text).apply(scenario); }
+void set(toml::table& file, const std::string& override_text) { Override(override_text).apply(file); }
 
-}  // namespace tandem::scenario
+}  // namespace tandem::text

@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-#include "scenario/set.hpp"
+#include "tandem/text/set.hpp"
 
 #include <gtest/gtest.h>
 
 #include "refusal.hpp"
 
-namespace tandem::scenario {
+namespace tandem::text {
 namespace {
 
 using test::refuses;
@@ -93,7 +93,10 @@ TEST(Set, RefusesWhatIsNotThere) {
   const auto refused = [](const std::string& text, const std::vector<std::string>& words) {
     return refuses(ErrorCode::invalid_argument, words, [&] { with(text); });
   };
-  EXPECT_TRUE(refused("subsystems.fsat.source=y", {"'fsat'", "'fast'"}));
+  EXPECT_TRUE(
+      refused("subsystems.fsat.source=y", {"table of [subsystems] 'fsat' is not there; did you mean 'fast'?",
+                                           "a new one is set as a whole, subsystems.fsat={..}"}));
+  EXPECT_NO_THROW(with("subsystems.slow={ source = 'y' }"));
   EXPECT_TRUE(refused("connections[2].gain=1", {"[2]", "0 (fast.u), 1 (slow.u)"}));
   EXPECT_TRUE(refused("connections[slow.v].gain=1", {"[slow.v]", "[slow.u]?"}));
   EXPECT_TRUE(refused("connections[0]=1", {"'connections[0]' is a table"}));
@@ -108,4 +111,4 @@ TEST(Set, RefusesWhatIsNoPath) {
 }
 
 }  // namespace
-}  // namespace tandem::scenario
+}  // namespace tandem::text
