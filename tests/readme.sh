@@ -18,5 +18,6 @@ diff <(block docs/diagrams.md cpp 1) tests/examples/pendulum_block.hpp
 diff <(block docs/models_in_cpp.md cpp 2) tests/examples/pendulum_subsystem.hpp
 diff <(block docs/functions.md octave 1) scenarios/functions/pendulum.m
 diff <(block docs/functions.md toml 1) scenarios/functions/pendulum.toml
-diff <(block docs/c.md c 1) <(grep '^int main' transports/examples/server.c)
+diff <(block docs/c.md c 1) transports/examples/mass2.c
+diff <(block docs/c.md c 2) <(grep '^int main' transports/examples/server.c)
 diff <(block docs/octave.md octave 1) scenarios/engine/governor.m

@@ -48,6 +48,8 @@ close_to "$(mean_speed results/motor/results.csv)" 20.86 # k V / (R 3.18 + k^2)
 close_to "$(mean_speed results/half/results.csv)" 10.43
 ls results/motor/*.html
 
+if "$tandem" run motor.toml --set subsystems.motor.parameters.voltag=50 2> mistake.txt; then exit 1; fi
+grep -q "motor.toml" mistake.txt && grep -q "did you mean 'voltage'" mistake.txt
 sed -i 's|"rad/s"|"rpm"|' motor.py
 if "$tandem" run motor.toml 2> mistake.txt; then exit 1; fi
 grep -q "motor.toml" mistake.txt && grep -q "linkage.speed" mistake.txt && grep -q "rpm" mistake.txt

@@ -34,7 +34,7 @@ void mark_held(SubsystemInfo& info, const std::int32_t* held) {
 
 }  // namespace
 
-SubsystemInfo info_from(const tandem_info* c, const std::int32_t* held) {
+SubsystemInfo info_from(const tandem_info* c, const std::int32_t* held, const double* nominal) {
   if (!c) refuse("the subsystem gives no info");
   SubsystemInfo info;
   if (!c->name) refuse("the subsystem gives no name");
@@ -47,6 +47,7 @@ SubsystemInfo info_from(const tandem_info* c, const std::int32_t* held) {
     info.feedthrough.push_back({c->feedthrough[i].output, c->feedthrough[i].input});
   info.abilities = abilities_from(c->abilities);
   mark_held(info, held);
+  for (std::size_t i = 0; nominal && i < info.outputs.size(); ++i) info.outputs[i].nominal = nominal[i];
   return info;
 }
 

@@ -5,8 +5,9 @@
 
 namespace tandem {
 
-/// What a C subsystem says of itself, `c`, with a flag by output that is 1 where it is held (null: none is).
-/// Throws Error for null, for lists that are not there, and for flags other than 0 and 1.
-SubsystemInfo info_from(const tandem_info* c, const std::int32_t* held);
+/// What a C subsystem says of itself, `c`, with a flag by output that is 1 where it is held (null: none is),
+/// and the nominal value of each (null: 1). Throws Error for null, for lists that are not there, and for
+/// flags other than 0 and 1.
+SubsystemInfo info_from(const tandem_info* c, const std::int32_t* held, const double* nominal);
 
 }  // namespace tandem

@@ -62,18 +62,42 @@ bool appended(const tandem_samples& before, const tandem_samples& after) {
 
 CSubsystem::CSubsystem(const tandem_subsystem_api* api, const std::string& parameters, std::string library)
     : api_(table_of(api)), library_(std::move(library)) {
+  const DeclaredParameters declared = ask_parameters();
   try {
-    check(guarded("create", [&] { return api_.create(parameters.c_str(), &self_); }), "create");
-    if (!self_)
-      throw Error(ErrorCode::invalid_argument,
-                  "create gave no instance and no error; allowed is one of the two");
-    ask_info();
-    check_functions();
-    newest_row_.resize(static_cast<std::size_t>(info_.row_size()));
+    if (!declared.empty()) ParameterValues(declared, parameters);
+    make(parameters);
+    info_.parameters = declared;
+  } catch (const Error& error) {
+    destroy();
+    if (declared.empty()) throw;
+    throw NotMade(error, declared);
   } catch (...) {
     destroy();
     throw;
   }
+}
+
+/// Of all instances. The entries are looked at before there is one.
+DeclaredParameters CSubsystem::ask_parameters() const {
+  if (!api_.parameters) return {};
+  std::int32_t count = 0;
+  const tandem_parameter* const list = guarded("parameters", [&] { return api_.parameters(&count); });
+  const auto size = static_cast<std::size_t>(std::max(count, 0));
+  if (count < 0 || size > most_parameters || (size > 0 && !list))
+    throw Error(ErrorCode::invalid_argument, "the subsystem declares " + std::to_string(count) +
+                                                 " parameters" + (list ? "" : " without a list of them") +
+                                                 "; allowed are 0 to " + std::to_string(most_parameters));
+  return declared_from({list, size});
+}
+
+void CSubsystem::make(const std::string& parameters) {
+  check(guarded("create", [&] { return api_.create(parameters.c_str(), &self_); }), "create");
+  if (!self_)
+    throw Error(ErrorCode::invalid_argument,
+                "create gave no instance and no error; allowed is one of the two");
+  ask_info();
+  check_functions();
+  newest_row_.resize(static_cast<std::size_t>(info_.row_size()));
 }
 
 void CSubsystem::ask_info() {
@@ -81,7 +105,9 @@ void CSubsystem::ask_info() {
   if (c && c->name) info_.name = c->name;
   const bool holds = c && (c->abilities & TANDEM_HOLDS) != 0;
   if (holds && !api_.held) refuse_functions("has held outputs");
-  info_ = info_from(c, holds ? guarded("held", [&] { return api_.held(self_); }) : nullptr);
+  const double* const nominal =
+      api_.nominal ? guarded("nominal", [&] { return api_.nominal(self_); }) : nullptr;
+  info_ = info_from(c, holds ? guarded("held", [&] { return api_.held(self_); }) : nullptr, nominal);
   if (info_.abilities.sampled && api_.sampling)
     check(guarded("sampling",
                   [&] { return api_.sampling(self_, &info_.sampling.period, &info_.sampling.latency); }),

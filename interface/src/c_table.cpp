@@ -18,6 +18,7 @@ struct Instance {
   std::vector<tandem_port> inputs, outputs;
   std::vector<tandem_feedthrough> feedthrough;
   std::vector<std::int32_t> held;  ///< by output
+  std::vector<double> nominal;     ///< likewise
   tandem_info info = {};
 };
 
@@ -35,7 +36,10 @@ void fill_info(Instance& it) {
   it.inputs = ports_of(info.inputs);
   it.outputs = ports_of(info.outputs);
   for (const Feedthrough& f : info.feedthrough) it.feedthrough.push_back({f.output, f.input});
-  for (const Port& port : info.outputs) it.held.push_back(port.held ? 1 : 0);
+  for (const Port& port : info.outputs) {
+    it.held.push_back(port.held ? 1 : 0);
+    it.nominal.push_back(port.nominal);
+  }
   it.info = {info.name.c_str(),
              to_bits(info),
              static_cast<std::int32_t>(it.inputs.size()),
@@ -133,6 +137,7 @@ tandem_status deserialize_state(void* self, const void* bytes, std::int64_t size
 }
 
 const std::int32_t* held(void* self) { return instance(self).held.data(); }
+const double* nominal(void* self) { return instance(self).nominal.data(); }
 
 tandem_status sampling(void* self, double* period, double* latency) {
   const Sampling& sampling = instance(self).subsystem->info().sampling;
@@ -149,6 +154,17 @@ tandem_status sample(void* self, double t, std::int32_t parts, const double* u, 
     const auto inputs = static_cast<std::size_t>(info.input_size()),
                outputs = static_cast<std::size_t>(info.output_size());
     *clock = c_clock(it.subsystem->sample(t, static_cast<SamplePart>(parts), {u, inputs}, {y, outputs}));
+  });
+}
+
+template <class Make>
+tandem_status create_by(const Make& make, void** self) noexcept {
+  auto* it = new (std::nothrow) Instance;
+  *self = it;
+  if (!it) return TANDEM_INTERNAL;
+  return guarded(*it, [&] {
+    it->subsystem = make();
+    fill_info(*it);
   });
 }
 
@@ -170,17 +186,18 @@ tandem_subsystem_api CTable::with(Create create) {
           deserialize_state,
           held,
           sampling,
-          sample};
+          sample,
+          nullptr,
+          nominal};
 }
 
 tandem_status CTable::create(MakeSubsystem make, const char* parameters, void** self) noexcept {
-  auto* it = new (std::nothrow) Instance;
-  *self = it;
-  if (!it) return TANDEM_INTERNAL;
-  return guarded(*it, [&] {
-    it->subsystem = make(parameters);
-    fill_info(*it);
-  });
+  return create_by([&] { return make(parameters); }, self);
+}
+
+tandem_status CTable::create(MakeFromValues make, std::span<const tandem_parameter> declared,
+                             const char* parameters, void** self) noexcept {
+  return create_by([&] { return make(ParameterValues(declared_from(declared), parameters)); }, self);
 }
 
 }  // namespace tandem

@@ -45,6 +45,13 @@ void check_ports(const std::string& name, const std::vector<Port>& ports) {
   }
 }
 
+void check_nominal(const std::string& name, const std::vector<Port>& outputs) {
+  for (const Port& port : outputs)
+    if (!(port.nominal > 0.0) || !std::isfinite(port.nominal))
+      refuse(name, "output '" + port.name + "' has the nominal value " + number_text(port.nominal) +
+                       "; allowed is a number above 0");
+}
+
 void check_held(const std::string& name, const SubsystemInfo& info) {
   for (const Port& port : info.inputs)
     if (port.held) refuse(name, "input '" + port.name + "' is held; allowed is that of outputs");
@@ -74,6 +81,7 @@ void check_sampling(const std::string& name, const SubsystemInfo& info) {
 void check_info(const std::string& name, const SubsystemInfo& info) {
   check_ports(name, info.inputs);
   check_ports(name, info.outputs);
+  check_nominal(name, info.outputs);
   check_held(name, info);
   check_sampling(name, info);
   const int inputs = info.input_size(), outputs = info.output_size();

@@ -1,16 +1,20 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 // controller.py in C++20, as a shared library: the speed controller of the drive, which samples.
 //   at t_start + k T:   i_ref = kp e + s,   then   s becomes s + ki T e,   e = set - w
-#include "sampled_library.hpp"
 #include "tandem/c_table.hpp"
 #include "tandem/sampled.hpp"
 
 namespace {
 
+constexpr tandem_parameter parameters[] = {{"kp", "A s/rad", nullptr, "proportional gain"},
+                                           {"ki", "A/rad", nullptr, "integral gain"},
+                                           {"set", "rad/s", nullptr, "speed that is wanted"},
+                                           {"T", "s", nullptr, "period"}};
+
 class Controller {
  public:
-  explicit Controller(tandem::Parameters& p)
-      : kp_(needed(p, "kp")), ki_(needed(p, "ki")), set_(needed(p, "set")), period_(needed(p, "T")) {}
+  explicit Controller(const tandem::ParameterValues& p)
+      : kp_(p.number("kp")), ki_(p.number("ki")), set_(p.number("set")), period_(p.number("T")) {}
 
   tandem::SubsystemInfo info() const {
     return {"controller", {{"w", "rad/s"}}, {{"i_ref", "A"}}, {{0, 0}}, {.serializes_state = true}};
@@ -32,6 +36,10 @@ class Controller {
   double s_ = 0.0;
 };
 
+std::unique_ptr<tandem::Subsystem> make(const tandem::ParameterValues& p) {
+  return std::make_unique<tandem::Sampled<Controller>>(Controller(p));
+}
+
 }  // namespace
 
-extern "C" const tandem_subsystem_api* tandem_subsystem() { return tandem::c_table<make<Controller>>(); }
+extern "C" const tandem_subsystem_api* tandem_subsystem() { return tandem::c_table<make, parameters>(); }

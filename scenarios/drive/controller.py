@@ -3,19 +3,19 @@
 
   at t_start + k T:   i_ref = kp e + s,   then   s becomes s + ki T e,   e = set - w
 
-Input w [rad/s]; output i_ref [A], which holds. Parameters, each of them needed: kp [A s/rad], ki [A/rad], set [rad/s],
-T [s]."""
+Input w [rad/s]; output i_ref [A], which holds."""
 
 import tandem
 
-NAMES = ("kp", "ki", "set", "T")
-
 
 class Controller:
-    def __init__(self, parameters):
-        if set(parameters) != set(NAMES):
-            raise tandem.Error(f"controller: needed are {', '.join(NAMES)}; there are {', '.join(sorted(parameters))}")
-        self.kp, self.ki, self.set, self.T = (float(parameters[name]) for name in NAMES)
+    parameters = [tandem.Parameter("kp", "A s/rad", "proportional gain"),
+                  tandem.Parameter("ki", "A/rad", "integral gain"),
+                  tandem.Parameter("set", "rad/s", "speed that is wanted"),
+                  tandem.Parameter("T", "s", "period")]
+
+    def __init__(self, kp, ki, set, T):
+        self.kp, self.ki, self.set, self.T = kp, ki, set, T
 
     def info(self):
         return tandem.Info("controller", [tandem.Port("w", "rad/s")], [tandem.Port("i_ref", "A")], feedthrough=[(0, 0)])
@@ -40,4 +40,4 @@ class Controller:
 
 
 if __name__ == "__main__":
-    tandem.serve(lambda parameters: tandem.Sampled(Controller(parameters)))
+    tandem.serve(lambda values: tandem.Sampled(Controller(**values)), parameters=Controller.parameters)

@@ -18,4 +18,4 @@ class OfSteps(Controller):
         self.w = u[0].value(end)
 
 
-tandem.serve(lambda parameters: tandem.FixedStep(OfSteps(parameters)))
+tandem.serve(lambda values: tandem.FixedStep(OfSteps(**values)), parameters=OfSteps.parameters)

@@ -1,16 +1,17 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 // A load that comes on at one time, as a shared library: a sampled subsystem, whose output holds.
-// Output load [N m]: 0, and from t_start + at on what the parameter says. Parameters, both needed: load [N
-// m], at [s].
-#include "sampled_library.hpp"
+// Output load [N m]: 0, and from t_start + at on what the parameter says.
 #include "tandem/c_table.hpp"
 #include "tandem/sampled.hpp"
 
 namespace {
 
+constexpr tandem_parameter parameters[] = {{"load", "N m", nullptr, "that comes on"},
+                                           {"at", "s", nullptr, "when, from the start on"}};
+
 class Weight {
  public:
-  explicit Weight(tandem::Parameters& p) : load_(needed(p, "load")), at_(needed(p, "at")) {}
+  explicit Weight(const tandem::ParameterValues& p) : load_(p.number("load")), at_(p.number("at")) {}
 
   tandem::SubsystemInfo info() const {
     return {"weight", {}, {{"load", "N m"}}, {}, {.serializes_state = true}};
@@ -31,6 +32,10 @@ class Weight {
   bool on_ = false;
 };
 
+std::unique_ptr<tandem::Subsystem> make(const tandem::ParameterValues& p) {
+  return std::make_unique<tandem::Sampled<Weight>>(Weight(p));
+}
+
 }  // namespace
 
-extern "C" const tandem_subsystem_api* tandem_subsystem() { return tandem::c_table<make<Weight>>(); }
+extern "C" const tandem_subsystem_api* tandem_subsystem() { return tandem::c_table<make, parameters>(); }

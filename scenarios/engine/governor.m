@@ -1,17 +1,9 @@
 ## Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 ## Speed governor in Octave: proportional and integral, sampled each h, held; its integral stays within the plate's range.
-## Inputs set and N [rad/s]; output throttle [deg]. Parameters kp [deg s/rad], ki [deg/rad], theta0 [deg], h [s]
-## (README.md).
+## Inputs set and N [rad/s]; output throttle [deg] (README.md).
 1;
 
-function model = make (parameters)
-  p = struct ("kp", 0.0614, "ki", 0.0723, "theta0", 8.97, "h", 0.01);
-  for [text, key] = parameters
-    if (! isfield (p, key) || isnan (str2double (text)))
-      error ("governor: '%s=%s'; allowed are kp, ki, theta0 and h, numbers", key, text);
-    endif
-    p.(key) = str2double (text);
-  endfor
+function model = make (p)
   model.name = "governor";
   model.inputs = {"set", "rad/s"; "N", "rad/s"};
   model.outputs = {"throttle", "deg"};
@@ -39,4 +31,8 @@ function theta = within (theta)
   theta = min (max (theta, 0), 50);
 endfunction
 
-exit (tandem_serve (@make));
+parameters = {"kp", "deg s/rad", 0.0614, "proportional gain"
+              "ki", "deg/rad", 0.0723, "integral gain"
+              "theta0", "deg", 8.97, "throttle at the start"
+              "h", "s", 0.01, "period"};
+exit (tandem_serve (@make, parameters));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "c_models.h"
 #include "counted_malloc.hpp"
 #include "driven_pendulum.hpp"
 #include "four_bar/linkage.hpp"
@@ -15,6 +16,7 @@
 #include "scheme.hpp"
 #include "scratch.hpp"
 #include "solver_bench.hpp"
+#include "tandem/c_subsystem.hpp"
 #include "tandem/coordinator/recorder.hpp"
 #include "tandem/engine/read.hpp"
 #include "tandem/engine/subsystem.hpp"
@@ -62,6 +64,18 @@ TEST(NoAllocation, InEverySchedule) {
       EXPECT_EQ(allocations_in(bench), 0) << scheme.name() << " at ratio " << ratio;
       EXPECT_TRUE(std::isfinite(fast.model().heard() + slow.model().heard()));
     }
+}
+
+/// It switches, and the integral goes back to where it does.
+TEST(NoAllocation, InAModelInC) {
+  CSubsystem integral(c_integral(), ""), relay(c_switch(), "");
+  RunBench bench;
+  bench.add("integral", integral).add("relay", relay).schedule("slowest-first");
+  bench.connect("integral.x", "relay.x", "lagrange3").connect("relay.r", "integral.u", "");
+  EXPECT_EQ(allocations_in(bench), 0);
+  Coordinator& run = bench.make(60.0);
+  run.run();
+  EXPECT_NE(run.notes().back().find("went back"), std::string::npos) << run.notes().back();
 }
 
 /// Rounds and what is between them, with results written to a file.

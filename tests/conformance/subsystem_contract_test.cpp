@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
+#include "c_models.h"
 #include "c_oscillator.h"
 #include "contract_suite.hpp"
 #include "diagram_cases.hpp"
@@ -42,6 +43,17 @@ ContractCase in_c(const std::string& parameters, double t_start = 0.0) {
 INSTANTIATE_TEST_SUITE_P(InC, SubsystemContract,
                          testing::Values(in_c(""), in_c("m=2&k=30&c=0.1&h=0.013"),
                                          in_c("h=0.03&x0=1&v0=-2", -7.3)),
+                         contract_name);
+
+ContractCase model_in_c(const char* name, const tandem_subsystem_api* api, const std::string& parameters,
+                        double t_start = 0.0) {
+  return {name, [=] { return std::make_unique<CSubsystem>(api, parameters); }, t_start};
+}
+
+INSTANTIATE_TEST_SUITE_P(ModelInC, SubsystemContract,
+                         testing::Values(model_in_c("integral", c_integral(), ""),
+                                         model_in_c("integral later", c_integral(), "h=0.03", 1e4),
+                                         model_in_c("switch", c_switch(), "h=0.013", -7.3)),
                          contract_name);
 
 INSTANTIATE_TEST_SUITE_P(Mechanism, SubsystemContract, testing::ValuesIn(mechanism_cases()), contract_name);

@@ -43,7 +43,7 @@ void drive(wire::RemoteSubsystem& remote) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
-    wire::RemoteSubsystem remote(fuzz::channel_of(data, size), "", 1.0);
+    wire::RemoteSubsystem remote(fuzz::channel_of(data, size), "m=2", 1.0);
     drive(remote);
   } catch (const Error&) {  // what has to come of bytes that are not right
   }

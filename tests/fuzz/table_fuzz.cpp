@@ -102,6 +102,18 @@ tandem_status serialize(void*, std::int64_t, const void** state, std::int64_t* s
 }
 tandem_status deserialize(void*, const void*, std::int64_t, std::int64_t* id) { return save(nullptr, id); }
 
+const tandem_parameter* parameters(std::int32_t* count) {
+  static std::array<tandem_parameter, 3> declared;
+  for (tandem_parameter& p : declared) p = {any_name(), any_name(), any_name(), any_name()};
+  *count = bytes->ConsumeIntegralInRange(-1, 3);
+  return bytes->ConsumeIntegralInRange(0, 9) ? declared.data() : nullptr;
+}
+const double* nominal(void*) {
+  static std::array<double, 3> values;
+  for (double& value : values) value = bytes->ConsumeIntegralInRange(0, 9) ? 1.0 : any_number();
+  return values.data();
+}
+
 template <class Function>
 Function* maybe(Function* function) {
   return bytes->ConsumeIntegralInRange(0, 30) ? function : nullptr;
@@ -122,7 +134,12 @@ tandem_subsystem_api any_table() {
           maybe(restore),
           maybe(release),
           maybe(serialize),
-          maybe(deserialize)};
+          maybe(deserialize),
+          nullptr,
+          nullptr,
+          nullptr,
+          bytes->ConsumeIntegralInRange(0, 3) ? nullptr : parameters,
+          maybe(nominal)};
 }
 
 void drive(Subsystem& s) {
@@ -151,7 +168,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   bytes = &provider;
   const tandem_subsystem_api table = any_table();
   try {
-    CSubsystem subsystem(bytes->ConsumeIntegralInRange(0, 30) ? &table : nullptr, "");
+    CSubsystem subsystem(bytes->ConsumeIntegralInRange(0, 30) ? &table : nullptr,
+                         bytes->ConsumeBool() ? "" : "x=1");
     drive(subsystem);
   } catch (const Error&) {  // what has to come of a library that is not right
   }

@@ -96,7 +96,7 @@ def by_hand(*replies, ports=("x",), derivatives=0):
     """The start of what has these outputs, with these replies to what follows hello and info."""
     info = tandem.Info("by hand", [], [tandem.Port(name, "1", derivatives=derivatives) for name in ports],
                        abilities=tandem.Abilities.SAVES_STATE)
-    peer = ByHand((wire.Type.HELLO, wire.put_hello("by hand")), (wire.Type.INFO, wire.put_info(info)), *replies)
+    peer = ByHand((wire.Type.HELLO, wire.put_hello("by hand", ())), (wire.Type.INFO, wire.put_info(info)), *replies)
     with tandem.Remote(peer.channel) as far:
         far.initialize(0.0, 10.0, [])
         far.save_state()

@@ -51,10 +51,12 @@ class ByHand {
   std::thread thread_;
 };
 
-/// The first answers of every server.
+/// The first answers of every server. It does not speak of parameters, as a master in C does not.
 inline std::vector<ByHand::Answer> opening_answers(const SubsystemInfo& info) {
-  return {{wire::Type::hello, [](wire::Writer& w) { wire::put_hello(w, {.text = "by hand"}); }},
-          {wire::Type::info, [info](wire::Writer& w) { wire::put_info(w, info); }}};
+  constexpr std::uint32_t both = wire::carries_held | wire::carries_nominal;
+  return {{wire::Type::hello,
+           [](wire::Writer& w) { wire::put_hello(w, {.capabilities = both, .text = "by hand"}); }},
+          {wire::Type::info, [info](wire::Writer& w) { wire::put_info(w, info, both); }}};
 }
 
 }  // namespace tandem::test

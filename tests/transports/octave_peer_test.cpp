@@ -42,7 +42,7 @@ TEST(OctavePeer, TwoMassesWithMass2InOctaveGiveTheSameBits) {
 }
 
 TEST(OctavePeer, AnErrorOfTheModelIsOneSentence) {
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"mass2.m", "hello", "are needed; there are m"},
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"mass2.m", "hello", "parameter 'k' is needed"},
                       [] { open(spawned_octave("mass2.m", "&m=1"), all_sources()); }));
 }
 

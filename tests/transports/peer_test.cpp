@@ -56,8 +56,8 @@ TEST(Peer, DrivesASubsystemAsItsMasterAndGetsTheSameBits) {
 }
 
 TEST(Peer, AnErrorOfTheSubsystemHasItsCodeAndSentence) {
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"hello", "'colour=blue' begins with no parameter"},
-                      [] { open("spawn:" + c_mass2() + "?colour=blue", all_sources()); }));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"hello", "no parameter 'colour=blue'"},
+                      [] { open("spawn:" + oscillator_server() + "?colour=blue", all_sources()); }));
 }
 
 TEST(Peer, SeveralSessionsAtOnceAndEachHasAnInstanceOfItsOwn) {

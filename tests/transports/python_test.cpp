@@ -72,7 +72,7 @@ TEST(Python, StepsAreSplitWhereAnInputJumps) {
 }
 
 TEST(Python, AnExceptionOfTheModelIsOneSentence) {
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"mass2.py", "hello", "are needed"},
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"mass2.py", "hello", "parameter 'k' is needed"},
                       [] { open("spawn:" + python_program("mass2.py") + "?m=1", all_sources()); }));
 }
 

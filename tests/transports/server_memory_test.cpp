@@ -21,7 +21,7 @@ class Requests {
  public:
   explicit Requests(std::unique_ptr<wire::Channel> channel) : channel_(std::move(channel)) {
     ask(Type::hello, [](Writer& w) { wire::put_hello(w, {}); });
-    longest_ = wire::read_hello(payload_).longest;
+    longest_ = wire::read_hello(payload_, wire::all_capabilities).longest;
   }
   /// Payload that the server takes and gives [bytes].
   std::uint64_t longest() const { return longest_; }
@@ -117,7 +117,8 @@ void ask_without_reading(wire::Channel& channel, Type type) {
       channel.send(frame.bytes(), wire::in_seconds(2.0));
       if (number > 1) continue;
       const auto reply = channel.receive(wire::in_seconds(5.0));
-      most = wire::read_hello(wire::Frame::read(reply, wire::usual_longest).payload).longest;
+      most = wire::read_hello(wire::Frame::read(reply, wire::usual_longest).payload, wire::all_capabilities)
+                 .longest;
     }
   } catch (const Error&) {  // the server takes no more
   }

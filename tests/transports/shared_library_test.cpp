@@ -29,15 +29,28 @@ TEST(SharedLibrary, TwoMassesWithMass2InAnyLanguageGiveTheSameBits) {
   }
 }
 
-/// Built with the header of before held outputs (tests/libraries/before), whose table is shorter.
+/// Built with the headers of before held outputs, and of before declared parameters (tests/libraries), whose
+/// tables are shorter.
 TEST(SharedLibrary, OneThatWasBuiltBeforeRunsAsItDid) {
-  const std::string before = "lib:" TANDEM_LIBRARY_OF_BEFORE "?" + mass2_parameters(30.7);
-  const auto info = open(before, library_sources())->info();
-  EXPECT_FALSE(info.abilities.sampled || info.holds());
-  EXPECT_TRUE(info.abilities.serializes_state);
-  for (const std::string schedule : {"slowest-first", "fastest-first", "parallel"})
-    EXPECT_TRUE(same_bits(two_masses(before, schedule),
-                          two_masses("builtin:two_mass.slow?frequency_ratio=30.7", schedule)));
+  for (const std::string library : {TANDEM_LIBRARY_OF_BEFORE, TANDEM_LIBRARY_OF_BEFORE_PARAMETERS}) {
+    const std::string before = "lib:" + library + "?" + mass2_parameters(30.7);
+    const auto info = open(before, library_sources())->info();
+    EXPECT_FALSE(info.abilities.sampled || info.holds());
+    EXPECT_TRUE(info.abilities.serializes_state);
+    EXPECT_TRUE(info.parameters.empty());
+    EXPECT_EQ(info.outputs[0].nominal, 1.0);
+    for (const std::string schedule : {"slowest-first", "fastest-first", "parallel"})
+      EXPECT_TRUE(same_bits(two_masses(before, schedule),
+                            two_masses("builtin:two_mass.slow?frequency_ratio=30.7", schedule)));
+  }
+}
+
+/// It takes any, and refuses what it does not know in its own words.
+TEST(SharedLibrary, OneThatWasBuiltBeforeRefusesAParameterItself) {
+  for (const std::string library : {TANDEM_LIBRARY_OF_BEFORE, TANDEM_LIBRARY_OF_BEFORE_PARAMETERS})
+    EXPECT_TRUE(refuses(ErrorCode::invalid_argument,
+                        {"create: 'colour=blue' begins with no parameter of m, k"},
+                        [&] { open("lib:" + library + "?colour=blue", library_sources()); }));
 }
 
 TEST(SharedLibrary, ItsInstancesAreIndependentAndMayOutliveOneAnother) {

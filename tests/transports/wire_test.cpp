@@ -43,6 +43,8 @@ SubsystemInfo mass2() {
           {.lands = true, .restarts = true}};
 }
 
+DeclaredParameters mass() { return {{"m", "kg", {}, "mass"}}; }
+
 /// A sampled one.
 SubsystemInfo pi() {
   SubsystemInfo info{"pi",     {{"w", "rad/s"}},  {{"u", "V"}},
@@ -81,7 +83,7 @@ std::vector<Bytes> frames_of_the_codec() {
   put_row(start, 0.0, {1, 0, 0, -1.5, -1.5, 0});
   Talk talk;
   talk.say(Type::hello, 1, [](Writer& w) { put_hello(w, {.text = "m=2"}); });
-  talk.say(Type::hello, 1, [](Writer& w) { put_hello(w, {.text = "tandem"}); });
+  talk.say(Type::hello, 1, [](Writer& w) { put_hello(w, {.text = "tandem", .declared = mass()}); });
   talk.say(Type::info, 2);
   talk.say(Type::info, 2, [](Writer& w) { put_info(w, mass2()); });
   talk.say(Type::initialize, 3, [](Writer& w) { put_initialize(w, {0.0, 10.0, 4, {0.5}}); });
@@ -128,6 +130,10 @@ std::span<const std::byte> payload(const Bytes& frame) { return Frame::read(fram
 TEST(Wire, TheCodecReadsTheBytesOfThePage) {
   const auto page = frames_of_the_page();
   EXPECT_EQ(read_hello(payload(page[0])).text, "m=2");
+  const Hello reply = read_hello(payload(page[1]), all_capabilities);
+  ASSERT_TRUE(reply.declared && reply.declared->size() == 1);
+  EXPECT_EQ(reply.declared->front().unit, "kg");
+  EXPECT_EQ(reply.declared->front().otherwise, std::nullopt);
   const SubsystemInfo info = read_info(payload(page[3]));
   EXPECT_EQ(info.name, "mass2");
   EXPECT_TRUE(info.abilities.lands && info.abilities.restarts && !info.abilities.saves_state);
@@ -202,6 +208,7 @@ void refuses_each_cut(const Bytes& frame, const Read& read) {
 TEST(Wire, APayloadThatIsCutAnywhereOrGoesOnIsRefused) {
   const auto page = frames_of_the_page();
   refuses_each_cut(page[0], [](auto p) { read_hello(p); });
+  refuses_each_cut(page[1], [](auto p) { read_hello(p, all_capabilities); });
   refuses_each_cut(page[3], [](auto p) { read_info(p); });
   refuses_each_cut(page[4], [](auto p) {
     Initialize request;
@@ -270,7 +277,7 @@ TEST(Wire, SamplesThatMakeNoSenseAreRefused) {
   const auto page = frames_of_the_page();
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto code = ErrorCode::invalid_argument;
-  const std::size_t at = header_size, held = page[23].size() - 20;
+  const std::size_t at = header_size, held = page[23].size() - 28;
   const auto asking = [](const Bytes& b) {
     return [b] {
       Sample request;

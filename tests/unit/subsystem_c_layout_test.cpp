@@ -36,7 +36,9 @@ TEST(SubsystemCLayout, IsThatOfAbiVersion1) {
   EXPECT_EQ(offsetof(tandem_subsystem_api, create), 8U);
   EXPECT_EQ(TANDEM_SHORTEST_TABLE, 8U + 9U * sizeof(void*));
   EXPECT_EQ(offsetof(tandem_subsystem_api, held), 8U + 11U * sizeof(void*));
-  EXPECT_EQ(sizeof(tandem_subsystem_api), 8U + 14U * sizeof(void*));
+  EXPECT_EQ(offsetof(tandem_subsystem_api, parameters), 8U + 14U * sizeof(void*));
+  EXPECT_EQ(sizeof(tandem_subsystem_api), 8U + 16U * sizeof(void*));
+  EXPECT_EQ(sizeof(tandem_parameter), 4U * sizeof(void*));
 }
 
 TEST(SubsystemCLayout, ASpanOfSignalsIsAnArrayOfTheCType) {

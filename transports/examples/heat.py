@@ -9,10 +9,13 @@ def rate(t, state, inputs):
     return [inputs[0] - state[0]]
 
 
-def make(parameters):
+PARAMETERS = [tandem.Parameter("h", "s", "own step", 0.1)]
+
+
+def make(values):
     info = tandem.Info("heat", [tandem.Port("surroundings", "K")], [tandem.Port("temperature", "K")])
-    return tandem.FixedStep(Ode(info, rate, [400.0], step=float(parameters.get("h", 0.1)), rtol=1e-9))
+    return tandem.FixedStep(Ode(info, rate, [400.0], step=values["h"], rtol=1e-9))
 
 
 if __name__ == "__main__":
-    tandem.serve(make)
+    tandem.serve(make, parameters=PARAMETERS)

@@ -2,26 +2,31 @@
 // Mass 2 of the two-mass test in C++20, as a shared library: tandem/fixed_step.hpp does the grid, landing,
 // saved states (also as bytes) and samples; tandem/c_table.hpp makes the C table.
 //   m x'' = k u - s x,  by the trapezoidal rule, solved exactly; u is read anew at both ends of a step.
-// Input x1 [m]; outputs x2 [m] with two time derivatives, v2 [m/s] with one. Parameters: m [kg], k, s [N/m],
-// x, v (at the start) and h [s], each of them needed.
+// Input x1 [m]; outputs x2 [m] with two time derivatives, v2 [m/s] with one.
 #include <algorithm>
 #include <array>
 
 #include "tandem/c_table.hpp"
 #include "tandem/fixed_step.hpp"
-#include "tandem/transports/parameters.hpp"
 
 namespace {
 
+constexpr tandem_parameter parameters[] = {{"m", "kg", nullptr, "mass"},
+                                           {"k", "N/m", nullptr, "stiffness of the spring to mass 1"},
+                                           {"s", "N/m", nullptr, "stiffness of both springs together"},
+                                           {"x", "m", nullptr, "position at the start"},
+                                           {"v", "m/s", nullptr, "speed at the start"},
+                                           {"h", "s", nullptr, "own step"}};
+
 class Mass2 {
  public:
-  explicit Mass2(tandem::Parameters& p)
-      : m_(needed(p, "m")),
-        k_(needed(p, "k")),
-        s_(needed(p, "s")),
-        x_start_(needed(p, "x")),
-        v_start_(needed(p, "v")),
-        h_(needed(p, "h")) {}
+  explicit Mass2(const tandem::ParameterValues& p)
+      : m_(p.number("m")),
+        k_(p.number("k")),
+        s_(p.number("s")),
+        x_start_(p.number("x")),
+        v_start_(p.number("v")),
+        h_(p.number("h")) {}
 
   tandem::SubsystemInfo info() const {
     return {"mass2", {{"x1", "m"}}, {{"x2", "m", 1, 2}, {"v2", "m/s", 1, 1}}, {}, {.serializes_state = true}};
@@ -55,25 +60,14 @@ class Mass2 {
   }
 
  private:
-  static double needed(tandem::Parameters& p, const char* name) {
-    if (!p.has(name))
-      throw tandem::Error(tandem::ErrorCode::invalid_argument,
-                          std::string("mass2: the parameter '") + name + "' is needed");
-    return p.number(name, 0.0);
-  }
-
   double m_, k_, s_, x_start_, v_start_, h_;
   double x_ = 0.0, v_ = 0.0, a_ = 0.0;
 };
 
-std::unique_ptr<tandem::Subsystem> make(const std::string& text) {
-  tandem::Parameters parameters;
-  if (!text.empty()) parameters.read(text, "mass2");
-  auto subsystem = std::make_unique<tandem::FixedStep<Mass2>>(Mass2(parameters));
-  parameters.refuse_unused("mass2");
-  return subsystem;
+std::unique_ptr<tandem::Subsystem> make(const tandem::ParameterValues& p) {
+  return std::make_unique<tandem::FixedStep<Mass2>>(Mass2(p));
 }
 
 }  // namespace
 
-extern "C" const tandem_subsystem_api* tandem_subsystem() { return tandem::c_table<make>(); }
+extern "C" const tandem_subsystem_api* tandem_subsystem() { return tandem::c_table<make, parameters>(); }

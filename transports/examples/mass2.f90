@@ -1,20 +1,17 @@
 ! Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 ! Mass 2 of the two-mass test in Fortran 2008, as a shared library, with the types of transports/fortran/tandem.f90.
 !   m x'' = k u - s x,  by the trapezoidal rule, solved exactly; u is read anew at both ends of a step.
-! Input x1 [m]; outputs x2 [m] with two time derivatives, v2 [m/s] with one. Parameters: m [kg], k, s [N/m],
-! x, v (at the start) and h [s], each of them needed. The functions of the table have no name for the linker
-! (name=''): `advance` would be that of the C library.
+! Input x1 [m]; outputs x2 [m] with two time derivatives, v2 [m/s] with one. The functions of the table have no name for
+! the linker (name=''): `advance` would be that of the C library.
 module mass2_subsystem
   use, intrinsic :: iso_c_binding
   use tandem
-  use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_value, ieee_quiet_nan
+  use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
   implicit none
   private
 
-  character(len=*), parameter :: names = 'mksxvh'
-
   type :: instance
-    real(c_double) :: p(6) ! in the order of `names`
+    real(c_double) :: p(6) ! in the order of `parameters`
     real(c_double) :: x, v, a, t_start, time, next
     integer(c_int64_t) :: node ! number of the node `next`
     logical :: cut
@@ -24,6 +21,15 @@ module mass2_subsystem
   character(kind=c_char, len=8), target, save :: texts(5) = [character(kind=c_char, len=8) :: &
     'mass2'//c_null_char, 'x1'//c_null_char, 'x2'//c_null_char, 'v2'//c_null_char, 'm'//c_null_char]
   character(kind=c_char, len=4), target, save :: speed = 'm/s'//c_null_char
+  ! of each parameter name, unit, what stands otherwise, and what it is
+  character(kind=c_char, len=40), target, save :: told(4, 6) = reshape([character(kind=c_char, len=40) :: &
+    'm', 'kg', '', 'mass', &
+    'k', 'N/m', '', 'stiffness of the spring to mass 1', &
+    's', 'N/m', '', 'stiffness of both springs together', &
+    'x', 'm', '', 'position at the start', &
+    'v', 'm/s', '', 'speed at the start', &
+    'h', 's', '', 'own step'], [4, 6])
+  type(declaration), target, save :: parameters(6)
   type(port), target, save :: inputs(1), outputs(2)
   type(info), target, save :: the_info
   type(table), target, save :: the_table
@@ -33,15 +39,25 @@ contains
   function tandem_subsystem() bind(c, name='tandem_subsystem') result(api)
     type(c_ptr) :: api
     real(c_double) :: none
+    integer :: i
     none = ieee_value(none, ieee_quiet_nan)
+    do i = 1, size(parameters)
+      parameters(i) = declared(told(:, i))
+    end do
     inputs(1) = port(c_loc(texts(2)), c_loc(texts(5)), 1, 0, none)
     outputs(1) = port(c_loc(texts(3)), c_loc(texts(5)), 1, 2, none)
     outputs(2) = port(c_loc(texts(4)), c_loc(speed), 1, 1, none)
     the_info = info(c_loc(texts(1)), ior(lands, restarts), 1, 2, 0, c_loc(inputs), c_loc(outputs), c_null_ptr)
     the_table = table(table_size=int(c_sizeof(the_table), c_int32_t), create=c_funloc(create), &
       destroy=c_funloc(destroy), info=c_funloc(get_info), last_error=c_funloc(last_error), &
-      initialize=c_funloc(initialize), advance=c_funloc(advance))
+      initialize=c_funloc(initialize), advance=c_funloc(advance), parameters=c_funloc(get_parameters))
     api = c_loc(the_table)
+  end function
+
+  type(c_ptr) function get_parameters(number) bind(c, name='')
+    integer(c_int32_t), intent(out) :: number
+    number = size(parameters)
+    get_parameters = c_loc(parameters)
   end function
 
   function of(self) result(it)
@@ -57,35 +73,17 @@ contains
     refuse = invalid_argument
   end function
 
-  integer(c_int) function create(parameters, self) bind(c, name='')
-    type(c_ptr), value :: parameters
+  integer(c_int) function create(pairs, self) bind(c, name='')
+    type(c_ptr), value :: pairs
     type(c_ptr), intent(out) :: self
     type(instance), pointer :: it
+    character(len=:), allocatable :: sentence
     allocate (it)
     self = c_loc(it)
-    it%p = ieee_value(it%p, ieee_quiet_nan)
-    create = read_parameters(it, text_of(parameters)//'&')
-  end function
-
-  integer(c_int) function read_parameters(it, text) result(status)
-    type(instance), intent(inout) :: it
-    character(len=*), intent(in) :: text ! each pair ends with '&'
-    integer :: begin, end, i, failed
-    status = ok
-    begin = 1
-    do while (begin < len(text))
-      end = begin + index(text(begin:), '&') - 2
-      i = index(names, text(begin:begin))
-      failed = 1
-      if (i > 0 .and. end > begin + 1 .and. text(begin + 1:begin + 1) == '=') &
-        read (text(begin + 2:end), *, iostat=failed) it%p(i)
-      if (failed /= 0) status = refuse(it, 'no number of m, k, s, x, v, h in '//text(begin:end))
-      begin = end + 2
-    end do
-    if (status == ok .and. .not. all(ieee_is_finite(it%p))) &
-      status = refuse(it, 'the parameters m, k, s, x, v, h are needed, finite numbers')
-    if (status == ok .and. .not. (it%p(1) > 0 .and. it%p(6) > 0)) &
-      status = refuse(it, 'm and h have to be above 0')
+    sentence = read_parameters(text_of(pairs), parameters, it%p)
+    create = ok
+    if (sentence /= '') create = refuse(it, sentence)
+    if (create == ok .and. .not. (it%p(1) > 0 .and. it%p(6) > 0)) create = refuse(it, 'm and h have to be above 0')
   end function
 
   subroutine destroy(self) bind(c, name='')

@@ -1,16 +1,10 @@
 ## Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 ## Mass 2 of the two-mass test in Octave, to be served or to be started by spawn:.
 ##   m x'' = k u - s x,  by the trapezoidal rule, solved exactly; u is read anew at both ends of a step.
-## Input x1 [m]; outputs x2 [m] with two time derivatives, v2 [m/s] with one. Parameters: m [kg], k, s [N/m], x, v (at the
-## start) and h [s], each of them needed.
+## Input x1 [m]; outputs x2 [m] with two time derivatives, v2 [m/s] with one.
 1;
 
-function model = make (parameters)
-  keys = {"m", "k", "s", "x", "v", "h"};
-  if (! isempty (setxor (fieldnames (parameters)', keys)))
-    error ("mass2: the parameters m, k, s, x, v, h are needed; there are %s", strjoin (fieldnames (parameters)', ", "));
-  endif
-  p = structfun (@str2double, parameters, "UniformOutput", false);
+function model = make (p)
   model.name = "mass2";
   model.inputs = {"x1", "m"};
   model.outputs = {"x2", "m", 2; "v2", "m/s", 1};
@@ -28,4 +22,10 @@ function state = step (p, state, t, t_end, h, u)
   state.v += 0.5 * h * (before + state.a);
 endfunction
 
-exit (tandem_serve (@make));
+parameters = {"m", "kg", [], "mass"
+              "k", "N/m", [], "stiffness of the spring to mass 1"
+              "s", "N/m", [], "stiffness of both springs together"
+              "x", "m", [], "position at the start"
+              "v", "m/s", [], "speed at the start"
+              "h", "s", [], "own step"};
+exit (tandem_serve (@make, parameters));

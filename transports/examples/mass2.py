@@ -3,17 +3,21 @@
 
   m x'' = k u - s x,  by the trapezoidal rule, solved exactly; u is read anew at both ends of a step.
 
-Input x1 [m]; outputs x2 [m] with two time derivatives, v2 [m/s] with one. Parameters: m [kg], k, s [N/m], x, v (at
-the start) and h [s], each of them needed."""
+Input x1 [m]; outputs x2 [m] with two time derivatives, v2 [m/s] with one."""
 
 import tandem
 
 
 class Mass2:
-    def __init__(self, parameters):
-        if set(parameters) != set("mksxvh"):
-            raise tandem.Error(f"mass2: the parameters m, k, s, x, v, h are needed; there are {sorted(parameters)}")
-        self.m, self.k, self.s, self.x_start, self.v_start, self.h = (float(parameters[p]) for p in "mksxvh")
+    parameters = [tandem.Parameter("m", "kg", "mass"),
+                  tandem.Parameter("k", "N/m", "stiffness of the spring to mass 1"),
+                  tandem.Parameter("s", "N/m", "stiffness of both springs together"),
+                  tandem.Parameter("x", "m", "position at the start"),
+                  tandem.Parameter("v", "m/s", "speed at the start"),
+                  tandem.Parameter("h", "s", "own step")]
+
+    def __init__(self, m, k, s, x, v, h):
+        self.m, self.k, self.s, self.x_start, self.v_start, self.h = m, k, s, x, v, h
 
     def info(self):
         return tandem.Info("mass2", [tandem.Port("x1", "m")],
@@ -45,4 +49,4 @@ class Mass2:
 
 
 if __name__ == "__main__":
-    tandem.serve(lambda parameters: tandem.FixedStep(Mass2(parameters)))
+    tandem.serve(lambda values: tandem.FixedStep(Mass2(**values)), parameters=Mass2.parameters)

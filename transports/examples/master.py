@@ -32,7 +32,8 @@ def drive(subsystem, here):
 
 
 def main(address, parameters):
-    model = Mass2(dict(pair.split("=") for pair in parameters.split("&")))
+    pairs = (pair.split("=") for pair in parameters.split("&"))
+    model = Mass2(**{name: float(value) for name, value in pairs})
     with tandem.connect(address) as subsystem:
         print(subsystem.info())
         theirs, mine = drive(subsystem, tandem.FixedStep(model))

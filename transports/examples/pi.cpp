@@ -2,23 +2,29 @@
 // A PI controller that samples, in C++20, as a shared library: tandem/sampled.hpp does the instants and saved
 // states.
 //   at t_start + offset + k T:   u = kp e + s,   then   s becomes s + ki T e,   e = r - y
-// Input y [m]; output u [N], which holds. Parameters, each of them needed: kp [N/m], ki [N/(m s)], r [m], T
-// [s], the offset of the first instant [s], and the latency [s], by which u changes later than the instant.
+// Input y [m]; output u [N], which holds.
 #include "tandem/c_table.hpp"
 #include "tandem/sampled.hpp"
-#include "tandem/transports/parameters.hpp"
 
 namespace {
 
+constexpr tandem_parameter parameters[] = {
+    {"kp", "N/m", nullptr, "proportional gain"},
+    {"ki", "N/(m s)", nullptr, "integral gain"},
+    {"r", "m", nullptr, "what y is to be"},
+    {"T", "s", nullptr, "period"},
+    {"offset", "s", nullptr, "of the first instant"},
+    {"latency", "s", nullptr, "by which u changes later than the instant"}};
+
 class Pi {
  public:
-  explicit Pi(tandem::Parameters& p)
-      : kp_(needed(p, "kp")),
-        ki_(needed(p, "ki")),
-        r_(needed(p, "r")),
-        period_(needed(p, "T")),
-        offset_(needed(p, "offset")),
-        latency_(needed(p, "latency")) {}
+  explicit Pi(const tandem::ParameterValues& p)
+      : kp_(p.number("kp")),
+        ki_(p.number("ki")),
+        r_(p.number("r")),
+        period_(p.number("T")),
+        offset_(p.number("offset")),
+        latency_(p.number("latency")) {}
 
   tandem::SubsystemInfo info() const {
     return {"pi", {{"y", "m"}}, {{"u", "N"}}, {{0, 0}}, {.serializes_state = true}};
@@ -38,25 +44,14 @@ class Pi {
   void read(tandem::ByteReader& from) { s_ = from.take<double>(); }
 
  private:
-  static double needed(tandem::Parameters& p, const char* name) {
-    if (!p.has(name))
-      throw tandem::Error(tandem::ErrorCode::invalid_argument,
-                          std::string("pi: the parameter '") + name + "' is needed");
-    return p.number(name, 0.0);
-  }
-
   double kp_, ki_, r_, period_, offset_, latency_;
   double s_ = 0.0;
 };
 
-std::unique_ptr<tandem::Subsystem> make(const std::string& text) {
-  tandem::Parameters parameters;
-  if (!text.empty()) parameters.read(text, "pi");
-  auto subsystem = std::make_unique<tandem::Sampled<Pi>>(Pi(parameters));
-  parameters.refuse_unused("pi");
-  return subsystem;
+std::unique_ptr<tandem::Subsystem> make(const tandem::ParameterValues& p) {
+  return std::make_unique<tandem::Sampled<Pi>>(Pi(p));
 }
 
 }  // namespace
 
-extern "C" const tandem_subsystem_api* tandem_subsystem() { return tandem::c_table<make>(); }
+extern "C" const tandem_subsystem_api* tandem_subsystem() { return tandem::c_table<make, parameters>(); }

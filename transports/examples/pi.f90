@@ -1,19 +1,16 @@
 ! Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 ! A PI controller that samples, in Fortran 2008, as a shared library, with the types of transports/fortran/tandem.f90.
 !   at t_start + offset + k T:   u = kp e + s,   then   s becomes s + ki T e,   e = r - y
-! Input y [m]; output u [N], which holds. Parameters, each of them needed: kp [N/m], ki [N/(m s)], r [m], T [s],
-! the offset of the first instant [s], and the latency [s], by which u changes later than the instant.
+! Input y [m]; output u [N], which holds.
 module pi_subsystem
   use, intrinsic :: iso_c_binding
-  use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_value, ieee_quiet_nan
+  use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
   use tandem
   implicit none
   private
 
-  character(len=7), parameter :: names(6) = [character(len=7) :: 'kp', 'ki', 'r', 'T', 'offset', 'latency']
-
   type :: instance
-    real(c_double) :: p(6) ! in the order of `names`
+    real(c_double) :: p(6) ! in the order of `parameters`
     real(c_double) :: s ! the integral part
     real(c_double) :: first, time ! instant, and where it stands [s]
     integer(c_int64_t) :: instant ! number of the next one
@@ -22,6 +19,15 @@ module pi_subsystem
 
   character(kind=c_char, len=3), target, save :: texts(5) = [character(kind=c_char, len=3) :: &
     'pi'//c_null_char, 'y'//c_null_char, 'u'//c_null_char, 'm'//c_null_char, 'N'//c_null_char]
+  ! of each parameter name, unit, what stands otherwise, and what it is
+  character(kind=c_char, len=48), target, save :: told(4, 6) = reshape([character(kind=c_char, len=48) :: &
+    'kp', 'N/m', '', 'proportional gain', &
+    'ki', 'N/(m s)', '', 'integral gain', &
+    'r', 'm', '', 'what y is to be', &
+    'T', 's', '', 'period', &
+    'offset', 's', '', 'of the first instant', &
+    'latency', 's', '', 'by which u changes later than the instant'], [4, 6])
+  type(declaration), target, save :: parameters(6)
   type(port), target, save :: inputs(1), outputs(1)
   integer(c_int32_t), target, save :: feedthrough(2) = [0, 0] ! of output 0 and input 0
   type(info), target, save :: the_info
@@ -32,14 +38,25 @@ contains
   function tandem_subsystem() bind(c, name='tandem_subsystem') result(api)
     type(c_ptr) :: api
     real(c_double) :: none
+    integer :: i
     none = ieee_value(none, ieee_quiet_nan)
+    do i = 1, size(parameters)
+      parameters(i) = declared(told(:, i))
+    end do
     inputs(1) = port(c_loc(texts(2)), c_loc(texts(4)), 1, 0, none)
     outputs(1) = port(c_loc(texts(3)), c_loc(texts(5)), 1, 0, none)
     the_info = info(c_loc(texts(1)), ior(sampled, restarts), 1, 1, 1, c_loc(inputs), c_loc(outputs), c_loc(feedthrough))
     the_table = table(table_size=int(c_sizeof(the_table), c_int32_t), create=c_funloc(create), &
       destroy=c_funloc(destroy), info=c_funloc(get_info), last_error=c_funloc(last_error), &
-      initialize=c_funloc(initialize), sampling=c_funloc(sampling), sample=c_funloc(sample))
+      initialize=c_funloc(initialize), sampling=c_funloc(sampling), sample=c_funloc(sample), &
+      parameters=c_funloc(get_parameters))
     api = c_loc(the_table)
+  end function
+
+  type(c_ptr) function get_parameters(number) bind(c, name='')
+    integer(c_int32_t), intent(out) :: number
+    number = size(parameters)
+    get_parameters = c_loc(parameters)
   end function
 
   function of(self) result(it)
@@ -55,33 +72,16 @@ contains
     refuse = invalid_argument
   end function
 
-  integer(c_int) function create(parameters, self) bind(c, name='')
-    type(c_ptr), value :: parameters
+  integer(c_int) function create(pairs, self) bind(c, name='')
+    type(c_ptr), value :: pairs
     type(c_ptr), intent(out) :: self
     type(instance), pointer :: it
+    character(len=:), allocatable :: sentence
     allocate (it)
     self = c_loc(it)
-    it%p = ieee_value(it%p, ieee_quiet_nan)
-    create = read_parameters(it, text_of(parameters)//'&')
-  end function
-
-  integer(c_int) function read_parameters(it, text) result(status)
-    type(instance), intent(inout) :: it
-    character(len=*), intent(in) :: text ! each pair ends with '&'
-    integer :: begin, end, equals, i, failed
-    status = ok
-    begin = 1
-    do while (begin < len(text))
-      end = begin + index(text(begin:), '&') - 2
-      equals = begin + index(text(begin:end), '=') - 1
-      i = findloc(names, text(begin:equals - 1), 1)
-      failed = 1
-      if (i > 0 .and. end > equals) read (text(equals + 1:end), *, iostat=failed) it%p(i)
-      if (failed /= 0) status = refuse(it, 'no number of kp, ki, r, T, offset, latency in '//text(begin:end))
-      begin = end + 2
-    end do
-    if (status == ok .and. .not. all(ieee_is_finite(it%p))) &
-      status = refuse(it, 'the parameters kp, ki, r, T, offset, latency are needed, finite numbers')
+    sentence = read_parameters(text_of(pairs), parameters, it%p)
+    create = ok
+    if (sentence /= '') create = refuse(it, sentence)
   end function
 
   subroutine destroy(self) bind(c, name='')

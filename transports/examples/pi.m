@@ -1,17 +1,10 @@
 ## Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 ## A PI controller that samples, in Octave, to be served or to be started by spawn:.
 ##   at t_start + offset + k T:   u = kp e + s,   then   s becomes s + ki T e,   e = r - y
-## Input y [m]; output u [N], which holds. Parameters, each of them needed: kp [N/m], ki [N/(m s)], r [m], T [s],
-## the offset of the first instant [s], and the latency [s], by which u changes later than the instant.
+## Input y [m]; output u [N], which holds.
 1;
 
-function model = make (parameters)
-  keys = {"kp", "ki", "r", "T", "offset", "latency"};
-  if (! isempty (setxor (fieldnames (parameters)', keys)))
-    error ("pi: the parameters kp, ki, r, T, offset, latency are needed; there are %s",
-           strjoin (fieldnames (parameters)', ", "));
-  endif
-  p = structfun (@str2double, parameters, "UniformOutput", false);
+function model = make (p)
   model.name = "pi";
   model.inputs = {"y", "m"};
   model.outputs = {"u", "N"};
@@ -34,4 +27,10 @@ function u = output (p, s, y)
   endif
 endfunction
 
-exit (tandem_serve (@make));
+parameters = {"kp", "N/m", [], "proportional gain"
+              "ki", "N/(m s)", [], "integral gain"
+              "r", "m", [], "what y is to be"
+              "T", "s", [], "period"
+              "offset", "s", [], "of the first instant"
+              "latency", "s", [], "by which u changes later than the instant"};
+exit (tandem_serve (@make, parameters));

@@ -3,19 +3,21 @@
 
   at t_start + offset + k T:   u = kp e + s,   then   s becomes s + ki T e,   e = r - y
 
-Input y [m]; output u [N], which holds. Parameters, each of them needed: kp [N/m], ki [N/(m s)], r [m], T [s],
-the offset of the first instant [s], and the latency [s], by which u changes later than the instant."""
+Input y [m]; output u [N], which holds."""
 
 import tandem
 
-NAMES = ("kp", "ki", "r", "T", "offset", "latency")
-
 
 class Pi:
-    def __init__(self, parameters):
-        if set(parameters) != set(NAMES):
-            raise tandem.Error(f"pi: the parameters {', '.join(NAMES)} are needed; there are {sorted(parameters)}")
-        self.kp, self.ki, self.r, self.T, self._offset, self._latency = (float(parameters[p]) for p in NAMES)
+    parameters = [tandem.Parameter("kp", "N/m", "proportional gain"),
+                  tandem.Parameter("ki", "N/(m s)", "integral gain"),
+                  tandem.Parameter("r", "m", "what y is to be"),
+                  tandem.Parameter("T", "s", "period"),
+                  tandem.Parameter("offset", "s", "of the first instant"),
+                  tandem.Parameter("latency", "s", "by which u changes later than the instant")]
+
+    def __init__(self, kp, ki, r, T, offset, latency):
+        self.kp, self.ki, self.r, self.T, self._offset, self._latency = kp, ki, r, T, offset, latency
 
     def info(self):
         return tandem.Info("pi", [tandem.Port("y", "m")], [tandem.Port("u", "N")], feedthrough=[(0, 0)])
@@ -47,4 +49,4 @@ class Pi:
 
 
 if __name__ == "__main__":
-    tandem.serve(lambda parameters: tandem.Sampled(Pi(parameters)))
+    tandem.serve(lambda values: tandem.Sampled(Pi(**values)), parameters=Pi.parameters)

@@ -3,9 +3,10 @@
 ! the table have to do stands in that header.
 module tandem
   use, intrinsic :: iso_c_binding
+  use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
   implicit none
   private
-  public :: text_of, input_at
+  public :: text_of, declared, given, read_parameters, input_at
 
   integer(c_int), parameter, public :: ok = 0, invalid_argument = 1
   integer(c_int32_t), parameter, public :: stop_limit = 0, stop_samples_full = 2
@@ -33,6 +34,9 @@ module tandem
     integer(c_int32_t) :: size, derivatives
     real(c_double) :: start
   end type
+  type, bind(c), public :: declaration ! of a parameter
+    type(c_ptr) :: name, unit, otherwise, sentence
+  end type
   type, bind(c), public :: info
     type(c_ptr) :: name
     integer(c_int32_t) :: abilities, input_count, output_count, feedthrough_count
@@ -44,7 +48,7 @@ module tandem
       last_error = c_null_funptr, initialize = c_null_funptr, advance = c_null_funptr, &
       save_state = c_null_funptr, restore_state = c_null_funptr, release_state = c_null_funptr, &
       serialize_state = c_null_funptr, deserialize_state = c_null_funptr, held = c_null_funptr, &
-      sampling = c_null_funptr, sample = c_null_funptr
+      sampling = c_null_funptr, sample = c_null_funptr, parameters = c_null_funptr, nominal = c_null_funptr
   end type
 
 contains
@@ -63,6 +67,79 @@ contains
     allocate (character(len=n) :: text)
     do i = 1, n
       text(i:i) = c(i)
+    end do
+  end function
+
+  ! A parameter of these texts: its name, its unit (blank of a word), what stands where none is given (blank: one has to
+  ! be), and what it is. They are ended as C's texts are, and have to live as long as it does.
+  type(declaration) function declared(texts)
+    character(kind=c_char, len=*), target, intent(inout) :: texts(4)
+    type(c_ptr) :: c(4)
+    integer :: i, at
+    do i = 1, 4
+      at = index(texts(i), c_null_char)
+      if (at == 0) at = len_trim(texts(i)) + 1
+      texts(i)(at:at) = c_null_char
+      c(i) = c_loc(texts(i))
+      if (at == 1) c(i) = c_null_ptr
+    end do
+    declared = declaration(c(1), c(2), c(3), c(4))
+  end function
+
+  ! The text of a parameter in 'key=value&key=value': as it is given, else as it is declared, else ''.
+  function given(pairs, name, otherwise) result(text)
+    character(len=*), intent(in) :: pairs, name
+    type(c_ptr), intent(in) :: otherwise
+    character(len=:), allocatable :: text
+    integer :: at
+    at = index('&'//pairs, '&'//name//'=')
+    if (at > 0) then
+      text = pairs(at + len(name) + 1:)
+      text = text(:index(text//'&', '&') - 1)
+    else if (c_associated(otherwise)) then
+      text = text_of(otherwise)
+    else
+      text = ''
+    end if
+  end function
+
+  ! The numbers of the parameters, in their order; 0 of a word, whose text `given` has. A sentence, or '' if all is well.
+  function read_parameters(pairs, parameters, values) result(sentence)
+    character(len=*), intent(in) :: pairs
+    type(declaration), intent(in) :: parameters(:)
+    real(c_double), intent(out) :: values(:)
+    character(len=:), allocatable :: sentence, name, text
+    integer :: i, failed
+    sentence = unknown(pairs, parameters)
+    do i = 1, size(parameters)
+      if (sentence /= '') return
+      values(i) = 0
+      name = text_of(parameters(i)%name)
+      text = given(pairs, name, parameters(i)%otherwise)
+      failed = 0
+      if (c_associated(parameters(i)%unit)) read (text, *, iostat=failed) values(i)
+      if (failed /= 0 .or. (c_associated(parameters(i)%unit) .and. verify(text, '0123456789.eE+-') > 0) .or. &
+        .not. ieee_is_finite(values(i))) sentence = "parameter '"//name//"' is no finite number"
+      if (text == '') sentence = "parameter '"//name//"' is needed: "//text_of(parameters(i)%sentence)
+    end do
+  end function
+
+  function unknown(pairs, parameters) result(sentence)
+    character(len=*), intent(in) :: pairs
+    type(declaration), intent(in) :: parameters(:)
+    character(len=:), allocatable :: sentence, rest, key
+    integer :: i
+    logical :: known
+    sentence = ''
+    rest = pairs
+    do while (rest /= '')
+      key = rest(:scan(rest//'&', '=&') - 1)
+      known = .false.
+      do i = 1, size(parameters)
+        known = known .or. text_of(parameters(i)%name) == key
+      end do
+      if (.not. known) sentence = "parameter '"//key//"' is not there"
+      rest = rest(min(index(rest//'&', '&'), len(rest)) + 1:)
     end do
   end function
 

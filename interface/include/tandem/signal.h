@@ -2,8 +2,8 @@
 /* An input as a function of time, in C99: a piecewise polynomial, sent as data. */
 #ifndef TANDEM_SIGNAL_H
 #define TANDEM_SIGNAL_H
-#include <stdint.h>
 #include <math.h>
+#include <stdint.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -81,6 +81,27 @@ static inline double tandem_signal_second_derivative(const tandem_signal* u, dou
   int32_t k = u->degree;
   for (; k > 1; --k) v = v * x + k * (k - 1) * s->c[k];
   return v;
+}
+
+/* The first time after t [s] at which it is known to jump; infinite if there is none. */
+static inline double tandem_signal_next_jump(const tandem_signal* u, double t) {
+  int32_t k;
+  for (k = 0; k < u->count; ++k)
+    if (tandem_segment_jumps(u->segments + k) && u->segments[k].origin > t) return u->segments[k].origin;
+  return INFINITY;
+}
+
+/* From its jump at t on, whose value there is the one after; the whole signal if it has none there. */
+static inline tandem_signal tandem_signal_from_jump(const tandem_signal* u, double t) {
+  tandem_signal from = *u;
+  int32_t k;
+  for (k = 0; k < u->count; ++k)
+    if (tandem_segment_jumps(u->segments + k) && u->segments[k].origin == t) {
+      from.segments += k;
+      from.count -= k;
+      return from;
+    }
+  return from;
 }
 
 #ifdef __cplusplus

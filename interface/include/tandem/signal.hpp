@@ -2,7 +2,6 @@
 #pragma once
 #include <cassert>
 #include <cstdint>
-#include <limits>
 #include <span>
 
 #include "tandem/signal.h"
@@ -41,22 +40,15 @@ class Signal {
   double second_derivative(double t) const { return tandem_signal_second_derivative(&data_, t); }
 
   /// The first time after `t` [s] at which it is known to jump; infinite if there is none.
-  double next_jump(double t) const {
-    for (std::int32_t k = 0; k < data_.count; ++k)
-      if (tandem_segment_jumps(data_.segments + k) && data_.segments[k].origin > t)
-        return data_.segments[k].origin;
-    return std::numeric_limits<double>::infinity();
-  }
+  double next_jump(double t) const { return tandem_signal_next_jump(&data_, t); }
   /// Whether it has jumped at `t`, at which a call begins.
   bool jumps_at(double t, const TimeTolerance& tolerance) const {
     return tandem_segment_jumps(data_.segments) && !tolerance.before(data_.segments->origin, t);
   }
   /// From its jump at `t` on, whose value there is the one after; the whole signal if it has none there.
   Signal from_jump_at(double t) const {
-    for (std::int32_t k = 0; k < data_.count; ++k)
-      if (tandem_segment_jumps(data_.segments + k) && data_.segments[k].origin == t)
-        return {data_.segments + k, data_.count - k, data_.degree};
-    return *this;
+    const tandem_signal from = tandem_signal_from_jump(&data_, t);
+    return {from.segments, from.count, from.degree};
   }
 
   std::span<const Segment> segments() const {

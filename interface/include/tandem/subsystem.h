@@ -121,6 +121,16 @@ typedef struct tandem_subsystem_api {
    * hold from t + latency until the next ones do. clock: where it stands (t) and its next instant. */
   tandem_status (*sampling)(void* self, double* period, double* latency);
   tandem_status (*sample)(void* self, double t, int32_t parts, const double* u, double* y, tandem_clock* clock);
+
+  /* The parameters that create takes, and their number; of all instances, so that it is known too where none
+   * can be made for want of one. They live for ever. With it tandem refuses what is not among them, or is no
+   * number, before it calls create; create puts in what is not given. NULL, or a number of 0: create takes
+   * any, and refuses what it does not know. */
+  const tandem_parameter* (*parameters)(int32_t* count);
+
+  /* By output, its usual magnitude in its unit, above 0: a run that grows far beyond it ends. NULL: each
+   * is 1. It belongs to the subsystem and lives until `destroy`. */
+  const double* (*nominal)(void* self);
 } tandem_subsystem_api;
 
 /* sizeof the table before serialize_state came: the least that table_size may be. */

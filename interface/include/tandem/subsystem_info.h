@@ -1,5 +1,6 @@
 /* Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause */
-/* What a subsystem says of itself, in C99: its ports, feedthrough and abilities. */
+/* What a subsystem says of itself, in C99: its ports, feedthrough and abilities, and the parameters of its
+ * kind. */
 #ifndef TANDEM_SUBSYSTEM_INFO_H
 #define TANDEM_SUBSYSTEM_INFO_H
 #include <stdint.h>
@@ -34,6 +35,17 @@ enum {
    * needs room for two rows in each call */
   TANDEM_EVENTS = 256
 };
+
+/* A parameter that a kind of subsystem takes. `unit`: that of a number, "1" for none; NULL: the parameter is
+ * a word, any text without '&'. A number is finite, and written as in C ("1e-3"). `otherwise`: the text that
+ * stands where none is given; NULL: one has to be. `sentence`: what it is. No name is there twice, nor holds
+ * '=' or '&'. */
+typedef struct tandem_parameter {
+  const char* name;
+  const char* unit;
+  const char* otherwise;
+  const char* sentence;
+} tandem_parameter;
 
 typedef struct tandem_info {
   const char* name;

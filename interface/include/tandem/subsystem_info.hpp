@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tandem/declared_parameters.hpp"
 #include "tandem/samples.hpp"
 
 namespace tandem {
@@ -18,7 +19,7 @@ struct Port {
   double start =
       std::numeric_limits<double>::quiet_NaN();  ///< of an input: its value when nothing else is known
   bool held = false;  ///< of an output: constant from each of its samples, that instant included, to the next
-  double nominal = 1.0;  ///< of an output: its usual magnitude, in its unit
+  double nominal = 1.0;  ///< of an output: its usual magnitude, in its unit; above 0
 };
 
 /// Which port a scalar of the flattened numbering belongs to.
@@ -63,6 +64,7 @@ struct SubsystemInfo {
   std::vector<Feedthrough> feedthrough;
   Abilities abilities;
   Sampling sampling = {};
+  DeclaredParameters parameters = {};  ///< of its kind; none: it takes any, and refuses what it does not know
 
   int input_size() const { return scalars(inputs); }    ///< number of scalar inputs
   int output_size() const { return scalars(outputs); }  ///< number of scalar outputs

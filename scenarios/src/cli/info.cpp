@@ -8,6 +8,7 @@
 #include "cli/diagram_info.hpp"
 #include "cli/looking.hpp"
 #include "cli/mechanism_info.hpp"
+#include "cli/print_parameter.hpp"
 #include "cli/say.hpp"
 #include "mechanisms/source.hpp"
 #include "tandem/nearest.hpp"
@@ -72,6 +73,7 @@ void print(const std::string& name, Subsystem& subsystem, const Span& span,
            const std::vector<double>& start) {
   const SubsystemInfo& info = subsystem.info();
   say("{}: {}\n", name, info.name);
+  for (const DeclaredParameter& p : info.parameters) print_parameter(p);
   print_inputs(info, start);
   print_outputs(info);
   print_abilities(info.abilities);
@@ -95,8 +97,19 @@ void print_words(const Source& source) {
   say("  parameters that only who serves it may set: {}\n", of(Setter::operator_only));
 }
 
+/// One that can't be made for want of a parameter tells all the same what it takes.
+std::unique_ptr<Subsystem> open_or_tell(const std::string& uri, const Builtins& builtins) {
+  try {
+    return open(uri, builtins);
+  } catch (const NotMade& error) {
+    say("{}\n", uri);
+    for (const DeclaredParameter& p : error.parameters()) print_parameter(p);
+    throw;
+  }
+}
+
 void print_source(const std::string& uri, const Context& context) {
-  const auto subsystem = open(uri, context.builtins);
+  const auto subsystem = open_or_tell(uri, context.builtins);
   Topology topology;
   topology.add("source", subsystem->info());
   print(uri, *subsystem, {}, topology.start(0));
@@ -153,8 +166,8 @@ bool is_source(const std::string& text) {
 
 void add_info(CLI::App& app, Context& context) {
   auto* command = app.add_subcommand("info",
-                                     "Show ports, units, abilities and start values of a source or a "
-                                     "scenario, or what a mechanism or a diagram has");
+                                     "Show parameters, ports, units, abilities and start values of a source "
+                                     "or a scenario, or what a mechanism or a diagram has");
   auto options = std::make_shared<InfoOptions>();
   command
       ->add_option("what", options->what,

@@ -64,7 +64,10 @@ enum {
   LONGEST_SHOWN = 1000, /* bytes of a stranger's sentence */
   LONGEST_TOLD = 4000,  /* bytes of a sentence of ours */
   MAX_STATES = 1000,    /* saved ones of a session */
-  CARRIES_HELD = 1      /* a capability: held outputs and sampled subsystems */
+  /* capabilities: held outputs and sampled subsystems, declared parameters (of servers), nominal values */
+  CARRIES_HELD = 1,
+  CARRIES_PARAMETERS = 2,
+  CARRIES_NOMINAL = 4
 };
 #define LONGEST ((uint64_t)1 << 26)
 #define LONGEST_TEXT ((uint32_t)1 << 20)
@@ -607,9 +610,10 @@ typedef struct session {
   double idle; /* seconds */
   void* self;
   const tandem_info* info;
-  int greeted, initialized;
-  uint32_t number;
-  buffer u0, signals, segments; /* memory of a call */
+  int greeted, initialized,
+      not_made;                  /* not_made: an instance, so that what it takes is told with the error */
+  uint32_t number, capabilities; /* the last of the peer */
+  buffer u0, signals, segments;  /* memory of a call */
   kept_state states[MAX_STATES];
   int state_count;
   uint64_t states_bytes, state_bytes; /* of all of them, and of one */
@@ -631,6 +635,30 @@ static void put_ports(buffer* b, const tandem_port* ports, int32_t count) {
 static tandem_status told(session* s, tandem_status status) {
   if (status == TANDEM_OK) return TANDEM_OK;
   return refuse(&s->channel.fault, status, "%s", s->api->last_error(s->self));
+}
+
+/* Whether the table reaches to a function, and that is there. */
+#define HAS(api, function) \
+  ((api)->table_size >= offsetof(tandem_subsystem_api, function) + sizeof(api)->function && (api)->function)
+
+/* A list that is empty where none are declared. */
+static void put_declared(const session* s, buffer* b) {
+  int32_t count = 0, i;
+  const tandem_parameter* const list = HAS(s->api, parameters) ? s->api->parameters(&count) : NULL;
+  put_u32(b, (uint32_t)count);
+  for (i = 0; i < count; ++i) {
+    put_u32(b, (list[i].unit ? 0U : 1U) | (list[i].otherwise ? 2U : 0U));
+    put_text(b, list[i].name, LONGEST_NAME);
+    put_text(b, list[i].unit ? list[i].unit : "", LONGEST_NAME);
+    put_text(b, list[i].otherwise ? list[i].otherwise : "", LONGEST_NAME);
+    put_text(b, list[i].sentence, LONGEST_NAME);
+  }
+}
+
+static void put_nominal(const session* s, buffer* b) {
+  const double* const nominal = HAS(s->api, nominal) ? s->api->nominal(s->self) : NULL;
+  int32_t i;
+  for (i = 0; i < s->info->output_count; ++i) put_double(b, nominal ? nominal[i] : 1.0);
 }
 
 /* What stands behind the rest of an info only where there are held outputs. */
@@ -661,15 +689,16 @@ static tandem_status reply_info(session* s) {
     put_u32(b, (uint32_t)s->info->feedthrough[i].input);
   }
   if (put_held(s, b) != TANDEM_OK) return s->channel.fault.status;
+  if (s->capabilities & CARRIES_NOMINAL) put_nominal(s, b);
   return send_frame(&s->channel);
 }
 
-static void put_hello(channel* c, const char* text) {
+static void put_hello(channel* c, const char* text, uint32_t capabilities) {
   put_bytes(&c->out, magic, sizeof magic);
   put_u32(&c->out, VERSION);
   put_u32(&c->out, VERSION);
   put_u64(&c->out, LONGEST);
-  put_u32(&c->out, CARRIES_HELD);
+  put_u32(&c->out, capabilities);
   put_text(&c->out, text, LONGEST_TEXT);
 }
 
@@ -693,19 +722,18 @@ static tandem_status read_hello(reader* in, greeting* g) {
 }
 
 /* Whether both sides can do what held outputs and samples need. */
-static tandem_status require_carried(session* s, uint32_t capabilities) {
+static tandem_status require_carried(session* s) {
   const tandem_subsystem_api* const api = s->api;
   const uint32_t abilities = s->info->abilities;
-  const int there = api->table_size >= offsetof(tandem_subsystem_api, sample) + sizeof api->sample;
   if (!(abilities & (TANDEM_HOLDS | TANDEM_SAMPLED))) return TANDEM_OK;
-  if (!(capabilities & CARRIES_HELD))
+  if (!(s->capabilities & CARRIES_HELD))
     return refuse(
         &s->channel.fault, TANDEM_NOT_SUPPORTED,
         "subsystem '%s' has held outputs or is sampled, of which the peer does not speak (capability "
         "1)",
         s->info->name);
-  if (!there || ((abilities & TANDEM_HOLDS) && !api->held) ||
-      ((abilities & TANDEM_SAMPLED) && !(api->sampling && api->sample)))
+  if (((abilities & TANDEM_HOLDS) && !HAS(api, held)) ||
+      ((abilities & TANDEM_SAMPLED) && !(HAS(api, sampling) && HAS(api, sample))))
     return refuse(&s->channel.fault, TANDEM_INVALID_ARGUMENT,
                   "subsystem '%s' has held outputs or is sampled, but has no functions for it",
                   s->info->name);
@@ -730,13 +758,17 @@ static tandem_status answer_hello(session* s, reader* in) {
     return refuse(f, TANDEM_INVALID_ARGUMENT, "the parameters hold what is no text: '%s'", shown);
   }
   s->channel.longest = g.longest;
+  s->capabilities = g.capabilities;
+  s->not_made = 1;
   if (s->api->create(g.text, &s->self) != TANDEM_OK)
     return refuse(f, TANDEM_INVALID_ARGUMENT, "%s",
                   s->self ? s->api->last_error(s->self) : "no instance can be made");
+  s->not_made = 0;
   if (!(s->info = s->api->info(s->self))) return refuse(f, TANDEM_INTERNAL, "the subsystem gives no info");
-  if (require_carried(s, g.capabilities) != TANDEM_OK) return f->status;
+  if (require_carried(s) != TANDEM_OK) return f->status;
   begin(&s->channel, T_HELLO, s->number);
-  put_hello(&s->channel, "tandem for C");
+  put_hello(&s->channel, "tandem for C", CARRIES_HELD | CARRIES_PARAMETERS | CARRIES_NOMINAL);
+  if (s->capabilities & CARRIES_PARAMETERS) put_declared(s, &s->channel.out);
   return send_frame(&s->channel);
 }
 
@@ -785,6 +817,7 @@ static tandem_status reply_error(session* s, tandem_status code, const char* sen
   put_u32(out, (uint32_t)code);
   put_text(out, told, length);
   if (y) put_rows(out, y);
+  if (s->not_made && (s->capabilities & CARRIES_PARAMETERS)) put_declared(s, out);
   return send_frame(&s->channel);
 }
 
@@ -1444,13 +1477,13 @@ typedef struct shown_text {
 typedef struct remote {
   channel channel;
   char* address;
-  pid_t program, group; /* of spawn: */
-  int held_open;        /* the end of a pipe, by the group */
-  int request;          /* the type of the last one */
-  uint32_t number;
-  double t_start, time, goal; /* of the run, where it stands, where it was told to go */
+  pid_t program, group;          /* of spawn: */
+  int held_open;                 /* the end of a pipe, by the group */
+  int request;                   /* the type of the last one */
+  uint32_t number, capabilities; /* the last of both sides */
+  double t_start, time, goal;    /* of the run, where it stands, where it was told to go */
   tandem_info info;
-  void* info_memory[5];   /* names, inputs, outputs, feedthrough, which outputs are held */
+  void* info_memory[6];   /* names, inputs, outputs, feedthrough, which outputs are held, nominal values */
   double period, latency; /* of a sampled one, in seconds */
   shown_text* shown;      /* and names that hold control characters */
   int broken;             /* the connection; `reason` says why */
@@ -1616,10 +1649,11 @@ static tandem_status finish(remote* r, reader* in) {
 }
 
 static tandem_status greet(remote* r, const char* parameters) {
+  const uint32_t ours = CARRIES_HELD | CARRIES_NOMINAL;
   greeting g;
   reader in;
   tandem_status status = begin_request(r, T_HELLO);
-  put_hello(&r->channel, parameters);
+  put_hello(&r->channel, parameters, ours);
   if ((status = exchange(r, T_HELLO, &in, NULL)) != TANDEM_OK) return status;
   if (read_hello(&in, &g) != TANDEM_OK) return break_off(r);
   if (g.lowest != VERSION || g.highest != VERSION) {
@@ -1628,6 +1662,7 @@ static tandem_status greet(remote* r, const char* parameters) {
     return break_off(r);
   }
   r->channel.longest = g.longest;
+  r->capabilities = g.capabilities & ours;
   return TANDEM_OK;
 }
 
@@ -1724,6 +1759,17 @@ static void read_sampling(remote* r, reader* in) {
           r->period, r->latency);
 }
 
+static double* read_nominal(const remote* r, reader* in) {
+  double* const nominal = calloc(1 + (size_t)r->info.output_count, sizeof *nominal);
+  int32_t i;
+  if (!nominal) wrong(in, "has %d outputs; there is no memory for them", r->info.output_count);
+  for (i = 0; !in->bad && i < r->info.output_count; ++i)
+    if (!((nominal[i] = take_finite(in, "nominal value")) > 0.0))
+      wrong(in, "gives %g as the nominal value of output '%s'; allowed is a number above 0", nominal[i],
+            r->info.outputs[i].name);
+  return nominal;
+}
+
 /* The texts of the info stay where they are, in memory of its own. */
 static tandem_status ask_info(remote* r) {
   int64_t scalars[2] = {0, 0};
@@ -1743,6 +1789,7 @@ static tandem_status ask_info(remote* r) {
   if (!in.bad && (r->info.abilities & (TANDEM_HOLDS | TANDEM_SAMPLED)))
     r->info_memory[4] = read_held(r, &in, (r->info.abilities & TANDEM_HOLDS) != 0);
   if (!in.bad && (r->info.abilities & TANDEM_SAMPLED)) read_sampling(r, &in);
+  if (!in.bad && (r->capabilities & CARRIES_NOMINAL)) r->info_memory[5] = read_nominal(r, &in);
   return finish(r, &in);
 }
 
@@ -2115,6 +2162,7 @@ static tandem_status advance(void* self, double t_limit, int32_t land, const tan
 }
 
 static const int32_t* held(void* self) { return ((remote*)self)->info_memory[4]; }
+static const double* nominal_values(void* self) { return ((remote*)self)->info_memory[5]; }
 
 static tandem_status sampling(void* self, double* period, double* latency) {
   *period = ((remote*)self)->period;
@@ -2246,6 +2294,7 @@ const tandem_subsystem_api* tandem_remote(void) {
       .held = held,
       .sampling = sampling,
       .sample = sample,
+      .nominal = nominal_values,
   };
   return &api;
 }

@@ -1,8 +1,8 @@
 ## Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 
-## model = __tandem_model__ (make, "key=value&key=value"): the model that make gives, checked and completed.
-function model = __tandem_model__ (make, text)
-  model = make (read_parameters (text));
+## model = __tandem_model__ (make, declared, "key=value&key=value"): the model that make gives, checked and completed.
+function model = __tandem_model__ (make, declared, text)
+  model = make (values_of (declared, read_parameters (text)));
   if (! isstruct (model) || ! isscalar (model))
     error ("the model is no struct");
   endif
@@ -41,6 +41,35 @@ function x = number_of (model, field)
   endif
   if (! isreal (x) || ! isscalar (x) || ! (x >= 0) || ! isfinite (x))
     error ("model '%s': %s is no number from 0 on", model.name, field);
+  endif
+endfunction
+
+## Of those that are declared, a row for each; the texts themselves where none are.
+function values = values_of (declared, texts)
+  for name = setdiff (fieldnames (texts)', declared(:,1)')
+    if (! isempty (declared))
+      error ("parameter '%s' is not there. There are: %s", name{1}, strjoin (declared(:,1)', ", "));
+    endif
+  endfor
+  values = texts;
+  for k = 1 : rows (declared)
+    [name, unit, text, sentence] = declared{k,:};
+    if (isfield (texts, name))
+      text = texts.(name);
+    elseif (isnumeric (text))
+      error ("parameter '%s' is needed: %s", name, sentence);
+    endif
+    values.(name) = value_of (name, unit, text);
+  endfor
+endfunction
+
+function value = value_of (name, unit, text)
+  value = text;
+  if (ischar (unit))
+    value = str2double (text);
+    if (! isreal (value) || ! isfinite (value))
+      error ("parameter '%s' is '%s'; allowed is a finite number", name, text);
+    endif
   endif
 endfunction
 

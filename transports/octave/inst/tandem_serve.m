@@ -1,12 +1,15 @@
 ## Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 
 ## status = tandem_serve (make)
-## status = tandem_serve (make, "--listen", URI, "--once", ...)
+## status = tandem_serve (make, parameters)
+## status = tandem_serve (..., "--listen", URI, "--once", ...)
 ##
 ## Serves a model to tandem: at "tcp://HOST:PORT" or "unix:PATH", or, without --listen, to the run that has started this
 ## program by spawn:. Without options here those of the command line are taken, from the first one on: --listen URI,
 ## --once, --sessions N, --deadline S, --idle S, --allow-plaintext (docs/c.md). Each session has a model of its own,
-## model = make (parameters), where parameters is a struct of the texts that the client gives. A model is a struct:
+## model = make (values). `parameters` declares what it takes, a row for each: {"name", "unit", otherwise, "sentence"}.
+## The unit is that of a number, [] for a word; otherwise is what stands where none is given, [] if one has to be. Then
+## `values` is a struct of numbers and words; without it, of the texts that the client gives. A model is a struct:
 ##
 ##   name         its name
 ##   inputs       a row for each input: {"name", "unit"} or {"name", "unit", start}
@@ -29,6 +32,11 @@ function status = tandem_serve (make, varargin)
     error ("tandem_serve: the first argument is no function handle");
   endif
   words = varargin;
+  declared = {};
+  if (! isempty (words) && iscell (words{1}))
+    declared = words{1};
+    words(1) = [];
+  endif
   if (isempty (words))
     words = argv ()';
     ours = {"--listen", "--once", "--sessions", "--deadline", "--idle", "--allow-plaintext"};
@@ -37,5 +45,5 @@ function status = tandem_serve (make, varargin)
   if (! iscellstr (words))
     error ("tandem_serve: the options are not texts");
   endif
-  status = __tandem__ ("serve", make, words{:});
+  status = __tandem__ ("serve", make, __tandem_declared__ (declared), words{:});
 endfunction

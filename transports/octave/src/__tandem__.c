@@ -1,6 +1,6 @@
 /* Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause */
 /* What the functions of this package stand on, a MEX file over tandem/peer.h:
- *   status = __tandem__ ("serve", make, ARGUMENTS)
+ *   status = __tandem__ ("serve", make, parameters, ARGUMENTS)
  *   handle = __tandem__ ("connect", uri, allow_plaintext)
  *   ... = __tandem__ ("info" | "initialize" | "advance" | "sample" | "save" | "restore" | "release" |
  * "close", handle,

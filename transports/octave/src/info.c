@@ -42,6 +42,25 @@ int read_info(const mxArray* user, tandem_info* info) {
   return info->name && info->inputs && info->outputs && f;
 }
 
+/* NULL of an empty array. */
+static const char* text_in(const mxArray* cells, size_t row, size_t column) {
+  const mxArray* const cell = mxGetCell(cells, row + column * mxGetM(cells));
+  return mxIsChar(cell) ? mxArrayToString(cell) : NULL;
+}
+
+tandem_parameter* parameters_in(const mxArray* cells) {
+  const size_t count = mxGetM(cells);
+  tandem_parameter* const all = mxCalloc(count + 1, sizeof *all);
+  size_t k;
+  for (k = 0; k < count; ++k) {
+    all[k].name = text_in(cells, k, 0);
+    all[k].unit = text_in(cells, k, 1);
+    all[k].otherwise = text_in(cells, k, 2);
+    all[k].sentence = text_in(cells, k, 3);
+  }
+  return all;
+}
+
 void free_info(tandem_info* info) {
   free((void*)info->inputs);
   free((void*)info->outputs);

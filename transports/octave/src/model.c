@@ -26,7 +26,9 @@ typedef struct model {
   char error[1024];
 } model;
 
-static mxArray* maker; /* the function that is served, during the call */
+/* During the call: the function that is served, and what it takes. */
+static mxArray *maker, *declared_cells;
+static tandem_parameter* declared;
 
 static tandem_status refuse(model* s, tandem_status status, const char* format, const char* what) {
   snprintf(s->error, sizeof s->error, format, what);
@@ -61,15 +63,16 @@ static size_t inputs_of(const tandem_info* info) { return (size_t)info->input_co
 
 static tandem_status create(const char* parameters, void** self) {
   model* const s = calloc(1, sizeof *s);
-  mxArray* arguments[3];
+  mxArray* arguments[4];
   tandem_status status;
   if (!(*self = s)) return TANDEM_INTERNAL;
   arguments[0] = mxCreateString("__tandem_model__");
   arguments[1] = maker;
-  arguments[2] = mxCreateString(parameters);
-  status = call(s, 3, arguments, &s->user);
+  arguments[2] = declared_cells;
+  arguments[3] = mxCreateString(parameters);
+  status = call(s, 4, arguments, &s->user);
   mxDestroyArray(arguments[0]);
-  mxDestroyArray(arguments[2]);
+  mxDestroyArray(arguments[3]);
   if (status != TANDEM_OK) return TANDEM_INVALID_ARGUMENT;
   s->h = mxGetScalar(field(s, "h"));
   s->offset = mxGetScalar(field(s, "offset"));
@@ -280,6 +283,11 @@ static tandem_status release_state(void* self, int64_t id) {
   return TANDEM_OK;
 }
 
+static const tandem_parameter* parameters_of(int32_t* count) {
+  *count = (int32_t)mxGetM(declared_cells);
+  return declared;
+}
+
 static const tandem_subsystem_api model_api = {
     .abi_version = TANDEM_ABI_VERSION,
     .table_size = sizeof(tandem_subsystem_api),
@@ -294,9 +302,12 @@ static const tandem_subsystem_api model_api = {
     .release_state = release_state,
     .sampling = sampling,
     .sample = sample,
+    .parameters = parameters_of,
 };
 
-const tandem_subsystem_api* octave_model(mxArray* make) {
+const tandem_subsystem_api* octave_model(mxArray* make, mxArray* parameters) {
   maker = make;
+  declared_cells = parameters;
+  declared = parameters_in(parameters);
   return &model_api;
 }

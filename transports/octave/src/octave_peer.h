@@ -7,12 +7,14 @@
 #include "tandem/peer.h"
 
 /* A model in Octave as a subsystem, what __tandem_model__.m makes of the struct of the user's that `make`
- * gives. Valid during the call of the MEX file. */
-const tandem_subsystem_api* octave_model(mxArray* make);
+ * gives; parameters: what __tandem_declared__.m gives. Valid during the call of the MEX file. */
+const tandem_subsystem_api* octave_model(mxArray* make, mxArray* parameters);
 
 /* What such a struct says of itself, without its texts, which are Octave's; 0 if there is no memory. */
 int read_info(const mxArray* user, tandem_info* info);
 void free_info(tandem_info* info);
+/* The rows of __tandem_declared__.m, in memory that is Octave's. */
+tandem_parameter* parameters_in(const mxArray* cells);
 /* As tandem_info.m gives it. */
 mxArray* info_as_struct(const tandem_subsystem_api* api, void* self);
 
@@ -24,7 +26,7 @@ mxArray* inputs_as_array(const tandem_signal* u, size_t count);
 mxArray* constants_as_array(const double* u, size_t count, double t);
 tandem_signal signal_of(const mxArray* u, mwIndex k);
 
-/* status = __tandem__ ("serve", make, ARGUMENTS), from `make` on. */
+/* status = __tandem__ ("serve", make, parameters, ARGUMENTS), from `make` on. */
 void serve_model(mxArray** out, int count, const mxArray** in);
 
 #endif

@@ -65,9 +65,9 @@ void serve_model(mxArray** out, int count, const mxArray** in) {
   char* words[18] = {"tandem_serve"};
   const tandem_subsystem_api* model;
   int k;
-  if (count > 18) mexErrMsgTxt("tandem_serve: too many arguments");
-  for (k = 1; k < count; ++k) words[k] = mxArrayToString(in[k]);
-  model = octave_model((mxArray*)in[0]);
-  out[0] = mxCreateDoubleScalar(getenv("TANDEM_FD") ? tandem_serve(model, count, words)
-                                                    : serve_apart(model, count, words));
+  if (count > 19) mexErrMsgTxt("tandem_serve: too many arguments");
+  for (k = 2; k < count; ++k) words[k - 1] = mxArrayToString(in[k]);
+  model = octave_model((mxArray*)in[0], (mxArray*)in[1]);
+  out[0] = mxCreateDoubleScalar(getenv("TANDEM_FD") ? tandem_serve(model, count - 1, words)
+                                                    : serve_apart(model, count - 1, words));
 }

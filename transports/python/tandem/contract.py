@@ -6,18 +6,19 @@ from __future__ import annotations
 import enum
 import math
 from dataclasses import dataclass, field
-from typing import List, Sequence, Tuple
+from typing import List, Optional, Sequence, Tuple, Union
 
 NAN = float("nan")
 
 
 class Error(Exception):
     """One sentence with a code: 1 invalid argument, 2 not supported, 3 wrong state, 4 numerical, 5 input or
-    output, 6 anything else."""
+    output, 6 anything else. parameters: where a subsystem elsewhere was not made, those that its kind declares."""
 
     def __init__(self, sentence: str, code: int = 1) -> None:
         super().__init__(sentence)
         self.code = code
+        self.parameters: List[Parameter] = []
 
 
 class Stop(enum.IntEnum):
@@ -53,7 +54,7 @@ class Abilities(enum.IntFlag):
 class Port:
     """An input or output of `size` scalars. derivatives: how many time derivatives an output gives with each
     sample (0 to 3). start: the value of an input when nothing else is known. held: an output that is constant from each
-    of its samples, that instant included, to the next."""
+    of its samples, that instant included, to the next. nominal: the usual magnitude of an output, above 0."""
 
     name: str
     unit: str = "1"
@@ -61,6 +62,18 @@ class Port:
     derivatives: int = 0
     start: float = NAN
     held: bool = False
+    nominal: float = 1.0
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A parameter that a kind of subsystem takes. unit: that of a number, "1" for none; None: it is a word. sentence:
+    what it is. otherwise: what stands where none is given; None: one has to be."""
+
+    name: str
+    unit: Optional[str]
+    sentence: str
+    otherwise: Union[float, str, None] = None
 
 
 @dataclass
@@ -74,6 +87,8 @@ class Info:
     #: of a sampled subsystem [s]: the least time between two instants, and how long after each its outputs change
     period: float = 0.0
     latency: float = 0.0
+    #: of a subsystem elsewhere: those that its kind declares; none: it takes any
+    parameters: List[Parameter] = field(default_factory=list)
 
     def input_size(self) -> int:
         return sum(port.size for port in self.inputs)

@@ -14,6 +14,11 @@ from .printable import printable
 LONGEST_NAME = 4096  # bytes
 
 
+def put_text(text: str) -> bytes:
+    data = text.encode("utf-8", "surrogateescape")
+    return struct.pack("<I", len(data)) + data
+
+
 class Reader:
     """Takes a payload apart; what is not there is refused before memory is taken for it."""
 

@@ -25,8 +25,9 @@ class Remote:
         self._broken = ""  # why the connection is not used any more
         self._t_start = self._time = math.nan  # where the subsystem started, and stands
         try:
-            self._longest = self._exchange(wire.Type.HELLO, wire.put_hello(parameters), _read_hello)
-            self._info = self._exchange(wire.Type.INFO, b"", _read_info)
+            hello = self._exchange(wire.Type.HELLO, wire.put_hello(parameters), _read_hello)
+            self._longest = hello.longest
+            self._info = self._exchange(wire.Type.INFO, b"", lambda data: _read_info(data, hello))
         except Error:
             self._end()
             raise
@@ -129,7 +130,9 @@ class Remote:
             self._send(kind, payload)
             return read(self._reply(wire.Type.SAMPLES if kind in _GIVE_SAMPLES else kind))
         except _Told as told:
-            raise Error(f"{where}{told.error}", told.error.code) from None
+            error = Error(f"{where}{told.error}", told.error.code)
+            error.parameters = told.error.parameters
+            raise error from None
         except Error as error:
             self._broken = str(error)
             self._channel.close()
@@ -146,7 +149,8 @@ class Remote:
         if answer == wire.Type.ERROR and number == 0:
             raise wire.read_error(data)
         if answer == wire.Type.ERROR and number == self._number:
-            raise _Told(wire.read_error(data, self._info if expected == wire.Type.SAMPLES else None))
+            raise _Told(wire.read_error(data, self._info if expected == wire.Type.SAMPLES else None,
+                                        expected == wire.Type.HELLO))
         if number != self._number or answer != expected:
             raise Error(f"the reply is of type {answer.name.lower()} and number {number}; allowed are "
                         f"{expected.name.lower()} and {self._number}", 3)
@@ -184,16 +188,16 @@ class _Told(Exception):
 _GIVE_SAMPLES = (wire.Type.INITIALIZE, wire.Type.ADVANCE)
 
 
-def _read_hello(data: memoryview) -> int:
-    """The longest payload that the server takes."""
-    hello = wire.read_hello(data)
+def _read_hello(data: memoryview) -> wire.Hello:
+    hello = wire.read_hello(data, wire.CAPABILITIES)
     if (hello.lowest, hello.highest) != (wire.VERSION, wire.VERSION):
         raise Error(f"the peer speaks version {hello.lowest} to {hello.highest}; allowed is {wire.VERSION}", 2)
-    return hello.longest
+    return hello
 
 
-def _read_info(data: memoryview) -> Info:
-    info = wire.read_info(data)
+def _read_info(data: memoryview, hello: wire.Hello) -> Info:
+    info = wire.read_info(data, hello.capabilities)
+    info.parameters = list(hello.declared)
     reply_checks.check_info(info)
     return info
 

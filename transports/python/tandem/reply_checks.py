@@ -26,6 +26,9 @@ def check_info(info: Info) -> None:
     for output, input_ in info.feedthrough:
         if not (0 <= output < info.output_size() and 0 <= input_ < info.input_size()):
             _refuse_info(f"feedthrough from input {input_} to output {output} names a port that is not there")
+    for port in info.outputs:
+        if not 0.0 < port.nominal < math.inf:
+            _refuse_info(f"output '{port.name}' has the nominal value {port.nominal}; allowed is a number above 0")
     _check_sampling(info)
 
 

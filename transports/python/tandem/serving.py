@@ -11,45 +11,46 @@ import socket
 import sys
 import threading
 import time
-from typing import Any, Callable, Optional
+from typing import Any, Callable, Optional, Sequence
 
 from . import wire
 from .address import Listener
-from .contract import Error
+from .contract import Error, Parameter
 from .options import Options
 from .printable import printable
 from .session import Make, Session
 
 
 def serve(make: Make, address: Optional[str] = None, once: bool = False, deadline: float = 5.0,
-          idle: float = 3600.0, sessions: int = 64) -> None:
-    """Serves what `make(parameters)` returns, an instance for each session: at `address` ("tcp://HOST:PORT",
+          idle: float = 3600.0, sessions: int = 64, parameters: Sequence[Parameter] = ()) -> None:
+    """Serves what `make(values)` returns, an instance for each session: at `address` ("tcp://HOST:PORT",
     port 0 for a free one, or "unix:PATH"; the address is printed), or, without one, as the command line says, from the
     first of its words --listen URI, --once, --sessions N, --deadline S and --idle S on; or to the run that has started
     this program by spawn:. once: one session and no more (a peer that says no whole hello has none); deadline [s]: for
     a session's first request, for a frame to come whole and for a reply to be taken; idle [s]: from one request to the
-    next; sessions: the most at a time. SIGTERM and Ctrl-C end the program; so does a command line that is not right,
-    with a sentence and status 2."""
+    next; sessions: the most at a time. parameters: all that it takes; then `values` has a number or a word for each,
+    what is not given as it is declared; without them it has the texts that the client gave. SIGTERM and Ctrl-C end
+    the program; so does a command line that is not right, with a sentence and status 2."""
     options = Options(address, once, deadline, idle, sessions)
     if address is not None:
         options.check()
-        _Server(Listener(address), make, options).run()
+        _Server(Listener(address), make, options, parameters).run()
         return
     try:
         options.read(sys.argv[1:])
         options.check()
-        work = _work(make, options)
+        work = _work(make, options, parameters)
     except Error as error:
         print(f"{sys.argv[0]}: {error}", file=sys.stderr)
         raise SystemExit(2) from None
     work()
 
 
-def _work(make: Make, options: Options) -> Callable[[], None]:
+def _work(make: Make, options: Options, parameters: Sequence[Parameter]) -> Callable[[], None]:
     """That of a server, or of the one session of the program that started this one."""
     number = os.environ.get("TANDEM_FD")
     if options.address is not None:
-        return _Server(Listener(options.address), make, options).run
+        return _Server(Listener(options.address), make, options, parameters).run
     if number is None:
         raise Error("an address is needed: --listen URI")
     try:
@@ -58,14 +59,14 @@ def _work(make: Make, options: Options) -> Callable[[], None]:
         raise Error(f"the variable TANDEM_FD is '{number}'; allowed is the number of a socket that is open") from None
     sock.set_inheritable(False)  # it is not for programs that this one starts
     channel = wire.Channel(sock, "the program that started this one")
-    return lambda: _serve_one(Session(channel, make, options.deadline, options.idle))
+    return lambda: _serve_one(Session(channel, make, options.deadline, options.idle, parameters))
 
 
 class _Server:
     """Sessions in threads of their own, so many at a time."""
 
-    def __init__(self, listener: Listener, make: Make, options: Options) -> None:
-        self._listener, self._make, self._options = listener, make, options
+    def __init__(self, listener: Listener, make: Make, options: Options, parameters: Sequence[Parameter]) -> None:
+        self._listener, self._make, self._options, self._parameters = listener, make, options, parameters
         self._lock = threading.Lock()
         self._open = 0
         self._shortage = ""  # why the last connection could not be taken
@@ -127,7 +128,7 @@ class _Server:
 
     def _session(self, sock: socket.socket) -> Session:
         channel = wire.Channel(sock, self._listener.place)
-        return Session(channel, self._make, self._options.deadline, self._options.idle)
+        return Session(channel, self._make, self._options.deadline, self._options.idle, self._parameters)
 
     def _take(self, sock: socket.socket) -> None:
         with self._lock:

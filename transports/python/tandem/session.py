@@ -5,14 +5,15 @@ from __future__ import annotations
 
 import time
 import traceback
-from typing import Any, Callable, Dict, List, Optional, Tuple
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
 from . import wire
-from .contract import Abilities, Error, Info, Row
+from .contract import Abilities, Error, Info, Parameter, Row
+from .parameters import Value, put_declared, texts_of, values_of
 from .printable import is_printable, printable
 from .states import States
 
-Make = Callable[[Dict[str, str]], Any]
+Make = Callable[[Dict[str, Value]], Any]
 
 #: bytes that rows may take until they are put into a reply: 32 a number, and about 250 a row
 MOST_ROW_MEMORY = 3 << 24
@@ -20,13 +21,15 @@ MOST_ROW_MEMORY = 3 << 24
 
 class Session:
     """One connection: answers requests until the peer says bye or is gone. `make` gets the parameters that the
-    client gave, and returns a subsystem: an object with info(), initialize() and advance() as FixedStep has
+    client gave, by the declaration `parameters` or, without one, as texts, and returns a subsystem: an object with info(), initialize() and advance() as FixedStep has
     them, or sample() as Sampled has it, with the ability to save states save_state(), restore_state(id), release_state(id), and with that to give
     them as bytes serialize_state(id), deserialize_state(bytes). deadline: seconds for the first request, for a frame to
     come whole, and for a reply to be taken; idle: from one request to the next."""
 
-    def __init__(self, channel: wire.Channel, make: Make, deadline: float = 5.0, idle: float = 3600.0) -> None:
-        self._channel, self._make = channel, make
+    def __init__(self, channel: wire.Channel, make: Make, deadline: float = 5.0, idle: float = 3600.0,
+                 parameters: Sequence[Parameter] = ()) -> None:
+        self._channel, self._make, self._declared = channel, make, parameters
+        self._capabilities = 0  # of both sides
         self._deadline, self._idle = deadline, idle
         self._number = 0
         self.greeted = False  #: the peer has said a whole hello
@@ -111,20 +114,25 @@ class Session:
             raise Error(f"the peer takes payloads of up to {self._longest} bytes; allowed are 4096 or more", 2)
         if not is_printable(hello.text):
             raise Error(f"the parameters hold what is no text: '{printable(hello.text, 200)}'")
-        self._subsystem = _asked(lambda: self._make(_parameters(hello.text)))
+        self._capabilities = hello.capabilities & wire.CAPABILITIES
+        self._subsystem = _asked(lambda: self._make(values_of(self._declared, texts_of(hello.text))))
         self._info = self._subsystem.info()
-        self._require_carried(hello.capabilities)
-        self._reply(wire.Type.HELLO, wire.put_hello("tandem for Python"))
+        self._require_carried()
+        self._reply(wire.Type.HELLO, wire.put_hello("tandem for Python", self._declared if self._tells() else None))
 
-    def _require_carried(self, capabilities: int) -> None:
+    def _tells(self) -> bool:
+        """Whether the peer is told of parameters."""
+        return bool(self._capabilities & wire.CARRIES_PARAMETERS)
+
+    def _require_carried(self) -> None:
         """A peer that was written before held outputs would take them for continuous ones."""
-        if (self._known().holds() or self._can(Abilities.SAMPLED)) and not capabilities & wire.CARRIES_HELD:
+        if (self._known().holds() or self._can(Abilities.SAMPLED)) and not self._capabilities & wire.CARRIES_HELD:
             raise Error(f"subsystem '{self._known().name}' has held outputs or is sampled, of which the peer does not "
                         "speak (capability 1)", 2)
 
     def _tell_info(self, data: memoryview) -> None:
         wire.Reader(data, "info").end()
-        self._reply(wire.Type.INFO, wire.put_info(self._known()))
+        self._reply(wire.Type.INFO, wire.put_info(self._known(), self._capabilities))
 
     def _known(self) -> Info:
         assert self._info is not None
@@ -265,8 +273,10 @@ class Session:
         self._channel.send(kind, self._number, payload, self._deadline)
 
     def _try_to_tell(self, error: Error) -> None:
+        not_made = self._subsystem is None and self._tells()
+        declared = put_declared(self._declared) if not_made else b""
         try:
-            self._reply(wire.Type.ERROR, wire.put_error(error))
+            self._reply(wire.Type.ERROR, wire.put_error(error) + declared)
         except Error:
             pass
 
@@ -286,13 +296,3 @@ def _asked(call: Callable[[], Any]) -> Any:
     except Exception as error:
         traceback.print_exc()
         raise Error(f"{type(error).__name__}: {error}", 6) from None
-
-
-def _parameters(text: str) -> Dict[str, str]:
-    parameters: Dict[str, str] = {}
-    for pair in filter(None, text.split("&")):
-        key, equals, value = pair.partition("=")
-        if not equals or not key:
-            raise Error(f"the parameters have '{pair}' where key=value is allowed")
-        parameters[key] = value
-    return parameters

@@ -9,15 +9,18 @@ import struct
 from typing import List, NamedTuple, Optional, Sequence, Tuple
 
 from .channel import HEADER, LONGEST, Channel, Payload, Type
-from .contract import Abilities, Clock, Error, Info, Part, Port, Row, Segment, Signal, Stop
+from .contract import Abilities, Clock, Error, Info, Parameter, Part, Port, Row, Segment, Signal, Stop
+from .parameters import put_declared, read_declared
 from .printable import printable
-from .reader import Reader
+from .reader import Reader, put_text
 from .reply_checks import check_jump
 
 __all__ = ["HEADER", "LONGEST", "Channel", "Payload", "Reader", "Type"]
 
 VERSION = 1
-CARRIES_HELD = 1  # a capability: held outputs and sampled subsystems
+# Capabilities: held outputs and sampled subsystems, declared parameters, nominal values.
+CARRIES_HELD, CARRIES_PARAMETERS, CARRIES_NOMINAL = 1, 2, 4
+CAPABILITIES = CARRIES_HELD | CARRIES_PARAMETERS | CARRIES_NOMINAL
 HOLDS = 128  # a bit of the abilities
 ABILITIES = sum(Abilities)  # the bits that are known here
 MAGIC = b"TANDEM\r\n"
@@ -28,13 +31,10 @@ MOST_SEGMENTS = 1 << 17
 AT_ONCE = 1 << 12  # numbers of a row that are put into a reply
 
 
-def put_text(text: str) -> bytes:
-    data = text.encode("utf-8", "surrogateescape")
-    return struct.pack("<I", len(data)) + data
-
-
-def put_hello(text: str) -> bytes:
-    return MAGIC + struct.pack("<IIQI", VERSION, VERSION, LONGEST, CARRIES_HELD) + put_text(text)
+def put_hello(text: str, declared: Optional[Sequence[Parameter]] = None) -> bytes:
+    """declared: of a reply to one who speaks of parameters."""
+    hello = MAGIC + struct.pack("<IIQI", VERSION, VERSION, LONGEST, CAPABILITIES) + put_text(text)
+    return hello if declared is None else hello + put_declared(declared)
 
 
 class Hello(NamedTuple):
@@ -45,19 +45,24 @@ class Hello(NamedTuple):
     longest: int  #: payload in bytes
     capabilities: int
     text: str
+    declared: Sequence[Parameter] = ()
 
 
-def read_hello(data: memoryview) -> Hello:
+def read_hello(data: memoryview, asked_with: int = 0) -> Hello:
+    """asked_with: of a reply, the capabilities of the request."""
     reader = Reader(data, "hello")
     if bytes(data[:8]) != MAGIC:
         reader.refuse("does not begin with TANDEM, so the peer speaks something else")
     reader.take("8s")
     hello = Hello(*reader.take("IIQI"), reader.text(LONGEST_SENTENCE))
+    if hello.capabilities & asked_with & CARRIES_PARAMETERS:
+        hello = hello._replace(declared=read_declared(reader))
     reader.end()
     return hello
 
 
-def put_info(info: Info) -> bytes:
+def put_info(info: Info, capabilities: int = CAPABILITIES) -> bytes:
+    """capabilities: of both sides."""
     bits = int(info.abilities) | (HOLDS if info.holds() else 0)
     parts = [put_text(info.name), struct.pack("<I", bits)]
     for ports in (info.inputs, info.outputs):
@@ -70,10 +75,12 @@ def put_info(info: Info) -> bytes:
         parts += [struct.pack("<I", port.held) for port in info.outputs]
     if Abilities.SAMPLED in info.abilities:
         parts.append(struct.pack("<dd", info.period, info.latency))
+    if capabilities & CARRIES_NOMINAL:
+        parts += [struct.pack("<d", port.nominal) for port in info.outputs]
     return b"".join(parts)
 
 
-def read_info(data: memoryview) -> Info:
+def read_info(data: memoryview, capabilities: int = CAPABILITIES) -> Info:
     reader = Reader(data, "info")
     name = reader.name()
     (bits,) = reader.take("I")
@@ -86,6 +93,8 @@ def read_info(data: memoryview) -> Info:
     read_held(reader, bool(bits & HOLDS), info)
     if Abilities.SAMPLED in info.abilities:
         info.period, info.latency = reader.take("dd")
+    for port in info.outputs if capabilities & CARRIES_NOMINAL else ():
+        (port.nominal,) = reader.take("d")
     reader.end()
     return info
 
@@ -262,12 +271,15 @@ def put_error(error: Error) -> bytes:
     return struct.pack("<I", error.code) + put_text(printable(str(error), LONGEST_TOLD))
 
 
-def read_error(data: memoryview, given: Optional[Info] = None) -> Error:
-    """given: of an advance, whose rows up to the error may follow. They are not of use any more."""
+def read_error(data: memoryview, given: Optional[Info] = None, of_hello: bool = False) -> Error:
+    """given: of an advance, whose rows up to the error may follow. They are not of use any more. of_hello: parameters
+    that the subsystem's kind declares may follow."""
     reader = Reader(data, "error")
     (code,) = reader.take("I")
     error = Error(printable(reader.text(LONGEST_SENTENCE)), code if 1 <= code <= 6 else 6)
     if given is not None and reader.left():
         read_rows(reader, given, reader.left())
+    if of_hello and reader.left():
+        error.parameters = read_declared(reader)
     reader.end()
     return error

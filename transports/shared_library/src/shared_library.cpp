@@ -79,14 +79,18 @@ std::unique_ptr<Subsystem> load_subsystem(const fs::path& file, const std::strin
   try {
     return std::make_unique<LibrarySubsystem>(std::move(library), api, parameters, library_named(file));
   } catch (const Error& error) {
-    throw Error(error.code(), library_named(file) + ": " + error.what());
+    throw_behind(library_named(file) + ": ", error);
   }
 }
 
 void add_shared_library(Builtins& builtins) {
   builtins.schemes["three_functions"] = {
       words_by(Setter::operator_only, {"initiate", "advance", "clean_up", "step", "inputs", "outputs"}),
-      three_functions, true, true, look_at_three_functions, true};
+      three_functions,
+      true,
+      true,
+      look_at_three_functions,
+      true};
   builtins.schemes["lib"] = {words_by(Setter::operator_only, {"entry"}), lib, true, true, look_at_lib, true};
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstring>
 
+#include "declared.hpp"
 #include "tandem/check_info.hpp"
 #include "tandem/printable.hpp"
 
@@ -10,11 +11,8 @@ namespace tandem::wire {
 namespace {
 
 constexpr char magic[] = {'T', 'A', 'N', 'D', 'E', 'M', '\r', '\n'};
-constexpr std::uint32_t longest_name = 4096, longest_sentence = 1U << 20;  // bytes
-constexpr std::size_t longest_told = 4000;                                 // bytes of a sentence of ours
-
-/// A name or a unit, to be shown.
-std::string read_name(Reader& in) { return printable(in.take_text(longest_name), longest_name); }
+constexpr std::uint32_t longest_sentence = 1U << 20;  // bytes
+constexpr std::size_t longest_told = 4000;            // bytes of a sentence of ours
 
 Port read_port(Reader& in) {
   Port port;
@@ -115,6 +113,11 @@ ErrorCode code_from(std::uint32_t code) {
   return known ? static_cast<ErrorCode>(code) : ErrorCode::internal;
 }
 
+Error read_error(Reader& in) {
+  const ErrorCode code = code_from(in.take<std::uint32_t>());
+  return {code, printable(in.take_text(longest_sentence))};
+}
+
 }  // namespace
 
 void put_hello(Writer& frame, const Hello& hello) {
@@ -124,9 +127,10 @@ void put_hello(Writer& frame, const Hello& hello) {
   frame.put(hello.longest);
   frame.put(hello.capabilities);
   frame.put_text(hello.text);
+  if (hello.declared) put_declared(frame, *hello.declared);
 }
 
-Hello read_hello(std::span<const std::byte> payload) {
+Hello read_hello(std::span<const std::byte> payload, std::uint32_t asked_with) {
   Reader in(payload, "hello");
   for (const char c : magic)
     if (in.take<char>() != c) in.refuse("does not begin with TANDEM, so the peer speaks something else");
@@ -136,11 +140,12 @@ Hello read_hello(std::span<const std::byte> payload) {
   hello.longest = in.take<std::uint64_t>();
   hello.capabilities = in.take<std::uint32_t>();
   hello.text = in.take_text(longest_sentence);
+  if (hello.capabilities & asked_with & carries_parameters) hello.declared = read_declared(in);
   in.end();
   return hello;
 }
 
-void put_info(Writer& frame, const SubsystemInfo& info) {
+void put_info(Writer& frame, const SubsystemInfo& info, std::uint32_t capabilities) {
   frame.put_text(info.name);
   frame.put(to_bits(info));
   put_ports(frame, info.inputs);
@@ -151,9 +156,11 @@ void put_info(Writer& frame, const SubsystemInfo& info) {
     frame.put(std::int32_t{f.input});
   }
   put_held(frame, info);
+  if (capabilities & carries_nominal)
+    for (const Port& port : info.outputs) frame.put(port.nominal);
 }
 
-SubsystemInfo read_info(std::span<const std::byte> payload) {
+SubsystemInfo read_info(std::span<const std::byte> payload, std::uint32_t capabilities) {
   Reader in(payload, "info");
   SubsystemInfo info;
   info.name = read_name(in);
@@ -168,6 +175,8 @@ SubsystemInfo read_info(std::span<const std::byte> payload) {
   }
   read_held(in, (bits & TANDEM_HOLDS) != 0, info);
   if (info.abilities.sampled) read_sampling(in, info.sampling);
+  if (capabilities & carries_nominal)
+    for (Port& port : info.outputs) port.nominal = in.take<double>();
   in.end();
   check_info(info.name, info);
   return info;
@@ -236,13 +245,25 @@ void put_error(Writer& frame, const Error& error, const Samples& y) {
   put_with_rows(frame, head, y, [&] { put_error(frame, error.code(), error.what()); });
 }
 
+void put_error(Writer& frame, const NotMade& error) {
+  put_error(frame, error.code(), error.what());
+  put_declared(frame, error.parameters());
+}
+
 Error read_error(std::span<const std::byte> payload, Samples* y) {
   Reader in(payload, "error");
-  const ErrorCode code = code_from(in.take<std::uint32_t>());
-  const std::string sentence = printable(in.take_text(longest_sentence));
+  Error error = read_error(in);
   if (y && in.left() > 0) read_rows(in, *y);
   in.end();
-  return {code, sentence};
+  return error;
+}
+
+Error read_error(std::span<const std::byte> payload, DeclaredParameters& declared) {
+  Reader in(payload, "error");
+  Error error = read_error(in);
+  if (in.left() > 0) declared = read_declared(in);
+  in.end();
+  return error;
 }
 
 void read_nothing(const Frame& frame) { Reader(frame.payload, name(frame.header.type)).end(); }

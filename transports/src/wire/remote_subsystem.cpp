@@ -52,10 +52,17 @@ auto RemoteSubsystem::told(const Call& call) {
 RemoteSubsystem::RemoteSubsystem(std::unique_ptr<Channel> channel, const std::string& parameters,
                                  double deadline)
     : channel_(std::move(channel)), deadline_(deadline) {
-  hello(parameters);
+  try {
+    hello(parameters);
+  } catch (const Error& error) {
+    if (info_.parameters.empty()) throw;
+    throw NotMade(error, info_.parameters);
+  }
   told([&] {
     begin(Type::info);
-    info_ = read_info(exchange(Type::info).payload);
+    DeclaredParameters declared = std::move(info_.parameters);
+    info_ = read_info(exchange(Type::info).payload, capabilities_);
+    info_.parameters = std::move(declared);
   });
 }
 
@@ -70,16 +77,29 @@ RemoteSubsystem::~RemoteSubsystem() {
 
 void RemoteSubsystem::hello(const std::string& parameters) {
   told([&] {
-    begin(Type::hello);
-    put_hello(frame_, {.text = parameters});
-    const Hello reply = read_hello(exchange(Type::hello).payload);
+    Hello reply = greeting(parameters);
     if (reply.lowest_version != protocol_version || reply.highest_version != protocol_version)
       throw Error(ErrorCode::not_supported,
                   "the peer speaks version " + std::to_string(reply.lowest_version) + " to " +
                       std::to_string(reply.highest_version) + " of the protocol; allowed is " +
                       std::to_string(protocol_version));
     longest_ = reply.longest;
+    capabilities_ = reply.capabilities & all_capabilities;
+    if (reply.declared) info_.parameters = std::move(*reply.declared);
+    check_given(info_.parameters, parameters);
   });
+}
+
+/// What the peer refuses in its own words is said here if it can be, as it may not know the nearest name.
+Hello RemoteSubsystem::greeting(const std::string& parameters) {
+  begin(Type::hello);
+  put_hello(frame_, {.text = parameters});
+  try {
+    return read_hello(exchange(Type::hello).payload, all_capabilities);
+  } catch (const Told&) {
+    check_given(info_.parameters, parameters);
+    throw;
+  }
 }
 
 void RemoteSubsystem::begin(Type type) {
@@ -121,6 +141,8 @@ Frame RemoteSubsystem::receive(Type expected, Samples* y) {
   if (reply.header.number != number_)
     throw Error(ErrorCode::wrong_state, "the reply has the number " + std::to_string(reply.header.number) +
                                             "; allowed is that of the request, " + std::to_string(number_));
+  if (reply.header.type == Type::error && expected == Type::hello)
+    throw Told{read_error(reply.payload, info_.parameters)};
   if (reply.header.type == Type::error) throw Told{read_error(reply.payload, y)};
   if (reply.header.type != expected)
     throw Error(ErrorCode::wrong_state, "the reply is of the type '" + std::string(name(reply.header.type)) +

@@ -129,7 +129,7 @@ void Session::handle(const Frame& request) {
     case Type::info:
       read_nothing(request);
       reply(Type::info);
-      put_info(frame_, subsystem_->info());
+      put_info(frame_, subsystem_->info(), capabilities_);
       return send();
     case Type::ping:
       reply(Type::ping);
@@ -195,17 +195,20 @@ void Session::hello(const Frame& request) {
     throw Error(ErrorCode::invalid_argument,
                 "the parameters hold what is no text: '" + printable(hello.text, 200) + "'");
   longest_ = std::min(hello.longest, channel_.longest());
+  capabilities_ = hello.capabilities & all_capabilities;
   subsystem_ = asked([&] { return make_(hello.text); });
-  require_carried(hello.capabilities);
+  require_carried();
+  Hello answer{.longest = channel_.longest(), .text = settings_.software};
+  if (carries(carries_parameters)) answer.declared = subsystem_->info().parameters;
   reply(Type::hello);
-  put_hello(frame_, {.longest = channel_.longest(), .text = settings_.software});
+  put_hello(frame_, answer);
   send();
 }
 
 /// A peer that was written before held outputs would take them for continuous ones.
-void Session::require_carried(std::uint32_t capabilities) const {
+void Session::require_carried() const {
   const SubsystemInfo& info = subsystem_->info();
-  if ((info.holds() || info.abilities.sampled) && (capabilities & carries_held) == 0)
+  if ((info.holds() || info.abilities.sampled) && !carries(carries_held))
     throw Error(ErrorCode::not_supported,
                 "subsystem '" + info.name +
                     "' has held outputs or is sampled, of which the peer does not speak (capability 1)");
@@ -282,7 +285,10 @@ void Session::send() {
 
 void Session::send_error(const Error& error) {
   reply(Type::error);
-  put_error(frame_, error.code(), error.what());
+  if (const auto* not_made = dynamic_cast<const NotMade*>(&error); not_made && carries(carries_parameters))
+    put_error(frame_, *not_made);
+  else
+    put_error(frame_, error.code(), error.what());
   send();
 }
 

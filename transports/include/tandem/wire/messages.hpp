@@ -1,8 +1,10 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "tandem/declared_parameters.hpp"
 #include "tandem/error.hpp"
 #include "tandem/subsystem.hpp"
 #include "tandem/wire/frame.hpp"
@@ -12,21 +14,26 @@ namespace tandem::wire {
 // Payloads. put_...() writes one after begin(); read_...() takes one apart, and refuses what is not exactly
 // right with Error(invalid_argument), before it allocates anything that is not there.
 
-/// Bit of the capabilities: its sender speaks of held outputs and of sampled subsystems.
-constexpr std::uint32_t carries_held = 1;
+/// Bits of the capabilities: its sender speaks of held outputs and of sampled subsystems, of the parameters
+/// that a kind declares, of nominal values. What both sides speak of is told.
+constexpr std::uint32_t carries_held = 1, carries_parameters = 2, carries_nominal = 4,
+                        all_capabilities = carries_held | carries_parameters | carries_nominal;
 
 /// The first request and its reply.
 struct Hello {
   std::uint32_t lowest_version = protocol_version, highest_version = protocol_version;
-  std::uint64_t longest = usual_longest;      ///< payload that its sender takes, in bytes
-  std::uint32_t capabilities = carries_held;  ///< bits
+  std::uint64_t longest = usual_longest;          ///< payload that its sender takes, in bytes
+  std::uint32_t capabilities = all_capabilities;  ///< bits
   std::string text;  ///< of a request: parameters "key=value&key=value"; of a reply: the software
+  std::optional<DeclaredParameters> declared = {};  ///< of a reply where both speak of parameters
 };
 void put_hello(Writer& frame, const Hello& hello);
-Hello read_hello(std::span<const std::byte> payload);
+/// asked_with: of a reply, the capabilities of the request.
+Hello read_hello(std::span<const std::byte> payload, std::uint32_t asked_with = 0);
 
-void put_info(Writer& frame, const SubsystemInfo& info);
-SubsystemInfo read_info(std::span<const std::byte> payload);
+/// capabilities: of both sides.
+void put_info(Writer& frame, const SubsystemInfo& info, std::uint32_t capabilities = all_capabilities);
+SubsystemInfo read_info(std::span<const std::byte> payload, std::uint32_t capabilities = all_capabilities);
 
 struct Initialize {
   double t_start = 0.0, t_stop = 0.0;  ///< [s]
@@ -86,11 +93,15 @@ Clock read_clock(std::span<const std::byte> payload);
 void put_id(Writer& frame, StateId id);
 StateId read_id(std::span<const std::byte> payload);
 
-/// An error, and the rows that were appended before it (only those of an advance).
+/// An error; and with the rows that were appended before it (only those of an advance), or with the
+/// parameters that the subsystem's kind declares (only of a hello, where both sides speak of them).
 void put_error(Writer& frame, ErrorCode code, std::string_view sentence);
 void put_error(Writer& frame, const Error& error, const Samples& y);
+void put_error(Writer& frame, const NotMade& error);
 /// The error that the other side tells; rows are appended to *y if they fit it, y may be null.
 Error read_error(std::span<const std::byte> payload, Samples* y);
+/// Likewise, in answer to a hello that spoke of parameters.
+Error read_error(std::span<const std::byte> payload, DeclaredParameters& declared);
 
 /// Nothing may be in the payload.
 void read_nothing(const Frame& frame);

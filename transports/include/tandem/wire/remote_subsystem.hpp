@@ -16,7 +16,8 @@ namespace tandem::wire {
 class RemoteSubsystem final : public Subsystem {
  public:
   /// Says hello with these parameters ("key=value&key=value") and asks for the info. deadline [s]: how long
-  /// the reply to a request may take.
+  /// the reply to a request may take. Where the subsystem's kind declares parameters, those that it does not
+  /// take are refused here, whatever the peer does, and the error is NotMade.
   RemoteSubsystem(std::unique_ptr<Channel> channel, const std::string& parameters, double deadline);
   ~RemoteSubsystem() override;
   RemoteSubsystem(const RemoteSubsystem&) = delete;
@@ -36,6 +37,7 @@ class RemoteSubsystem final : public Subsystem {
 
  private:
   void hello(const std::string& parameters);
+  Hello greeting(const std::string& parameters);
   void begin(Type type);
   void send();
   void hear_farewell();
@@ -51,6 +53,7 @@ class RemoteSubsystem final : public Subsystem {
   SubsystemInfo info_;
   double deadline_;
   std::uint64_t longest_ = usual_longest;  ///< payload that the other side takes
+  std::uint32_t capabilities_ = 0;         ///< of both sides
   std::uint32_t number_ = 0;               ///< of the last request
   Type request_ = Type::hello;             ///< the last one
   TimeTolerance tolerance_;

@@ -46,21 +46,23 @@ class Session {
   void initialize(const Frame& request);
   void advance(const Frame& request);
   void sample(const Frame& request);
-  void require_carried(std::uint32_t capabilities) const;
+  void require_carried() const;
   Samples rows(std::uint64_t room);
   template <class Call>
   void reply_with_rows(std::uint64_t room, const Call& call);
   void reply(Type type);
   void send();
   void send_error(const Error& error);
+  bool carries(std::uint32_t capability) const { return (capabilities_ & capability) != 0; }
 
   Channel& channel_;
   MakeSubsystem make_;
   SessionSettings settings_;
   std::unique_ptr<Subsystem> subsystem_;
   bool greeted_ = false, initialized_ = false;
-  std::uint32_t number_ = 0;   ///< of the request that is answered; 0 before it is there
-  std::uint64_t longest_ = 0;  ///< payload that is given
+  std::uint32_t number_ = 0;        ///< of the request that is answered; 0 before it is there
+  std::uint64_t longest_ = 0;       ///< payload that is given
+  std::uint32_t capabilities_ = 0;  ///< of both sides
   Writer frame_;
   Initialize initialize_;
   Advance advance_;

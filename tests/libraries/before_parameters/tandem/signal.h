@@ -1,0 +1,89 @@
+/* Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause */
+/* An input as a function of time, in C99: a piecewise polynomial, sent as data. */
+#ifndef TANDEM_SIGNAL_H
+#define TANDEM_SIGNAL_H
+#include <stdint.h>
+#include <math.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define TANDEM_MAX_COEFFICIENTS 6
+
+/* One polynomial piece of an input: it holds for t <= end (the tolerance for rounding is already added to
+ * end), and its value is sum over k of c[k] * (t - origin)^k. */
+typedef struct tandem_segment {
+  double end;
+  double origin;
+  double c[TANDEM_MAX_COEFFICIENTS];
+} tandem_segment;
+
+/* Whether the input jumps at the begin of this piece, its `origin`: by a held output's new value, or by a row
+ * marked as a jump. The mark is the minus of the last coefficient, -0.0, which changes no value. A piece that
+ * only carries the mark ends where the one before it does. Where a call begins with a marked piece whose
+ * origin is the time of the call, the input has jumped there since the call before. */
+static inline int tandem_segment_jumps(const tandem_segment* s) {
+  const double last = s->c[TANDEM_MAX_COEFFICIENTS - 1];
+  return last == 0.0 && signbit(last);
+}
+
+/* One input over the span of one `advance`: `count` >= 1 segments, ends ascending. The last one goes on
+ * beyond its end. Coefficients above `degree` are zero. A break belongs to the segment before it. `reactive`
+ * is NULL; it is kept for inputs that react to the subsystem's own output. */
+typedef struct tandem_signal {
+  const tandem_segment* segments;
+  int32_t count;
+  int32_t degree;
+  const void* reactive;
+} tandem_signal;
+
+/* The piece that holds at t [s]: the first whose end is at or past t, else the last. */
+static inline const tandem_segment* tandem_signal_at(const tandem_signal* u, double t) {
+  const tandem_segment* const s = u->segments;
+  int32_t left = 1, right = u->count - 2;
+  if (u->count == 1 || t <= s->end) return s;
+  if (t > s[right].end) return s + right + 1;
+  while (left < right) {
+    const int32_t middle = left + (right - left) / 2;
+    if (t <= s[middle].end)
+      right = middle;
+    else
+      left = middle + 1;
+  }
+  return s + left;
+}
+
+/* Value at t [s], in the unit of the port. Whoever evaluates a signal in another language gets the same bits
+ * in this order of operations, without fused multiply-adds (Estrin's scheme: no loop, and half the latency of
+ * Horner's). */
+static inline double tandem_signal_value(const tandem_signal* u, double t) {
+  const tandem_segment* const s = tandem_signal_at(u, t);
+  const double x = t - s->origin, x2 = x * x;
+  return (s->c[0] + s->c[1] * x) + x2 * ((s->c[2] + s->c[3] * x) + x2 * (s->c[4] + s->c[5] * x));
+}
+
+/* Time derivative at t [s], per second. */
+static inline double tandem_signal_derivative(const tandem_signal* u, double t) {
+  const tandem_segment* const s = tandem_signal_at(u, t);
+  const double x = t - s->origin;
+  double v = 0.0;
+  int32_t k = u->degree;
+  for (; k > 0; --k) v = v * x + k * s->c[k];
+  return v;
+}
+
+/* Second time derivative at t [s], per second squared. */
+static inline double tandem_signal_second_derivative(const tandem_signal* u, double t) {
+  const tandem_segment* const s = tandem_signal_at(u, t);
+  const double x = t - s->origin;
+  double v = 0.0;
+  int32_t k = u->degree;
+  for (; k > 1; --k) v = v * x + k * (k - 1) * s->c[k];
+  return v;
+}
+
+#ifdef __cplusplus
+}
+#endif
+#endif
