@@ -222,21 +222,6 @@ void Simulation::turn_delays() {
   integrator_->restart(system_, time_, Restart::event);
 }
 
-/// Of data, after the run that they are in.
-double Simulation::next_jump(const DataJumps& d) const {
-  const auto jumps = system_.program().data[static_cast<std::size_t>(d.data)].jumps();
-  const auto run = static_cast<std::size_t>(system_.image()[static_cast<std::size_t>(d.run)]);
-  return run < jumps.size() ? jumps[run] : std::numeric_limits<double>::infinity();
-}
-
-/// Data go on to what holds from now on. Whether there was a jump.
-bool Simulation::pass_data_jumps() {
-  bool any = false;
-  for (const DataJumps& d : system_.program().data_jumps)
-    for (; next_jump(d) <= time_ + rounding(); any = true) slot(d.run) += 1.0;
-  return any;
-}
-
 /// What is known beforehand: data jump, and events of periods see what follows from that.
 void Simulation::fire_known() {
   if (pass_data_jumps()) {

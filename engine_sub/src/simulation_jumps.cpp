@@ -9,7 +9,7 @@
 #include "tandem/engine/simulation.hpp"
 #include "tandem/error.hpp"
 
-// Outputs that jump, and instants of sampled programs.
+// Outputs and data that jump, and instants of sampled programs.
 namespace tandem::engine {
 namespace {
 
@@ -81,6 +81,21 @@ bool Simulation::jump() {
   system_.evaluate_again(time_);
   if (system_.changed() >= 0) fire_crossings();
   return has_jumped(By::inputs);
+}
+
+/// Of data, after the run that they are in.
+double Simulation::next_jump(const DataJumps& d) const {
+  const auto jumps = system_.program().data[static_cast<std::size_t>(d.data)].jumps();
+  const auto run = static_cast<std::size_t>(system_.image()[static_cast<std::size_t>(d.run)]);
+  return run < jumps.size() ? jumps[run] : std::numeric_limits<double>::infinity();
+}
+
+/// Data go on to what holds from now on. Whether there was a jump.
+bool Simulation::pass_data_jumps() {
+  bool any = false;
+  for (const DataJumps& d : system_.program().data_jumps)
+    for (; next_jump(d) <= time_ + rounding(); any = true) slot(d.run) += 1.0;
+  return any;
 }
 
 void Simulation::act(double t) {

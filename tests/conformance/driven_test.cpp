@@ -171,6 +171,28 @@ TEST(Driven, DataThatDoNotCoverTheRunAreRefusedBeforeIt) {
   EXPECT_NO_THROW(bench.run(0.5));
 }
 
+/// And who steps over jumps, and why.
+TEST(Driven, NotesTellWhoDoesNotEndStepsAtJumps) {
+  const auto data = random(1, {Between::hold, Beyond::hold}, 0.0);
+  const auto notes = [&](double step, Landing landing) {
+    FixedStep subsystem{Integral(step)};
+    RunBench bench;
+    bench.add("a", subsystem).topology.drive("a.u", data);
+    bench.coordination.landing["a"] = landing;
+    bench.run(1.0);
+    std::string all;
+    for (const std::string& note : bench.coordinator->notes()) all += note + "\n";
+    return all;
+  };
+  const std::string
+      who = "subsystem 'a' does not end own steps at the jumps that its inputs are known to have, as ",
+      so = "; where it does not split them there itself, it errs to first order\n";
+  EXPECT_EQ(notes(0.01, Landing::automatic), "");
+  EXPECT_EQ(notes(0.01, Landing::never), who + "land = \"never\" says so" + so);
+  EXPECT_EQ(notes(0.25, Landing::automatic), who + "they come more often than its own steps" + so);
+  EXPECT_EQ(notes(0.25, Landing::always), "");
+}
+
 TEST(Driven, AnInputHasOneSource) {
   const auto data = random(1, {}, 0.0);
   FixedStep a{Integral(0.1)}, b{Integral(0.1)};

@@ -11,6 +11,7 @@ namespace {
 
 /// Both ascend. False if there was nothing new.
 bool unite(std::vector<double>& to, std::span<const double> more) {
+  if (more.empty()) return false;
   std::vector<double> all;
   std::set_union(to.begin(), to.end(), more.begin(), more.end(), std::back_inserter(all));
   const bool any = all.size() > to.size();
@@ -79,7 +80,7 @@ std::vector<double> RunStart::breaks_of(int who, const std::vector<double>& know
   each_driven(who, [&](const TimeSeries& series, int) { unite(all, series.kinks()); });
   if (all = within_span(std::move(all)); !are_too_many(who, all)) return all;
   if (!are_too_many(who, jumps)) return jumps;
-  note_missed(who, "jumps of its data");
+  note_missed(who, "jumps that its inputs are known to have");
   return {};
 }
 
