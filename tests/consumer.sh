@@ -16,3 +16,10 @@ cmake --build "$scratch/build"
 "$scratch/build/consumer"
 if [[ -x $scratch/build/pendulum ]]; then "$scratch/build/pendulum"; fi
 if [[ -x $scratch/build/load_pendulum ]]; then "$scratch/build/load_pendulum" "$scratch/build/pendulum_library.so"; fi
+if [[ -x $scratch/build/run_scenario ]]; then
+  cd -- "$scratch"
+  build/run_scenario consumer/scene.toml subsystems.filter.parameters.T=0.2
+  status=0
+  build/run_scenario consumer/scene.toml span.stopp=1 || status=$?
+  [[ $status -eq 2 ]]
+fi

@@ -12,6 +12,7 @@ block() { # FILE LANGUAGE NUMBER: the first, second, ... fenced block of that la
 diff <(block README.md cpp 1) tests/consumer/main.cpp
 diff <(block README.md toml 1) scenarios/two_mass/two_mass.toml
 diff <(block README.md cmake 1) tests/consumer/CMakeLists.txt
+diff <(block docs/library.md cpp 1) tests/consumer/run_scenario.cpp
 diff <(block docs/models_in_cpp.md cpp 1) tests/examples/pendulum.hpp
 diff <(block docs/diagrams.md toml 1) tests/examples/hoist.toml
 diff <(block docs/diagrams.md cpp 1) tests/examples/pendulum_block.hpp

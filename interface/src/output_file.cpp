@@ -68,6 +68,19 @@ void OutputFile::write(std::string_view bytes) {
   }
 }
 
+/// A file that is written at its end takes nothing at another place.
+void OutputFile::write_at(std::uint64_t place, std::string_view bytes) {
+  ::fcntl(number_, F_SETFL, 0);
+  while (!bytes.empty()) {
+    const auto count = ::pwrite(number_, bytes.data(), bytes.size(), static_cast<off_t>(place));
+    if (count < 0 && errno == EINTR) continue;
+    require(count > 0);
+    place += static_cast<std::uint64_t>(count);
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+  require(!regular_ || ::lseek(number_, 0, SEEK_END) >= 0);
+}
+
 void OutputFile::cut(std::uint64_t size) {
   if (regular_) require(::ftruncate(number_, static_cast<off_t>(size)) == 0);
 }

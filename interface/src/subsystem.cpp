@@ -16,6 +16,8 @@ namespace {
 
 std::vector<std::string> Subsystem::remarks(double) const { return {}; }
 
+std::vector<Figure> Subsystem::figures() const { return {}; }
+
 std::uint32_t to_bits(const SubsystemInfo& info) {
   const Abilities& a = info.abilities;
   std::uint32_t bits = 0;

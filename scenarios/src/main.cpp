@@ -17,12 +17,12 @@
 #include "cli/limited_memory.hpp"
 #include "cli/log_file.hpp"
 #include "cli/say.hpp"
-#include "cli/transports.hpp"
 #include "sources/all.hpp"
 #include "sources/this_program.hpp"
 #include "tandem/error.hpp"
 #include "tandem/library_file.hpp"
 #include "tandem/nearest.hpp"
+#include "tandem/output/provenance.hpp"
 #include "tandem/printable.hpp"
 
 namespace {
@@ -82,15 +82,19 @@ std::vector<std::string> commands(const CLI::App& app) {
   return names;
 }
 
+tandem::Builtins sources(bool allow_plaintext) {
+  tandem::Builtins all =
+      tandem::all_sources({allow_plaintext, [](const std::string& what) { spdlog::warn("{}", what); }});
+  if (const std::string own = tandem::this_program(); !own.empty()) all.server = {own, "--quiet", "serve"};
+  return all;
+}
+
 int run(int argc, char** argv) {
   CLI::App app{"tandem: multirate co-simulation", "tandem"};
-  app.set_version_flag("--version", TANDEM_VERSION);
+  app.set_version_flag("--version", tandem::output::version());
   app.require_subcommand(1);
   app.fallthrough();
   tandem::cli::Context context;
-  tandem::add_sources(context.builtins, [](const std::string& what) { spdlog::warn("{}", what); });
-  if (const std::string own = tandem::this_program(); !own.empty())
-    context.builtins.server = {own, "--quiet", "serve"};
   std::string log_file;
   auto* quiet = app.add_flag("--quiet", context.quiet, "Print results and errors only");
   app.add_flag("--verbose", context.verbose, "Print more of what is done")->excludes(quiet);
@@ -99,7 +103,7 @@ int run(int argc, char** argv) {
                "Let tcp:// and zmq: without keys go beyond this machine, in plain text");
   app.parse_complete_callback([&] {
     set_up_log(context, log_file);
-    tandem::cli::add_transports(context);
+    context.builtins = sources(context.allow_plaintext);
   });
   tandem::cli::add_run(app, context);
   tandem::cli::add_sweep(app, context);

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "scenario/scenario.hpp"
 #include "tandem/error.hpp"
+#include "tandem/scenario/scenario.hpp"
 
 namespace {
 

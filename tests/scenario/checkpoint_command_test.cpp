@@ -25,7 +25,7 @@ Arguments joined(Arguments words, const Arguments& more) {
 std::string scene(const std::string& file) { return TANDEM_SOURCE_DIR "/scenarios/" + file; }
 
 /// The whole run in the folder `whole`; the same with checkpoints in `cut`, then again from the last of them.
-void goes_on(const Arguments& what, const std::string& every) {
+void goes_on(const Arguments& what, const std::string& every, const char* rows = "results.csv") {
   const Scratch folder;
   const Arguments run = joined({"run"}, joined(what, {"--no-reference", "--output"}));
   Said said = tandem(folder, joined(run, {"whole"}));
@@ -33,11 +33,11 @@ void goes_on(const Arguments& what, const std::string& every) {
   said = tandem(folder, joined(run, {"cut", "--checkpoint-every", every}));
   ASSERT_EQ(said.status, 0) << said.err;
   const auto whole = folder.path() / "whole", cut = folder.path() / "cut";
-  EXPECT_EQ(read_text(cut / "results.csv"), read_text(whole / "results.csv"));
+  EXPECT_EQ(read_text(cut / rows), read_text(whole / rows));
   said = tandem(folder, joined(run, {"cut", "--resume", "cut/checkpoint"}));
   ASSERT_EQ(said.status, 0) << said.err;
   EXPECT_TRUE(contains(said.out, "resumed at t = ")) << said.out;
-  for (const char* name : {"results.csv", "results.json"})
+  for (const char* name : {rows, "results.json"})
     EXPECT_EQ(read_text(cut / name), read_text(whole / name)) << what[0] << ", " << name;
 }
 
@@ -45,6 +45,12 @@ TEST(CheckpointCommand, ScenesGoOnToTheSameFiles) {
   goes_on({two_mass_file("two_mass.toml")}, "30");
   goes_on({scene("engine_linkage/engine_linkage.toml"), "--set", "span.stop=0.5"}, "0.13");
   goes_on({scene("split_pendulum/split_pendulum.toml"), "--set", "span.stop=0.5"}, "0.13");
+}
+
+TEST(CheckpointCommand, BinaryResultsGoOnToTheSameFiles) {
+  const Arguments binary = {two_mass_file("two_mass.toml"), "--set", "record.format=npy"};
+  goes_on(binary, "30", "results.npy");
+  goes_on(joined(binary, {"--set", "record.clock=own"}), "30", "results.fast.npy");
 }
 
 TEST(CheckpointCommand, AMechanismAloneGoesOnToTheSameFiles) {
@@ -108,13 +114,13 @@ class CheckpointFile : public testing::Test {
 TEST_F(CheckpointFile, IsRefusedWithTheReason) {
   std::string damaged = whole, of_another_version = whole;
   damaged[damaged.size() - 100] ^= 1;
-  of_another_version[8] = 7;
+  of_another_version[8] = 77;
   const std::pair<std::string, std::string> cases[] = {
       {damaged, "is damaged"},
       {whole.substr(0, whole.size() / 2), "is truncated"},
       {whole.substr(0, 20), "is truncated"},
       {whole + "x", "has grown"},
-      {of_another_version, "has the format version 7; allowed is 5"},
+      {of_another_version, "has the format version 77; allowed is 6"},
       {"time,fast.x1\n", "is no checkpoint"},
       {"", "is no checkpoint"}};
   for (const auto& [bytes, reason] : cases) {

@@ -9,10 +9,10 @@
 #include <random>
 
 #include "command.hpp"
-#include "scenario/checkpoint.hpp"
 #include "sources/all.hpp"
 #include "tandem/bytes.hpp"
 #include "tandem/error.hpp"
+#include "tandem/scenario/checkpoint.hpp"
 
 namespace tandem::test {
 namespace {
@@ -55,7 +55,6 @@ class Resumable {
  public:
   Resumable(const std::string& file, const std::vector<std::string>& overrides, int rounds)
       : scenario_(scenario::read(TANDEM_SOURCE_DIR "/scenarios/" + file, overrides)) {
-    add_sources(builtins_);
     Assembly assembly(scenario_, builtins_);
     const auto recorder = assembly.recorder(results());
     assembly.coordinator().observe(recorder.get());
@@ -120,7 +119,7 @@ class Resumable {
 
   const Scratch folder_;
   const fs::path file_ = folder_.path() / "checkpoint";
-  Builtins builtins_;
+  Builtins builtins_ = all_sources();
   Scenario scenario_;
   std::string bytes_;
   std::size_t recorder_ = 0;

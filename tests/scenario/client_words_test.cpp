@@ -5,27 +5,11 @@
 #include "background.hpp"
 #include "refusal.hpp"
 #include "sources/all.hpp"
-#include "tandem/shared_library/shared_library.hpp"
-#include "tandem/tcp/tcp.hpp"
-#if TANDEM_HAS_ZEROMQ
-#include "tandem/zeromq/zeromq.hpp"
-#endif
 
 namespace tandem::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-Builtins all_sources() {
-  Builtins all;
-  add_sources(all);
-  add_shared_library(all);
-  add_tcp(all);
-#if TANDEM_HAS_ZEROMQ
-  add_zeromq(all);
-#endif
-  return all;
-}
 
 /// As the server opens its source for a client that said `pairs`.
 std::unique_ptr<Subsystem> open_for_client(const std::string& uri, const std::string& pairs) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "command.hpp"
+#include "tandem/output/provenance.hpp"
 
 namespace tandem {
 namespace {
@@ -192,7 +193,7 @@ TEST(Help, TheVersionIsThatOfTheProject) {
   const Scratch folder;
   const Said said = tandem(folder, {"--version"});
   EXPECT_EQ(said.status, 0);
-  EXPECT_EQ(said.out, TANDEM_VERSION "\n");
+  EXPECT_EQ(said.out, output::version() + "\n");
 }
 
 TEST(Help, AnUnknownCommandIsNamedWithTheNearest) {

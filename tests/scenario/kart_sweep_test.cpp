@@ -11,19 +11,14 @@
 #include "kart/builtins.hpp"
 #include "kart/player.hpp"
 #include "kart/sweep.hpp"
-#include "mechanisms/source.hpp"
 #include "refusal.hpp"
-#include "sources/diagram.hpp"
+#include "sources/all.hpp"
 
 namespace tandem::kart {
 namespace {
 
 Builtins builtins() {
-  Builtins all;
-  add_builtins(all);
-  mechanisms::add_sources(all);
-  diagrams::add_sources(all, [](const std::string&) {});
-  return all;
+  return all_sources({.tell = [](const std::string&) {}});
 }
 
 /// Three runs of 1001 rows; gears 1, 2, 3, 2 in this order; the largest difference is that of the worst.

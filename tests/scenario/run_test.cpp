@@ -228,6 +228,41 @@ TEST(RunCommand, WhatIsOnAFullDiskStaysReadable) {
   EXPECT_EQ(read_text(folder.path() / "whole/results.csv").substr(0, rows.size()), rows);
 }
 
+TEST(RunCommand, BinaryResultsHoldTheSameNumbersInTheirPlace) {
+  const Scratch folder;
+  const std::vector<std::string> run = {"run", two_mass_file("two_mass.toml"), "--no-reference", "--output"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), run.begin(), run.end());
+    return tandem(folder, more).status;
+  };
+  ASSERT_EQ(with({"text"}), 0);
+  ASSERT_EQ(with({"o"}), 0);
+  ASSERT_EQ(with({"o", "--set", "record.format=npy"}), 0);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "o/results.csv"));
+  EXPECT_EQ(tandem(folder, {"compare", "o", "text"}).status, 0);
+  EXPECT_EQ(tandem(folder, {"compare", "text", "o/results.npy"}).status, 0);
+  ASSERT_EQ(with({"o"}), 0);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "o/results.npy"));
+}
+
+/// Of a file that may have 100 kB; numpy takes what its head says there is.
+TEST(RunCommand, BinaryRowsOnAFullDiskStayReadable) {
+  const Scratch folder;
+  const auto line = "cd " + test::shell_quoted(folder.path().string()) + " && ulimit -f 200 && " +
+                    test::shell_quoted(TANDEM_COMMAND) + " run " +
+                    test::shell_quoted(two_mass_file("two_mass.toml")) +
+                    " --no-reference --set record.format=npy --output o 2>err.txt";
+  EXPECT_NE(std::system(line.c_str()), 0);
+  const auto rows = text::TimeTable::read(folder.path() / "o/results.npy");
+  EXPECT_GT(rows.times.size() * (rows.names.size() + 1) * 8, 90000U);
+  ASSERT_EQ(
+      tandem(folder, {"run", two_mass_file("two_mass.toml"), "--no-reference", "--output", "whole"}).status,
+      0);
+  auto whole = text::TimeTable::read(folder.path() / "whole");
+  whole.times.resize(rows.times.size());
+  EXPECT_EQ(whole.times, rows.times);
+}
+
 /// A row takes 100 000 steps of the fast side, so they are there long before any buffer is full.
 TEST(RunCommand, WhatIsRecordedIsThereSoonAndStaysWhenTheProcessIsKilled) {
   const Scratch folder;

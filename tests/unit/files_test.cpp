@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 // Files that are read and written by a name that somebody gave.
-#include "output/files.hpp"
+#include "tandem/output/files.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -9,10 +9,10 @@
 #include <sys/un.h>
 #include <unistd.h>
 
-#include "output/json.hpp"
 #include "refusal.hpp"
 #include "scratch.hpp"
 #include "tandem/input_file.hpp"
+#include "tandem/output/json.hpp"
 #include "tandem/output_file.hpp"
 #include "tandem/transports/key_file.hpp"
 

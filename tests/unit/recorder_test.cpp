@@ -59,6 +59,23 @@ TEST(Recorder, OtherOutputsAreInterpolatedByHermiteOrLinearly) {
   EXPECT_EQ(recorder->notes(), std::vector<std::string>{});
 }
 
+/// The derivative of a cubic is one of its Hermite polynomial, whose rounding is divided by the step.
+TEST(Recorder, DerivativesStandBesideOutputsThatGiveThem) {
+  for (const bool own : {false, true}) {
+    const Scratch folder;
+    Recording what{folder.path(), "", own, {}};
+    what.derivatives = true;
+    RecorderBench bench({0.25, 0.1});
+    const auto recorder = bench.record(what);
+    const TimeTable table = TimeTable::read(recorder->files()[0]);
+    EXPECT_EQ(std::count(table.names.begin(), table.names.end(), "der(a.l)"), 0);
+    for (std::size_t k = 0; k < table.times.size(); ++k)
+      EXPECT_NEAR(column(table, "der(a.c)")[k], slope(table.times[k]), 1e-12);
+    EXPECT_EQ(recorder->columns()[1].name, "der(a.c)");
+    EXPECT_EQ(recorder->columns()[1].unit, recorder->columns()[0].unit + "/s");
+  }
+}
+
 TEST(Recorder, NumbersReadBackTheSameToTheLastBit) {
   const Scratch folder;
   RecorderBench bench({0.1});

@@ -167,6 +167,18 @@ void DiagramModel::outputs(double* y) const {
 }
 
 /// Data that end before.
+std::vector<Figure> DiagramModel::figures() const {
+  const Statistics s = machine_->simulation.statistics();
+  return {{"steps", s.steps},
+          {"rate_evaluations", s.rate_evaluations},
+          {"root_evaluations", s.root_evaluations},
+          {"failed_error_tests", s.failed_error_tests},
+          {"nonlinear_iterations", s.nonlinear_iterations},
+          {"failed_iterations", s.failed_iterations},
+          {"jacobians", s.jacobians},
+          {"restarts", s.restarts}};
+}
+
 std::vector<std::string> DiagramModel::remarks(double t_stop) const {
   std::vector<std::string> all;
   for (const Range& r : program().ranges)

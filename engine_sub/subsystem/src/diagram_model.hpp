@@ -48,7 +48,7 @@ class DiagramModel {
   void act(double t, std::span<const double> u);
   void look(double t, std::span<const double> u, double* y);
   double next_instant() const { return machine_->simulation.next_periodic(); }
-  Statistics statistics() const { return machine_->simulation.statistics(); }
+  std::vector<Figure> figures() const;
   const Program& program() const { return machine_->program; }
 
  private:

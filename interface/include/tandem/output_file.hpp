@@ -24,6 +24,8 @@ class OutputFile {
 
   void write(std::string_view bytes);
   std::uint64_t written() const { return written_; }  ///< bytes by write(), of one that failed too
+  /// In place of what stands at that byte.
+  void write_at(std::uint64_t place, std::string_view bytes);
   /// Keeps the first bytes only; of a device nothing.
   void cut(std::uint64_t size);
   /// Puts it on the disk.

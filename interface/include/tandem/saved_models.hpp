@@ -30,6 +30,10 @@ class SavedModels : public Subsystem {
     if constexpr (requires { model_.remarks(t_stop); }) return model_.remarks(t_stop);
     return {};
   }
+  std::vector<Figure> figures() const override {
+    if constexpr (requires { model_.figures(); }) return model_.figures();
+    return {};
+  }
 
   StateId save_state() override { return keep(model_, place_); }
   Clock restore_state(StateId id) override {

@@ -34,6 +34,12 @@ enum class SamplePart {
 
 using StateId = std::int64_t;
 
+/// A count with its name, "rate_evaluations".
+struct Figure {
+  std::string name;
+  std::int64_t count;
+};
+
 /// A system that integrates itself with its own step, or a sampled one. One instance is called by one thread
 /// at a time, though not always by the same, and others of the same kind by other threads meanwhile; in the
 /// order initialize (again, as often as needed), then advance, advance, ... or sample,
@@ -51,6 +57,9 @@ class Subsystem {
   /// After initialize(): sentences on what a user of a run to t_stop [s] should know. The base class has
   /// none.
   virtual std::vector<std::string> remarks(double t_stop) const;
+
+  /// What its integrator has done since construction. The base class tells nothing.
+  virtual std::vector<Figure> figures() const;
 
   /// Puts the state at t_start [s] and appends the first sample; the run ends at t_stop [s], past which no
   /// step is asked for. A sampled subsystem gives the outputs that hold before its first instant, which is

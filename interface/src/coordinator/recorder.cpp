@@ -14,6 +14,13 @@ namespace {
 
 constexpr std::size_t doubles_reserved = std::size_t{1} << 16;  // by subsystem
 
+/// "" of "", which says nothing.
+std::string per_second(const std::string& unit) {
+  if (unit.empty()) return "";
+  const bool product = unit.find_first_of(" /") != std::string::npos;
+  return (product ? "(" + unit + ")" : unit) + "/s";
+}
+
 /// "x" of "x[2]": what names all elements of an array port.
 std::string whole_port(const std::string& scalar) { return scalar.substr(0, scalar.find('[')); }
 
@@ -68,6 +75,8 @@ void Recorder::choose_columns() {
         track.held.push_back(port.held);
         const Fill fill = port.held ? Fill::held : port.derivatives > 0 ? Fill::hermite : Fill::linear;
         columns_.push_back({i, scalar, port.unit, fill});
+        if (writes_slope(track, track.outputs.size() - 1))
+          columns_.push_back({i, "der(" + scalar + ")", per_second(port.unit), fill});
       }
   }
 }

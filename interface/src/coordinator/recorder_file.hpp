@@ -4,34 +4,35 @@
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <string_view>
+#include <vector>
 
 #include "tandem/bytes.hpp"
+#include "tandem/coordinator/recorder.hpp"
 #include "tandem/output_file.hpp"
 
 namespace tandem {
 
-/// The first bytes of a file, and what they are known again by.
+/// What a file is known again by: its size in bytes, and a checksum of its rows.
 struct Beginning {
   std::uint64_t size = 0, sum = empty_checksum;
-  bool whole_row = true;  ///< it ends with the end of a row
 };
-/// The first `size` bytes, of which `known` have been read. Throws Error(input_output) that names the file if
-/// it has fewer.
-Beginning beginning_of(const std::filesystem::path& file, std::uint64_t size, Beginning known = {});
 
-/// A CSV file that is written a row at a time through a text buffer of its own. Every error is an
+/// A table in a file that is written a row at a time through a buffer of its own. Every error is an
 /// Error(input_output) with the path; after the first one the file takes nothing more, and ends with the last
 /// row that is whole.
-class CsvFile {
+class RecorderFile {
  public:
-  /// A new one; or one that is there, of which the beginning is kept: cut_to_beginning() comes first.
-  explicit CsvFile(std::filesystem::path path);
-  CsvFile(std::filesystem::path path, Beginning kept);
+  /// names: of the columns, `time` the first.
+  RecorderFile(std::filesystem::path path, std::vector<std::string> names, RecordFormat format);
+
+  /// Begins anew. Once, before anything else; or this:
+  void create();
+  /// Goes on with a file that is there, of which the beginning is kept. Throws Error if it is another one;
+  /// nothing of it is changed until it is cut.
+  void reopen(const Beginning& kept);
   void cut_to_beginning();
 
-  void text(std::string_view cell);  ///< quoted where it has to be
-  void number(double value);         ///< shortest text that reads back the same
+  void number(double value);  ///< as text: the shortest that reads back the same
   void empty();
   void end_row();
 
@@ -43,12 +44,19 @@ class CsvFile {
   Beginning written();
 
  private:
+  bool binary() const { return format_ == RecordFormat::npy; }
+  std::string head() const;
+  std::uint64_t row_size() const { return 8 * names_.size(); }  ///< bytes, where it is binary
   void separate();
   void open(OutputFile::Begin begin);
-  void end_with_row(std::size_t written);
+  void tell_rows();
+  void end_with_row(std::uint64_t written);
+  void check(const Beginning& kept);
 
   std::filesystem::path path_;
-  std::uint64_t size_ = 0;  ///< bytes on disk
+  std::vector<std::string> names_;
+  RecordFormat format_;
+  std::uint64_t head_size_ = 0, size_ = 0;  ///< bytes; of all that is on the disk
   Beginning known_;
   std::unique_ptr<OutputFile> file_;
   std::string buffer_;

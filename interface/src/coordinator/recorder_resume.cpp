@@ -70,23 +70,16 @@ void Recorder::read_track(Track& track, ByteReader& from) const {
 }
 
 /// All are looked at, and opened; none is changed.
-std::vector<std::unique_ptr<CsvFile>> Recorder::reopened_files(ByteReader& from) const {
-  std::vector<Beginning> kept(what_.own ? tracks_.size() : 1);
-  for (std::size_t i = 0; i < kept.size(); ++i) {
+std::vector<std::unique_ptr<RecorderFile>> Recorder::reopened_files(ByteReader& from) const {
+  std::vector<std::unique_ptr<RecorderFile>> files;
+  for (std::size_t i = 0; i < (what_.own ? tracks_.size() : 1); ++i) {
     const auto size = from.take<std::uint64_t>(), sum = from.take<std::uint64_t>();
     if ((size > 0) != has_file(i))
       from.refuse("has " + std::to_string(size) + " bytes of " + path_of(i).filename().string() +
                   "; allowed are " + (has_file(i) ? "1 or more" : "none"));
-    if (size == 0) continue;
-    kept[i] = beginning_of(path_of(i), size);
-    if (kept[i].sum != sum || !kept[i].whole_row)
-      throw Error(ErrorCode::input_output, "file '" + path_of(i).string() +
-                                               "' can't be gone on with: its first " + std::to_string(size) +
-                                               " bytes are others than those of the run at the checkpoint");
+    files.push_back(size > 0 ? file_of(i) : nullptr);
+    if (size > 0) files.back()->reopen({size, sum});
   }
-  std::vector<std::unique_ptr<CsvFile>> files;
-  for (std::size_t i = 0; i < kept.size(); ++i)
-    files.push_back(kept[i].size > 0 ? std::make_unique<CsvFile>(path_of(i), kept[i]) : nullptr);
   return files;
 }
 

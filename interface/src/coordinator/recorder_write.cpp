@@ -11,11 +11,20 @@
 namespace tandem {
 
 std::filesystem::path Recorder::path_of(std::size_t subsystem) const {
-  return what_.directory / (what_.own
-                                ? "results." + run_.topology().name(static_cast<int>(subsystem)) + ".csv"
-                                : "results.csv");
+  const std::string stem =
+      what_.own ? "results." + run_.topology().name(static_cast<int>(subsystem)) : "results";
+  return what_.directory / (stem + (what_.format == RecordFormat::npy ? ".npy" : ".csv"));
 }
 
+/// Not opened yet.
+std::unique_ptr<RecorderFile> Recorder::file_of(std::size_t subsystem) const {
+  std::vector<std::string> names{"time"};
+  for (const Column& column : columns_)
+    if (!what_.own || static_cast<std::size_t>(column.subsystem) == subsystem) names.push_back(column.name);
+  return std::make_unique<RecorderFile>(path_of(subsystem), std::move(names), what_.format);
+}
+
+/// What an earlier run wrote in the other format goes.
 void Recorder::open_files() {
   std::error_code failed;
   std::filesystem::create_directories(what_.directory, failed);
@@ -23,18 +32,13 @@ void Recorder::open_files() {
     throw Error(ErrorCode::input_output,
                 "folder '" + what_.directory.string() + "' can't be made: " + failed.message());
   if (what_.begin) what_.begin();
-  for (std::size_t i = 0; i < (what_.own ? tracks_.size() : 1); ++i)
-    files_.push_back(has_file(i) ? std::make_unique<CsvFile>(path_of(i)) : nullptr);
-  begin_tables();
-}
-
-void Recorder::begin_tables() {
-  for (auto& file : files_)
-    if (file) file->text("time");
-  for (const Column& column : columns_)
-    files_[what_.own ? static_cast<std::size_t>(column.subsystem) : 0]->text(column.name);
-  for (auto& file : files_)
-    if (file) file->end_row();
+  for (std::size_t i = 0; i < (what_.own ? tracks_.size() : 1); ++i) {
+    files_.push_back(has_file(i) ? file_of(i) : nullptr);
+    if (!files_[i]) continue;
+    const auto other = what_.format == RecordFormat::npy ? ".csv" : ".npy";
+    std::filesystem::remove(path_of(i).replace_extension(other), failed);
+    files_[i]->create();
+  }
 }
 
 void Recorder::close() {
@@ -59,7 +63,10 @@ void Recorder::write_own(std::size_t i, bool all) {
   for (std::size_t row = 0; files_[i] && row < end; ++row) {
     if (!choices_[i].takes(track.time(row), row + 1 == track.size())) continue;
     files_[i]->number(track.time(row));
-    for (std::size_t k = 0; k < track.outputs.size(); ++k) files_[i]->number(track.value(row, k));
+    for (std::size_t k = 0; k < track.outputs.size(); ++k) {
+      files_[i]->number(track.value(row, k));
+      if (writes_slope(track, k)) files_[i]->number(track.slope(row, k));
+    }
     files_[i]->end_row();
   }
   track.drop(end);
@@ -103,7 +110,7 @@ void Recorder::Track::place_cursor(double t, const TimeTolerance& tolerance) {
 }
 
 void Recorder::write_row(double t) {
-  CsvFile& file = *files_.front();
+  RecorderFile& file = *files_.front();
   file.number(t);
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     const Track& track = tracks_[i];
@@ -112,11 +119,12 @@ void Recorder::write_row(double t) {
     const bool known = track.cursor < track.size() || (others && track.sampled);
     const bool between = known && others && (track.sampled || tolerance_.before(t, track.time(track.cursor)));
     if (!known) note_end(i);
-    for (std::size_t k = 0; k < track.outputs.size(); ++k)
-      if (known)
-        file.number(between ? track.between_rows(k, t) : track.value(track.cursor, k));
-      else
-        file.empty();
+    const auto cell = [&](const auto& number) { known ? file.number(number()) : file.empty(); };
+    for (std::size_t k = 0; k < track.outputs.size(); ++k) {
+      cell([&] { return between ? track.between_rows(k, t) : track.value(track.cursor, k); });
+      if (writes_slope(track, k))
+        cell([&] { return between ? track.slope_between_rows(k, t) : track.slope(track.cursor, k); });
+    }
   }
   file.end_row();
 }
@@ -129,6 +137,15 @@ double Recorder::Track::between_rows(std::size_t k, double t) const {
   if (!has_slope[k]) return value(a, k) + s * rise;
   const double d = h * slope(a, k), e = h * slope(b, k);
   return value(a, k) + s * (d + s * (3.0 * rise - 2.0 * d - e + s * (d + e - 2.0 * rise)));
+}
+
+/// The derivative of between_rows() of an output with slopes.
+double Recorder::Track::slope_between_rows(std::size_t k, double t) const {
+  const std::size_t a = cursor - 1, b = cursor;
+  if (jump(b)) return 0.0;
+  const double h = time(b) - time(a), s = (t - time(a)) / h, rise = value(b, k) - value(a, k);
+  const double d = h * slope(a, k), e = h * slope(b, k);
+  return (d + s * (2.0 * (3.0 * rise - 2.0 * d - e) + 3.0 * s * (d + e - 2.0 * rise))) / h;
 }
 
 void Recorder::Track::drop(std::size_t count) {

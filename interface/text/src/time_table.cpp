@@ -7,7 +7,9 @@
 #include <limits>
 #include <string_view>
 
+#include "tandem/bytes.hpp"
 #include "tandem/input_file.hpp"
+#include "tandem/npy.hpp"
 #include "tandem/text/place.hpp"
 
 namespace tandem::text {
@@ -16,6 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_columns = std::size_t{1} << 20;
+constexpr std::size_t longest_npy_head = std::size_t{1} << 26;  // bytes
 
 /// One line at a time into cells; a cell may be quoted, with "" for a quote in it.
 class Lines {
@@ -90,17 +93,63 @@ void read_row(TimeTable& table, const std::vector<std::string>& cells, const Pla
                                                     : number(cells[k + 1], k + 1, place));
 }
 
-}  // namespace
-
-TimeTable TimeTable::read(const fs::path& place) {
-  TimeTable table;
-  table.file = fs::is_directory(place) ? place / "results.csv" : place;
+void read_csv(TimeTable& table) {
   Lines lines(table.file);
   std::vector<std::string> cells;
   if (!lines.next(cells)) refuse(lines.place(), "the file is empty; a header row is missing");
   read_header(table, cells, lines.place());
   while (lines.next(cells)) read_row(table, cells, lines.place());
-  if (table.times.empty()) refuse(lines.place(), "there are no rows under the header");
+}
+
+/// The numbers of a row; only an empty cell is no finite one.
+void read_row(TimeTable& table, const std::vector<double>& cells, const Place& place) {
+  const std::string row = "row " + std::to_string(table.times.size() + 1);
+  if (!std::isfinite(cells[0])) refuse(place, row + " has no finite time");
+  if (!table.times.empty() && cells[0] < table.times.back())
+    refuse(place, "time falls in " + row + "; it must rise or stay");
+  table.times.push_back(cells[0]);
+  for (std::size_t k = 1; k < cells.size(); ++k) {
+    if (std::isinf(cells[k]))
+      refuse(place,
+             "column " + std::to_string(k + 1) + " is infinite in " + row + "; allowed is a finite number");
+    table.columns[k - 1].push_back(cells[k]);
+  }
+}
+
+void read_npy(TimeTable& table) {
+  const Place place{table.file.string()};
+  InputFile in(table.file);
+  std::string first(std::min<std::uint64_t>(in.size(), longest_npy_head), '\0');
+  first.resize(in.read(std::as_writable_bytes(std::span(first))));
+  const NpyHead head = located(place, [&] { return read_npy_head(std::as_bytes(std::span(first))); });
+  if (head.names.empty() || head.rows > (in.size() - head.size) / (8 * head.names.size()))
+    refuse(place, "it has fewer rows than its head says");
+  read_header(table, head.names, place);
+  in.seek(head.size);
+  std::vector<double> cells(head.names.size());
+  std::vector<std::byte> bytes(8 * cells.size());
+  for (std::uint64_t row = 0; row < head.rows; ++row) {
+    in.read(bytes);
+    for (std::size_t k = 0; k < cells.size(); ++k)
+      cells[k] = from_wire<double>(std::span(bytes).subspan(8 * k));
+    read_row(table, cells, place);
+  }
+}
+
+/// Of a folder the file that is there.
+fs::path file_at(const fs::path& place) {
+  if (!fs::is_directory(place)) return place;
+  const fs::path binary = place / "results.npy";
+  return fs::exists(binary) ? binary : place / "results.csv";
+}
+
+}  // namespace
+
+TimeTable TimeTable::read(const fs::path& place) {
+  TimeTable table;
+  table.file = file_at(place);
+  table.file.extension() == ".npy" ? read_npy(table) : read_csv(table);
+  if (table.times.empty()) refuse(Place{table.file.string()}, "there are no rows");
   return table;
 }
 

@@ -15,6 +15,12 @@
 namespace tandem {
 namespace {
 
+Words diagram_words() {
+  return words_by(Setter::client,
+                  {"step", "integrator", "locate_events", "relative_tolerance", "absolute_tolerance",
+                   "absolute_tolerance.*", "longest_step", "shortest_step", "most_steps"});
+}
+
 /// The diagram with the parameters that are given.
 engine::Description read(const text::Document& document, Parameters& p) {
   const text::GivenValues values = take_file_parameters(document, diagram_words(), p);
@@ -43,12 +49,6 @@ void take(Parameters& p, engine::AdaptiveSettings& s) {
 
 }  // namespace
 
-Words diagram_words() {
-  return words_by(Setter::client,
-                  {"step", "integrator", "locate_events", "relative_tolerance", "absolute_tolerance",
-                   "absolute_tolerance.*", "longest_step", "shortest_step", "most_steps"});
-}
-
 std::unique_ptr<Subsystem> make_diagram(const SourceFile& file, Parameters& p,
                                         std::vector<engine::CompiledBlock> kinds, const TellOfDiagram& tell) {
   p.declare(diagram_words());
@@ -66,6 +66,12 @@ std::unique_ptr<Subsystem> make_diagram(const SourceFile& file, Parameters& p,
       tell("diagram '" + name + "': " + text);
     };
   return engine::make_subsystem(diagram, settings);
+}
+
+Source diagram_source(const std::vector<engine::CompiledBlock>& kinds, const TellOfDiagram& tell) {
+  return {diagram_words(), [kinds, tell](const Address& address, Parameters& p) {
+            return make_diagram({address.file(), {}, address.overrides}, p, kinds, tell);
+          }};
 }
 
 }  // namespace tandem

@@ -14,6 +14,7 @@
 #include "tandem/sources/file_parameters.hpp"
 #include "tandem/sources/run_table.hpp"
 #include "tandem/sources/stepper.hpp"
+#include "tandem/sources/view_table.hpp"
 
 namespace tandem {
 namespace {
@@ -33,12 +34,27 @@ mbs::MatrixDump dump(Parameters& p) {
   return d;
 }
 
-}  // namespace
+/// An output for each coordinate of a point, and of a vector that moves, that has none of that name.
+void animate(mbs::Description& d) {
+  constexpr const char* axes[] = {"x", "y", "z"};
+  for (int e = 0; e < static_cast<int>(d.entities.size()); ++e) {
+    const mbs::Entity& entity = d.entities[static_cast<std::size_t>(e)];
+    if (entity.fixed && entity.kind == mbs::Entity::Kind::vector) continue;
+    for (int axis = 0; axis < d.dimension; ++axis) {
+      const std::string name = entity.name + "." + axes[axis];
+      const bool there = std::any_of(d.outputs.begin(), d.outputs.end(),
+                                     [&](const mbs::Output& o) { return o.name == name; });
+      if (!there) d.outputs.push_back({name, mbs::Output::Kind::position, {e, axis}});
+    }
+  }
+}
 
 Words mechanism_words() {
-  return words_by(Setter::client, {"step"}) + stepper_words() +
+  return words_by(Setter::client, {"step", "animate"}) + stepper_words() +
          words_by(Setter::operator_only, {"matrices", "matrices_at", "matrices_format"});
 }
+
+}  // namespace
 
 std::vector<double> matrix_times(const std::string& name, const std::string& text) {
   std::vector<double> all;
@@ -60,14 +76,14 @@ std::vector<double> matrix_times(const std::string& name, const std::string& tex
 }
 
 std::unique_ptr<Subsystem> make_mechanism(const SourceFile& file, Parameters& p,
-                                          const mbs::ElementKinds& kinds, const LookAtMechanism& look,
-                                          const mbs::TellOfLimit& tell) {
+                                          const mbs::ElementKinds& kinds, const mbs::TellOfLimit& tell) {
   const text::Document document = file.document();
   take_run_table(document, p);
   const text::GivenValues given = take_file_parameters(document, mechanism_words(), p);
   refuse_words_of_clients(document, given, p);
   mbs::Description description = mbs::read_mechanism(document, kinds, given);
-  if (look) look(document, description, p);
+  read_view(document, description);  // refuses what is wrong with it
+  if (p.flag("animate", false)) animate(description);
   if (!p.has("step"))
     throw Error(ErrorCode::invalid_argument,
                 "mechanism '" + description.name +
@@ -80,6 +96,22 @@ std::unique_ptr<Subsystem> make_mechanism(const SourceFile& file, Parameters& p,
       tell("mechanism '" + name + "': " + text);
     };
   return mbs::make_subsystem(std::move(description), settings);
+}
+
+Source mechanism_source(const mbs::ElementKinds& kinds, const mbs::TellOfLimit& tell) {
+  return {mechanism_words(), [kinds, tell](const Address& address, Parameters& p) {
+            return make_mechanism({address.file(), {}, address.overrides}, p, kinds, tell);
+          }};
+}
+
+Builtins without_matrices(Builtins builtins) {
+  Source& mechanism = builtins.schemes["mechanism"];
+  mechanism.make = [make = mechanism.make](const Address& address, Parameters& p) {
+    p.text("matrices", "");  // refuses what is no text
+    p.set("matrices", std::string());
+    return make(address, p);
+  };
+  return builtins;
 }
 
 }  // namespace tandem

@@ -4,8 +4,8 @@
 #include <stdlib.h>  // mkdtemp
 
 #include "bench/in_turns.hpp"
-#include "output/files.hpp"
 #include "tandem/error.hpp"
+#include "tandem/output/files.hpp"
 #include "tandem/tcp/certificates.hpp"
 #include "tandem/tcp/tcp.hpp"
 #if TANDEM_HAS_ZEROMQ

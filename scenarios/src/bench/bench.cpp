@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "output/files.hpp"
+#include "tandem/output/files.hpp"
 
 namespace tandem::bench {
 namespace {

@@ -11,17 +11,11 @@
 #include "engine_linkage/coupled.hpp"
 #include "engine_linkage/linkage.hpp"
 #include "engine_linkage/monolithic.hpp"
-#include "mechanisms/source.hpp"
-#include "output/files.hpp"
-#include "sources/diagram.hpp"
+#include "sources/all.hpp"
 #include "sources/this_program.hpp"
 #include "tandem/engine/read.hpp"
 #include "tandem/engine/subsystem.hpp"
-#include "tandem/shared_library/shared_library.hpp"
-#include "tandem/tcp/tcp.hpp"
-#if TANDEM_HAS_ZEROMQ
-#include "tandem/zeromq/zeromq.hpp"
-#endif
+#include "tandem/output/files.hpp"
 
 namespace tandem::bench {
 namespace {
@@ -67,13 +61,7 @@ class Scene {
  public:
   explicit Scene(int loops) : loops_(loops), linkage_file_(folder_.file("linkage.toml")) {
     output::write_text(linkage_file_, engine_linkage::linkage_text(loops));
-    mechanisms::add_sources(builtins_);
-    diagrams::add_sources(builtins_, [](const std::string&) {});
-    add_shared_library(builtins_);
-    add_tcp(builtins_);
-#if TANDEM_HAS_ZEROMQ
-    add_zeromq(builtins_);
-#endif
+    builtins_ = all_sources({.tell = [](const std::string&) {}});
   }
 
   /// Seconds of the run without its start; `rows` gets what it computes.

@@ -6,8 +6,8 @@
 #include <fstream>
 
 #include "charts/program.hpp"
-#include "output/files.hpp"
 #include "tandem/error.hpp"
+#include "tandem/output/files.hpp"
 #include "tandem/output_file.hpp"
 
 namespace tandem::charts {

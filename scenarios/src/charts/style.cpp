@@ -6,8 +6,8 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "output/json.hpp"
 #include "tandem/error.hpp"
+#include "tandem/output/json.hpp"
 
 namespace tandem::charts {
 namespace {

@@ -8,14 +8,15 @@
 #include "cli/progress.hpp"
 #include "cli/say.hpp"
 #include "output/conditions.hpp"
-#include "output/files.hpp"
+#include "tandem/output/files.hpp"
+#include "tandem/output/provenance.hpp"
 
 namespace tandem::cli {
 namespace {
 
 void run_benchmark(const bench::Benchmark& benchmark, const std::filesystem::path& folder,
                    const Context& context) {
-  if (!context.quiet) say("{}; {}, {}\n", benchmark.about, output::processor_model(), TANDEM_COMPILER);
+  if (!context.quiet) say("{}; {}, {}\n", benchmark.about, output::processor_model(), output::compiler());
   const KeptFolder kept(folder);
   std::vector<bench::Table> tables;
   {

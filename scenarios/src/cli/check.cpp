@@ -8,9 +8,9 @@
 #include "cli/commands.hpp"
 #include "cli/own_process.hpp"
 #include "cli/say.hpp"
-#include "mechanisms/source.hpp"
 #include "tandem/error.hpp"
 #include "tandem/nearest.hpp"
+#include "tandem/sources/mechanism.hpp"
 #include "tandem/transports/open.hpp"
 #include "tandem/transports/parameters.hpp"
 
@@ -98,7 +98,7 @@ void add_check(CLI::App& app, Context& context) {
       "Exit status: 0; 1 if something is wrong; 2 if the source can't be opened.");
   command->callback([options, &all = context] {
     Context looking = all;
-    looking.builtins = mechanisms::without_matrices(all.builtins);
+    looking.builtins = without_matrices(all.builtins);
     in_own_process([&](const Tell& tell) { check_source(*options, looking, tell); });
   });
 }

@@ -8,18 +8,19 @@
 
 #include "cli/commands.hpp"
 #include "cli/say.hpp"
-#include "scenario/comparison.hpp"
 #include "tandem/error.hpp"
 #include "tandem/nearest.hpp"
-#include "view/about.hpp"
+#include "tandem/scenario/about.hpp"
+#include "tandem/scenario/comparison.hpp"
 
 namespace tandem::cli {
 namespace {
 
 struct CompareOptions {
-  std::string a, b;
+  std::string a, b, norm = "max";
   double tolerance = 0.0;
   std::vector<std::string> columns;
+  scenario::Measure measure;
 };
 
 namespace fs = std::filesystem;
@@ -28,7 +29,7 @@ namespace fs = std::filesystem;
 std::vector<std::string> files_in(const fs::path& place) {
   if (!fs::is_directory(place)) return {};
   if (!fs::exists(place / "results.json")) return {"results.csv"};
-  return view::read_about(place)["files"].get<std::vector<std::string>>();
+  return scenario::read_about(place)["files"].get<std::vector<std::string>>();
 }
 
 /// The pairs of files that belong together.
@@ -50,12 +51,12 @@ std::vector<std::pair<fs::path, fs::path>> pairs_of(const CompareOptions& option
 void compare(const CompareOptions& options, const Context& context) {
   std::string worst;
   for (const std::string& place : {options.a, options.b})
-    if (const std::string what = view::unfinished(place); !what.empty()) spdlog::warn("note: {}", what);
+    if (const std::string what = scenario::unfinished(place); !what.empty()) spdlog::warn("note: {}", what);
   for (const auto& [file_a, file_b] : pairs_of(options)) {
     const auto a = text::TimeTable::read(file_a), b = text::TimeTable::read(file_b);
-    const auto comparison = scenario::compare(a, b, options.columns);
+    const auto comparison = scenario::compare(a, b, options.columns, options.measure);
     if (!context.quiet) say("{}", scenario::text(comparison));
-    if (worst.empty()) worst = scenario::beyond(comparison, options.tolerance);
+    if (worst.empty()) worst = scenario::beyond(comparison, options.tolerance, options.measure.norm);
   }
   if (!worst.empty()) throw RunFailed(worst);
   if (!context.quiet) say("within the tolerance of {:.3g} %\n", 100.0 * options.tolerance);
@@ -79,19 +80,36 @@ void add_compare(CLI::App& app, Context& context) {
   command->add_option("B", options->b, "What to compare with, likewise")->required();
   command
       ->add_option("--tolerance", options->tolerance,
-                   "Allowed difference, a fraction of the largest magnitude of the column in B; 0: equal")
+                   "Allowed difference, a fraction of the largest magnitude, or of the rms, of the column in "
+                   "B; 0: equal")
       ->check(non_negative)
       ->capture_default_str();
   command->add_option("--columns", options->columns, "Columns to compare (default: all that both have)")
       ->delimiter(',')
       ->type_name("NAME,...");
+  command->add_option("--norm", options->norm, "What the tolerance is of: the largest difference, or the rms")
+      ->check(CLI::IsMember({"max", "rms"}))
+      ->capture_default_str();
+  command->add_option("--from", options->measure.from, "The first time of B that counts, in s")
+      ->type_name("TIME");
+  command->add_option("--to", options->measure.to, "The last time of B that counts, in s")->type_name("TIME");
+  command
+      ->add_option("--shift", options->measure.shift,
+                   "A may be this much earlier or later as a whole, in s; by how much it is is told")
+      ->check(CLI::PositiveNumber)
+      ->type_name("TIME");
   command->footer(
       "Compared at the times of the one with fewer rows where both cover the time; where the other has no "
       "row there, it is\n"
-      "interpolated linearly. Empty cells are left out. Columns (unless named) and times that only one "
+      "interpolated, by Hermite polynomials if it has the column der(NAME) (record.derivatives), else "
+      "linearly.\n"
+      "Empty cells are left out. Columns (unless named) and times that only one "
       "has are a difference.\n"
       "Exit status: 0 within the tolerance, 1 beyond, 2 bad input.");
-  command->callback([options, &context] { compare(*options, context); });
+  command->callback([options, &context] {
+    options->measure.norm = options->norm == "rms" ? scenario::Norm::rms : scenario::Norm::max;
+    compare(*options, context);
+  });
 }
 
 }  // namespace tandem::cli

@@ -8,10 +8,10 @@
 #include "cli/print_parameter.hpp"
 #include "cli/say.hpp"
 #include "engine_models/compiled.hpp"
-#include "scenario/scenario.hpp"
 #include "tandem/engine/compile.hpp"
 #include "tandem/engine/read.hpp"
 #include "tandem/nearest.hpp"
+#include "tandem/scenario/scenario.hpp"
 #include "tandem/text/document.hpp"
 
 namespace tandem::cli {

@@ -4,9 +4,9 @@
 
 #include "cli/commands.hpp"
 #include "cli/say.hpp"
-#include "scenario/keys.hpp"
-#include "scenario/languages.hpp"
-#include "scenario/schema.hpp"
+#include "languages/languages.hpp"
+#include "languages/schema.hpp"
+#include "tandem/scenario/keys.hpp"
 
 namespace tandem::cli {
 namespace {

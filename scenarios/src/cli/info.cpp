@@ -10,8 +10,8 @@
 #include "cli/mechanism_info.hpp"
 #include "cli/print_parameter.hpp"
 #include "cli/say.hpp"
-#include "mechanisms/source.hpp"
 #include "tandem/nearest.hpp"
+#include "tandem/sources/mechanism.hpp"
 
 namespace tandem::cli {
 namespace {
@@ -187,7 +187,7 @@ void add_info(CLI::App& app, Context& context) {
       "Exit status: 0, or 2 for what is not right.");
   command->callback([options, &all = context] {
     Context looking = all;
-    looking.builtins = mechanisms::without_matrices(all.builtins);
+    looking.builtins = without_matrices(all.builtins);
     const bool source = is_source(options->what);
     if (source && options->run_programs)
       throw Error(ErrorCode::invalid_argument, "--run-programs belongs to a scenario; a source is opened");

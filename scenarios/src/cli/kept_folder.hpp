@@ -2,7 +2,7 @@
 #pragma once
 #include <spdlog/spdlog.h>
 
-#include "output/lock.hpp"
+#include "tandem/output/lock.hpp"
 
 namespace tandem::cli {
 

@@ -9,9 +9,9 @@
 #include "cli/kept_folder.hpp"
 #include "cli/progress.hpp"
 #include "cli/say.hpp"
+#include "ladder/ladder_run.hpp"
 #include "output/conditions.hpp"
-#include "output/files.hpp"
-#include "scenario/ladder_run.hpp"
+#include "tandem/output/files.hpp"
 
 namespace tandem::cli {
 namespace {

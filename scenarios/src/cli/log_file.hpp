@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <mutex>
 
-#include "output/lock.hpp"
 #include "tandem/error.hpp"
 #include "tandem/input_file.hpp"
+#include "tandem/output/lock.hpp"
 #include "tandem/output_file.hpp"
 
 namespace tandem::cli {

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "cli/commands.hpp"
-#include "scenario/parts.hpp"
+#include "tandem/scenario/parts.hpp"
 
 namespace tandem::cli {
 

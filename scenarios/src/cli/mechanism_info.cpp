@@ -8,9 +8,6 @@
 
 #include "cli/print_parameter.hpp"
 #include "cli/say.hpp"
-#include "mechanisms/view_table.hpp"
-#include "scenario/parts.hpp"
-#include "scenario/scenario.hpp"
 #include "sources/elements.hpp"
 #include "tandem/mbs/mechanism/freedom.hpp"
 #include "tandem/mbs/mechanism/initial.hpp"
@@ -19,6 +16,9 @@
 #include "tandem/mbs/mechanism/read.hpp"
 #include "tandem/mbs/sparse/tangent.hpp"
 #include "tandem/nearest.hpp"
+#include "tandem/scenario/parts.hpp"
+#include "tandem/scenario/scenario.hpp"
+#include "tandem/sources/view_table.hpp"
 #include "tandem/text/document.hpp"
 
 namespace tandem::cli {
@@ -136,7 +136,7 @@ void print_mechanism(const std::filesystem::path& file, const std::vector<std::s
   text::Document document(file);
   document.set(overrides);
   mbs::Description description = mbs::read_mechanism(document, element_kinds());
-  mechanisms::read_view(document, description);
+  read_view(document, description);
   const std::string told = take_unknown_inputs_as_zero(description);
   mbs::Mechanism mechanism(description);
   const double start = start_of(document);

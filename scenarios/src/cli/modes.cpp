@@ -9,11 +9,11 @@
 #include "cli/commands.hpp"
 #include "cli/mechanism_info.hpp"
 #include "cli/say.hpp"
-#include "scenario/scenario.hpp"
 #include "sources/elements.hpp"
 #include "tandem/mbs/mechanism/initial.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
 #include "tandem/nearest.hpp"
+#include "tandem/scenario/scenario.hpp"
 #include "tandem/text/file_parameters.hpp"
 
 namespace tandem::cli {

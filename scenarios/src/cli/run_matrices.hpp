@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "scenario/scenario.hpp"
+#include "tandem/scenario/scenario.hpp"
 
 namespace tandem::cli {
 

@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
-
 #include "cli/say.hpp"
 
 namespace tandem::cli {
@@ -14,7 +12,7 @@ using Clock = std::chrono::steady_clock;
 double seconds_between(Clock::time_point a, Clock::time_point b) {
   return std::chrono::duration<double>(b - a).count();
 }
-constexpr double quiet_at_first = 1.0, every = 0.01;  // [s]
+constexpr double quiet_at_first = 1.0;  // [s]
 }  // namespace
 
 RunProgress::RunProgress(double t_start, double t_stop, bool shown)
@@ -23,20 +21,14 @@ RunProgress::RunProgress(double t_start, double t_stop, bool shown)
       shown_(shown),
       terminal_(isatty(STDERR_FILENO) != 0),
       began_(Clock::now()),
-      read_(began_),
       drawn_(began_) {}
 
 RunProgress::~RunProgress() {
   if (open_line_) show_progress("\n");
 }
 
-double RunProgress::seconds() const { return seconds_between(began_, Clock::now()); }
-
 void RunProgress::show(double time) {
   const Time now = Clock::now();
-  wait_ = seconds_between(read_, now) < every ? 2 * wait_ : std::max<std::int64_t>(1, wait_ / 2);
-  rounds_ = 0;
-  read_ = now;
   if (!shown_ || seconds_between(drawn_, now) < (terminal_ ? quiet_at_first : 10.0 * quiet_at_first)) return;
   drawn_ = now;
   const double factor = (time - t_start_) / seconds_between(began_, now);
@@ -45,9 +37,9 @@ void RunProgress::show(double time) {
   open_line_ = terminal_;
 }
 
-void RunProgress::end(double time) {
+void RunProgress::end(double time, double elapsed) {
   if (!shown_) return;
-  const double elapsed = seconds(), simulated = time - t_start_;
+  const double simulated = time - t_start_;
   show_progress(fmt::format("{}{:.6g} s simulated in {:.3g} s, {:.3g} x real time{}\n",
                             open_line_ ? "\r" : "", simulated, elapsed, simulated / elapsed,
                             open_line_ ? "          " : ""));

@@ -16,6 +16,7 @@
 #include "cli/transports.hpp"
 #include "tandem/error.hpp"
 #include "tandem/library_file.hpp"
+#include "tandem/output/provenance.hpp"
 #include "tandem/tcp/tcp.hpp"
 
 namespace tandem::cli {
@@ -75,7 +76,7 @@ void return_large_blocks() {
 void serve(ServeOptions options, const Context& context) {
   return_large_blocks();
   SocketSettings socket{options.server.session.deadline, 1e-6 * options.spin, context.allow_plaintext};
-  options.server.session.software = std::string("tandem ") + TANDEM_VERSION;
+  options.server.session.software = "tandem " + output::version();
   const char* descriptor = std::getenv("TANDEM_FD");
   if (options.address.empty() && descriptor) return serve_parent(descriptor, options, socket, context);
   if (options.address.empty())

@@ -22,9 +22,10 @@
 #include "cli/sweep_mechanisms.hpp"
 #include "cli/sweep_split_pendulum.hpp"
 #include "output/conditions.hpp"
-#include "output/files.hpp"
 #include "tandem/error.hpp"
 #include "tandem/input_file.hpp"
+#include "tandem/output/files.hpp"
+#include "tandem/output/provenance.hpp"
 
 namespace tandem::cli {
 namespace {
@@ -55,7 +56,7 @@ std::string settings() {
   const nlohmann::ordered_json json{{"scene", "two_mass"},
                                     {"cycles", two_mass::Case{}.cycles},
                                     {"steps_per_cycle", two_mass::Case{}.steps_per_cycle},
-                                    {"version", TANDEM_VERSION},
+                                    {"version", output::version()},
                                     {"commit", output::source_commit()}};
   return json.dump(2) + "\n";
 }

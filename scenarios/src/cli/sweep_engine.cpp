@@ -7,8 +7,8 @@
 #include "cli/say.hpp"
 #include "engine_models/sweep.hpp"
 #include "output/conditions.hpp"
-#include "output/files.hpp"
 #include "tandem/input_file.hpp"
+#include "tandem/output/files.hpp"
 
 namespace tandem::cli {
 

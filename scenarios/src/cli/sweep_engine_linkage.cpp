@@ -11,11 +11,11 @@
 #include "cli/say.hpp"
 #include "engine_linkage/sweep.hpp"
 #include "output/conditions.hpp"
-#include "output/files.hpp"
 #include "output/ordered_rows.hpp"
 #include "output/parallel.hpp"
-#include "scenario/assembly.hpp"
 #include "tandem/engine/read.hpp"
+#include "tandem/output/files.hpp"
+#include "tandem/scenario/assembly.hpp"
 
 namespace tandem::cli {
 namespace {

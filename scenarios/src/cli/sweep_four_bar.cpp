@@ -12,9 +12,9 @@
 #include "cli/say.hpp"
 #include "four_bar/sweep.hpp"
 #include "output/conditions.hpp"
-#include "output/files.hpp"
 #include "output/meter.hpp"
 #include "output/parallel.hpp"
+#include "tandem/output/files.hpp"
 
 namespace tandem::cli {
 namespace {

@@ -12,8 +12,8 @@
 #include "cli/say.hpp"
 #include "kart/sweep.hpp"
 #include "output/conditions.hpp"
-#include "output/files.hpp"
 #include "output/ordered_rows.hpp"
+#include "tandem/output/files.hpp"
 
 namespace tandem::cli {
 namespace {

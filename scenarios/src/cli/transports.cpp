@@ -2,7 +2,6 @@
 #include "cli/transports.hpp"
 
 #include "tandem/error.hpp"
-#include "tandem/shared_library/shared_library.hpp"
 #if TANDEM_HAS_ZEROMQ
 #include "tandem/zeromq/zeromq.hpp"
 #endif
@@ -25,14 +24,6 @@ std::unique_ptr<wire::Listener> at_zeromq([[maybe_unused]] const std::string& ad
 }
 
 }  // namespace
-
-void add_transports(Context& context) {
-  add_shared_library(context.builtins);
-  add_tcp(context.builtins, context.allow_plaintext);
-#if TANDEM_HAS_ZEROMQ
-  add_zeromq(context.builtins, context.allow_plaintext);
-#endif
-}
 
 std::unique_ptr<wire::Listener> listener_at(const std::string& address, const SocketSettings& settings,
                                             const ServerKeys& keys) {

@@ -4,13 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/commands.hpp"
 #include "tandem/tcp/tcp.hpp"
 
 namespace tandem::cli {
-
-/// Adds the schemes of the transports that this build has to context.builtins.
-void add_transports(Context& context);
 
 /// Files of the keys of a server.
 struct ServerKeys {

@@ -3,9 +3,9 @@
 
 #include "cli/looking.hpp"
 #include "cli/say.hpp"
-#include "mechanisms/source.hpp"
-#include "scenario/assembly.hpp"
-#include "scenario/comparison.hpp"
+#include "tandem/scenario/assembly.hpp"
+#include "tandem/scenario/comparison.hpp"
+#include "tandem/sources/mechanism.hpp"
 
 namespace tandem::cli {
 namespace {
@@ -18,7 +18,7 @@ struct ValidateOptions {
 
 void validate(const ValidateOptions& options, const Context& context) {
   const auto scenario = scenario::read(options.file, options.overrides);
-  const Builtins builtins = mechanisms::without_matrices(context.builtins);
+  const Builtins builtins = without_matrices(context.builtins);
   if (!options.run_programs && scenario::names_code(scenario, builtins))
     return check_in_part(scenario, builtins, true);
   scenario::Assembly assembly(scenario, builtins);

@@ -6,9 +6,9 @@
 
 #include "cli/commands.hpp"
 #include "cli/say.hpp"
-#include "output/files.hpp"
 #include "tandem/error.hpp"
-#include "view/about.hpp"
+#include "tandem/output/files.hpp"
+#include "tandem/scenario/about.hpp"
 #include "view/data.hpp"
 #include "view/page.hpp"
 
@@ -27,7 +27,7 @@ constexpr double large = 50e6;  ///< bytes from which a page is told to be slow 
 
 view::Run read(const fs::path& place, bool plots_only) {
   view::Run run = view::read_run(place);
-  if (const std::string what = view::unfinished(place); !what.empty()) spdlog::warn("note: {}", what);
+  if (const std::string what = scenario::unfinished(place); !what.empty()) spdlog::warn("note: {}", what);
   if (plots_only) return run;
   view::read_mechanisms(run);
   view::check_positions(run);

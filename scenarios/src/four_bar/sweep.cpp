@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "four_bar/linkage.hpp"
-#include "output/files.hpp"
+#include "tandem/output/files.hpp"
 
 namespace tandem::four_bar {
 namespace {

@@ -9,12 +9,12 @@
 
 #include "charts/program.hpp"
 #include "functions/double_pendulum.hpp"
-#include "output/files.hpp"
 #include "tandem/error.hpp"
 #include "tandem/mbs/functions/function_model.hpp"
 #include "tandem/mbs/functions/library.hpp"
 #include "tandem/mbs/functions/octave.hpp"
 #include "tandem/mbs/trajectory.hpp"
+#include "tandem/output/files.hpp"
 
 namespace tandem::functions {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "output/files.hpp"
+#include "tandem/output/files.hpp"
 
 namespace tandem::kart {
 namespace {

@@ -16,8 +16,4 @@ nlohmann::ordered_json conditions(const Measured& measured);
 /// Those of the two-mass test.
 nlohmann::ordered_json conditions(int repetitions);
 
-std::string processor_model();
-/// The commit that the source was configured from, "unknown" without git.
-std::string source_commit();
-
 }  // namespace tandem::output

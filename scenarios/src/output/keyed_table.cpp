@@ -7,9 +7,9 @@
 #include <charconv>
 #include <string_view>
 
-#include "output/files.hpp"
 #include "tandem/error.hpp"
 #include "tandem/input_file.hpp"
+#include "tandem/output/files.hpp"
 
 namespace tandem::output {
 namespace {

@@ -1,20 +1,22 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "sources/all.hpp"
 
+#include "engine_models/compiled.hpp"
 #include "kart/builtins.hpp"
-#include "mechanisms/source.hpp"
-#include "sources/diagram.hpp"
-#include "sources/functions.hpp"
+#include "sources/elements.hpp"
+#include "tandem/sources/diagram.hpp"
+#include "tandem/sources/mechanism.hpp"
 #include "two_mass/masses.hpp"
 
 namespace tandem {
 
-void add_sources(Builtins& builtins, const std::function<void(const std::string&)>& tell) {
-  two_mass::add_builtins(builtins);
-  kart::add_builtins(builtins, tell);
-  mechanisms::add_sources(builtins, tell);
-  diagrams::add_sources(builtins, tell);
-  functions::add_sources(builtins);
+Builtins all_sources(const scenario::SourceSettings& settings) {
+  Builtins all = scenario::sources(settings);
+  all.schemes["mechanism"] = mechanism_source(element_kinds(), settings.tell);
+  all.schemes["diagram"] = diagram_source(engine_models::compiled_kinds(), settings.tell);
+  two_mass::add_builtins(all);
+  kart::add_builtins(all, settings.tell);
+  return all;
 }
 
 }  // namespace tandem

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "output/files.hpp"
+#include "tandem/output/files.hpp"
 #include "two_mass/sweep.hpp"
 
 namespace tandem::two_mass {

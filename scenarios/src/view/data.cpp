@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "output/conditions.hpp"
+#include "tandem/output/provenance.hpp"
 #include "view/base64.hpp"
 #include "view/drawing.hpp"
 #include "view/plots.hpp"
@@ -103,7 +103,7 @@ Json data_of(const Content& content) {
     results.push_back(result(content.runs[k], names[k], content.every));
   return {{"title", scenario.value("name", names[0])},
           {"description", scenario.value("values", nlohmann::json::object()).value("description", "")},
-          {"tandem", std::string(TANDEM_VERSION) + " (" + output::source_commit() + ")"},
+          {"tandem", output::version() + " (" + output::source_commit() + ")"},
           {"notes", content.notes},
           {"plots", plots_at_first(first)},
           {"results", results}};

@@ -12,7 +12,6 @@ namespace tandem::view {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using mechanisms::ViewTable;
 
 Json numbers(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
 

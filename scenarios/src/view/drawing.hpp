@@ -2,7 +2,7 @@
 #pragma once
 #include <nlohmann/json.hpp>
 
-#include "mechanisms/view_table.hpp"
+#include "tandem/sources/view_table.hpp"
 
 namespace tandem::view {
 
@@ -11,6 +11,6 @@ namespace tandem::view {
 /// and blocks for those of one), masses, springs, wheels, rails; `up`, or null without gravity; what the
 /// table [view] says. A place is the index of a point, or { constant, terms }, the constant plus the sum of
 /// along times an entity and across times the entity turned by a quarter (terms: entity, along, across).
-nlohmann::ordered_json drawing(const mbs::Description& in, const mechanisms::ViewTable& view);
+nlohmann::ordered_json drawing(const mbs::Description& in, const ViewTable& view);
 
 }  // namespace tandem::view

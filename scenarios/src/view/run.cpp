@@ -9,8 +9,8 @@
 #include "sources/elements.hpp"
 #include "tandem/error.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
+#include "tandem/scenario/about.hpp"
 #include "tandem/text/file_parameters.hpp"
-#include "view/about.hpp"
 
 namespace tandem::view {
 namespace {
@@ -59,7 +59,7 @@ RunMechanism read_mechanism(const std::string& instance, const fs::path& file, c
   const auto given = text::given_values(
       document, [&](const text::FileParameter& p) { return value_of(values, instance, p.name); });
   RunMechanism mechanism{instance, file, mbs::read_mechanism(document, element_kinds(), given), {}};
-  mechanism.view = mechanisms::read_view(document, mechanism.description);
+  mechanism.view = read_view(document, mechanism.description);
   return mechanism;
 }
 
@@ -103,7 +103,7 @@ Run read_run(const fs::path& place) {
   if (!fs::is_directory(place)) {
     run.tables.push_back(text::TimeTable::read(place));
   } else {
-    run.about = read_about(place);
+    run.about = scenario::read_about(place);
     for (const auto& file : run.about["files"])
       run.tables.push_back(text::TimeTable::read(place / file.get<std::string>()));
   }

@@ -6,7 +6,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "mechanisms/view_table.hpp"
+#include "tandem/sources/view_table.hpp"
 #include "tandem/text/time_table.hpp"
 
 namespace tandem::view {
@@ -16,7 +16,7 @@ struct RunMechanism {
   std::string instance;
   std::filesystem::path file;
   mbs::Description description;
-  mechanisms::ViewTable view;
+  ViewTable view;
 };
 
 /// Results as they are read back.
@@ -28,7 +28,7 @@ struct Run {
   std::vector<RunMechanism> mechanisms;
 
   std::string unit(const std::string& column) const;  ///< empty if it is not known
-  bool held(const std::string& column) const;          ///< constant from row to row
+  bool held(const std::string& column) const;         ///< constant from row to row
   bool has(const std::string& column) const { return columns.contains(column); }
 };
 

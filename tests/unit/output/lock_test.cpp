@@ -1,5 +1,5 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-#include "output/lock.hpp"
+#include "tandem/output/lock.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -3,8 +3,8 @@
 
 #include "linear_controller.hpp"
 #include "run_bench.hpp"
-#include "scenario/assembly.hpp"
 #include "scripted.hpp"
+#include "tandem/scenario/assembly.hpp"
 #include "two_mass/masses.hpp"
 
 namespace tandem::scenario {

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-#include "scenario/comparison.hpp"
+#include "tandem/scenario/comparison.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "refusal.hpp"
@@ -40,6 +41,68 @@ TEST(Comparison, InterpolatesTheFinerOneWhereItHasNoRow) {
   EXPECT_EQ(c.times, 2U);
   EXPECT_EQ(c.interpolated, 1U);
   EXPECT_NEAR(c.columns[0].absolute, 0.0, 1e-15);
+}
+
+/// f and f' at n + 1 times over [0, 1].
+TimeTable sampled(int n, double (*f)(double), double (*derivative)(double)) {
+  TimeTable to{"file", {}, {"x", "der(x)"}, {{}, {}}};
+  for (int k = 0; k <= n; ++k) {
+    const double t = static_cast<double>(k) / n;
+    to.times.push_back(t);
+    to.columns[0].push_back(f(t));
+    to.columns[1].push_back(derivative(t));
+  }
+  return to;
+}
+
+double sine(double t) { return std::sin(3.0 * t); }
+double rate(double t) { return 3.0 * std::cos(3.0 * t); }
+
+TEST(Comparison, InterpolatesByHermitePolynomialsWhereThereAreDerivatives) {
+  // A has one interval more than B's n, so that no time inside is in both. The error of the cubic is of
+  // order 4.
+  const auto error = [](int n) {
+    const auto c = compare(sampled(n + 1, sine, rate), sampled(n, sine, rate));
+    EXPECT_EQ(c.columns.size(), 1U);
+    EXPECT_TRUE(c.linear.empty());
+    return c.columns[0].rms;
+  };
+  EXPECT_NEAR(std::log2(error(20) / error(40)), 4.0, 0.2);
+}
+
+TEST(Comparison, TellsWhatIsInterpolatedByStraightLines) {
+  TimeTable finer = sampled(21, sine, rate);
+  finer.names.back() = "other";
+  const auto c = compare(finer, sampled(20, sine, rate));
+  EXPECT_EQ(c.linear, std::vector<std::string>{"x"});
+  EXPECT_NE(text(c).find("interpolated linearly"), std::string::npos);
+}
+
+TEST(Comparison, MeasuresTheRms) {
+  const auto c = compare(table({0, 1, 2, 3}, {1, 2, 3, 5}), table({0, 1, 2, 3}, {1, 2, 3, 4}));
+  EXPECT_DOUBLE_EQ(c.columns[0].rms, 0.5);
+  EXPECT_DOUBLE_EQ(c.columns[0].relative_rms, std::sqrt(1.0 / 30.0));
+  EXPECT_EQ(beyond(c, 0.19, Norm::rms), "");
+  EXPECT_NE(beyond(c, 0.18, Norm::rms).find("x differs by 0.5 in rms"), std::string::npos);
+}
+
+TEST(Comparison, TakesTheTimesOfAWindow) {
+  const TimeTable a = table({0, 1, 2, 3}, {9, 2, 3, 9}), b = table({0, 1, 2, 3}, {1, 2, 3, 4});
+  const auto c = compare(a, b, {}, {.from = 1.0, .to = 2.0});
+  EXPECT_EQ(c.times, 2U);
+  EXPECT_EQ(c.columns[0].absolute, 0.0);
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"no time is in both", "from 4 to 5 s count"},
+                      [&] { compare(a, b, {}, {.from = 4.0, .to = 5.0}); }));
+}
+
+TEST(Comparison, FindsByHowMuchOneIsLater) {
+  const auto later = [](double t) { return sine(t - 0.03); };
+  const auto later_rate = [](double t) { return rate(t - 0.03); };
+  const auto a = sampled(200, later, later_rate), b = sampled(100, sine, rate);
+  EXPECT_NEAR(compare(a, b, {}, {.shift = 0.1}).shift, 0.03, 1e-6);
+  EXPECT_NEAR(compare(b, a, {}, {.shift = 0.1}).shift, -0.03, 1e-6);
+  EXPECT_LT(compare(a, b, {}, {.shift = 0.1}).columns[0].absolute, 1e-5);
+  EXPECT_NEAR(compare(a, b, {}, {.shift = 0.02}).shift, 0.02, 1e-6);
 }
 
 TEST(Comparison, TakesTheTimesThatBothCover) {

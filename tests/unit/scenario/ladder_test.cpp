@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 // What a ladder says of its rungs: read from a file, and judged by tables that are written here.
-#include "scenario/ladder.hpp"
+#include "ladder/ladder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -145,6 +145,16 @@ TEST(Ladder, ConvertsTheToleranceIntoItsUnit) {
   EXPECT_NE(ladder_text(four_rungs(), {column}).find("only the richest"), std::string::npos);
 }
 
+/// Differences of 3, 0.3 and 0.2 in the middle of three rows, of a richest whose rms is sqrt(101 / 3).
+TEST(Ladder, MeasuresTheRmsWhereItIsJudgedByIt) {
+  LadderQuantity judged = in_parts;
+  judged.measure.norm = Norm::rms;
+  const auto column = ladder_column(four_rungs(), judged, 1.0);
+  EXPECT_NEAR(column.from_richest[0], 3.0 / std::sqrt(101.0), 1e-12);
+  EXPECT_NEAR(column.to_next[1], 0.1 / std::sqrt(101.0), 1e-12);
+  EXPECT_NE(ladder_text(four_rungs(), {column}).find("allowed: a.y 5 % in rms"), std::string::npos);
+}
+
 TEST(Ladder, CountsWhatFailsOrIsAbsentAsBeyond) {
   auto runs = four_rungs();
   runs[1].table.reset(), runs[1].failure = "lost at 1 s";
@@ -153,7 +163,7 @@ TEST(Ladder, CountsWhatFailsOrIsAbsentAsBeyond) {
   EXPECT_TRUE(std::isnan(column.from_richest[0]) && std::isnan(column.from_richest[1]));
   EXPECT_EQ(ladder_verdict({column}).simplest, 2U);
   const std::string rows = ladder_rows(runs, {column});
-  EXPECT_NE(rows.find("\"point\",a.y,1,,,0.05,1,absent\n\"plane\",a.y,1,,,0.05,1,failed\n"),
+  EXPECT_NE(rows.find("\"point\",a.y,1,max,,,0.05,0,1,absent\n\"plane\",a.y,1,max,,,0.05,0,1,failed\n"),
             std::string::npos)
       << rows;
   runs[3].table.reset(), runs[3].failure = "lost too";

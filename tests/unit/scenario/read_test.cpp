@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "refusal.hpp"
-#include "scenario/scenario.hpp"
 #include "scratch.hpp"
+#include "tandem/scenario/scenario.hpp"
 
 namespace tandem::scenario {
 namespace {
@@ -159,7 +159,7 @@ TEST(Read, OverridesAreKeptAndStandInTheDocument) {
   EXPECT_EQ(s.stop, 7.0);
   EXPECT_TRUE(s.recording.own);
   EXPECT_EQ(s.overrides.size(), 2U);
-  EXPECT_EQ(s.document["span"]["stop"], 7);
+  EXPECT_EQ(nlohmann::json::parse(s.values)["span"]["stop"], 7);
   EXPECT_EQ(s.place("span.stop").set_by, "--set span.stop=7");
   EXPECT_EQ(s.place("span.start").line, 28);
 }

@@ -22,7 +22,7 @@ struct Example {
   mbs::Description description;
   explicit Example(const std::string& text)
       : document("m", text), description(mbs::read_mechanism("m", text)) {}
-  Json drawn() const { return drawing(description, mechanisms::read_view(document, description)); }
+  Json drawn() const { return drawing(description, read_view(document, description)); }
 };
 
 const std::string plane = R"(dimension = 2

@@ -12,7 +12,10 @@
 
 namespace tandem {
 
-class CsvFile;
+class RecorderFile;
+
+/// Of files of results: text, or numpy's (tandem/npy.hpp).
+enum class RecordFormat { csv, npy };
 
 /// What a run writes, and where.
 struct Recording {
@@ -22,20 +25,23 @@ struct Recording {
   std::vector<std::string> ports = {};  ///< outputs, "instance.port" or "instance.port[i]"; empty: all
   RowRules rows = {};                   ///< which there are
   std::function<void()> begin = {};     ///< called once, before files of an earlier run are replaced or cut
+  RecordFormat format = RecordFormat::csv;
+  bool derivatives = false;  ///< "der(instance.port)" beside each output that gives derivatives
 };
 
 /// Of the first of `ports` that names none of `outputs`, nor an array of them: "recorded output 'x' is not
 /// there; ..."; else empty.
 std::string unknown_output(const std::vector<std::string>& outputs, const std::vector<std::string>& ports);
 
-/// Writes the outputs of a run as CSV: `results.csv`, or with `own` one `results.INSTANCE.csv` each. One
+/// Writes the outputs of a run: `results.csv`, or with `own` one `results.INSTANCE.csv` each; or `.npy`. One
 /// header row, `time` first, then `instance.port` (`instance.port[i]` for arrays) in the order of the
-/// topology; numbers in the fewest digits that read back the same. Times may repeat where the clock's
+/// topology; numbers as text in the fewest digits that read back the same. Times may repeat where the clock's
 /// instance jumps.
 ///
 /// At the clock's times the outputs of the other subsystems are interpolated: cubic Hermite where the port
 /// gives derivatives, else linear; at a jump, the value before it, and nothing is interpolated across one:
-/// the value before is held. A cell is empty where its subsystem has no sample at or after that time.
+/// the value before is held. A cell is empty where its subsystem has no sample at or after that time. A
+/// derivative is that of what its output was interpolated by.
 ///
 /// samples() only copies into memory that is reserved at the first call (it grows if nobody calls
 /// between_rounds()); the files are written by between_rounds(), when that memory is half full, and by
@@ -105,6 +111,7 @@ class Recorder final : public Observer {
     }
     void place_cursor(double t, const TimeTolerance& tolerance);
     double between_rows(std::size_t k, double t) const;
+    double slope_between_rows(std::size_t k, double t) const;
     void drop(std::size_t count);
   };
 
@@ -114,8 +121,8 @@ class Recorder final : public Observer {
   std::filesystem::path path_of(std::size_t subsystem) const;
   bool has_file(std::size_t subsystem) const { return !what_.own || !tracks_[subsystem].outputs.empty(); }
   void open_files();
-  void begin_tables();
-  std::vector<std::unique_ptr<CsvFile>> reopened_files(ByteReader& from) const;
+  std::unique_ptr<RecorderFile> file_of(std::size_t subsystem) const;
+  std::vector<std::unique_ptr<RecorderFile>> reopened_files(ByteReader& from) const;
   void read_track(Track& track, ByteReader& from) const;
   void write_waiting(bool all);
   void write_own(std::size_t subsystem, bool all);
@@ -123,6 +130,9 @@ class Recorder final : public Observer {
   std::size_t known_rows(const Track& track, std::size_t file, bool all) const;
   bool place_cursors(double t);
   void write_row(double t);
+  bool writes_slope(const Track& track, std::size_t k) const {
+    return what_.derivatives && track.has_slope[k] != 0;
+  }
   void note_end(std::size_t subsystem);
 
   const Coordinator& run_;
@@ -132,8 +142,8 @@ class Recorder final : public Observer {
   TimeTolerance tolerance_;
   std::vector<Track> tracks_;  ///< by subsystem
   std::vector<Column> columns_;
-  std::vector<std::unique_ptr<CsvFile>> files_;  ///< one, or by subsystem
-  std::vector<RowChoice> choices_;               ///< likewise
+  std::vector<std::unique_ptr<RecorderFile>> files_;  ///< one, or by subsystem
+  std::vector<RowChoice> choices_;                    ///< likewise
   std::vector<std::string> notes_;
   bool closed_ = false;
 };

@@ -1,7 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <memory>
-#include <optional>
 
 #include "tandem/engine/description.hpp"
 #include "tandem/engine/make_integrator.hpp"
@@ -21,11 +20,8 @@ struct SubsystemSettings {
 /// that follows held values alone is held; one that an event makes jump comes with both rows there (ability
 /// `events`). A diagram whose outputs change at its blocks' periodic instants alone, and that has no states,
 /// is a sampled subsystem, which acts at the union of these instants. It remarks data that end before the run
-/// does and are not held. Throws Error for a step that is not
+/// does and are not held, and tells what its integrator has done. Throws Error for a step that is not
 /// finite and above 0, or is given to a sampled one, and for what compile() and make_integrator() refuse.
 std::unique_ptr<Subsystem> make_subsystem(const Description& diagram, const SubsystemSettings& settings);
-
-/// What the integrator of a subsystem that make_subsystem() made has done; nothing of another one.
-std::optional<Statistics> statistics_of(const Subsystem& subsystem);
 
 }  // namespace tandem::engine

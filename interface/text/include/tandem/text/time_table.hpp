@@ -6,15 +6,16 @@
 
 namespace tandem::text {
 
-/// A CSV file of results or of data over time: one header row, `time` first, times that never fall.
+/// Results or data over time: columns with names, `time` first, times that never fall.
 struct TimeTable {
   std::filesystem::path file;
   std::vector<double> times;                 ///< [s]
   std::vector<std::string> names;            ///< without time
   std::vector<std::vector<double>> columns;  ///< by name, then by row; NaN for an empty cell
 
-  /// place: a CSV file, or a folder that holds results.csv. Throws Error that names the file, and line
-  /// and column of what is no number, but none of its text: the file may be none of ours.
+  /// place: a file, CSV or (.npy) of numpy, or a folder that holds results.npy or results.csv. Throws Error
+  /// that names the file, and line and column of what is no number, but none of its text: the file may be
+  /// none of ours.
   static TimeTable read(const std::filesystem::path& place);
 };
 

@@ -6,14 +6,12 @@
 
 #include "tandem/engine/compiled_block.hpp"
 #include "tandem/sources/source_file.hpp"
+#include "tandem/transports/open.hpp"
 
 namespace tandem {
 
 /// Takes a sentence that a diagram tells once: a signal has left its limits.
 using TellOfDiagram = std::function<void(const std::string&)>;
-
-/// The words of make_diagram() that stand in no diagram.
-Words diagram_words();
 
 /// A diagram's file as a subsystem. Parameters: `step` [s], `integrator`, the settings of the one that is
 /// chosen by the names of IntegratorSettings and AdaptiveSettings, and the diagram's own parameters. What is
@@ -23,5 +21,8 @@ Words diagram_words();
 std::unique_ptr<Subsystem> make_diagram(const SourceFile& file, Parameters& parameters,
                                         std::vector<engine::CompiledBlock> kinds = {},
                                         const TellOfDiagram& tell = {});
+
+/// "diagram:FILE".
+Source diagram_source(const std::vector<engine::CompiledBlock>& kinds = {}, const TellOfDiagram& tell = {});
 
 }  // namespace tandem

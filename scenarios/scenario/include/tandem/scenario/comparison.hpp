@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "tandem/text/time_table.hpp"
+
+namespace tandem::scenario {
+
+using text::TimeTable;
+
+/// Of a difference over time: its largest magnitude, or its root mean square over the compared times.
+enum class Norm { max, rms };
+
+/// How the difference of two results is measured.
+struct Measure {
+  Norm norm = Norm::max;  ///< that a tolerance is of
+  double from = -std::numeric_limits<double>::infinity();
+  double to = std::numeric_limits<double>::infinity();  ///< [s]: the times of B that count
+  double shift = 0.0;  ///< [s]: A may be so much earlier or later than B as a whole
+
+  bool operator==(const Measure&) const = default;
+};
+
+/// How one column of two results differs.
+struct Difference {
+  std::string column;
+  double time = 0.0;  ///< [s] of A, where it differs most
+  double a = 0.0, b = 0.0;
+  double absolute = 0.0;      ///< |a - b|
+  double relative = 0.0;      ///< divided by the largest magnitude of the column in B (in A where that is 0)
+  double rms = 0.0;           ///< over the compared times
+  double relative_rms = 0.0;  ///< divided by the rms of the column in B at these times (in A where that is 0)
+  std::size_t compared = 0;   ///< values
+
+  double size(Norm norm) const { return norm == Norm::max ? relative : relative_rms; }
+};
+
+struct Comparison {
+  std::vector<Difference> columns;
+  std::size_t times = 0;                ///< compared
+  std::size_t interpolated = 0;         ///< of these, times at which the other one has no row
+  std::vector<std::string> linear;      ///< columns that are interpolated by straight lines there
+  std::string at;                       ///< the file whose times these are
+  double shift = 0.0;                   ///< [s]: by how much A is later than B, in the measure's bounds
+  std::vector<std::string> uncompared;  ///< sentences: columns and times that only one of them has
+};
+
+/// Compares the columns that both have, or those named. They are compared at the times of the one that has
+/// fewer rows, where both cover the time. Where the other has no row at such a time it is interpolated: by
+/// cubic Hermite polynomials where it has a column der(NAME) (record.derivatives), else by straight lines,
+/// which is told. Empty cells are left out. Of a time that stands twice (a jump), the first row is compared
+/// with the first and the last with the last. With a shift in the measure, A is moved in time as a whole to
+/// where the sum of the squared relative rms is least. Throws Error for a column that is not there, no column
+/// or no time in common; columns (if none are named) and times that only one has are told in `uncompared`.
+Comparison compare(const TimeTable& a, const TimeTable& b, const std::vector<std::string>& columns = {},
+                   const Measure& measure = {});
+
+/// A line for each column and one on how they were compared.
+std::string text(const Comparison& comparison);
+
+/// "fast.x1 differs by 0.3 (2.7 % of its largest magnitude) at t = 12.5 s, tolerance 1 %" for the worst
+/// column beyond its tolerance; empty if all are within.
+std::string beyond(const Comparison& comparison, double tolerance, Norm norm = Norm::max);
+std::string text(const Difference& difference, double tolerance, Norm norm = Norm::max);
+
+}  // namespace tandem::scenario

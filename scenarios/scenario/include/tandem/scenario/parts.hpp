@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tandem/scenario/scenario.hpp"
+#include "tandem/transports/open.hpp"
+
+namespace tandem::scenario {
+
+/// Of sources that are code (Source::code), which run it when they are opened.
+enum class Code { run, leave_out };
+
+/// The subsystems of a scenario opened, and the connections between them checked. What is left out is in the
+/// topology without ports; of its connections the other end is looked for. Errors name the file and line that
+/// is to blame.
+class Parts {
+ public:
+  /// `scenario` must outlive the parts.
+  Parts(const Scenario& scenario, const Builtins& builtins, Code code);
+
+  const Topology& topology() const { return topology_; }
+  /// Null if it was left out.
+  Subsystem* subsystem(int instance) const { return subsystems_[static_cast<std::size_t>(instance)].get(); }
+  /// A sentence with its place for each that was left out.
+  const std::vector<std::string>& left_out() const { return left_out_; }
+
+  /// What a run checks beyond that of each subsystem alone: recorded outputs, and its start with what is
+  /// known of its inputs.
+  void check_each() const;
+  /// After a start: what the subsystems remark (Subsystem::remarks).
+  std::vector<std::string> notes() const;
+
+  /// One subsystem alone. animate: it tells where its points are, if it can.
+  static std::unique_ptr<Subsystem> opened(const SubsystemEntry& entry, const Builtins& builtins,
+                                           bool animate = false);
+
+ private:
+  std::unique_ptr<Subsystem> leave_out(const SubsystemEntry& entry, const Builtins& builtins);
+  bool is_left_out(const std::string& port) const;
+  void check_animation(const Builtins& builtins) const;
+  void set_inputs();
+  void connect(const ConnectionEntry& entry);
+  void check_output(const Place& place, const std::string& what, const std::string& name) const;
+
+  const Scenario& scenario_;
+  std::vector<std::unique_ptr<Subsystem>> subsystems_;
+  SubsystemInfo no_ports_;  ///< of what was left out
+  Topology topology_;
+  std::vector<std::string> left_out_;
+};
+
+/// Whether its source itself has a parameter of this name, besides those of the model.
+bool takes(const SubsystemEntry& entry, const Builtins& builtins, const std::string& word);
+
+/// Whether a source of it is code.
+bool names_code(const Scenario& scenario, const Builtins& builtins);
+
+}  // namespace tandem::scenario

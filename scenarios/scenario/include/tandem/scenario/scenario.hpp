@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "tandem/coordinator/recorder.hpp"
+#include "tandem/scenario/comparison.hpp"
+#include "tandem/text/place.hpp"
+#include "tandem/transports/parameters.hpp"
+
+namespace tandem::scenario {
+
+using text::located;
+using text::Place;
+using text::refuse;
+
+struct Parameter {
+  std::string name;
+  Parameters::Value value;
+  Place place;
+};
+
+/// What an input is, "port" or "port[i]".
+struct InputEntry {
+  std::string port;
+  std::variant<double, std::shared_ptr<const TimeSeries>> value;
+  Place place;
+
+  /// At t [s].
+  double at(double t) const;
+};
+
+struct SubsystemEntry {
+  std::string name, source;           ///< source: of a command "spawn:"
+  std::vector<Parameter> parameters;  ///< those that all subsystems share are among them
+  std::vector<InputEntry> inputs;
+  Place place, source_place;
+  std::vector<std::string> command = {};    ///< a program and its arguments; empty: there is a source
+  bool isolated = false;                    ///< in a process of its own
+  std::vector<std::string> overrides = {};  ///< of the file that is the source, "KEY=VALUE"
+
+  /// "lib:./x.so", without parameters, or "command [...]".
+  std::string address() const;
+
+  /// The place that an error of opening it is about: of the parameter that the sentence names first, else the
+  /// source.
+  Place place_named_in(const std::string& sentence) const;
+};
+
+struct ConnectionEntry {
+  Connection connection;
+  Place place, from_place, to_place, how_place;
+
+  /// The place that an error about this connection is about: of an end that is not known, or of the
+  /// reconstruction, or of what the command line has set; else of the connection.
+  Place place_named_in(const std::string& sentence) const;
+};
+
+/// Results to compare with.
+struct ReferenceEntry {
+  std::filesystem::path file;  ///< of the scenario's folder if it was not absolute
+  double tolerance;            ///< as a fraction of each column's largest magnitude, or of its rms
+  Place place;
+  Measure measure = {};
+};
+
+/// What the scene is judged by.
+struct JudgeEntry {
+  std::string quantity;  ///< an output
+  double tolerance;      ///< as a fraction of its largest magnitude, or of its rms
+  Place place;
+  Measure measure = {};
+};
+
+/// By what the rungs of a ladder are judged: an output's difference over time.
+struct LadderQuantity {
+  std::string quantity;
+  double tolerance;  ///< in `unit`, or as a fraction of the largest magnitude, or of the rms, in the richest
+  std::string unit;  ///< empty: a fraction
+  Place place;
+  Measure measure = {};
+};
+
+/// One model of the scene: a scenario file with overrides, or results of one.
+struct LadderRung {
+  std::string name;
+  std::filesystem::path file;                  ///< of results: a CSV file
+  std::vector<std::string> overrides;          ///< "KEY=VALUE"
+  std::map<std::string, std::string> outputs;  ///< of judged quantities that have another name here
+  std::map<std::string, double> constants;     ///< judged quantities that are this number here, in their unit
+  Place place;
+};
+
+/// A scene's models from simple to rich.
+struct LadderEntry {
+  std::vector<LadderQuantity> quantities;
+  std::vector<LadderRung> rungs;
+};
+
+/// A scenario file as it was read: texts and numbers with their places, units and ports not yet looked at.
+struct Scenario {
+  std::filesystem::path file;
+  std::string name, description;
+  std::vector<SubsystemEntry> subsystems;
+  std::vector<ConnectionEntry> connections;
+  Coordination coordination;
+  double start = 0.0, stop = 0.0;  ///< [s]
+  Recording recording;             ///< without its directory
+  std::optional<ReferenceEntry> reference;
+  std::optional<JudgeEntry> judge;
+  std::optional<LadderEntry> ladder;
+  bool animate = false;            ///< where points are is recorded, of sources that can tell
+  std::vector<std::string> plots;  ///< outputs that `tandem view` plots at first
+
+  std::vector<std::string> overrides;  ///< "KEY=VALUE"
+  std::string values;                  ///< the file with the overrides in it, as JSON
+  std::map<std::string, Place>
+      places;  ///< of single keys by their path, "coordination.order"; absent: the file
+
+  Place place(const std::string& key) const;
+  /// The place that an error's sentence is about: of the connection, key or subsystem that it names, else the
+  /// file.
+  Place place_named_in(const std::string& sentence) const;
+};
+
+/// "mechanism" of a file with a dimension, points, bodies, ..., "diagram" of one with blocks, "" else: of a
+/// scenario.
+std::string kind_alone(const std::filesystem::path& file);
+
+/// Reads a scenario with the overrides of the command line. Throws Error with file, line, the value found and
+/// what is allowed.
+Scenario read(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
+}  // namespace tandem::scenario

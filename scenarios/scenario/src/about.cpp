@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/scenario/about.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "tandem/error.hpp"
+#include "tandem/output/json.hpp"
+
+namespace tandem::scenario {
+namespace {
+
+namespace fs = std::filesystem;
+using Type = nlohmann::json::value_t;
+
+[[noreturn]] void refuse_about(const std::string& sentence) {
+  throw Error(ErrorCode::input_output, sentence);
+}
+
+struct Key {
+  const char* path;
+  Type type;
+  bool required = false;
+  Type elements = Type::null;  ///< null: any
+};
+
+constexpr Key about_keys[] = {{"", Type::object, true},
+                              {"/files", Type::array, true, Type::string},
+                              {"/status", Type::string},
+                              {"/message", Type::string},
+                              {"/notes", Type::array},
+                              {"/units", Type::object, false, Type::string},
+                              {"/interpolation", Type::object, false, Type::string},
+                              {"/versions", Type::object, false, Type::string},
+                              {"/coordination", Type::object},
+                              {"/coordination/schedule", Type::string},
+                              {"/scenario", Type::object, true},
+                              {"/scenario/file", Type::string},
+                              {"/scenario/name", Type::string},
+                              {"/scenario/overrides", Type::array},
+                              {"/scenario/values", Type::object, true},
+                              {"/scenario/values/description", Type::string},
+                              {"/scenario/values/subsystems", Type::object, false, Type::object},
+                              {"/scenario/values/judge", Type::object},
+                              {"/scenario/values/judge/quantity", Type::string},
+                              {"/scenario/values/view", Type::object},
+                              {"/scenario/values/view/plots", Type::array, false, Type::string}};
+
+bool is_right(const nlohmann::json& value, const Key& key) {
+  return value.type() == key.type &&
+         (key.elements == Type::null ||
+          std::all_of(value.begin(), value.end(),
+                      [&](const nlohmann::json& element) { return element.type() == key.elements; }));
+}
+
+void check_key(const nlohmann::json& about, const Key& key, const fs::path& file) {
+  const nlohmann::json::json_pointer path(key.path);
+  const bool there = about.is_object() && about.contains(path);
+  if (there ? is_right(about.at(path), key) : !key.required) return;
+  refuse_about(fmt::format("file '{}' is not one of a run: {} is {}", file.string(),
+                           *key.path ? key.path + 1 : "the whole", there ? "of another type" : "missing"));
+}
+
+}  // namespace
+
+nlohmann::json read_about(const fs::path& folder) {
+  const fs::path file = folder / "results.json";
+  if (!fs::exists(file))
+    refuse_about(fmt::format("file '{}' is missing; 'tandem run' writes it", file.string()));
+  nlohmann::json about = output::read_json(file);
+  for (const Key& key : about_keys) check_key(about, key, file);
+  if (const nlohmann::json::json_pointer path("/scenario/values/subsystems"); about.contains(path))
+    for (const nlohmann::json& subsystem : about.at(path))
+      check_key(subsystem, {"/source", Type::string}, file);
+  return about;
+}
+
+std::string unfinished(const fs::path& place) try {
+  const bool is_folder = fs::is_directory(place);
+  const fs::path folder = is_folder ? place : fs::absolute(place).parent_path();
+  if (!fs::exists(folder / "results.json")) return "";
+  const nlohmann::json about = read_about(folder);
+  const auto& files = about["files"];
+  if (!is_folder && std::find(files.begin(), files.end(), place.filename().string()) == files.end())
+    return "";
+  const std::string status = about.value("status", "ok"), message = about.value("message", "");
+  if (status == "ok") return "";
+  return fmt::format("'{}' is of a run that did not come to its end: {}{}{}", place.string(), status,
+                     message.empty() ? "" : ", ", message);
+} catch (const Error&) {
+  return "";  // of no run
+}
+
+}  // namespace tandem::scenario

@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/scenario/assembly.hpp"
+
+#include <unordered_set>
+
+namespace tandem::scenario {
+
+Assembly::Assembly(const Scenario& scenario, const Builtins& builtins, bool profile, int threads)
+    : scenario_(scenario), parts_(scenario, builtins, Code::run) {
+  std::vector<Subsystem*> subsystems;
+  for (int i = 0; i < topology().size(); ++i) subsystems.push_back(&subsystem(i));
+  Coordination coordination = scenario.coordination;
+  coordination.profile = profile;
+  coordination.threads = threads;
+  coordinator_ = located([&](const std::string& sentence) { return scenario_.place_named_in(sentence); },
+                         [&] {
+                           return std::make_unique<Coordinator>(topology(), subsystems, coordination,
+                                                                TimeSpan{scenario.start, scenario.stop});
+                         });
+}
+
+/// "INSTANCE.POINT.x": outputs of a mechanism with one more dot than its own have.
+void Assembly::add_positions(std::vector<std::string>& ports) const {
+  const std::unordered_set<std::string> there(ports.begin(), ports.end());
+  for (const std::string& name : topology().output_names()) {
+    const bool position = name.size() > 2 && name[name.size() - 2] == '.' && name.back() >= 'x' &&
+                          name.back() <= 'z' && std::count(name.begin(), name.end(), '.') > 1;
+    if (position && !there.contains(name)) ports.push_back(name);
+  }
+}
+
+std::unique_ptr<Recorder> Assembly::recorder(const std::filesystem::path& directory,
+                                             std::function<void()> begin) const {
+  Recording recording = scenario_.recording;
+  recording.begin = std::move(begin);
+  recording.directory = directory;
+  if (scenario_.animate && !recording.ports.empty()) add_positions(recording.ports);
+  return located(scenario_.place("record.ports"),
+                 [&] { return std::make_unique<Recorder>(*coordinator_, recording); });
+}
+
+void Assembly::initialize() {
+  located([&](const std::string& sentence) { return scenario_.place_named_in(sentence); },
+          [&] { coordinator_->initialize(); });
+  of_parts_ = parts_.notes();
+}
+
+std::vector<std::string> Assembly::notes() const {
+  std::vector<std::string> all = coordinator_->notes();
+  all.insert(all.end(), of_parts_.begin(), of_parts_.end());
+  return all;
+}
+
+std::string with_address(const Scenario& scenario, const Builtins& builtins, std::string sentence) {
+  for (const SubsystemEntry& entry : scenario.subsystems) {
+    const std::string address = entry.address();
+    if (source_of(entry.source, builtins).elsewhere &&
+        sentence.find("'" + entry.name + "'") != std::string::npos &&
+        sentence.find(address) == std::string::npos)
+      sentence += " (" + entry.name + " is at " + address + ")";
+  }
+  return sentence;
+}
+
+}  // namespace tandem::scenario

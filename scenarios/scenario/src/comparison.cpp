@@ -1,0 +1,180 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/scenario/comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <functional>
+#include <string_view>
+#include <unordered_set>
+#include <utility>
+
+#include "courses.hpp"
+#include "tandem/error.hpp"
+#include "tandem/nearest.hpp"
+
+namespace tandem::scenario {
+namespace {
+
+[[noreturn]] void fail(const std::string& sentence) { throw Error(ErrorCode::invalid_argument, sentence); }
+
+bool is_derivative(const std::string& name) { return name.starts_with("der(") && name.ends_with(")"); }
+
+/// Derivatives help to interpolate.
+std::vector<std::string> common(const TimeTable& a, const TimeTable& b) {
+  const Courses in_b(b);
+  std::vector<std::string> names;
+  for (const std::string& name : a.names)
+    if (in_b.has(name) && !is_derivative(name)) names.push_back(name);
+  if (names.empty())
+    fail("no column is in both: " + a.file.string() + " has " + listed(a.names) + ", " + b.file.string() +
+         " has " + listed(b.names));
+  return names;
+}
+
+double largest(const std::vector<double>& column) {
+  double most = 0.0;
+  for (const double value : column)
+    if (std::isfinite(value)) most = std::max(most, std::abs(value));
+  return most;
+}
+
+double relative_to(double difference, double of_b, double of_a) {
+  const double by = of_b > 0.0 ? of_b : of_a;
+  return by > 0.0 ? difference / by : 0.0;
+}
+
+/// Sums over the compared times of a column.
+struct Squares {
+  double difference = 0.0, a = 0.0, b = 0.0;
+};
+
+void note(Difference& d, Squares& sums, double time, double a, double b) {
+  if (std::isnan(a) || std::isnan(b)) return;
+  sums.difference += (a - b) * (a - b), sums.a += a * a, sums.b += b * b;
+  if (d.compared++ > 0 && !(std::abs(a - b) > d.absolute)) return;
+  d.time = time, d.a = a, d.b = b, d.absolute = std::abs(a - b);
+}
+
+/// Two tables side by side at the times of the one with fewer rows, A being `shift` later than B.
+class SideBySide {
+ public:
+  SideBySide(const TimeTable& a, const TimeTable& b, const Measure& measure, double shift)
+      : a_(a), b_(b), measure_(measure), shift_(shift), of_a_(a), of_b_(b) {
+    const double begin = std::max(a.times.front(), b.times.front()),
+                 end = std::min(a.times.back(), b.times.back());
+    at_a_ = of_a_.count_between(begin, end) < of_b_.count_between(begin, end);
+  }
+
+  void add(const std::string& column) {
+    columns_.emplace_back(of_a_.course(column), of_b_.course(column));
+    result_.columns.push_back({column});
+  }
+
+  Comparison compared() {
+    const TimeTable& coarse = at_a_ ? a_ : b_;
+    result_.at = coarse.file.string();
+    result_.shift = shift_;
+    sums_.assign(columns_.size(), {});
+    for (std::size_t row = 0; row < coarse.times.size(); ++row)
+      at(coarse.times[row], row > 0 && coarse.times[row] == coarse.times[row - 1]);
+    if (result_.times == 0)
+      fail(fmt::format("no time is in both: {} covers {} to {} s, {} covers {} to {} s{}", a_.file.string(),
+                       a_.times.front(), a_.times.back(), b_.file.string(), b_.times.front(), b_.times.back(),
+                       window()));
+    for (std::size_t k = 0; k < columns_.size(); ++k) scale(k);
+    return std::move(result_);
+  }
+
+ private:
+  void at(double t, bool again) {
+    const double t_a = at_a_ ? t : t + shift_, t_b = at_a_ ? t - shift_ : t;
+    if (t_b < measure_.from || t_b > measure_.to || !of_a_.covers(t_a) || !of_b_.covers(t_b)) return;
+    of_a_.move_to(t_a, again);
+    of_b_.move_to(t_b, again);
+    ++result_.times;
+    result_.interpolated += !of_a_.exact() || !of_b_.exact();
+    for (std::size_t k = 0; k < columns_.size(); ++k)
+      note(result_.columns[k], sums_[k], t_a, of_a_.value(columns_[k].first),
+           of_b_.value(columns_[k].second));
+  }
+
+  void scale(std::size_t k) {
+    Difference& d = result_.columns[k];
+    const auto& [a, b] = columns_[k];
+    if (d.compared == 0) fail("column " + d.column + " has no time at which both have a value");
+    d.relative = relative_to(d.absolute, largest(b_.columns[b.values]), largest(a_.columns[a.values]));
+    d.rms = std::sqrt(sums_[k].difference / static_cast<double>(d.compared));
+    d.relative_rms = std::sqrt(relative_to(sums_[k].difference, sums_[k].b, sums_[k].a));
+    const bool smooth = (at_a_ ? b : a).derivatives.has_value();
+    if (result_.interpolated > 0 && !smooth) result_.linear.push_back(d.column);
+  }
+
+  std::string window() const {
+    const bool all = std::isinf(measure_.from) && std::isinf(measure_.to);
+    return all ? "" : fmt::format("; from {} to {} s count", measure_.from, measure_.to);
+  }
+
+  const TimeTable &a_, &b_;
+  const Measure& measure_;
+  double shift_;
+  Courses of_a_, of_b_;
+  bool at_a_;
+  std::vector<std::pair<Course, Course>> columns_;
+  std::vector<Squares> sums_;
+  Comparison result_;
+};
+
+Comparison compare_shifted(const TimeTable& a, const TimeTable& b, const std::vector<std::string>& names,
+                           const Measure& measure, double shift) {
+  SideBySide both(a, b, measure, shift);
+  for (const std::string& name : names) both.add(name);
+  return both.compared();
+}
+
+/// The sum of the squared relative rms is least there: by Brent's method about the best of a scan.
+double best_shift(double most, const std::function<Comparison(double)>& shifted) {
+  const auto cost = [&](double shift) {
+    double sum = 0.0;
+    for (const Difference& d : shifted(shift).columns) sum += d.relative_rms * d.relative_rms;
+    return sum;
+  };
+  constexpr int steps = 32;
+  double best = 0.0, least = cost(0.0);
+  for (int k = -steps; k <= steps; ++k)
+    if (const double here = most * k / steps, sum = cost(here); sum < least) best = here, least = sum;
+  const double width = most / steps, low = std::max(-most, best - width), high = std::min(most, best + width);
+  const auto [shift, sum] = boost::math::tools::brent_find_minima(cost, low, high, 24);
+  return sum < least ? shift : best;
+}
+
+void tell_uncompared(const TimeTable& a, const TimeTable& b, const std::vector<std::string>& compared,
+                     Comparison& to) {
+  const Courses of_a(a), of_b(b);
+  if (!of_b.covers(a.times.front()) || !of_b.covers(a.times.back()) || !of_a.covers(b.times.front()) ||
+      !of_a.covers(b.times.back()))
+    to.uncompared.push_back(fmt::format("{} covers {} to {} s, {} covers {} to {} s", a.file.string(),
+                                        a.times.front(), a.times.back(), b.file.string(), b.times.front(),
+                                        b.times.back()));
+  if (compared.empty()) return;
+  const std::unordered_set<std::string_view> those(compared.begin(), compared.end());
+  for (const TimeTable* table : {&a, &b})
+    for (const std::string& name : table->names)
+      if (!those.contains(name) && !is_derivative(name))
+        to.uncompared.push_back("column " + name + " is in " + table->file.string() + " only");
+}
+
+}  // namespace
+
+Comparison compare(const TimeTable& a, const TimeTable& b, const std::vector<std::string>& columns,
+                   const Measure& measure) {
+  const auto names = columns.empty() ? common(a, b) : columns;
+  const auto shifted = [&](double shift) { return compare_shifted(a, b, names, measure, shift); };
+  Comparison comparison = shifted(measure.shift > 0.0 ? best_shift(measure.shift, shifted) : 0.0);
+  tell_uncompared(a, b, columns.empty() ? names : std::vector<std::string>(), comparison);
+  return comparison;
+}
+
+}  // namespace tandem::scenario

@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+#include "tandem/text/time_table.hpp"
+#include "tandem/time_grid.hpp"
+
+namespace tandem::scenario {
+
+/// A column of a table as a function of time.
+struct Course {
+  std::size_t values;
+  std::optional<std::size_t> derivatives;  ///< its column der(NAME), where there is one
+};
+
+/// The columns of a table as functions of time, at times that are asked for in rising order.
+class Courses {
+ public:
+  explicit Courses(const text::TimeTable& table);
+
+  bool has(const std::string& name) const { return index_.contains(name); }
+  /// Throws Error with the nearest name.
+  Course course(const std::string& name) const;
+  bool covers(double t) const {
+    return !tolerance_.before(t, table_.times.front()) && !tolerance_.before(table_.times.back(), t);
+  }
+  std::size_t count_between(double begin, double end) const;
+
+  /// again: the second row of this time is wanted, if there is one.
+  void move_to(double t, bool again);
+  /// Whether there is a row at the time that was moved to.
+  bool exact() const { return row_ == 0 || !tolerance_.before(time_, table_.times[row_]); }
+  /// By Hermite polynomials between rows with derivatives, else by straight lines.
+  double value(const Course& course) const;
+
+ private:
+  const text::TimeTable& table_;
+  TimeTolerance tolerance_;
+  std::unordered_map<std::string_view, std::size_t> index_;
+  std::size_t row_ = 0;
+  double time_ = 0.0;
+};
+
+}  // namespace tandem::scenario

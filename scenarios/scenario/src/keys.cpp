@@ -1,0 +1,167 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/scenario/keys.hpp"
+
+#include "tandem/coordinator/coordination.hpp"
+#include "tandem/coordinator/reconstruction.hpp"
+#include "tandem/error.hpp"
+#include "tandem/text/series.hpp"
+
+namespace tandem::scenario {
+namespace {
+
+using text::KeyList;
+
+std::vector<std::string> schedules() {
+  std::vector<std::string> words;
+  for (const auto kind : {Schedule::Kind::slowest_first, Schedule::Kind::fastest_first,
+                          Schedule::Kind::staggered, Schedule::Kind::parallel})
+    words.emplace_back(Schedule::name(kind));
+  return words;
+}
+
+std::vector<std::string> starts() {
+  std::vector<std::string> words;
+  for (const auto kind : {StartKind::automatic, StartKind::derivatives, StartKind::repeat, StartKind::cold})
+    words.emplace_back(name(kind));
+  return words;
+}
+
+bool is_reconstruction(const std::string& word) try {
+  return Reconstruction::parse(word), true;
+} catch (const Error&) {
+  return false;
+}
+
+void of_file(KeyList& to) {
+  using enum text::Key::Type;
+  to.may("name", text, "Its name; without it the file's.")
+      .may("description", text, "A sentence that `tandem list` prints.")
+      .table("parameters", "Parameters that every subsystem gets, before its own.")
+      .may("NAME", value, "As the source of each subsystem knows it.")
+      .table("subsystems", "The subsystems, a table for each.", true);
+}
+
+void of_subsystems(KeyList& to) {
+  using enum text::Key::Type;
+  to.table("subsystems.NAME",
+           "A subsystem, by the name that connections and results have. It has a `source` or a "
+           "`command`.")
+      .may("source", text,
+           "Where it comes from, a URI: `mechanism:FILE`, `diagram:FILE`, `lib:FILE`, "
+           "`spawn:PROGRAM`, `tcp://HOST:PORT`, ...; `tandem list` has all. Files stand relative "
+           "to the scenario's folder.")
+      .may("command", texts,
+           "A program and its arguments, which is started and speaks the protocol on its standard "
+           "input and output (in place of `source`).",
+           {.allowed = "at least one"})
+      .may("isolate", flag,
+           "Native code, `lib:` or `three_functions:`, runs in a process of its own, as behind `spawn:`, "
+           "whose "
+           "parameters it may have besides: a crash, or a call that does not end within its `deadline`, ends "
+           "the "
+           "run with a sentence.",
+           {.otherwise = "false"})
+      .may("land", word,
+           "Whether one that can cut a step ends one at each instant of a sampled subsystem that "
+           "it reads or that reads it; `automatic`: if that one's period is at least its own step.",
+           {.otherwise = "automatic", .words = {"automatic", "always", "never"}})
+      .table("subsystems.NAME.parameters",
+             "Its parameters: settings of its source and parameters of its model.")
+      .may("NAME", value, "`tandem info SOURCE` tells which there are.")
+      .table("subsystems.NAME.inputs",
+             "What its inputs are, by port, or by element of one, `\"u[0]\"`, in the units of the ports. "
+             "Without "
+             "it: what the port says.")
+      .table(
+          "subsystems.NAME.inputs.NAME",
+          "A number, or one for each element of the port: where the input is connected before the first "
+          "exchange, else all the time. Or data over time, over the whole span, of one that is not "
+          "connected. "
+          "A subsystem that can shorten a step ends one where these jump, and where they bend unless that is "
+          "more often than its own steps (see `land`).")
+      .or_numbers();
+  text::keys_of_series(to);
+}
+
+void of_connections(KeyList& to) {
+  using enum text::Key::Type;
+  to.table("connections[]", "From an output to an input of the same unit.")
+      .need("from", text, "The output.", {.allowed = "\"instance.port\" or \"instance.port[i]\""})
+      .need("to", text, "The input.", {.allowed = "\"instance.port\" or \"instance.port[i]\""})
+      .may("reconstruction", word,
+           "How the input is made a function of time from samples of the output. A held output "
+           "needs none; any other has to have one.",
+           {.allowed = "`least_squaresD_EXTRA`: degree D 0 to 4 through 1 to 16 EXTRA samples",
+            .words = {"lagrange0", "lagrange1", "lagrange2", "lagrange3", "lagrange4", "hermite", "mean",
+                      "matched_hold"},
+            .pattern = "least_squares[0-4]_([1-9]|1[0-6])",
+            .also = is_reconstruction})
+      .may("gain", number, "The input is gain times output plus offset.", {.otherwise = "1.0"})
+      .may("offset", number, "See gain; in the unit of the input.", {.otherwise = "0.0"})
+      .may("add", flag, "The input is the sum of this and other connections, which all say so.",
+           {.otherwise = "false"})
+      .may("convert", flag,
+           "Where the units differ and are of one kind, the number is converted from the output's "
+           "to the input's.",
+           {.otherwise = "false"})
+      .may("memory", flag,
+           "The reader gets at t what the output was one own step of the reader before; between "
+           "sampled subsystems the value just before the instant.",
+           {.otherwise = "false"})
+      .may("delay", flag,
+           "The reader gets at t what the output was one `coordination.communication_step` before.",
+           {.otherwise = "false"});
+}
+
+void of_coordination(KeyList& to) {
+  using enum text::Key::Type;
+  to.table("coordination", "Who goes first, and how the run starts.")
+      .may("schedule", word,
+           "Whose turn it is: with `slowest-first` the slow one goes ahead on extrapolated "
+           "inputs and the fast ones follow, with `fastest-first` the other way round; "
+           "`staggered`: the slow one steps in the middle of its step, of two with matched "
+           "hold; `parallel`: all go to the next communication point.",
+           {.otherwise = "slowest-first", .words = schedules()})
+      .may("order", texts,
+           "The subsystems that integrate themselves, the slowest first: with "
+           "`slowest-first` the first one leads, with `fastest-first` the last one. Without "
+           "it: by the length of their own steps.",
+           {.allowed = "each once"})
+      .may("communication_step", positive,
+           "Time between the communication points of `parallel`, and the time of a `delay`. "
+           "Without it: the own step of the slowest.",
+           {.unit = "s"})
+      .may("start", word,
+           "How histories are filled before the first step: from `derivatives` of the "
+           "outputs, by a `repeat` of the first steps, or not (`cold`, of low order at "
+           "first); `automatic`: the first of these that can be.",
+           {.otherwise = "automatic", .words = starts()})
+      .may("coupling", word, "What the subsystems exchange.", {.otherwise = "signals", .words = {"signals"}});
+}
+
+void of_span(KeyList& to) {
+  using enum text::Key::Type;
+  to.table("span", "The time of the run.", true)
+      .may("start", number, "Its begin.", {.unit = "s", .otherwise = "0.0"})
+      .need("stop", number, "Its end.", {.unit = "s", .allowed = "after `start`"})
+      .may("diverged_beyond", number,
+           "The run ends as diverged where an output exceeds so many times the largest of "
+           "its magnitude in the first hundredth of the span, its port's nominal value and "
+           "1; `inf`: never.",
+           {.otherwise = "1e8", .allowed = "above 1, or `inf`"});
+}
+
+}  // namespace
+
+const text::Keys& keys() {
+  static const text::Keys all = [] {
+    KeyList list;
+    for (const auto part :
+         {of_file, of_subsystems, of_connections, of_coordination, of_span, keys_of_results, keys_of_ladder})
+      part(list);
+    return text::Keys(std::move(list).list());
+  }();
+  return all;
+}
+
+}  // namespace tandem::scenario

@@ -1,0 +1,172 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/scenario/parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tandem/error.hpp"
+#include "tandem/nearest.hpp"
+#include "tandem/printable.hpp"
+
+namespace tandem::scenario {
+namespace {
+
+const std::string animated = "animate";
+
+/// use(opening) with errors that name the place in the file, and a subsystem that lives elsewhere: the
+/// address alone may serve several. animate: it is to tell where its points are, unless its own parameters
+/// say whether.
+template <class Use>
+auto with_opening(const SubsystemEntry& entry, const Builtins& builtins, bool animate, const Use& use) {
+  Opening opening{{},
+                  std::filesystem::path(entry.place.file).parent_path(),
+                  entry.command,
+                  entry.overrides,
+                  entry.isolated};
+  for (const Parameter& p : entry.parameters) opening.parameters.set(p.name, p.value);
+  const auto place_of = [&](const std::string& sentence) { return entry.place_named_in(sentence); };
+  return located(place_of, [&] {
+    if (animate && takes(entry, builtins, animated) && !opening.parameters.has(animated))
+      opening.parameters.set(animated, true);
+    try {
+      return use(std::move(opening));
+    } catch (const Error& error) {
+      if (!source_of(entry.source, builtins).elsewhere) throw;
+      throw Error(error.code(), "subsystem '" + entry.name + "': " + error.what());
+    }
+  });
+}
+
+bool is_code(const SubsystemEntry& entry, const Builtins& builtins) {
+  return located(entry.source_place, [&] { return source_of(entry.source, builtins).code; });
+}
+
+/// As a run does it first: with the inputs that are not connected, and NaN for the others.
+void start(Subsystem& subsystem, const Topology& topology, int instance, const TimeSpan& span) {
+  std::vector<double> u0 = topology.start(instance);
+  for (int k = 0; k < static_cast<int>(u0.size()); ++k)
+    if (const TimeSeries* series = topology.series(instance, k))
+      u0[static_cast<std::size_t>(k)] = series->value(span.start);
+    else if (!topology.lines_to(instance, k).empty())
+      u0[static_cast<std::size_t>(k)] = std::nan("");
+  std::vector<double> row(static_cast<std::size_t>(subsystem.info().row_size()));
+  Samples y(row.data(), subsystem.info().row_size(), 1);
+  try {
+    subsystem.initialize(span.start, span.stop, u0, y);
+  } catch (const Error& error) {
+    throw Error(error.code(), "subsystem '" + topology.name(instance) + "': " + error.what());
+  }
+}
+
+}  // namespace
+
+bool takes(const SubsystemEntry& entry, const Builtins& builtins, const std::string& word) {
+  return located(entry.source_place, [&] {
+    const Words& words = source_of(entry.source, builtins).words;
+    return std::any_of(words.begin(), words.end(), [&](const Word& one) { return one.name == word; });
+  });
+}
+
+Parts::Parts(const Scenario& scenario, const Builtins& builtins, Code code) : scenario_(scenario) {
+  if (scenario.animate) check_animation(builtins);
+  for (const SubsystemEntry& entry : scenario.subsystems) {
+    const bool out = code == Code::leave_out && is_code(entry, builtins);
+    subsystems_.push_back(out ? leave_out(entry, builtins) : opened(entry, builtins, scenario.animate));
+    located(entry.place, [&] { topology_.add(entry.name, out ? no_ports_ : subsystems_.back()->info()); });
+  }
+  set_inputs();
+  for (const ConnectionEntry& entry : scenario.connections)
+    located([&](const std::string& sentence) { return entry.place_named_in(sentence); },
+            [&] { connect(entry); });
+  if (scenario.judge) check_output(scenario.judge->place, "judge.quantity: output", scenario.judge->quantity);
+  for (const std::string& name : scenario.plots)
+    check_output(scenario.place("view.plots"), "view.plots: output", name);
+  located([&](const std::string& sentence) { return scenario_.place_named_in(sentence); },
+          [&] { topology_.check(); });
+}
+
+void Parts::check_animation(const Builtins& builtins) const {
+  const auto& all = scenario_.subsystems;
+  const bool any = std::any_of(all.begin(), all.end(),
+                               [&](const SubsystemEntry& entry) { return takes(entry, builtins, animated); });
+  if (!any)
+    refuse(scenario_.place("record.animate"),
+           "record.animate is true, but no subsystem has a source that tells where its points are, as "
+           "mechanism:FILE does; allowed is to leave it out");
+}
+
+std::unique_ptr<Subsystem> Parts::opened(const SubsystemEntry& entry, const Builtins& builtins,
+                                         bool animate) {
+  return with_opening(entry, builtins, animate,
+                      [&](Opening opening) { return open(entry.source, builtins, std::move(opening)); });
+}
+
+/// Its address is shown as who decides whether it may be run has to see it.
+std::unique_ptr<Subsystem> Parts::leave_out(const SubsystemEntry& entry, const Builtins& builtins) {
+  with_opening(entry, builtins, scenario_.animate,
+               [&](Opening opening) { look_at(entry.source, builtins, std::move(opening)); });
+  left_out_.push_back(
+      entry.source_place.text() + ": subsystem '" + entry.name +
+      "' is left out, as its source is code: " + printable(entry.address(), std::string::npos));
+  return nullptr;
+}
+
+bool Parts::is_left_out(const std::string& port) const {
+  for (int i = 0; i < topology_.size(); ++i)
+    if (!subsystem(i) && port.starts_with(topology_.name(i) + ".")) return true;
+  return false;
+}
+
+void Parts::set_inputs() {
+  for (const SubsystemEntry& entry : scenario_.subsystems)
+    for (const InputEntry& input : entry.inputs)
+      if (const std::string port = entry.name + "." + input.port; !is_left_out(port))
+        located(input.place, [&] {
+          if (const double* value = std::get_if<double>(&input.value))
+            topology_.set_start(port, *value);
+          else
+            topology_.drive(port, std::get<1>(input.value));
+        });
+}
+
+void Parts::connect(const ConnectionEntry& entry) {
+  const Connection& c = entry.connection;
+  const bool no_source = is_left_out(c.from), no_reader = is_left_out(c.to);
+  if (!no_source && !no_reader) return topology_.connect(c);
+  if (!no_source) topology_.connect_half(c.from, true);
+  if (!no_reader) topology_.connect_half(c.to, false);
+}
+
+void Parts::check_output(const Place& place, const std::string& what, const std::string& name) const {
+  const auto known = topology_.output_names();
+  if (!is_left_out(name) && std::find(known.begin(), known.end(), name) == known.end())
+    refuse(place, unknown(what, name, known));
+}
+
+void Parts::check_each() const {
+  std::vector<std::string> ports = scenario_.recording.ports;
+  std::erase_if(ports, [this](const std::string& port) { return is_left_out(port); });
+  if (const auto why = unknown_output(topology_.output_names(), ports); !why.empty())
+    refuse(scenario_.place("record.ports"), why);
+  const TimeSpan span{scenario_.start, scenario_.stop};
+  const auto place_of = [&](const std::string& sentence) { return scenario_.place_named_in(sentence); };
+  located(place_of, [&] { topology_.check_span(span); });
+  for (int i = 0; i < topology_.size(); ++i)
+    if (Subsystem* one = subsystem(i)) located(place_of, [&] { start(*one, topology_, i, span); });
+}
+
+std::vector<std::string> Parts::notes() const {
+  std::vector<std::string> all;
+  for (int i = 0; i < topology_.size(); ++i)
+    if (const Subsystem* one = subsystem(i))
+      for (const std::string& remark : one->remarks(scenario_.stop))
+        all.push_back("subsystem '" + topology_.name(i) + "': " + remark);
+  return all;
+}
+
+bool names_code(const Scenario& scenario, const Builtins& builtins) {
+  return std::any_of(scenario.subsystems.begin(), scenario.subsystems.end(),
+                     [&](const SubsystemEntry& entry) { return is_code(entry, builtins); });
+}
+
+}  // namespace tandem::scenario

@@ -1,0 +1,215 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "settings.hpp"
+#include "tandem/scenario/keys.hpp"
+#include "tandem/scenario/scenario.hpp"
+#include "tandem/text/section.hpp"
+#include "tandem/text/series.hpp"
+#include "to_json.hpp"
+
+namespace tandem::scenario {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using text::Document;
+using text::in_file_order;
+using text::number_of;
+
+/// Fills a Scenario, table by table.
+class Reader {
+ public:
+  Reader(const Document& document, Scenario& scenario) : document_(document), to_(scenario) {}
+
+  void read() {
+    if (document_.table().empty())
+      refuse(
+          Place{to_.file.string()},
+          "the file holds nothing; allowed is a scenario, with tables [subsystems.NAME], a mechanism, with "
+          "points, or a diagram, with blocks");
+    Section root(document_, keys());
+    to_.name = root.text("name").value_or(to_.file.stem().string());
+    to_.description = root.text("description").value_or("");
+    if (const auto* table = root.table("parameters")) shared_ = parameters(*table, "parameters");
+    read_subsystems(root);
+    for (Section& connection : root.sections("connections")) read_connection(connection);
+    for (const auto& [name, read_into] : settings())
+      if (auto section = root.section(name)) read_into(*section, to_);
+    if (!root.node("span")) root.missing("span", "a table [span] with start and stop in s");
+    root.refuse_unknown();
+  }
+
+  /// A mechanism or a diagram alone: its file is the source, its table [run] says how long and how.
+  void read_alone(const std::string& kind, const std::vector<std::string>& overrides) {
+    Section root(document_, document_.table(), "");
+    to_.name = root.text("name").value_or(to_.file.stem().string());
+    to_.description = root.text("description").value_or("");
+    const toml::table* table = root.table("run");
+    if (!table) root.missing("run", "a table [run] with stop and step in s, to run the " + kind + " alone");
+    SubsystemEntry entry{
+        to_.file.stem().string(), kind + ":" + to_.file.filename().string(), {}, {}, document_.place(*table),
+        document_.place(*table)};
+    entry.overrides = overrides;
+    Section run(document_, *table, "run");
+    read_span(run);
+    for (Parameter& p : parameters(*table, "run", kind == "diagram" ? "inputs" : ""))
+      if (p.name != "start" && p.name != "stop") entry.parameters.push_back(std::move(p));
+    if (kind == "diagram") read_inputs_of_diagram(run, entry);
+    to_.animate = kind == "mechanism" && !run.node("animate");
+    to_.subsystems.push_back(std::move(entry));
+  }
+
+ private:
+  void read_span(Section& run) {
+    const auto start = run.number("start"), step = run.number("step"), stop = run.number("stop");
+    if (!stop) run.missing("stop", "the time of its end [s]");
+    to_.start = start.value_or(0.0);
+    to_.stop = *stop;
+    if (to_.stop <= to_.start) run.wrong("stop", described(*run.node("stop")), "a time in s after run.start");
+    if (step && *step > to_.stop - to_.start)
+      run.wrong("step", described(*run.node("step")),
+                fmt::format("up to {} s, the time from run.start to run.stop", to_.stop - to_.start));
+  }
+
+  /// They are what those of a subsystem are.
+  void read_inputs_of_diagram(Section& run, SubsystemEntry& entry) const {
+    if (const toml::table* table = run.table("inputs")) {
+      Section inputs(document_, keys(), *table, run.name("inputs"), "subsystems.NAME.inputs");
+      read_inputs(inputs, entry);
+    }
+  }
+
+  std::vector<Parameter> parameters(const toml::table& table, const std::string& path,
+                                    const std::string& but = "") const {
+    std::vector<Parameter> all;
+    for (const auto& [key, node] : in_file_order(table)) {
+      if (key == but) continue;
+      const Place place = document_.place(*node);
+      if (const auto* text = node->as_string())
+        all.push_back({key, text->get(), place});
+      else if (const auto* flag = node->as_boolean())
+        all.push_back({key, flag->get(), place});
+      else if (node->is_number())
+        all.push_back({key, number_of(document_, *node, path + "." + key), place});
+      else
+        refuse(place,
+               path + "." + key + " is " + described(*node) + "; allowed is a number, true, false or a text");
+    }
+    return all;
+  }
+
+  void read_subsystems(Section& root) {
+    auto all = root.section("subsystems");
+    if (!all || all->table().empty())
+      root.missing("subsystems",
+                   "a table [subsystems.NAME] for each; a mechanism has points, a diagram blocks");
+    for (auto& [name, section] : all->named_sections()) read_subsystem(name, section);
+  }
+
+  void read_subsystem(const std::string& name, Section& section) {
+    SubsystemEntry entry{name, "", shared_, {}, section.place(), section.place("source")};
+    if (section.node("command"))
+      read_command(section, entry);
+    else
+      entry.source = section.required_text(
+          "source", "a source like \"builtin:NAME\", or command, a program and its arguments");
+    if (const auto* table = section.table("parameters"))
+      for (Parameter& own : parameters(*table, section.name("parameters"))) {
+        std::erase_if(entry.parameters, [&](const Parameter& p) { return p.name == own.name; });
+        entry.parameters.push_back(std::move(own));
+      }
+    if (auto inputs = section.section("inputs")) read_inputs(*inputs, entry);
+    entry.isolated = *section.flag("isolate");
+    if (entry.isolated && !entry.command.empty())
+      section.leave_out("isolate", "a command is a process of its own");
+    if (section.node("land")) to_.coordination.landing[name] = landing(*section.text("land"));
+    section.refuse_unknown();
+    to_.subsystems.push_back(std::move(entry));
+  }
+
+  void read_command(Section& section, SubsystemEntry& entry) const {
+    const std::string allowed = "an array of texts, a program and its arguments";
+    if (section.node("source")) section.wrong("command", "given beside source", "one of them");
+    if (!section.node("command")->is_array())
+      section.wrong("command", described(*section.node("command")), allowed);
+    entry.command = section.texts("command");
+    if (entry.command.empty()) section.wrong("command", "empty", allowed);
+    entry.source = "spawn:";
+    entry.source_place = section.place("command");
+  }
+
+  void read_inputs(Section& inputs, SubsystemEntry& entry) const {
+    for (const auto& [port, node] : in_file_order(inputs.table()))
+      if (node->is_table())
+        read_series(inputs.of_name(port), port, entry);
+      else
+        read_numbers(*node, inputs.name(port), port, entry);
+  }
+
+  void read_series(Section section, const std::string& port, SubsystemEntry& entry) const {
+    const auto series = text::read_series(section, to_.file.parent_path());
+    if (!series) section.missing("file", "file and column, or times and values");
+    section.refuse_unknown();
+    entry.inputs.push_back({port, std::make_shared<const TimeSeries>(*series), section.place()});
+  }
+
+  void read_numbers(const toml::node& node, const std::string& path, const std::string& port,
+                    SubsystemEntry& entry) const {
+    if (!node.is_array()) {
+      entry.inputs.push_back({port, number_of(document_, node, path), document_.place(node)});
+      return;
+    }
+    int element = 0;
+    for (const toml::node& value : *node.as_array()) {
+      const std::string index = "[" + std::to_string(element++) + "]";
+      entry.inputs.push_back(
+          {port + index, number_of(document_, value, path + index), document_.place(value)});
+    }
+  }
+
+  void read_connection(Section& section) {
+    Connection c{section.required_text("from"), section.required_text("to"), {}};
+    if (const auto how = section.text("reconstruction")) c.how = Reconstruction::parse(*how);
+    c.gain = *section.number("gain");
+    c.offset = *section.number("offset");
+    c.add = *section.flag("add");
+    c.convert = *section.flag("convert");
+    const bool memory = *section.flag("memory"), delay = *section.flag("delay");
+    if (memory && delay) section.wrong("delay", "true beside memory = true", "one of them");
+    c.lag = memory ? Lag::memory : delay ? Lag::delay : Lag::none;
+    section.refuse_unknown();
+    to_.connections.push_back({std::move(c), section.place(), section.place("from"), section.place("to"),
+                               section.place("reconstruction")});
+  }
+
+  const Document& document_;
+  Scenario& to_;
+  std::vector<Parameter> shared_;
+};
+
+std::string kind_of(const toml::table& table) {
+  for (const char* key : {"dimension", "points", "vectors", "bodies", "rods"})
+    if (table.contains(key)) return "mechanism";
+  return table.contains("blocks") ? "diagram" : "";
+}
+
+}  // namespace
+
+std::string kind_alone(const std::filesystem::path& file) { return kind_of(Document(file).table()); }
+
+Scenario read(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  Document document(file);
+  document.set(overrides);
+  const std::string alone = kind_of(document.table());
+  Scenario scenario;
+  scenario.file = file;
+  Reader reader(document, scenario);
+  alone.empty() ? reader.read() : reader.read_alone(alone, overrides);
+  scenario.overrides = overrides;
+  scenario.values = to_json(document.table()).dump(-1, ' ', false, Json::error_handler_t::replace);
+  return scenario;
+}
+
+}  // namespace tandem::scenario

@@ -1,0 +1,210 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/scenario/run.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <utility>
+
+#include "pace.hpp"
+#include "results.hpp"
+#include "run_checkpoints.hpp"
+#include "run_reference.hpp"
+#include "tandem/error.hpp"
+#include "tandem/output/files.hpp"
+#include "tandem/output/lock.hpp"
+
+namespace tandem::scenario {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// How far the run has come [s]. One that samples stands still from one instant to the next, so those that
+/// integrate themselves tell, if there are any.
+double slowest_time(const Coordinator& run) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  double integrating = none, sampled = none;
+  for (int i = 0; i < run.topology().size(); ++i) {
+    double& slowest = run.topology().info(i).abilities.sampled ? sampled : integrating;
+    slowest = std::min(slowest, run.time(i));
+  }
+  return integrating < none ? integrating : sampled;
+}
+
+}  // namespace
+
+class Run::Stages {
+ public:
+  Stages(const Scenario& scenario, const Builtins& builtins, RunSettings settings, bool writes)
+      : scenario_(scenario), builtins_(builtins), settings_(std::move(settings)) {
+    if (writes) kept_.emplace(settings_.folder, [this](const std::string& what) { notes_.push_back(what); });
+    assembly_.emplace(scenario_, builtins_, settings_.profile, settings_.threads);
+    recorder_ = assembly_->recorder(settings_.folder, [this] { begin(); });
+    checkpoints_.emplace(Checkpoint(scenario_, builtins_, *assembly_, *recorder_), settings_.folder,
+                         settings_.checkpoint_every, scenario_.start);
+    if (checkpoints_->wanted() || !settings_.resume.empty())
+      located([this](const std::string& sentence) { return scenario_.place_named_in(sentence); },
+              [this] { run().require_serializable(); });
+    if (scenario_.reference && settings_.compares) reference_.emplace(scenario_, *recorder_);
+  }
+
+  void check() {
+    output::check_folder(settings_.folder);
+    assembly_->initialize();
+  }
+
+  void start() try {
+    const bool anew = settings_.resume.empty();
+    if (anew) run().observe(recorder_.get());
+    assembly_->initialize();
+    if (!anew) checkpoints_->resume(settings_.resume), run().observe(recorder_.get());
+    began_at_ = anew ? scenario_.start : time();
+    checkpoints_->begin_at(began_at_);
+    output::remove_part(checkpoints_->file());  // of a run that was killed
+  } catch (const std::exception& error) {
+    fail("failed", sentence_of(error));
+    if (has_begun_) write_results();
+    throw;
+  }
+
+  RunEnd finish(const RunListener& listener) {
+    simulate(listener);
+    attempt([&] { recorder_->close(); });
+    if (reference_ && end_.status == "ok") {
+      reference_->compare(settings_.folder);
+      end_.report = reference_->report();
+      end_.outside = reference_->outside();
+    }
+    attempt([&] { write_machine_figures(); });
+    write_results();
+    return end_;
+  }
+
+  const Assembly& assembly() const { return *assembly_; }
+  double time() const { return slowest_time(assembly_->coordinator()); }
+
+  std::vector<fs::path> files() const {
+    std::vector<fs::path> all = recorder_->files();
+    all.push_back(settings_.folder / "results.json");
+    all.push_back(settings_.folder / "machine.json");
+    return all;
+  }
+
+  std::vector<std::string> notes() const {
+    std::vector<std::string> all = notes_;
+    for (const auto& some : {assembly_->notes(), recorder_->notes()})
+      all.insert(all.end(), some.begin(), some.end());
+    if (const std::string note = checkpoints_->note(); has_begun_ && !note.empty()) all.push_back(note);
+    return all;
+  }
+
+ private:
+  Coordinator& run() { return assembly_->coordinator(); }
+
+  /// Before any other file of the folder is opened.
+  void begin() {
+    const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+    RunEnd running{"running", fmt::format("process {}, since {:%Y-%m-%dT%H:%M:%SZ}", getpid(), now)};
+    write_json(settings_.folder / "results.json", results_of(scenario_, *assembly_, *recorder_, running));
+    if (fs::is_regular_file(settings_.folder / "machine.json")) fs::remove(settings_.folder / "machine.json");
+    has_begun_ = true;
+  }
+
+  void simulate(const RunListener& listener) {
+    Pace pace;
+    try {
+      bool going = true;
+      for (double flush_at = 1.0; going && run().round(); going = !listener.going || listener.going()) {
+        recorder_->between_rounds();
+        if (checkpoints_->wanted()) checkpoints_->write_if_due(time());
+        if (!pace.due()) continue;
+        if (listener.come) listener.come(time());
+        if (pace.seconds_read() >= flush_at) recorder_->flush(), flush_at = pace.seconds_read() + 1.0;
+      }
+      if (!going) interrupted();
+    } catch (const Diverged& error) {
+      fail("diverged", error.what());
+    } catch (const std::exception& error) {
+      fail("failed", with_address(scenario_, builtins_, sentence_of(error)));
+    }
+    end_.seconds = pace.seconds();
+  }
+
+  void interrupted() {
+    fail("interrupted", fmt::format("interrupted at t = {} s", time()));
+    if (!checkpoints_->wanted()) return;
+    checkpoints_->write();
+    fail("interrupted", fmt::format("--resume {} goes on from there", checkpoints_->file().string()));
+  }
+
+  void fail(const std::string& status, const std::string& message) {
+    if (end_.status == "ok") end_.status = status;
+    end_.message += (end_.message.empty() ? "" : "; ") + message;
+  }
+
+  template <class Work>
+  void attempt(const Work& work) {
+    try {
+      work();
+    } catch (const Error& error) {
+      fail("failed", error.what());
+    }
+  }
+
+  /// The status comes last: what it tells of is on the disk then.
+  void write_machine_figures() {
+    write_json(settings_.folder / "machine.json",
+               machine_figures(*assembly_, end_, settings_.profile, time() - began_at_));
+    for (const fs::path& file : recorder_->files()) output::sync(file);
+  }
+
+  void write_results() {
+    auto results = results_of(scenario_, *assembly_, *recorder_, end_);
+    if (reference_ && end_.status == "ok") results["reference"] = reference_->figures();
+    attempt([&] { write_json(settings_.folder / "results.json", results); });
+  }
+
+  const Scenario& scenario_;
+  const Builtins& builtins_;
+  RunSettings settings_;
+  std::vector<std::string> notes_;
+  std::optional<output::FolderLock> kept_;  ///< none where nothing is written
+  std::optional<Assembly> assembly_;
+  std::unique_ptr<Recorder> recorder_;
+  std::optional<RunCheckpoints> checkpoints_;
+  std::optional<RunReference> reference_;
+  bool has_begun_ = false;  ///< files of an earlier run are replaced or cut
+  double began_at_ = 0.0;   ///< [s]: where the stepping began
+  RunEnd end_;
+};
+
+Run::Run(const Scenario& scenario, const Builtins& builtins, RunSettings settings)
+    : stages_(std::make_unique<Stages>(scenario, builtins, std::move(settings), true)) {}
+Run::~Run() = default;
+
+void Run::start() { stages_->start(); }
+RunEnd Run::finish(const RunListener& listener) { return stages_->finish(listener); }
+const Assembly& Run::assembly() const { return stages_->assembly(); }
+double Run::time() const { return stages_->time(); }
+std::vector<fs::path> Run::files() const { return stages_->files(); }
+std::vector<std::string> Run::notes() const { return stages_->notes(); }
+
+std::vector<std::string> Run::check(const Scenario& scenario, const Builtins& builtins,
+                                    RunSettings settings) {
+  Stages stages(scenario, builtins, std::move(settings), false);
+  stages.check();
+  return stages.notes();
+}
+
+RunEnd run(const Scenario& scenario, const Builtins& builtins, RunSettings settings,
+           const RunListener& listener) {
+  Run one(scenario, builtins, std::move(settings));
+  one.start();
+  return one.finish(listener);
+}
+
+}  // namespace tandem::scenario

@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "run_reference.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "tandem/scenario/about.hpp"
+
+namespace tandem::scenario {
+namespace {
+
+text::TimeTable read(const Scenario& of) {
+  if (of.recording.own)
+    refuse(of.place("record.clock"),
+           "record.clock is 'own', which writes no results.csv to compare with the reference; name a "
+           "subsystem, or say --no-reference");
+  return located(of.reference->place, [&] {
+    if (const std::string what = unfinished(of.reference->file); !what.empty())
+      throw Error(ErrorCode::invalid_argument, "reference " + what + "; allowed is one that is 'ok'");
+    return text::TimeTable::read(of.reference->file);
+  });
+}
+
+}  // namespace
+
+RunReference::RunReference(const Scenario& scenario, const Recorder& recorder)
+    : scenario_(scenario), table_(read(scenario)) {
+  if (scenario.judge) check_judged(recorder);
+}
+
+void RunReference::check_judged(const Recorder& recorder) const {
+  const std::string& quantity = scenario_.judge->quantity;
+  const auto& columns = recorder.columns();
+  if (std::none_of(columns.begin(), columns.end(), [&](const auto& c) { return c.name == quantity; }))
+    refuse(scenario_.judge->place,
+           "judge.quantity " + quantity + " is not recorded; name it in record.ports, or say --no-reference");
+  if (std::find(table_.names.begin(), table_.names.end(), quantity) == table_.names.end())
+    refuse(scenario_.judge->place, "judge.quantity " + quantity + " is no column of the reference " +
+                                       scenario_.reference->file.string());
+}
+
+void RunReference::compare(const std::filesystem::path& folder) {
+  try {
+    const auto own = text::TimeTable::read(folder);
+    const auto all = scenario::compare(own, table_, {}, scenario_.reference->measure);
+    report_ = scenario::text(all);
+    for (const auto& d : all.columns)
+      if (!is_judged(d.column)) judge(d, scenario_.reference->tolerance, scenario_.reference->measure.norm);
+    if (const auto& by = scenario_.judge) {
+      const auto judged = scenario::compare(own, table_, {by->quantity}, by->measure);
+      if (by->measure != scenario_.reference->measure) report_ += "judged by\n" + scenario::text(judged);
+      judge(judged.columns[0], by->tolerance, by->measure.norm);
+    }
+  } catch (const Error& error) {
+    outside_.push_back(error.what());
+  }
+}
+
+bool RunReference::is_judged(const std::string& column) const {
+  return scenario_.judge && scenario_.judge->quantity == column;
+}
+
+void RunReference::judge(const Difference& d, double tolerance, Norm norm) {
+  if (!(d.size(norm) <= tolerance)) outside_.push_back(scenario::text(d, tolerance, norm));
+  differences_[d.column] = {
+      {"relative", d.relative}, {"absolute", d.absolute},         {"time", d.time},
+      {"rms", d.rms},           {"relative_rms", d.relative_rms}, {"norm", norm == Norm::rms ? "rms" : "max"},
+      {"tolerance", tolerance}};
+}
+
+nlohmann::ordered_json RunReference::figures() const {
+  return {{"file", scenario_.reference->file.string()},
+          {"within", outside_.empty()},
+          {"differences", differences_}};
+}
+
+std::string RunReference::report() const {
+  if (report_.empty()) return "";
+  return fmt::format("compared with {}\n{}", scenario_.reference->file.string(), report_);
+}
+
+}  // namespace tandem::scenario

@@ -1,0 +1,28 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/scenario/sources.hpp"
+
+#include "tandem/shared_library/shared_library.hpp"
+#include "tandem/sources/diagram.hpp"
+#include "tandem/sources/functions.hpp"
+#include "tandem/sources/mechanism.hpp"
+#include "tandem/tcp/tcp.hpp"
+#if TANDEM_HAS_ZEROMQ
+#include "tandem/zeromq/zeromq.hpp"
+#endif
+
+namespace tandem::scenario {
+
+Builtins sources(const SourceSettings& settings) {
+  Builtins all;
+  all.schemes["mechanism"] = mechanism_source({}, settings.tell);
+  all.schemes["diagram"] = diagram_source({}, settings.tell);
+  all.schemes["functions"] = functions_source();
+  add_shared_library(all);
+  add_tcp(all, settings.allow_plaintext);
+#if TANDEM_HAS_ZEROMQ
+  add_zeromq(all, settings.allow_plaintext);
+#endif
+  return all;
+}
+
+}  // namespace tandem::scenario
