@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "blocks/kinds.hpp"
+#include "tandem/engine/make_integrator.hpp"
 #include "tandem/text/file_parameters.hpp"
 #include "tandem/text/limits.hpp"
 #include "tandem/text/series.hpp"
@@ -27,6 +28,27 @@ void keys_of_file(KeyList& to) {
   text::keys_of_limits(to, "which is located as an event", "a signal, or a number");
 }
 
+void keys_of_integrators(KeyList& to) {
+  const IntegratorSettings s;
+  const AdaptiveSettings& a = s.adaptive;
+  const auto shown = [](double value) { return fmt::format("{}", value); };
+  to.may("integrator", Type::word, "Of time: `rk4` takes the own step; the others are those of SUNDIALS.",
+         {.otherwise = s.name,
+          .words = {"arkstep", "cvode_adams", "cvode_bdf", "erkstep", "erkstep_fixed", "rk4"}})
+      .may("locate_events", Type::flag, "`rk4` ends a part of a step at events; else at its end.",
+           {.otherwise = s.locate_events ? "true" : "false"})
+      .may("relative_tolerance", Type::positive, "Of each state, of an integrator that chooses its steps.",
+           {.otherwise = shown(a.relative_tolerance)})
+      .may("absolute_tolerance", Type::positive, "Likewise; `absolute_tolerance.STATE` of one alone.",
+           {.otherwise = shown(a.absolute_tolerance)})
+      .may("longest_step", Type::number, "Of its own; 0: no limit.",
+           {.unit = "s", .otherwise = shown(a.longest_step)})
+      .may("shortest_step", Type::number, "One that would be shorter ends the run.",
+           {.unit = "s", .otherwise = shown(a.shortest_step)})
+      .may("most_steps", Type::number, "Within one own step; more end the run.",
+           {.otherwise = shown(static_cast<double>(a.most_steps))});
+}
+
 void keys_of_runs(KeyList& to) {
   to.table("loops", "What is done about algebraic loops; the table of the outermost diagram counts.")
       .may("solve", Type::flag, "They are solved; else they are refused.", {.otherwise = "false"})
@@ -35,10 +57,15 @@ void keys_of_runs(KeyList& to) {
            {.otherwise = "50.0", .allowed = "1 to 1e6"})
       .table("loops.guess", "Where loops are cut, and where to begin.")
       .may("NAME", Type::number, "By the signal; without one somewhere, and at 0.")
-      .table("run", "How it runs alone, and its settings where a scenario says nothing else.")
+      .table("run",
+             "How it runs alone, and its settings where a scenario says nothing else: these are `parameters` "
+             "there.")
       .may("start", Type::number, "The begin of the run.", {.unit = "s", .otherwise = "0.0"})
       .may("stop", Type::number, "Its end, which it has to have to be run alone.", {.unit = "s"})
-      .may("NAME", Type::value, "`step`, `integrator` and other settings, and its parameters.")
+      .may("step", Type::positive,
+           "Its own step, which has to stand here or in the scenario, unless it is sampled.", {.unit = "s"});
+  keys_of_integrators(to);
+  to.may("NAME", Type::value, "A parameter of the file.")
       .table("run.inputs", "What its inputs are.")
       .table("run.inputs.NAME", "A number, or data over time.")
       .or_numbers();

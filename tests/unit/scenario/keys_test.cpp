@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 // The list of keys is what scenarios are read by, and what their page and schema are made from.
-#include "scenario/keys.hpp"
+#include "tandem/scenario/keys.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,16 +8,20 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <set>
 
+#include "languages/languages.hpp"
+#include "languages/schema.hpp"
 #include "refusal.hpp"
-#include "scenario/languages.hpp"
-#include "scenario/scenario.hpp"
-#include "scenario/schema.hpp"
 #include "scratch.hpp"
 #include "tandem/coordinator/reconstruction.hpp"
 #include "tandem/engine/compile.hpp"
 #include "tandem/engine/keys.hpp"
+#include "tandem/engine/make_integrator.hpp"
 #include "tandem/engine/read.hpp"
+#include "tandem/mbs/make_stepper.hpp"
+#include "tandem/scenario/scenario.hpp"
+#include "tandem/scenario/sources.hpp"
 #include "tandem/text/section.hpp"
 
 namespace tandem::scenario {
@@ -40,6 +44,38 @@ TEST(Keys, ThePagesAndTheSchemasOfTheTreeAreThoseOfTheProgram) {
     EXPECT_TRUE(text_of("scenarios/" + name + ".schema.json") ==
                 schema(keys, "tandem " + name).dump(2) + "\n")
         << "scenarios/" << name << ".schema.json is stale: tandem schema " << name;
+  }
+}
+
+/// The words of these keys stand twice: what reads files need not know all integrators.
+TEST(Keys, SettingsOfRunsHaveTheWordsOfTheirMakers) {
+  const auto words = [](const char* language, const char* key) {
+    return std::set<std::string>(languages().at(language).find(key)->words.begin(),
+                                 languages().at(language).find(key)->words.end());
+  };
+  std::set<std::string> formulations, integrators;
+  for (const mbs::StepperNames& one : mbs::stepper_names())
+    formulations.insert(one.formulation), integrators.insert(one.integrator);
+  EXPECT_EQ(words("mechanism", "run.formulation"), formulations);
+  EXPECT_EQ(words("mechanism", "run.integrator"), integrators);
+  const auto names = engine::integrator_names();
+  EXPECT_EQ(words("diagram", "run.integrator"), std::set<std::string>(names.begin(), names.end()));
+}
+
+/// Each setting that a client or an operator may give stands in the table, and nothing else does.
+TEST(Keys, EverySettingOfASourceStandsInTheTableRun) {
+  const Builtins sources = scenario::sources();
+  for (const char* kind : {"mechanism", "diagram"}) {
+    std::set<std::string> settings, keys{"start", "stop", "NAME"};
+    for (const Word& word : sources.schemes.at(kind).words)
+      if (!word.name.ends_with("*")) settings.insert(word.name);
+    settings.merge(std::set<std::string>(keys));
+    std::set<std::string> listed;
+    for (const Key& key : languages().at(kind).all())
+      if (key.path.starts_with("run.") && key.path.find('.', 4) == std::string::npos &&
+          key.path != "run.inputs")
+        listed.insert(key.path.substr(4));
+    EXPECT_EQ(listed, settings) << kind;
   }
 }
 

@@ -69,13 +69,9 @@ void keys_of_elements(KeyList& to, const ElementKinds& kinds) {
   }
 }
 
-void keys_of_runs(KeyList& to) {
+void keys_of_view(KeyList& to) {
   using enum text::Key::Type;
-  to.table("run", "How it runs alone, and its settings where a scenario says nothing else.")
-      .may("start", number, "The begin of the run.", {.unit = "s", .otherwise = "0.0"})
-      .may("stop", number, "Its end, which it has to have to be run alone.", {.unit = "s"})
-      .may("NAME", value, "`step`, `formulation`, `integrator` and other settings, and its parameters.")
-      .table("view", "How `tandem view` draws it.")
+  to.table("view", "How `tandem view` draws it.")
       .may("ground", number, "The height of the ground.", {.unit = "m"})
       .may("follow", text, "A point that the view goes with.")
       .may("trace", texts, "Points whose paths are drawn.")
@@ -99,6 +95,7 @@ text::Keys mechanism_keys(const ElementKinds& kinds) {
   keys_of_elements(list, all);
   keys_of_outputs(list);
   keys_of_runs(list);
+  keys_of_view(list);
   return text::Keys(std::move(list).list(), text::Keys::Texts::refer);
 }
 

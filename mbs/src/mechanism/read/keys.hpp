@@ -8,5 +8,6 @@ namespace tandem::mbs {
 void keys_of_constraints(text::KeyList& to);
 void keys_of_forces(text::KeyList& to);
 void keys_of_outputs(text::KeyList& to);
+void keys_of_runs(text::KeyList& to);
 
 }  // namespace tandem::mbs
