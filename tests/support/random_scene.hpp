@@ -1,15 +1,18 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-// Three to six diagrams that read each other at random: oscillators, relays and sampled ones.
+// Three to six diagrams that read each other, or data, at random: oscillators, relays and sampled ones.
 #pragma once
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "connection.hpp"
 #include "tandem/coordinator/coordination.hpp"
+#include "tandem/time_series.hpp"
 
 namespace tandem::test {
 
@@ -22,8 +25,13 @@ struct RandomScene {
     double period = 0.0;
     Landing landing = Landing::automatic;
   };
+  struct Data {
+    std::string port;
+    std::shared_ptr<const TimeSeries> series;
+  };
   std::vector<Part> parts;
   std::vector<Connection> connections;
+  std::vector<Data> data;  ///< of inputs that are not connected
   Coordination coordination;
   double t_start = 0.0, t_stop = 0.0;
 };
@@ -44,6 +52,18 @@ class RandomScenes {
     coordinate(scene);
     scene.t_start = std::vector{0.0, -1.3, 100.0}[static_cast<std::size_t>(number(3))];
     scene.t_stop = scene.t_start + 1.0 + part(0.0, 0.5);
+    return scene;
+  }
+  /// The same with a quarter of its inputs data in place of connections.
+  RandomScene driven_scene() {
+    RandomScene scene = this->scene();
+    for (const auto& part : scene.parts)
+      for (const char* port : {".u", ".y"}) {
+        if (number(4) != 0) continue;
+        const std::string input = part.name + port;
+        std::erase_if(scene.connections, [&](const Connection& c) { return c.to == input; });
+        scene.data.push_back({input, std::make_shared<const TimeSeries>(series(scene))});
+      }
     return scene;
   }
   int number(int below) { return static_cast<int>(random_() % static_cast<std::uint64_t>(below)); }
@@ -104,6 +124,30 @@ class RandomScenes {
     if (number(8) == 0) lag = number(2) ? Lag::memory : Lag::delay;
     scene.connections.push_back(
         added(connection(source.name + "." + output, reader.name + "." + port, held ? "" : how_, lag)));
+  }
+
+  /// Points over the span, some of them nodes or instants; but for splines a quarter of them jumps.
+  TimeSeries series(const RandomScene& scene) {
+    using Between = TimeSeries::Between;
+    const Between between =
+        std::vector{Between::linear, Between::hold, Between::spline}[static_cast<std::size_t>(number(3))];
+    std::vector<double> times{scene.t_start}, points, values;
+    for (int k = 4 + number(20); k > 0; --k) times.push_back(time_in(scene));
+    times.push_back(scene.t_stop + 0.01);
+    std::sort(times.begin(), times.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
+    for (const double t : times)
+      for (int count = between != Between::spline && t > scene.t_start && number(4) == 0 ? 2 : 1; count > 0;
+           --count)
+        points.push_back(t), values.push_back(part(-0.3, 0.3));
+    return {"data", points, values, {between, TimeSeries::Beyond::hold}};
+  }
+  double time_in(const RandomScene& scene) {
+    const auto& part = scene.parts[static_cast<std::size_t>(number(static_cast<int>(scene.parts.size())))];
+    const double h = part.step > 0.0 ? part.step : part.period;
+    const int nodes = static_cast<int>((scene.t_stop - scene.t_start) / h);
+    return number(2) && nodes > 0 ? scene.t_start + (1 + number(nodes)) * h
+                                  : scene.t_start + rounded(0.0, 1.0);
   }
 
   void coordinate(RandomScene& scene) {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "tandem/fixed_step.hpp"
 
@@ -138,6 +139,57 @@ TEST(FixedStepJumps, AtTheEndOfAStepSplitNothing) {
   other.advance(0.3, false, {&after, 1}, y);
   EXPECT_EQ(other.model().x, lag.model().x) << "in one call or two, the same bits";
 }
+
+/// Two jumps at one time: a relay that is switched, and switched back by what follows from that.
+TEST(SignalJumps, ThatMeetAreOne) {
+  const Segment pieces[] = {{0.2, 0.0, {1.0}}, marked({0.2, 0.2, {-1.0}}), marked({no_jump, 0.2, {5.0}})};
+  const Signal u(pieces, 3, 0);
+  EXPECT_EQ(u.from_jump_at(0.2).value(0.2), 5.0);
+}
+
+/// y = x + u, which jumps with u.
+struct Following : FirstOrder {
+  double u_now = 0.0;
+  SubsystemInfo info() const { return {"following", {{"u", "1"}}, {{"y", "1"}}, {{0, 0}}, {}}; }
+  void start(double t, std::span<const double> u0) { FirstOrder::start(t, u0), u_now = u0[0]; }
+  void step(const OwnStep& s, std::span<const Signal> u) {
+    FirstOrder::step(s, u);
+    u_now = u[0].value(s.end);
+  }
+  bool jump(double t, std::span<const Signal> u) { return std::exchange(u_now, u[0].value(t)) != u_now; }
+  void outputs(double* y) const { y[0] = x + u_now; }
+};
+
+/// u jumps at its node 0.2 s. All rows up to `limit`, in calls that have room for so many.
+std::vector<double> rows_of_following(double limit, std::int64_t room) {
+  Segment held[2] = {{0.2, 0.0, {1.0}}, marked({no_jump, 0.2, {2.0}})};
+  FixedStep<Following> following(Following{});
+  std::vector<double> rows(3 * 100);
+  Samples y(rows.data(), 3, 1);
+  const double u0 = 1.0;
+  Clock clock = following.initialize(0.0, 1.0, {&u0, 1}, y);
+  for (Stop stop = Stop::samples_full; stop == Stop::samples_full; stop = clock.stop) {
+    const int begun = clock.time < 0.2 ? 0 : 1;  // who stands at a jump is given what begins there
+    const Signal u(held + begun, 2 - begun, 0);
+    y = Samples(rows.data(), 3, y.size() + room, y.size());
+    clock = following.advance(limit, false, {&u, 1}, y);
+  }
+  rows.resize(static_cast<std::size_t>(3 * y.size()));
+  return rows;
+}
+
+TEST(FixedStepJumps, SecondRowsAreTheSameWhereverCallsBegin) {
+  const auto rows = rows_of_following(0.4, 50);
+  ASSERT_EQ(rows.size(), 3 * 6U);
+  EXPECT_EQ(rows[3 * 2], 0.2);
+  EXPECT_EQ(rows[3 * 3], 0.2);
+  EXPECT_EQ(rows[3 * 3 + 1], 1.0) << "marked";
+  EXPECT_EQ(rows[3 * 3 + 2], rows[3 * 2 + 2] + 1.0);
+  for (const std::int64_t room : {1, 2, 3}) EXPECT_EQ(rows_of_following(0.4, room), rows) << room;
+}
+
+/// What jumps where the call ends is for the next one, which may know more by then.
+TEST(FixedStepJumps, WhereACallEndsGiveNoRow) { EXPECT_EQ(rows_of_following(0.2, 50).size(), 3 * 3U); }
 
 }  // namespace
 }  // namespace tandem

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 
 #include "connection.hpp"
 #include "link_bench.hpp"
@@ -87,8 +88,7 @@ void expect_jumps_of_sum(const std::string& relay) {
   for (const std::string& from : {relay + ".y", std::string("source.y")})
     topology.connect(test::added(test::connection(from, "reader.u", "lagrange2")));
   const std::int64_t capacities[] = {32, 32, 32};
-  Exchange exchange(topology, 0.0, LinkTimes{{1.0, 1.0, 1.0}, 0.0, {0.05, 0.0, 0.0}},
-                    capacities);
+  Exchange exchange(topology, 0.0, LinkTimes{{1.0, 1.0, 1.0}, 0.0, {0.05, 0.0, 0.0}}, capacities);
   const auto give = [&](int who, double t, double y, bool jump = false) {
     *exchange.history(who).room().append(t, jump) = y;
     exchange.commit(who, t);
@@ -115,6 +115,67 @@ TEST(LinkJumps, AreThoseOfASumToo) {
     SCOPED_TRACE(relay);
     expect_jumps_of_sum(relay);
   }
+}
+
+/// One that lags sees several jumps of its source after each other, and none that was taken back.
+TEST(LinkJumps, AreEachKnownToOneThatLags) {
+  test::LinkBench bench("lagrange1", 0.25, {0, 0}, {1, 1}, 0.05);
+  for (const double t : {0.0, 0.1}) bench.give(t, 1.0);
+  for (const double t : {0.2, 0.3}) {
+    bench.give(t, 1.0);
+    bench.give(t, 2.0 * t, 0.0, 0.0, 0.0, true);
+  }
+  EXPECT_EQ(bench.link().next_break(0.1), 0.2 + 0.25);
+  EXPECT_EQ(bench.link().next_break(0.2 + 0.25), 0.3 + 0.25);
+  bench.history().withdraw(2);
+  bench.link().withdraw(2);
+  EXPECT_EQ(bench.link().next_break(0.1), 0.2 + 0.25);
+  EXPECT_EQ(bench.link().next_break(0.2 + 0.25), Member::never);
+}
+
+/// The sum of lane a of a source that jumps at 0.35 s, or of b, which does not, and of a line that has a node
+/// there.
+struct SumAtJump {
+  explicit SumAtJump(const std::string& lane) {
+    topology.add("source", source);
+    topology.add("line", line);
+    topology.add("reader", reader);
+    for (const std::string& from : {"source." + lane, std::string("line.y")})
+      topology.connect(test::added(test::connection(from, "reader.u", "lagrange1")));
+    const std::int64_t capacities[] = {32, 32, 32};
+    exchange.emplace(topology, 0.0, LinkTimes{{1.0, 1.0, 1.0}, 0.0, {0.05, 0.0, 0.0}}, capacities);
+    for (const double t : {0.0, 0.1, 0.2, 0.3}) give(0, t, 1.0, t * t);
+    give(0, 0.35, 1.0, 0.35 * 0.35);
+    give(0, 0.35, -1.0, 0.35 * 0.35, true);
+    for (const double t : {0.0, 0.15, 0.35}) give(1, t, t);
+  }
+  void give(int who, double t, double y, double b = 0.0, bool jump = false) {
+    double* const row = exchange->history(who).room().append(t, jump);
+    row[0] = y;
+    if (who == 0) row[1] = b;
+    exchange->commit(who, t);
+  }
+  Signal from(double time) { return exchange->inputs(2, time, 0.5, 0.5)[0]; }
+
+  SubsystemInfo source{"source", {}, {{"a", "1"}, {"b", "1"}}, {}, {.events = true}},
+      line{"line", {}, {{"y", "1"}}, {}, {}}, reader{"reader", {{"u", "1"}}, {}, {}, {}};
+  Topology topology;
+  std::optional<Exchange> exchange;
+};
+
+TEST(LinkJumps, WhereACallBeginsTheSumBeginsWithThem) {
+  SumAtJump sum("a");
+  const Signal u = sum.from(0.35);
+  EXPECT_TRUE(u.jumps_at(0.35, TimeTolerance()));
+  EXPECT_NEAR(u.value(0.35), -1.0 + 0.35, 1e-15);
+}
+
+/// The parabola b goes on by the line through its last two own nodes, 0.3 and 0.35 s, or from the second row
+/// of that time by another one: whichever of them it is, also in a sum.
+TEST(LinkJumps, BehindTheSecondRowOfATimeASumGoesOnAsItsTermsDo) {
+  SumAtJump sum("b");
+  const Signal whole = sum.from(0.2), rest = sum.from(0.4);
+  for (const double t : {0.42, 0.5}) EXPECT_EQ(whole.value(t), rest.value(t)) << t;
 }
 
 }  // namespace

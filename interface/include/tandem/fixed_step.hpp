@@ -83,13 +83,14 @@ class FixedStep final : public SavedModels<Model, GridPlace> {
 
   Clock advance(double t_limit, bool land, std::span<const Signal> u, Samples& y) override {
     jumps_.begin(u, place_.time());
-    take_jump(y);
+    if (!y.full() && have_jumped(u)) take_jump(y);
     while (has_room(y)) {
       OwnStep s{place_.time(), place_.next(), place_.length()};
       if (!place_.fits(t_limit)) {
         if (!land || !place_.cuts(t_limit)) return place_.clock();
         s.end = t_limit, s.length = t_limit - s.begin;
       }
+      if (pass_jumps() && take_jump(y)) continue;
       if (integrate(s)) return stop_at(s.end, y);
       move_to(s.end);
       model_.outputs(y.append(place_.time()));
@@ -101,13 +102,28 @@ class FixedStep final : public SavedModels<Model, GridPlace> {
   /// An event takes two rows.
   bool has_room(const Samples& y) const { return y.room() > (this->info_.abilities.events ? 1 : 0); }
 
-  /// A second row where it stands, if inputs have jumped there and outputs with them.
-  void take_jump(Samples& y) {
-    if constexpr (TakesJumps<Model>) {
-      const auto jumps = [this](const Signal& u) { return u.jumps_at(place_.time(), place_.tolerance()); };
-      if (y.full() || std::none_of(jumps_.inputs().begin(), jumps_.inputs().end(), jumps)) return;
-      if (model_.jump(place_.time(), jumps_.inputs())) model_.outputs(y.append(place_.time(), true));
-    }
+  bool have_jumped(std::span<const Signal> u) const {
+    return std::any_of(u.begin(), u.end(), [this](const Signal& input) {
+      return input.jumps_at(place_.time(), place_.tolerance());
+    });
+  }
+
+  /// Inputs may also jump where a step of this call has ended: it goes on from there as a call that begins
+  /// there does. False: none does.
+  bool pass_jumps() {
+    bool any = false;
+    for (; jumps_.next() < place_.next() && !place_.tolerance().before(place_.time(), jumps_.next());
+         any = true)
+      jumps_.pass();
+    return any;
+  }
+
+  /// A second row where it stands and inputs have jumped. False: no output has with them.
+  bool take_jump(Samples& y) {
+    if constexpr (TakesJumps<Model>)
+      if (model_.jump(place_.time(), jumps_.inputs()))
+        return model_.outputs(y.append(place_.time(), true)), true;
+    return false;
   }
 
   void move_to(double t) { place_.fits(t) ? place_.step() : place_.cut(t); }

@@ -91,11 +91,12 @@ static inline double tandem_signal_next_jump(const tandem_signal* u, double t) {
   return INFINITY;
 }
 
-/* From its jump at t on, whose value there is the one after; the whole signal if it has none there. */
+/* From its jump at t on, the last of them, whose value there is the one after; the whole signal if it has
+ * none there. */
 static inline tandem_signal tandem_signal_from_jump(const tandem_signal* u, double t) {
   tandem_signal from = *u;
   int32_t k;
-  for (k = 0; k < u->count; ++k)
+  for (k = u->count - 1; k >= 0; --k)
     if (tandem_segment_jumps(u->segments + k) && u->segments[k].origin == t) {
       from.segments += k;
       from.count -= k;

@@ -86,7 +86,7 @@ void Link::write(ByteWriter& to) const {
       to.put_doubles(s.c);
     }
   to.put(read_from_);
-  to.put(jump_at_);
+  to.put(expected_);
 }
 
 void Link::read(ByteReader& from) {
@@ -94,7 +94,7 @@ void Link::read(ByteReader& from) {
   const auto count = from.take<std::int32_t>(), old = from.take<std::int32_t>();
   fitted_ = from.take<std::int64_t>();
   from.take_list(differences_);
-  capacity_ = follows_ ? samples_->capacity() : 1;
+  capacity_ = follows_ ? segments_of_lane() : 1;
   check(count, old, from);
   count_ = count;
   segments_.assign(lanes_.size() * static_cast<std::size_t>(capacity_), Segment{});
@@ -103,9 +103,10 @@ void Link::read(ByteReader& from) {
     read({first_ - old + static_cast<std::int64_t>(l) * capacity_, static_cast<std::size_t>(old + count_)},
          from);
   read_from_ = from.take<double>();
-  jump_at_ = from.take<double>();
-  if (!std::isfinite(read_from_) || !std::isfinite(jump_at_))
+  expected_ = from.take<double>();
+  if (!std::isfinite(read_from_) || !std::isfinite(expected_))
     from.refuse("has a time of reading, or of a jump, that is not finite");
+  renew_last();
 }
 
 /// Each segment is of a row that is there, and so are the rows that the next one is fitted to.

@@ -16,35 +16,35 @@ void Coordinator::hear_of_event(int who) {
   for (const int leader : seat.leaders_back) tell(leader);
   if (!history.jump(history.newest())) return;
   const double t = history.time(history.newest());
-  const auto is_seen = [&](int reader) { return jump_seen(who, reader) != 0.0; };
+  const auto is_seen = [&](int reader) { return jump_seen(who, reader, Member::never).size != 0.0; };
   if (schedule_->kind() == Schedule::Kind::parallel &&
       std::any_of(seat.readers.begin(), seat.readers.end(), is_seen))
     schedule_->end_round_at(t);
   for (const int reader : seat.readers)
-    if (tolerance_.before(t, time(reader))) pass_by(reader, who, t);
-  exchange_->note_jump(who);
+    if (tolerance_.before(t, time(reader))) pass_by(reader, who);
   if (std::any_of(seat.carriers.begin(), seat.carriers.end(), is_seen))
     for (const int carrier : seat.carriers) exchange_->expect_jump(carrier, t);
   for (const int reader : seat.readers) place(reader);
 }
 
-/// By how much an input of the reader jumps, or one of those with which what it reads jumps at once.
-double Coordinator::jump_seen(int who, int reader) const {
+/// By how much an input of the reader jumps, or one of those with which what it reads jumps at once, and
+/// where it does so first, as far as that is before `until`.
+Exchange::Jump Coordinator::jump_seen(int who, int reader, double until) const {
   const EventSeat& seat = events(who);
-  double largest = exchange_->jump(who, reader);
+  Exchange::Jump jump = exchange_->jump(who, reader, until);
   if (std::find(seat.of_carriers.begin(), seat.of_carriers.end(), reader) != seat.of_carriers.end())
-    for (const int carrier : seat.carriers) largest = std::max(largest, exchange_->jump(who, carrier));
-  return largest;
+    for (const int carrier : seat.carriers) jump.add(exchange_->jump(who, carrier, until));
+  return jump;
 }
 
-/// `reader` stands past an event of `who` at t.
-void Coordinator::pass_by(int reader, int who, double t) {
-  const double jump = jump_seen(who, reader);
-  if (jump == 0.0) return;
+/// `reader` stands past an event of `who`. A jump that it sees later, by a lag, it may not have passed.
+void Coordinator::pass_by(int reader, int who) {
+  const Exchange::Jump jump = jump_seen(who, reader, time(reader));
+  if (jump.size == 0.0) return;
   const auto& behind = events(reader).events_behind;  // a follower that a ring let pass keeps no such state
-  if (std::find(behind.begin(), behind.end(), who) != behind.end()) return go_back(reader, t);
+  if (std::find(behind.begin(), behind.end(), who) != behind.end()) return go_back(reader, jump.time);
   EventSeat& seat = events(who);
-  const double size = jump * (time(reader) - t);
+  const double size = jump.size * (time(reader) - jump.time);
   seat.missed += 1;
   if (size >= seat.most_missed) seat.most_missed = size, seat.missed_by = reader;
 }
@@ -101,6 +101,17 @@ void Coordinator::go_back(int who, double t) {
   events(who).times_back += 1;
   exchange_->rebuild(who);
   stand(who, clock);
+  forget_jumps(who);
+}
+
+/// What it had given is no longer known to its readers: where they were to end steps for that they are not.
+void Coordinator::forget_jumps(int who) {
+  for (const int carrier : events(who).carriers) exchange_->expect_jump(carrier, -Member::never);
+  const auto place_it = [this](int reader) {
+    if (!schedule_->member(reader).sampled) place(reader);
+  };
+  exchange_->each_reader(who, place_it);
+  for (const int reader : events(who).of_carriers) place_it(reader);
 }
 
 /// The last row that is not taken back any more: that of the state which the earliest event leads back to. (A

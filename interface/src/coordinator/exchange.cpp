@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <tuple>
@@ -36,14 +37,14 @@ const Segment& piece_before(const Signal& signal, double end) {
   return *it;
 }
 
-/// That which begins with a jump where this piece of the sum does, if there is one.
+/// That which begins with a jump where this piece of the sum does, the last of them, if there is one.
 const Segment& piece(const Signal& signal, const Segment& of_sum, const TimeTolerance& tolerance) {
   const auto segments = signal.segments();
-  const auto jump = std::find_if(segments.begin(), segments.end(), [&](const Segment& s) {
+  const auto jump = std::find_if(segments.rbegin(), segments.rend(), [&](const Segment& s) {
     return tandem_segment_jumps(&s) &&
            std::abs(s.origin - of_sum.origin) <= tolerance.width(s.origin, of_sum.origin);
   });
-  return tandem_segment_jumps(&of_sum) && jump != segments.end() ? *jump : piece_before(signal, of_sum.end);
+  return tandem_segment_jumps(&of_sum) && jump != segments.rend() ? *jump : piece_before(signal, of_sum.end);
 }
 
 /// Whether what the source gives may jump with events of another.
@@ -186,11 +187,15 @@ void Exchange::withdraw(int source, std::int64_t rows) {
   for (Link* link : end.out) link->withdraw(rows);
 }
 
-double Exchange::jump(int source, int reader) const {
-  double largest = 0.0;
-  for (const Link* link : ends_[static_cast<std::size_t>(source)].out)
-    if (link->reader() == reader) largest = std::max(largest, link->newest_jump());
-  return largest;
+Exchange::Jump Exchange::jump(int source, int reader, double until) const {
+  const End& end = ends_[static_cast<std::size_t>(source)];
+  const double t = end.history.time(end.history.newest());
+  Jump jump;
+  for (const Link* link : end.out)
+    if (const double size = link->newest_jump();
+        link->reader() == reader && size != 0.0 && tolerance_.before(t + link->delay(), until))
+      jump.add({size, t + link->delay()});
+  return jump;
 }
 
 void Exchange::rebuild(int reader) {
@@ -214,14 +219,9 @@ std::span<const double> Exchange::sample(int reader, TimeSpan to) {
 void Exchange::add_up(Sum& sum, std::span<Signal> slots) const {
   const auto terms = slots.subspan(sum.first, sum.count);
   sum.segments.clear();
-  for (const Signal& term : terms)
-    for (const Segment& s : term.segments()) {
-      sum.segments.push_back(Segment{s.end, s.origin, {}});
-      if (tandem_segment_jumps(&s)) {
-        sum.segments.push_back({s.origin + tolerance_.width(s.origin, s.origin), s.origin, {}});
-        mark_jump(sum.segments.back(), true);
-      }
-    }
+  const double begin = first_jump_end(terms);
+  for (const Signal& term : terms) add_pieces(sum, term, begin);
+  add_rest(sum, terms);
   const auto jumps = [](const Segment& s) { return tandem_segment_jumps(&s); };
   std::sort(sum.segments.begin(), sum.segments.end(), [&](const Segment& a, const Segment& b) {
     return std::tuple(a.end, jumps(a), a.origin) < std::tuple(b.end, jumps(b), b.origin);
@@ -240,6 +240,40 @@ void Exchange::add_up(Sum& sum, std::span<Signal> slots) const {
   }
   for (const Signal& term : terms) degree = std::max(degree, static_cast<int>(term.degree()));
   slots[sum.input] = Signal(sum.segments.data(), static_cast<std::int32_t>(sum.segments.size()), degree);
+}
+
+/// Terms that begin with a jump have jumped where the call begins, or before: so does the sum, whichever
+/// other pieces end there. Where the piece of the last of these jumps ends.
+double Exchange::first_jump_end(std::span<const Signal> terms) const {
+  double end = -Member::never;
+  for (const Signal& term : terms)
+    if (const Segment& s = term.segments().front(); tandem_segment_jumps(&s))
+      end = std::max(end, s.origin + tolerance_.width(s.origin, s.origin));
+  return end;
+}
+
+/// Those of a term that go on past `begin`, and those jumps that are not before it.
+void Exchange::add_pieces(Sum& sum, const Signal& term, double begin) const {
+  for (const Segment& s : term.segments()) {
+    const double jump_end = s.origin + tolerance_.width(s.origin, s.origin);
+    if (s.end > begin) sum.segments.push_back({s.end, s.origin, {}});
+    if (!tandem_segment_jumps(&s) || jump_end < begin) continue;
+    sum.segments.push_back({jump_end, s.origin, {}});
+    mark_jump(sum.segments.back(), true);
+  }
+}
+
+/// Where the last sample of a term is the second of its time, what goes on behind it is another polynomial
+/// than that which ends there. Its origin is that of the last piece, as it is where only that is left.
+void Exchange::add_rest(Sum& sum, std::span<const Signal> terms) const {
+  bool any = false;
+  double origin = -Member::never;
+  for (const Signal& term : terms) {
+    const auto segments = term.segments();
+    origin = std::max(origin, segments.back().origin);
+    any = any || (segments.size() > 1 && segments[segments.size() - 2].end >= segments.back().end);
+  }
+  if (any) sum.segments.push_back({std::numeric_limits<double>::infinity(), origin, {}});
 }
 
 void Exchange::make_room(int source, std::int64_t wanted) {

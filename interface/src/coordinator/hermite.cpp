@@ -33,7 +33,8 @@ struct Cubic {
 }  // namespace
 
 void Link::extend_hermite(Link& link, NewRows rows) {
-  link.extend_rows(rows, Cubic{link.stride_, link.samples_->outputs()});
+  const Cubic cubic{link.stride_, link.samples_->outputs()};
+  link.extend_rows(rows, cubic, cubic);
 }
 
 }  // namespace tandem

@@ -41,7 +41,7 @@ struct Newton {
 
 template <int Degree>
 void Link::extend_lagrange(Link& link, NewRows rows) {
-  link.extend_rows(rows, Newton<Degree>{link.stride_});
+  link.extend_rows(rows, Newton<Degree>{link.stride_}, Newton<std::max(Degree, 1)>{link.stride_});
 }
 
 template void Link::extend_lagrange<0>(Link&, NewRows);

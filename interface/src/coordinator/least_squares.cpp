@@ -75,7 +75,8 @@ struct Fit {
 }  // namespace
 
 void Link::extend_least_squares(Link& link, NewRows rows) {
-  link.extend_rows(rows, Fit{link.stride_, link.how_.degree, link.how_.samples()});
+  const Fit fit{link.stride_, link.how_.degree, link.how_.samples()};
+  link.extend_rows(rows, fit, fit);
 }
 
 }  // namespace tandem

@@ -22,15 +22,22 @@ Link::Link(int source, int reader, Reconstruction how, double delay)
       reader_(reader),
       how_(how) {}
 
+void Link::pass_over(double nearest) {
+  nearest_ = nearest, plain_ = false;
+  joins_ = how_.kind == Reconstruction::Kind::lagrange || how_.kind == Reconstruction::Kind::hermite;
+  if (joins_) degree_ = std::max(degree_, 1);
+}
+
 void Link::attach(const History& samples, TimeTolerance tolerance) {
   tolerance_ = tolerance;
   samples_ = &samples;
   stride_ = samples.stride();
-  capacity_ = follows_ ? samples_->capacity() : 1;
+  joins_ = joins_ && !within_;
+  capacity_ = follows_ ? segments_of_lane() : 1;
   segments_.assign(lanes_.size() * static_cast<std::size_t>(capacity_), Segment{});
   differences_.assign(lanes_.size() * TANDEM_MAX_COEFFICIENTS, 0.0);
   first_ = segments_.data();
-  if (nearest_ > 0.0) nodes_.resize(static_cast<std::size_t>(how_.samples() * stride_));
+  if (nearest_ > 0.0) nodes_.resize(static_cast<std::size_t>(std::max(how_.samples(), 2) * stride_));
 }
 
 Link::Extend Link::extend_by(Reconstruction how) {
@@ -66,29 +73,45 @@ bool Link::jump_near(const double* row) const {
   return false;
 }
 
-/// The rows that a polynomial at this one goes through, the oldest first, at the end of nodes_; their number.
-/// None lies before the last jump of `lane` (null: no row near this one is a jump). The row of that jump is
-/// passed over for no other than this one.
-int Link::gather_nodes(const double* row, const Lane* lane) {
-  const int most = how_.samples();
-  int count = 0;
+/// The rows that a polynomial at this one goes through, the oldest first, to the end of nodes_. None lies
+/// before the last jump of `lane` (null: no row near this one is a jump). The row of that jump is passed over
+/// for no other than this one; where both ends of a step are joined, for none of these.
+void Link::gather_nodes(const double* row, const Lane* lane, bool joined) {
+  const int fixed = joined ? 2 : 1, most = std::max(how_.samples(), fixed);
+  gathered_ = 0;
+  double* node = nodes_.data() + nodes_.size();
   const double* newer = nullptr;
   const std::int64_t last = std::min<std::int64_t>(fitted_, rows_looked_at() - 1);
-  for (std::int64_t k = 0; k <= last && count < most; ++k, row -= stride_) {
-    const bool first = lane && jumps(row, *lane), close = newer && *newer - *row < nearest_;
+  for (std::int64_t k = 0; k <= last && gathered_ < most; ++k, row -= stride_) {
+    const bool first = lane && jumps(row, *lane), close = k >= fixed && *newer - *row < nearest_;
     if (close && !first) continue;
-    if (close && count > 1) --count;
+    if (close && joined && gathered_ == fixed) return;
+    if (close && gathered_ > 1) --gathered_, node += stride_;
     newer = row;
-    std::copy_n(row, stride_, nodes_.data() + (most - ++count) * stride_);
-    if (first) break;
+    node = std::copy_n(row, stride_, node - stride_) - stride_;
+    ++gathered_;
+    if (first) return;
   }
-  return count;
 }
 
-void Link::note_jump() {
-  const double* const row = samples_->row(samples_->newest());
-  for (const Lane& lane : lanes_)
-    if (jumps(row, lane)) jump_at_ = row[0] + delay_;
+/// Whether what joins this row and the one before is another polynomial than that which goes on from here.
+bool Link::joins_step_to(const double* row) const {
+  if (!joins_ || fitted_ == 0) return false;
+  const double before = *(row - stride_), shortest = how_.samples() > 1 ? nearest_ : 2.0 * nearest_;
+  return tolerance_.before(before, *row) && *row - before < shortest;
+}
+
+/// The segment behind the last one, that of the newest row, is for whatever is past it.
+void Link::go_on_behind(std::int32_t last) {
+  Segment* s = first_ + (last + 1);
+  for (std::size_t l = 0; l < lanes_.size(); ++l, s += capacity_) s->end = open_end, mark_jump(*s, false);
+}
+
+/// That of the newest row, and what goes on behind it, which is no longer there.
+void Link::renew_last() {
+  if (!joins_) return;
+  --count_, --fitted_;
+  extend({samples_->row(samples_->newest()), 1});
 }
 
 double Link::newest_jump() const {
@@ -108,7 +131,7 @@ void Link::withdraw(std::int64_t rows) {
   if (!held_) fitted_ -= rows;
   count_ -= static_cast<std::int32_t>(rows);
   if (count_ < 1) first_ += count_ - 1, count_ = 1;
-  jump_at_ = -Member::never;
+  renew_last();
   for (std::size_t l = 0; held_ && l < lanes_.size(); ++l)
     first_[static_cast<std::int64_t>(l) * capacity_ + count_ - 1].end = open_end;
 }
@@ -154,17 +177,17 @@ void Link::reach_back() {
 /// where the source goes back to.
 void Link::follow_room() {
   if (!follows_) return;
-  const std::int64_t old = let_go();
+  const std::int64_t old = let_go(), capacity = segments_of_lane();
   LineVector<Segment> larger;
-  LineVector<Segment>& target = samples_->capacity() == capacity_ ? segments_ : larger;
-  target.resize(lanes_.size() * static_cast<std::size_t>(samples_->capacity()));
+  LineVector<Segment>& target = capacity == capacity_ ? segments_ : larger;
+  target.resize(lanes_.size() * static_cast<std::size_t>(capacity));
   for (std::size_t l = 0; l < lanes_.size(); ++l) {
     const Segment* first = first_ - old + static_cast<std::int64_t>(l) * capacity_;
-    std::copy(first, first + old + count_,
-              target.data() + static_cast<std::int64_t>(l) * samples_->capacity());
+    std::copy(first, first + old + count_ + (goes_on_ ? 1 : 0),
+              target.data() + static_cast<std::int64_t>(l) * capacity);
   }
   if (&target == &larger) segments_ = std::move(larger);
-  capacity_ = samples_->capacity();
+  capacity_ = capacity;
   first_ = segments_.data() + old;
 }
 

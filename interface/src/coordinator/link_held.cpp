@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 // Held outputs, and what sampled subsystems read.
+#include <algorithm>
 #include <limits>
 
 #include "tandem/coordinator/link.hpp"
@@ -26,18 +27,34 @@ void Link::extend_held(Link& link, NewRows rows) {
 void Link::read_otherwise(double time, double next_time, Signal* slots) {
   if (!follows_) return read_window(time, next_time, slots);
   held_ ? forget_held(time) : forget_to(time);
-  const Segment* s = first_;
+  const bool past = is_past_last(time);
+  const Segment* s = first_ + (past ? 1 : 0);
+  const std::int32_t count = past ? 1 : count_ + (goes_on_ ? 1 : 0);
   for (const Lane& lane : lanes_) {
-    slots[lane.slot] = Signal(s, count_, degree_);
+    slots[lane.slot] = Signal(s, count, degree_);
     s += capacity_;
   }
 }
 
+/// Of a source with events its rows tell, also those that readers do not see before a round is over, and
+/// what is expected of it.
 double Link::next_break(double time) const {
-  if (has_events_) return tolerance_.before(time, jump_at_) ? jump_at_ : Member::never;
+  if (has_events_) return next_jump(time);
   for (std::int32_t k = 1; k < count_; ++k)
     if (tolerance_.before(time, first_[k].origin)) return first_[k].origin;
   return Member::never;
+}
+
+double Link::next_jump(double time) const {
+  double next = tolerance_.before(time, expected_) ? expected_ : Member::never;
+  for (std::int64_t row = samples_->newest(); row > samples_->oldest(); --row) {
+    const double t = samples_->time(row) + delay_;
+    if (!tolerance_.before(time, t)) break;
+    const auto jumps_there = [&](const Lane& lane) { return jumps(samples_->row(row), lane); };
+    if (samples_->jump(row) && std::any_of(lanes_.begin(), lanes_.end(), jumps_there))
+      next = std::min(next, t);
+  }
+  return next;
 }
 
 bool Link::jumps_at(double time) const {
@@ -77,7 +94,7 @@ void Link::sample(TimeSpan to, double* u) {
   been_read_ = true;
   if (!follows_) return sample_window(to, u);
   for (; is_past(to.stop); --count_) ++first_;
-  const Segment* s = first_;
+  const Segment* s = first_ + (is_past_last(to.stop) ? 1 : 0);
   for (const Lane& lane : lanes_) {
     u[lane.slot] = Signal(s, 1, degree_).value(to.stop);
     s += capacity_;

@@ -6,10 +6,10 @@ namespace tandem {
 
 /// For each new row of the source: weights = make.prepare(row, fitted), where `fitted` rows before it may be
 /// fitted together with it, and for each lane make.fill(weights, row, lane, table, coefficients), where
-/// `table` is the lane's memory.
-template <class Make>
-void Link::extend_rows(NewRows rows, const Make& make) {
-  if (nearest_ > 0.0) return extend_spread(rows, make);
+/// `table` is the lane's memory. join: makes what joins two samples of which the older is passed over.
+template <class Make, class Join>
+void Link::extend_rows(NewRows rows, const Make& make, const Join& join) {
+  if (nearest_ > 0.0) return extend_spread(rows, make, join);
   const double* row = rows.first;
   for (std::int64_t left = rows.count; left > 0; --left, row += stride_) {
     if (row[1] != 0.0) fitted_ = 0;
@@ -27,32 +27,44 @@ void Link::extend_rows(NewRows rows, const Make& make) {
   }
 }
 
-/// The same on the rows that are not passed over, from the oldest of them on each time; near a jump they are
-/// others in each lane.
-template <class Make>
-void Link::extend_spread(NewRows rows, const Make& make) {
+/// The same on the rows that are not passed over.
+template <class Make, class Join>
+void Link::extend_spread(NewRows rows, const Make& make, const Join& join) {
   const double* row = rows.first;
-  const std::span<const Lane> lanes = lanes_;
-  for (std::int64_t left = rows.count; left > 0; --left, ++fitted_, ++count_, row += stride_)
-    if (!jump_near(row))
-      fit(row, gather_nodes(row, nullptr), lanes, make);
-    else
-      for (std::size_t l = 0; l < lanes.size(); ++l)
-        fit(row, gather_nodes(row, &lanes[l]), lanes.subspan(l, 1), make);
+  for (std::int64_t left = rows.count; left > 0; --left, ++fitted_, ++count_, row += stride_) {
+    goes_on_ = joins_step_to(row);
+    if (!goes_on_) {
+      fit_lanes(row, first_ + count_, false, make);
+      continue;
+    }
+    fit_lanes(row, first_ + count_, true, join);
+    if (left == 1) fit_lanes(row, first_ + count_ + 1, false, make), go_on_behind(count_);
+  }
 }
 
-/// The segments of some lanes behind the last ones, from the gathered nodes.
+/// The segments of a row, from the oldest node on each time; near a jump they are others in each lane.
 template <class Make>
-void Link::fit(const double* row, int nodes, std::span<const Lane> lanes, const Make& make) {
-  const double* node = nodes_.data() + (how_.samples() - nodes) * stride_;
+void Link::fit_lanes(const double* row, Segment* to, bool joined, const Make& make) {
+  const std::span<const Lane> lanes = lanes_;
+  if (!jump_near(row)) return gather_nodes(row, nullptr, joined), fit(row, to, lanes, make);
+  for (std::size_t l = 0; l < lanes.size(); ++l) {
+    gather_nodes(row, &lanes[l], joined);
+    fit(row, to, lanes.subspan(l, 1), make);
+  }
+}
+
+/// Those of some lanes, from the gathered nodes; `to` is of lane 0.
+template <class Make>
+void Link::fit(const double* row, Segment* to, std::span<const Lane> lanes, const Make& make) {
+  const double* node = nodes_.data() + static_cast<std::int64_t>(nodes_.size()) - gathered_ * stride_;
   const auto before = lanes.data() - lanes_.data();
-  for (int k = 0; k < nodes; ++k, node += stride_) {
+  for (int k = 0; k < gathered_; ++k, node += stride_) {
     const auto weights = make.prepare(node, k);
     double* table = differences_.data() + before * TANDEM_MAX_COEFFICIENTS;
-    Segment* s = first_ + count_ + before * capacity_;
+    Segment* s = to + before * capacity_;
     for (const Lane& lane : lanes) {
-      s->origin = row[0] + delay_;
-      s->end = s->origin + tolerance_.width(s->origin, s->origin);
+      const double origin = row[0] + delay_;
+      *s = Segment{origin + tolerance_.width(origin, origin), origin, {}};
       make.fill(weights, node, lane, table, s->c);
       mark_jump(*s, jumps(row, lane));
       s += capacity_;

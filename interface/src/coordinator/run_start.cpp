@@ -82,6 +82,8 @@ std::vector<Member> RunStart::members() const {
     all[i].events = !run_.event_seats_[i].readers.empty();
     all[i].one_step = !run_.event_seats_[i].events_behind.empty();
   }
+  for (const auto& sources : run_.through_)
+    for (const Through& through : sources) all[static_cast<std::size_t>(through.source)].jumps = true;
   for (const Line& line : topology_.lines())
     if (line.how.kind == Reconstruction::Kind::mean)
       all[static_cast<std::size_t>(line.reader)].one_step = true;

@@ -61,8 +61,8 @@ Schedule::Schedule(Plan plan, std::vector<Member> members, std::span<const Read>
 
 double Schedule::find_landing(int who, double time, double break_at) {
   Member& m = members_[static_cast<std::size_t>(who)];
-  const double instant = sampled_ ? turns_.landing(members_, who, time) : Member::never;
-  m.landing = m.lands ? std::min(break_at, instant) : Member::never;
+  if (sampled_) break_at = turns_.landing(members_, who, {time, break_at});
+  m.landing = m.lands ? break_at : Member::never;
   return m.landing;
 }
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 // Inputs that jump, and outputs that jump with them at once. Who stands at such a jump tells the outputs
-// after it at the begin of its next call. Whoever stands there too and reads one of them waits for that row,
-// also if it leads; else it would go on with what was before, and err to first order.
+// after it at the begin of its next call. Whoever stands there too, or past it, and reads one of them waits
+// for that row, also if it leads; else it would go on with what was before, and err to first order.
 #include <algorithm>
 
 #include "feedthrough.hpp"
@@ -57,13 +57,12 @@ void Coordinator::await_jumps(std::span<const Turn> turns) {
   for (const int who : awaiting_) await_jumps(who, false);
 }
 
-/// Of those that it reads and that stand where it stands; before, of those that these read at once. (There
-/// are no circles of these.)
+/// Of those that it reads and that do not stand past it; before, of those that these read at once. (There are
+/// no circles of these.)
 void Coordinator::await_jumps(int reader, bool at_once) {
   for (const Through& through : through_[static_cast<std::size_t>(reader)]) {
     const double t = time(through.source);
-    if (at_once > through.at_once || tolerance_.before(t, time(reader)) || tolerance_.before(time(reader), t))
-      continue;
+    if (at_once > through.at_once || tolerance_.before(time(reader), t)) continue;
     await_jumps(through.source, true);
     if (exchange_->jumps_at(through.source, t)) tell_jump(through.source);
   }

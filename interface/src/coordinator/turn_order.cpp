@@ -34,6 +34,7 @@ void TurnOrder::link() {
     waiting_side_.push_back(turns ? Relation::Waits::first : Relation::Waits::none);
     waits_[static_cast<std::size_t>(a)] += turns ? 1 : 0;
     drift_ = drift_ || !turns;
+    if (!turns) rows_.assign(waits_.size(), Member::never);
   }
   for (std::size_t i = 0; i < of.size(); ++i) {
     neighbours_.insert(neighbours_.end(), of[i].begin(), of[i].end());
@@ -80,7 +81,8 @@ void TurnOrder::gather_clusters() {
 Relation::Waits TurnOrder::waits_of(std::span<const Member> members, const Neighbour& n, int who) const {
   const Member &m = members[static_cast<std::size_t>(who)], &other = members[static_cast<std::size_t>(n.who)];
   if (n.kind == Relation::Kind::turns)
-    return (n.leads() ? tolerance_.before(other.time, m.next) : tolerance_.before(m.time, other.next))
+    return (n.leads() ? tolerance_.before(other.time, row_of(members, who))
+                      : tolerance_.before(m.time, row_of(members, n.who)))
                ? Relation::Waits::second
                : Relation::Waits::first;
   const Relation& r = relations_[static_cast<std::size_t>(n.relation)];
@@ -88,6 +90,7 @@ Relation::Waits TurnOrder::waits_of(std::span<const Member> members, const Neigh
 }
 
 void TurnOrder::moved(std::span<const Member> members, int who) {
+  if (!rows_.empty()) rows_[static_cast<std::size_t>(who)] = earliest_row(members, who);
   for (const Neighbour& n : neighbours(who)) {
     const Relation::Waits now = waits_of(members, n, who);
     if (now != waiting_side_[static_cast<std::size_t>(n.relation)]) change(members, who, n, now);
@@ -120,6 +123,25 @@ void TurnOrder::mark(std::span<const Member> members, int who) {
     waiting_.push_back(group_of_[i]);
 }
 
+/// That of its next node; or before, where a sampled one may want a step to end that has not told it yet; or
+/// where it stands, if an input may jump there, and outputs with it. It waits itself for these sampled ones.
+double TurnOrder::earliest_row(std::span<const Member> members, int who) const {
+  const Member& m = members[static_cast<std::size_t>(who)];
+  double row = m.next;
+  if (m.finished()) return row;
+  for (const Neighbour& n : neighbours(who)) {
+    if (n.kind == Relation::Kind::turns) continue;
+    const Relation& r = relations_[static_cast<std::size_t>(n.relation)];
+    const Member& other = members[static_cast<std::size_t>(n.who)];
+    if (n.mine == Relation::Waits::second && r.ends_steps())
+      row = std::min(row, std::max(r.known(other), m.time));
+    if (m.jumps && n.mine == Relation::Waits::first && n.kind == Relation::Kind::held &&
+        !tolerance_.before(m.time, other.next + r.lag))
+      row = m.time;
+  }
+  return row;
+}
+
 /// Leaders stand past its next node, followers' next nodes lie past where it stands, outputs of sampled ones
 /// are known, and where it ends steps for them.
 double TurnOrder::limit(std::span<const Member> members, int who) const {
@@ -129,7 +151,7 @@ double TurnOrder::limit(std::span<const Member> members, int who) const {
   for (const Neighbour& n : neighbours(who)) {
     const Member& other = members[static_cast<std::size_t>(n.who)];
     if (n.kind == Relation::Kind::turns)
-      limit = std::min(limit, n.leads() ? other.time : other.next);
+      limit = std::min(limit, n.leads() ? other.time : row_of(members, n.who));
     else if (const Relation& r = relations_[static_cast<std::size_t>(n.relation)];
              n.kind == Relation::Kind::held)
       limit = std::min(limit, other.next + r.lag);
@@ -139,17 +161,18 @@ double TurnOrder::limit(std::span<const Member> members, int who) const {
   return limit;
 }
 
-double TurnOrder::landing(std::span<const Member> members, int who, double time) const {
-  double first = Member::never;
+double TurnOrder::landing(std::span<const Member> members, int who, TimeSpan ahead) const {
+  double change = ahead.stop, read = Member::never;  // of what it reads, and where it is read
   for (const Neighbour& n : neighbours(who)) {
     if (n.kind == Relation::Kind::turns) continue;
     const Relation& r = relations_[static_cast<std::size_t>(n.relation)];
     if (!r.lands) continue;
-    const double instant = next_of(members, n.who),
-                 t = r.kind == Relation::Kind::held ? instant + r.lag : instant - r.lag;
-    if (instant != Member::never && tolerance_.before(time, t)) first = std::min(first, t);
+    const bool held = r.kind == Relation::Kind::held;
+    const double instant = next_of(members, n.who), t = held ? instant + r.lag : instant - r.lag;
+    double& first = held ? change : read;
+    if (instant != Member::never && tolerance_.before(ahead.start, t)) first = std::min(first, t);
   }
-  return first;
+  return tolerance_.before(read, change) ? read : change;
 }
 
 }  // namespace tandem

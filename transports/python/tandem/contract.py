@@ -149,9 +149,10 @@ class Signal:
         return next((s.origin for s in self.segments if s.jumps() and s.origin > t), math.inf)
 
     def from_jump_at(self, t: float) -> Signal:
-        """From its jump at t on, whose value there is the one after; the whole signal if it has none there."""
-        for k, s in enumerate(self.segments):
-            if s.jumps() and s.origin == t:
+        """From its jump at t on, the last of them, whose value there is the one after; the whole signal if it has none
+        there."""
+        for k in range(len(self.segments) - 1, -1, -1):
+            if self.segments[k].jumps() and self.segments[k].origin == t:
                 return Signal(self.segments[k:])
         return self
 

@@ -54,17 +54,23 @@ class Exchange {
   std::int64_t accept(int source, double t_limit);
   void publish(int source);
 
-  /// The newest row of `source`, which has events, is a jump: next_break() of its readers knows of it.
-  void note_jump(int source) {
-    for (Link* link : ends_[static_cast<std::size_t>(source)].out) link->note_jump();
-  }
   /// The outputs of `source` that follow its inputs will jump at t: next_break() of their readers knows of
   /// it.
   void expect_jump(int source, double t) {
     for (Link* link : ends_[static_cast<std::size_t>(source)].out) link->expect_jump(t);
   }
-  /// By how much, at most, an input of `reader` jumps at the newest row of `source`.
-  double jump(int source, int reader) const;
+  /// Calls visit(reader) for each that reads `source`; more than once for one that does so by several links.
+  template <class Visit>
+  void each_reader(int source, const Visit& visit) const {
+    for (const Link* link : ends_[static_cast<std::size_t>(source)].out) visit(link->reader());
+  }
+  /// A jump of inputs: the largest, and where the first is seen [s].
+  struct Jump {
+    double size = 0.0, time = Member::never;
+    void add(const Jump& other) { size = std::max(size, other.size), time = std::min(time, other.time); }
+  };
+  /// That at the newest row of `source` which inputs of `reader` see before `until`; size 0 for none.
+  Jump jump(int source, int reader, double until) const;
   /// Takes the newest `rows` rows of `source` back.
   void withdraw(int source, std::int64_t rows);
   /// `reader` may go back to `time` [s], but no further: make_room() keeps what it needs for that.
@@ -148,6 +154,9 @@ class Exchange {
   void hold_start_values(const Topology& topology, int reader);
   void drive(const Topology& topology, int reader, double t_start);
   void add_up(Sum& sum, std::span<Signal> slots) const;
+  double first_jump_end(std::span<const Signal> terms) const;
+  void add_pieces(Sum& sum, const Signal& term, double begin) const;
+  void add_rest(Sum& sum, std::span<const Signal> terms) const;
 
   TimeTolerance tolerance_;
   std::vector<Link> links_;

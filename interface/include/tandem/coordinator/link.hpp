@@ -38,21 +38,22 @@ class alignas(64) Link {
   void attach(const History& samples, TimeTolerance tolerance);
   /// Its source has samples besides those at its own nodes, or jumps: one that is nearer than `nearest` [s],
   /// above 0, to the next newer one that a polynomial goes through is passed over; after a jump of a lane its
-  /// polynomials go through the samples from the jump on, and the segment there is marked. Before attach().
-  void pass_over(double nearest) { nearest_ = nearest, plain_ = false; }
+  /// polynomials go through the samples from the jump on, and the segment there is marked. What is
+  /// interpolated between two samples of which the older is passed over joins them all the same, as the
+  /// reader has stood there: the polynomial goes through both, and behind the newer one another goes on. So
+  /// it does with degree 0, by a line, where an own step of `2 nearest` was cut. Before attach().
+  void pass_over(double nearest);
   /// Its source has events, or jumps with those of another. Before attach().
   void expect_jumps() { has_events_ = true; }
-  /// Where it jumps next, if it does.
+  /// Its source will jump at t, or (-Member::never) is not expected to any more.
   void expect_jump(double t) {
-    if (has_events_) jump_at_ = t + delay_;
+    if (has_events_) expected_ = t + delay_;
   }
   /// Makes the segments of the samples committed last.
   void extend(NewRows rows) { extend_(*this, rows); }
   /// Samples that were committed, and whose segments are made later, by extend_late().
   void wait(std::int64_t rows) { late_ += rows; }
   void extend_late();
-  /// The newest row of the source, which has events, is a jump at its time: noted for next_break().
-  void note_jump();
   /// By how much, at most, an input jumps at the newest row of the source.
   double newest_jump() const;
   /// Its source takes its newest `rows` rows back.
@@ -85,7 +86,7 @@ class alignas(64) Link {
   /// lane.
   void sample(TimeSpan to, double* u);
   /// When it is known to jump next after `time`: of a sampled source its next sample, of one with events its
-  /// last jump; `never` if that is not known.
+  /// next jump; `never` if that is not known.
   double next_break(double time) const;
   /// Whether it jumps at `time`, which its reader has not read yet.
   bool jumps_at(double time) const;
@@ -121,7 +122,10 @@ class alignas(64) Link {
   }
   /// Whether that segment of lane 0, or one beside it, begins with a jump.
   bool jumps_in(const Segment* of_first) const;
+  double next_jump(double time) const;
   bool is_past(double t) const;
+  /// Whether t lies behind the last sample, for which there is a segment of its own.
+  bool is_past_last(double t) const { return goes_on_ && count_ == 1 && first_->end < t; }
   using Extend = void (*)(Link&, NewRows rows);
   static Extend extend_by(Reconstruction how);
   template <int Degree>
@@ -129,13 +133,19 @@ class alignas(64) Link {
   static void extend_held(Link& link, NewRows rows);
   static void extend_hermite(Link& link, NewRows rows);
   static void extend_least_squares(Link& link, NewRows rows);
+  template <class Make, class Join>
+  void extend_rows(NewRows rows, const Make& make, const Join& join);
+  template <class Make, class Join>
+  void extend_spread(NewRows rows, const Make& make, const Join& join);
   template <class Make>
-  void extend_rows(NewRows rows, const Make& make);
+  void fit_lanes(const double* row, Segment* to, bool joined, const Make& make);
   template <class Make>
-  void extend_spread(NewRows rows, const Make& make);
-  template <class Make>
-  void fit(const double* row, int nodes, std::span<const Lane> lanes, const Make& make);
-  int gather_nodes(const double* row, const Lane* lane);
+  void fit(const double* row, Segment* to, std::span<const Lane> lanes, const Make& make);
+  void gather_nodes(const double* row, const Lane* lane, bool joined);
+  bool joins_step_to(const double* row) const;
+  void go_on_behind(std::int32_t last);
+  void renew_last();
+  std::int64_t segments_of_lane() const { return samples_->capacity() + (joins_ ? 1 : 0); }
   bool jump_near(const double* row) const;
   bool spreads() const { return nearest_ > 0.0; }
   int rows_looked_at() const { return (spreads() ? 4 : 1) * how_.samples(); }
@@ -180,10 +190,13 @@ class alignas(64) Link {
   LineVector<Segment> segments_;  ///< by lane, then by row
   int source_, reader_;
   Reconstruction how_;
-  bool has_events_ = false;          ///< its source has
-  double jump_at_ = -Member::never;  ///< [s]: the last one of its source that concerns a lane
-  std::vector<double> nodes_;        ///< rows that a polynomial goes through, where some are passed over
-  std::int64_t late_ = 0;            ///< see wait()
+  bool has_events_ = false;           ///< its source has
+  double expected_ = -Member::never;  ///< [s]: see expect_jump
+  bool joins_ = false;                ///< see pass_over
+  bool goes_on_ = false;              ///< behind the last segment one more, for what is past the last sample
+  std::vector<double> nodes_;         ///< rows that a polynomial goes through, where some are passed over
+  int gathered_ = 0;                  ///< of them, at the end
+  std::int64_t late_ = 0;             ///< see wait()
   bool sampled_ = false, within_ = false, just_before_ = false;  ///< see read_at_instants
   double read_from_ = 0.0;  ///< begin of the window that a sampled reader read last
 };

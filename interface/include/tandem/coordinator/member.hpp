@@ -16,6 +16,7 @@ struct alignas(32) Member {
   bool one_step = false;   ///< a turn is one own step, as an input is a mean over it, or as it may go back
   bool sampled = false;    ///< acts at instants of its own only
   bool events = false;     ///< stops where its outputs jump
+  bool jumps = false;      ///< outputs jump with inputs, and are told in a second row where it stands
   double landing = never;  ///< it ends a step there [s], if it gets so far
 
   bool finished() const { return next == never; }

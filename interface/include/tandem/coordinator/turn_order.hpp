@@ -19,7 +19,8 @@ namespace tandem {
 /// that it is related to. Of two that are linked never both are ready, and each step reads the same samples
 /// whatever goes first elsewhere: a leader's those of the follower up to where the leader stands, a
 /// follower's those of the leader up to the first one at or past the end of that step. Those that have
-/// nothing to do with each other do not wait for each other.
+/// nothing to do with each other do not wait for each other. A follower may give a row before its next node,
+/// at an instant that is not known yet: for that too its leader waits, who else would read it or not by chance.
 ///
 /// A sampled member acts at its instant t when all that it reads stand at t or can't come nearer without
 /// passing it, or have passed it where they do not depend on it; who reads it goes up to where its outputs
@@ -72,8 +73,11 @@ class TurnOrder {
   /// How far one that waits for none may go.
   double limit(std::span<const Member> members, int who) const;
   bool waits(int who) const { return waits_[static_cast<std::size_t>(who)] > 0; }
-  /// The first instant after `time` of a sampled member at which `who` is to end a step; `never` for none.
-  double landing(std::span<const Member> members, int who, double time) const;
+  /// Where `who`, which stands at ahead.start, is to end a step next: at ahead.stop, where an input is known
+  /// to change (`never` for none), or before at an instant of a sampled member. Of times that are equal but
+  /// for rounding that of the change is taken, which is known first, so that it does not matter when it is
+  /// asked.
+  double landing(std::span<const Member> members, int who, TimeSpan ahead) const;
   /// Calls visit(other) for each that `who` is related to.
   template <class Visit>
   void each_neighbour(int who, const Visit& visit) const {
@@ -105,6 +109,11 @@ class TurnOrder {
   static double next_of(std::span<const Member> members, int who) {
     return members[static_cast<std::size_t>(who)].next;
   }
+  /// Up to where a leader may go without the next row of `who`.
+  double row_of(std::span<const Member> members, int who) const {
+    return rows_.empty() ? next_of(members, who) : rows_[static_cast<std::size_t>(who)];
+  }
+  double earliest_row(std::span<const Member> members, int who) const;
   void link();
   void gather(std::span<const int> order);
   void gather_clusters();
@@ -129,6 +138,7 @@ class TurnOrder {
   std::vector<std::size_t> first_;     ///< of a member's neighbours; and the end
   std::vector<Relation::Waits> waiting_side_;  ///< by relation
   std::vector<int> waits_;                     ///< by member: relations in which it waits
+  std::vector<double> rows_;          ///< by member: see earliest_row(); empty where these are its next nodes
   std::vector<std::uint64_t> ready_;  ///< bits by member: neighbours in memory go one after the other
   std::vector<Group> groups_;
   std::vector<int> group_of_;               ///< by member
