@@ -1,8 +1,13 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "cli/transports.hpp"
 
+#include <spdlog/spdlog.h>
+
 #include "tandem/error.hpp"
 #include "tandem/shared_library/shared_library.hpp"
+#if TANDEM_HAS_FMI
+#include "tandem/fmi/fmi.hpp"
+#endif
 #if TANDEM_HAS_ZEROMQ
 #include "tandem/zeromq/zeromq.hpp"
 #endif
@@ -29,6 +34,9 @@ std::unique_ptr<wire::Listener> at_zeromq([[maybe_unused]] const std::string& ad
 void add_transports(Context& context) {
   add_shared_library(context.builtins);
   add_tcp(context.builtins, context.allow_plaintext);
+#if TANDEM_HAS_FMI
+  add_fmi(context.builtins, [](const std::string& what) { spdlog::warn("{}", what); });
+#endif
 #if TANDEM_HAS_ZEROMQ
   add_zeromq(context.builtins, context.allow_plaintext);
 #endif
