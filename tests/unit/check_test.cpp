@@ -96,7 +96,6 @@ TEST(Check, FindsNothingWhereNothingIsWrong) {
 
 TEST(Check, FindsPortsThatMakeNoSense) {
   const std::string of = "its ports make sense";
-  EXPECT_EQ(found({.info = [](auto& i) { i.outputs[0].unit = ""; }}, of, {"output 'x' has no unit"}), "");
   EXPECT_EQ(found({.info = [](auto& i) { i.inputs[1].name = "u"; }}, of, {"input 'u' is there twice"}), "");
   EXPECT_EQ(found({.info = [](auto& i) { i.feedthrough = {{0, 2}}; }}, of, {"input 2", "below 1 and 2"}), "");
   EXPECT_EQ(found({.info = [](auto& i) { i.outputs[0].derivatives = 4; }}, of, {"4 derivatives", "0 to 3"}),

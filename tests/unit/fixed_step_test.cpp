@@ -174,5 +174,36 @@ TEST(FixedStep, AddsTheAbilitiesThatItGives) {
   EXPECT_FALSE(subsystem.info().abilities.chooses_step);
 }
 
+/// The same to its third step, and without copies.
+struct Ending : Integral {
+  bool finished() const { return steps >= 3.0; }
+  bool keeps_state() const { return false; }
+};
+
+TEST(FixedStep, AModelMayComeToItsEnd) {
+  FixedStep<Ending> subsystem{Ending{}};
+  const Segment zero{1e9, 0.0, {}};
+  const Signal u(&zero, 1, 0);
+  double rows[40];
+  const double u0 = 0.0;
+  Samples first(rows, 4, 1), y(rows, 4, 10);
+  subsystem.initialize(0.0, 10.0, {&u0, 1}, first);
+  for (const int more : {3, 0}) {
+    y.c_rows().size = 0;
+    const Clock clock = subsystem.advance(5.0, false, {&u, 1}, y);
+    EXPECT_EQ(clock.stop, Stop::finished);
+    EXPECT_EQ(clock.time, 3 * 0.1);
+    EXPECT_EQ(y.size(), more);
+  }
+}
+
+TEST(FixedStep, AModelThatIsNotKeptSavesNoState) {
+  FixedStep<Ending> subsystem{Ending{}};
+  EXPECT_FALSE(subsystem.info().abilities.saves_state);
+  EXPECT_TRUE(test::refuses(ErrorCode::not_supported, {}, [&] { subsystem.save_state(); }));
+  EXPECT_TRUE(test::refuses(ErrorCode::not_supported, {}, [&] { subsystem.restore_state(1); }));
+  EXPECT_TRUE(test::refuses(ErrorCode::not_supported, {}, [&] { subsystem.release_state(1); }));
+}
+
 }  // namespace
 }  // namespace tandem

@@ -44,7 +44,11 @@ Builtins programs() {
                               [](const Address&, Parameters&) -> std::unique_ptr<Subsystem> {
                                 throw Error(ErrorCode::internal, "code was run");
                               },
-                              false, true, [](const Address&, Parameters& p) { p.number("h", 0.0); }};
+                              false, true,
+                              [](const Address&, Parameters& p) -> std::optional<Look> {
+                                p.number("h", 0.0);
+                                return std::nullopt;
+                              }};
   builtins.schemes["unseen"] = {{}, builtins.schemes["code"].make, false, true};
   return builtins;
 }

@@ -95,6 +95,14 @@ TEST_F(TopologyTest, UnitsHaveToAgreeOrBeConverted) {
   EXPECT_TRUE(refuses_connection(c, {"'rad' to 'N'", "can't be converted"}));
 }
 
+TEST_F(TopologyTest, AUnitThatIsNotSaidFitsEveryOther) {
+  const SubsystemInfo silent{"silent", {{"u", ""}}, {{"y", ""}}, {}, {}};
+  topology.add("silent", silent);
+  topology.connect(connection("silent.y", "shaft.speed"));
+  topology.connect(connection("motor.speed", "silent.u"));
+  EXPECT_EQ(topology.lines().back().gain, 1.0);
+}
+
 TEST_F(TopologyTest, GainAndOffsetApplyAfterTheConversionOfUnits) {
   Connection c = connection("motor.speed", "shaft.speed");
   c.convert = true;

@@ -48,7 +48,7 @@ std::unique_ptr<Subsystem> open_isolated(std::string uri, const Source& source, 
   if (!source.native)
     throw Error(ErrorCode::invalid_argument,
                 "isolate is true beside source '" + printable(uri) +
-                    "'; allowed is it beside native code, lib: or three_functions:");
+                    "'; allowed is it beside native code, lib:, three_functions: or fmu:");
   if (builtins.server.empty())
     throw Error(ErrorCode::not_supported,
                 "isolate is true, but there is no program here that serves a source");
@@ -89,12 +89,13 @@ std::unique_ptr<Subsystem> open(const std::string& uri, const Builtins& builtins
   return subsystem;
 }
 
-void look_at(const std::string& uri, const Builtins& builtins, Opening opening) {
+std::optional<Look> look_at(const std::string& uri, const Builtins& builtins, Opening opening) {
   const Source& source = source_of(uri, builtins);
   const Address address = taken_apart(uri, source, opening);
-  if (!source.look) return;
-  source.look(address, opening.parameters);
+  if (!source.look) return std::nullopt;
+  auto seen = source.look(address, opening.parameters);
   opening.parameters.refuse_unused(address.name());
+  return seen;
 }
 
 std::string Address::name() const {

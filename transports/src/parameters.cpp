@@ -139,10 +139,16 @@ std::string Parameters::text(const std::string& name, const std::string& otherwi
   wrong_type(name, *value, "a text");
 }
 
+std::vector<std::string> Parameters::names(const std::string& prefix) const {
+  std::vector<std::string> found;
+  for (const auto& [name, value] : values_)
+    if (name.starts_with(prefix)) found.push_back(name.substr(prefix.size()));
+  return found;
+}
+
 std::map<std::string, double> Parameters::numbers(const std::string& prefix) {
   std::map<std::string, double> found;
-  for (const auto& [name, value] : values_)
-    if (name.starts_with(prefix)) found[name.substr(prefix.size())] = number(name, 0.0);
+  for (const std::string& name : names(prefix)) found[name] = number(prefix + name, 0.0);
   return found;
 }
 

@@ -15,7 +15,6 @@ void check_ports(const std::vector<Port>& ports, const std::string& what, int mo
     const std::string who = what + " '" + port.name + "'";
     require(!port.name.empty(), what + " without a name; allowed is a name");
     require(names.insert(port.name).second, who + " is there twice; allowed is a name of its own");
-    require(!port.unit.empty(), who + " has no unit; allowed is one, \"1\" for none");
     require(port.size >= 1, who + " has the size " + std::to_string(port.size) + "; allowed is 1 or more");
     require(port.derivatives >= 0 && port.derivatives <= most_derivatives,
             who + " has " + std::to_string(port.derivatives) + " derivatives; allowed is 0 to " +

@@ -36,6 +36,12 @@ concept TakesJumps = requires(Model& model, double t, std::span<const Signal> u)
   { model.jump(t, u) } -> std::same_as<bool>;
 };
 
+/// A model that may come to its end, after which it takes no more steps.
+template <class Model>
+concept MayFinish = requires(const Model& model) {
+  { model.finished() } -> std::same_as<bool>;
+};
+
 /// Makes a model with a fixed own step a Subsystem: keeps the grid, takes the steps that fit, lands, splits
 /// steps where an input jumps (Jumps), appends samples; adds the abilities `lands`, `restarts` and
 /// `saves_state`. Model is copyable (a copy is its saved state) and has:
@@ -57,6 +63,11 @@ concept TakesJumps = requires(Model& model, double t, std::span<const Signal> u)
 /// bool jump(double t, std::span<const Signal> u);  // inputs have jumped at t, where it stands; true:
 /// outputs
 ///                                                  // have with them
+/// @endcode
+/// One that may come to an end of its own, or that can't be copied once it has started, may have
+/// @code
+/// bool finished() const;     // after a step or an event: it has come to its end
+/// bool keeps_state() const;  // whether it has the ability `saves_state`
 /// @endcode
 /// With the ability `serializes_state` in its info() it also has
 /// @code
@@ -85,6 +96,7 @@ class FixedStep final : public SavedModels<Model, GridPlace> {
     jumps_.begin(u, place_.time());
     if (!y.full() && have_jumped(u)) take_jump(y);
     while (has_room(y)) {
+      if (is_finished()) return place_.clock(Stop::finished);
       OwnStep s{place_.time(), place_.next(), place_.length()};
       if (!place_.fits(t_limit)) {
         if (!land || !place_.cuts(t_limit)) return place_.clock();
@@ -157,7 +169,12 @@ class FixedStep final : public SavedModels<Model, GridPlace> {
       }
       model_.outputs(y.append(place_.time(), true));
     }
-    return place_.clock(Stop::event);
+    return place_.clock(is_finished() ? Stop::finished : Stop::event);
+  }
+
+  bool is_finished() const {
+    if constexpr (MayFinish<Model>) return model_.finished();
+    return false;
   }
 
   Jumps jumps_;

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <algorithm>
+#include <concepts>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,12 @@ template <class Model>
 concept WritesState = requires(const Model& model, Model& other, ByteWriter& to, ByteReader& from) {
   model.write(to);
   other.read(from);
+};
+
+/// A model that says whether it can be copied once it has started; others can.
+template <class Model>
+concept SaysWhetherKept = requires(const Model& model) {
+  { model.keeps_state() } -> std::same_as<bool>;
 };
 
 /// What FixedStep and Sampled have in common: a model, its place in time, and saved copies of both. Place has
@@ -35,13 +42,19 @@ class SavedModels : public Subsystem {
     return {};
   }
 
-  StateId save_state() override { return keep(model_, place_); }
+  StateId save_state() override {
+    return info_.abilities.saves_state ? keep(model_, place_) : Subsystem::save_state();
+  }
   Clock restore_state(StateId id) override {
+    if (!info_.abilities.saves_state) return Subsystem::restore_state(id);
     const Saved& from = saved(id);
     model_ = from.model, place_ = from.place;
     return place_.clock();
   }
-  void release_state(StateId id) override { saved(id).id = nobody; }
+  void release_state(StateId id) override {
+    if (!info_.abilities.saves_state) return Subsystem::release_state(id);
+    saved(id).id = nobody;
+  }
 
   std::vector<std::byte> serialize_state(StateId id) override {
     if constexpr (WritesState<Model>)
@@ -68,9 +81,10 @@ class SavedModels : public Subsystem {
   }
 
  protected:
-  /// With the abilities `restarts` and `saves_state`.
+  /// With the abilities `restarts` and, unless the model says that it is not kept, `saves_state`.
   explicit SavedModels(Model model) : model_(std::move(model)), info_(model_.info()) {
     info_.abilities.restarts = info_.abilities.saves_state = true;
+    if constexpr (SaysWhetherKept<Model>) info_.abilities.saves_state = model_.keeps_state();
   }
 
   Model model_;

@@ -6,8 +6,8 @@
 #include <stdint.h>
 
 /* A port of `size` >= 1 scalars (an array port is flattened in place). `name` is not NULL; `unit` is "1" for
- * none. `start` is the value an input takes when nothing else is known, NaN for none. `derivatives`: how many
- * time derivatives an output gives with each sample, 0 to 3. */
+ * none, "" where it is not said, which fits all. `start` is the value an input takes when nothing else is
+ * known, NaN for none. `derivatives`: how many time derivatives an output gives with each sample, 0 to 3. */
 typedef struct tandem_port {
   const char* name;
   const char* unit;

@@ -13,7 +13,7 @@ namespace tandem {
 /// An input or output. An array port has size > 1; its scalars follow one another in the flattened numbering.
 struct Port {
   std::string name;
-  std::string unit;     ///< "1" for none; SI unless it says otherwise ("rpm")
+  std::string unit;     ///< "1" for none; SI unless it says otherwise ("rpm"); "": not said, fits all
   int size = 1;         ///< number of scalars
   int derivatives = 0;  ///< of an output: time derivatives given with each sample, 0 to 3
   double start =

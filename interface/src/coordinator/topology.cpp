@@ -110,7 +110,7 @@ void Topology::connect(const Connection& c) {
   if (c.lag != Lag::none && !how.follows_samples())
     refuse_topology(what + " has a memory or delay together with " + how.name() + ", which has none");
   UnitConversion unit{1.0, 0.0};
-  if (from.port->unit != to.port->unit) {
+  if (from.port->unit != to.port->unit && !from.port->unit.empty() && !to.port->unit.empty()) {
     const auto conversion = convert_unit(from.port->unit, to.port->unit);
     const std::string units = "'" + from.port->unit + "' to '" + to.port->unit + "'";
     if (!conversion) refuse_topology(what + " goes from unit " + units + ", which can't be converted");

@@ -47,7 +47,7 @@ void of_subsystems(KeyList& to) {
            "A subsystem, by the name that connections and results have. It has a `source` or a "
            "`command`.")
       .may("source", text,
-           "Where it comes from, a URI: `mechanism:FILE`, `diagram:FILE`, `lib:FILE`, "
+           "Where it comes from, a URI: `mechanism:FILE`, `diagram:FILE`, `lib:FILE`, `fmu:FILE`, "
            "`spawn:PROGRAM`, `tcp://HOST:PORT`, ...; `tandem list` has all. Files stand relative "
            "to the scenario's folder.")
       .may("command", texts,
@@ -55,7 +55,8 @@ void of_subsystems(KeyList& to) {
            "input and output (in place of `source`).",
            {.allowed = "at least one"})
       .may("isolate", flag,
-           "Native code, `lib:` or `three_functions:`, runs in a process of its own, as behind `spawn:`, "
+           "Native code, `lib:`, `three_functions:` or `fmu:`, runs in a process of its own, as behind "
+           "`spawn:`, "
            "whose "
            "parameters it may have besides: a crash, or a call that does not end within its `deadline`, ends "
            "the "

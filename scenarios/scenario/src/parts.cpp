@@ -71,8 +71,9 @@ Parts::Parts(const Scenario& scenario, const Builtins& builtins, Code code) : sc
   if (scenario.animate) check_animation(builtins);
   for (const SubsystemEntry& entry : scenario.subsystems) {
     const bool out = code == Code::leave_out && is_code(entry, builtins);
-    subsystems_.push_back(out ? leave_out(entry, builtins) : opened(entry, builtins, scenario.animate));
-    located(entry.place, [&] { topology_.add(entry.name, out ? no_ports_ : subsystems_.back()->info()); });
+    subsystems_.push_back(out ? nullptr : opened(entry, builtins, scenario.animate));
+    looks_.push_back(out ? leave_out(entry, builtins) : std::nullopt);
+    located(entry.place, [&] { topology_.add(entry.name, info(subsystems_.size() - 1)); });
   }
   set_inputs();
   for (const ConnectionEntry& entry : scenario.connections)
@@ -102,18 +103,24 @@ std::unique_ptr<Subsystem> Parts::opened(const SubsystemEntry& entry, const Buil
 }
 
 /// Its address is shown as who decides whether it may be run has to see it.
-std::unique_ptr<Subsystem> Parts::leave_out(const SubsystemEntry& entry, const Builtins& builtins) {
-  with_opening(entry, builtins, scenario_.animate,
-               [&](Opening opening) { look_at(entry.source, builtins, std::move(opening)); });
-  left_out_.push_back(
-      entry.source_place.text() + ": subsystem '" + entry.name +
-      "' is left out, as its source is code: " + printable(entry.address(), std::string::npos));
-  return nullptr;
+std::optional<Look> Parts::leave_out(const SubsystemEntry& entry, const Builtins& builtins) {
+  auto look = with_opening(entry, builtins, scenario_.animate, [&](Opening opening) {
+    return look_at(entry.source, builtins, std::move(opening));
+  });
+  left_out_.push_back(entry.source_place.text() + ": subsystem '" + entry.name + "' is " +
+                      (look ? "read and not run" : "left out") +
+                      ", as its source is code: " + printable(entry.address(), std::string::npos));
+  return look;
+}
+
+const SubsystemInfo& Parts::info(std::size_t instance) const {
+  if (subsystems_[instance]) return subsystems_[instance]->info();
+  return looks_[instance] ? looks_[instance]->info : no_ports_;
 }
 
 bool Parts::is_left_out(const std::string& port) const {
   for (int i = 0; i < topology_.size(); ++i)
-    if (!subsystem(i) && port.starts_with(topology_.name(i) + ".")) return true;
+    if (!subsystem(i) && !look(i) && port.starts_with(topology_.name(i) + ".")) return true;
   return false;
 }
 
@@ -155,8 +162,23 @@ void Parts::check_each() const {
     if (Subsystem* one = subsystem(i)) located(place_of, [&] { start(*one, topology_, i, span); });
 }
 
+void Parts::add_notes_of_units(std::vector<std::string>& notes) const {
+  for (const Line& line : topology_.lines()) {
+    const Scalar from = scalar_at(topology_.info(line.source).outputs, line.output);
+    const Scalar to = scalar_at(topology_.info(line.reader).inputs, line.input);
+    if (from.port->unit.empty() == to.port->unit.empty() || from.element > 0) continue;
+    const auto unit = [](const Port& port) {
+      return port.unit.empty() ? "one that is not said" : "'" + port.unit + "'";
+    };
+    notes.push_back("connection from " + topology_.name(line.source) + "." + from.port->name + " to " +
+                    topology_.name(line.reader) + "." + to.port->name + " goes from unit " +
+                    unit(*from.port) + " to " + unit(*to.port) + ", and is taken as it is");
+  }
+}
+
 std::vector<std::string> Parts::notes() const {
   std::vector<std::string> all;
+  add_notes_of_units(all);
   for (int i = 0; i < topology_.size(); ++i)
     if (const Subsystem* one = subsystem(i))
       for (const std::string& remark : one->remarks(scenario_.stop))

@@ -6,6 +6,9 @@
 #include "tandem/sources/functions.hpp"
 #include "tandem/sources/mechanism.hpp"
 #include "tandem/tcp/tcp.hpp"
+#if TANDEM_HAS_FMI
+#include "tandem/fmi/fmi.hpp"
+#endif
 #if TANDEM_HAS_ZEROMQ
 #include "tandem/zeromq/zeromq.hpp"
 #endif
@@ -19,6 +22,9 @@ Builtins sources(const SourceSettings& settings) {
   all.schemes["functions"] = functions_source();
   add_shared_library(all);
   add_tcp(all, settings.allow_plaintext);
+#if TANDEM_HAS_FMI
+  add_fmi(all, settings.tell);
+#endif
 #if TANDEM_HAS_ZEROMQ
   add_zeromq(all, settings.allow_plaintext);
 #endif

@@ -50,7 +50,10 @@ Source functions_source() {
   const Words own =
       words_by(Setter::operator_only, {"octave", "deadline"}) + words_by(Setter::client, {"step"});
   return {own + stepper_words(), make, false, true,
-          [](const Address& address, Parameters& p) { asked(address.file(), p); }};
+          [](const Address& address, Parameters& p) -> std::optional<Look> {
+            asked(address.file(), p);
+            return std::nullopt;
+          }};
 }
 
 }  // namespace tandem

@@ -16,6 +16,8 @@
 namespace tandem::cli {
 namespace {
 
+std::string unit(const Port& port) { return port.unit.empty() ? "not said" : port.unit; }
+
 std::string shape(const Port& port) { return port.size > 1 ? fmt::format("[{}]", port.size) : ""; }
 
 void print_inputs(const SubsystemInfo& info, const std::vector<double>& start) {
@@ -26,14 +28,14 @@ void print_inputs(const SubsystemInfo& info, const std::vector<double>& start) {
     for (int e = 0; e < port.size; ++e, ++k)
       values +=
           (e > 0 ? ", " : "") + (std::isnan(start[k]) ? std::string("none") : fmt::format("{}", start[k]));
-    say("    {}{}  unit {}, start value {}\n", port.name, shape(port), port.unit, values);
+    say("    {}{}  unit {}, start value {}\n", port.name, shape(port), unit(port), values);
   }
 }
 
 void print_outputs(const SubsystemInfo& info) {
   say("  outputs:{}\n", info.outputs.empty() ? " none" : "");
   for (const Port& port : info.outputs)
-    say("    {}{}  unit {}, {}\n", port.name, shape(port), port.unit,
+    say("    {}{}  unit {}, {}\n", port.name, shape(port), unit(port),
         port.held ? "held" : fmt::format("{} time derivatives", port.derivatives));
   say("  feedthrough:{}\n", info.feedthrough.empty() ? " none" : "");
   for (const Feedthrough& f : info.feedthrough)
@@ -85,6 +87,18 @@ void print(const std::string& name, Subsystem& subsystem, const Span& span,
     say("  first own step: {:.6g} s\n", step);
 }
 
+/// One that is code, as far as it was looked at.
+void print_not_opened(const std::string& name, const Look* look, const std::vector<double>& start) {
+  if (!look) return say("{}: not opened\n", name);
+  say("{}: {}\n", name, look->info.name);
+  for (const std::string& sentence : look->sentences) say("  {}\n", sentence);
+  for (const DeclaredParameter& p : look->parameters) print_parameter(p);
+  print_inputs(look->info, start);
+  print_outputs(look->info);
+  print_abilities(look->info.abilities);
+  say("  own step: {:.6g} s\n", look->own_step);
+}
+
 void print_words(const Source& source) {
   const auto of = [&](Setter setter) {
     std::vector<std::string> names;
@@ -109,10 +123,15 @@ std::unique_ptr<Subsystem> open_or_tell(const std::string& uri, const Builtins& 
 }
 
 void print_source(const std::string& uri, const Context& context) {
-  const auto subsystem = open_or_tell(uri, context.builtins);
   Topology topology;
-  topology.add("source", subsystem->info());
-  print(uri, *subsystem, {}, topology.start(0));
+  if (const auto look = look_at(uri, context.builtins, {})) {
+    topology.add("source", look->info);
+    print_not_opened(uri, &*look, topology.start(0));
+  } else {
+    const auto subsystem = open_or_tell(uri, context.builtins);
+    topology.add("source", subsystem->info());
+    print(uri, *subsystem, {}, topology.start(0));
+  }
   print_words(source_of(uri, context.builtins));
 }
 
@@ -143,7 +162,7 @@ void print_scenario(const InfoOptions& options, const Context& context) {
     if (Subsystem* subsystem = parts.subsystem(i))
       print(topology.name(i), *subsystem, {scenario.start, scenario.stop}, topology.start(i));
     else
-      say("{}: not opened\n", topology.name(i));
+      print_not_opened(topology.name(i), parts.look(i), topology.start(i));
   say("connections:{}\n", scenario.connections.empty() ? " none" : "");
   for (const scenario::ConnectionEntry& entry : scenario.connections) {
     const Connection& c = entry.connection;
@@ -182,7 +201,8 @@ void add_info(CLI::App& app, Context& context) {
   command->add_flag("--dot", options->dot, "Print the graph of a diagram in the language of Graphviz");
   add_run_programs(*command, options->run_programs);
   command->footer(
-      "A source is opened, code or not. Of a scenario those that are code are opened with --run-programs "
+      "A source is opened, code or not, but an FMU, of which the description is read and nothing is run. Of "
+      "a scenario those that are code are opened with --run-programs "
       "only.\n"
       "Exit status: 0, or 2 for what is not right.");
   command->callback([options, &all = context] {

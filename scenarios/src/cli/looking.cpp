@@ -11,7 +11,7 @@ namespace tandem::cli {
 CLI::Option* add_run_programs(CLI::App& command, bool& run_programs) {
   return command.add_flag("--run-programs", run_programs,
                           "Also open the scenario's sources that are code (command, spawn:, lib:, "
-                          "three_functions:, functions:), which runs that code with your rights");
+                          "three_functions:, functions:, fmu:), which runs that code with your rights");
 }
 
 void check_in_part(const scenario::Scenario& scenario, const Builtins& builtins, bool reference) {

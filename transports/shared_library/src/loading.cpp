@@ -13,8 +13,8 @@ void require_library(const std::filesystem::path& file) {
     throw Error(ErrorCode::input_output, library_named(file) + " is not there");
 }
 
-boost::dll::shared_library load_library(const std::filesystem::path& file,
-                                        const std::filesystem::path& from) {
+boost::dll::shared_library load_library(const std::filesystem::path& file, const std::filesystem::path& from,
+                                        boost::dll::load_mode::type how) {
   namespace load_mode = boost::dll::load_mode;
   require_library(file);
   check_library_file(from, "library");
@@ -22,7 +22,7 @@ boost::dll::shared_library load_library(const std::filesystem::path& file,
   const std::string name = library_named(file);
   LibraryCall beginning(name.c_str());  // of what it does when it is loaded
   try {
-    return boost::dll::shared_library(from, load_mode::rtld_now | load_mode::rtld_local);
+    return boost::dll::shared_library(from, load_mode::rtld_now | load_mode::rtld_local | how);
   } catch (const std::exception& error) {
     throw Error(ErrorCode::input_output, name + " can't be loaded: " + error.what());
   }

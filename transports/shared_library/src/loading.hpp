@@ -13,8 +13,11 @@ std::string library_named(const std::filesystem::path& file);
 /// Throws Error(input_output) that names it.
 void require_library(const std::filesystem::path& file);
 /// The whole of it at once: a symbol that it lacks is told here, not in the middle of a run. Throws
-/// Error(input_output) that names `file`, of which `from` may be a copy.
-boost::dll::shared_library load_library(const std::filesystem::path& file, const std::filesystem::path& from);
+/// Error(input_output) that names `file`, of which `from` may be a copy or a part. `how`: beside what is
+/// always.
+boost::dll::shared_library load_library(
+    const std::filesystem::path& file, const std::filesystem::path& from,
+    boost::dll::load_mode::type how = boost::dll::load_mode::default_mode);
 
 /// A library that goes with its owner, unless one has made a fault.
 class LoadedLibrary {

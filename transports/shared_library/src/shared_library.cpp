@@ -54,9 +54,10 @@ std::unique_ptr<Subsystem> three_functions(const Address& address, Parameters& p
   return load_three_functions(address.file(), functions_of(p));
 }
 
-void look_at_three_functions(const Address& address, Parameters& p) {
+std::optional<Look> look_at_three_functions(const Address& address, Parameters& p) {
   require_library(address.file());
   functions_of(p);
+  return std::nullopt;
 }
 
 std::unique_ptr<Subsystem> lib(const Address& address, Parameters& p) {
@@ -64,10 +65,11 @@ std::unique_ptr<Subsystem> lib(const Address& address, Parameters& p) {
   return load_subsystem(address.file(), entry, p.rest());
 }
 
-void look_at_lib(const Address& address, Parameters& p) {
+std::optional<Look> look_at_lib(const Address& address, Parameters& p) {
   require_library(address.file());
   p.text("entry", default_entry);
   p.rest();
+  return std::nullopt;
 }
 
 }  // namespace

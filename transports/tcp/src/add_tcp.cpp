@@ -33,10 +33,11 @@ ProgramStart program_of(const Address& a) {
   return start;
 }
 
-void look_at_program(const Address& address, Parameters& parameters) {
+std::optional<Look> look_at_program(const Address& address, Parameters& parameters) {
   program_of(address);
   settings_from(address, parameters, false);
   parameters.rest();
+  return std::nullopt;
 }
 
 }  // namespace

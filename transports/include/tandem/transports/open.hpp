@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,14 @@ struct Address {
   std::string name() const;
 };
 
+/// What is known of a source that is code before any of it is run.
+struct Look {
+  SubsystemInfo info;
+  DeclaredParameters parameters = {};  ///< that its model takes
+  double own_step = 0.0;               ///< [s]
+  std::vector<std::string> sentences = {};
+};
+
 /// How subsystems of one kind are made.
 struct Source {
   /// What the maker asks the parameters for itself, with who may set it. Any other word it may declare later
@@ -31,8 +40,9 @@ struct Source {
   std::function<std::unique_ptr<Subsystem>(const Address&, Parameters&)> make;
   bool elsewhere = false;  ///< the subsystem is not made here: it lives in a library or another process
   bool code = false;       ///< to open it runs code that its place names
-  /// Of code: checks what can be without running any, and asks the parameters that `make` asks for.
-  std::function<void(const Address&, Parameters&)> look = {};
+  /// Of code: checks what can be without running any, and asks the parameters that `make` asks for. Gives
+  /// what it has seen; nothing, where only the code itself can say.
+  std::function<std::optional<Look>(const Address&, Parameters&)> look = {};
   bool native = false;  ///< of code: it is loaded into this process, unless it is isolated
 };
 
@@ -64,8 +74,9 @@ struct Opening {
 /// operator's, before anything is opened, and for parameters that the subsystem does not take.
 std::unique_ptr<Subsystem> open(const std::string& uri, const Builtins& builtins, Opening opening = {});
 
-/// What open() finds wrong with a source that is code before it runs any; nothing of it is run.
-void look_at(const std::string& uri, const Builtins& builtins, Opening opening);
+/// What open() finds wrong with a source that is code before it runs any, and what it sees of it; nothing of
+/// it is run.
+std::optional<Look> look_at(const std::string& uri, const Builtins& builtins, Opening opening);
 
 /// A command as a scenario has it: ["program", "argument"].
 std::string shown(const std::vector<std::string>& command);

@@ -47,6 +47,8 @@ class Parameters {
   double number(const std::string& name, double otherwise);
   bool flag(const std::string& name, bool otherwise);
   std::string text(const std::string& name, const std::string& otherwise);
+  /// What follows `prefix` in the names that begin with it.
+  std::vector<std::string> names(const std::string& prefix) const;
   /// Numbers whose names begin with `prefix`, by what follows it.
   std::map<std::string, double> numbers(const std::string& prefix);
 

@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <deque>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,8 +15,8 @@ namespace tandem::scenario {
 enum class Code { run, leave_out };
 
 /// The subsystems of a scenario opened, and the connections between them checked. What is left out is in the
-/// topology without ports; of its connections the other end is looked for. Errors name the file and line that
-/// is to blame.
+/// topology as far as it was looked at, else without ports; of its connections then the other end is looked
+/// for. Errors name the file and line that is to blame.
 class Parts {
  public:
   /// `scenario` must outlive the parts.
@@ -23,13 +25,18 @@ class Parts {
   const Topology& topology() const { return topology_; }
   /// Null if it was left out.
   Subsystem* subsystem(int instance) const { return subsystems_[static_cast<std::size_t>(instance)].get(); }
+  /// What was seen of one that was left out; null: nothing.
+  const Look* look(int instance) const {
+    const auto& look = looks_[static_cast<std::size_t>(instance)];
+    return look ? &*look : nullptr;
+  }
   /// A sentence with its place for each that was left out.
   const std::vector<std::string>& left_out() const { return left_out_; }
 
   /// What a run checks beyond that of each subsystem alone: recorded outputs, and its start with what is
   /// known of its inputs.
   void check_each() const;
-  /// After a start: what the subsystems remark (Subsystem::remarks).
+  /// After a start: what the subsystems remark (Subsystem::remarks), and connections with one unit only.
   std::vector<std::string> notes() const;
 
   /// One subsystem alone. animate: it tells where its points are, if it can.
@@ -37,8 +44,10 @@ class Parts {
                                            bool animate = false);
 
  private:
-  std::unique_ptr<Subsystem> leave_out(const SubsystemEntry& entry, const Builtins& builtins);
+  std::optional<Look> leave_out(const SubsystemEntry& entry, const Builtins& builtins);
+  const SubsystemInfo& info(std::size_t instance) const;
   bool is_left_out(const std::string& port) const;
+  void add_notes_of_units(std::vector<std::string>& notes) const;
   void check_animation(const Builtins& builtins) const;
   void set_inputs();
   void connect(const ConnectionEntry& entry);
@@ -46,7 +55,8 @@ class Parts {
 
   const Scenario& scenario_;
   std::vector<std::unique_ptr<Subsystem>> subsystems_;
-  SubsystemInfo no_ports_;  ///< of what was left out
+  std::deque<std::optional<Look>> looks_;  ///< of what was left out
+  SubsystemInfo no_ports_;                 ///< of that where nothing was seen
   Topology topology_;
   std::vector<std::string> left_out_;
 };

@@ -1,0 +1,88 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "command.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tandem::test {
+namespace {
+
+const std::string fmus = TANDEM_FMUS;
+
+/// Two masses, one of them an FMU that is Co-Simulation, the other Model Exchange; more of the scenario
+/// behind.
+std::string two_masses(const std::string& more = "") {
+  return "[subsystems.one]\nsource = \"fmu:" + fmus + "/mass.fmu\"\n" + more +
+         "parameters = { \"set.k\" = 4, \"set.m\" = 2, step = 0.02 }\n"
+         "[subsystems.two]\nsource = \"fmu:" +
+         fmus + "/mass.fmu?type=me&set.k=4&step=0.01\"\n" +
+         "[[connections]]\nfrom = \"one.x\"\nto = \"two.u\"\nreconstruction = \"lagrange3\"\n"
+         "[[connections]]\nfrom = \"two.x\"\nto = \"one.u\"\nreconstruction = \"lagrange3\"\n"
+         "[span]\nstop = 1\n";
+}
+
+TEST(FmuCommand, RunsAScenario) {
+  const Scratch folder;
+  folder.write("s.toml", two_masses());
+  const Said said = tandem(folder, {"--quiet", "run", "s.toml", "--output", "r"});
+  EXPECT_EQ(said.status, 0) << said.err;
+  EXPECT_TRUE(contains(read_text(folder.path() / "r/results.csv"), "one.x,one.v,one.F,two.x"));
+}
+
+TEST(FmuCommand, InAProcessOfItsOwnItHasTheSameResults) {
+  const Scratch folder;
+  folder.write("s.toml", two_masses()), folder.write("i.toml", two_masses("isolate = true\n"));
+  ASSERT_EQ(tandem(folder, {"--quiet", "run", "s.toml", "--output", "s"}).status, 0);
+  const Said said = tandem(folder, {"--quiet", "run", "i.toml", "--output", "i"});
+  ASSERT_EQ(said.status, 0) << said.err;
+  EXPECT_EQ(read_text(folder.path() / "s/results.csv"), read_text(folder.path() / "i/results.csv"));
+}
+
+TEST(FmuCommand, ValidateReadsItsPortsAndRunsNothing) {
+  const Scratch folder;
+  folder.write("s.toml", two_masses());
+  const Said said = tandem(folder, {"validate", "s.toml"});
+  EXPECT_EQ(said.status, 0) << said.err;
+  EXPECT_TRUE(contains(said.out, "subsystem 'one' is read and not run")) << said.out;
+  EXPECT_EQ(tandem(folder, {"validate", "s.toml", "--run-programs"}).status, 0);
+  std::string wrong = two_masses();
+  wrong.replace(wrong.find("one.u"), 5, "one.w");
+  folder.write("s.toml", wrong);
+  const Said refused = tandem(folder, {"validate", "s.toml"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_TRUE(contains(refused.err, "s.toml:12: subsystem 'one': input 'w' is not there")) << refused.err;
+}
+
+TEST(FmuCommand, InfoTellsWhatTheDescriptionHas) {
+  const Scratch folder;
+  const Said said = tandem(folder, {"info", "fmu:" + fmus + "/mass.fmu"});
+  EXPECT_EQ(said.status, 0) << said.err;
+  for (const std::string text : {"FMI 2.0, Co-Simulation (it offers Model Exchange, too)", "set.d = 0 N s/m",
+                                 "u  unit m, start value 0", "F at once from u", "own step: 0.01 s"})
+    EXPECT_TRUE(contains(said.out, text)) << text << " in " << said.out;
+}
+
+/// A unit that is said on one side only fits, and is told.
+TEST(FmuCommand, AUnitThatIsNotSaidIsTold) {
+  const Scratch folder;
+  folder.write("s.toml", "[subsystems.decay]\nsource = \"fmu:" + fmus +
+                             "/decay.fmu\"\n[subsystems.mass]\nsource = \"fmu:" + fmus +
+                             "/mass.fmu\"\n[[connections]]\nfrom = \"decay.x\"\nto = \"mass.u\"\n"
+                             "reconstruction = \"lagrange1\"\n[span]\nstop = 1\n");
+  const Said said = tandem(folder, {"validate", "s.toml"});
+  EXPECT_EQ(said.status, 0) << said.err;
+  EXPECT_TRUE(contains(said.out, "from decay.x to mass.u goes from unit one that is not said to 'm'"))
+      << said.out;
+}
+
+TEST(FmuCommand, ARunOfModelExchangeGoesOnFromACheckpoint) {
+  const Scratch folder;
+  folder.write("s.toml", "[subsystems.ball]\nsource = \"fmu:" + fmus + "/ball.fmu\"\n[span]\nstop = 2\n");
+  ASSERT_EQ(tandem(folder, {"--quiet", "run", "s.toml", "--output", "whole"}).status, 0);
+  const Said said =
+      tandem(folder, {"--quiet", "run", "s.toml", "--output", "cut", "--checkpoint-every", "0.5"});
+  ASSERT_EQ(said.status, 0) << said.err;
+  EXPECT_EQ(read_text(folder.path() / "whole/results.csv"), read_text(folder.path() / "cut/results.csv"));
+}
+
+}  // namespace
+}  // namespace tandem::test

@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+#include <stdlib.h>  // setenv
+
+#include "fmus.hpp"
+#include "refusal.hpp"
+#include "scratch.hpp"
+#include "tandem/fmi/archive.hpp"
+#include "zip_file.hpp"
+
+namespace tandem::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string library = "binaries/linux64/decay.so", describing = "modelDescription.xml";
+
+/// The FMU decay with one file in place of another; without it, where the content is empty.
+std::string changed(const Scratch& scratch, const std::string& name, const std::string& content) {
+  const fmi::Archive whole(TANDEM_FMUS "/decay.fmu");
+  std::vector<Packed> all;
+  for (const std::string& one : {describing, library})
+    if (one != name) all.push_back({one, whole.text(one, 1U << 24)});
+  if (!content.empty()) all.push_back({name, content});
+  return "fmu:" + write_zip(scratch.path() / "x.fmu", all).string();
+}
+
+std::string description_with(const std::string& from, const std::string& to) {
+  std::string text = fmi::Archive(TANDEM_FMUS "/decay.fmu").text(describing, 1U << 20);
+  return text.replace(text.find(from), from.size(), to);
+}
+
+TEST(FmuSource, IsReadWithoutARunOfIt) {
+  const Scratch scratch;
+  const auto look = look_at(changed(scratch, library, "no library") + "?set.k=2", fmu_sources(), {});
+  ASSERT_TRUE(look);
+  EXPECT_EQ(look->info.outputs.at(0).name, "x");
+  EXPECT_EQ(look->info.outputs.at(0).derivatives, 1);
+  EXPECT_EQ(look->own_step, 0.1);
+  ASSERT_EQ(look->parameters.size(), 1U);
+  EXPECT_EQ(look->parameters[0].name, "set.k");
+  EXPECT_EQ(look->parameters[0].otherwise, "1");
+}
+
+TEST(FmuSource, FeedthroughIsThatOfTheModelStructure) {
+  const auto info = look_at(fmu_uri("mass"), fmu_sources(), {})->info;
+  ASSERT_EQ(info.feedthrough.size(), 1U);
+  EXPECT_EQ(info.feedthrough[0].output, 2);
+  EXPECT_EQ(info.outputs[0].derivatives, 1);  // its second follows the input at once
+  EXPECT_EQ(look_at(fmu_uri("mass?type=me"), fmu_sources(), {})->info.outputs[0].derivatives, 2);
+  EXPECT_EQ(look_at(fmu_uri("mass?unit.x=mm"), fmu_sources(), {})->info.outputs[0].unit, "mm");
+}
+
+TEST(FmuSource, WhatItHasNotIsRefused) {
+  for (const auto& [name, texts] : std::vector<std::pair<std::string, std::vector<std::string>>>{
+           {"decay?set.kk=1", {"'kk' is not there", "did you mean 'k'"}},
+           {"decay?set.k=-1", {"'set.k' is -1", "from 0"}},
+           {"decay?set.k=fast", {"'set.k'", "'fast'"}},
+           {"decay?type=fast", {"'fast'", "cs"}},
+           {"ball?type=cs", {"does not offer Co-Simulation"}},
+           {"decay?inputs=none", {"'none'", "mean, left, right, middle, derivatives"}},
+           {"decay?inputs=derivatives", {"does not take any"}},
+           {"mass?inputs=derivatives&order=3", {"'order' is 3", "1 and 2"}},
+           {"types", {"no step of its own", "parameter step"}},
+           {"decay?step=0", {"'step' is 0"}},
+           {"decay?unit.z=m", {"'z' is not there"}},
+           {"decay?speed=1", {"'speed' is not there"}},
+           {"decay?type=me&inputs=mean", {"'inputs' is not there"}},
+           {"decay?state=on", {"'on'", "trust"}}})
+    EXPECT_TRUE(refuses(ErrorCode::invalid_argument, texts, [&] { open_fmu(name); })) << name;
+}
+
+TEST(FmuSource, AnFmuThatCannotRunHereIsRefused) {
+  const Scratch scratch;
+  EXPECT_TRUE(
+      refuses(ErrorCode::not_supported, {"binaries/linux64/decay.so", "there are those of win64"}, [&] {
+        const fmi::Archive whole(TANDEM_FMUS "/decay.fmu");
+        open("fmu:" + write_zip(scratch.path() / "x.fmu", {{describing, whole.text(describing, 1U << 20)},
+                                                           {"binaries/win64/decay.dll", "x"}})
+                          .string(),
+             fmu_sources());
+      }));
+  EXPECT_TRUE(refuses(ErrorCode::not_supported, {"needsExecutionTool"}, [&] {
+    open(changed(scratch, describing,
+                 description_with("<CoSimulation ", "<CoSimulation needsExecutionTool=\"true\" ")),
+         fmu_sources());
+  }));
+  EXPECT_TRUE(refuses(ErrorCode::input_output, {"x.fmu' holds no modelDescription.xml"},
+                      [&] { open(changed(scratch, describing, ""), fmu_sources()); }));
+  EXPECT_TRUE(refuses(ErrorCode::input_output, {"x.fmu", "can't be loaded"},
+                      [&] { open(changed(scratch, library, "a text"), fmu_sources()); }));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"x.fmu", "makes no instance", "the guid"}, [&] {
+    open(changed(scratch, describing, description_with("guid=\"decay-1\"", "guid=\"2\"")), fmu_sources());
+  }));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"no function 'fmi2SetRealInputDerivatives'"}, [&] {
+    std::string bytes = fmi::Archive(TANDEM_FMUS "/decay.fmu").text(library, 1U << 24);
+    for (std::size_t at = 0; (at = bytes.find("fmi2SetRealInputD", at)) != std::string::npos; ++at)
+      bytes[at] = 'F';
+    write_zip(scratch.path() / "x.fmu",
+              {{describing, description_with("<CoSimulation ", "<CoSimulation canInterpolateInputs=\"1\" ")},
+               {library, bytes}});
+    open("fmu:" + (scratch.path() / "x.fmu").string(), fmu_sources());
+  }));
+}
+
+/// Also after an error.
+TEST(FmuSource, LeavesNothingBehind) {
+  const Scratch scratch, temporary;
+  const std::string bad = changed(scratch, library, "a text");
+  ::setenv("TMPDIR", temporary.path().c_str(), 1);
+  {
+    const auto fmu = open_fmu("decay");
+    EXPECT_FALSE(fs::is_empty(temporary.path()));
+    FmuRun(*fmu, 1.0);
+    EXPECT_TRUE(refuses(ErrorCode::input_output, {"x.fmu"}, [&] { open(bad, fmu_sources()); }));
+  }
+  ::unsetenv("TMPDIR");
+  EXPECT_TRUE(fs::is_empty(temporary.path()));
+}
+
+/// Instances do not share what they are.
+TEST(FmuSource, MayHaveSeveralInstances) {
+  const auto slow = open_fmu("decay"), fast = open_fmu("decay?set.k=5");
+  EXPECT_GT(FmuRun(*slow, 1.0).rows.back()[2], 10.0 * FmuRun(*fast, 1.0).rows.back()[2]);
+}
+
+TEST(FmuSource, ItsLogIsToldWhereItIsAskedFor) {
+  std::vector<std::string> told;
+  const auto tell = [&](const std::string& what) { told.push_back(what); };
+  const auto fmu = open(fmu_uri("decay?log=true&inputs=left"), fmu_sources(tell));
+  double row[8];
+  Samples y(row, fmu->info().row_size(), 1);
+  fmu->initialize(0.0, 0.05, {}, y);
+  Samples next(row, fmu->info().row_size(), 1);
+  EXPECT_TRUE(refuses(ErrorCode::numerical, {"fmi2DoStep", "fmi2Error", "beyond the stop time"},
+                      [&] { fmu->advance(1.0, false, {}, next); }));
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_NE(told[0].find("beyond the stop time"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tandem::test

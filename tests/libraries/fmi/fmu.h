@@ -1,0 +1,37 @@
+/* Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause */
+/* A small FMU of FMI 2.0, of both kinds. A model has real variables v[], whole ones w[] (integers, booleans,
+ * enumerations), and the functions below. Co-Simulation takes whole own steps of `fixed_step` by Euler's or
+ * the classical Runge-Kutta method. Variable 0 is time. */
+#ifndef TANDEM_TEST_FMU_H
+#define TANDEM_TEST_FMU_H
+#include "fmi2.h"
+
+enum { most_reals = 16, most_wholes = 8, most_states = 4, most_indicators = 2 };
+
+typedef struct {
+  double v[most_reals];
+  int w[most_wholes];
+  double input_rates[most_reals][2]; /* first and second derivatives of inputs */
+  double next_event;                 /* infinite for none */
+  double step_begin;
+  int ended;
+  char text[32];
+} fmu_values;
+
+typedef struct {
+  const char* guid;
+  int states, indicators;
+  int state[most_states], rate[most_states]; /* variables */
+  double fixed_step;                         /* of Co-Simulation; 0: steps are taken as they are asked for */
+  int stages;                                /* of its method: 1 or 4 */
+} fmu_model;
+
+extern const fmu_model model;
+void set_start(fmu_values* m);
+/* Everything that follows at once from states, inputs and parameters. */
+void compute(fmu_values* m);
+void read_indicators(const fmu_values* m, double* z);
+/* What happens at an event. Whether states have other values. */
+int act(fmu_values* m);
+
+#endif

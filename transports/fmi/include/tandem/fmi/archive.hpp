@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace tandem::fmi {
+
+/// A zip file that a stranger may have made. All is read from the file itself, nothing is believed: names
+/// that lead elsewhere ("..", "/x", "a\\b"), links, names that are there twice, what is encrypted, too many
+/// files, more bytes than allowed, and bytes that are not those that were packed are refused with
+/// Error(input_output) that names the archive and the file in it.
+class Archive {
+ public:
+  static constexpr std::uint64_t most_files = 65536;
+
+  /// most_bytes: that may be unpacked.
+  explicit Archive(std::filesystem::path file, std::uint64_t most_bytes = std::uint64_t{1} << 30);
+  ~Archive();
+  Archive(const Archive&) = delete;
+  Archive& operator=(const Archive&) = delete;
+
+  bool has(const std::string& name) const { return places_.count(name) != 0; }
+  /// The folders that lie directly in `folder`, "binaries/": "linux64, win64"; "none".
+  std::string folders_in(std::string_view folder) const;
+  /// A file as a text of at most `most` bytes.
+  std::string text(const std::string& name, std::uint64_t most) const;
+  /// Writes the files whose names begin with `folder` to the same names below `to`. All calls together write
+  /// at most most_bytes.
+  void unpack(std::string_view folder, const std::filesystem::path& to);
+
+  [[noreturn]] void refuse(const std::string& why) const;
+
+ private:
+  struct Place {
+    std::uint64_t offset, number;  ///< in the list of files at the archive's end
+  };
+  struct Close {
+    void operator()(void* zip) const;
+  };
+  void list();
+  std::string listed_name() const;
+  template <class Take>
+  void read(const std::string& name, const Take& take) const;
+
+  std::filesystem::path file_;
+  std::uint64_t most_bytes_;
+  std::unique_ptr<void, Close> zip_;
+  std::map<std::string, Place> places_;
+  std::uint64_t written_ = 0;
+};
+
+/// A folder of its own, which only this user may enter, and which goes with its owner.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace tandem::fmi

@@ -1,0 +1,129 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/fmi/fmi.hpp"
+
+#include <fmt/format.h>
+
+#include "co_simulation.hpp"
+#include "fmu.hpp"
+#include "instance.hpp"
+#include "model_exchange.hpp"
+#include "tandem/error.hpp"
+#include "tandem/printable.hpp"
+
+namespace tandem {
+namespace fmi {
+namespace {
+
+constexpr std::uint64_t longest_description = std::uint64_t{1} << 26;
+const char* const description_name = "modelDescription.xml";
+
+std::string described(const Fmu& fmu) {
+  const Description& d = fmu.description;
+  std::string text = fmt::format("FMI 2.0, {}", name_of(fmu.settings.kind));
+  if (d.co_simulation && d.model_exchange)
+    text += fmt::format(
+        " (it offers {}, too)",
+        name_of(fmu.settings.kind == Kind::co_simulation ? Kind::model_exchange : Kind::co_simulation));
+  if (!d.tool.empty()) text += "; made by " + printable(d.tool, 200);
+  if (!d.text.empty()) text += "; " + printable(d.text, 500);
+  return text;
+}
+
+std::string library_sentence(const Fmu& fmu) {
+  const std::string library = library_of(fmu);
+  if (fmu.archive->has(library)) return "library: " + library;
+  return fmt::format("library: {} is not there, so it can't be run here; there are those of {}", library,
+                     fmu.archive->folders_in("binaries/"));
+}
+
+std::string states_sentence(const Fmu& fmu) {
+  const Description& d = fmu.description;
+  const Offer& offer = offer_of(d, fmu.settings.kind);
+  return fmt::format(
+      "{} continuous states, {} event indicators; its state can{} be had{}; it takes {} derivatives of "
+      "inputs",
+      d.derivatives.size(), d.event_indicators, offer.keeps_state ? "" : "not",
+      offer.serializes_state ? ", also as bytes" : "", offer.interpolates_inputs ? "" : "no");
+}
+
+/// As far as they can be declared.
+DeclaredParameters parameters_of(const Fmu& fmu) {
+  DeclaredParameters all;
+  for (const Variable& v : fmu.description.variables) {
+    if (v.causality != Causality::parameter) continue;
+    DeclaredParameter p{"set." + v.name, {}, v.start.value_or(""), v.description};
+    if (v.type != Type::string && v.type != Type::boolean) p.unit = v.unit;
+    all.push_back(std::move(p));
+  }
+  return all;
+}
+
+Look look(const Fmu& fmu) {
+  return {fmu.ports.info,
+          parameters_of(fmu),
+          fmu.settings.step,
+          {described(fmu), library_sentence(fmu), states_sentence(fmu)}};
+}
+
+void require_runnable(const Fmu& fmu) {
+  const std::string who = "FMU '" + fmu.file.string() + "'";
+  if (offer_of(fmu.description, fmu.settings.kind).needs_tool)
+    throw Error(ErrorCode::not_supported,
+                who +
+                    " needs the tool that made it (needsExecutionTool); allowed is one "
+                    "that brings all that it needs");
+  if (!fmu.archive->has(library_of(fmu)))
+    throw Error(ErrorCode::not_supported, who + " has no library for this platform, " + library_of(fmu) +
+                                              "; there are those of " + fmu.archive->folders_in("binaries/"));
+}
+
+std::unique_ptr<Subsystem> make(const Address& address, Parameters& p, const Tell& tell) {
+  Fmu fmu = read_fmu(address.file(), p);
+  p.refuse_unused(address.name());
+  require_runnable(fmu);
+  const Kind kind = fmu.settings.kind;
+  auto instance = std::make_shared<Instance>(std::move(fmu), tell);
+  return kind == Kind::co_simulation ? make_co_simulation(std::move(instance))
+                                     : make_model_exchange(std::move(instance));
+}
+
+}  // namespace
+
+Fmu read_fmu(const std::filesystem::path& file, Parameters& parameters) {
+  Fmu fmu{file, std::make_unique<Archive>(file), {}, {}, {}};
+  if (!fmu.archive->has(description_name)) fmu.archive->refuse(std::string("holds no ") + description_name);
+  fmu.description = read_description(fmu.archive->text(description_name, longest_description),
+                                     file.string() + ": " + description_name);
+  fmu.settings = take_settings(fmu.description, parameters);
+  fmu.ports = ports_of(fmu.description, fmu.settings);
+  return fmu;
+}
+
+const char* platform() {
+#if defined(__linux__) && defined(__x86_64__)
+  return "linux64";
+#elif defined(__linux__) && defined(__i386__)
+  return "linux32";
+#else
+  return "";
+#endif
+}
+
+std::string library_of(const Fmu& fmu) {
+  return std::string("binaries/") + platform() + "/" + offer_of(fmu.description, fmu.settings.kind).model +
+         ".so";
+}
+
+}  // namespace fmi
+
+void add_fmi(Builtins& builtins, const std::function<void(const std::string&)>& tell) {
+  builtins.schemes["fmu"] = {
+      fmi::fmu_words(),
+      [tell](const Address& address, Parameters& p) { return fmi::make(address, p, tell); },
+      false,
+      true,
+      [](const Address& address, Parameters& p) { return fmi::look(fmi::read_fmu(address.file(), p)); },
+      true};
+}
+
+}  // namespace tandem

@@ -1,0 +1,131 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "model_exchange.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "equations.hpp"
+#include "tandem/classical_steps.hpp"
+#include "tandem/error.hpp"
+#include "tandem/fixed_step.hpp"
+
+namespace tandem::fmi {
+namespace {
+
+constexpr int most_events = 1000;  // within the time of an own step
+
+/// For FixedStep.
+class ExchangedModel {
+ public:
+  explicit ExchangedModel(const std::shared_ptr<Instance>& instance)
+      : equations_(instance), row_(row_size()), left_(row_size()) {
+    steps_.resize(equations_.size());
+  }
+
+  SubsystemInfo info() const { return equations_.running().info(); }
+  double own_step() const { return equations_.running().own_step(); }
+  bool keeps_state() const { return equations_.running().keeps_state(); }
+  bool finished() const { return equations_.finished(); }
+
+  void start(double t, std::span<const double> u0) {
+    events_ = 0, events_since_ = t;
+    fmu().within([&] { equations_.start(t, u0); });
+  }
+  bool step_to_event(OwnStep& s, std::span<const Signal> u);
+  bool jump(double t, std::span<const Signal> u);
+  void outputs(double* y) const {
+    fmu().within([&] { equations_.running().read_row(y); });
+  }
+  void outputs_before(double* y) const { std::copy(left_.begin(), left_.end(), y); }
+
+  void write(ByteWriter& to) const {
+    equations_.write(to);
+    to.put(events_since_);
+    to.put(std::int32_t{events_});
+  }
+  void read(ByteReader& from) {
+    equations_.read(from);
+    events_since_ = from.take<double>();
+    events_ = from.take<std::int32_t>();
+  }
+
+ private:
+  Instance& fmu() const { return equations_.instance(); }
+  std::size_t row_size() const { return static_cast<std::size_t>(info().row_size() - Samples::header); }
+  bool move(OwnStep& s);
+  bool happen(double t);
+  bool has_jumped() {
+    equations_.running().read_row(row_.data());
+    return row_ != left_;
+  }
+
+  Equations equations_;
+  ClassicalSteps<Equations> steps_;
+  std::vector<double> row_, left_;  ///< now, and before an event
+  double events_since_ = 0.0;
+  int events_ = 0;
+};
+
+/// True: outputs have jumped with it.
+bool ExchangedModel::happen(double t) {
+  if (t - events_since_ > own_step()) events_since_ = t, events_ = 0;
+  if (++events_ > most_events)
+    throw Error(ErrorCode::numerical,
+                fmt::format("the FMU has more than {} events within an own step, from {} to {} s",
+                            most_events, events_since_, t));
+  equations_.running().read_row(left_.data());
+  equations_.happen(t);
+  return has_jumped();
+}
+
+bool ExchangedModel::step_to_event(OwnStep& s, std::span<const Signal> u) {
+  return fmu().within([&] {
+    equations_.resume(u);
+    return move(s);
+  });
+}
+
+bool ExchangedModel::move(OwnStep& s) {
+  const TimeTolerance tolerance(s.begin);
+  const auto waits = [&](double t) {  // for its next event, which may be infinitely far
+    return equations_.next_event() > s.end || tolerance.before(t, equations_.next_event());
+  };
+  double t = s.begin;
+  bool due = equations_.discrete_inputs_changed(t);
+  while (true) {
+    due = due || !waits(t);
+    if (due && (happen(t) || finished())) return s.end = t, true;
+    if (!tolerance.before(t, s.end)) return false;
+    const double begin = t;
+    t = steps_.advance(equations_, t, std::min(s.end, equations_.next_event()), true);
+    due = (t > begin && equations_.end_step(t)) || equations_.changed() >= 0;
+    if (!finished()) continue;
+    equations_.running().read_row(left_.data());
+    return s.end = t, true;
+  }
+}
+
+/// Continuous inputs that jump are seen by indicators, and by outputs at once.
+bool ExchangedModel::jump(double t, std::span<const Signal> u) {
+  return fmu().within([&] {
+    equations_.resume(u);
+    equations_.running().read_row(left_.data());
+    const bool discrete = equations_.discrete_inputs_changed(t);
+    equations_.evaluate_again(t);
+    if (discrete || equations_.changed() >= 0) {
+      const std::vector<double> before = left_;
+      happen(t);
+      left_ = before;
+    }
+    return has_jumped();
+  });
+}
+
+}  // namespace
+
+std::unique_ptr<Subsystem> make_model_exchange(std::shared_ptr<Instance> instance) {
+  return std::make_unique<FixedStep<ExchangedModel>>(ExchangedModel(instance));
+}
+
+}  // namespace tandem::fmi

@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <vector>
+
+#include "settings.hpp"
+#include "tandem/subsystem_info.hpp"
+
+namespace tandem::fmi {
+
+/// A number in a sample row (after its header), or among the inputs, and the variable that has it.
+struct Seat {
+  int variable, place;
+};
+
+/// That a number in a sample row follows an input at once.
+struct Follows {
+  int place, input;
+};
+
+/// Which variables are ports: inputs and outputs of every type but string.
+struct Ports {
+  SubsystemInfo info;
+  std::vector<Seat> continuous, discrete;  ///< inputs: real ones that may change at any time, and all others
+  std::vector<Seat> row;                   ///< outputs with their derivatives
+  std::vector<Follows> follows;
+  std::vector<Seat> followed;  ///< of the continuous inputs those that outputs follow at once
+};
+
+/// Throws Error(invalid_argument) for an FMU without outputs, and a unit for a port that is not there.
+Ports ports_of(const Description& description, const Settings& settings);
+
+/// A variable's name as that of a port, which has no [ ] , " and blanks: "a[1,2]" is "a(1;2)".
+std::string port_name(const std::string& variable);
+
+}  // namespace tandem::fmi

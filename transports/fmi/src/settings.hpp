@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tandem/fmi/description.hpp"
+#include "tandem/transports/parameters.hpp"
+
+namespace tandem::fmi {
+
+enum class Kind { co_simulation, model_exchange };
+
+/// What an input of Co-Simulation is over a step.
+enum class Held { mean, left, right, middle, derivatives };
+
+/// A value for a variable before the start.
+struct Setting {
+  int variable;
+  double number;     ///< of any type but string
+  std::string text;  ///< of a string
+};
+
+struct Settings {
+  Kind kind = Kind::co_simulation;
+  double step = 0.0;  ///< [s]
+  Held held = Held::mean;
+  int order = 1;  ///< of derivatives
+  bool lands = false, trusts_state = false, logs = false;
+  std::optional<double> tolerance;
+  std::vector<Setting> values;
+  std::map<std::string, std::string> units;  ///< of ports, in place of what the description says
+};
+
+/// Words of "fmu:".
+Words fmu_words();
+
+/// What the parameters and the description say. Throws Error(invalid_argument) for what the FMU has not.
+Settings take_settings(const Description& description, Parameters& parameters);
+
+inline const Offer& offer_of(const Description& d, Kind kind) {
+  return kind == Kind::co_simulation ? *d.co_simulation : *d.model_exchange;
+}
+std::string name_of(Kind kind);
+
+}  // namespace tandem::fmi

@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "xml.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+#include "tandem/error.hpp"
+#include "tandem/printable.hpp"
+
+namespace tandem::fmi {
+namespace {
+
+constexpr std::string_view blanks = " \t\r\n";
+
+std::string_view trimmed(std::string_view text) {
+  const auto begin = text.find_first_not_of(blanks);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+}
+
+/// The whole of a text as a number. A plus before it is allowed by XML.
+template <class Number>
+std::optional<Number> number_of(std::string_view text) {
+  text = trimmed(text);
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  Number value{};
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return code == std::errc{} && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
+}
+
+}  // namespace
+
+Xml::Xml(std::string_view text, std::string_view file) : text_(text), file_(file) {
+  const auto result =
+      document_.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_doctype);
+  if (!result)
+    throw Error(ErrorCode::invalid_argument,
+                place(result.offset) + ": this is no well-formed XML: " + result.description());
+  for (const pugi::xml_node node : document_)
+    if (node.type() == pugi::node_doctype) refuse(node, "a document type stands here; allowed is none");
+}
+
+pugi::xml_node Xml::root(const char* name) const {
+  const pugi::xml_node node = document_.document_element();
+  if (node.name() != std::string_view(name))
+    refuse(node, "the document is <" + printable(node.name(), 100) + ">; allowed is <" + name + ">");
+  return node;
+}
+
+std::string Xml::place(std::ptrdiff_t offset) const {
+  const auto end = text_.begin() + std::clamp<std::ptrdiff_t>(offset, 0, std::ssize(text_));
+  return std::string(file_) + ":" + std::to_string(1 + std::count(text_.begin(), end, '\n'));
+}
+
+void Xml::refuse(pugi::xml_node at, const std::string& sentence) const {
+  throw Error(ErrorCode::invalid_argument, place(at.offset_debug()) + ": " + sentence);
+}
+
+void Xml::wrong(pugi::xml_node of, const char* name, const std::string& allowed) const {
+  const auto found = of.attribute(name);
+  refuse(of, std::string("attribute ") + name + " of <" + printable(of.name(), 100) + "> is " +
+                 (found ? "'" + printable(found.value(), 200) + "'" : "not there") + "; allowed is " +
+                 allowed);
+}
+
+std::optional<std::string> Xml::text(pugi::xml_node of, const char* name) const {
+  const auto found = of.attribute(name);
+  return found ? std::optional<std::string>(found.value()) : std::nullopt;
+}
+
+std::string Xml::needed_text(pugi::xml_node of, const char* name) const {
+  const auto found = of.attribute(name);
+  if (!found || *found.value() == '\0') wrong(of, name, "a text");
+  return found.value();
+}
+
+std::optional<double> Xml::number(pugi::xml_node of, const char* name) const {
+  const auto found = of.attribute(name);
+  if (!found) return std::nullopt;
+  const auto value = number_of<double>(found.value());
+  if (!value) wrong(of, name, "a number");
+  return value;
+}
+
+std::optional<std::int64_t> Xml::whole(pugi::xml_node of, const char* name, std::int64_t least,
+                                       std::int64_t most) const {
+  const auto found = of.attribute(name);
+  if (!found) return std::nullopt;
+  const auto value = number_of<std::int64_t>(found.value());
+  if (!value || *value < least || *value > most)
+    wrong(of, name, "a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+  return value;
+}
+
+bool Xml::flag(pugi::xml_node of, const char* name) const {
+  return word<bool>(of, name, {{"true", true}, {"1", true}, {"false", false}, {"0", false}}, false);
+}
+
+std::optional<std::vector<int>> Xml::list(pugi::xml_node of, const char* name, int least, int most) const {
+  const auto found = of.attribute(name);
+  if (!found) return std::nullopt;
+  std::vector<int> all;
+  std::string_view rest = trimmed(found.value());
+  while (!rest.empty()) {
+    const auto end = std::min(rest.find_first_of(blanks), rest.size());
+    const auto value = number_of<int>(rest.substr(0, end));
+    if (!value || *value < least || *value > most)
+      wrong(of, name,
+            "a list of whole numbers from " + std::to_string(least) + " to " + std::to_string(most));
+    all.push_back(*value);
+    rest = trimmed(rest.substr(end));
+  }
+  return all;
+}
+
+}  // namespace tandem::fmi
