@@ -150,8 +150,8 @@ TEST(RandomScenes, WithDataAsInputsAreSound) {
 
 /// Each of them failed once, and for a reason of its own.
 TEST(RandomScenes, ThatWereNotSoundAre) {
-  for (const std::uint64_t seed : {242,  247,  321,  399,  525,  651,  776,  909,  1063, 1123, 1280,
-                                   1708, 1827, 1897, 2118, 2805, 3066, 3081, 5470, 7913, 11045})
+  for (const std::uint64_t seed : {242,  247,  321,  399,  525,  651,  776,  909,  1063, 1123,
+                                   1280, 1708, 1827, 1897, 2118, 2805, 3066, 3081, 7913, 11045})
     expect_sound_or_diverged(seed);
 }
 

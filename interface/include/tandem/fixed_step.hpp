@@ -115,6 +115,7 @@ class FixedStep final : public SavedModels<Model, GridPlace> {
   bool has_room(const Samples& y) const { return y.room() > (this->info_.abilities.events ? 1 : 0); }
 
   bool have_jumped(std::span<const Signal> u) const {
+    if constexpr (!TakesJumps<Model>) return false;
     return std::any_of(u.begin(), u.end(), [this](const Signal& input) {
       return input.jumps_at(place_.time(), place_.tolerance());
     });

@@ -113,6 +113,13 @@ inline void Coordinator::commit(int who, double limit) {
   if (count == 0) return;
   tell(who);
   if (has_events_ && schedule_->member(who).events) hear_of_event(who);
+  if (lands_elsewhere_ && !frozen_ && schedule_->member(who).jumps) hear_of_jump(who);
+}
+
+/// A second row may be a jump for those that read it, too.
+void Coordinator::hear_of_jump(int who) {
+  const History& history = exchange_->history(who);
+  if (history.jump(history.newest())) place_readers(who);
 }
 
 /// A call that ends where it begins.

@@ -107,11 +107,15 @@ void Coordinator::go_back(int who, double t) {
 /// What it had given is no longer known to its readers: where they were to end steps for that they are not.
 void Coordinator::forget_jumps(int who) {
   for (const int carrier : events(who).carriers) exchange_->expect_jump(carrier, -Member::never);
-  const auto place_it = [this](int reader) {
+  place_readers(who);
+  for (const int reader : events(who).of_carriers) place(reader);
+}
+
+/// Those that integrate themselves.
+void Coordinator::place_readers(int who) {
+  exchange_->each_reader(who, [this](int reader) {
     if (!schedule_->member(reader).sampled) place(reader);
-  };
-  exchange_->each_reader(who, place_it);
-  for (const int reader : events(who).of_carriers) place_it(reader);
+  });
 }
 
 /// The last row that is not taken back any more: that of the state which the earliest event leads back to. (A

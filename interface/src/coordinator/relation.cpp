@@ -21,6 +21,16 @@ std::vector<int> loops(std::span<const Read> reads, std::span<const Member> memb
   return strongly_connected(static_cast<int>(members.size()), edges);
 }
 
+/// Of two that go in turns one relation says all. They are sorted.
+void unite_turns(std::vector<Relation>& all) {
+  const auto same = [](const Relation& a, const Relation& b) {
+    return a.kind == Relation::Kind::turns && b.kind == a.kind && a.first == b.first && a.second == b.second;
+  };
+  for (std::size_t k = all.size(); k-- > 1;)
+    if (same(all[k - 1], all[k])) all[k - 1].lands |= all[k].lands, all[k - 1].reads |= all[k].reads;
+  all.erase(std::unique(all.begin(), all.end(), same), all.end());
+}
+
 }  // namespace
 
 std::vector<Relation> relations(std::span<const int> order, std::span<const Read> reads,
@@ -45,16 +55,17 @@ std::vector<Relation> relations(std::span<const int> order, std::span<const Read
     else if (members[source].sampled)
       all.push_back({r.reader, r.source, Relation::Kind::held, r.lag, r.lands});
     else if (turns && place[reader] < place[source])
-      all.push_back({r.reader, r.source, Relation::Kind::turns, 0.0, false});
+      all.push_back({r.reader, r.source, Relation::Kind::turns, 0.0, false, 0.0, true});
     else if (turns)
-      all.push_back({r.source, r.reader, Relation::Kind::turns, 0.0, false});
+      all.push_back({r.source, r.reader, Relation::Kind::turns, 0.0, r.lands});
   }
   const auto key = [&](const Relation& r) {
     return std::tuple(r.kind, place[static_cast<std::size_t>(r.first)],
-                      place[static_cast<std::size_t>(r.second)], r.lag, r.lands);
+                      place[static_cast<std::size_t>(r.second)], r.lag, r.lands, r.reads);
   };
   std::sort(all.begin(), all.end(), [&](const Relation& a, const Relation& b) { return key(a) < key(b); });
   all.erase(std::unique(all.begin(), all.end()), all.end());
+  unite_turns(all);
   return all;
 }
 

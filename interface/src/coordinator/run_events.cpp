@@ -91,7 +91,10 @@ void RunStart::wait_for_events(std::vector<Read>& reads) const {
       if (r.reader != other && !is_there(r)) reads.push_back(r);
     }
   for (int i = 0; i < topology_.size(); ++i)
-    for (const int reader : run_.events(i).readers) reads.push_back({reader, i});
+    for (const int reader : run_.events(i).readers) {
+      const bool lands = std::isfinite(times_.shortest_period[static_cast<std::size_t>(reader)]);
+      reads.push_back({reader, i, 0.0, false, lands});
+    }
 }
 
 void RunStart::note_follower(const ReadEvents& what, bool goes_back) const {

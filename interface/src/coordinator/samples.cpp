@@ -123,9 +123,11 @@ void Coordinator::place_neighbours(int sampled) {
 }
 
 void Coordinator::place(int who) {
-  const double time = seats_[static_cast<std::size_t>(who)].time;
-  schedule_->stand(who, time, own_next_[static_cast<std::size_t>(who)],
-                   exchange_ ? exchange_->next_break(who, time) : Member::never);
+  const double time = seats_[static_cast<std::size_t>(who)].time,
+               next = own_next_[static_cast<std::size_t>(who)];
+  if (!exchange_) return schedule_->stand(who, time, next);
+  const bool jumped = schedule_->member(who).jumps && exchange_->jumps_unread(who, time);
+  schedule_->stand(who, time, next, exchange_->next_break(who, time), jumped);
 }
 
 /// Sampled ones first, as others land at their instants.

@@ -18,15 +18,27 @@ TurnOrder::TurnOrder(std::span<const int> order, std::vector<Relation> relations
       earliest_(order.size()),
       in_chain_(order.size()) {
   link();
+  gather_events(order);
   gather(order);
   gather_clusters();
+}
+
+/// Who ends steps at events of others that lead it.
+void TurnOrder::gather_events(std::span<const int> order) {
+  for (const Relation& r : relations_) {
+    if (r.kind != Relation::Kind::turns || !r.lands) continue;
+    lands_at_.resize(order.size());
+    lands_at_[static_cast<std::size_t>(r.second)].push_back(r.first);
+  }
+  place_.resize(order.size());
+  for (std::size_t p = 0; p < order.size(); ++p) place_[static_cast<std::size_t>(order[p])] = p;
 }
 
 /// All stand nowhere at first: in turns it is the followers' turn everywhere, and of others none waits.
 void TurnOrder::link() {
   std::vector<std::vector<Neighbour>> of(waits_.size());
   for (std::size_t k = 0; k < relations_.size(); ++k) {
-    const auto& [a, b, kind, lag, lands, period] = relations_[k];
+    const auto& [a, b, kind, lag, lands, period, reads] = relations_[k];
     const auto number = static_cast<std::int32_t>(k);
     of[static_cast<std::size_t>(a)].push_back({b, number, Relation::Waits::first, kind});
     of[static_cast<std::size_t>(b)].push_back({a, number, Relation::Waits::second, kind});
@@ -80,23 +92,33 @@ void TurnOrder::gather_clusters() {
 
 Relation::Waits TurnOrder::waits_of(std::span<const Member> members, const Neighbour& n, int who) const {
   const Member &m = members[static_cast<std::size_t>(who)], &other = members[static_cast<std::size_t>(n.who)];
+  const Relation& r = relations_[static_cast<std::size_t>(n.relation)];
   if (n.kind == Relation::Kind::turns)
-    return (n.leads() ? tolerance_.before(other.time, row_of(members, who))
-                      : tolerance_.before(m.time, row_of(members, n.who)))
+    return (n.leads() ? tolerance_.before(other.time, row_of(members, who, {n.who, true, &r}))
+                      : tolerance_.before(m.time, row_of(members, n.who, {who, true, &r})))
                ? Relation::Waits::second
                : Relation::Waits::first;
-  const Relation& r = relations_[static_cast<std::size_t>(n.relation)];
   return n.mine == Relation::Waits::first ? r.waits(m, other, tolerance_) : r.waits(other, m, tolerance_);
 }
 
 void TurnOrder::moved(std::span<const Member> members, int who) {
   if (!rows_.empty()) rows_[static_cast<std::size_t>(who)] = earliest_row(members, who);
+  look_again(members, who);
+  if (!lands_at_.empty())
+    for (const Neighbour& n : neighbours(who))
+      if (n.kind == Relation::Kind::turns && !n.leads() &&
+          relations_[static_cast<std::size_t>(n.relation)].lands)
+        look_again(members, n.who);
+  if (drift_) earliest_.set(static_cast<std::size_t>(who), next_of(members, who));
+}
+
+/// Who waits, of those that it is related to.
+void TurnOrder::look_again(std::span<const Member> members, int who) {
   for (const Neighbour& n : neighbours(who)) {
     const Relation::Waits now = waits_of(members, n, who);
     if (now != waiting_side_[static_cast<std::size_t>(n.relation)]) change(members, who, n, now);
   }
   mark(members, who);
-  if (drift_) earliest_.set(static_cast<std::size_t>(who), next_of(members, who));
 }
 
 void TurnOrder::change(std::span<const Member> members, int who, const Neighbour& n, Relation::Waits to) {
@@ -127,7 +149,7 @@ void TurnOrder::mark(std::span<const Member> members, int who) {
 /// where it stands, if an input may jump there, and outputs with it. It waits itself for these sampled ones.
 double TurnOrder::earliest_row(std::span<const Member> members, int who) const {
   const Member& m = members[static_cast<std::size_t>(who)];
-  double row = m.next;
+  double row = m.jumped ? m.time : m.next;
   if (m.finished()) return row;
   for (const Neighbour& n : neighbours(who)) {
     if (n.kind == Relation::Kind::turns) continue;
@@ -142,6 +164,20 @@ double TurnOrder::earliest_row(std::span<const Member> members, int who) const {
   return row;
 }
 
+/// Where others that lead `who` stand may be an event at which that ends a step, and which its leader is to
+/// know. One that stands with `leader` and comes later in the order does not keep it from its next own step.
+double TurnOrder::earliest_event(std::span<const Member> members, int who, int leader, bool waits) const {
+  const double time = members[static_cast<std::size_t>(leader)].time, next = next_of(members, who);
+  double earliest = Member::never;
+  for (const int other : lands_at_[static_cast<std::size_t>(who)]) {
+    const double t = members[static_cast<std::size_t>(other)].time;
+    const bool later = place_[static_cast<std::size_t>(other)] > place_[static_cast<std::size_t>(leader)];
+    const bool steps = waits && later && !tolerance_.before(t, time);
+    if (other != leader && !steps && tolerance_.before(t, next)) earliest = std::min(earliest, t);
+  }
+  return earliest;
+}
+
 /// Leaders stand past its next node, followers' next nodes lie past where it stands, outputs of sampled ones
 /// are known, and where it ends steps for them.
 double TurnOrder::limit(std::span<const Member> members, int who) const {
@@ -150,10 +186,10 @@ double TurnOrder::limit(std::span<const Member> members, int who) const {
   double limit = m.landing;
   for (const Neighbour& n : neighbours(who)) {
     const Member& other = members[static_cast<std::size_t>(n.who)];
+    const Relation& r = relations_[static_cast<std::size_t>(n.relation)];
     if (n.kind == Relation::Kind::turns)
-      limit = std::min(limit, n.leads() ? other.time : row_of(members, n.who));
-    else if (const Relation& r = relations_[static_cast<std::size_t>(n.relation)];
-             n.kind == Relation::Kind::held)
+      limit = std::min(limit, n.leads() ? other.time : row_of(members, n.who, {who, false, &r}));
+    else if (n.kind == Relation::Kind::held)
       limit = std::min(limit, other.next + r.lag);
     else if (n.mine == Relation::Waits::second && r.ends_steps())
       limit = std::min(limit, r.known(other));

@@ -96,6 +96,7 @@ class Coordinator {
   Turn next_call(const Turn& turn) const;
   void check_clock(const Turn& turn, double before, std::int64_t rows, const Clock& after);
   void hear_of_event(int who);
+  void hear_of_jump(int who);
   Exchange::Jump jump_seen(int who, int reader, double until) const;
   void pass_by(int reader, int who);
   void remember(int who);
@@ -103,6 +104,7 @@ class Coordinator {
   double earliest_stand(int who, double t) const;
   void go_back(int who, double t);
   void forget_jumps(int who);
+  void place_readers(int who);
   std::int64_t last_final(int who) const;
   void keep_rest();
   void check_end() const;

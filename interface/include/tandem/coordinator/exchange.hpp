@@ -100,13 +100,17 @@ class Exchange {
   /// When an input of `reader`, which stands at `time`, and ends a step there, is known to change next;
   /// `never` if that is not known.
   double next_break(int reader, double time) const;
-  /// Whether an input of one that stands at `time` jumps there, which it has not read yet.
-  bool jumps_at(int reader, double time) const {
+  /// Whether what one that stands at `time` reads of others jumps there, which it has not read yet.
+  bool jumps_unread(int reader, double time) const {
     const End& end = ends_[static_cast<std::size_t>(reader)];
     return std::any_of(end.in.begin(), end.in.end(),
-                       [time](const Link* link) { return link->jumps_at(time); }) ||
-           std::any_of(end.driven.begin(), end.driven.end(),
-                       [time](const Driven& d) { return d.jumps_at(time); });
+                       [time](const Link* link) { return link->jumps_at(time); });
+  }
+  /// The same, or data that it reads jump there.
+  bool jumps_at(int reader, double time) const {
+    const End& end = ends_[static_cast<std::size_t>(reader)];
+    return jumps_unread(reader, time) || std::any_of(end.driven.begin(), end.driven.end(),
+                                                     [time](const Driven& d) { return d.jumps_at(time); });
   }
 
   /// Makes room for `wanted` rows of `source`: drops what no reader, standing at its newest sample, needs any

@@ -24,8 +24,10 @@ struct Relation {
   int first, second;
   Kind kind;
   double lag;  ///< [s]: the reader sees at t what the source gave at t - lag
-  bool lands;  ///< held, nearest: who integrates itself ends a step at each instant of the sampled one
+  bool lands;  ///< held, nearest: who integrates itself ends a step at each instant of the sampled one;
+               ///< turns: `second` does so at each event of `first`
   double period = 0.0;  ///< [s]: nearest: the least time between two instants of the sampled one
+  bool reads = false;   ///< turns: `first` reads `second`
 
   bool operator==(const Relation&) const = default;
 

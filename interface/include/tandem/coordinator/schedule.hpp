@@ -52,10 +52,11 @@ class Schedule {
 
   /// Puts a member where its subsystem stands. It takes no further part if it stands at t_stop, if its next
   /// step would end past it, or if it says so (next = never). break_at [s]: where a held input that it is to
-  /// land at is known to change next, or another to have jumped; it also lands at the next instants of the
-  /// sampled members that say so, for which those that they move are to be put anew.
-  void stand(int who, double time, double next, double break_at = Member::never) {
+  /// land at is known to change next, or another to have jumped; jumped: see Member; it also lands at the
+  /// next instants of the sampled members that say so, for which those that they move are to be put anew.
+  void stand(int who, double time, double next, double break_at = Member::never, bool jumped = false) {
     Member& m = members_[static_cast<std::size_t>(who)];
+    m.jumped = jumped;
     if (who == plan_.pace && next != Member::never) pace_node_ = next;
     if (m.lands && next != Member::never) next = std::min(next, plan_.span.stop);
     const bool finished = (time >= earliest_stop_ && !m.sampled) || next > latest_stop_;

@@ -20,7 +20,8 @@ namespace tandem {
 /// whatever goes first elsewhere: a leader's those of the follower up to where the leader stands, a
 /// follower's those of the leader up to the first one at or past the end of that step. Those that have
 /// nothing to do with each other do not wait for each other. A follower may give a row before its next node,
-/// at an instant that is not known yet: for that too its leader waits, who else would read it or not by chance.
+/// at an instant that is not known yet: for that too its leader waits, who else would read it or not by
+/// chance.
 ///
 /// A sampled member acts at its instant t when all that it reads stand at t or can't come nearer without
 /// passing it, or have passed it where they do not depend on it; who reads it goes up to where its outputs
@@ -109,14 +110,25 @@ class TurnOrder {
   static double next_of(std::span<const Member> members, int who) {
     return members[static_cast<std::size_t>(who)].next;
   }
-  /// Up to where a leader may go without the next row of `who`.
-  double row_of(std::span<const Member> members, int who) const {
-    return rows_.empty() ? next_of(members, who) : rows_[static_cast<std::size_t>(who)];
+  struct Leader {
+    int who;
+    bool waits;  ///< asked is whether it waits; else how far it goes
+    const Relation* relation;
+  };
+  /// Up to where its leader may go without the next row of `who`.
+  double row_of(std::span<const Member> members, int who, const Leader& leader) const {
+    const double row = rows_.empty() ? next_of(members, who) : rows_[static_cast<std::size_t>(who)];
+    return leader.relation->reads && !lands_at_.empty()
+               ? std::min(row, earliest_event(members, who, leader.who, leader.waits))
+               : row;
   }
   double earliest_row(std::span<const Member> members, int who) const;
+  double earliest_event(std::span<const Member> members, int who, int leader, bool waits) const;
+  void look_again(std::span<const Member> members, int who);
   void link();
   void gather(std::span<const int> order);
   void gather_clusters();
+  void gather_events(std::span<const int> order);
   Relation::Waits waits_of(std::span<const Member> members, const Neighbour& n, int who) const;
   void change(std::span<const Member> members, int who, const Neighbour& n, Relation::Waits to);
   void mark(std::span<const Member> members, int who);
@@ -138,8 +150,10 @@ class TurnOrder {
   std::vector<std::size_t> first_;     ///< of a member's neighbours; and the end
   std::vector<Relation::Waits> waiting_side_;  ///< by relation
   std::vector<int> waits_;                     ///< by member: relations in which it waits
-  std::vector<double> rows_;          ///< by member: see earliest_row(); empty where these are its next nodes
-  std::vector<std::uint64_t> ready_;  ///< bits by member: neighbours in memory go one after the other
+  std::vector<double> rows_;  ///< by member: see earliest_row(); empty where these are its next nodes
+  std::vector<std::vector<int>> lands_at_;  ///< by member: leaders at whose events it ends steps; or empty
+  std::vector<std::size_t> place_;          ///< by member: in the order
+  std::vector<std::uint64_t> ready_;        ///< bits by member: neighbours in memory go one after the other
   std::vector<Group> groups_;
   std::vector<int> group_of_;               ///< by member
   std::vector<std::vector<int>> clusters_;  ///< sampled ones that read each other
