@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # fuzz.sh [RUNS [FOLDER [SEED]]]: runs each target of libFuzzer so many times (default 10 000 000), with clang-16, from
-# inputs that are taken from docs/wire_protocol.md and from the TOML files of scenarios. Builds in FOLDER (default
-# build/fuzz), where the corpus grows and what breaks a target is left. A SEED gives the same runs each time from the same
-# corpus (default 0: by the clock). Eigen's assertions count too. The status is 1 if one breaks; the input is printed.
+# inputs that are taken from docs/wire_protocol.md, the TOML files of scenarios and the descriptions of the tests' FMUs.
+# Builds in FOLDER (default build/fuzz), where the corpus grows and what breaks a target is left. A SEED gives the same
+# runs each time from the same corpus (default 0: by the clock). Eigen's assertions count too. The status is 1 if one breaks; the input is printed.
 set -euo pipefail
 
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
@@ -35,7 +35,8 @@ report() {
 }
 
 status=0
-for target in server client table mechanism diagram scenario; do
+for target in server client table archive description mechanism diagram scenario; do
+  [[ -x $folder/${target}_fuzz ]] || continue # of FMUs, without what they need
   mkdir -p "$folder/corpus/$target" "$folder/seeds/$target"
   echo "$target: $runs runs"
   # A run may take 20 s and 3 GB; inputs have up to 8 KiB.

@@ -124,6 +124,28 @@ TEST(FmuSource, MayHaveSeveralInstances) {
   EXPECT_GT(FmuRun(*slow, 1.0).rows.back()[2], 10.0 * FmuRun(*fast, 1.0).rows.back()[2]);
 }
 
+/// The program has a zlibVersion, too, and it is loaded already.
+TEST(FmuSource, HasItsOwnSymbolsBeforeThoseOfTheProgram) {
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "the address sanitizer takes the place of symbols itself";
+#endif
+  const auto fmu = open_fmu("symbols");
+  EXPECT_EQ(FmuRun(*fmu, 1.0).rows.back()[2], 1.0);
+}
+
+TEST(FmuSource, AClientSetsNumbersAndNoTexts) {
+  const auto open_for = [](const std::string& client) {
+    Opening opening;
+    opening.parameters.read(client, "the client", Setter::client);
+    return open(fmu_uri("types?step=1"), fmu_sources(), std::move(opening));
+  };
+  EXPECT_NO_THROW(open_for("set.whole_in=3&set.flag_in=true"));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'set.text'", "comes from a client"},
+                      [&] { open_for("set.text=x"); }));
+  EXPECT_TRUE(
+      refuses(ErrorCode::invalid_argument, {"'type'", "comes from a client"}, [&] { open_for("type=me"); }));
+}
+
 TEST(FmuSource, ItsLogIsToldWhereItIsAskedFor) {
   std::vector<std::string> told;
   const auto tell = [&](const std::string& what) { told.push_back(what); };

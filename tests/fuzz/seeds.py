@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 """seeds.py FOLDER: what the fuzzing starts from: the sessions of docs/wire_protocol.md, either side, whole and up to
-each of their messages; and the project's own TOML files, each for the reader of its kind, with their words (FOLDER/words)."""
+each of their messages; the project's own TOML files, each for the reader of its kind, with their words (FOLDER/words); and descriptions of FMUs, alone and packed."""
 
 import pathlib
 import re
 import sys
+import zipfile
 
 TREE = pathlib.Path(__file__).resolve().parents[2]
 
@@ -46,8 +47,21 @@ def toml_files(folder):
     (folder / "words").write_text("".join(f'"{word}"\n' for word in sorted(words)), encoding="ascii")
 
 
+def fmus(folder):
+    for target in ("archive", "description"):
+        (folder / target).mkdir(parents=True, exist_ok=True)
+    for file in sorted((TREE / "tests" / "libraries" / "fmi").glob("*.xml")):
+        text = file.read_bytes()
+        (folder / "description" / file.name).write_bytes(text)
+        for method in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
+            with zipfile.ZipFile(folder / "archive" / f"{file.stem}{method}", "w", method) as archive:
+                archive.writestr("modelDescription.xml", text)
+                archive.writestr("binaries/linux64/x.so", b"x")
+
+
 def main(folder):
     toml_files(folder)
+    fmus(folder)
     for side, target in (("request", "server"), ("reply", "client")):
         place = folder / target
         place.mkdir(parents=True, exist_ok=True)

@@ -79,7 +79,7 @@ int Equations::changed() const {
   return -1;
 }
 
-bool Equations::end_step(double) {
+bool Equations::end_step() {
   fmi2Boolean event = fmi2False, end = fmi2False;
   if (running_.fmu().description.model_exchange->needs_no_completed_steps) return false;
   const fmi2Boolean never_back = running_.keeps_state() ? fmi2False : fmi2True;

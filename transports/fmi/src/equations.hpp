@@ -25,8 +25,8 @@ class Equations {
   bool discrete_inputs_changed(double t);
   /// What happens at t, where it stands.
   void happen(double t);
-  /// A step has come to its end at t. Whether the FMU asks for an event there.
-  bool end_step(double t);
+  /// A step has come to its end. Whether the FMU asks for an event there.
+  bool end_step();
   double next_event() const { return next_event_; }
   bool finished() const { return finished_; }
 

@@ -3,7 +3,6 @@
 #include <memory>
 #include <optional>
 #include <set>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -82,22 +81,6 @@ class Instance {
   bool fresh_ = false;    ///< just instantiated
   bool running_ = false;  ///< initialized and not failed
   bool fatal_ = false;    ///< it may not be called any more
-};
-
-/// A state that an FMU gave, shared by those that keep it, and freed with the last of them.
-class KeptState {
- public:
-  KeptState() = default;
-  /// Of the instance as it is.
-  static KeptState of(const std::shared_ptr<Instance>& instance);
-  static KeptState from(const std::shared_ptr<Instance>& instance, std::span<const std::byte> bytes);
-  explicit operator bool() const { return state_ != nullptr; }
-  void put_back(Instance& to) const;
-  std::vector<std::byte> bytes(Instance& of) const;
-
- private:
-  KeptState(const std::shared_ptr<Instance>& of, void* state);
-  std::shared_ptr<void> state_;
 };
 
 }  // namespace tandem::fmi

@@ -54,6 +54,7 @@ class ExchangedModel {
   Instance& fmu() const { return equations_.instance(); }
   std::size_t row_size() const { return static_cast<std::size_t>(info().row_size() - Samples::header); }
   bool move(OwnStep& s);
+  void event(double t);
   bool happen(double t);
   bool has_jumped() {
     equations_.running().read_row(row_.data());
@@ -67,15 +68,19 @@ class ExchangedModel {
   int events_ = 0;
 };
 
-/// True: outputs have jumped with it.
-bool ExchangedModel::happen(double t) {
+void ExchangedModel::event(double t) {
   if (t - events_since_ > own_step()) events_since_ = t, events_ = 0;
   if (++events_ > most_events)
     throw Error(ErrorCode::numerical,
                 fmt::format("the FMU has more than {} events within an own step, from {} to {} s",
                             most_events, events_since_, t));
-  equations_.running().read_row(left_.data());
   equations_.happen(t);
+}
+
+/// True: outputs have jumped with it.
+bool ExchangedModel::happen(double t) {
+  equations_.running().read_row(left_.data());
+  event(t);
   return has_jumped();
 }
 
@@ -99,7 +104,7 @@ bool ExchangedModel::move(OwnStep& s) {
     if (!tolerance.before(t, s.end)) return false;
     const double begin = t;
     t = steps_.advance(equations_, t, std::min(s.end, equations_.next_event()), true);
-    due = (t > begin && equations_.end_step(t)) || equations_.changed() >= 0;
+    due = (t > begin && equations_.end_step()) || equations_.changed() >= 0;
     if (!finished()) continue;
     equations_.running().read_row(left_.data());
     return s.end = t, true;
@@ -113,11 +118,7 @@ bool ExchangedModel::jump(double t, std::span<const Signal> u) {
     equations_.running().read_row(left_.data());
     const bool discrete = equations_.discrete_inputs_changed(t);
     equations_.evaluate_again(t);
-    if (discrete || equations_.changed() >= 0) {
-      const std::vector<double> before = left_;
-      happen(t);
-      left_ = before;
-    }
+    if (discrete || equations_.changed() >= 0) event(t);
     return has_jumped();
   });
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "group.hpp"
+#include "kept_state.hpp"
 #include "tandem/bytes.hpp"
 #include "tandem/error.hpp"
 
