@@ -28,7 +28,7 @@ class TimeTolerance {
     return 6.0 * std::numeric_limits<double>::epsilon() *
            std::max(std::max(std::abs(a), std::abs(b)), t_start_);
   }
-  /// a lies before b by more than the tolerance.
+  /// a lies before b by more than the tolerance. Of finite times: with an infinite one it is false.
   bool before(double a, double b) const { return a < b && a < b - width(a, b); }
 
  private:
