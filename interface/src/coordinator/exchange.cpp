@@ -242,8 +242,7 @@ void Exchange::add_up(Sum& sum, std::span<Signal> slots) const {
   slots[sum.input] = Signal(sum.segments.data(), static_cast<std::int32_t>(sum.segments.size()), degree);
 }
 
-/// Terms that begin with a jump have jumped where the call begins, or before: so does the sum, whichever
-/// other pieces end there. Where the piece of the last of these jumps ends.
+/// Terms that begin with a jump have jumped by the begin of the call, and so has the sum: the last such end.
 double Exchange::first_jump_end(std::span<const Signal> terms) const {
   double end = -Member::never;
   for (const Signal& term : terms)

@@ -53,8 +53,7 @@ class Recorder final : public Observer {
   struct Column {
     int subsystem;
     std::string name, unit;
-    Fill fill;  ///< how its cells were made: its own samples, or interpolated, or constant from one to the
-                ///< next
+    Fill fill;  ///< how its cells were made: own samples, interpolated, or constant from one to the next
   };
 
   /// `run` must outlive the recorder. Throws Error for a clock or port that is not there.
