@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-"""schema_test.py TANDEM FOLDER: the schemas let every scenario, mechanism and diagram of the folder pass, and no file
+"""schema_test.py TANDEM FOLDER: the schemas let every scenario, study, mechanism and diagram of the folder pass, and no file
 with an unknown key, a wrong type, a word that is not allowed or a required key that is missing. What they refuse of
 mechanisms and diagrams tandem itself refuses too."""
 import copy
@@ -25,12 +25,13 @@ def schema_of(language):
 
 
 def language_of(document):
-    return "scenario" if "subsystems" in document else "diagram" if "blocks" in document else "mechanism"
+    kinds = {"subsystems": "scenario", "tables": "study", "blocks": "diagram"}
+    return next((kind for key, kind in kinds.items() if key in document), "mechanism")
 
 
 folders = ("scenarios", "tests/examples", "tests/consumer")
 files = {f: tomllib.loads(f.read_text()) for name in folders for f in sorted((folder / name).glob("**/*.toml"))}
-validators = {language: schema_of(language) for language in ("scenario", "mechanism", "diagram")}
+validators = {language: schema_of(language) for language in ("scenario", "study", "mechanism", "diagram")}
 for file, document in files.items():
     language = language_of(document)
     error = next(validators[language].iter_errors(document), None)

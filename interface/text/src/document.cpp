@@ -44,6 +44,10 @@ void Document::set(const std::vector<std::string>& overrides) {
     located(Place{file_, 0, set_prefix + text}, [&] { text::set(table_, text); });
 }
 
+void Document::set(const std::string& path, const SetValue& value) {
+  located(Place{file_, 0, set_prefix + override_of(path, value)}, [&] { text::set(table_, path, value); });
+}
+
 Place Document::place(const toml::node& node) const {
   const toml::source_region& source = node.source();
   if (source.path && source.path->starts_with(set_prefix)) return {file_, 0, *source.path};

@@ -1,13 +1,18 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/text/expression.hpp"
+
 #include <fmt/format.h>
 #include <muParser.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <deque>
 #include <numbers>
 
+#include "conditions.hpp"
 #include "tandem/error.hpp"
-#include "tandem/text/values.hpp"
+#include "tandem/nearest.hpp"
 
 namespace tandem::text {
 namespace {
@@ -34,44 +39,139 @@ void refuse_lists_and_assignments(const std::string& e) {
   }
 }
 
-bool is_name(const std::string& name) {
-  if (name.empty() || std::isdigit(static_cast<unsigned char>(name[0])) != 0) return false;
-  for (const char c : name)
-    if (!is_in_name(c)) return false;
-  return true;
-}
-
-std::string with_values(const mu::Parser& parser) {
-  std::string text;
-  for (const auto& [name, value] : parser.GetUsedVar()) text += fmt::format(", {} = {}", name, *value);
-  return text;
+/// "; numbers are k, m"; empty if there are none.
+std::string known_numbers(const FileValues& values) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : values)
+    if (std::holds_alternative<double>(value)) names.push_back(name);
+  return names.empty() ? "" : "; numbers are " + listed(names);
 }
 
 }  // namespace
 
-double evaluated(const std::string& expression, const std::map<std::string, FileValue>& values) {
-  if (expression.size() > longest)
-    refuse_expression(expression, fmt::format("goes on; allowed are {} letters", longest));
-  refuse_lists_and_assignments(expression);
-  std::map<std::string, double> numbers;
-  for (const auto& [name, value] : values)
-    if (const auto* number = std::get_if<double>(&value); number && is_name(name)) numbers[name] = *number;
-  try {
-    mu::Parser parser;
-    parser.DefineConst("_pi", std::numbers::pi);  // muParser's own has 13 digits
-    parser.DefineConst("_e", std::numbers::e);
-    for (auto& [name, number] : numbers) parser.DefineVar(name, &number);
-    parser.SetExpr(expression);
-    const double result = parser.Eval();
-    if (!std::isfinite(result))
-      refuse_expression(expression,
-                        fmt::format("is {}{}; allowed is a finite number", result, with_values(parser)));
-    return result;
-  } catch (const mu::Parser::exception_type& error) {
-    std::string known;
-    for (const auto& [name, number] : numbers) known += (known.empty() ? "; numbers are " : ", ") + name;
-    refuse_expression(expression, "can't be read at letter " + std::to_string(error.GetPos() + 1) + known);
+std::string shown(const FileValue& value) {
+  if (const auto* number = std::get_if<double>(&value)) return fmt::format("{}", *number);
+  return "'" + std::get<std::string>(value) + "'";
+}
+
+class Expression::Compiled {
+ public:
+  explicit Compiled(std::string text) : text_(std::move(text)) {
+    if (text_.size() > longest)
+      refuse_expression(text_, fmt::format("goes on; allowed are {} letters", longest));
+    std::string plain = text_;
+    conditions_ = take_conditions(plain);
+    refuse_lists_and_assignments(plain);
+    parser_.DefineNameChars("0123456789_.[]abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
+    parser_.DefineConst("_pi", std::numbers::pi);  // muParser's own has 13 digits
+    parser_.DefineConst("_e", std::numbers::e);
+    for (const Condition& condition : conditions_) {
+      parser_.DefineVar(condition.stands_for, &holds_.emplace_back(0.0));
+      words_.push_back(condition.name);
+    }
+    parser_.SetVarFactory(&Compiled::make, this);
+    guarded([&] {
+      parser_.SetExpr(plain);
+      parser_.Eval();
+    });
   }
+  Compiled(const Compiled&) = delete;
+  Compiled& operator=(const Compiled&) = delete;
+
+  double at(std::span<const double> numbers) {
+    std::copy(numbers.begin(), numbers.end(), values_.begin());
+    return guarded([&] { return parser_.Eval(); });
+  }
+
+  double value(const FileValues& values) {
+    for (std::size_t k = 0; k < names_.size(); ++k) values_[k] = number(names_[k], values);
+    for (std::size_t k = 0; k < conditions_.size(); ++k)
+      holds_[k] = holds(conditions_[k], values) ? 1.0 : 0.0;
+    const double result = guarded([&] { return parser_.Eval(); });
+    if (!std::isfinite(result))
+      refuse_expression(text_,
+                        fmt::format("is {}{}; allowed is a finite number", result, with_values(values)));
+    return result;
+  }
+
+  const std::string text_;
+  std::vector<std::string> names_, words_;
+
+ private:
+  static double* make(const char* name, void* self) {
+    auto& own = *static_cast<Compiled*>(self);
+    own.names_.emplace_back(name);
+    return &own.values_.emplace_back(1.0);
+  }
+
+  template <class Work>
+  auto guarded(const Work& work) -> decltype(work()) {
+    try {
+      return work();
+    } catch (const mu::Parser::exception_type& error) {
+      refuse_expression(text_, "can't be read at letter " + std::to_string(error.GetPos() + 1));
+    }
+  }
+
+  double number(const std::string& name, const FileValues& values) const {
+    const auto it = values.find(name);
+    if (it == values.end())
+      refuse_expression(text_, fmt::format("can't be read at letter {}, for '{}' is not there{}",
+                                           text_.find(name) + 1, name, known_numbers(values)));
+    if (const auto* number = std::get_if<double>(&it->second)) return *number;
+    refuse_expression(text_,
+                      fmt::format("has {}, which is the word {}; allowed is a number, and to compare words "
+                                  "({} is WORD)",
+                                  name, shown(it->second), name));
+  }
+
+  bool holds(const Condition& condition, const FileValues& values) const {
+    const auto it = values.find(condition.name);
+    if (it == values.end())
+      refuse_expression(text_, fmt::format("compares {}, which is not there", condition.name));
+    const auto* word = std::get_if<std::string>(&it->second);
+    if (!word)
+      refuse_expression(
+          text_, fmt::format("compares {} with a word, but it is the number {}; allowed is {} == NUMBER",
+                             condition.name, shown(it->second), condition.name));
+    return std::find(condition.words.begin(), condition.words.end(), *word) != condition.words.end();
+  }
+
+  std::string with_values(const FileValues& values) const {
+    std::string text;
+    for (const auto* names : {&names_, &words_})
+      for (const std::string& name : *names) text += fmt::format(", {} = {}", name, shown(values.at(name)));
+    return text;
+  }
+
+  mu::Parser parser_;
+  std::vector<Condition> conditions_;
+  std::deque<double> values_, holds_;  ///< where the parser reads them
+};
+
+Expression::Expression(std::string text) : compiled_(std::make_unique<Compiled>(std::move(text))) {}
+Expression::~Expression() = default;
+Expression::Expression(Expression&&) noexcept = default;
+Expression& Expression::operator=(Expression&&) noexcept = default;
+const std::string& Expression::text() const { return compiled_->text_; }
+const std::vector<std::string>& Expression::numbers() const { return compiled_->names_; }
+const std::vector<std::string>& Expression::words() const { return compiled_->words_; }
+double Expression::value(const FileValues& values) { return compiled_->value(values); }
+double Expression::at(std::span<const double> numbers) { return compiled_->at(numbers); }
+
+double evaluated(const std::string& expression, const FileValues& values) {
+  return Expression(expression).value(values);
+}
+
+FileValue referred(const std::string& text, const FileValues& values) {
+  const std::string rest = text.substr(1);
+  if (rest.starts_with("(") && !rest.ends_with(")"))
+    throw Error(ErrorCode::invalid_argument, "'" + text + "' is no expression in brackets; allowed is $(..)");
+  if (rest.starts_with("(")) return evaluated(rest.substr(1, rest.size() - 2), values);
+  if (const auto it = values.find(rest); it != values.end()) return it->second;
+  std::vector<std::string> known;
+  for (const auto& [name, value] : values) known.push_back(name);
+  throw Error(ErrorCode::invalid_argument, unknown("parameter", rest, known));
 }
 
 }  // namespace tandem::text

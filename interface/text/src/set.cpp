@@ -1,8 +1,11 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "tandem/text/set.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
+#include <optional>
 #include <vector>
 
 #include "tandem/nearest.hpp"
@@ -79,6 +82,15 @@ class Override {
     }
     value_ = in_quotes(value_);
   }
+  Override(const std::string& path, const SetValue& value)
+      : source_(set_prefix + override_of(path, value)), steps_(split(path)) {
+    if (const auto* number = std::get_if<double>(&value))
+      value_ = "0.0", number_ = *number;
+    else if (const auto* flag = std::get_if<bool>(&value))
+      value_ = *flag ? "true" : "false";
+    else
+      value_ = in_quotes(std::get<std::string>(value));
+  }
 
   void apply(toml::table& root) { at_table(root, 0); }
 
@@ -92,10 +104,20 @@ class Override {
       key += (i > first ? "." : "") + in_quotes(steps_[i].text);
     }
     try {
-      return toml::parse(std::string_view(key + " = " + value_), std::string_view(source_));
+      toml::table made = toml::parse(std::string_view(key + " = " + value_), std::string_view(source_));
+      toml::node* innermost = &made;
+      for (std::size_t i = first; i < steps_.size(); ++i)
+        innermost = innermost->as_table()->get(steps_[i].text);
+      put_number(*innermost);
+      return made;
     } catch (const toml::parse_error& error) {
       refuse_setting("not TOML: " + std::string(error.description()));
     }
+  }
+
+  /// The number itself, never its text.
+  void put_number(toml::node& node) const {
+    if (number_) node.as_floating_point()->get() = *number_;
   }
 
   /// The path up to a step, as it was given.
@@ -184,6 +206,7 @@ class Override {
       refuse_setting("'" + written(i) + "' is an array of " + std::to_string(array.size()) + "; '" + text +
                      "' is not one of its elements, which are named like " + written(i) + "[0]");
     toml::table made = toml::parse(std::string_view("v = " + value_), std::string_view(source_));
+    put_number(*made.get("v"));
     made.get("v")->visit([&](auto& value) {
       array.replace(array.cbegin() + static_cast<std::ptrdiff_t>(index), std::move(value));
     });
@@ -191,10 +214,18 @@ class Override {
 
   std::string source_, value_;
   Steps steps_;
+  std::optional<double> number_ = {};  ///< the value, where it is one and not a text
 };
 
 }  // namespace
 
+std::string override_of(const std::string& path, const SetValue& value) {
+  return path + "=" + std::visit([](const auto& one) { return fmt::format("{}", one); }, value);
+}
+
 void set(toml::table& file, const std::string& override_text) { Override(override_text).apply(file); }
+void set(toml::table& file, const std::string& path, const SetValue& value) {
+  Override(path, value).apply(file);
+}
 
 }  // namespace tandem::text

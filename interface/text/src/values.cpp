@@ -12,22 +12,13 @@ bool Values::refers(const toml::node& node) {
 }
 
 FileValue Values::value(const Document& document, const toml::node& node, const std::string& what) const {
-  const std::string text = node.as_string()->get().substr(1);
-  if (text.starts_with("(") && !text.ends_with(")"))
-    refuse(document.place(node),
-           what + " is " + described(node) + "; allowed is an expression in brackets, $(..)");
-  if (text.starts_with("("))
-    return located(document.place(node), [&]() -> FileValue {
-      try {
-        return evaluated(text.substr(1, text.size() - 2), values_);
-      } catch (const Error& error) {
-        throw Error(error.code(), what + ": " + error.what());
-      }
-    });
-  if (const auto it = values_.find(text); it != values_.end()) return it->second;
-  std::vector<std::string> known;
-  for (const auto& [name, value] : values_) known.push_back(name);
-  refuse(document.place(node), what + ": " + unknown("parameter", text, known));
+  return located(document.place(node), [&] {
+    try {
+      return referred(node.as_string()->get(), values_);
+    } catch (const Error& error) {
+      throw Error(error.code(), what + ": " + error.what());
+    }
+  });
 }
 
 double Values::number(const Document& document, const toml::node& node, const std::string& what) const {

@@ -11,9 +11,9 @@
 #include <unordered_set>
 #include <utility>
 
-#include "courses.hpp"
 #include "tandem/error.hpp"
 #include "tandem/nearest.hpp"
+#include "tandem/scenario/courses.hpp"
 
 namespace tandem::scenario {
 namespace {
@@ -34,17 +34,18 @@ std::vector<std::string> common(const TimeTable& a, const TimeTable& b) {
   return names;
 }
 
-double largest(const std::vector<double>& column) {
+/// At the times that count, which are those of B: `later` is by how much the table's are later.
+double largest(const TimeTable& table, const Course& course, const Measure& measure, double later) {
   double most = 0.0;
-  for (const double value : column)
-    if (std::isfinite(value)) most = std::max(most, std::abs(value));
+  const std::vector<double>& column = table.columns[course.values];
+  for (std::size_t row = 0; row < column.size(); ++row)
+    if (const double t = table.times[row] - later;
+        t >= measure.from && t <= measure.to && std::isfinite(column[row]))
+      most = std::max(most, std::abs(column[row]));
   return most;
 }
 
-double relative_to(double difference, double of_b, double of_a) {
-  const double by = of_b > 0.0 ? of_b : of_a;
-  return by > 0.0 ? difference / by : 0.0;
-}
+double fraction_of(double difference, double of) { return of > 0.0 ? difference / of : 0.0; }
 
 /// Sums over the compared times of a column.
 struct Squares {
@@ -54,6 +55,7 @@ struct Squares {
 void note(Difference& d, Squares& sums, double time, double a, double b) {
   if (std::isnan(a) || std::isnan(b)) return;
   sums.difference += (a - b) * (a - b), sums.a += a * a, sums.b += b * b;
+  d.end = std::abs(a - b);
   if (d.compared++ > 0 && !(std::abs(a - b) > d.absolute)) return;
   d.time = time, d.a = a, d.b = b, d.absolute = std::abs(a - b);
 }
@@ -97,19 +99,26 @@ class SideBySide {
     ++result_.times;
     result_.interpolated += !of_a_.exact() || !of_b_.exact();
     for (std::size_t k = 0; k < columns_.size(); ++k)
-      note(result_.columns[k], sums_[k], t_a, of_a_.value(columns_[k].first),
-           of_b_.value(columns_[k].second));
+      if (const auto& [a, b] = columns_[k]; measure_.lines || (is_known(of_a_, a) && is_known(of_b_, b)))
+        note(result_.columns[k], sums_[k], t_a, of_a_.value(a), of_b_.value(b));
+  }
+
+  static bool is_known(const Courses& courses, const Course& course) {
+    return courses.exact() || course.derivatives;
   }
 
   void scale(std::size_t k) {
     Difference& d = result_.columns[k];
     const auto& [a, b] = columns_[k];
     if (d.compared == 0) fail("column " + d.column + " has no time at which both have a value");
-    d.relative = relative_to(d.absolute, largest(b_.columns[b.values]), largest(a_.columns[a.values]));
-    d.rms = std::sqrt(sums_[k].difference / static_cast<double>(d.compared));
-    d.relative_rms = std::sqrt(relative_to(sums_[k].difference, sums_[k].b, sums_[k].a));
+    const double peak = largest(b_, b, measure_, 0.0), of = static_cast<double>(d.compared);
+    d.peak = peak > 0.0 ? peak : largest(a_, a, measure_, shift_);
+    d.relative = fraction_of(d.absolute, d.peak);
+    d.rms = std::sqrt(sums_[k].difference / of);
+    d.rms_of = std::sqrt((sums_[k].b > 0.0 ? sums_[k].b : sums_[k].a) / of);
+    d.relative_rms = fraction_of(d.rms, d.rms_of);
     const bool smooth = (at_a_ ? b : a).derivatives.has_value();
-    if (result_.interpolated > 0 && !smooth) result_.linear.push_back(d.column);
+    if (measure_.lines && result_.interpolated > 0 && !smooth) result_.linear.push_back(d.column);
   }
 
   std::string window() const {

@@ -1,5 +1,5 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-#include "courses.hpp"
+#include "tandem/scenario/courses.hpp"
 
 #include <algorithm>
 #include <cmath>

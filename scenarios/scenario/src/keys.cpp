@@ -36,6 +36,8 @@ void of_file(KeyList& to) {
   using enum text::Key::Type;
   to.may("name", text, "Its name; without it the file's.")
       .may("description", text, "A sentence that `tandem list` prints.")
+      .may("study", any, "A study of this scenario, for `tandem sweep` (docs/studies.md).",
+           {.allowed = "a table"})
       .table("parameters", "Parameters that every subsystem gets, before its own.")
       .may("NAME", value, "As the source of each subsystem knows it.")
       .table("subsystems", "The subsystems, a table for each.", true);

@@ -2,10 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <mutex>
 
 #include "settings.hpp"
+#include "tandem/input_file.hpp"
 #include "tandem/scenario/keys.hpp"
 #include "tandem/scenario/scenario.hpp"
+#include "tandem/text/nesting.hpp"
 #include "tandem/text/section.hpp"
 #include "tandem/text/series.hpp"
 #include "to_json.hpp"
@@ -37,6 +41,7 @@ class Reader {
     for (Section& connection : root.sections("connections")) read_connection(connection);
     for (const auto& [name, read_into] : settings())
       if (auto section = root.section(name)) read_into(*section, to_);
+    root.table("study");  // who sweeps reads it
     if (!root.node("span")) root.missing("span", "a table [span] with start and stop in s");
     root.refuse_unknown();
   }
@@ -104,7 +109,7 @@ class Reader {
     auto all = root.section("subsystems");
     if (!all || all->table().empty())
       root.missing("subsystems",
-                   "a table [subsystems.NAME] for each; a mechanism has points, a diagram blocks");
+                   "a table [subsystems.NAME] for each; a mechanism has points, a diagram blocks, a study tables");
     for (auto& [name, section] : all->named_sections()) read_subsystem(name, section);
   }
 
@@ -199,17 +204,68 @@ std::string kind_of(const toml::table& table) {
 
 std::string kind_alone(const std::filesystem::path& file) { return kind_of(Document(file).table()); }
 
-Scenario read(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  Document document(file);
-  document.set(overrides);
+namespace {
+
+Scenario scenario_of(const Document& document, const std::vector<std::string>& overrides) {
   const std::string alone = kind_of(document.table());
   Scenario scenario;
-  scenario.file = file;
+  scenario.file = document.file();
   Reader reader(document, scenario);
   alone.empty() ? reader.read() : reader.read_alone(alone, overrides);
   scenario.overrides = overrides;
   scenario.values = to_json(document.table()).dump(-1, ' ', false, Json::error_handler_t::replace);
   return scenario;
 }
+
+}  // namespace
+
+Scenario read(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  return ScenarioFile(file, overrides).with({});
+}
+
+/// A document whose values were set once takes others for the same keys; copies of one would not know their
+/// lines.
+class ScenarioFile::Parsed {
+ public:
+  Parsed(std::filesystem::path file, std::vector<std::string> overrides)
+      : file_(std::move(file)),
+        text_(read_file(file_, text::longest_document)),
+        overrides_(std::move(overrides)) {
+    document({});
+  }
+
+  Scenario with(const std::vector<Setting>& settings) {
+    const std::lock_guard lock(mutex_);
+    Document& of_keys = document(settings);
+    std::vector<std::string> overrides = overrides_;
+    for (const Setting& setting : settings) {
+      of_keys.set(setting.key, setting.value);
+      overrides.push_back(text::override_of(setting.key, setting.value));
+    }
+    return scenario_of(of_keys, overrides);
+  }
+
+ private:
+  Document& document(const std::vector<Setting>& settings) {
+    std::vector<std::string> keys;
+    for (const Setting& setting : settings) keys.push_back(setting.key);
+    const auto it = documents_.find(keys);
+    if (it != documents_.end()) return it->second;
+    Document made(file_.string(), text_);
+    made.set(overrides_);
+    return documents_.emplace(std::move(keys), std::move(made)).first->second;
+  }
+
+  std::filesystem::path file_;
+  std::string text_;
+  std::vector<std::string> overrides_;
+  std::mutex mutex_;
+  std::map<std::vector<std::string>, Document> documents_;  ///< by the keys that are set
+};
+
+ScenarioFile::ScenarioFile(std::filesystem::path file, std::vector<std::string> overrides)
+    : parsed_(std::make_unique<Parsed>(std::move(file), std::move(overrides))) {}
+ScenarioFile::~ScenarioFile() = default;
+Scenario ScenarioFile::with(const std::vector<Setting>& settings) const { return parsed_->with(settings); }
 
 }  // namespace tandem::scenario

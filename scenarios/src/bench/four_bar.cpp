@@ -10,7 +10,7 @@
 #include "bench/linkage_timing.hpp"
 #include "four_bar/linkage.hpp"
 #include "output/meter.hpp"
-#include "output/parallel.hpp"
+#include "tandem/output/parallel.hpp"
 #include "tandem/error.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
 #include "tandem/mbs/sparse/linear_solver.hpp"

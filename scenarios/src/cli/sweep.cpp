@@ -21,6 +21,7 @@
 #include "cli/sweep_kart_drive.hpp"
 #include "cli/sweep_mechanisms.hpp"
 #include "cli/sweep_split_pendulum.hpp"
+#include "cli/sweep_study.hpp"
 #include "output/conditions.hpp"
 #include "tandem/error.hpp"
 #include "tandem/input_file.hpp"
@@ -39,8 +40,8 @@ struct SweepOptions {
   std::string scene;
   fs::path output, mechanisms = "scenarios/mechanisms", engine_linkage = "scenarios/engine_linkage",
                    engine = "scenarios/engine", kart = "scenarios/kart";
-  std::vector<std::string> levels;
-  bool pairs = false, resume = false, only_table = false;
+  std::vector<std::string> levels, overrides;
+  bool pairs = false, resume = false, only_table = false, dry = false;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
 };
 
@@ -160,8 +161,9 @@ void add_sweep(CLI::App& app, Context& context) {
   auto options = std::make_shared<SweepOptions>();
   command
       ->add_option(
-          "scene", options->scene,
-          "The scene: two_mass; split_pendulum; engine (torque map, step response, changes of gear); "
+          "study", options->scene,
+          "A study, a TOML file (docs/studies.md); or a scene of tandem's own: two_mass; split_pendulum; "
+          "engine (torque map, step response, changes of gear); "
           "engine_linkage (the linkage driven by the engine, every scheme); kart (with its engine, every "
           "level, step and scheme); kart_drive (the torque of its engine over the manoeuvre, from level ii "
           "as "
@@ -170,7 +172,16 @@ void add_sweep(CLI::App& app, Context& context) {
           "(the N-fold four-bar linkage through its flat position)")
       ->required()
       ->check(CLI::IsMember({"two_mass", "split_pendulum", "engine", "engine_linkage", "kart", "kart_drive",
-                             "mechanisms", "four_bar"}));
+                             "mechanisms", "four_bar"}) |
+              CLI::ExistingFile);
+  command
+      ->add_option("--set", options->overrides,
+                   "Of a study: set a value of its scenario, as in run (repeatable)")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->take_all();
+  command->add_flag("--dry-run", options->dry,
+                    "Of a study: tell its rows, its references and what is refused, and run nothing");
   command
       ->add_option("--output", options->output,
                    "Folder for the tables (default: results/SCENE; for mechanisms and four_bar results/mbs)")
@@ -207,6 +218,10 @@ void add_sweep(CLI::App& app, Context& context) {
       "rights.");
   command->callback([options, &context] {
     const std::string& scene = options->scene;
+    if (fs::is_regular_file(scene))
+      return sweep_study(
+          {scene, options->output, options->overrides, options->threads, options->resume, options->dry},
+          context);
     if (options->output.empty())
       options->output = fs::path("results") / (scene == "mechanisms" || scene == "four_bar" ? "mbs"
                                                : scene == "kart_drive"                      ? "kart"

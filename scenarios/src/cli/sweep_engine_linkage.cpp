@@ -12,9 +12,9 @@
 #include "engine_linkage/sweep.hpp"
 #include "output/conditions.hpp"
 #include "output/ordered_rows.hpp"
-#include "output/parallel.hpp"
 #include "tandem/engine/read.hpp"
 #include "tandem/output/files.hpp"
+#include "tandem/output/parallel.hpp"
 #include "tandem/scenario/assembly.hpp"
 
 namespace tandem::cli {

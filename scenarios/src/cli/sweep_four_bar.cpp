@@ -13,8 +13,8 @@
 #include "four_bar/sweep.hpp"
 #include "output/conditions.hpp"
 #include "output/meter.hpp"
-#include "output/parallel.hpp"
 #include "tandem/output/files.hpp"
+#include "tandem/output/parallel.hpp"
 
 namespace tandem::cli {
 namespace {

@@ -9,9 +9,9 @@
 #include "cli/say.hpp"
 #include "mechanisms/formulations.hpp"
 #include "output/conditions.hpp"
-#include "output/parallel.hpp"
 #include "tandem/error.hpp"
 #include "tandem/output/files.hpp"
+#include "tandem/output/parallel.hpp"
 
 namespace tandem::cli {
 namespace {

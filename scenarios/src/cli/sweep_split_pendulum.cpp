@@ -8,9 +8,9 @@
 #include "cli/progress.hpp"
 #include "cli/say.hpp"
 #include "output/conditions.hpp"
-#include "output/parallel.hpp"
 #include "split_pendulum/sweep.hpp"
 #include "tandem/output/files.hpp"
+#include "tandem/output/parallel.hpp"
 
 namespace tandem::cli {
 

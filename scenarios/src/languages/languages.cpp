@@ -6,6 +6,7 @@
 #include "tandem/engine/keys.hpp"
 #include "tandem/mbs/mechanism/keys.hpp"
 #include "tandem/scenario/keys.hpp"
+#include "tandem/study/study.hpp"
 
 namespace tandem::scenario {
 
@@ -13,7 +14,8 @@ const std::map<std::string, text::Keys>& languages() {
   static const std::map<std::string, text::Keys> all = {
       {"diagram", engine::diagram_keys(engine_models::compiled_kinds())},
       {"mechanism", mbs::mechanism_keys(element_kinds())},
-      {"scenario", keys()}};
+      {"scenario", keys()},
+      {"study", study::keys()}};
   return all;
 }
 

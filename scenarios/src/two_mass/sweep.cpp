@@ -6,7 +6,7 @@
 #include <chrono>
 #include <mutex>
 
-#include "output/parallel.hpp"
+#include "tandem/output/parallel.hpp"
 
 namespace tandem::two_mass {
 output::KeyedTable sweep_table() {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "output/parallel.hpp"
+#include "tandem/output/parallel.hpp"
 #include "refusal.hpp"
 #include "scratch.hpp"
 

@@ -43,6 +43,31 @@ TEST(Comparison, InterpolatesTheFinerOneWhereItHasNoRow) {
   EXPECT_NEAR(c.columns[0].absolute, 0.0, 1e-15);
 }
 
+TEST(Comparison, IsOfThePeakAndTheRmsInTheWindow) {
+  Measure late;
+  late.from = 1.0;
+  const auto c = compare(table({0, 1, 2, 3}, {9, 1, 2, 3}), table({0, 1, 2, 3}, {8, 1, 1, 4}), {}, late);
+  EXPECT_EQ(c.columns[0].absolute, 1.0);
+  EXPECT_EQ(c.columns[0].peak, 4.0);
+  EXPECT_EQ(c.columns[0].relative, 0.25);
+  EXPECT_DOUBLE_EQ(c.columns[0].rms_of, std::sqrt(18.0 / 3.0));
+  EXPECT_EQ(c.columns[0].end, 1.0);
+}
+
+TEST(Comparison, LeavesOutTimesWithoutStraightLinesThatOneHasNoRowAt) {
+  Measure rows;
+  rows.lines = false;
+  const TimeTable fine = table({0, 0.4, 0.8, 1.2, 1.6, 2.0}, {0, 4, 8, 12, 16, 20}),
+                  coarse = table({0, 1, 2}, {0, 99, 21});
+  const auto c = compare(fine, coarse, {}, rows);
+  EXPECT_EQ(c.columns[0].compared, 2U);
+  EXPECT_EQ(c.columns[0].absolute, 1.0);
+  EXPECT_TRUE(c.linear.empty());
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"x has no time"}, [&] {
+    compare(table({0.3, 0.7, 1.3}, {1, 1, 1}), table({0.2, 0.9, 1.4}, {1, 1, 1}), {}, rows);
+  }));
+}
+
 /// f and f' at n + 1 times over [0, 1].
 TimeTable sampled(int n, double (*f)(double), double (*derivative)(double)) {
   TimeTable to{"file", {}, {"x", "der(x)"}, {{}, {}}};

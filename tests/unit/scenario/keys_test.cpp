@@ -36,10 +36,14 @@ std::string text_of(const std::string& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+std::string page_of(const std::string& language) {
+  if (language == "study") return "docs/studies.md";
+  return "docs/" + std::string(language == "scenario" ? "" : "keys_of_") + language + "s.md";
+}
+
 TEST(Keys, ThePagesAndTheSchemasOfTheTreeAreThoseOfTheProgram) {
   for (const auto& [name, keys] : languages()) {
-    EXPECT_TRUE(text_of("docs/" + std::string(name == "scenario" ? "" : "keys_of_") + name + "s.md")
-                    .ends_with(keys.page()))
+    EXPECT_TRUE(text_of(page_of(name)).ends_with(keys.page()))
         << "stale: what `tandem help " << name << "` prints belongs at the end of its page";
     EXPECT_TRUE(text_of("scenarios/" + name + ".schema.json") ==
                 schema(keys, "tandem " + name).dump(2) + "\n")

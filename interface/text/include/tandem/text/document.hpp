@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tandem/text/place.hpp"
+#include "tandem/text/set_value.hpp"
 
 namespace tandem::text {
 
@@ -23,6 +24,8 @@ class Document {
   /// Puts overrides of the command line in, "KEY=VALUE" (set.hpp). Throws Error that names the one that can't
   /// be.
   void set(const std::vector<std::string>& overrides);
+  /// One of them, with a value of its own.
+  void set(const std::string& path, const SetValue& value);
 
   const std::string& file() const { return file_; }
   const toml::table& table() const { return table_; }

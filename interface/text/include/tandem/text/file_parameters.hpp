@@ -12,7 +12,7 @@
 namespace tandem::text {
 
 /// Values of a file's parameters by name, in place of those in the file.
-using GivenValues = std::map<std::string, FileValue>;
+using GivenValues = FileValues;
 
 /// A parameter as its file declares it, with the value that it has.
 struct FileParameter {

@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "tandem/text/set_value.hpp"
+
 namespace tandem::text {
 
 /// Puts "KEY=VALUE" into a file's table. KEY is a dotted path: `coordination.schedule`, `rods.crank.mass`,
@@ -14,5 +16,8 @@ namespace tandem::text {
 /// name, as [rods] does, a new one is added as a whole only. A subsystem's source takes the place of its
 /// command, and the other way round. Throws Error that names what is there.
 void set(toml::table& file, const std::string& override_text);
+
+/// The same with a value of its own: a number as the double that it is, a text as a text.
+void set(toml::table& file, const std::string& path, const SetValue& value);
 
 }  // namespace tandem::text

@@ -1,19 +1,14 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <map>
 #include <string>
-#include <variant>
 
 #include "tandem/text/document.hpp"
+#include "tandem/text/expression.hpp"
 
 namespace tandem::text {
 
-/// A number, or a word.
-using FileValue = std::variant<double, std::string>;
-
 /// What a file's texts that begin with $ stand for: "$NAME" for the value of a parameter, "$(EXPRESSION)" for
-/// a number, an expression of numbers and of parameters that are numbers (muParser: + - * / ^, comparisons,
-/// ?:, sin, sqrt, exp, .., _pi, _e).
+/// a number, an expression of parameters (expression.hpp).
 class Values {
  public:
   void set(const std::string& name, FileValue value) { values_[name] = std::move(value); }
@@ -29,10 +24,7 @@ class Values {
   bool is_number(const toml::node& node) const;
 
  private:
-  std::map<std::string, FileValue> values_;
+  FileValues values_;
 };
-
-/// An expression with numbers by name. Throws Error(invalid_argument) with the expression and why.
-double evaluated(const std::string& expression, const std::map<std::string, FileValue>& values);
 
 }  // namespace tandem::text

@@ -19,6 +19,8 @@ struct Measure {
   double from = -std::numeric_limits<double>::infinity();
   double to = std::numeric_limits<double>::infinity();  ///< [s]: the times of B that count
   double shift = 0.0;  ///< [s]: A may be so much earlier or later than B as a whole
+  bool lines =
+      true;  ///< straight lines count where one has no row and no derivative; else such times are left out
 
   bool operator==(const Measure&) const = default;
 };
@@ -28,10 +30,13 @@ struct Difference {
   std::string column;
   double time = 0.0;  ///< [s] of A, where it differs most
   double a = 0.0, b = 0.0;
-  double absolute = 0.0;      ///< |a - b|
-  double relative = 0.0;      ///< divided by the largest magnitude of the column in B (in A where that is 0)
-  double rms = 0.0;           ///< over the compared times
-  double relative_rms = 0.0;  ///< divided by the rms of the column in B at these times (in A where that is 0)
+  double absolute = 0.0;  ///< |a - b|
+  double peak = 0.0;  ///< largest magnitude of the column in B at the times that count (in A where it is 0)
+  double relative = 0.0;      ///< absolute, divided by peak
+  double rms = 0.0;           ///< of a - b over the compared times
+  double rms_of = 0.0;        ///< of the column in B at these times (in A where it is 0)
+  double relative_rms = 0.0;  ///< rms, divided by rms_of
+  double end = 0.0;           ///< |a - b| at the last compared time
   std::size_t compared = 0;   ///< values
 
   double size(Norm norm) const { return norm == Norm::max ? relative : relative_rms; }

@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace tandem::text {
+
+/// A number, or a word.
+using FileValue = std::variant<double, std::string>;
+/// By name.
+using FileValues = std::map<std::string, FileValue>;
+
+/// The value as an error shows it: 3 or 'word'.
+std::string shown(const FileValue& value);
+
+/// An expression, compiled once (muParser): + - * / ^, comparisons, && ||, ?:, sin, sqrt, exp, min, .., _pi,
+/// _e. A name stands for a number; it may have dots and an index, "motor.speed", "wheel.force[2]". Words are
+/// compared in brackets: "(schedule is parallel)" and "(how in [lagrange0, lagrange1])" are 1 where they
+/// hold, else 0.
+class Expression {
+ public:
+  /// Throws Error(invalid_argument) with the expression and what is wrong in it; = and a list of values are
+  /// refused.
+  explicit Expression(std::string text);
+  ~Expression();
+  Expression(Expression&&) noexcept;
+  Expression& operator=(Expression&&) noexcept;
+
+  const std::string& text() const;
+  /// The numbers that it asks for, each once, in the order of the text.
+  const std::vector<std::string>& numbers() const;
+  /// The words that its conditions compare.
+  const std::vector<std::string>& words() const;
+
+  /// With values by name. Throws Error(invalid_argument) for a name that is not there, a word in place of a
+  /// number, a number in place of a word, and a result that is not finite, with the values that it has.
+  double value(const FileValues& values);
+  /// The numbers by their order in numbers(); conditions stand as at the last value(), at first for 0. May be
+  /// not finite.
+  double at(std::span<const double> numbers);
+
+ private:
+  class Compiled;
+  std::unique_ptr<Compiled> compiled_;
+};
+
+/// Compiles and evaluates. Throws as both.
+double evaluated(const std::string& expression, const FileValues& values);
+
+/// What a text that begins with $ stands for: "$NAME" for the value of NAME, "$(EXPRESSION)" for a number.
+/// Throws Error for a name that is not there and as evaluated() does.
+FileValue referred(const std::string& text, const FileValues& values);
+
+}  // namespace tandem::text

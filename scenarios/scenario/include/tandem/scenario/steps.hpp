@@ -1,0 +1,13 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "tandem/scenario/scenario.hpp"
+#include "tandem/transports/open.hpp"
+
+namespace tandem::scenario {
+
+/// Multiplies all own steps and the communication step of a scenario by `factor`. Sampled subsystems keep
+/// their instants. Which parameter makes an own step is tried: `step`, else one whose value is the own step.
+/// Throws Error for a subsystem of which none does.
+void scale_steps(Scenario& scenario, const Builtins& builtins, double factor);
+
+}  // namespace tandem::scenario

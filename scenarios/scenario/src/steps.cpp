@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/scenario/steps.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tandem/scenario/assembly.hpp"
+
+namespace tandem::scenario {
+namespace {
+
+constexpr double tolerance = 1e-9;  // relative: a step from a rate, 1/n, is rounded
+
+bool is_near(double a, double b) { return std::abs(a - b) <= tolerance * std::abs(b); }
+
+/// First own steps [s], NaN of a sampled subsystem.
+std::vector<double> own_steps(const Scenario& scenario, const Builtins& builtins) {
+  Assembly assembly(scenario, builtins);
+  assembly.initialize();
+  std::vector<double> steps;
+  for (int i = 0; i < assembly.topology().size(); ++i)
+    steps.push_back(assembly.topology().info(i).abilities.sampled ? std::nan("")
+                                                                  : assembly.coordinator().own_step(i));
+  return steps;
+}
+
+void set(SubsystemEntry& entry, const std::string& name, double value) {
+  const auto it = std::find_if(entry.parameters.begin(), entry.parameters.end(),
+                               [&](const Parameter& p) { return p.name == name; });
+  if (it != entry.parameters.end())
+    it->value = value;
+  else
+    entry.parameters.push_back({name, value, entry.place});
+}
+
+/// Parameters that may make its own step.
+std::vector<std::string> candidates(const SubsystemEntry& entry, const Builtins& builtins, double step) {
+  std::vector<std::string> names;
+  if (takes(entry, builtins, "step")) names.emplace_back("step");
+  for (const Parameter& p : entry.parameters)
+    if (const auto* number = std::get_if<double>(&p.value);
+        number && is_near(*number, step) && p.name != "step")
+      names.push_back(p.name);
+  return names;
+}
+
+/// The scenario with another own step of one subsystem; nothing if no parameter makes it.
+std::optional<Scenario> with_step(const Scenario& scenario, std::size_t which, const Builtins& builtins,
+                                  double from, double to) {
+  for (const std::string& name : candidates(scenario.subsystems[which], builtins, from)) {
+    Scenario other = scenario;
+    set(other.subsystems[which], name, to);
+    if (is_near(own_steps(other, builtins)[which], to)) return other;
+  }
+  return {};
+}
+
+}  // namespace
+
+void scale_steps(Scenario& scenario, const Builtins& builtins, double factor) {
+  const auto steps = own_steps(scenario, builtins);
+  if (auto& step = scenario.coordination.communication_step) *step *= factor;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (std::isnan(steps[i])) continue;
+    auto other = with_step(scenario, i, builtins, steps[i], steps[i] * factor);
+    if (!other)
+      refuse(scenario.subsystems[i].place,
+             fmt::format("subsystem '{}' has an own step of {} s, and no parameter of it is known to make it "
+                         "{} s; allowed is "
+                         "one whose value in the scenario is that of the own step",
+                         scenario.subsystems[i].name, steps[i], steps[i] * factor));
+    scenario = std::move(*other);
+  }
+}
+
+}  // namespace tandem::scenario

@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+
+namespace tandem::cli {
+
+struct StudySweep {
+  std::filesystem::path file;
+  std::filesystem::path output;  ///< empty: results/FOLDER, the folder that the study lies in
+  std::vector<std::string> overrides;
+  unsigned threads;
+  bool resume, dry;
+};
+
+/// Sweeps a study, and tells how its rows ended.
+void sweep_study(const StudySweep& settings, const Context& context);
+
+}  // namespace tandem::cli

@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tandem/scenario/comparison.hpp"
+#include "tandem/scenario/scenario.hpp"
+#include "tandem/text/expression.hpp"
+#include "tandem/text/key_list.hpp"
+
+namespace tandem::study {
+
+using text::FileValue;
+using text::FileValues;
+using text::Place;
+
+/// An expression of columns (and of metrics, where it says so).
+struct Formula {
+  std::string text;
+  Place place;
+};
+
+/// What something is set to: a value, or a text "$NAME" or "$(EXPRESSION)" of columns.
+struct Given {
+  std::string name;  ///< a key of the scenario, or a column
+  text::SetValue value;
+  Place place;
+
+  /// With the values of columns. Throws Error with the place.
+  text::SetValue with(const FileValues& columns) const;
+};
+
+/// Rows of one set of columns.
+struct Table {
+  std::string name;
+  std::vector<std::string> columns;  ///< that tell its rows apart
+  std::vector<std::string> metrics;  ///< that it has
+  std::vector<std::string> header;   ///< columns and metrics in the order in which they are written
+  std::vector<FileValues> rows;      ///< by column
+  Place place;
+};
+
+/// What results are compared with: results, or a run.
+struct Reference {
+  std::string name;
+  std::filesystem::path file = {};                  ///< of results; empty: a run
+  std::optional<Given> scenario = {};               ///< of the run; none: that of the study
+  std::vector<std::string> per = {};                ///< columns: one run for each of their values
+  std::vector<Given> with = {};                     ///< values of other columns in it
+  std::vector<Given> set = {};                      ///< besides what the study sets
+  std::map<std::string, std::string> outputs = {};  ///< of judged outputs, those that have another name in it
+  bool floor = false;                               ///< its own error is told, by a run with half its steps
+  Place place = {};
+};
+
+/// A number that a row tells of its run.
+struct Metric {
+  enum class Kind {
+    output,     ///< a norm of an output's difference from a reference, or of the output itself
+    drift,      ///< a norm of an expression's departure from its start
+    formula,    ///< of other metrics and columns
+    exchanges,  ///< calls of subsystems, all together
+    steps,      ///< own steps of a subsystem
+  };
+  enum class Norm { max, rms, end };
+  enum class Relative { no, peak, rms, start };
+  std::string name;
+  Kind kind;
+  std::string of = {};       ///< the output, or the subsystem
+  std::string against = {};  ///< a reference; empty: none
+  Norm norm = Norm::max;
+  Relative relative = Relative::no;
+  scenario::Measure window = {};
+  std::string unit = {};  ///< that the number is told in; empty: that of the output
+  std::optional<Formula> formula = {}, scale = {};
+  Place place = {};
+};
+
+/// Runs of a scenario with columns of values, what each is judged by, and what they are compared with.
+struct Study {
+  std::filesystem::path file;
+  Given scenario;  ///< a file, relative to that of the study
+  std::vector<Given> set;
+  std::vector<Table> tables;
+  std::vector<Reference> references;
+  std::vector<Metric> metrics;
+  std::optional<Formula> lost, unstable;  ///< of metrics and columns
+
+  const Reference& reference(const std::string& name) const;
+  const Metric& metric(const std::string& name) const;
+};
+
+/// The language of studies.
+const text::Keys& keys();
+
+/// Reads a study, a file of its own or the table [study] in a scenario. Throws Error with file, line, the
+/// value found and what is allowed.
+Study read(const std::filesystem::path& file);
+
+}  // namespace tandem::study

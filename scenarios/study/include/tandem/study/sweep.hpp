@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tandem/study/study.hpp"
+#include "tandem/transports/open.hpp"
+
+namespace tandem::study {
+
+/// What a sweep is asked for beside its study.
+struct SweepSettings {
+  std::filesystem::path folder;             ///< of its tables; it is made if it is not there
+  std::vector<std::string> overrides = {};  ///< "KEY=VALUE" of the study's scenario
+  unsigned threads = 1;                     ///< rows that are run at the same time
+  bool resume = false;  ///< keep the rows that are there, if nothing that made them has changed
+};
+
+/// Who listens to a sweep: called by the thread that sweeps, now and then.
+struct SweepListener {
+  std::function<bool()> going = {};  ///< false: the sweep ends there, interrupted
+  std::function<void(const char* what, std::size_t done, std::size_t all)> come =
+      {};  ///< "references" or "rows"
+};
+
+/// How a sweep ended.
+struct SweepEnd {
+  std::size_t rows = 0, done = 0, kept = 0;     ///< of all tables; kept: from an earlier sweep
+  std::map<std::string, std::size_t> statuses;  ///< of the rows: ok, lost, unstable, failed, refused
+  std::vector<std::filesystem::path> files;     ///< that were written
+  std::vector<std::string> notes;  ///< sentences: references that failed, an earlier sweep of another study
+  bool interrupted = false, reference_failed = false;
+};
+
+/// A study with what runs it: its rows and the references that they need. Writes TABLE.csv for each of its
+/// tables, with TABLE.json (units, what made it, the references). A row that is finished goes to TABLE.part
+/// at once, which TABLE.csv takes the place of. The bits of both files depend on neither threads nor
+/// resuming. Order of calls: plan or run.
+class Sweep {
+ public:
+  /// Reads the scenario with the values of each row. `study` and `builtins` must outlive it. Throws Error for
+  /// what is wrong with them.
+  Sweep(const Study& study, const Builtins& builtins, SweepSettings settings);
+  ~Sweep();
+  Sweep(const Sweep&) = delete;
+  Sweep& operator=(const Sweep&) = delete;
+
+  /// What it would do, in lines: tables, references, and the rows that would be refused. Nothing is written.
+  std::vector<std::string> plan();
+
+  /// Throws Error(input_output) for a file that can't be written, with the rows kept that are finished; any
+  /// other for what is wrong with the study: an output that is not there, a reference that can't be read, all
+  /// rows refused.
+  SweepEnd run(const SweepListener& listener = {});
+
+ private:
+  class Work;
+  std::unique_ptr<Work> work_;
+};
+
+}  // namespace tandem::study

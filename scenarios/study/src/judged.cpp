@@ -1,0 +1,196 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "judged.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "tandem/coordinator/units.hpp"
+#include "tandem/scenario/courses.hpp"
+
+namespace tandem::study {
+namespace {
+
+using scenario::Difference;
+using text::Expression;
+using text::TimeTable;
+
+void add_names(const Formula& formula, std::set<std::string>& to) {
+  const Expression expression(formula.text);
+  for (const auto* names : {&expression.numbers(), &expression.words()})
+    to.insert(names->begin(), names->end());
+}
+
+TimeTable zero_of(const TimeTable& table) {
+  TimeTable zero = table;
+  for (auto& column : zero.columns) std::fill(column.begin(), column.end(), 0.0);
+  return zero;
+}
+
+double factor(const Metric& metric, const std::string& unit) {
+  if (metric.unit.empty()) return 1.0;
+  const auto conversion = convert_unit(unit, metric.unit);
+  if (!conversion || (metric.against.empty() && conversion->shift != 0.0))
+    refuse(metric.place, "metrics." + metric.name + ".unit is '" + metric.unit + "', and " + metric.of +
+                             " is in '" + unit + "'; allowed is a unit of the same quantity");
+  return conversion->factor;
+}
+
+double size(const Metric& metric, const Difference& d) {
+  return metric.norm == Metric::Norm::max ? d.absolute : metric.norm == Metric::Norm::rms ? d.rms : d.end;
+}
+
+double divisor(const Metric& metric, const Difference& d) {
+  const double by = metric.relative == Metric::Relative::peak  ? d.peak
+                    : metric.relative == Metric::Relative::rms ? d.rms_of
+                                                               : 1.0;
+  return by > 0.0 ? by : 1.0;  // both are 0 all the time
+}
+
+/// A sum of squares, a largest and a last one of values over time.
+class NormOf {
+ public:
+  void add(double value) {
+    squares_ += value * value;
+    largest_ = std::max(largest_, std::abs(value));
+    last_ = std::abs(value);
+    ++count_;
+  }
+  double of(Metric::Norm norm) const {
+    return norm == Metric::Norm::max   ? largest_
+           : norm == Metric::Norm::rms ? std::sqrt(squares_ / static_cast<double>(count_))
+                                       : last_;
+  }
+  bool empty() const { return count_ == 0; }
+
+ private:
+  double squares_ = 0.0, largest_ = 0.0, last_ = 0.0;
+  std::size_t count_ = 0;
+};
+
+/// The numbers of an expression at the rows of the output that stands first in it, and of what else it has
+/// there.
+class Followed {
+ public:
+  Followed(const Expression& expression, const scenario::Traces& traces, const FileValues& columns) {
+    for (const std::string& name : expression.numbers()) {
+      const auto it = columns.find(name);
+      if (it != columns.end()) {
+        values_.push_back(number(*it));
+        continue;
+      }
+      if (!first_) first_ = &traces.of(name);
+      followers_.push_back({values_.size(), scenario::Courses(traces.of(name)), {}});
+      followers_.back().course = followers_.back().courses.course(name);
+      values_.push_back(0.0);
+    }
+    if (!first_ || !expression.words().empty())
+      throw Error(ErrorCode::invalid_argument, "the drift '" + expression.text() + "' " +
+                                                   (first_ ? "compares words" : "names no output") +
+                                                   "; allowed is an expression of outputs and numbers");
+  }
+
+  const std::vector<double>& times() const { return first_->times; }
+  /// False: one of them is not known there.
+  bool move_to(std::size_t row) {
+    const double t = first_->times[row];
+    const bool again = row > 0 && first_->times[row - 1] == t;
+    for (Follower& one : followers_) {
+      if (!one.courses.covers(t)) return false;
+      one.courses.move_to(t, again);
+      if (!one.courses.exact() && !one.course.derivatives) return false;
+      values_[one.place] = one.courses.value(one.course);
+    }
+    return true;
+  }
+  const std::vector<double>& values() const { return values_; }
+
+ private:
+  static double number(const std::pair<const std::string, FileValue>& column) {
+    if (const auto* number = std::get_if<double>(&column.second)) return *number;
+    throw Error(ErrorCode::invalid_argument, "the drift has " + column.first + ", which is the word " +
+                                                 text::shown(column.second) + "; allowed is a number");
+  }
+
+  struct Follower {
+    std::size_t place;
+    scenario::Courses courses;
+    scenario::Course course;
+  };
+  const TimeTable* first_ = nullptr;
+  std::vector<Follower> followers_;
+  std::vector<double> values_;
+};
+
+}  // namespace
+
+std::vector<const Metric*> needed_metrics(const Study& study, const Table& table) {
+  std::set<std::string> names(table.metrics.begin(), table.metrics.end());
+  for (const auto& when : {study.lost, study.unstable})
+    if (when) add_names(*when, names);
+  std::vector<const Metric*> needed;
+  for (auto metric = study.metrics.rbegin(); metric != study.metrics.rend(); ++metric) {
+    if (!names.contains(metric->name)) continue;
+    needed.insert(needed.begin(), &*metric);
+    if (metric->kind == Metric::Kind::formula) add_names(*metric->formula, names);
+  }
+  return needed;
+}
+
+std::vector<std::string> judged_outputs(const std::vector<const Metric*>& metrics, const Table& table) {
+  std::set<std::string> outputs;
+  for (const Metric* metric : metrics) {
+    if (metric->kind == Metric::Kind::output) outputs.insert(metric->of);
+    if (metric->kind == Metric::Kind::drift) add_names(*metric->formula, outputs);
+  }
+  for (const std::string& column : table.columns) outputs.erase(column);
+  return {outputs.begin(), outputs.end()};
+}
+
+std::vector<std::string> referred_outputs(const std::vector<const Metric*>& metrics,
+                                          const std::string& reference) {
+  std::set<std::string> outputs;
+  for (const Metric* metric : metrics)
+    if (metric->kind == Metric::Kind::output && metric->against == reference) outputs.insert(metric->of);
+  return {outputs.begin(), outputs.end()};
+}
+
+Judged judged(const Metric& metric, const TimeTable& run, const TimeTable* reference,
+              const std::string& unit) {
+  return located(metric.place, [&] {
+    const TimeTable zero = reference ? TimeTable() : zero_of(run);
+    const auto comparison = scenario::compare(run, reference ? *reference : zero, {metric.of}, metric.window);
+    const Difference& d = comparison.columns[0];
+    return Judged{size(metric, d) / divisor(metric, d) * factor(metric, unit), comparison.shift};
+  });
+}
+
+double drift(const Metric& metric, const scenario::Traces& traces, const FileValues& columns) {
+  return located(metric.formula->place, [&] {
+    Expression expression(metric.formula->text);
+    Followed followed(expression, traces, columns);
+    NormOf departure;
+    std::optional<double> start;
+    for (std::size_t row = 0; row < followed.times().size(); ++row) {
+      if (!followed.move_to(row)) continue;
+      const double value = expression.at(followed.values()), t = followed.times()[row];
+      if (!start) start = value;
+      if (t >= metric.window.from && t <= metric.window.to) departure.add(value - *start);
+    }
+    const double by = metric.relative == Metric::Relative::start ? std::abs(start.value_or(0.0)) : 1.0;
+    if (departure.empty() || !(by > 0.0))
+      throw Error(
+          ErrorCode::invalid_argument,
+          "metrics." + metric.name + ": the drift " +
+              (departure.empty() ? "has no time that counts" : "is 0 at the start, and is relative to it"));
+    return departure.of(metric.norm) / by;
+  });
+}
+
+std::string unit_of(const Metric& metric, const std::string& of_output) {
+  const bool counted = metric.kind == Metric::Kind::exchanges || metric.kind == Metric::Kind::steps;
+  if (counted || metric.relative != Metric::Relative::no) return "1";
+  return metric.kind == Metric::Kind::output ? metric.unit.empty() ? of_output : metric.unit : "";
+}
+
+}  // namespace tandem::study

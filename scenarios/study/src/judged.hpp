@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tandem/scenario/traces.hpp"
+#include "tandem/study/study.hpp"
+
+namespace tandem::study {
+
+/// Outputs over time by the names that they have in the study.
+using OutputTables = std::map<std::string, text::TimeTable>;
+
+/// Those of its metrics that a table needs: what it has, and what its formulas and verdicts are made of, in
+/// the order of the study.
+std::vector<const Metric*> needed_metrics(const Study& study, const Table& table);
+/// The outputs that a run has to give for them.
+std::vector<std::string> judged_outputs(const std::vector<const Metric*>& metrics, const Table& table);
+/// Of these, those that a reference has to give.
+std::vector<std::string> referred_outputs(const std::vector<const Metric*>& metrics,
+                                          const std::string& reference);
+
+/// A norm of an output's difference from a reference (null: of the output itself), in the unit `unit` of the
+/// output unless the metric has another.
+struct Judged {
+  double value, shift;
+};
+Judged judged(const Metric& metric, const text::TimeTable& run, const text::TimeTable* reference,
+              const std::string& unit);
+
+/// A norm of an expression's departure from its start. columns: those of the row.
+double drift(const Metric& metric, const scenario::Traces& traces, const FileValues& columns);
+
+/// "1" of a fraction, else that of the metric or of the output.
+std::string unit_of(const Metric& metric, const std::string& of_output);
+
+}  // namespace tandem::study

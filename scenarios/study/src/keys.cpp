@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/study/study.hpp"
+
+namespace tandem::study {
+namespace {
+
+using text::KeyList;
+
+void of_file(KeyList& to) {
+  using enum text::Key::Type;
+  to.may("scenario", text,
+         "The scenario that is run, relative to the study's folder. In the table [study] of a scenario: "
+         "without it, that scenario.",
+         {.allowed = "a file, or \"$COLUMN\""})
+      .may("columns", texts, "What a row has first, in this order: columns and metrics. The others follow.")
+      .table("lists", "Values that axes name: an array, or a table of columns that move together.")
+      .may("NAME", any, "A list.", {.allowed = "an array, `{ range = .. }`, or a table of these"})
+      .table("set", "Keys of the scenario (those of `--set`) with what each is set to.")
+      .may("NAME", any, "In quotes where it has dots.",
+           {.allowed = "a number, true, false, a text, `\"$COLUMN\"` or `\"$(EXPRESSION)\"` of columns"});
+}
+
+void of_tables(KeyList& to) {
+  using enum text::Key::Type;
+  to.named("tables", "Tables of rows, each written to TABLE.csv.", "One of them.", true)
+      .may("columns", texts, "In place of the study's.")
+      .may("metrics", texts, "Those that it has. Without it: all.")
+      .table("tables.NAME.blocks[]", "Rows of it: blocks add up in the order of the file.", true)
+      .need("axes", any,
+            "Each a table of columns that move together, or the name of a list; axes multiply, the last one "
+            "first.",
+            {.allowed = "an array of tables and texts; a column is an array, `\"$LIST\"`, or `{ range = { "
+                        "from, to, count, spacing } }` "
+                        "with the spacing `linear` or `log`"})
+      .may("where", text, "Leaves rows out where it is 0.", {.allowed = "an expression of columns"});
+}
+
+void of_references(KeyList& to) {
+  using enum text::Key::Type;
+  to.named("references", "What metrics compare with.", "One of them: results (`file`), or a run.")
+      .may("file", text, "Results, a CSV or .npy file, relative to the study's folder.")
+      .may("scenario", text,
+           "Of a run: the scenario, relative to the study's folder. Without it: the study's.",
+           {.allowed = "a file, or \"$COLUMN\""})
+      .may("per", texts, "Columns: one run for each of their values.")
+      .may("floor", flag,
+           "A second run, with half the own steps and the communication step, tells the error of the "
+           "reference itself, as METRIC.floor.",
+           {.otherwise = "false"})
+      .table("references.NAME.with", "Columns that have another value in it: a finer run.")
+      .may("NAME", name, "The value.",
+           {.allowed = "a number, a word, `\"$COLUMN\"` or `\"$(EXPRESSION)\"` of the columns in `per`"})
+      .table("references.NAME.set",
+             "Keys of its scenario, besides those that the study sets; of another scenario: these alone.")
+      .may("NAME", any, "In quotes where it has dots.", {.allowed = "as in `[set]`"})
+      .table("references.NAME.outputs", "Outputs that have another name in it.")
+      .may("NAME", text, "By the name in the study: that in the reference.");
+}
+
+void of_metrics(KeyList& to) {
+  using enum text::Key::Type;
+  to.named("metrics", "Numbers that each row has.",
+           "One of them. By its name alone: `exchanges = {}` (calls of subsystems) and `\"steps.INSTANCE\" = "
+           "{}` (own "
+           "steps). Else one of `of`, `drift` and `formula`.")
+      .may(
+          "of", text,
+          "An output, compared with that of a reference, at the rows of the one that has fewer; the other is "
+          "interpolated by Hermite polynomials where it has derivatives, else only rows at equal times "
+          "count. Without a "
+          "reference: the output itself.",
+          {.allowed = "\"instance.port\" or \"instance.port[i]\""})
+      .may("drift", text,
+           "What should stay as it is at the start, at the rows of the output that stands first in it.",
+           {.allowed = "an expression of outputs and columns"})
+      .may("formula", text, "Of other metrics and columns.", {.allowed = "an expression"})
+      .may("norm", word, "Of it over time.", {.otherwise = "max", .words = {"max", "rms", "end"}})
+      .may("relative", word,
+           "It is divided by the peak of the reference, or by its rms; of a drift by the magnitude at the "
+           "`start`. "
+           "Without it: it is not.",
+           {.words = {"peak", "rms", "start"}})
+      .may("scale", name, "It is multiplied by this.", {.allowed = "a number, or an expression of columns"})
+      .may("against", text, "The reference. Without it: the only one.")
+      .may("from", number, "The first time that counts. Without it: the first.", {.unit = "s"})
+      .may("to", number, "The last one. Without it: the last.", {.unit = "s"})
+      .may("shift", positive,
+           "The run may be so much later or earlier as a whole; by how much it is is told as METRIC.shift.",
+           {.unit = "s"})
+      .may("unit", text, "That the number is told in. Without it: that of the output.");
+}
+
+void of_verdicts(KeyList& to) {
+  using enum text::Key::Type;
+  to.table("lost", "Rows whose status is `lost`, besides those that diverge.")
+      .need("when", text, "Where it is not 0.", {.allowed = "an expression of metrics and columns"})
+      .table("unstable", "Rows whose status is `unstable`.")
+      .need("when", text, "Where it is not 0.", {.allowed = "an expression of metrics and columns"});
+}
+
+}  // namespace
+
+const text::Keys& keys() {
+  static const text::Keys all = [] {
+    KeyList list;
+    for (const auto part : {of_file, of_tables, of_references, of_metrics, of_verdicts}) part(list);
+    return text::Keys(std::move(list).list());
+  }();
+  return all;
+}
+
+}  // namespace tandem::study

@@ -1,0 +1,212 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <set>
+
+#include "axes.hpp"
+#include "read_metrics.hpp"
+#include "row_key.hpp"
+#include "tandem/nearest.hpp"
+#include "tandem/study/study.hpp"
+#include "tandem/text/section.hpp"
+
+namespace tandem::study {
+namespace {
+
+using text::Document;
+using text::Section;
+
+bool has(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+Given given(const Document& document, const std::string& name, const toml::node& node,
+            const std::string& path) {
+  Given one{name, {}, document.place(node)};
+  if (const auto* word = node.as_string())
+    one.value = word->get();
+  else if (const auto* flag = node.as_boolean())
+    one.value = flag->get();
+  else
+    one.value = text::number_of(document, node, path);
+  return one;
+}
+
+std::vector<Given> all_given(Section& section, const std::string& key) {
+  std::vector<Given> all;
+  if (const toml::table* table = section.table(key))
+    for (const auto& [name, node] : text::in_file_order(*table))
+      all.push_back(given(section.document(), name, *node, section.name(key) + "." + name));
+  return all;
+}
+
+/// A study, table by table.
+class Reader {
+ public:
+  Reader(const Document& document, Section root, Study& to)
+      : document_(document), root_(std::move(root)), to_(to) {}
+
+  /// alone: it is a file of its own.
+  void read(bool alone) {
+    if (alone && !root_.node("scenario")) root_.missing("scenario", "the file of the scenario that is run");
+    to_.scenario = {"", root_.text("scenario").value_or(to_.file.filename().string()),
+                    root_.place("scenario")};
+    to_.set = all_given(root_, "set");
+    read_tables();
+    read_references();
+    read_metrics(root_, to_);
+    order_columns();
+    to_.lost = read_when("lost");
+    to_.unstable = read_when("unstable");
+    root_.refuse_unknown();
+  }
+
+ private:
+  void read_tables() {
+    const Axes axes(root_);
+    auto all = root_.section("tables");
+    if (!all || all->table().empty())
+      root_.missing("tables", "a table [tables.NAME] with [[tables.NAME.blocks]]");
+    for (auto& [name, section] : all->named_sections()) {
+      if (!is_column_name(name))
+        refuse(section.place(), "table '" + name + "'; allowed are letters, digits and _, no digit first");
+      Table table{
+          .name = name, .columns = {}, .metrics = {}, .header = {}, .rows = {}, .place = section.place()};
+      for (Section& block : section.sections("blocks"))
+        for (FileValues& row : axes.rows(block, table.columns)) table.rows.push_back(std::move(row));
+      if (table.rows.empty())
+        refuse(section.place(), "tables." + name + " has no rows; allowed is at least one");
+      refuse_twice(table);
+      to_.tables.push_back(std::move(table));
+      sections_.emplace(name, std::move(section));
+    }
+  }
+
+  static void refuse_twice(const Table& table) {
+    std::set<std::string> keys;
+    for (const FileValues& row : table.rows)
+      if (!keys.insert(row_key(table.columns, row)).second)
+        refuse(table.place, "tables." + table.name + " has the row " + row_text(table.columns, row) +
+                                " twice; allowed is once");
+  }
+
+  void read_references() {
+    auto all = root_.section("references");
+    if (!all) return;
+    for (auto& [name, section] : all->named_sections())
+      to_.references.push_back(read_reference(name, section));
+  }
+
+  Reference read_reference(const std::string& name, Section& section) const {
+    Reference one{.name = name, .place = section.place()};
+    if (const auto file = section.text("file")) one.file = to_.file.parent_path() / *file;
+    if (const auto scenario = section.text("scenario"))
+      one.scenario = Given{"", *scenario, section.place("scenario")};
+    one.per = section.texts("per");
+    one.floor = *section.flag("floor");
+    one.with = all_given(section, "with");
+    one.set = all_given(section, "set");
+    if (auto outputs = section.section("outputs"))
+      for (const auto& [output, node] : text::in_file_order(outputs->table())) {
+        if (!node->is_string()) outputs->wrong(output, text::described(*node), "the name of an output");
+        one.outputs[output] = node->as_string()->get();
+      }
+    if (!one.file.empty())
+      for (const char* key : {"scenario", "per", "floor", "with", "set"})
+        section.leave_out(key, "results are read from `file`");
+    section.refuse_unknown();
+    for (const std::string& column : one.per) check_column(section.place("per"), section.name("per"), column);
+    for (const Given& with : one.with) check_column(with.place, section.name("with"), with.name);
+    return one;
+  }
+
+  void check_column(const Place& place, const std::string& what, const std::string& column) const {
+    std::vector<std::string> known;
+    for (const Table& table : to_.tables)
+      for (const std::string& one : table.columns)
+        if (!has(known, one)) known.push_back(one);
+    if (!has(known, column)) refuse(place, what + ": " + unknown("column", column, known));
+  }
+
+  /// Those named first, then the others.
+  void order_columns() {
+    const auto first = root_.texts("columns");
+    std::vector<std::string> metrics, known;
+    for (const Metric& metric : to_.metrics) metrics.push_back(metric.name);
+    known = metrics;
+    for (const Table& table : to_.tables)
+      known.insert(known.end(), table.columns.begin(), table.columns.end());
+    for (Table& table : to_.tables) {
+      Section& section = sections_.at(table.name);
+      const auto own = section.texts("columns");
+      const auto chosen = section.texts("metrics");
+      for (const auto& [names, at] : {std::pair(&first, &root_), std::pair(&own, &section)})
+        for (const std::string& name : *names)
+          if (!has(known, name))
+            refuse(at->place("columns"),
+                   at->name("columns") + ": " + unknown("column or metric", name, known));
+      for (const std::string& name : chosen)
+        if (!has(metrics, name))
+          refuse(section.place("metrics"), section.name("metrics") + ": " + unknown("metric", name, metrics));
+      table.metrics = section.node("metrics") ? chosen : metrics;
+      table.header = header(own.empty() ? first : own, table);
+      section.refuse_unknown();
+    }
+  }
+
+  static std::vector<std::string> header(const std::vector<std::string>& first, const Table& table) {
+    std::vector<std::string> all;
+    for (const std::string& name : first)
+      if ((has(table.columns, name) || has(table.metrics, name)) && !has(all, name)) all.push_back(name);
+    for (const auto* names : {&table.columns, &table.metrics})
+      for (const std::string& name : *names)
+        if (!has(all, name)) all.push_back(name);
+    return all;
+  }
+
+  std::optional<Formula> read_when(const char* key) {
+    auto section = root_.section(key);
+    if (!section) return {};
+    Formula when{section->required_text("when"), section->place("when")};
+    section->refuse_unknown();
+    located(when.place, [&] { text::Expression compiled(when.text); });
+    return when;
+  }
+
+  const Document& document_;
+  Section root_;
+  Study& to_;
+  std::map<std::string, Section> sections_;  ///< of tables
+};
+
+}  // namespace
+
+text::SetValue Given::with(const FileValues& columns) const {
+  const auto* text = std::get_if<std::string>(&value);
+  if (!text || !text->starts_with("$")) return value;
+  return located(place, [&] {
+    const FileValue found = text::referred(*text, columns);
+    return std::visit([](const auto& one) { return text::SetValue(one); }, found);
+  });
+}
+
+const Reference& Study::reference(const std::string& name) const {
+  return *std::find_if(references.begin(), references.end(),
+                       [&](const Reference& one) { return one.name == name; });
+}
+
+const Metric& Study::metric(const std::string& name) const {
+  return *std::find_if(metrics.begin(), metrics.end(), [&](const Metric& one) { return one.name == name; });
+}
+
+Study read(const std::filesystem::path& file) {
+  const Document document(file);
+  Study study;
+  study.file = file;
+  if (const auto* inner = document.table().get_as<toml::table>("study"))
+    Reader(document, Section(document, keys(), *inner, "study", ""), study).read(false);
+  else
+    Reader(document, Section(document, keys()), study).read(true);
+  return study;
+}
+
+}  // namespace tandem::study

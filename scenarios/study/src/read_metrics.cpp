@@ -1,0 +1,166 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "read_metrics.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "axes.hpp"
+#include "tandem/nearest.hpp"
+
+namespace tandem::study {
+namespace {
+
+using text::Section;
+
+const std::string steps = "steps.";
+
+std::vector<std::string> names_of(const std::vector<Reference>& references) {
+  std::vector<std::string> names;
+  for (const Reference& reference : references) names.push_back(reference.name);
+  return names;
+}
+
+Metric::Norm norm_of(const std::string& word) {
+  return word == "rms" ? Metric::Norm::rms : word == "end" ? Metric::Norm::end : Metric::Norm::max;
+}
+
+Metric::Relative relative_of(const std::optional<std::string>& word) {
+  using enum Metric::Relative;
+  return !word ? no : *word == "peak" ? peak : *word == "rms" ? rms : start;
+}
+
+/// One metric of a table with keys.
+class MetricReader {
+ public:
+  MetricReader(Section& section, const std::string& name, const Study& study)
+      : section_(section), study_(study) {
+    metric_.name = name;
+    metric_.place = section.place();
+  }
+
+  Metric read() {
+    const auto of = section_.text("of"), drift = section_.text("drift"), formula = section_.text("formula");
+    if (of.has_value() + drift.has_value() + formula.has_value() != 1)
+      section_.missing(
+          "of",
+          "one of `of`, `drift` and `formula`; by their names alone there are exchanges and steps.INSTANCE");
+    metric_.kind = of ? Metric::Kind::output : drift ? Metric::Kind::drift : Metric::Kind::formula;
+    metric_.of = of.value_or("");
+    if (drift) metric_.formula = Formula{*drift, section_.place("drift")};
+    if (formula) metric_.formula = Formula{*formula, section_.place("formula")};
+    read_norm();
+    read_reference();
+    refuse_what_has_no_meaning();
+    section_.refuse_unknown();
+    return std::move(metric_);
+  }
+
+ private:
+  void read_norm() {
+    metric_.norm = norm_of(*section_.text("norm"));
+    metric_.relative = relative_of(section_.text("relative"));
+    metric_.window.from = section_.number("from").value_or(metric_.window.from);
+    metric_.window.to = section_.number("to").value_or(metric_.window.to);
+    metric_.window.shift = section_.positive("shift").value_or(0.0);
+    metric_.window.lines = false;
+    metric_.unit = section_.text("unit").value_or("");
+    if (const toml::node* scale = section_.node("scale"))
+      metric_.scale = Formula{scale->is_string() ? scale->as_string()->get() : fmt_number(*scale),
+                              section_.place("scale")};
+    if (!(metric_.window.from < metric_.window.to))
+      section_.wrong("to", text::described(*section_.node("to")),
+                     "a time in s after " + section_.name("from"));
+  }
+
+  std::string fmt_number(const toml::node& node) const {
+    return text::shown(FileValue(text::number_of(section_.document(), node, section_.name("scale"))));
+  }
+
+  void read_reference() {
+    const auto against = section_.text("against");
+    const auto known = names_of(study_.references);
+    if (against && std::find(known.begin(), known.end(), *against) == known.end())
+      refuse(section_.place("against"),
+             section_.name("against") + ": " + unknown("reference", *against, known));
+    if (metric_.kind != Metric::Kind::output) return;
+    if (!against && known.size() > 1) section_.missing("against", "one of the references " + listed(known));
+    metric_.against = against ? *against : known.empty() ? "" : known[0];
+  }
+
+  void refuse_what_has_no_meaning() {
+    const bool output = metric_.kind == Metric::Kind::output, drift = metric_.kind == Metric::Kind::drift;
+    const std::string none = "there is no reference";
+    if (!output) section_.leave_out("against", "it is no `of`");
+    if (!output) section_.leave_out("shift", "it is no `of`");
+    if (!output) section_.leave_out("unit", "it is no `of`");
+    if (output && metric_.against.empty())
+      section_.leave_out("relative", none), section_.leave_out("shift", none);
+    if (!output && !drift)
+      for (const char* key : {"norm", "relative", "from", "to"})
+        section_.leave_out(key, "a formula has none");
+    const bool relative = metric_.relative != Metric::Relative::no;
+    if (relative && (metric_.relative == Metric::Relative::start) != drift)
+      section_.wrong("relative", "'" + *section_.text("relative") + "'",
+                     drift ? "start, of a drift" : "peak or rms, of an output");
+    if (relative) section_.leave_out("unit", "a fraction has none");
+  }
+
+  Section& section_;
+  const Study& study_;
+  Metric metric_{};
+};
+
+/// By its name alone; nothing if it has keys.
+std::optional<Metric> by_name(const Section& section, const std::string& name) {
+  if (!section.table().empty()) return {};
+  if (name == "exchanges")
+    return Metric{.name = name, .kind = Metric::Kind::exchanges, .place = section.place()};
+  if (name.starts_with(steps))
+    return Metric{
+        .name = name, .kind = Metric::Kind::steps, .of = name.substr(steps.size()), .place = section.place()};
+  return {};
+}
+
+/// A formula has columns and metrics that stand before it.
+void check_formula(const Metric& metric, const Study& study) {
+  located(metric.formula->place, [&] {
+    const text::Expression formula(metric.formula->text);
+    std::vector<std::string> known;
+    for (const Metric& before : study.metrics) known.push_back(before.name);
+    for (const Table& table : study.tables)
+      for (const std::string& column : table.columns)
+        if (std::find(known.begin(), known.end(), column) == known.end()) known.push_back(column);
+    for (const auto* names : {&formula.numbers(), &formula.words()})
+      for (const std::string& name : *names)
+        if (std::find(known.begin(), known.end(), name) == known.end())
+          throw Error(ErrorCode::invalid_argument, "metrics." + metric.name + ".formula: " +
+                                                       unknown("column, or metric before it,", name, known));
+  });
+}
+
+}  // namespace
+
+void read_metrics(Section& root, Study& to) {
+  auto all = root.section("metrics");
+  if (!all) return;
+  for (auto& [name, section] : all->named_sections()) {
+    auto metric = by_name(section, name);
+    if (!metric && !is_column_name(name))
+      refuse(section.place(),
+             "metrics." + name +
+                 ": allowed names have letters, digits and _, no digit first; by their names "
+                 "alone there are exchanges and steps.INSTANCE");
+    for (const Table& table : to.tables)
+      if (std::find(table.columns.begin(), table.columns.end(), name) != table.columns.end())
+        refuse(section.place(), "metrics." + name + " has the name of a column of the table " + table.name);
+    to.metrics.push_back(metric ? *metric : MetricReader(section, name, to).read());
+    if (to.metrics.back().kind == Metric::Kind::formula) {
+      const Metric last = to.metrics.back();
+      to.metrics.pop_back();
+      check_formula(last, to);
+      to.metrics.push_back(last);
+    }
+  }
+}
+
+}  // namespace tandem::study

@@ -1,0 +1,121 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "references.hpp"
+
+#include <algorithm>
+
+#include "row_key.hpp"
+#include "tandem/nearest.hpp"
+#include "tandem/scenario/assembly.hpp"
+#include "tandem/scenario/steps.hpp"
+
+namespace tandem::study {
+namespace {
+
+using text::TimeTable;
+
+const std::string& name_in(const Reference& reference, const std::string& output) {
+  const auto it = reference.outputs.find(output);
+  return it == reference.outputs.end() ? output : it->second;
+}
+
+/// One column and its derivatives, by another name.
+TimeTable one_of(const TimeTable& table, const std::string& own, const std::string& name) {
+  TimeTable one{table.file, table.times, {}, {}};
+  for (std::size_t k = 0; k < table.names.size(); ++k)
+    if (const bool slope = table.names[k] == "der(" + own + ")"; slope || table.names[k] == own) {
+      one.names.push_back(slope ? "der(" + name + ")" : name);
+      one.columns.push_back(table.columns[k]);
+    }
+  return one;
+}
+
+}  // namespace
+
+std::string ReferenceRun::text() const {
+  const std::string values = row_text(reference->per, per);
+  return "reference " + reference->name + (values.empty() ? "" : " (" + values + ")");
+}
+
+std::string References::key(const Reference& reference, const FileValues& row) {
+  return reference.name + '\n' + row_key(reference.per, row);
+}
+
+void References::need(const std::vector<const Metric*>& metrics, const FileValues& row) {
+  for (const Reference& reference : study_.references) {
+    const auto outputs = referred_outputs(metrics, reference.name);
+    if (outputs.empty()) continue;
+    FileValues per;
+    for (const std::string& column : reference.per) {
+      const auto it = row.find(column);
+      if (it == row.end())
+        refuse(reference.place, "references." + reference.name + ".per: a row has no column " + column);
+      per[column] = it->second;
+    }
+    ReferenceRun*& run = by_key_[key(reference, row)];
+    if (!run)
+      run = runs_.emplace_back(std::make_unique<ReferenceRun>(ReferenceRun{&reference, per, {}})).get();
+    for (const std::string& output : outputs)
+      if (std::find(run->outputs.begin(), run->outputs.end(), output) == run->outputs.end())
+        run->outputs.push_back(output);
+  }
+}
+
+const ReferenceRun& References::of(const std::string& reference, const FileValues& row) const {
+  return *by_key_.at(key(study_.reference(reference), row));
+}
+
+void References::make(std::size_t which, const std::function<bool()>& going) {
+  ReferenceRun& run = *runs_[which];
+  run.reference->file.empty() ? simulate(run, going) : read(run);
+}
+
+void References::read(ReferenceRun& run) const {
+  try {
+    const TimeTable table = TimeTable::read(run.reference->file);
+    for (const std::string& output : run.outputs) {
+      const std::string& own = name_in(*run.reference, output);
+      if (std::find(table.names.begin(), table.names.end(), own) == table.names.end())
+        throw Error(ErrorCode::invalid_argument,
+                    table.file.string() + ": " + unknown("column", own, table.names));
+      run.tables[output] = one_of(table, own, output);
+    }
+  } catch (const Error& error) {
+    refuse(run.reference->place, run.text() + ": " + error.what());
+  }
+}
+
+void References::simulate(ReferenceRun& run, const std::function<bool()>& going) {
+  scenario::Scenario scenario = scenes_.of_reference(*run.reference, run.per);
+  scenario::Scenario finer = scenario;
+  if (run.reference->floor)
+    located(run.reference->place, [&] { scenario::scale_steps(finer, builtins_, 0.5); });
+  try {
+    run.tables = tables_of(run, scenario, going);
+    if (run.reference->floor) run.finer = tables_of(run, finer, going);
+  } catch (const Error& error) {
+    if (error.code() == ErrorCode::invalid_argument)
+      refuse(run.reference->place, run.text() + ": " + error.what(), error.code());
+    run.failure = run.text() + ": " + error.what();
+  }
+}
+
+OutputTables References::tables_of(ReferenceRun& run, const scenario::Scenario& scenario,
+                                   const std::function<bool()>& going) const {
+  scenario::Assembly assembly(scenario, builtins_);
+  std::vector<std::string> names;
+  for (const std::string& output : run.outputs) names.push_back(name_in(*run.reference, output));
+  scenario::Traces traces(assembly.topology(), names, run.text());
+  assembly.coordinator().observe(&traces);
+  assembly.initialize();
+  while (assembly.coordinator().round())
+    if (!going()) throw Error(ErrorCode::numerical, "interrupted");
+  OutputTables tables;
+  for (const std::string& output : run.outputs) {
+    const std::string& own = name_in(*run.reference, output);
+    tables[output] = one_of(traces.of(own), own, output);
+    run.units[output] = traces.unit(own);
+  }
+  return tables;
+}
+
+}  // namespace tandem::study

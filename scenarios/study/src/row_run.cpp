@@ -1,0 +1,223 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "row_run.hpp"
+
+#include <algorithm>
+
+#include "tandem/coordinator/bounds.hpp"
+#include "tandem/nearest.hpp"
+#include "tandem/printable.hpp"
+#include "tandem/scenario/assembly.hpp"
+
+namespace tandem::study {
+namespace {
+
+using text::located;
+
+constexpr std::size_t longest_note = 1000;
+
+bool is_derived(const FileValues& values, const Formula& formula) {
+  const text::Expression expression(formula.text);
+  for (const auto* names : {&expression.numbers(), &expression.words()})
+    for (const std::string& name : *names)
+      if (!values.contains(name)) return false;
+  return true;
+}
+
+}  // namespace
+
+/// From a scenario to what it is judged by.
+class RowRunner::OneRun {
+ public:
+  OneRun(const RowRunner& all, const FileValues& row)
+      : all_(all), row_(row), scenario_(all.scenes_.of_row(row)) {}
+
+  /// False: it is refused.
+  bool begin() {
+    try {
+      assembly_.emplace(scenario_, all_.builtins_);
+    } catch (const Error& error) {
+      return end("refused", error.what()), false;
+    }
+    check_subsystems();
+    located([this](const std::string& sentence) { return place_named_in(sentence); },
+            [this] { traces_.emplace(assembly_->topology(), all_.outputs_, "the run"); });
+    assembly_->coordinator().observe(&*traces_);
+    try {
+      assembly_->initialize();
+    } catch (const Error& error) {
+      return end(error.code() == ErrorCode::numerical ? "failed" : "refused", error.what()), false;
+    }
+    return true;
+  }
+
+  /// False: `going` said no.
+  bool simulate(const std::function<bool()>& going) {
+    try {
+      while (assembly_->coordinator().round())
+        if (!going()) return false;
+      end("ok", "");
+    } catch (const Diverged& error) {
+      end("lost", error.what());
+    } catch (const Error& error) {
+      end("failed", error.what());
+    }
+    return true;
+  }
+
+  void judge() {
+    try {
+      for (const Metric* metric : all_.metrics_) judge(*metric);
+      if (result_.status == "ok") judge_status();
+    } catch (const Error& error) {
+      end("failed", error.what());
+    }
+  }
+
+  RowResult result() const { return result_; }
+  const scenario::Traces& traces() const { return *traces_; }
+
+ private:
+  void end(const std::string& status, const std::string& note) {
+    result_.status = status, result_.note = printable(note, longest_note);
+  }
+
+  /// Those whose steps are counted are there.
+  void check_subsystems() const {
+    std::vector<std::string> names;
+    for (int i = 0; i < assembly_->topology().size(); ++i) names.push_back(assembly_->topology().name(i));
+    for (const Metric* metric : all_.metrics_)
+      if (metric->kind == Metric::Kind::steps &&
+          std::find(names.begin(), names.end(), metric->of) == names.end())
+        refuse(metric->place, "metrics.\"" + metric->name + "\": " + unknown("subsystem", metric->of, names));
+  }
+
+  /// Of the metric that asks for an output which is not there.
+  Place place_named_in(const std::string& sentence) const {
+    for (const Metric* metric : all_.metrics_) {
+      const std::string& of = metric->kind == Metric::Kind::drift ? metric->formula->text : metric->of;
+      const auto begin = sentence.find('\'') + 1;
+      if (of.find(sentence.substr(begin, sentence.find('\'', begin) - begin)) != std::string::npos)
+        return metric->place;
+    }
+    return all_.table_.place;
+  }
+
+  void judge(const Metric& metric) {
+    if (metric.kind == Metric::Kind::exchanges || metric.kind == Metric::Kind::steps)
+      set(metric.name, counted(metric));
+    else if (result_.status == "ok")
+      metric.kind == Metric::Kind::output ? compare(metric) : compute(metric);
+  }
+
+  double counted(const Metric& metric) const {
+    double sum = 0.0;
+    for (int i = 0; i < assembly_->topology().size(); ++i) {
+      const Effort& effort = assembly_->coordinator().effort(i);
+      if (metric.kind == Metric::Kind::exchanges)
+        sum += static_cast<double>(effort.exchanges);
+      else if (assembly_->topology().name(i) == metric.of)
+        sum = static_cast<double>(effort.steps + effort.start_steps);
+    }
+    return sum;
+  }
+
+  void compare(const Metric& metric) {
+    const text::TimeTable& run = traces_->of(metric.of);
+    const std::string& unit = traces_->unit(metric.of);
+    if (metric.against.empty())
+      return set(metric.name, judged(metric, run, nullptr, unit).value * scale(metric));
+    const ReferenceRun& reference = all_.references_.of(metric.against, row_);
+    if (!reference.failure.empty()) return end("failed", reference.failure);
+    if (const auto it = reference.units.find(metric.of); it != reference.units.end() && it->second != unit)
+      refuse(metric.place, "metrics." + metric.name + ": " + metric.of + " is in '" + unit +
+                               "', and in the reference in '" + it->second + "'; allowed is one unit");
+    const Judged own = judged(metric, run, &reference.tables.at(metric.of), unit);
+    set(metric.name, own.value * scale(metric));
+    if (metric.window.shift > 0.0) set(metric.name + ".shift", own.shift);
+    if (!reference.finer.empty())
+      set(metric.name + ".floor",
+          judged(metric, reference.tables.at(metric.of), &reference.finer.at(metric.of), unit).value *
+              scale(metric));
+  }
+
+  void compute(const Metric& metric) {
+    if (metric.kind == Metric::Kind::drift)
+      return set(metric.name, drift(metric, *traces_, row_) * scale(metric));
+    const FileValues values = with_columns();
+    if (is_derived(values, *metric.formula)) set(metric.name, value(*metric.formula, values) * scale(metric));
+  }
+
+  static double value(const Formula& formula, const FileValues& values) {
+    return located(formula.place, [&] { return text::evaluated(formula.text, values); });
+  }
+  double scale(const Metric& metric) const { return metric.scale ? value(*metric.scale, row_) : 1.0; }
+
+  void judge_status() {
+    const FileValues values = with_columns();
+    if (all_.study_.lost && value(*all_.study_.lost, values) != 0.0)
+      end("lost", all_.study_.lost->text);
+    else if (all_.study_.unstable && value(*all_.study_.unstable, values) != 0.0)
+      end("unstable", all_.study_.unstable->text);
+  }
+
+  FileValues with_columns() const {
+    FileValues values = row_;
+    values.insert(result_.metrics.begin(), result_.metrics.end());
+    return values;
+  }
+  void set(const std::string& name, double value) { result_.metrics[name] = value; }
+
+  const RowRunner& all_;
+  const FileValues& row_;
+  scenario::Scenario scenario_;
+  std::optional<scenario::Assembly> assembly_;
+  std::optional<scenario::Traces> traces_;
+  RowResult result_;
+};
+
+RowRunner::RowRunner(const Study& study, const Table& table, Scenes& scenes, const References& references,
+                     const Builtins& builtins)
+    : study_(study),
+      table_(table),
+      scenes_(scenes),
+      references_(references),
+      builtins_(builtins),
+      metrics_(needed_metrics(study, table)),
+      outputs_(judged_outputs(metrics_, table)) {}
+
+std::optional<RowResult> RowRunner::run(const FileValues& row, const std::function<bool()>& going) const {
+  OneRun one(*this, row);
+  if (!one.begin()) return one.result();
+  if (!one.simulate(going)) return {};
+  one.judge();
+  return one.result();
+}
+
+std::string RowRunner::refusal(const FileValues& row) const {
+  OneRun one(*this, row);
+  return one.begin() ? "" : one.result().note;
+}
+
+std::map<std::string, std::string> RowRunner::units(const FileValues& row) const {
+  std::map<std::string, std::string> units;
+  OneRun one(*this, row);
+  if (!one.begin()) return units;
+  for (const Metric* metric : metrics_)
+    units[metric->name] =
+        unit_of(*metric, metric->kind == Metric::Kind::output ? one.traces().unit(metric->of) : "");
+  return units;
+}
+
+std::vector<std::string> RowRunner::header() const {
+  std::vector<std::string> all;
+  for (const std::string& name : table_.header) {
+    all.push_back(name);
+    if (std::find(table_.metrics.begin(), table_.metrics.end(), name) == table_.metrics.end()) continue;
+    const Metric& metric = study_.metric(name);
+    if (metric.window.shift > 0.0) all.push_back(name + ".shift");
+    if (!metric.against.empty() && study_.reference(metric.against).floor) all.push_back(name + ".floor");
+  }
+  return all;
+}
+
+}  // namespace tandem::study

@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <functional>
+
+#include "references.hpp"
+
+namespace tandem::study {
+
+/// What a row has beside its columns.
+struct RowResult {
+  FileValues metrics;  ///< by name, with METRIC.shift and METRIC.floor; those that are known
+  std::string status, note;
+};
+
+/// Runs rows of a table, at the same time if wanted.
+class RowRunner {
+ public:
+  RowRunner(const Study& study, const Table& table, Scenes& scenes, const References& references,
+            const Builtins& builtins);
+
+  /// Nothing: `going` said no. Throws Error for what is wrong with the study.
+  std::optional<RowResult> run(const FileValues& row, const std::function<bool()>& going) const;
+  /// Up to the first step; the sentence of a row that is refused, else empty.
+  std::string refusal(const FileValues& row) const;
+  /// Of each metric with METRIC.shift and METRIC.floor beside it, in the order of the header.
+  std::vector<std::string> header() const;
+  const std::vector<const Metric*>& metrics() const { return metrics_; }
+  /// By metric, as far as a run that began has told them.
+  std::map<std::string, std::string> units(const FileValues& row) const;
+
+ private:
+  class OneRun;
+  const Study& study_;
+  const Table& table_;
+  Scenes& scenes_;
+  const References& references_;
+  const Builtins& builtins_;
+  std::vector<const Metric*> metrics_;
+  std::vector<std::string> outputs_;
+};
+
+}  // namespace tandem::study

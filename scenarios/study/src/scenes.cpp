@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "scenes.hpp"
+
+namespace tandem::study {
+namespace {
+
+using scenario::Scenario;
+using scenario::Setting;
+
+std::vector<Setting> settings(const std::vector<Given>& all, const FileValues& values) {
+  std::vector<Setting> settings;
+  for (const Given& one : all) settings.push_back({one.name, one.with(values)});
+  return settings;
+}
+
+/// Where a sentence names what one of them has set, it begins with the line of the study that does so.
+Scenario with(const scenario::ScenarioFile& file, const std::vector<Given>& all, const FileValues& values) {
+  const std::vector<Setting> own = settings(all, values);
+  try {
+    return file.with(own);
+  } catch (const Error& error) {
+    const std::string sentence = error.what();
+    for (const Given& one : all)
+      if (sentence.find("--set " + one.name + "=") != std::string::npos)
+        refuse(one.place, sentence, error.code());
+    throw;
+  }
+}
+
+/// Alone it is what its metrics judge: no other results are compared or drawn.
+Scenario alone(Scenario scenario) {
+  scenario.judge.reset(), scenario.reference.reset(), scenario.ladder.reset();
+  scenario.plots.clear();
+  scenario.animate = false;
+  return scenario;
+}
+
+/// A column of a reference is a number or a word.
+FileValue column_value(const Given& with, const FileValues& per) {
+  const text::SetValue value = with.with(per);
+  if (const auto* number = std::get_if<double>(&value)) return *number;
+  if (const auto* word = std::get_if<std::string>(&value)) return *word;
+  refuse(with.place, "column " + with.name + " is true or false; allowed is a number or a word");
+}
+
+}  // namespace
+
+const scenario::ScenarioFile& Scenes::file(const Given& name, const FileValues& values) {
+  const text::SetValue found = name.with(values);
+  const auto* word = std::get_if<std::string>(&found);
+  if (!word) refuse(name.place, "scenario stands for a number; allowed is the name of a file");
+  const std::lock_guard lock(mutex_);
+  auto& one = files_[study_.file.parent_path() / *word];
+  if (!one)
+    one = located(name.place, [&] {
+      return std::make_unique<scenario::ScenarioFile>(study_.file.parent_path() / *word, overrides_);
+    });
+  return *one;
+}
+
+Scenario Scenes::of_row(const FileValues& row) {
+  return alone(with(file(study_.scenario, row), study_.set, row));
+}
+
+Scenario Scenes::of_reference(const Reference& reference, const FileValues& per) {
+  FileValues values = per;
+  for (const Given& with : reference.with) values[with.name] = column_value(with, per);
+  if (reference.scenario) return alone(with(file(*reference.scenario, values), reference.set, values));
+  std::vector<Given> all = study_.set;
+  all.insert(all.end(), reference.set.begin(), reference.set.end());
+  return alone(with(file(study_.scenario, values), all, values));
+}
+
+}  // namespace tandem::study
