@@ -39,6 +39,18 @@ TEST(Expressions, CompareOnlyWordsWithWords) {
   refuses("how is lagrange1", {"can't be read"});
 }
 
+TEST(Expressions, ThatEndInTheMiddleOfAConditionAreRefused) {
+  const std::string whole = "2*(how in [lagrange0, lagrange1]) + (schedule is parallel)";
+  EXPECT_EQ(evaluated(whole, values), 2.0);
+  EXPECT_EQ(evaluated("((how is lagrange1))", values), 1.0);
+  for (std::size_t length = 0; length < whole.size(); ++length) {
+    const std::string cut = whole.substr(0, length);
+    if (cut == "2" || length == whole.find(" +") || length == whole.find("+"))
+      continue;  // these are expressions
+    EXPECT_TRUE(test::refuses(ErrorCode::invalid_argument, {}, [&] { evaluated(cut, values); })) << cut;
+  }
+}
+
 TEST(Expressions, HaveNamesWithDotsAndIndices) {
   EXPECT_EQ(evaluated("2*motor.w + x[2]", values), 11.0);
   EXPECT_EQ(evaluated("2.5*motor.w", values), 7.5);

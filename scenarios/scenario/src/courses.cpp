@@ -35,15 +35,29 @@ void Courses::move_to(double t, bool again) {
   time_ = t;
 }
 
+Courses::Cubic Courses::cubic(const Course& course) const {
+  const std::vector<double>& y = table_.columns[course.values];
+  const std::vector<double>& slopes = table_.columns[*course.derivatives];
+  const double begin = table_.times[row_ - 1], h = table_.times[row_] - begin, rise = y[row_] - y[row_ - 1];
+  const double d = h * slopes[row_ - 1], e = h * slopes[row_];
+  return {(time_ - begin) / h, h, y[row_ - 1], d, 3.0 * rise - 2.0 * d - e, d + e - 2.0 * rise};
+}
+
 double Courses::value(const Course& course) const {
   const std::vector<double>& y = table_.columns[course.values];
   if (exact()) return y[row_];
-  const double begin = table_.times[row_ - 1], h = table_.times[row_] - begin, s = (time_ - begin) / h;
-  const double rise = y[row_] - y[row_ - 1];
-  if (!course.derivatives) return y[row_ - 1] + s * rise;
-  const std::vector<double>& slopes = table_.columns[*course.derivatives];
-  const double d = h * slopes[row_ - 1], e = h * slopes[row_];
-  return y[row_ - 1] + s * (d + s * (3.0 * rise - 2.0 * d - e + s * (d + e - 2.0 * rise)));
+  if (course.derivatives) {
+    const auto [s, h, begin, d, c, e] = cubic(course);
+    return begin + s * (d + s * (c + s * e));
+  }
+  const double begin = table_.times[row_ - 1], s = (time_ - begin) / (table_.times[row_] - begin);
+  return y[row_ - 1] + s * (y[row_] - y[row_ - 1]);
+}
+
+double Courses::slope(const Course& course) const {
+  if (exact()) return table_.columns[*course.derivatives][row_];
+  const auto [s, h, begin, d, c, e] = cubic(course);
+  return (d + s * (2.0 * c + s * 3.0 * e)) / h;
 }
 
 }  // namespace tandem::scenario

@@ -8,6 +8,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/progress.hpp"
 #include "cli/say.hpp"
+#include "metrics/all.hpp"
 #include "tandem/error.hpp"
 #include "tandem/study/sweep.hpp"
 
@@ -63,7 +64,7 @@ void sweep_study(const StudySweep& settings, const Context& context) {
   const auto study = study::read(settings.file);
   const fs::path folder = folder_of(settings);
   study::Sweep sweep(study, context.builtins,
-                     {folder, settings.overrides, settings.threads, settings.resume});
+                     {folder, settings.overrides, all_metrics(), settings.threads, settings.resume});
   if (settings.dry) {
     for (const std::string& line : sweep.plan()) say("{}\n", line);
     return;

@@ -176,6 +176,25 @@ void BothMasses::read(ByteReader& from) {
   state_.v2 = from.take<double>();
 }
 
+SubsystemInfo ExactMasses::info() const {
+  return {"two_mass.exact",
+          {},
+          {{"x1", "m", 1, 2}, {"v1", "m/s", 1, 1}, {"x2", "m", 1, 2}, {"v2", "m/s", 1, 1}},
+          {},
+          {.serializes_state = true}};
+}
+
+void ExactMasses::outputs(double* y) const {
+  const Motion m = model_.exact(t_);
+  const double a1 = (model_.k2 * m.x2 - (model_.k1 + model_.k2) * m.x1) / model_.m1;
+  const double a2 = (model_.k2 * m.x1 - (model_.k2 + model_.k3) * m.x2) / model_.m2;
+  const double row[] = {m.x1, m.v1, m.x2, m.v2, m.v1, a1, m.v2, a2, a1, 0.0, a2, 0.0};
+  std::copy(std::begin(row), std::end(row), y);
+}
+
+void ExactMasses::write(ByteWriter& to) const { to.put_doubles(std::array{t_}); }
+void ExactMasses::read(ByteReader& from) { t_ = from.take<double>(); }
+
 void add_builtins(Builtins& builtins) {
   const auto add = [&](const char* name, const Words& besides, const auto& make) {
     builtins.models[std::string("two_mass.") + name] = {
@@ -195,6 +214,7 @@ void add_builtins(Builtins& builtins) {
     return SlowMass(m, {true, p.number("carried_mass", 0.0)});
   });
   add("both", {}, [](const Model& m, Parameters&) { return BothMasses(m); });
+  add("exact", {}, [](const Model& m, Parameters&) { return ExactMasses(m); });
 }
 
 }  // namespace tandem::two_mass

@@ -87,7 +87,25 @@ class BothMasses {
   Motion state_{};
 };
 
-/// two_mass.fast, .slow, .fast_force, .slow_force, .both, with the names of Settings as parameters.
+/// The exact motion at the fast side's steps. Outputs x1 (with x1', x1''), v1 (with x1''), x2, v2 likewise.
+class ExactMasses {
+ public:
+  explicit ExactMasses(const Model& model) : model_(model) {}
+
+  SubsystemInfo info() const;
+  double own_step() const { return model_.h1; }
+  void start(double t, std::span<const double> /*u0*/) { t_ = t; }
+  void step(const OwnStep& s, std::span<const Signal> /*u*/) { t_ = s.end; }
+  void outputs(double* y) const;
+  void write(ByteWriter& to) const;
+  void read(ByteReader& from);
+
+ private:
+  Model model_;
+  double t_ = 0.0;
+};
+
+/// two_mass.fast, .slow, .fast_force, .slow_force, .both, .exact, with the names of Settings as parameters.
 void add_builtins(Builtins& builtins);
 
 }  // namespace tandem::two_mass

@@ -21,6 +21,24 @@ void add_names(const Formula& formula, std::set<std::string>& to) {
     to.insert(names->begin(), names->end());
 }
 
+const std::string slope_of = "der.";
+
+/// A drift with "der.X" in place of "der(X)".
+std::string with_slopes(std::string drift) {
+  for (std::size_t at = 0; (at = drift.find("der(", at)) != std::string::npos;) {
+    const auto end = drift.find(')', at);
+    if (end == std::string::npos) break;
+    const std::string output = drift.substr(at + slope_of.size(), end - at - slope_of.size());
+    drift.replace(at, end + 1 - at, slope_of + output);
+  }
+  return drift;
+}
+
+/// The output of "X" or "der.X".
+std::string output_of(const std::string& name) {
+  return name.starts_with(slope_of) ? name.substr(slope_of.size()) : name;
+}
+
 TimeTable zero_of(const TimeTable& table) {
   TimeTable zero = table;
   for (auto& column : zero.columns) std::fill(column.begin(), column.end(), 0.0);
@@ -79,10 +97,7 @@ class Followed {
         values_.push_back(number(*it));
         continue;
       }
-      if (!first_) first_ = &traces.of(name);
-      followers_.push_back({values_.size(), scenario::Courses(traces.of(name)), {}});
-      followers_.back().course = followers_.back().courses.course(name);
-      values_.push_back(0.0);
+      follow(name, traces.of(output_of(name)));
     }
     if (!first_ || !expression.words().empty())
       throw Error(ErrorCode::invalid_argument, "the drift '" + expression.text() + "' " +
@@ -99,13 +114,25 @@ class Followed {
       if (!one.courses.covers(t)) return false;
       one.courses.move_to(t, again);
       if (!one.courses.exact() && !one.course.derivatives) return false;
-      values_[one.place] = one.courses.value(one.course);
+      values_[one.place] = one.slope ? one.courses.slope(one.course) : one.courses.value(one.course);
     }
     return true;
   }
   const std::vector<double>& values() const { return values_; }
 
  private:
+  void follow(const std::string& name, const TimeTable& table) {
+    if (!first_) first_ = &table;
+    scenario::Courses courses(table);
+    const auto course = courses.course(output_of(name));
+    const bool slope = name.starts_with(slope_of);
+    if (slope && !course.derivatives)
+      throw Error(ErrorCode::invalid_argument,
+                  output_of(name) + " gives no derivative; allowed is der(X) of an output that does");
+    followers_.push_back({values_.size(), std::move(courses), course, slope});
+    values_.push_back(0.0);
+  }
+
   static double number(const std::pair<const std::string, FileValue>& column) {
     if (const auto* number = std::get_if<double>(&column.second)) return *number;
     throw Error(ErrorCode::invalid_argument, "the drift has " + column.first + ", which is the word " +
@@ -116,6 +143,7 @@ class Followed {
     std::size_t place;
     scenario::Courses courses;
     scenario::Course course;
+    bool slope;
   };
   const TimeTable* first_ = nullptr;
   std::vector<Follower> followers_;
@@ -130,7 +158,9 @@ std::vector<const Metric*> needed_metrics(const Study& study, const Table& table
     if (when) add_names(*when, names);
   std::vector<const Metric*> needed;
   for (auto metric = study.metrics.rbegin(); metric != study.metrics.rend(); ++metric) {
-    if (!names.contains(metric->name)) continue;
+    const auto own = study.names_of(*metric);
+    if (std::none_of(own.begin(), own.end(), [&](const std::string& name) { return names.contains(name); }))
+      continue;
     needed.insert(needed.begin(), &*metric);
     if (metric->kind == Metric::Kind::formula) add_names(*metric->formula, names);
   }
@@ -141,7 +171,10 @@ std::vector<std::string> judged_outputs(const std::vector<const Metric*>& metric
   std::set<std::string> outputs;
   for (const Metric* metric : metrics) {
     if (metric->kind == Metric::Kind::output) outputs.insert(metric->of);
-    if (metric->kind == Metric::Kind::drift) add_names(*metric->formula, outputs);
+    if (metric->kind != Metric::Kind::drift) continue;
+    std::set<std::string> names;
+    add_names({with_slopes(metric->formula->text), {}}, names);
+    for (const std::string& name : names) outputs.insert(output_of(name));
   }
   for (const std::string& column : table.columns) outputs.erase(column);
   return {outputs.begin(), outputs.end()};
@@ -167,7 +200,7 @@ Judged judged(const Metric& metric, const TimeTable& run, const TimeTable* refer
 
 double drift(const Metric& metric, const scenario::Traces& traces, const FileValues& columns) {
   return located(metric.formula->place, [&] {
-    Expression expression(metric.formula->text);
+    Expression expression(with_slopes(metric.formula->text));
     Followed followed(expression, traces, columns);
     NormOf departure;
     std::optional<double> start;

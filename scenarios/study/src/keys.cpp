@@ -62,7 +62,7 @@ void of_metrics(KeyList& to) {
   to.named("metrics", "Numbers that each row has.",
            "One of them. By its name alone: `exchanges = {}` (calls of subsystems) and `\"steps.INSTANCE\" = "
            "{}` (own "
-           "steps). Else one of `of`, `drift` and `formula`.")
+           "steps). Else one of `of`, `drift`, `formula` and `builtin`.")
       .may(
           "of", text,
           "An output, compared with that of a reference, at the rows of the one that has fewer; the other is "
@@ -72,8 +72,9 @@ void of_metrics(KeyList& to) {
           {.allowed = "\"instance.port\" or \"instance.port[i]\""})
       .may("drift", text,
            "What should stay as it is at the start, at the rows of the output that stands first in it.",
-           {.allowed = "an expression of outputs and columns"})
+           {.allowed = "an expression of outputs, their derivatives der(OUTPUT), and columns"})
       .may("formula", text, "Of other metrics and columns.", {.allowed = "an expression"})
+      .may("builtin", text, "What only code can tell, by its name.")
       .may("norm", word, "Of it over time.", {.otherwise = "max", .words = {"max", "rms", "end"}})
       .may("relative", word,
            "It is divided by the peak of the reference, or by its rms; of a drift by the magnitude at the "
@@ -81,13 +82,16 @@ void of_metrics(KeyList& to) {
            "Without it: it is not.",
            {.words = {"peak", "rms", "start"}})
       .may("scale", name, "It is multiplied by this.", {.allowed = "a number, or an expression of columns"})
-      .may("against", text, "The reference. Without it: the only one.")
+      .may("against", text, "The reference. Without it: the only one, if there is one.",
+           {.allowed = "a reference, or `none`: the output itself"})
       .may("from", number, "The first time that counts. Without it: the first.", {.unit = "s"})
       .may("to", number, "The last one. Without it: the last.", {.unit = "s"})
       .may("shift", positive,
            "The run may be so much later or earlier as a whole; by how much it is is told as METRIC.shift.",
            {.unit = "s"})
-      .may("unit", text, "That the number is told in. Without it: that of the output.");
+      .may("unit", text, "That the number is told in. Without it: that of the output.")
+      .table("metrics.NAME.with", "Parameters of a `builtin`.")
+      .may("NAME", any, "As it knows it.", {.allowed = "as in `[set]`"});
 }
 
 void of_verdicts(KeyList& to) {

@@ -31,14 +31,6 @@ Given given(const Document& document, const std::string& name, const toml::node&
   return one;
 }
 
-std::vector<Given> all_given(Section& section, const std::string& key) {
-  std::vector<Given> all;
-  if (const toml::table* table = section.table(key))
-    for (const auto& [name, node] : text::in_file_order(*table))
-      all.push_back(given(section.document(), name, *node, section.name(key) + "." + name));
-  return all;
-}
-
 /// A study, table by table.
 class Reader {
  public:
@@ -98,6 +90,8 @@ class Reader {
 
   Reference read_reference(const std::string& name, Section& section) const {
     Reference one{.name = name, .place = section.place()};
+    if (name == "none")
+      refuse(section.place(), "a reference has the name none, which stands for no reference");
     if (const auto file = section.text("file")) one.file = to_.file.parent_path() / *file;
     if (const auto scenario = section.text("scenario"))
       one.scenario = Given{"", *scenario, section.place("scenario")};
@@ -120,10 +114,7 @@ class Reader {
   }
 
   void check_column(const Place& place, const std::string& what, const std::string& column) const {
-    std::vector<std::string> known;
-    for (const Table& table : to_.tables)
-      for (const std::string& one : table.columns)
-        if (!has(known, one)) known.push_back(one);
+    const auto known = to_.columns();
     if (!has(known, column)) refuse(place, what + ": " + unknown("column", column, known));
   }
 
@@ -168,7 +159,7 @@ class Reader {
     if (!section) return {};
     Formula when{section->required_text("when"), section->place("when")};
     section->refuse_unknown();
-    located(when.place, [&] { text::Expression compiled(when.text); });
+    check_formula(when, section->name("when"), to_);
     return when;
   }
 
@@ -180,6 +171,14 @@ class Reader {
 
 }  // namespace
 
+std::vector<Given> all_given(Section& section, const std::string& key) {
+  std::vector<Given> all;
+  if (const toml::table* table = section.table(key))
+    for (const auto& [name, node] : text::in_file_order(*table))
+      all.push_back(given(section.document(), name, *node, section.name(key) + "." + name));
+  return all;
+}
+
 text::SetValue Given::with(const FileValues& columns) const {
   const auto* text = std::get_if<std::string>(&value);
   if (!text || !text->starts_with("$")) return value;
@@ -189,6 +188,14 @@ text::SetValue Given::with(const FileValues& columns) const {
   });
 }
 
+std::vector<std::string> Study::columns() const {
+  std::vector<std::string> names;
+  for (const Table& table : tables)
+    for (const std::string& column : table.columns)
+      if (!has(names, column)) names.push_back(column);
+  return names;
+}
+
 const Reference& Study::reference(const std::string& name) const {
   return *std::find_if(references.begin(), references.end(),
                        [&](const Reference& one) { return one.name == name; });
@@ -196,6 +203,13 @@ const Reference& Study::reference(const std::string& name) const {
 
 const Metric& Study::metric(const std::string& name) const {
   return *std::find_if(metrics.begin(), metrics.end(), [&](const Metric& one) { return one.name == name; });
+}
+
+std::vector<std::string> Study::names_of(const Metric& metric) const {
+  std::vector<std::string> names = {metric.name};
+  if (metric.window.shift > 0.0) names.push_back(metric.name + ".shift");
+  if (!metric.against.empty() && reference(metric.against).floor) names.push_back(metric.name + ".floor");
+  return names;
 }
 
 Study read(const std::filesystem::path& file) {

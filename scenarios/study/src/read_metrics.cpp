@@ -12,7 +12,7 @@ namespace {
 
 using text::Section;
 
-const std::string steps = "steps.";
+const std::string steps = "steps.", none = "none";
 
 std::vector<std::string> names_of(const std::vector<Reference>& references) {
   std::vector<std::string> names;
@@ -39,13 +39,19 @@ class MetricReader {
   }
 
   Metric read() {
-    const auto of = section_.text("of"), drift = section_.text("drift"), formula = section_.text("formula");
-    if (of.has_value() + drift.has_value() + formula.has_value() != 1)
+    const auto of = section_.text("of"), drift = section_.text("drift"), formula = section_.text("formula"),
+               coded = section_.text("builtin");
+    if (of.has_value() + drift.has_value() + formula.has_value() + coded.has_value() != 1)
       section_.missing(
           "of",
-          "one of `of`, `drift` and `formula`; by their names alone there are exchanges and steps.INSTANCE");
-    metric_.kind = of ? Metric::Kind::output : drift ? Metric::Kind::drift : Metric::Kind::formula;
-    metric_.of = of.value_or("");
+          "one of `of`, `drift`, `formula` and `builtin`; by their names alone there are exchanges "
+          "and steps.INSTANCE");
+    metric_.kind = of        ? Metric::Kind::output
+                   : drift   ? Metric::Kind::drift
+                   : formula ? Metric::Kind::formula
+                             : Metric::Kind::coded;
+    metric_.of = of ? *of : coded.value_or("");
+    metric_.with = all_given(section_, "with");
     if (drift) metric_.formula = Formula{*drift, section_.place("drift")};
     if (formula) metric_.formula = Formula{*formula, section_.place("formula")};
     read_norm();
@@ -79,6 +85,7 @@ class MetricReader {
   void read_reference() {
     const auto against = section_.text("against");
     const auto known = names_of(study_.references);
+    if (against == none) return;
     if (against && std::find(known.begin(), known.end(), *against) == known.end())
       refuse(section_.place("against"),
              section_.name("against") + ": " + unknown("reference", *against, known));
@@ -89,15 +96,16 @@ class MetricReader {
 
   void refuse_what_has_no_meaning() {
     const bool output = metric_.kind == Metric::Kind::output, drift = metric_.kind == Metric::Kind::drift;
-    const std::string none = "there is no reference";
+    const std::string no_reference = "there is no reference";
     if (!output) section_.leave_out("against", "it is no `of`");
     if (!output) section_.leave_out("shift", "it is no `of`");
     if (!output) section_.leave_out("unit", "it is no `of`");
     if (output && metric_.against.empty())
-      section_.leave_out("relative", none), section_.leave_out("shift", none);
+      section_.leave_out("relative", no_reference), section_.leave_out("shift", no_reference);
+    if (metric_.kind != Metric::Kind::coded) section_.leave_out("with", "it is no `builtin`");
     if (!output && !drift)
       for (const char* key : {"norm", "relative", "from", "to"})
-        section_.leave_out(key, "a formula has none");
+        section_.leave_out(key, "it is neither `of` nor `drift`");
     const bool relative = metric_.relative != Metric::Relative::no;
     if (relative && (metric_.relative == Metric::Relative::start) != drift)
       section_.wrong("relative", "'" + *section_.text("relative") + "'",
@@ -121,20 +129,13 @@ std::optional<Metric> by_name(const Section& section, const std::string& name) {
   return {};
 }
 
-/// A formula has columns and metrics that stand before it.
-void check_formula(const Metric& metric, const Study& study) {
-  located(metric.formula->place, [&] {
-    const text::Expression formula(metric.formula->text);
-    std::vector<std::string> known;
-    for (const Metric& before : study.metrics) known.push_back(before.name);
-    for (const Table& table : study.tables)
-      for (const std::string& column : table.columns)
-        if (std::find(known.begin(), known.end(), column) == known.end()) known.push_back(column);
-    for (const auto* names : {&formula.numbers(), &formula.words()})
+void check_names(const Formula& formula, const std::string& what, const std::vector<std::string>& known) {
+  located(formula.place, [&] {
+    const text::Expression expression(formula.text);
+    for (const auto* names : {&expression.numbers(), &expression.words()})
       for (const std::string& name : *names)
         if (std::find(known.begin(), known.end(), name) == known.end())
-          throw Error(ErrorCode::invalid_argument, "metrics." + metric.name + ".formula: " +
-                                                       unknown("column, or metric before it,", name, known));
+          throw Error(ErrorCode::invalid_argument, what + ": " + unknown("name", name, known));
   });
 }
 
@@ -153,14 +154,18 @@ void read_metrics(Section& root, Study& to) {
     for (const Table& table : to.tables)
       if (std::find(table.columns.begin(), table.columns.end(), name) != table.columns.end())
         refuse(section.place(), "metrics." + name + " has the name of a column of the table " + table.name);
-    to.metrics.push_back(metric ? *metric : MetricReader(section, name, to).read());
-    if (to.metrics.back().kind == Metric::Kind::formula) {
-      const Metric last = to.metrics.back();
-      to.metrics.pop_back();
-      check_formula(last, to);
-      to.metrics.push_back(last);
-    }
+    const Metric one = metric ? *metric : MetricReader(section, name, to).read();
+    if (one.kind == Metric::Kind::formula) check_formula(*one.formula, "metrics." + name + ".formula", to);
+    if (one.scale) check_names(*one.scale, "metrics." + name + ".scale", to.columns());
+    to.metrics.push_back(one);
   }
+}
+
+void check_formula(const Formula& formula, const std::string& what, const Study& study) {
+  auto known = study.columns();
+  for (const Metric& metric : study.metrics)
+    for (const std::string& name : study.names_of(metric)) known.push_back(name);
+  check_names(formula, what, known);
 }
 
 }  // namespace tandem::study

@@ -5,7 +5,13 @@
 
 namespace tandem::study {
 
+/// What the keys of a table are set to, in the order of the file.
+std::vector<Given> all_given(text::Section& section, const std::string& key);
+
 /// The table [metrics] of a study whose tables and references were read.
 void read_metrics(text::Section& root, Study& to);
+
+/// Throws Error for a name that is neither a column nor one of the metrics that were read.
+void check_formula(const Formula& formula, const std::string& what, const Study& study);
 
 }  // namespace tandem::study

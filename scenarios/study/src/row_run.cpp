@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "observers.hpp"
 #include "tandem/coordinator/bounds.hpp"
 #include "tandem/nearest.hpp"
 #include "tandem/printable.hpp"
@@ -41,7 +42,9 @@ class RowRunner::OneRun {
     check_subsystems();
     located([this](const std::string& sentence) { return place_named_in(sentence); },
             [this] { traces_.emplace(assembly_->topology(), all_.outputs_, "the run"); });
-    assembly_->coordinator().observe(&*traces_);
+    observers_.add(*traces_);
+    add_coded();
+    assembly_->coordinator().observe(&observers_);
     try {
       assembly_->initialize();
     } catch (const Error& error) {
@@ -53,8 +56,10 @@ class RowRunner::OneRun {
   /// False: `going` said no.
   bool simulate(const std::function<bool()>& going) {
     try {
-      while (assembly_->coordinator().round())
+      while (assembly_->coordinator().round()) {
+        observers_.between_rounds();
         if (!going()) return false;
+      }
       end("ok", "");
     } catch (const Diverged& error) {
       end("lost", error.what());
@@ -81,6 +86,26 @@ class RowRunner::OneRun {
     result_.status = status, result_.note = printable(note, longest_note);
   }
 
+  void add_coded() {
+    for (const Metric* metric : all_.metrics_)
+      if (metric->kind == Metric::Kind::coded)
+        observers_.add(*(coded_[metric->name] = located(metric->place, [&] { return coded(*metric); })));
+  }
+
+  std::unique_ptr<CodedMetric> coded(const Metric& metric) const {
+    const auto it = all_.coded_.find(metric.of);
+    if (it == all_.coded_.end()) {
+      std::vector<std::string> known;
+      for (const auto& [name, make] : all_.coded_) known.push_back(name);
+      throw Error(ErrorCode::invalid_argument, unknown("builtin metric", metric.of, known));
+    }
+    Parameters parameters;
+    for (const Given& with : metric.with) parameters.set(with.name, with.with(row_));
+    auto made = it->second(assembly_->coordinator(), {scenario_.start, scenario_.stop}, parameters);
+    parameters.refuse_unused("builtin metric '" + metric.of + "'");
+    return made;
+  }
+
   /// Those whose steps are counted are there.
   void check_subsystems() const {
     std::vector<std::string> names;
@@ -105,7 +130,7 @@ class RowRunner::OneRun {
   void judge(const Metric& metric) {
     if (metric.kind == Metric::Kind::exchanges || metric.kind == Metric::Kind::steps)
       set(metric.name, counted(metric));
-    else if (result_.status == "ok")
+    else if (result_.status == "ok" || metric.kind == Metric::Kind::formula)
       metric.kind == Metric::Kind::output ? compare(metric) : compute(metric);
   }
 
@@ -141,10 +166,17 @@ class RowRunner::OneRun {
   }
 
   void compute(const Metric& metric) {
+    if (metric.kind == Metric::Kind::coded) return tell(metric);
     if (metric.kind == Metric::Kind::drift)
       return set(metric.name, drift(metric, *traces_, row_) * scale(metric));
     const FileValues values = with_columns();
     if (is_derived(values, *metric.formula)) set(metric.name, value(*metric.formula, values) * scale(metric));
+  }
+
+  void tell(const Metric& metric) {
+    std::string note;
+    if (const auto number = coded_.at(metric.name)->value(note)) set(metric.name, *number * scale(metric));
+    if (!note.empty()) result_.note = printable(note, longest_note);
   }
 
   static double value(const Formula& formula, const FileValues& values) {
@@ -172,16 +204,19 @@ class RowRunner::OneRun {
   scenario::Scenario scenario_;
   std::optional<scenario::Assembly> assembly_;
   std::optional<scenario::Traces> traces_;
+  std::map<std::string, std::unique_ptr<CodedMetric>> coded_;
+  Observers observers_;
   RowResult result_;
 };
 
 RowRunner::RowRunner(const Study& study, const Table& table, Scenes& scenes, const References& references,
-                     const Builtins& builtins)
+                     const Builtins& builtins, const CodedMetrics& coded)
     : study_(study),
       table_(table),
       scenes_(scenes),
       references_(references),
       builtins_(builtins),
+      coded_(coded),
       metrics_(needed_metrics(study, table)),
       outputs_(judged_outputs(metrics_, table)) {}
 
@@ -211,11 +246,9 @@ std::map<std::string, std::string> RowRunner::units(const FileValues& row) const
 std::vector<std::string> RowRunner::header() const {
   std::vector<std::string> all;
   for (const std::string& name : table_.header) {
-    all.push_back(name);
-    if (std::find(table_.metrics.begin(), table_.metrics.end(), name) == table_.metrics.end()) continue;
-    const Metric& metric = study_.metric(name);
-    if (metric.window.shift > 0.0) all.push_back(name + ".shift");
-    if (!metric.against.empty() && study_.reference(metric.against).floor) all.push_back(name + ".floor");
+    const bool metric = std::find(table_.metrics.begin(), table_.metrics.end(), name) != table_.metrics.end();
+    const auto names = metric ? study_.names_of(study_.metric(name)) : std::vector{name};
+    all.insert(all.end(), names.begin(), names.end());
   }
   return all;
 }

@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "references.hpp"
+#include "tandem/study/coded_metric.hpp"
 
 namespace tandem::study {
 
@@ -16,7 +17,7 @@ struct RowResult {
 class RowRunner {
  public:
   RowRunner(const Study& study, const Table& table, Scenes& scenes, const References& references,
-            const Builtins& builtins);
+            const Builtins& builtins, const CodedMetrics& coded);
 
   /// Nothing: `going` said no. Throws Error for what is wrong with the study.
   std::optional<RowResult> run(const FileValues& row, const std::function<bool()>& going) const;
@@ -35,6 +36,7 @@ class RowRunner {
   Scenes& scenes_;
   const References& references_;
   const Builtins& builtins_;
+  const CodedMetrics& coded_;
   std::vector<const Metric*> metrics_;
   std::vector<std::string> outputs_;
 };

@@ -27,7 +27,7 @@ class Sweep::Work {
         scenes_(study, settings_.overrides),
         references_(study, scenes_, builtins) {
     for (const Table& table : study.tables)
-      runners_.emplace_back(study, table, scenes_, references_, builtins);
+      runners_.emplace_back(study, table, scenes_, references_, builtins, settings_.metrics);
     read_scenarios();
   }
 

@@ -87,10 +87,11 @@ TEST(Studies, ThatAreWrongAreRefusedWithTheirLine) {
   refuses(block + "where = 'b > 1'\n", {"study.toml:4", "'b' is not there"});
   refuses("columns = ['b']\n" + block, {"study.toml:2", "'b' is not there"});
   refuses(block + "[metrics]\na = { of = 'x.y' }\n", {"name of a column"});
-  refuses(block + "[metrics]\nm = {}\n", {"one of `of`, `drift` and `formula`"});
+  refuses(block + "[metrics]\nm = {}\n", {"one of `of`, `drift`, `formula` and `builtin`"});
   refuses(block + "[metrics]\nm = { of = 'x.y', formula = 'a' }\n", {"one of `of`"});
   refuses(block + "[metrics]\nm = { of = 'x.y', relative = 'peak' }\n", {"study.toml:5", "no reference"});
-  refuses(block + "[metrics]\nm = { formula = 'n*2' }\nn = { of = 'x.y' }\n", {"metric before it, 'n'"});
+  refuses(block + "[metrics]\nm = { formula = 'n*2' }\nn = { of = 'x.y' }\n",
+          {"metrics.m.formula: name 'n' is not there"});
   refuses(block + "[metrics]\nm = { formula = '2*' }\n", {"'2*'", "can't be read"});
   refuses(block + "[metrics]\nm = { of = 'x.y', norm = 'largest' }\n",
           {"norm is 'largest'", "max, rms or end"});
@@ -101,6 +102,10 @@ TEST(Studies, ThatAreWrongAreRefusedWithTheirLine) {
   refuses(block + "[references.r]\n[references.s]\n[metrics]\nm = { of = 'x.y' }\n",
           {"against is missing", "r, s"});
   refuses(block + "[lost]\nwhen = '1 +'\n", {"can't be read"});
+  refuses(block + "[lost]\nwhen = 'errr > 1'\n[metrics]\nerror = { of = 'x.y' }\n",
+          {"study.toml:5: lost.when: name 'errr' is not there; did you mean 'error'?"});
+  refuses(block + "[metrics]\nm = { of = 'x.y', scale = '2*b' }\n", {"metrics.m.scale: name 'b'"});
+  refuses(block + "[references.none]\nper = ['a']\n", {"name none"});
   refuses(block + "[lsot]\nwhen = '1'\n", {"'lsot'", "did you mean 'lost'"});
 }
 

@@ -35,8 +35,16 @@ class Courses {
   bool exact() const { return row_ == 0 || !tolerance_.before(time_, table_.times[row_]); }
   /// By Hermite polynomials between rows with derivatives, else by straight lines.
   double value(const Course& course) const;
+  /// The derivative of that polynomial. Precondition: it has derivatives.
+  double slope(const Course& course) const;
 
  private:
+  /// A cubic between two rows, y + s (d + s (c + s e)) with s from 0 to 1.
+  struct Cubic {
+    double s, h, y, d, c, e;
+  };
+  Cubic cubic(const Course& course) const;
+
   const text::TimeTable& table_;
   TimeTolerance tolerance_;
   std::unordered_map<std::string_view, std::size_t> index_;

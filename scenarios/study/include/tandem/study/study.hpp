@@ -64,18 +64,20 @@ struct Metric {
     formula,    ///< of other metrics and columns
     exchanges,  ///< calls of subsystems, all together
     steps,      ///< own steps of a subsystem
+    coded,      ///< by a CodedMetric
   };
   enum class Norm { max, rms, end };
   enum class Relative { no, peak, rms, start };
   std::string name;
   Kind kind;
-  std::string of = {};       ///< the output, or the subsystem
+  std::string of = {};       ///< the output, the subsystem, or the name of the coded metric
   std::string against = {};  ///< a reference; empty: none
   Norm norm = Norm::max;
   Relative relative = Relative::no;
   scenario::Measure window = {};
   std::string unit = {};  ///< that the number is told in; empty: that of the output
   std::optional<Formula> formula = {}, scale = {};
+  std::vector<Given> with = {};  ///< parameters of a coded one
   Place place = {};
 };
 
@@ -89,8 +91,12 @@ struct Study {
   std::vector<Metric> metrics;
   std::optional<Formula> lost, unstable;  ///< of metrics and columns
 
+  /// Of all tables, each once.
+  std::vector<std::string> columns() const;
   const Reference& reference(const std::string& name) const;
   const Metric& metric(const std::string& name) const;
+  /// What a metric tells: METRIC, and where it has these METRIC.shift and METRIC.floor.
+  std::vector<std::string> names_of(const Metric& metric) const;
 };
 
 /// The language of studies.

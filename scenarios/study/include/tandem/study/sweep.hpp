@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tandem/study/coded_metric.hpp"
 #include "tandem/study/study.hpp"
 #include "tandem/transports/open.hpp"
 
@@ -16,6 +17,7 @@ namespace tandem::study {
 struct SweepSettings {
   std::filesystem::path folder;             ///< of its tables; it is made if it is not there
   std::vector<std::string> overrides = {};  ///< "KEY=VALUE" of the study's scenario
+  CodedMetrics metrics = {};                ///< that the study may name
   unsigned threads = 1;                     ///< rows that are run at the same time
   bool resume = false;  ///< keep the rows that are there, if nothing that made them has changed
 };
