@@ -74,7 +74,7 @@ class Stream:
             self.local = "unix:"
 
     def free_address(self):
-        path = os.path.join(self._folder, f"socket{time.monotonic_ns()}")
+        path = os.path.join(self._folder, f"socket{os.getpid()}_{time.monotonic_ns()}")
         return self.local + path if self.local else f"{self.remote}127.0.0.1:0"
 
     def plain_place(self):

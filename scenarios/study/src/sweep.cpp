@@ -85,23 +85,29 @@ class Sweep::Work {
     }
   }
 
-  void begin() {
-    for (const Reference& reference : study_.references)
-      if (!reference.file.empty()) fingerprint_.add(reference.file);
+  /// All that rows need, whether they are kept or not.
+  void need_references() {
     for (std::size_t k = 0; k < runners_.size(); ++k)
       for (const FileValues& row : study_.tables[k].rows) references_.need(runners_[k].metrics(), row);
     for (std::size_t k = 0; k < references_.size(); ++k)
       if (const ReferenceRun& run = references_.run(k); run.reference->file.empty())
         fingerprint_.add(scenes_.of_reference(*run.reference, run.per));
+      else
+        fingerprint_.add(run.reference->file);
+  }
+
+  void begin() {
+    need_references();
     const std::string made_from = fingerprint_.text(settings_.overrides);
     bool other = false;
     for (std::size_t k = 0; k < runners_.size(); ++k) {
-      rows_.emplace_back(study_.tables[k], runners_[k].header(), settings_.folder, made_from);
-      if (settings_.resume && !rows_.back().keep()) other = true;
-      end_.kept += rows_.back().size();
+      TableRows& rows =
+          rows_.emplace_back(study_.tables[k], runners_[k].header(), settings_.folder, made_from);
+      if (settings_.resume && !rows.keep()) other = true;
+      end_.kept += rows.size();
       end_.rows += study_.tables[k].rows.size();
       for (const FileValues& row : study_.tables[k].rows)
-        if (!rows_.back().has(row)) open_.push_back({k, &row});
+        if (!rows.has(row)) open_.push_back({k, &row});
     }
     if (other)
       end_.notes.emplace_back(
