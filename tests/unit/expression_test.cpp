@@ -66,6 +66,12 @@ TEST(Expressions, AreCompiledOnceForManyValues) {
   }
 }
 
+TEST(Expressions, HaveConstantsThatAreNotAskedFor) {
+  Expression scaled("(2*a)^2*x + b", {{"a", 3.0}, {"b", "word"}});
+  EXPECT_EQ(scaled.numbers(), (std::vector<std::string>{"x", "b"}));
+  EXPECT_EQ(scaled.at(std::array{2.0, 0.5}), 72.5);
+}
+
 TEST(Expressions, StandForValuesAfterADollar) {
   EXPECT_EQ(referred("$how", values), FileValue("lagrange1"));
   EXPECT_EQ(referred("$(step*4)", values), FileValue(4e-3));

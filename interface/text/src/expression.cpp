@@ -56,7 +56,7 @@ std::string shown(const FileValue& value) {
 
 class Expression::Compiled {
  public:
-  explicit Compiled(std::string text) : text_(std::move(text)) {
+  Compiled(std::string text, const FileValues& constants) : text_(std::move(text)) {
     if (text_.size() > longest)
       refuse_expression(text_, fmt::format("goes on; allowed are {} letters", longest));
     std::string plain = text_;
@@ -65,6 +65,8 @@ class Expression::Compiled {
     parser_.DefineNameChars("0123456789_.[]abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
     parser_.DefineConst("_pi", std::numbers::pi);  // muParser's own has 13 digits
     parser_.DefineConst("_e", std::numbers::e);
+    for (const auto& [name, value] : constants)
+      if (const auto* number = std::get_if<double>(&value)) parser_.DefineConst(name, *number);
     for (const Condition& condition : conditions_) {
       parser_.DefineVar(condition.stands_for, &holds_.emplace_back(0.0));
       words_.push_back(condition.name);
@@ -149,7 +151,8 @@ class Expression::Compiled {
   std::deque<double> values_, holds_;  ///< where the parser reads them
 };
 
-Expression::Expression(std::string text) : compiled_(std::make_unique<Compiled>(std::move(text))) {}
+Expression::Expression(std::string text, const FileValues& constants)
+    : compiled_(std::make_unique<Compiled>(std::move(text), constants)) {}
 Expression::~Expression() = default;
 Expression::Expression(Expression&&) noexcept = default;
 Expression& Expression::operator=(Expression&&) noexcept = default;

@@ -92,11 +92,9 @@ class Followed {
  public:
   Followed(const Expression& expression, const scenario::Traces& traces, const FileValues& columns) {
     for (const std::string& name : expression.numbers()) {
-      const auto it = columns.find(name);
-      if (it != columns.end()) {
-        values_.push_back(number(*it));
-        continue;
-      }
+      if (const auto word = columns.find(name); word != columns.end())
+        throw Error(ErrorCode::invalid_argument, "the drift has " + name + ", which is the word " +
+                                                     text::shown(word->second) + "; allowed is a number");
       follow(name, traces.of(output_of(name)));
     }
     if (!first_ || !expression.words().empty())
@@ -131,12 +129,6 @@ class Followed {
                   output_of(name) + " gives no derivative; allowed is der(X) of an output that does");
     followers_.push_back({values_.size(), std::move(courses), course, slope});
     values_.push_back(0.0);
-  }
-
-  static double number(const std::pair<const std::string, FileValue>& column) {
-    if (const auto* number = std::get_if<double>(&column.second)) return *number;
-    throw Error(ErrorCode::invalid_argument, "the drift has " + column.first + ", which is the word " +
-                                                 text::shown(column.second) + "; allowed is a number");
   }
 
   struct Follower {
@@ -200,7 +192,7 @@ Judged judged(const Metric& metric, const TimeTable& run, const TimeTable* refer
 
 double drift(const Metric& metric, const scenario::Traces& traces, const FileValues& columns) {
   return located(metric.formula->place, [&] {
-    Expression expression(with_slopes(metric.formula->text));
+    Expression expression(with_slopes(metric.formula->text), columns);
     Followed followed(expression, traces, columns);
     NormOf departure;
     std::optional<double> start;

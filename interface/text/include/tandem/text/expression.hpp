@@ -23,9 +23,9 @@ std::string shown(const FileValue& value);
 /// hold, else 0.
 class Expression {
  public:
-  /// Throws Error(invalid_argument) with the expression and what is wrong in it; = and a list of values are
-  /// refused.
-  explicit Expression(std::string text);
+  /// constants: numbers of them are part of the expression, and are asked for no more. Throws
+  /// Error(invalid_argument) with the expression and what is wrong in it; = and a list of values are refused.
+  explicit Expression(std::string text, const FileValues& constants = {});
   ~Expression();
   Expression(Expression&&) noexcept;
   Expression& operator=(Expression&&) noexcept;
