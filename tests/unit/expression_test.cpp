@@ -27,6 +27,11 @@ TEST(Expressions, CompareWords) {
     EXPECT_EQ(evaluated(expression, values), value) << expression;
 }
 
+TEST(Expressions, TakeNoNameFromColumnsForTheirConditions) {
+  EXPECT_EQ(evaluated("_c0 + (how is slow)", {{"_c0", 5.0}, {"_c1", 7.0}, {"how", "slow"}}), 6.0);
+  EXPECT_EQ(Expression("_c0*x + sin", {{"_c0", 2.0}, {"sin", 3.0}}).at(std::array{4.0}), 11.0);
+}
+
 TEST(Expressions, CompareOnlyWordsWithWords) {
   const auto refuses = [](const std::string& expression, const std::vector<std::string>& says) {
     EXPECT_TRUE(test::refuses(ErrorCode::invalid_argument, says, [&] { evaluated(expression, values); }))

@@ -64,7 +64,7 @@ std::vector<Condition> take_conditions(std::string& expression) {
     ConditionReader reader(expression, begin);
     auto condition = reader.read();
     if (!condition) continue;
-    condition->stands_for = "_c" + std::to_string(conditions.size());
+    condition->stands_for = "_." + std::to_string(conditions.size());  // no column has a dot
     std::string in_place = "(" + condition->stands_for + ")";
     in_place.resize(std::max(in_place.size(), reader.end() - begin), ' ');
     expression.replace(begin, reader.end() - begin, in_place);

@@ -8,7 +8,7 @@
 #include "settings.hpp"
 #include "tandem/input_file.hpp"
 #include "tandem/scenario/keys.hpp"
-#include "tandem/scenario/scenario.hpp"
+#include "tandem/scenario/scenario_file.hpp"
 #include "tandem/text/nesting.hpp"
 #include "tandem/text/section.hpp"
 #include "tandem/text/series.hpp"

@@ -8,7 +8,7 @@
 #include "refusal.hpp"
 #include "scratch.hpp"
 #include "tandem/scenario/assembly.hpp"
-#include "tandem/scenario/scenario.hpp"
+#include "tandem/scenario/scenario_file.hpp"
 #include "tandem/scenario/sources.hpp"
 #include "tandem/scenario/steps.hpp"
 #include "tandem/scenario/traces.hpp"

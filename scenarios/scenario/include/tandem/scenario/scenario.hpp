@@ -11,7 +11,6 @@
 #include "tandem/coordinator/recorder.hpp"
 #include "tandem/scenario/comparison.hpp"
 #include "tandem/text/place.hpp"
-#include "tandem/text/set_value.hpp"
 #include "tandem/transports/parameters.hpp"
 
 namespace tandem::scenario {
@@ -136,29 +135,5 @@ std::string kind_alone(const std::filesystem::path& file);
 /// Reads a scenario with the overrides of the command line. Throws Error with file, line, the value found and
 /// what is allowed.
 Scenario read(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
-
-/// A value of a scenario by its path, "coordination.schedule".
-struct Setting {
-  std::string key;
-  text::SetValue value;
-};
-
-/// A scenario file, of which the text is read once, and the scenario again and again, each time with other
-/// values. It is parsed once for each list of keys that are set.
-class ScenarioFile {
- public:
-  /// Throws Error for a file that can't be read or is no TOML, and for an override that can't be put in.
-  explicit ScenarioFile(std::filesystem::path file, std::vector<std::string> overrides = {});
-  ~ScenarioFile();
-  ScenarioFile(const ScenarioFile&) = delete;
-  ScenarioFile& operator=(const ScenarioFile&) = delete;
-
-  /// From any thread. Throws as read() does.
-  Scenario with(const std::vector<Setting>& settings) const;
-
- private:
-  class Parsed;
-  std::unique_ptr<Parsed> parsed_;
-};
 
 }  // namespace tandem::scenario

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "tandem/scenario/comparison.hpp"
-#include "tandem/scenario/scenario.hpp"
+#include "tandem/scenario/scenario_file.hpp"
 #include "tandem/text/expression.hpp"
 #include "tandem/text/key_list.hpp"
 
