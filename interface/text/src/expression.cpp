@@ -39,6 +39,15 @@ void refuse_lists_and_assignments(const std::string& e) {
   }
 }
 
+/// Of the thread, so that who evaluates one for each row of a table does not compile it again.
+Expression& kept(const std::string& text) {
+  constexpr std::size_t most = 1000;
+  thread_local std::map<std::string, Expression> all;
+  if (const auto it = all.find(text); it != all.end()) return it->second;
+  if (all.size() >= most) all.clear();
+  return all.emplace(text, Expression(text)).first->second;
+}
+
 /// "; numbers are k, m"; empty if there are none.
 std::string known_numbers(const FileValues& values) {
   std::vector<std::string> names;
@@ -163,7 +172,14 @@ double Expression::value(const FileValues& values) { return compiled_->value(val
 double Expression::at(std::span<const double> numbers) { return compiled_->at(numbers); }
 
 double evaluated(const std::string& expression, const FileValues& values) {
-  return Expression(expression).value(values);
+  return kept(expression).value(values);
+}
+
+std::vector<std::string> names_in(const std::string& expression) {
+  std::vector<std::string> names = kept(expression).numbers();
+  const auto& words = kept(expression).words();
+  names.insert(names.end(), words.begin(), words.end());
+  return names;
 }
 
 FileValue referred(const std::string& text, const FileValues& values) {

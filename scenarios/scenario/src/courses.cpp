@@ -32,32 +32,32 @@ std::size_t Courses::count_between(double begin, double end) const {
 void Courses::move_to(double t, bool again) {
   while (row_ + 1 < table_.times.size() && tolerance_.before(table_.times[row_], t)) ++row_;
   while (again && row_ + 1 < table_.times.size() && !tolerance_.before(t, table_.times[row_ + 1])) ++row_;
-  time_ = t;
+  exact_ = row_ == 0 || !tolerance_.before(t, table_.times[row_]);
+  if (exact_) return;
+  length_ = table_.times[row_] - table_.times[row_ - 1];
+  s_ = (t - table_.times[row_ - 1]) / length_;
 }
 
-Courses::Cubic Courses::cubic(const Course& course) const {
+const Course::Cubic& Courses::cubic(const Course& course) const {
+  if (course.cubic.row == row_) return course.cubic;
   const std::vector<double>& y = table_.columns[course.values];
   const std::vector<double>& slopes = table_.columns[*course.derivatives];
-  const double begin = table_.times[row_ - 1], h = table_.times[row_] - begin, rise = y[row_] - y[row_ - 1];
-  const double d = h * slopes[row_ - 1], e = h * slopes[row_];
-  return {(time_ - begin) / h, h, y[row_ - 1], d, 3.0 * rise - 2.0 * d - e, d + e - 2.0 * rise};
+  const double rise = y[row_] - y[row_ - 1], d = length_ * slopes[row_ - 1], e = length_ * slopes[row_];
+  return course.cubic = {row_, y[row_ - 1], d, 3.0 * rise - 2.0 * d - e, d + e - 2.0 * rise};
 }
 
 double Courses::value(const Course& course) const {
   const std::vector<double>& y = table_.columns[course.values];
-  if (exact()) return y[row_];
-  if (course.derivatives) {
-    const auto [s, h, begin, d, c, e] = cubic(course);
-    return begin + s * (d + s * (c + s * e));
-  }
-  const double begin = table_.times[row_ - 1], s = (time_ - begin) / (table_.times[row_] - begin);
-  return y[row_ - 1] + s * (y[row_] - y[row_ - 1]);
+  if (exact_) return y[row_];
+  if (!course.derivatives) return y[row_ - 1] + s_ * (y[row_] - y[row_ - 1]);
+  const auto& [row, begin, d, c, e] = cubic(course);
+  return begin + s_ * (d + s_ * (c + s_ * e));
 }
 
 double Courses::slope(const Course& course) const {
-  if (exact()) return table_.columns[*course.derivatives][row_];
-  const auto [s, h, begin, d, c, e] = cubic(course);
-  return (d + s * (2.0 * c + s * 3.0 * e)) / h;
+  if (exact_) return table_.columns[*course.derivatives][row_];
+  const auto& [row, begin, d, c, e] = cubic(course);
+  return (d + s_ * (2.0 * c + s_ * 3.0 * e)) / length_;
 }
 
 }  // namespace tandem::scenario

@@ -145,8 +145,7 @@ std::vector<FileValues> Axes::rows(Section& block, std::vector<std::string>& col
   }
   if (const auto where = block.text("where"))
     located(block.place("where"), [&] {
-      text::Expression holds(*where);
-      std::erase_if(rows, [&](const FileValues& row) { return holds.value(row) == 0.0; });
+      std::erase_if(rows, [&](const FileValues& row) { return text::evaluated(*where, row) == 0.0; });
     });
   block.refuse_unknown();
   return rows;

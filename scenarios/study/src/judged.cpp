@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "tandem/coordinator/units.hpp"
 #include "tandem/scenario/courses.hpp"
@@ -16,9 +17,8 @@ using text::Expression;
 using text::TimeTable;
 
 void add_names(const Formula& formula, std::set<std::string>& to) {
-  const Expression expression(formula.text);
-  for (const auto* names : {&expression.numbers(), &expression.words()})
-    to.insert(names->begin(), names->end());
+  const auto names = text::names_in(formula.text);
+  to.insert(names.begin(), names.end());
 }
 
 const std::string slope_of = "der.";
@@ -37,12 +37,6 @@ std::string with_slopes(std::string drift) {
 /// The output of "X" or "der.X".
 std::string output_of(const std::string& name) {
   return name.starts_with(slope_of) ? name.substr(slope_of.size()) : name;
-}
-
-TimeTable zero_of(const TimeTable& table) {
-  TimeTable zero = table;
-  for (auto& column : zero.columns) std::fill(column.begin(), column.end(), 0.0);
-  return zero;
 }
 
 double factor(const Metric& metric, const std::string& unit) {
@@ -64,6 +58,8 @@ double divisor(const Metric& metric, const Difference& d) {
                                                                : 1.0;
   return by > 0.0 ? by : 1.0;  // both are 0 all the time
 }
+
+bool is_in_window(const Metric& metric, double t) { return t >= metric.window.from && t <= metric.window.to; }
 
 /// A sum of squares, a largest and a last one of values over time.
 class NormOf {
@@ -108,11 +104,16 @@ class Followed {
   bool move_to(std::size_t row) {
     const double t = first_->times[row];
     const bool again = row > 0 && first_->times[row - 1] == t;
-    for (Follower& one : followers_) {
+    for (std::size_t k = 0; k < followers_.size(); ++k) {
+      Follower& one = followers_[k];
+      if (one.rows) {
+        values_[k] = (*one.rows)[row];
+        continue;
+      }
       if (!one.courses.covers(t)) return false;
       one.courses.move_to(t, again);
       if (!one.courses.exact() && !one.course.derivatives) return false;
-      values_[one.place] = one.slope ? one.courses.slope(one.course) : one.courses.value(one.course);
+      values_[k] = one.slope ? one.courses.slope(one.course) : one.courses.value(one.course);
     }
     return true;
   }
@@ -127,15 +128,16 @@ class Followed {
     if (slope && !course.derivatives)
       throw Error(ErrorCode::invalid_argument,
                   output_of(name) + " gives no derivative; allowed is der(X) of an output that does");
-    followers_.push_back({values_.size(), std::move(courses), course, slope});
+    const auto& rows = table.columns[slope ? *course.derivatives : course.values];
+    followers_.push_back({std::move(courses), course, slope, table.times == first_->times ? &rows : nullptr});
     values_.push_back(0.0);
   }
 
   struct Follower {
-    std::size_t place;
     scenario::Courses courses;
     scenario::Course course;
     bool slope;
+    const std::vector<double>* rows;  ///< where it has the times of the first
   };
   const TimeTable* first_ = nullptr;
   std::vector<Follower> followers_;
@@ -180,13 +182,29 @@ std::vector<std::string> referred_outputs(const std::vector<const Metric*>& metr
   return {outputs.begin(), outputs.end()};
 }
 
-Judged judged(const Metric& metric, const TimeTable& run, const TimeTable* reference,
-              const std::string& unit) {
+Judged Differences::of(const Metric& metric, const TimeTable& run, const TimeTable& reference,
+                       const std::string& unit) {
   return located(metric.place, [&] {
-    const TimeTable zero = reference ? TimeTable() : zero_of(run);
-    const auto comparison = scenario::compare(run, reference ? *reference : zero, {metric.of}, metric.window);
-    const Difference& d = comparison.columns[0];
-    return Judged{size(metric, d) / divisor(metric, d) * factor(metric, unit), comparison.shift};
+    const auto& [from, to, shift] = std::tie(metric.window.from, metric.window.to, metric.window.shift);
+    scenario::Comparison& one = compared_[{&run, &reference, from, to, shift}];
+    if (one.columns.empty()) one = scenario::compare(run, reference, {metric.of}, metric.window);
+    const Difference& d = one.columns[0];
+    return Judged{size(metric, d) / divisor(metric, d) * factor(metric, unit), one.shift};
+  });
+}
+
+double size_of(const Metric& metric, const TimeTable& run, const std::string& unit) {
+  return located(metric.place, [&] {
+    NormOf own;
+    for (std::size_t row = 0; row < run.times.size(); ++row)
+      if (is_in_window(metric, run.times[row])) own.add(run.columns[0][row]);
+    if (own.empty())
+      throw Error(ErrorCode::invalid_argument,
+                  "metrics." + metric.name + ": " + metric.of + " has no time that counts");
+    const double by = metric.relative == Metric::Relative::peak  ? own.of(Metric::Norm::max)
+                      : metric.relative == Metric::Relative::rms ? own.of(Metric::Norm::rms)
+                                                                 : 1.0;
+    return own.of(metric.norm) / (by > 0.0 ? by : 1.0) * factor(metric, unit);
   });
 }
 
@@ -200,7 +218,7 @@ double drift(const Metric& metric, const scenario::Traces& traces, const FileVal
       if (!followed.move_to(row)) continue;
       const double value = expression.at(followed.values()), t = followed.times()[row];
       if (!start) start = value;
-      if (t >= metric.window.from && t <= metric.window.to) departure.add(value - *start);
+      if (is_in_window(metric, t)) departure.add(value - *start);
     }
     const double by = metric.relative == Metric::Relative::start ? std::abs(start.value_or(0.0)) : 1.0;
     if (departure.empty() || !(by > 0.0))

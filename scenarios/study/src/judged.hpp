@@ -2,8 +2,10 @@
 #pragma once
 #include <map>
 #include <string>
+#include <tuple>
 #include <vector>
 
+#include "tandem/scenario/comparison.hpp"
 #include "tandem/scenario/traces.hpp"
 #include "tandem/study/study.hpp"
 
@@ -21,13 +23,25 @@ std::vector<std::string> judged_outputs(const std::vector<const Metric*>& metric
 std::vector<std::string> referred_outputs(const std::vector<const Metric*>& metrics,
                                           const std::string& reference);
 
-/// A norm of an output's difference from a reference (null: of the output itself), in the unit `unit` of the
-/// output unless the metric has another.
+/// A norm of a difference in the unit of the output, unless the metric has another.
 struct Judged {
   double value, shift;
 };
-Judged judged(const Metric& metric, const text::TimeTable& run, const text::TimeTable* reference,
-              const std::string& unit);
+
+/// Differences of outputs of a run from references. What metrics with the same output, window and reference
+/// are made of is compared once.
+class Differences {
+ public:
+  Judged of(const Metric& metric, const text::TimeTable& run, const text::TimeTable& reference,
+            const std::string& unit);
+
+ private:
+  using Key = std::tuple<const text::TimeTable*, const text::TimeTable*, double, double, double>;
+  std::map<Key, scenario::Comparison> compared_;
+};
+
+/// A norm of an output itself; relative: to the largest magnitude or the rms of its own.
+double size_of(const Metric& metric, const text::TimeTable& run, const std::string& unit);
 
 /// A norm of an expression's departure from its start. columns: those of the row.
 double drift(const Metric& metric, const scenario::Traces& traces, const FileValues& columns);

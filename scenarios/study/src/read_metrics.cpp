@@ -131,11 +131,9 @@ std::optional<Metric> by_name(const Section& section, const std::string& name) {
 
 void check_names(const Formula& formula, const std::string& what, const std::vector<std::string>& known) {
   located(formula.place, [&] {
-    const text::Expression expression(formula.text);
-    for (const auto* names : {&expression.numbers(), &expression.words()})
-      for (const std::string& name : *names)
-        if (std::find(known.begin(), known.end(), name) == known.end())
-          throw Error(ErrorCode::invalid_argument, what + ": " + unknown("name", name, known));
+    for (const std::string& name : text::names_in(formula.text))
+      if (std::find(known.begin(), known.end(), name) == known.end())
+        throw Error(ErrorCode::invalid_argument, what + ": " + unknown("name", name, known));
   });
 }
 

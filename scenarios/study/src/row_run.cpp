@@ -17,11 +17,8 @@ using text::located;
 constexpr std::size_t longest_note = 1000;
 
 bool is_derived(const FileValues& values, const Formula& formula) {
-  const text::Expression expression(formula.text);
-  for (const auto* names : {&expression.numbers(), &expression.words()})
-    for (const std::string& name : *names)
-      if (!values.contains(name)) return false;
-  return true;
+  const auto names = text::names_in(formula.text);
+  return std::all_of(names.begin(), names.end(), [&](const auto& name) { return values.contains(name); });
 }
 
 }  // namespace
@@ -150,18 +147,18 @@ class RowRunner::OneRun {
     const text::TimeTable& run = traces_->of(metric.of);
     const std::string& unit = traces_->unit(metric.of);
     if (metric.against.empty())
-      return set(metric.name, judged(metric, run, nullptr, unit).value * scale(metric));
+      return set(metric.name, size_of(metric, run, unit) * scale(metric));
     const ReferenceRun& reference = all_.references_.of(metric.against, row_);
     if (!reference.failure.empty()) return end("failed", reference.failure);
     if (const auto it = reference.units.find(metric.of); it != reference.units.end() && it->second != unit)
       refuse(metric.place, "metrics." + metric.name + ": " + metric.of + " is in '" + unit +
                                "', and in the reference in '" + it->second + "'; allowed is one unit");
-    const Judged own = judged(metric, run, &reference.tables.at(metric.of), unit);
+    const Judged own = differences_.of(metric, run, reference.tables.at(metric.of), unit);
     set(metric.name, own.value * scale(metric));
     if (metric.window.shift > 0.0) set(metric.name + ".shift", own.shift);
     if (!reference.finer.empty())
       set(metric.name + ".floor",
-          judged(metric, reference.tables.at(metric.of), &reference.finer.at(metric.of), unit).value *
+          differences_.of(metric, reference.tables.at(metric.of), reference.finer.at(metric.of), unit).value *
               scale(metric));
   }
 
@@ -206,6 +203,7 @@ class RowRunner::OneRun {
   std::optional<scenario::Traces> traces_;
   std::map<std::string, std::unique_ptr<CodedMetric>> coded_;
   Observers observers_;
+  Differences differences_;
   RowResult result_;
 };
 

@@ -48,8 +48,10 @@ class Expression {
   std::unique_ptr<Compiled> compiled_;
 };
 
-/// Compiles and evaluates. Throws as both.
+/// Evaluates it; each thread compiles it once. Throws as the class does.
 double evaluated(const std::string& expression, const FileValues& values);
+/// The numbers and words that it asks for.
+std::vector<std::string> names_in(const std::string& expression);
 
 /// What a text that begins with $ stands for: "$NAME" for the value of NAME, "$(EXPRESSION)" for a number.
 /// Throws Error for a name that is not there and as evaluated() does.

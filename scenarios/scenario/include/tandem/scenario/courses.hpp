@@ -12,8 +12,14 @@ namespace tandem::scenario {
 
 /// A column of a table as a function of time.
 struct Course {
+  /// Between a row and the next, y + s (d + s (c + s e)) with s from 0 to 1.
+  struct Cubic {
+    std::size_t row;  ///< the next; 0: none yet
+    double y, d, c, e;
+  };
   std::size_t values;
   std::optional<std::size_t> derivatives;  ///< its column der(NAME), where there is one
+  mutable Cubic cubic = {};                ///< that was asked for last
 };
 
 /// The columns of a table as functions of time, at times that are asked for in rising order.
@@ -32,24 +38,21 @@ class Courses {
   /// again: the second row of this time is wanted, if there is one.
   void move_to(double t, bool again);
   /// Whether there is a row at the time that was moved to.
-  bool exact() const { return row_ == 0 || !tolerance_.before(time_, table_.times[row_]); }
+  bool exact() const { return exact_; }
   /// By Hermite polynomials between rows with derivatives, else by straight lines.
   double value(const Course& course) const;
   /// The derivative of that polynomial. Precondition: it has derivatives.
   double slope(const Course& course) const;
 
  private:
-  /// A cubic between two rows, y + s (d + s (c + s e)) with s from 0 to 1.
-  struct Cubic {
-    double s, h, y, d, c, e;
-  };
-  Cubic cubic(const Course& course) const;
+  const Course::Cubic& cubic(const Course& course) const;
 
   const text::TimeTable& table_;
   TimeTolerance tolerance_;
   std::unordered_map<std::string_view, std::size_t> index_;
   std::size_t row_ = 0;
-  double time_ = 0.0;
+  bool exact_ = true;
+  double length_ = 0.0, s_ = 0.0;  ///< between the row before and this one [s], and where the time is in it
 };
 
 }  // namespace tandem::scenario
