@@ -61,7 +61,7 @@ class TwoInAFolder : public testing::Test {
 TEST_F(TwoInAFolder, TheSecondIsRefusedAndTheFirstEndsAsIfAlone) {
   refused(long_run_to("cut"));
   refused(with(long_run_to("cut"), {"--resume", "cut/checkpoint"}));
-  refused({"sweep", "two_mass", "--output", "cut"});
+  refused({"sweep", two_mass_file("study.toml"), "--output", "cut"});
   refused({"sweep", "split_pendulum", "--output", "cut"});
   refused({"sweep", "kart", "--output", "cut", "--kart", TANDEM_SOURCE_DIR "/scenarios/kart"});
   refused({"ladder", TANDEM_SOURCE_DIR "/scenarios/kart/kart.toml", "--output", "cut"});
@@ -87,8 +87,8 @@ TEST(FolderLockCommand, ARunThatIsRefusedChangesNothingInTheFolder) {
   const Scratch folder;
   ASSERT_EQ(tandem(folder, {"run", two_mass_file("two_mass.toml"), "--no-reference", "--output", "o"}).status,
             0);
-  Background sweep(folder, {"sweep", "two_mass", "--table-only", "--output", "o"});
-  ASSERT_TRUE(sweep.wait_for_file(folder.path() / "o/sweep.json")) << sweep.err();
+  Background sweep(folder, {"sweep", two_mass_file("study.toml"), "--output", "o"});
+  ASSERT_TRUE(sweep.wait_for_file(folder.path() / "o/sweep.part")) << sweep.err();
   kill(sweep.process(), SIGSTOP);
   const auto before = contents_of(folder.path() / "o");
   const Said said = tandem(folder, long_run_to("o"));

@@ -181,9 +181,9 @@ TEST(Help, EveryCommandExplainsItsOptions) {
   expect_words(tandem(folder, {"info", "--help"}), {"SOURCE|FILE"});
   expect_words(tandem(folder, {"list", "--help"}), {"DIR"});
   expect_words(tandem(folder, {"sweep", "--help"}),
-               {"two_mass", "--pairs", "--resume", "--threads", "--level"});
+               {"study", "--table", "--resume", "--threads", "--level"});
   expect_words(tandem(folder, {"ladder", "--help"}), {"--set", "--output", "--repetitions", "Exit status"});
-  expect_words(tandem(folder, {"chart", "--help"}), {"two_mass", "--results", "--png", "gnuplot"});
+  expect_words(tandem(folder, {"chart", "--help"}), {"study", "--results", "--png", "gnuplot"});
   expect_words(tandem(folder, {"bench", "--help"}), {"exchange", "two_mass", "--output"});
   expect_words(tandem(folder, {"--help"}), {"run", "sweep", "chart", "compare", "info", "validate", "list",
                                             "bench", "--version", "--quiet", "--verbose", "--log"});

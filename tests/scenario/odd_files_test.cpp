@@ -71,8 +71,12 @@ TEST_F(OddFiles, AFifoInTheFolderOfResultsIsReadByNoCommand) {
   says({"compare", "o", "o"}, sentence);
   says({"chart", "ladder", "--results", "o"}, sentence);
   fs::create_directory(folder.path() / "s");
-  fifo("s/sweep.json");
-  says({"sweep", "two_mass", "--resume", "--output", "s"}, sentence);
+  fifo("s/schemes.part");
+  const std::string study = TANDEM_SOURCE_DIR "/scenarios/motor_crank/study.toml";
+  says({"sweep", study, "--resume", "--output", "s"}, sentence, 1);
+  fs::create_directory(folder.path() / "c");
+  fifo("c/schemes.csv");
+  says({"chart", study, "--results", "c"}, sentence);
 }
 
 TEST_F(OddFiles, AFifoIsWrittenByNoCommand) {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "command.hpp"
-#include "two_mass/sweep.hpp"
+#include "two_mass/experiment.hpp"
 
 namespace tandem::two_mass_study_tests {
 namespace {
@@ -45,7 +45,7 @@ TEST(StudyOfTwoMass, GivesTheRowsOfItsSweep) {
                  test::two_mass_file(file));
   const test::Scratch folder;
   folder.write("s.toml", text);
-  const test::Said said = test::tandem(folder, {"sweep", "s.toml", "--output", "o"});
+  const test::Said said = test::tandem(folder, {"sweep", "s.toml", "--table", "sweep", "--output", "o"});
   ASSERT_EQ(said.status, 0) << said.err;
   const auto rows = rows_of(read_text(folder.path() / "o/sweep.csv"));
   const auto schemes = two_mass::sweep_schemes(false);

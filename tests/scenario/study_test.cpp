@@ -204,7 +204,8 @@ TEST(Study, ThatIsWrongIsStatusTwoWithASentence) {
   const std::string good = study(few);
   says(good, "linkage.speed", "linkage.sped",
        "s.toml:16: output 'linkage.sped' is not there; did you mean 'linkage.speed'?");
-  says(good, "$(step/2)", "$(stp/2)", "s.toml:6: the expression 'stp/2'");
+  says(good, "$(step/2)", "$(stp/2)",
+       "s.toml:6: set.subsystems.motor.parameters.step: column 'stp' is not there; did you mean 'step'?");
   says(good, "$(step/2)", "$(1/(step - 4e-3))",
        "s.toml:6: the expression '1/(step - 4e-3)' is inf, step = 0.004");
   says(good, "lagrange1", "lagrnge1",

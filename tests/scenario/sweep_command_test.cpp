@@ -5,7 +5,6 @@
 #include "background.hpp"
 #include "command.hpp"
 #include "engine_linkage/sweep.hpp"
-#include "two_mass/sweep.hpp"
 
 namespace tandem {
 namespace {
@@ -16,6 +15,8 @@ using test::Said;
 using test::Scratch;
 using test::tandem;
 
+const std::string study = TANDEM_SOURCE_DIR "/scenarios/motor_crank/study.toml";
+
 std::size_t lines_of(const std::string& text) {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
@@ -25,35 +26,6 @@ TEST(SweepCommand, RefusesALevelThatTheKartHasNot) {
   const Said said = tandem(folder, {"sweep", "kart", "--level", "flat"});
   EXPECT_EQ(said.status, 2);
   EXPECT_NE(said.err.find("spatial_scalar_spin"), std::string::npos) << said.err;
-}
-
-TEST(SweepCommand, InterruptedKeepsItsRowsAndIsResumed) {
-  const Scratch folder;
-  const auto sweep = folder.path() / "o";
-  Background first(folder, {"sweep", "two_mass", "--table-only", "--output", "o"});
-  ASSERT_TRUE(first.wait_for_file(sweep / "sweep.json")) << first.err();
-  EXPECT_EQ(first.end_by(SIGINT), 1);
-  EXPECT_NE(first.err().find("interrupted; "), std::string::npos) << first.err();
-  EXPECT_NE(first.err().find("--resume goes on from there"), std::string::npos) << first.err();
-  const std::string kept = read_text(sweep / "sweep.csv");
-  const Said refused = tandem(folder, {"chart", "two_mass", "--results", "o"});
-  EXPECT_EQ(refused.status, 2);
-  EXPECT_NE(refused.err.find("is missing; 'tandem sweep two_mass --output o --resume' writes it"),
-            std::string::npos)
-      << refused.err;
-
-  const Said said = tandem(folder, {"sweep", "two_mass", "--table-only", "--resume", "--output", "o"});
-  ASSERT_EQ(said.status, 0) << said.err;
-  const std::string all = read_text(sweep / "sweep.csv");
-  const auto cases = two_mass::sweep_ratios().size() * two_mass::sweep_schemes(false).size();
-  EXPECT_LT(lines_of(kept), cases + 1);
-  EXPECT_EQ(lines_of(all), cases + 1);
-  EXPECT_EQ(lines_of(read_text(sweep / "sweep_timings.csv")), cases + 1);
-  for (std::size_t begin = 0, end; (end = kept.find('\n', begin)) != std::string::npos; begin = end + 1)
-    EXPECT_NE(all.find(kept.substr(begin, end + 1 - begin)), std::string::npos);
-  const two_mass::Case one{{"fastest-first", "lagrange3", "mean"}, 30.7};
-  EXPECT_NE(all.find(two_mass::sweep_key(one) + "," + two_mass::sweep_cells(two_mass::run_case(one)) + "\n"),
-            std::string::npos);
 }
 
 TEST(SweepCommand, InterruptedLeavesTheRowsOfTheLinkageThatItHas) {
@@ -71,18 +43,16 @@ TEST(SweepCommand, InterruptedLeavesTheRowsOfTheLinkageThatItHas) {
 
 TEST(SweepCommand, ATableThatCanNotBeWrittenIsStatusOneWithItsReason) {
   const Scratch folder;
-  std::filesystem::create_directories(folder.path() / "o/sweep.csv.part");
-  Background sweep(folder, {"sweep", "two_mass", "--table-only", "--output", "o"});
-  ASSERT_TRUE(sweep.wait_for_file(folder.path() / "o/sweep.json"));
-  EXPECT_EQ(sweep.end_by(SIGINT), 1);
-  EXPECT_NE(sweep.err().find("sweep.csv.part' can't be written: File exists"), std::string::npos)
-      << sweep.err();
+  std::filesystem::create_directories(folder.path() / "o/schemes.csv.part");
+  const Said said = tandem(folder, {"sweep", study, "--output", "o"});
+  EXPECT_EQ(said.status, 1);
+  EXPECT_NE(said.err.find("schemes.csv.part' can't be written: File exists"), std::string::npos) << said.err;
 }
 
 TEST(SweepCommand, AFileInPlaceOfTheFolderIsStatusTwo) {
   const Scratch folder;
   folder.write("o", "");
-  const Said said = tandem(folder, {"sweep", "two_mass", "--output", "o"});
+  const Said said = tandem(folder, {"sweep", study, "--output", "o"});
   EXPECT_EQ(said.status, 2);
   EXPECT_NE(said.err.find("folder 'o' can't be made: "), std::string::npos) << said.err;
 }

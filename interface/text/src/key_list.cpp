@@ -23,11 +23,16 @@ KeyList& KeyList::named(const std::string& path, std::string sentence, std::stri
   return *this;
 }
 
+KeyList& KeyList::by_kind() {
+  with_kinds_ = table_;
+  return *this;
+}
+
 KeyList& KeyList::kind(std::string word, std::string sentence) {
   kinds_ = {std::move(word)};
   table_ = with_kinds_;
-  keys_.push_back(
-      {.path = table_, .type = Key::Type::table, .sentence = std::move(sentence), .kinds = kinds_});
+  const auto type = table_.ends_with("[]") ? Key::Type::tables : Key::Type::table;
+  keys_.push_back({.path = table_, .type = type, .sentence = std::move(sentence), .kinds = kinds_});
   return *this;
 }
 

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <set>
 
-#include "charts/csv_table.hpp"
-#include "charts/style.hpp"
+#include "tandem/charts/csv_table.hpp"
+#include "tandem/charts/style.hpp"
 #include "tandem/error.hpp"
 
 namespace tandem::charts {

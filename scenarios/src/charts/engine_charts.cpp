@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "charts/csv_table.hpp"
-#include "charts/stack.hpp"
-#include "charts/style.hpp"
+#include "tandem/charts/csv_table.hpp"
+#include "tandem/charts/stack.hpp"
+#include "tandem/charts/style.hpp"
 #include "tandem/error.hpp"
 
 namespace tandem::charts {

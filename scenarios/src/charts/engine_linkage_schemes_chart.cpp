@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "charts/csv_table.hpp"
 #include "charts/engine_linkage_charts.hpp"
-#include "charts/style.hpp"
+#include "tandem/charts/csv_table.hpp"
+#include "tandem/charts/style.hpp"
 #include "tandem/error.hpp"
 
 namespace tandem::charts {
@@ -131,8 +131,8 @@ Picture engine_linkage_work_chart(const Work& work, double truth_seconds,
     }
   }
   names.push_back({"", "with lines dt 2 lw 1.6 lc rgb '#404040'", "the truth in one equation"});
-  curves.push_back(
-      {picture.data({{truth_seconds, bottom}, {truth_seconds, top}}), "with lines dt 2 lw 1.6 lc rgb '#404040'"});
+  curves.push_back({picture.data({{truth_seconds, bottom}, {truth_seconds, top}}),
+                    "with lines dt 2 lw 1.6 lc rgb '#404040'"});
   picture.legend({0.04, 0.96, 0.82, 0.95}, names, 3);
   picture.command(std::string(grid_command) + "; unset key; set logscale xy; set format xy '%g'");
   picture.command(fmt::format("set yrange [{}:{}]", bottom, top));

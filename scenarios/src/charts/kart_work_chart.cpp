@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "charts/csv_table.hpp"
 #include "charts/kart_charts.hpp"
-#include "charts/style.hpp"
+#include "tandem/charts/csv_table.hpp"
+#include "tandem/charts/style.hpp"
 #include "tandem/error.hpp"
 
 namespace tandem::charts {

@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "charts/csv_table.hpp"
-#include "charts/style.hpp"
+#include "tandem/charts/csv_table.hpp"
+#include "tandem/charts/style.hpp"
 #include "tandem/error.hpp"
 
 namespace tandem::charts {

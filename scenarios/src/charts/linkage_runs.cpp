@@ -6,8 +6,8 @@
 #include <cmath>
 #include <map>
 
-#include "charts/csv_table.hpp"
-#include "charts/pareto.hpp"
+#include "tandem/charts/csv_table.hpp"
+#include "tandem/charts/pareto.hpp"
 #include "tandem/error.hpp"
 
 namespace tandem::charts {

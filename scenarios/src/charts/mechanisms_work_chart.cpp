@@ -8,8 +8,8 @@
 #include <cmath>
 #include <set>
 
-#include "charts/csv_table.hpp"
-#include "charts/style.hpp"
+#include "tandem/charts/csv_table.hpp"
+#include "tandem/charts/style.hpp"
 #include "tandem/error.hpp"
 
 namespace tandem::charts {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "charts/gnuplot.hpp"
+#include "tandem/charts/gnuplot.hpp"
 
 namespace tandem::charts {
 
@@ -17,8 +17,8 @@ struct FormulationWork {
 /// Throws Error for a file that is no such table.
 std::vector<FormulationWork> read_formulation_work(const std::filesystem::path& file);
 
-/// Error against processor time, a panel for each mechanism; a formulation by its colour, an integrator by its
-/// marker. Throws Error if there are no rows.
+/// Error against processor time, a panel for each mechanism; a formulation by its colour, an integrator by
+/// its marker. Throws Error if there are no rows.
 Picture mechanisms_work_chart(const std::vector<FormulationWork>& work,
                               const std::vector<std::string>& caption);
 

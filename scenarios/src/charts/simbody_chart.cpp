@@ -7,8 +7,8 @@
 #include <array>
 #include <cmath>
 
-#include "charts/pareto.hpp"
-#include "charts/style.hpp"
+#include "tandem/charts/pareto.hpp"
+#include "tandem/charts/style.hpp"
 #include "tandem/error.hpp"
 
 namespace tandem::charts {

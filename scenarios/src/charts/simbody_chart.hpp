@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "charts/gnuplot.hpp"
 #include "charts/linkage_runs.hpp"
+#include "tandem/charts/gnuplot.hpp"
 
 namespace tandem::charts {
 

@@ -10,8 +10,8 @@
 #include <set>
 #include <tuple>
 
-#include "charts/csv_table.hpp"
-#include "charts/style.hpp"
+#include "tandem/charts/csv_table.hpp"
+#include "tandem/charts/style.hpp"
 #include "tandem/error.hpp"
 
 namespace tandem::charts {

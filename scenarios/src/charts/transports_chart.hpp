@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "charts/gnuplot.hpp"
+#include "tandem/charts/gnuplot.hpp"
 
 namespace tandem::charts {
 

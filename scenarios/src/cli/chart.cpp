@@ -3,10 +3,13 @@
 
 #include <algorithm>
 
+#include "cli/chart_file.hpp"
 #include "cli/chart_scenes.hpp"
 #include "cli/commands.hpp"
 #include "cli/say.hpp"
+#include "tandem/charts/draw.hpp"
 #include "tandem/error.hpp"
+#include "tandem/nearest.hpp"
 
 namespace tandem::cli {
 namespace {
@@ -40,40 +43,60 @@ std::string draw(const std::vector<charts::Picture>& pictures, const fs::path& f
   return files;
 }
 
-void chart(const ChartOptions& options, const Context& context) {
-  const auto scenes = chart_scenes();
-  const auto scene = std::find_if(scenes.begin(), scenes.end(),
-                                  [&](const ChartScene& s) { return options.scene == s.name; });
-  const fs::path folder = options.results.empty() ? fs::path(scene->folder) : options.results;
-  check_results(*scene, folder);
-  const Drawing drawing = scene->draw(folder);
-  const std::string files = draw(drawing.pictures, folder, options.png);
-  if (context.quiet) return;
-  if (!drawing.table.empty()) say("{}\n", drawing.table);
-  say("Charts\n{}", files);
-}
-
 std::vector<std::string> scene_names() {
   std::vector<std::string> names;
   for (const ChartScene& scene : chart_scenes()) names.emplace_back(scene.name);
   return names;
 }
 
+/// A file, or scenarios/NAME/study.toml.
+fs::path file_of(const std::string& name) {
+  return name.ends_with(".toml") ? fs::path(name) : fs::path("scenarios") / name / "study.toml";
+}
+
+charts::Drawing of_file(const ChartOptions& options, fs::path& folder) {
+  const ChartFile file = read_chart_file(file_of(options.scene));
+  if (folder.empty()) folder = file.results;
+  return charts::draw(file.charts, folder, file.only_table);
+}
+
+charts::Drawing of_scene(const ChartOptions& options, fs::path& folder) {
+  const auto scenes = chart_scenes();
+  const auto scene = std::find_if(scenes.begin(), scenes.end(),
+                                  [&](const ChartScene& s) { return options.scene == s.name; });
+  if (scene == scenes.end())
+    throw Error(ErrorCode::invalid_argument, unknown("scene", options.scene, scene_names()) + ", and files");
+  if (folder.empty()) folder = scene->folder;
+  check_results(*scene, folder);
+  Drawing drawing = scene->draw(folder);
+  return {std::move(drawing.pictures), std::move(drawing.table)};
+}
+
+void chart(const ChartOptions& options, const Context& context) {
+  fs::path folder = options.results;
+  const auto drawing =
+      fs::exists(file_of(options.scene)) ? of_file(options, folder) : of_scene(options, folder);
+  const std::string files = draw(drawing.pictures, folder, options.png);
+  if (context.quiet) return;
+  if (!drawing.words.empty()) say("{}\n", drawing.words);
+  say("Charts\n{}", files);
+}
+
 }  // namespace
 
 void add_chart(CLI::App& app, Context& context) {
-  auto* command = app.add_subcommand(
-      "chart",
-      "Draw the charts of a sweep or a benchmark; of two_mass print which scheme is best at which ratio, of "
-      "simbody the times at 1 mm");
+  auto* command = app.add_subcommand("chart",
+                                     "Draw the charts of a study, a sweep or a benchmark; print what is best "
+                                     "in maps, and of simbody the times "
+                                     "at 1 mm");
   auto options = std::make_shared<ChartOptions>();
   command
       ->add_option("scene", options->scene,
-                   "A sweep: two_mass, split_pendulum, engine, engine_linkage, kart, mechanisms, four_bar; a "
+                   "A study or a file of charts, FILE.toml, or NAME of scenarios/NAME/study.toml; or a "
+                   "sweep: split_pendulum, engine, engine_linkage, kart, mechanisms, four_bar; a "
                    "ladder; or a benchmark: four_bar_cost (of bench four_bar), engine_linkage_elsewhere (of "
                    "bench engine_linkage), solvers, dense, threads, transports, simbody")
-      ->required()
-      ->check(CLI::IsMember(scene_names()));
+      ->required();
   command
       ->add_option("--results", options->results,
                    "Folder of the sweep or benchmark; the charts go there too (default: where these write by "

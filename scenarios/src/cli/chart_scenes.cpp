@@ -14,28 +14,15 @@
 #include "charts/simbody_chart.hpp"
 #include "charts/solver_map_chart.hpp"
 #include "charts/split_pendulum_chart.hpp"
-#include "charts/style.hpp"
 #include "charts/threads_chart.hpp"
 #include "charts/transports_chart.hpp"
-#include "charts/two_mass_best.hpp"
-#include "charts/two_mass_charts.hpp"
+#include "tandem/charts/style.hpp"
 
 namespace tandem::cli {
 namespace {
 
 namespace fs = std::filesystem;
 using charts::conditions_caption;
-
-Drawing two_mass(const fs::path& folder) {
-  const auto caption = conditions_caption(folder / "conditions.json", 165);
-  const auto sweep = charts::read_sweep(folder / "sweep.csv");
-  const auto traces = charts::read_traces(folder / "traces.csv");
-  const auto work = charts::read_work(folder / "work.csv");
-  return {{charts::errors_chart(sweep, caption), charts::motion_fr90_chart(traces, caption),
-           charts::energy_fr30_chart(traces, caption), charts::motion_fr30_chart(traces, caption),
-           charts::work_precision_chart(work, caption), charts::best_scheme_chart(sweep, caption)},
-          charts::short_table(sweep)};
-}
 
 Drawing split_pendulum(const fs::path& folder) {
   const auto caption = conditions_caption(folder / "conditions.json", 180);
@@ -133,11 +120,6 @@ Drawing simbody(const fs::path& folder) {
 }
 
 const ChartScene scenes[] = {
-    {"two_mass",
-     "results/two_mass",
-     "sweep two_mass --output {} --resume",
-     {"sweep.csv", "traces.csv", "work.csv", "conditions.json"},
-     two_mass},
     {"split_pendulum",
      "results/split_pendulum",
      "sweep split_pendulum --output {}",

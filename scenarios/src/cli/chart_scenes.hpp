@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "charts/gnuplot.hpp"
+#include "tandem/charts/gnuplot.hpp"
 
 namespace tandem::cli {
 

@@ -10,6 +10,7 @@
 #include "cli/say.hpp"
 #include "metrics/all.hpp"
 #include "tandem/error.hpp"
+#include "tandem/output/files.hpp"
 #include "tandem/study/sweep.hpp"
 
 namespace tandem::cli {
@@ -61,7 +62,8 @@ std::string told(const study::SweepEnd& end) {
 }  // namespace
 
 void sweep_study(const StudySweep& settings, const Context& context) {
-  const auto study = study::read(settings.file);
+  auto study = study::read(settings.file);
+  if (!settings.tables.empty()) study.keep_tables(settings.tables);
   const fs::path folder = folder_of(settings);
   study::Sweep sweep(study, context.builtins,
                      {folder, settings.overrides, all_metrics(), settings.threads, settings.resume});
@@ -69,6 +71,7 @@ void sweep_study(const StudySweep& settings, const Context& context) {
     for (const std::string& line : sweep.plan()) say("{}\n", line);
     return;
   }
+  output::check_folder(folder);
   const auto end = swept(sweep, context);
   for (const std::string& note : end.notes) spdlog::warn("note: {}", printable(note));
   if (end.interrupted)

@@ -12,6 +12,7 @@ struct StudySweep {
   std::filesystem::path file;
   std::filesystem::path output;  ///< empty: results/FOLDER, the folder that the study lies in
   std::vector<std::string> overrides;
+  std::vector<std::string> tables;  ///< those that are made; empty: all
   unsigned threads;
   bool resume, dry;
 };

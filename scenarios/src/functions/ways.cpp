@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "charts/program.hpp"
+#include "tandem/charts/program.hpp"
 #include "functions/double_pendulum.hpp"
 #include "tandem/error.hpp"
 #include "tandem/mbs/functions/function_model.hpp"

@@ -65,10 +65,12 @@ enum class Of { amplitude, phase };
 
 class FastMode final : public study::CodedMetric {
  public:
-  FastMode(const Topology& topology, const Settings& settings, const TimeSpan& span, Of of)
+  /// name: the subsystem whose first output is x1.
+  FastMode(const Topology& topology, const std::string& name, const Settings& settings, const TimeSpan& span,
+           Of of)
       : model_(settings),
         of_(of),
-        fast_(subsystem(topology, "fast")),
+        fast_(subsystem(topology, name)),
         from_(span.stop - fitted_cycles),
         enough_(from_ >= span.start),
         tolerance_(span.start),
@@ -105,18 +107,22 @@ class FastMode final : public study::CodedMetric {
   ModeFit fit_;
 };
 
+std::function<std::unique_ptr<study::CodedMetric>(const Coordinator&, const TimeSpan&, Parameters&)>
+fast_mode(Of of) {
+  return [of](const Coordinator& run, const TimeSpan& span, Parameters& p) {
+    const std::string name = p.text("subsystem", "fast");
+    return std::make_unique<FastMode>(run.topology(), name, Settings::from(p), span, of);
+  };
+}
+
 }  // namespace
 
 void add_metrics(study::CodedMetrics& to) {
   to["two_mass.exchange_energy_error"] = [](const Coordinator& run, const TimeSpan& span, Parameters& p) {
     return std::make_unique<ExchangeEnergy>(run.topology(), Settings::from(p), span);
   };
-  to["two_mass.amplitude_error"] = [](const Coordinator& run, const TimeSpan& span, Parameters& p) {
-    return std::make_unique<FastMode>(run.topology(), Settings::from(p), span, Of::amplitude);
-  };
-  to["two_mass.phase_error"] = [](const Coordinator& run, const TimeSpan& span, Parameters& p) {
-    return std::make_unique<FastMode>(run.topology(), Settings::from(p), span, Of::phase);
-  };
+  to["two_mass.amplitude_error"] = fast_mode(Of::amplitude);
+  to["two_mass.phase_error"] = fast_mode(Of::phase);
 }
 
 }  // namespace tandem::two_mass

@@ -18,10 +18,4 @@ nlohmann::ordered_json conditions(const Measured& measured) {
           {"repetitions", measured.repetitions}};
 }
 
-nlohmann::ordered_json conditions(int repetitions) {
-  auto all = conditions(Measured{"exact motion", "(FR/N) rms(x1 - x1_exact) / rms(x1_exact)", ""});
-  all["repetitions"] = repetitions;
-  return all;
-}
-
 }  // namespace tandem::output

@@ -13,7 +13,5 @@ struct Measured {
 /// Under which conditions figures were taken: processor, cores, commit, version, compiler, reference, error
 /// norm, repetitions.
 nlohmann::ordered_json conditions(const Measured& measured);
-/// Those of the two-mass test.
-nlohmann::ordered_json conditions(int repetitions);
 
 }  // namespace tandem::output

@@ -40,11 +40,8 @@ class Differences {
   std::map<Key, scenario::Comparison> compared_;
 };
 
-/// A norm of an output itself; relative: to the largest magnitude or the rms of its own.
+/// A norm of an output itself.
 double size_of(const Metric& metric, const text::TimeTable& run, const std::string& unit);
-
-/// A norm of an expression's departure from its start. columns: those of the row.
-double drift(const Metric& metric, const scenario::Traces& traces, const FileValues& columns);
 
 /// "1" of a fraction, else that of the metric or of the output.
 std::string unit_of(const Metric& metric, const std::string& of_output);

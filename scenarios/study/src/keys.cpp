@@ -15,7 +15,9 @@ void of_file(KeyList& to) {
       .may("columns", texts, "What a row has first, in this order: columns and metrics. The others follow.")
       .table("lists", "Values that axes name: an array, or a table of columns that move together.")
       .may("NAME", any, "A list.", {.allowed = "an array, `{ range = .. }`, or a table of these"})
-      .table("set", "Keys of the scenario (those of `--set`) with what each is set to.")
+      .table("set",
+             "Keys of the scenario (those of `--set`) with what each is set to, in tables that have the "
+             "columns in it.")
       .may("NAME", any, "In quotes where it has dots.",
            {.allowed = "a number, true, false, a text, `\"$COLUMN\"` or `\"$(EXPRESSION)\"` of columns"});
 }
@@ -42,7 +44,8 @@ void of_references(KeyList& to) {
       .may("scenario", text,
            "Of a run: the scenario, relative to the study's folder. Without it: the study's.",
            {.allowed = "a file, or \"$COLUMN\""})
-      .may("per", texts, "Columns: one run for each of their values.")
+      .may("per", texts,
+           "Columns: one run for each of their values. Those that a table has not are left out.")
       .may("floor", flag,
            "A second run, with half the own steps and the communication step, tells the error of the "
            "reference itself, as METRIC.floor.",
@@ -59,10 +62,12 @@ void of_references(KeyList& to) {
 
 void of_metrics(KeyList& to) {
   using enum text::Key::Type;
-  to.named("metrics", "Numbers that each row has.",
-           "One of them. By its name alone: `exchanges = {}` (calls of subsystems) and `\"steps.INSTANCE\" = "
-           "{}` (own "
-           "steps). Else one of `of`, `drift`, `formula` and `builtin`.")
+  to.named(
+        "metrics", "Numbers that each row has.",
+        "One of them. By its name alone: `exchanges = {}` (calls of subsystems) and `\"steps.INSTANCE\" = "
+        "{}` (own steps); times, in tables whose `metrics` name them, or if there is one table: `seconds = "
+        "{}` (wall time, and processor time as seconds.processor), `\"share.INSTANCE\" = {}` and "
+        "`real_time_factor = {}`. Else one of `of`, `drift`, `formula` and `builtin`.")
       .may(
           "of", text,
           "An output, compared with that of a reference, at the rows of the one that has fewer; the other is "
@@ -90,8 +95,29 @@ void of_metrics(KeyList& to) {
            "The run may be so much later or earlier as a whole; by how much it is is told as METRIC.shift.",
            {.unit = "s"})
       .may("unit", text, "That the number is told in. Without it: that of the output.")
+      .may("repetitions", positive, "Of `seconds` and `real_time_factor`: the least of so many runs.",
+           {.otherwise = "3"})
       .table("metrics.NAME.with", "Parameters of a `builtin`.")
       .may("NAME", any, "As it knows it.", {.allowed = "as in `[set]`"});
+}
+
+void of_kept(KeyList& to) {
+  using enum text::Key::Type;
+  to.table("keep[]", "Runs whose outputs over time are written to TABLE.series.csv.")
+      .need("name", text, "In the column `kept`.")
+      .may("table", text, "Without it: the only one.")
+      .may("where", text, "Rows of it. Without it: all.", {.allowed = "an expression of columns and metrics"})
+      .may("least", text, "Of these the one with the smallest value.", {.allowed = "a metric"})
+      .may("most", text, "Of these the one with the largest value.", {.allowed = "a metric"})
+      .may("per", texts, "Columns: one for each of their values.")
+      .need("outputs", texts,
+            "The first gives the times, the rows of its subsystem. Others are interpolated there.")
+      .may("drifts", texts, "Metrics with `drift`, over time.")
+      .may("against", text,
+           "The reference whose outputs stand beside them, as OUTPUT.REFERENCE. Without it: the "
+           "only one, if there is one.",
+           {.allowed = "a reference, or `none`"})
+      .may("every", positive, "Rows are at least so far apart. Without it: all rows.", {.unit = "s"});
 }
 
 void of_verdicts(KeyList& to) {
@@ -107,7 +133,8 @@ void of_verdicts(KeyList& to) {
 const text::Keys& keys() {
   static const text::Keys all = [] {
     KeyList list;
-    for (const auto part : {of_file, of_tables, of_references, of_metrics, of_verdicts}) part(list);
+    for (const auto part : {of_file, of_tables, of_references, of_metrics, of_verdicts, of_kept}) part(list);
+    charts::add_keys(list);
     return text::Keys(std::move(list).list());
   }();
   return all;

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "axes.hpp"
+#include "read_kept.hpp"
 #include "read_metrics.hpp"
 #include "row_key.hpp"
 #include "tandem/nearest.hpp"
@@ -44,11 +45,15 @@ class Reader {
                     root_.place("scenario")};
     to_.set = all_given(root_, "set");
     read_tables();
+    for (const Given& one : to_.set) check_columns(one, "set");
     read_references();
     read_metrics(root_, to_);
     order_columns();
     to_.lost = read_when("lost");
     to_.unstable = read_when("unstable");
+    read_kept(root_, to_);
+    to_.charts = charts::read_charts(root_);
+    for (const charts::Chart& chart : to_.charts.all) check_columns(chart);
     root_.refuse_unknown();
   }
 
@@ -110,7 +115,25 @@ class Reader {
     section.refuse_unknown();
     for (const std::string& column : one.per) check_column(section.place("per"), section.name("per"), column);
     for (const Given& with : one.with) check_column(with.place, section.name("with"), with.name);
+    for (const Given& set : one.set) check_columns(set, section.name("set"));
     return one;
+  }
+
+  /// Of a chart of one of its tables. Others may come from elsewhere.
+  void check_columns(const charts::Chart& chart) const {
+    for (const Table& table : to_.tables) {
+      const bool only = chart.table.empty() && to_.tables.size() == 1;
+      const bool series = chart.table == table.name + ".series";
+      if (!only && !series && chart.table != table.name) continue;
+      const auto known = series ? to_.columns_of_series(table) : to_.columns_of(table);
+      for (const charts::Quantity& one : charts::columns_of(chart))
+        if (!has(known, one.text))
+          refuse(one.place, "charts." + chart.name + ": " + unknown("column", one.text, known));
+    }
+  }
+
+  void check_columns(const Given& one, const std::string& table) const {
+    for (const std::string& column : one.columns()) check_column(one.place, table + "." + one.name, column);
   }
 
   void check_column(const Place& place, const std::string& what, const std::string& column) const {
@@ -138,10 +161,17 @@ class Reader {
       for (const std::string& name : chosen)
         if (!has(metrics, name))
           refuse(section.place("metrics"), section.name("metrics") + ": " + unknown("metric", name, metrics));
-      table.metrics = section.node("metrics") ? chosen : metrics;
+      table.metrics = section.node("metrics") ? chosen : to_.tables.size() == 1 ? metrics : without_times();
       table.header = header(own.empty() ? first : own, table);
       section.refuse_unknown();
     }
+  }
+
+  std::vector<std::string> without_times() const {
+    std::vector<std::string> names;
+    for (const Metric& metric : to_.metrics)
+      if (!metric.is_time()) names.push_back(metric.name);
+    return names;
   }
 
   static std::vector<std::string> header(const std::vector<std::string>& first, const Table& table) {
@@ -179,6 +209,13 @@ std::vector<Given> all_given(Section& section, const std::string& key) {
   return all;
 }
 
+std::vector<std::string> Given::columns() const {
+  const auto* text = std::get_if<std::string>(&value);
+  if (!text || !text->starts_with("$")) return {};
+  if (!text->starts_with("$(")) return {text->substr(1)};
+  return located(place, [&] { return text::names_in(text->substr(2, text->size() - 3)); });
+}
+
 text::SetValue Given::with(const FileValues& columns) const {
   const auto* text = std::get_if<std::string>(&value);
   if (!text || !text->starts_with("$")) return value;
@@ -196,6 +233,31 @@ std::vector<std::string> Study::columns() const {
   return names;
 }
 
+std::vector<std::string> Study::columns_of(const Table& table) const {
+  std::vector<std::string> all;
+  for (const std::string& name : table.header) {
+    const auto names = has(table.metrics, name) ? names_of(metric(name)) : std::vector{name};
+    all.insert(all.end(), names.begin(), names.end());
+  }
+  return all;
+}
+
+std::vector<std::string> Study::columns_of_series(const Table& table) const {
+  std::vector<std::string> all = table.columns;
+  all.insert(all.end(), {"kept", "time"});
+  const auto add = [&all](const std::string& name) {
+    if (!has(all, name)) all.push_back(name);
+  };
+  for (const Kept& one : kept) {
+    if (one.table != table.name) continue;
+    for (const std::string& output : one.outputs) add(output);
+    for (const std::string& output : one.outputs)
+      if (!one.against.empty()) add(output + "." + one.against);
+    for (const std::string& drift : one.drifts) add(drift);
+  }
+  return all;
+}
+
 const Reference& Study::reference(const std::string& name) const {
   return *std::find_if(references.begin(), references.end(),
                        [&](const Reference& one) { return one.name == name; });
@@ -209,7 +271,23 @@ std::vector<std::string> Study::names_of(const Metric& metric) const {
   std::vector<std::string> names = {metric.name};
   if (metric.window.shift > 0.0) names.push_back(metric.name + ".shift");
   if (!metric.against.empty() && reference(metric.against).floor) names.push_back(metric.name + ".floor");
+  if (metric.kind == Metric::Kind::seconds) names.push_back(metric.name + ".processor");
   return names;
+}
+
+void Study::keep_tables(const std::vector<std::string>& names) {
+  std::vector<std::string> known;
+  for (const Table& table : tables) known.push_back(table.name);
+  for (const std::string& name : names)
+    if (!has(known, name))
+      throw Error(ErrorCode::invalid_argument, file.string() + ": " + unknown("table", name, known));
+  std::erase_if(tables, [&](const Table& table) { return !has(names, table.name); });
+  std::erase_if(kept, [&](const Kept& one) { return !has(names, one.table); });
+}
+
+bool Study::is_timed(const Table& table) const {
+  return std::any_of(table.metrics.begin(), table.metrics.end(),
+                     [this](const std::string& name) { return metric(name).is_time(); });
 }
 
 Study read(const std::filesystem::path& file) {

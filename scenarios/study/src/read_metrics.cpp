@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "axes.hpp"
 #include "tandem/nearest.hpp"
@@ -12,7 +13,7 @@ namespace {
 
 using text::Section;
 
-const std::string steps = "steps.", none = "none";
+const std::string steps = "steps.", share = "share.", none = "none";
 
 std::vector<std::string> names_of(const std::vector<Reference>& references) {
   std::vector<std::string> names;
@@ -29,6 +30,8 @@ Metric::Relative relative_of(const std::optional<std::string>& word) {
   return !word ? no : *word == "peak" ? peak : *word == "rms" ? rms : start;
 }
 
+const std::string names_alone = "exchanges, steps.INSTANCE, seconds, share.INSTANCE and real_time_factor";
+
 /// One metric of a table with keys.
 class MetricReader {
  public:
@@ -44,8 +47,7 @@ class MetricReader {
     if (of.has_value() + drift.has_value() + formula.has_value() + coded.has_value() != 1)
       section_.missing(
           "of",
-          "one of `of`, `drift`, `formula` and `builtin`; by their names alone there are exchanges "
-          "and steps.INSTANCE");
+          "one of `of`, `drift`, `formula` and `builtin`; by their names alone there are " + names_alone);
     metric_.kind = of        ? Metric::Kind::output
                    : drift   ? Metric::Kind::drift
                    : formula ? Metric::Kind::formula
@@ -57,6 +59,7 @@ class MetricReader {
     read_norm();
     read_reference();
     refuse_what_has_no_meaning();
+    section_.leave_out("repetitions", "it is no time");
     section_.refuse_unknown();
     return std::move(metric_);
   }
@@ -118,15 +121,27 @@ class MetricReader {
   Metric metric_{};
 };
 
-/// By its name alone; nothing if it has keys.
-std::optional<Metric> by_name(const Section& section, const std::string& name) {
-  if (!section.table().empty()) return {};
-  if (name == "exchanges")
-    return Metric{.name = name, .kind = Metric::Kind::exchanges, .place = section.place()};
-  if (name.starts_with(steps))
-    return Metric{
-        .name = name, .kind = Metric::Kind::steps, .of = name.substr(steps.size()), .place = section.place()};
-  return {};
+/// Of a time the runs of which it is the least, its only key.
+int repetitions(Section& section) {
+  constexpr double most = 1000.0;
+  const toml::node* found = section.node("repetitions");
+  const double count = found ? section.number_of(*found, section.name("repetitions")) : 3.0;
+  if (!(count >= 1.0) || count > most || count != std::floor(count))
+    section.wrong("repetitions", text::described(*found), "a whole number from 1 to 1000");
+  return static_cast<int>(count);
+}
+
+/// By its name alone; nothing if it has other keys.
+std::optional<Metric> by_name(Section& section, const std::string& name) {
+  using Kind = Metric::Kind;
+  const bool is_time = name == "seconds" || name == "real_time_factor";
+  if (section.table().size() > (is_time && section.table().contains("repetitions") ? 1U : 0U)) return {};
+  Metric one{.name = name, .kind = Kind::exchanges, .place = section.place()};
+  if (is_time)
+    one.kind = name == "seconds" ? Kind::seconds : Kind::real_time, one.repetitions = repetitions(section);
+  if (name.starts_with(steps)) one.kind = Kind::steps, one.of = name.substr(steps.size());
+  if (name.starts_with(share)) one.kind = Kind::share, one.of = name.substr(share.size());
+  return is_time || name == "exchanges" || !one.of.empty() ? std::optional(one) : std::nullopt;
 }
 
 void check_names(const Formula& formula, const std::string& what, const std::vector<std::string>& known) {
@@ -148,7 +163,8 @@ void read_metrics(Section& root, Study& to) {
       refuse(section.place(),
              "metrics." + name +
                  ": allowed names have letters, digits and _, no digit first; by their names "
-                 "alone there are exchanges and steps.INSTANCE");
+                 "alone there are " +
+                 names_alone);
     for (const Table& table : to.tables)
       if (std::find(table.columns.begin(), table.columns.end(), name) != table.columns.end())
         refuse(section.place(), "metrics." + name + " has the name of a column of the table " + table.name);

@@ -29,6 +29,12 @@ TimeTable one_of(const TimeTable& table, const std::string& own, const std::stri
   return one;
 }
 
+std::vector<std::string> columns_of(const FileValues& row) {
+  std::vector<std::string> columns;
+  for (const auto& [column, value] : row) columns.push_back(column);
+  return columns;
+}
+
 }  // namespace
 
 std::string ReferenceRun::text() const {
@@ -36,24 +42,27 @@ std::string ReferenceRun::text() const {
   return "reference " + reference->name + (values.empty() ? "" : " (" + values + ")");
 }
 
+/// Rows with other columns leave other keys of the scenario alone.
 std::string References::key(const Reference& reference, const FileValues& row) {
-  return reference.name + '\n' + row_key(reference.per, row);
+  std::string key = reference.name + '\n' + row_key(reference.per, row);
+  for (const std::string& column : columns_of(row)) key += '\n' + column;
+  return key;
 }
 
-void References::need(const std::vector<const Metric*>& metrics, const FileValues& row) {
+void References::need(const std::vector<const Metric*>& metrics, const Table& table, const FileValues& row) {
   for (const Reference& reference : study_.references) {
-    const auto outputs = referred_outputs(metrics, reference.name);
+    auto outputs = referred_outputs(metrics, reference.name);
+    for (const Kept& kept : study_.kept)
+      if (kept.table == table.name && kept.against == reference.name)
+        outputs.insert(outputs.end(), kept.outputs.begin(), kept.outputs.end());
     if (outputs.empty()) continue;
     FileValues per;
-    for (const std::string& column : reference.per) {
-      const auto it = row.find(column);
-      if (it == row.end())
-        refuse(reference.place, "references." + reference.name + ".per: a row has no column " + column);
-      per[column] = it->second;
-    }
+    for (const std::string& column : reference.per)
+      if (const auto it = row.find(column); it != row.end()) per[column] = it->second;
     ReferenceRun*& run = by_key_[key(reference, row)];
     if (!run)
-      run = runs_.emplace_back(std::make_unique<ReferenceRun>(ReferenceRun{&reference, per, {}})).get();
+      run = runs_.emplace_back(std::make_unique<ReferenceRun>(ReferenceRun{&reference, per, columns_of(row)}))
+                .get();
     for (const std::string& output : outputs)
       if (std::find(run->outputs.begin(), run->outputs.end(), output) == run->outputs.end())
         run->outputs.push_back(output);
@@ -85,7 +94,7 @@ void References::read(ReferenceRun& run) const {
 }
 
 void References::simulate(ReferenceRun& run, const std::function<bool()>& going) {
-  scenario::Scenario scenario = scenes_.of_reference(*run.reference, run.per);
+  scenario::Scenario scenario = scenes_.of_reference(*run.reference, run.per, run.columns);
   scenario::Scenario finer = scenario;
   if (run.reference->floor)
     located(run.reference->place, [&] { scenario::scale_steps(finer, builtins_, 0.5); });

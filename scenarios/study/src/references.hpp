@@ -16,8 +16,9 @@ namespace tandem::study {
 struct ReferenceRun {
   const Reference* reference;
   FileValues per;
-  std::vector<std::string> outputs;  ///< by the names in the study
-  std::string failure = {};          ///< a sentence; empty: it is there
+  std::vector<std::string> columns;       ///< of the rows that need it
+  std::vector<std::string> outputs = {};  ///< by the names in the study
+  std::string failure = {};               ///< a sentence; empty: it is there
   OutputTables tables = {}, finer = {};
   std::map<std::string, std::string> units = {};
 
@@ -31,7 +32,7 @@ class References {
       : study_(study), scenes_(scenes), builtins_(builtins) {}
 
   /// Before they are made. Throws Error for a row that lacks a column in `per`.
-  void need(const std::vector<const Metric*>& metrics, const FileValues& row);
+  void need(const std::vector<const Metric*>& metrics, const Table& table, const FileValues& row);
   std::size_t size() const { return runs_.size(); }
   const ReferenceRun& run(std::size_t which) const { return *runs_[which]; }
   /// Reads or runs one: different ones at the same time. A run that fails is told in it; throws Error for

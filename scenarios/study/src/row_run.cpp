@@ -3,11 +3,13 @@
 
 #include <algorithm>
 
+#include "drift.hpp"
 #include "observers.hpp"
 #include "tandem/coordinator/bounds.hpp"
 #include "tandem/nearest.hpp"
 #include "tandem/printable.hpp"
 #include "tandem/scenario/assembly.hpp"
+#include "timing.hpp"
 
 namespace tandem::study {
 namespace {
@@ -26,8 +28,8 @@ bool is_derived(const FileValues& values, const Formula& formula) {
 /// From a scenario to what it is judged by.
 class RowRunner::OneRun {
  public:
-  OneRun(const RowRunner& all, const FileValues& row)
-      : all_(all), row_(row), scenario_(all.scenes_.of_row(row)) {}
+  OneRun(const RowRunner& all, const FileValues& row, std::vector<std::string> outputs)
+      : all_(all), row_(row), outputs_(std::move(outputs)), scenario_(all.scenes_.of_row(row)) {}
 
   /// False: it is refused.
   bool begin() {
@@ -38,7 +40,7 @@ class RowRunner::OneRun {
     }
     check_subsystems();
     located([this](const std::string& sentence) { return place_named_in(sentence); },
-            [this] { traces_.emplace(assembly_->topology(), all_.outputs_, "the run"); });
+            [this] { traces_.emplace(assembly_->topology(), outputs_, "the run"); });
     observers_.add(*traces_);
     add_coded();
     assembly_->coordinator().observe(&observers_);
@@ -103,12 +105,12 @@ class RowRunner::OneRun {
     return made;
   }
 
-  /// Those whose steps are counted are there.
+  /// Those whose steps are counted, or whose share is told, are there.
   void check_subsystems() const {
     std::vector<std::string> names;
     for (int i = 0; i < assembly_->topology().size(); ++i) names.push_back(assembly_->topology().name(i));
     for (const Metric* metric : all_.metrics_)
-      if (metric->kind == Metric::Kind::steps &&
+      if ((metric->kind == Metric::Kind::steps || metric->kind == Metric::Kind::share) &&
           std::find(names.begin(), names.end(), metric->of) == names.end())
         refuse(metric->place, "metrics.\"" + metric->name + "\": " + unknown("subsystem", metric->of, names));
   }
@@ -127,8 +129,21 @@ class RowRunner::OneRun {
   void judge(const Metric& metric) {
     if (metric.kind == Metric::Kind::exchanges || metric.kind == Metric::Kind::steps)
       set(metric.name, counted(metric));
+    else if (metric.is_time() && result_.status == "ok")
+      time(metric);
     else if (result_.status == "ok" || metric.kind == Metric::Kind::formula)
       metric.kind == Metric::Kind::output ? compare(metric) : compute(metric);
+  }
+
+  void time(const Metric& metric) {
+    if (metric.kind == Metric::Kind::share) {
+      if (shares_.empty()) shares_ = shares(scenario_, all_.builtins_);
+      return set(metric.name, shares_.at(metric.of));
+    }
+    if (!timing_) timing_ = least_time(scenario_, all_.builtins_, metric.repetitions);
+    if (metric.kind == Metric::Kind::real_time)
+      return set(metric.name, (scenario_.stop - scenario_.start) / timing_->seconds);
+    set(metric.name, timing_->seconds), set(metric.name + ".processor", timing_->processor);
   }
 
   double counted(const Metric& metric) const {
@@ -146,8 +161,7 @@ class RowRunner::OneRun {
   void compare(const Metric& metric) {
     const text::TimeTable& run = traces_->of(metric.of);
     const std::string& unit = traces_->unit(metric.of);
-    if (metric.against.empty())
-      return set(metric.name, size_of(metric, run, unit) * scale(metric));
+    if (metric.against.empty()) return set(metric.name, size_of(metric, run, unit) * scale(metric));
     const ReferenceRun& reference = all_.references_.of(metric.against, row_);
     if (!reference.failure.empty()) return end("failed", reference.failure);
     if (const auto it = reference.units.find(metric.of); it != reference.units.end() && it->second != unit)
@@ -198,12 +212,15 @@ class RowRunner::OneRun {
 
   const RowRunner& all_;
   const FileValues& row_;
+  std::vector<std::string> outputs_;
   scenario::Scenario scenario_;
   std::optional<scenario::Assembly> assembly_;
   std::optional<scenario::Traces> traces_;
   std::map<std::string, std::unique_ptr<CodedMetric>> coded_;
   Observers observers_;
   Differences differences_;
+  std::optional<Timing> timing_;
+  std::map<std::string, double> shares_;
   RowResult result_;
 };
 
@@ -219,36 +236,39 @@ RowRunner::RowRunner(const Study& study, const Table& table, Scenes& scenes, con
       outputs_(judged_outputs(metrics_, table)) {}
 
 std::optional<RowResult> RowRunner::run(const FileValues& row, const std::function<bool()>& going) const {
-  OneRun one(*this, row);
+  OneRun one(*this, row, outputs_);
   if (!one.begin()) return one.result();
   if (!one.simulate(going)) return {};
   one.judge();
   return one.result();
 }
 
+bool RowRunner::trace(const FileValues& row, const Kept& kept, const std::function<bool()>& going,
+                      const std::function<void(const scenario::Traces&)>& keep) const {
+  std::vector<std::string> outputs = kept.outputs;
+  for (const std::string& drift : kept.drifts)
+    for (const std::string& output : outputs_of_drift(study_.metric(drift)))
+      if (!row.contains(output)) outputs.push_back(output);
+  OneRun one(*this, row, outputs);
+  if (!located(kept.place, [&] { return one.begin(); })) return true;
+  if (!one.simulate(going)) return false;
+  located(kept.place, [&] { keep(one.traces()); });
+  return true;
+}
+
 std::string RowRunner::refusal(const FileValues& row) const {
-  OneRun one(*this, row);
+  OneRun one(*this, row, outputs_);
   return one.begin() ? "" : one.result().note;
 }
 
 std::map<std::string, std::string> RowRunner::units(const FileValues& row) const {
   std::map<std::string, std::string> units;
-  OneRun one(*this, row);
+  OneRun one(*this, row, outputs_);
   if (!one.begin()) return units;
   for (const Metric* metric : metrics_)
     units[metric->name] =
         unit_of(*metric, metric->kind == Metric::Kind::output ? one.traces().unit(metric->of) : "");
   return units;
-}
-
-std::vector<std::string> RowRunner::header() const {
-  std::vector<std::string> all;
-  for (const std::string& name : table_.header) {
-    const bool metric = std::find(table_.metrics.begin(), table_.metrics.end(), name) != table_.metrics.end();
-    const auto names = metric ? study_.names_of(study_.metric(name)) : std::vector{name};
-    all.insert(all.end(), names.begin(), names.end());
-  }
-  return all;
 }
 
 }  // namespace tandem::study

@@ -21,10 +21,11 @@ class RowRunner {
 
   /// Nothing: `going` said no. Throws Error for what is wrong with the study.
   std::optional<RowResult> run(const FileValues& row, const std::function<bool()>& going) const;
+  /// Runs it again for outputs over time that are kept. False: `going` said no.
+  bool trace(const FileValues& row, const Kept& kept, const std::function<bool()>& going,
+             const std::function<void(const scenario::Traces&)>& keep) const;
   /// Up to the first step; the sentence of a row that is refused, else empty.
   std::string refusal(const FileValues& row) const;
-  /// Of each metric with METRIC.shift and METRIC.floor beside it, in the order of the header.
-  std::vector<std::string> header() const;
   const std::vector<const Metric*>& metrics() const { return metrics_; }
   /// By metric, as far as a run that began has told them.
   std::map<std::string, std::string> units(const FileValues& row) const;

@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "scenes.hpp"
 
+#include <algorithm>
+
 namespace tandem::study {
 namespace {
 
@@ -25,6 +27,25 @@ Scenario with(const scenario::ScenarioFile& file, const std::vector<Given>& all,
         refuse(one.place, sentence, error.code());
     throw;
   }
+}
+
+/// What is set in a table that has these columns: a key of others keeps the scenario's value.
+std::vector<Given> of_columns(const std::vector<Given>& all, const std::vector<std::string>& columns) {
+  std::vector<Given> own;
+  for (const Given& one : all) {
+    const auto needed = one.columns();
+    if (std::all_of(needed.begin(), needed.end(), [&](const std::string& name) {
+          return std::find(columns.begin(), columns.end(), name) != columns.end();
+        }))
+      own.push_back(one);
+  }
+  return own;
+}
+
+std::vector<std::string> names_of(const FileValues& values) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : values) names.push_back(name);
+  return names;
 }
 
 /// Alone it is what its metrics judge: no other results are compared or drawn.
@@ -59,16 +80,19 @@ const scenario::ScenarioFile& Scenes::file(const Given& name, const FileValues& 
 }
 
 Scenario Scenes::of_row(const FileValues& row) {
-  return alone(with(file(study_.scenario, row), study_.set, row));
+  return alone(with(file(study_.scenario, row), of_columns(study_.set, names_of(row)), row));
 }
 
-Scenario Scenes::of_reference(const Reference& reference, const FileValues& per) {
+Scenario Scenes::of_reference(const Reference& reference, const FileValues& per,
+                              const std::vector<std::string>& columns) {
   FileValues values = per;
   for (const Given& with : reference.with) values[with.name] = column_value(with, per);
-  if (reference.scenario) return alone(with(file(*reference.scenario, values), reference.set, values));
-  std::vector<Given> all = study_.set;
+  std::vector<Given> all = reference.scenario ? std::vector<Given>() : study_.set;
   all.insert(all.end(), reference.set.begin(), reference.set.end());
-  return alone(with(file(study_.scenario, values), all, values));
+  const Given& name = reference.scenario ? *reference.scenario : study_.scenario;
+  std::vector<std::string> known = names_of(values);
+  known.insert(known.end(), columns.begin(), columns.end());
+  return alone(with(file(name, values), of_columns(all, known), values));
 }
 
 }  // namespace tandem::study

@@ -19,8 +19,9 @@ class Scenes {
 
   // From any thread. Throw Error for values that the scenario does not take.
   scenario::Scenario of_row(const FileValues& row);
-  /// per: the values that it goes by.
-  scenario::Scenario of_reference(const Reference& reference, const FileValues& per);
+  /// per: the values that it goes by. columns: those of the rows that need it.
+  scenario::Scenario of_reference(const Reference& reference, const FileValues& per,
+                                  const std::vector<std::string>& columns);
 
  private:
   const scenario::ScenarioFile& file(const Given& name, const FileValues& values);

@@ -9,7 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "fingerprint.hpp"
+#include "norm_text.hpp"
 #include "row_key.hpp"
+#include "series.hpp"
 #include "table_rows.hpp"
 #include "tandem/output/files.hpp"
 #include "tandem/output/lock.hpp"
@@ -37,7 +39,7 @@ class Sweep::Work {
       const Table& table = study_.tables[k];
       lines.push_back(fmt::format("{}.csv: {} rows", table.name, table.rows.size()));
       for (const FileValues& row : table.rows) {
-        references_.need(runners_[k].metrics(), row);
+        references_.need(runners_[k].metrics(), study_.tables[k], row);
         if (const std::string why = runners_[k].refusal(row); !why.empty())
           lines.push_back("  refused (" + row_text(table.columns, row) + "): " + why);
       }
@@ -55,9 +57,13 @@ class Sweep::Work {
     take_units();
     begin();
     make_references();
-    run_rows();
+    run_rows(open_, settings_.threads);
+    run_rows(timed_, 1);
     refuse_if_all_are();
     if (!end_.interrupted) finish();
+    if (!end_.interrupted) write_series();
+    for (TableRows& rows : rows_)
+      if (!end_.interrupted) rows.remove_part();
     return std::move(end_);
   }
 
@@ -88,10 +94,11 @@ class Sweep::Work {
   /// All that rows need, whether they are kept or not.
   void need_references() {
     for (std::size_t k = 0; k < runners_.size(); ++k)
-      for (const FileValues& row : study_.tables[k].rows) references_.need(runners_[k].metrics(), row);
+      for (const FileValues& row : study_.tables[k].rows)
+        references_.need(runners_[k].metrics(), study_.tables[k], row);
     for (std::size_t k = 0; k < references_.size(); ++k)
       if (const ReferenceRun& run = references_.run(k); run.reference->file.empty())
-        fingerprint_.add(scenes_.of_reference(*run.reference, run.per));
+        fingerprint_.add(scenes_.of_reference(*run.reference, run.per, run.columns));
       else
         fingerprint_.add(run.reference->file);
   }
@@ -101,13 +108,13 @@ class Sweep::Work {
     const std::string made_from = fingerprint_.text(settings_.overrides);
     bool other = false;
     for (std::size_t k = 0; k < runners_.size(); ++k) {
-      TableRows& rows =
-          rows_.emplace_back(study_.tables[k], runners_[k].header(), settings_.folder, made_from);
+      TableRows& rows = rows_.emplace_back(study_.tables[k], study_.columns_of(study_.tables[k]),
+                                           settings_.folder, made_from);
       if (settings_.resume && !rows.keep()) other = true;
       end_.kept += rows.size();
       end_.rows += study_.tables[k].rows.size();
       for (const FileValues& row : study_.tables[k].rows)
-        if (!rows.has(row)) open_.push_back({k, &row});
+        if (!rows.has(row)) (study_.is_timed(study_.tables[k]) ? timed_ : open_).push_back({k, &row});
     }
     if (other)
       end_.notes.emplace_back(
@@ -117,37 +124,38 @@ class Sweep::Work {
 
   /// Nobody takes them for those of this sweep.
   static void remove_earlier(const TableRows& rows) {
-    for (const fs::path& file : {rows.file(), rows.json()})
+    for (const fs::path& file : {rows.file(), rows.json(), rows.series()})
       if (fs::is_regular_file(file)) fs::remove(file);
   }
 
   template <class One>
-  void in_parallel(const char* what, std::size_t count, std::size_t before, const One& one) {
+  void in_parallel(const char* what, std::size_t count, unsigned threads, const One& one) {
     if (count == 0) return;
     std::atomic<bool> stop = false;
     const auto go_on = [&] { return !stop; };
     output::for_each_in_parallel(
-        count, settings_.threads, [&](std::size_t k) { one(k, go_on); },
+        count, threads, [&](std::size_t k) { one(k, go_on); },
         [&](std::size_t done) {
-          if (listener_->come) listener_->come(what, before + done, before + count);
+          if (listener_->come) listener_->come(what, done, count);
           if (!going()) stop = true, end_.interrupted = true;
           return !stop.load();
         });
   }
 
   void make_references() {
-    if (open_.empty()) return;
-    in_parallel("references", references_.size(), 0,
+    if (open_.empty() && timed_.empty() && study_.kept.empty()) return;
+    in_parallel("references", references_.size(), settings_.threads,
                 [&](std::size_t k, const std::function<bool()>& go_on) { references_.make(k, go_on); });
     for (std::size_t k = 0; k < references_.size() && !end_.interrupted; ++k)
       if (const std::string& failure = references_.run(k).failure; !failure.empty())
         end_.notes.push_back(failure), end_.reference_failed = true;
   }
 
-  void run_rows() {
+  void run_rows(const std::vector<Job>& jobs, unsigned threads) {
     if (end_.interrupted) return;
-    in_parallel("rows", open_.size(), end_.kept, [&](std::size_t k, const std::function<bool()>& go_on) {
-      const auto& [table, row] = open_[k];
+    const char* what = &jobs == &timed_ ? "timed rows" : "rows";
+    in_parallel(what, jobs.size(), threads, [&](std::size_t k, const std::function<bool()>& go_on) {
+      const auto& [table, row] = jobs[k];
       if (const auto result = runners_[table].run(*row, go_on)) {
         rows_[table].add(*row, *result);
         note(table, *row, *result);
@@ -175,9 +183,20 @@ class Sweep::Work {
     for (std::size_t k = 0; k < rows_.size(); ++k) {
       rows_[k].finish();
       output::replace_text(rows_[k].json(), about(k).dump(2) + '\n');
-      rows_[k].remove_part();
       end_.files.push_back(rows_[k].file());
       end_.files.push_back(rows_[k].json());
+    }
+  }
+
+  /// Of runs that are made again, so that rows that were kept need not be.
+  void write_series() {
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+      const Series series(study_, study_.tables[k], references_);
+      if (series.empty()) continue;
+      const auto text = series.text(rows_[k].file(), runners_[k], [this] { return going(); });
+      if (!text) return void(end_.interrupted = true);
+      output::replace_text(rows_[k].series(), *text);
+      end_.files.push_back(rows_[k].series());
     }
   }
 
@@ -188,11 +207,20 @@ class Sweep::Work {
             {"table", study_.tables[table].name},
             {"units", units_[table]},
             {"references", references},
+            {"norms", norms(study_.tables[table])},
             {"made_from", fingerprint_.text(settings_.overrides)},
-            {"versions",
+            {"made",
              {{"tandem", output::version()},
               {"commit", output::source_commit()},
-              {"compiler", output::compiler()}}}};
+              {"compiler", output::compiler()},
+              {"processor", output::processor_model()}}}};
+  }
+
+  std::map<std::string, std::string> norms(const Table& table) const {
+    std::map<std::string, std::string> norms;
+    for (const std::string& name : table.metrics)
+      if (std::string text = norm_text(study_.metric(name)); !text.empty()) norms[name] = std::move(text);
+    return norms;
   }
 
   const Study& study_;
@@ -203,7 +231,7 @@ class Sweep::Work {
   std::deque<TableRows> rows_;
   std::vector<std::map<std::string, std::string>> units_;
   Fingerprint fingerprint_;
-  std::vector<Job> open_;
+  std::vector<Job> open_, timed_;  ///< rows that are not there yet; timed_: one at a time
   const SweepListener* listener_ = nullptr;
   std::mutex mutex_;
   std::string refusal_;

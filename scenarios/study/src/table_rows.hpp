@@ -34,6 +34,7 @@ class TableRows {
 
   std::filesystem::path file() const { return folder_ / (table_.name + ".csv"); }
   std::filesystem::path json() const { return folder_ / (table_.name + ".json"); }
+  std::filesystem::path series() const { return folder_ / (table_.name + ".series.csv"); }
   std::filesystem::path part() const { return folder_ / (table_.name + ".part"); }
 
  private:

@@ -1,5 +1,5 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-#include "charts/pareto.hpp"
+#include "tandem/charts/pareto.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-#include "charts/style.hpp"
+#include "tandem/charts/style.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "charts/program.hpp"
+#include "tandem/charts/program.hpp"
 #include "refusal.hpp"
 #include "scratch.hpp"
 

@@ -26,7 +26,9 @@ class KeyList {
   KeyList& or_numbers();
   /// Begins [NAME.*]: tables of any name below `path`, which holds nothing else.
   KeyList& named(const std::string& path, std::string sentence, std::string of_each, bool required = false);
-  /// Begins the keys that the tables named last have where their key `kind` is this word.
+  /// The tables begun last, an array of them, say by a key `kind` what each is.
+  KeyList& by_kind();
+  /// Begins the keys that the tables named last, or those by kind, have where their key `kind` is this word.
   KeyList& kind(std::string word, std::string sentence);
   /// A key that may be there, and one that has to be.
   KeyList& may(const std::string& name, Key::Type type, std::string sentence, KeyDetails details = {});

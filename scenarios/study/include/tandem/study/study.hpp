@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tandem/charts/chart.hpp"
 #include "tandem/scenario/comparison.hpp"
 #include "tandem/scenario/scenario_file.hpp"
 #include "tandem/text/expression.hpp"
@@ -29,6 +30,8 @@ struct Given {
   text::SetValue value;
   Place place;
 
+  /// The columns that it stands for.
+  std::vector<std::string> columns() const;
   /// With the values of columns. Throws Error with the place.
   text::SetValue with(const FileValues& columns) const;
 };
@@ -48,7 +51,7 @@ struct Reference {
   std::string name;
   std::filesystem::path file = {};                  ///< of results; empty: a run
   std::optional<Given> scenario = {};               ///< of the run; none: that of the study
-  std::vector<std::string> per = {};                ///< columns: one run for each of their values
+  std::vector<std::string> per = {};                ///< columns: one run for each of the values of a table's
   std::vector<Given> with = {};                     ///< values of other columns in it
   std::vector<Given> set = {};                      ///< besides what the study sets
   std::map<std::string, std::string> outputs = {};  ///< of judged outputs, those that have another name in it
@@ -64,6 +67,9 @@ struct Metric {
     formula,    ///< of other metrics and columns
     exchanges,  ///< calls of subsystems, all together
     steps,      ///< own steps of a subsystem
+    seconds,    ///< wall time of the rounds, and processor time as NAME.processor
+    share,      ///< part of the wall time inside a subsystem
+    real_time,  ///< simulated time divided by wall time
     coded,      ///< by a CodedMetric
   };
   enum class Norm { max, rms, end };
@@ -78,24 +84,51 @@ struct Metric {
   std::string unit = {};  ///< that the number is told in; empty: that of the output
   std::optional<Formula> formula = {}, scale = {};
   std::vector<Given> with = {};  ///< parameters of a coded one
+  int repetitions = 1;           ///< of which a time is the least
+  Place place = {};
+
+  /// Whether it is not the same each time.
+  bool is_time() const { return kind == Kind::seconds || kind == Kind::share || kind == Kind::real_time; }
+};
+
+/// Runs of a table whose outputs over time are kept, in TABLE.series.csv.
+struct Kept {
+  std::string name;  ///< in the column `kept`
+  std::string table;
+  std::optional<Formula> where = {};     ///< of columns and metrics
+  std::string least = {}, most = {};     ///< the metric by which one of them is chosen; empty: all
+  std::vector<std::string> per = {};     ///< one for each of the values of these columns
+  std::vector<std::string> outputs;      ///< the first gives the times
+  std::vector<std::string> drifts = {};  ///< metrics: their departures over time
+  std::string against = {};              ///< a reference whose outputs stand beside them; empty: none
+  double every = 0.0;                    ///< between two rows, at least [s]
   Place place = {};
 };
 
 /// Runs of a scenario with columns of values, what each is judged by, and what they are compared with.
 struct Study {
   std::filesystem::path file;
-  Given scenario;  ///< a file, relative to that of the study
-  std::vector<Given> set;
+  Given scenario;          ///< a file, relative to that of the study
+  std::vector<Given> set;  ///< in rows of a table that has the columns of each
   std::vector<Table> tables;
   std::vector<Reference> references;
   std::vector<Metric> metrics;
   std::optional<Formula> lost, unstable;  ///< of metrics and columns
+  std::vector<Kept> kept;
+  charts::Charts charts;
 
   /// Of all tables, each once.
   std::vector<std::string> columns() const;
+  /// Of TABLE.csv, without status and note; and of TABLE.series.csv.
+  std::vector<std::string> columns_of(const Table& table) const;
+  std::vector<std::string> columns_of_series(const Table& table) const;
   const Reference& reference(const std::string& name) const;
   const Metric& metric(const std::string& name) const;
-  /// What a metric tells: METRIC, and where it has these METRIC.shift and METRIC.floor.
+  /// Whether a table has a metric that is a time: its rows are run after all others, one at a time.
+  bool is_timed(const Table& table) const;
+  /// Leaves out the other tables, and what is kept of them. Throws Error for a name that none has.
+  void keep_tables(const std::vector<std::string>& names);
+  /// What a metric tells: METRIC, and where it has these METRIC.shift, METRIC.floor and METRIC.processor.
   std::vector<std::string> names_of(const Metric& metric) const;
 };
 

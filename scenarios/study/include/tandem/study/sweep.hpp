@@ -18,7 +18,7 @@ struct SweepSettings {
   std::filesystem::path folder;             ///< of its tables; it is made if it is not there
   std::vector<std::string> overrides = {};  ///< "KEY=VALUE" of the study's scenario
   CodedMetrics metrics = {};                ///< that the study may name
-  unsigned threads = 1;                     ///< rows that are run at the same time
+  unsigned threads = 1;                     ///< rows that are run at the same time, unless they are timed
   bool resume = false;  ///< keep the rows that are there, if nothing that made them has changed
 };
 
@@ -26,7 +26,7 @@ struct SweepSettings {
 struct SweepListener {
   std::function<bool()> going = {};  ///< false: the sweep ends there, interrupted
   std::function<void(const char* what, std::size_t done, std::size_t all)> come =
-      {};  ///< "references" or "rows"
+      {};  ///< "references", "rows" or "timed rows"
 };
 
 /// How a sweep ended.
@@ -39,9 +39,9 @@ struct SweepEnd {
 };
 
 /// A study with what runs it: its rows and the references that they need. Writes TABLE.csv for each of its
-/// tables, with TABLE.json (units, what made it, the references). A row that is finished goes to TABLE.part
-/// at once, which TABLE.csv takes the place of. The bits of both files depend on neither threads nor
-/// resuming. Order of calls: plan or run.
+/// tables, with TABLE.json (units, what made it, the references), and TABLE.series.csv for runs that it
+/// keeps. A row that is finished goes to TABLE.part at once, which TABLE.csv takes the place of. The bits of
+/// both files depend on neither threads nor resuming. Order of calls: plan or run.
 class Sweep {
  public:
   /// Reads the scenario with the values of each row. `study` and `builtins` must outlive it. Throws Error for

@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <fmt/format.h>
+
+#include <array>
+#include <limits>
+#include <string>
+
+namespace tandem::charts {
+
+// How things are drawn, in gnuplot's words. Colours that the colour-blind can tell apart (M. Okabe, K. Ito,
+// Color Universal Design, 2008); shapes and dashes differ too, so that all can be told apart in grey.
+
+inline constexpr std::array<const char*, 8> colours = {"#000000", "#E69F00", "#56B4E9", "#D55E00",
+                                                       "#0072B2", "#009E73", "#CC79A7", "#7A6A00"};
+/// Gnuplot's hollow point types; the filled one is the next.
+inline constexpr std::array<int, 5> shapes = {6, 8, 4, 12, 10};
+inline constexpr std::array<const char*, 4> dashes = {"1", "'-'", "'.'", "'-.'"};
+
+/// A colour, a shape and dashes by their numbers, which may be any.
+struct Look {
+  std::size_t colour = 0, shape = 0;
+
+  std::string line() const {
+    return fmt::format("lc rgb '{}' lw 1.5 dt {}", colours[colour % colours.size()],
+                       dashes[shape % dashes.size()]);
+  }
+  std::string filled() const { return point(colours[colour % colours.size()], 1); }
+  std::string hollow() const { return point(colours[colour % colours.size()], 0) + " lw 1.2"; }
+  std::string white() const { return point("white", 1); }
+
+ private:
+  std::string point(const char* rgb, int next) const {
+    return fmt::format("lc rgb '{}' pt {} ps 0.6", rgb, shapes[shape % shapes.size()] + next);
+  }
+};
+
+/// Interrupts a curve.
+inline constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+
+inline constexpr const char* reference_line = "with lines lc rgb '#606060' lw 1.3 dt '-'";
+inline constexpr const char* floor_line = "with lines lc rgb '#909090' lw 2.5 dt '.'";
+
+}  // namespace tandem::charts

@@ -1,0 +1,248 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tandem/charts/chart.hpp"
+#include "tandem/text/expression.hpp"
+
+namespace tandem::charts {
+namespace {
+
+using text::Section;
+
+constexpr std::size_t most_panels_across = 12;
+
+/// A text, or an array of them.
+std::vector<std::string> one_or_more(Section& section, const std::string& key) {
+  const toml::node* found = section.node(key);
+  if (found && found->is_string()) return {found->as_string()->get()};
+  return section.texts(key);
+}
+
+Quantity quantity(const Section& section, const toml::node& node, const std::string& name) {
+  const auto* text = node.as_string();
+  if (!text)
+    refuse(section.document().place(node),
+           name + " holds " + text::described(node) + "; allowed is a column, or an expression, in quotes");
+  Quantity one{text->get(), section.document().place(node)};
+  located(one.place, [&] { text::names_in(one.text); });
+  return one;
+}
+
+std::optional<Quantity> quantity(Section& section, const std::string& key) {
+  const toml::node* found = section.node(key);
+  return found ? std::optional(quantity(section, *found, section.name(key))) : std::nullopt;
+}
+
+/// A quantity, an array of them, or an array with arrays of those that share a panel.
+std::vector<std::vector<Quantity>> quantities(Section& section, const std::string& key) {
+  const toml::node* found = section.node(key);
+  if (!found) section.missing(key);
+  const toml::array* array = found->as_array();
+  if (!array) return {{quantity(section, *found, section.name(key))}};
+  std::vector<std::vector<Quantity>> all;
+  for (const toml::node& element : *array) {
+    all.emplace_back();
+    if (const toml::array* inner = element.as_array())
+      for (const toml::node& one : *inner) all.back().push_back(quantity(section, one, section.name(key)));
+    else
+      all.back().push_back(quantity(section, element, section.name(key)));
+    if (all.back().empty()) section.wrong(key, "an array with an empty one", "at least one quantity in each");
+  }
+  if (all.empty()) section.wrong(key, "empty", "at least one quantity");
+  return all;
+}
+
+std::vector<double> numbers(Section& section, const std::string& key) {
+  std::vector<double> all;
+  const toml::node* found = section.node(key);
+  if (!found) return all;
+  if (!found->is_array()) section.wrong(key, text::described(*found), "an array of numbers");
+  for (const toml::node& one : *found->as_array()) all.push_back(section.number_of(one, section.name(key)));
+  return all;
+}
+
+/// The tables in an array, each read by `one`.
+template <class One>
+void tables(Section& section, const std::string& key, const One& one) {
+  const toml::node* found = section.node(key);
+  if (!found) return;
+  const toml::array* array = found->as_array();
+  if (!array || !array->is_array_of_tables())
+    section.wrong(key, text::described(*found), "an array of tables { .. }");
+  for (std::size_t k = 0; k < array->size(); ++k) {
+    Section inner(section.document(), *array->get(k)->as_table(),
+                  fmt::format("{}[{}]", section.name(key), k));
+    one(inner);
+    inner.refuse_unknown();
+  }
+}
+
+std::map<std::string, std::string> names_in(const Section& section, const toml::table& table,
+                                            const std::string& key) {
+  std::map<std::string, std::string> names;
+  for (const auto& [word, node] : text::in_file_order(table)) {
+    if (!node->is_string())
+      refuse(section.document().place(*node),
+             section.name(key) + "." + word + " is " + text::described(*node) + "; allowed is a text");
+    names[word] = node->as_string()->get();
+  }
+  return names;
+}
+
+class Reader {
+ public:
+  explicit Reader(Section& section) : section_(section) {}
+
+  Chart read() {
+    chart_.place = section_.place();
+    chart_.name = section_.required_text("name");
+    check_name();
+    using enum Chart::Kind;
+    const std::string kind = section_.kind();
+    chart_.kind = kind == "curves" ? curves : kind == "work" ? work : kind == "map" ? map : traces;
+    chart_.table = section_.text("table").value_or("");
+    chart_.title = section_.text("title").value_or("");
+    chart_.notes = section_.texts("notes");
+    if (const toml::table* words = section_.table("words"))
+      chart_.names = names_in(section_, *words, "words");
+    chart_.where = quantity(section_, "where");
+    if (chart_.kind == curves) read_curves();
+    if (chart_.kind == work) read_work();
+    if (chart_.kind == map) read_map();
+    if (chart_.kind == traces) read_traces();
+    section_.refuse_unknown();
+    return chart_;
+  }
+
+ private:
+  void check_name() {
+    const auto is_allowed = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+    if (chart_.name.empty() || !std::all_of(chart_.name.begin(), chart_.name.end(), is_allowed))
+      section_.wrong("name", "'" + chart_.name + "'", "letters, digits and _");
+  }
+
+  void read_panels() {
+    chart_.panels = one_or_more(section_, "panels");
+    const double across = section_.positive("across").value_or(0.0);
+    if (across != std::floor(across) || across > most_panels_across)
+      section_.wrong("across", fmt::format("{}", across),
+                     fmt::format("a whole number up to {}", most_panels_across));
+    chart_.across = static_cast<int>(across);
+  }
+
+  void read_curves() {
+    const auto x = quantity(section_, "x");
+    if (!x) section_.missing("x");
+    for (auto& y : quantities(section_, "y")) chart_.x.push_back(*x), chart_.y.push_back(std::move(y));
+    chart_.colour = chart_.marker = one_or_more(section_, "series");
+    for (const std::string& axis : one_or_more(section_, "log")) {
+      if (axis != "x" && axis != "y")
+        section_.wrong("log", "'" + axis + "'", "\"x\", \"y\", or an array of both");
+      (axis == "x" ? chart_.log_x : chart_.log_y) = true;
+    }
+    chart_.joined = true;
+    read_points();
+  }
+
+  void read_work() {
+    const auto costs = quantities(section_, "cost"), errors = quantities(section_, "error");
+    for (const auto& error : errors)
+      for (const auto& cost : costs) chart_.x.push_back(cost.front()), chart_.y.push_back(error);
+    chart_.colour = one_or_more(section_, "colour");
+    chart_.marker = one_or_more(section_, "marker");
+    chart_.log_x = chart_.log_y = true;
+    chart_.joined = *section_.flag("join");
+    chart_.front = *section_.flag("front");
+    read_points();
+  }
+
+  void read_points() {
+    read_panels();
+    chart_.percent = *section_.flag("percent");
+    chart_.limit = section_.positive("limit");
+    chart_.tolerance = section_.positive("tolerance");
+    chart_.hollow = quantity(section_, "hollow");
+    chart_.slopes = numbers(section_, "slope");
+    tables(section_, "lines", [&](Section& line) {
+      chart_.lines.push_back({line.number("x"), line.number("y"), line.text("name").value_or("")});
+      if (chart_.lines.back().x.has_value() == chart_.lines.back().y.has_value())
+        refuse(line.place(), line.path() + " needs one of x and y");
+    });
+    if (const toml::table* table = section_.table("overlay")) {
+      Section overlay(section_.document(), *table, section_.name("overlay"));
+      chart_.overlay = {overlay.required_text("table", "a table"), overlay.required_text("name", "a text"),
+                        quantity(overlay, "where")};
+      overlay.refuse_unknown();
+    }
+  }
+
+  void read_map() {
+    constexpr std::size_t most_shades = 6, most_signs = 3;
+    chart_.rows = one_or_more(section_, "rows");
+    if (chart_.rows.empty()) section_.missing("rows");
+    chart_.columns = section_.required_text("columns");
+    chart_.value = quantity(section_, "value");
+    if (!chart_.value) section_.missing("value");
+    chart_.limits = numbers(section_, "limits");
+    if (chart_.limits.empty() || chart_.limits.size() > most_shades ||
+        !std::is_sorted(chart_.limits.begin(), chart_.limits.end()))
+      section_.wrong("limits", "something else", "one to six numbers, rising");
+    chart_.percent = *section_.flag("percent");
+    tables(section_, "signs", [&](Section& sign) {
+      const auto when = quantity(sign, "when");
+      if (!when) sign.missing("when", "an expression");
+      chart_.signs.push_back({*when, sign.required_text("name", "a text")});
+    });
+    if (chart_.signs.size() > most_signs) section_.wrong("signs", "more", "up to three");
+    chart_.best = section_.positive("best");
+    read_panels();
+  }
+
+  void read_traces() {
+    chart_.y = quantities(section_, "y");
+    chart_.x.assign(chart_.y.size(), {section_.text("x").value(), section_.place("x")});
+    chart_.series = one_or_more(section_, "series");
+    chart_.panels = one_or_more(section_, "panels");
+    chart_.difference = section_.text("difference").value_or("");
+    chart_.jumps = section_.text("jumps").value_or("");
+    const toml::node* windows = section_.node("windows");
+    if (!windows) return;
+    if (!windows->is_array()) section_.wrong("windows", text::described(*windows), "an array of [FROM, TO]");
+    for (const toml::node& one : *windows->as_array()) {
+      const toml::array* ends = one.as_array();
+      if (!ends || ends->size() != 2) section_.wrong("windows", "something else", "an array of [FROM, TO]");
+      const double from = section_.number_of(*ends->get(0), section_.name("windows")),
+                   to = section_.number_of(*ends->get(1), section_.name("windows"));
+      if (!(from < to)) section_.wrong("windows", fmt::format("[{}, {}]", from, to), "FROM below TO");
+      chart_.windows.push_back({from, to});
+    }
+  }
+
+  Section& section_;
+  Chart chart_;
+};
+
+}  // namespace
+
+const std::string& Charts::name_of(const std::string& word) const {
+  const auto it = names.find(word);
+  return it == names.end() ? word : it->second;
+}
+
+Charts read_charts(Section& root) {
+  Charts charts;
+  if (const toml::table* names = root.table("names")) charts.names = names_in(root, *names, "names");
+  for (Section& section : root.sections("charts")) {
+    charts.all.push_back(Reader(section).read());
+    const Chart& one = charts.all.back();
+    if (std::count_if(charts.all.begin(), charts.all.end(),
+                      [&](const Chart& c) { return c.name == one.name; }) > 1)
+      section.wrong("name", "'" + one.name + "', which another chart has", "a name of its own");
+  }
+  return charts;
+}
+
+}  // namespace tandem::charts

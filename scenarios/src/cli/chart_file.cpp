@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "cli/chart_file.hpp"
+
+#include "tandem/error.hpp"
+#include "tandem/study/study.hpp"
+
+namespace tandem::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+ChartFile of_study(const fs::path& file) {
+  study::Study study = study::read(file);
+  return {std::move(study.charts), study.tables.size() == 1 ? study.tables[0].name : "", {}};
+}
+
+ChartFile of_charts(const text::Document& document) {
+  text::Section root(document, charts::keys());
+  const auto results = root.text("results");
+  ChartFile all{charts::read_charts(root), "", results.value_or("")};
+  root.refuse_unknown();
+  return all;
+}
+
+}  // namespace
+
+ChartFile read_chart_file(const fs::path& file) {
+  const text::Document document(file);
+  const bool is_study = document.table().contains("study") || document.table().contains("tables");
+  ChartFile all = is_study ? of_study(file) : of_charts(document);
+  if (all.charts.all.empty())
+    throw Error(ErrorCode::invalid_argument,
+                file.string() + " has no charts; allowed is at least one [[charts]]");
+  if (all.results.empty())
+    all.results = fs::path("results") / fs::weakly_canonical(file).parent_path().filename();
+  return all;
+}
+
+}  // namespace tandem::cli

@@ -1,0 +1,20 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "tandem/charts/chart.hpp"
+
+namespace tandem::cli {
+
+/// The charts of a study, or of a file that holds charts alone.
+struct ChartFile {
+  charts::Charts charts;
+  std::string only_table;         ///< empty: there are several
+  std::filesystem::path results;  ///< the folder of tables, unless another is given
+};
+
+/// Throws Error with the place of what is wrong, and for a file without charts.
+ChartFile read_chart_file(const std::filesystem::path& file);
+
+}  // namespace tandem::cli
