@@ -11,7 +11,10 @@ namespace {
 constexpr int head = 38, line = 18, between = 8;  // pixels: the title, a line of a legend, after it
 constexpr int caption_line = 14, letter = 8;
 
-int width_of(int columns) { return columns == 1 ? 1000 : columns == 2 ? 1200 : columns == 3 ? 1300 : 1400; }
+int width_of(const Frame::Grid& grid) {
+  if (grid.width > 0) return grid.width;
+  return grid.columns == 1 ? 1000 : grid.columns == 2 ? 1200 : grid.columns == 3 ? 1300 : 1400;
+}
 
 int legend_columns(const std::vector<Curve>& entries, int width) {
   std::size_t longest = 0;
@@ -45,7 +48,7 @@ int height_of(const Frame::Grid& grid, const Surroundings& around, int width) {
 
 Frame::Frame(const std::string& name, Grid grid, const Surroundings& around)
     : grid_(grid),
-      width_(width_of(grid.columns)),
+      width_(width_of(grid)),
       top_(top_of(around, width_)),
       height_(height_of(grid, around, width_)),
       picture_(name, width_, height_) {

@@ -23,6 +23,7 @@ class Frame {
     int left = 85;     ///< room for the numbers of the first column [pixels]
     int numbers = 32;  ///< room for those below a panel [pixels]
     int foot = 45;     ///< room below the last row [pixels]
+    int width = 0;     ///< of the picture [pixels]; 0: by the columns
   };
   Frame(const std::string& name, Grid grid, const Surroundings& around);
 

@@ -39,6 +39,10 @@ struct Look {
 inline constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 inline constexpr const char* reference_line = "with lines lc rgb '#606060' lw 1.3 dt '-'";
+inline constexpr const char* order_line = "with lines lc rgb '#606060' lw 1";
+inline constexpr const char* front_line = "with steps lc rgb '#000000' lw 1";
+inline constexpr const char* front_ring = "with points pt 6 ps 1.3 lw 1 lc rgb '#000000'";
+inline constexpr const char* overlay_points = "with points pt 3 ps 1 lw 1.5 lc rgb '#D55E00'";
 inline constexpr const char* floor_line = "with lines lc rgb '#909090' lw 2.5 dt '.'";
 
 }  // namespace tandem::charts

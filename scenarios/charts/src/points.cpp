@@ -42,7 +42,8 @@ std::vector<Mark> Points::marks(std::size_t panel_row) const {
       mark.x = x_of(table_, row, chart_.x[panel_row]);
       const auto value = table_.number(row, y);
       const bool beyond = chart_.limit && value && std::abs(*value) > *chart_.limit;
-      if (value && !beyond && !table_.failed(row)) mark.y = factor * *value;
+      const bool has_place = value && !(chart_.log_y && *value < 0.0);
+      if (has_place && !beyond && !table_.failed(row)) mark.y = factor * *value;
       mark.hollow = chart_.hollow && table_.number(row, *chart_.hollow).value_or(1.0) != 0.0;
       marks.push_back(mark);
     }

@@ -4,93 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tandem/charts/chart.hpp"
-#include "tandem/text/expression.hpp"
+#include "read_values.hpp"
 
 namespace tandem::charts {
 namespace {
 
-using text::Section;
-
 constexpr std::size_t most_panels_across = 12;
-
-/// A text, or an array of them.
-std::vector<std::string> one_or_more(Section& section, const std::string& key) {
-  const toml::node* found = section.node(key);
-  if (found && found->is_string()) return {found->as_string()->get()};
-  return section.texts(key);
-}
-
-Quantity quantity(const Section& section, const toml::node& node, const std::string& name) {
-  const auto* text = node.as_string();
-  if (!text)
-    refuse(section.document().place(node),
-           name + " holds " + text::described(node) + "; allowed is a column, or an expression, in quotes");
-  Quantity one{text->get(), section.document().place(node)};
-  located(one.place, [&] { text::names_in(one.text); });
-  return one;
-}
-
-std::optional<Quantity> quantity(Section& section, const std::string& key) {
-  const toml::node* found = section.node(key);
-  return found ? std::optional(quantity(section, *found, section.name(key))) : std::nullopt;
-}
-
-/// A quantity, an array of them, or an array with arrays of those that share a panel.
-std::vector<std::vector<Quantity>> quantities(Section& section, const std::string& key) {
-  const toml::node* found = section.node(key);
-  if (!found) section.missing(key);
-  const toml::array* array = found->as_array();
-  if (!array) return {{quantity(section, *found, section.name(key))}};
-  std::vector<std::vector<Quantity>> all;
-  for (const toml::node& element : *array) {
-    all.emplace_back();
-    if (const toml::array* inner = element.as_array())
-      for (const toml::node& one : *inner) all.back().push_back(quantity(section, one, section.name(key)));
-    else
-      all.back().push_back(quantity(section, element, section.name(key)));
-    if (all.back().empty()) section.wrong(key, "an array with an empty one", "at least one quantity in each");
-  }
-  if (all.empty()) section.wrong(key, "empty", "at least one quantity");
-  return all;
-}
-
-std::vector<double> numbers(Section& section, const std::string& key) {
-  std::vector<double> all;
-  const toml::node* found = section.node(key);
-  if (!found) return all;
-  if (!found->is_array()) section.wrong(key, text::described(*found), "an array of numbers");
-  for (const toml::node& one : *found->as_array()) all.push_back(section.number_of(one, section.name(key)));
-  return all;
-}
-
-/// The tables in an array, each read by `one`.
-template <class One>
-void tables(Section& section, const std::string& key, const One& one) {
-  const toml::node* found = section.node(key);
-  if (!found) return;
-  const toml::array* array = found->as_array();
-  if (!array || !array->is_array_of_tables())
-    section.wrong(key, text::described(*found), "an array of tables { .. }");
-  for (std::size_t k = 0; k < array->size(); ++k) {
-    Section inner(section.document(), *array->get(k)->as_table(),
-                  fmt::format("{}[{}]", section.name(key), k));
-    one(inner);
-    inner.refuse_unknown();
-  }
-}
-
-std::map<std::string, std::string> names_in(const Section& section, const toml::table& table,
-                                            const std::string& key) {
-  std::map<std::string, std::string> names;
-  for (const auto& [word, node] : text::in_file_order(table)) {
-    if (!node->is_string())
-      refuse(section.document().place(*node),
-             section.name(key) + "." + word + " is " + text::described(*node) + "; allowed is a text");
-    names[word] = node->as_string()->get();
-  }
-  return names;
-}
 
 class Reader {
  public:

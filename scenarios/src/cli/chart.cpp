@@ -4,9 +4,11 @@
 #include <algorithm>
 
 #include "cli/chart_file.hpp"
+#include "cli/chart_results.hpp"
 #include "cli/chart_scenes.hpp"
 #include "cli/commands.hpp"
 #include "cli/say.hpp"
+#include "cli/study_file.hpp"
 #include "tandem/charts/draw.hpp"
 #include "tandem/error.hpp"
 #include "tandem/nearest.hpp"
@@ -17,7 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ChartOptions {
-  std::string scene;
+  std::vector<std::string> what;
+  std::vector<std::string> plotted;
   fs::path results;
   bool png = false;
 };
@@ -49,13 +52,8 @@ std::vector<std::string> scene_names() {
   return names;
 }
 
-/// A file, or scenarios/NAME/study.toml.
-fs::path file_of(const std::string& name) {
-  return name.ends_with(".toml") ? fs::path(name) : fs::path("scenarios") / name / "study.toml";
-}
-
-charts::Drawing of_file(const ChartOptions& options, fs::path& folder) {
-  const ChartFile file = read_chart_file(file_of(options.scene));
+charts::Drawing of_file(const ChartOptions& options, const Builtins& builtins, fs::path& folder) {
+  const ChartFile file = read_chart_file(study_path(options.what[0]), builtins);
   if (folder.empty()) folder = file.results;
   return charts::draw(file.charts, folder, file.only_table);
 }
@@ -63,19 +61,35 @@ charts::Drawing of_file(const ChartOptions& options, fs::path& folder) {
 charts::Drawing of_scene(const ChartOptions& options, fs::path& folder) {
   const auto scenes = chart_scenes();
   const auto scene = std::find_if(scenes.begin(), scenes.end(),
-                                  [&](const ChartScene& s) { return options.scene == s.name; });
+                                  [&](const ChartScene& s) { return options.what[0] == s.name; });
   if (scene == scenes.end())
-    throw Error(ErrorCode::invalid_argument, unknown("scene", options.scene, scene_names()) + ", and files");
+    throw Error(ErrorCode::invalid_argument,
+                unknown("scene", options.what[0], scene_names()) + ", and files");
   if (folder.empty()) folder = scene->folder;
   check_results(*scene, folder);
   Drawing drawing = scene->draw(folder);
   return {std::move(drawing.pictures), std::move(drawing.table)};
 }
 
+charts::Drawing of_results(const ChartOptions& options, fs::path& folder) {
+  const fs::path first = options.what[0];
+  if (folder.empty()) folder = fs::is_directory(first) ? first : fs::absolute(first).parent_path();
+  return plotted({options.what.begin(), options.what.end()}, options.plotted, folder);
+}
+
+charts::Drawing drawn(const ChartOptions& options, const Builtins& builtins, fs::path& folder) {
+  if (!options.plotted.empty()) return of_results(options, folder);
+  if (options.what.size() > 1)
+    throw Error(ErrorCode::invalid_argument,
+                "several results are given; allowed is that with --plot, which names their columns");
+  const std::string& name = options.what[0];
+  return name.ends_with(".toml") || fs::exists(study_path(name)) ? of_file(options, builtins, folder)
+                                                                 : of_scene(options, folder);
+}
+
 void chart(const ChartOptions& options, const Context& context) {
   fs::path folder = options.results;
-  const auto drawing =
-      fs::exists(file_of(options.scene)) ? of_file(options, folder) : of_scene(options, folder);
+  const auto drawing = drawn(options, context.builtins, folder);
   const std::string files = draw(drawing.pictures, folder, options.png);
   if (context.quiet) return;
   if (!drawing.words.empty()) say("{}\n", drawing.words);
@@ -91,12 +105,19 @@ void add_chart(CLI::App& app, Context& context) {
                                      "at 1 mm");
   auto options = std::make_shared<ChartOptions>();
   command
-      ->add_option("scene", options->scene,
+      ->add_option("what", options->what,
                    "A study or a file of charts, FILE.toml, or NAME of scenarios/NAME/study.toml; or a "
                    "sweep: split_pendulum, engine, engine_linkage, kart, mechanisms, four_bar; a "
                    "ladder; or a benchmark: four_bar_cost (of bench four_bar), engine_linkage_elsewhere (of "
-                   "bench engine_linkage), solvers, dense, threads, transports, simbody")
+                   "bench engine_linkage), solvers, dense, threads, transports, simbody; or with --plot "
+                   "results of runs, folders or files")
       ->required();
+  command
+      ->add_option("--plot", options->plotted,
+                   "Columns of results over time, a panel for each, several results laid over each other: "
+                   "plot.svg in the folder of the first, or of --results")
+      ->type_name("COLUMN,..")
+      ->delimiter(',');
   command
       ->add_option("--results", options->results,
                    "Folder of the sweep or benchmark; the charts go there too (default: where these write by "

@@ -1,17 +1,18 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "cli/chart_file.hpp"
 
+#include "cli/study_file.hpp"
 #include "tandem/error.hpp"
-#include "tandem/study/study.hpp"
 
 namespace tandem::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-ChartFile of_study(const fs::path& file) {
-  study::Study study = study::read(file);
-  return {std::move(study.charts), study.tables.size() == 1 ? study.tables[0].name : "", {}};
+ChartFile of_study(const fs::path& file, const Builtins& builtins) {
+  StudyFile found = read_study(file, builtins);
+  const auto& tables = found.study.tables;
+  return {std::move(found.study.charts), tables.size() == 1 ? tables[0].name : "", found.folder};
 }
 
 ChartFile of_charts(const text::Document& document) {
@@ -24,10 +25,11 @@ ChartFile of_charts(const text::Document& document) {
 
 }  // namespace
 
-ChartFile read_chart_file(const fs::path& file) {
+ChartFile read_chart_file(const fs::path& file, const Builtins& builtins) {
   const text::Document document(file);
-  const bool is_study = document.table().contains("study") || document.table().contains("tables");
-  ChartFile all = is_study ? of_study(file) : of_charts(document);
+  const auto& table = document.table();
+  const bool is_study = table.contains("study") || table.contains("tables") || table.contains("subsystems");
+  ChartFile all = is_study ? of_study(file, builtins) : of_charts(document);
   if (all.charts.all.empty())
     throw Error(ErrorCode::invalid_argument,
                 file.string() + " has no charts; allowed is at least one [[charts]]");

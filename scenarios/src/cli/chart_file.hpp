@@ -4,10 +4,11 @@
 #include <string>
 
 #include "tandem/charts/chart.hpp"
+#include "tandem/transports/open.hpp"
 
 namespace tandem::cli {
 
-/// The charts of a study, or of a file that holds charts alone.
+/// The charts of a study, of a scenario that has none, or of a file that holds charts alone.
 struct ChartFile {
   charts::Charts charts;
   std::string only_table;         ///< empty: there are several
@@ -15,6 +16,6 @@ struct ChartFile {
 };
 
 /// Throws Error with the place of what is wrong, and for a file without charts.
-ChartFile read_chart_file(const std::filesystem::path& file);
+ChartFile read_chart_file(const std::filesystem::path& file, const Builtins& builtins);
 
 }  // namespace tandem::cli

@@ -3,6 +3,7 @@
 #include <thread>
 
 #include "cli/commands.hpp"
+#include "cli/study_file.hpp"
 #include "cli/sweep_engine.hpp"
 #include "cli/sweep_engine_linkage.hpp"
 #include "cli/sweep_four_bar.hpp"
@@ -27,11 +28,6 @@ struct SweepOptions {
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
 };
 
-/// A file, or scenarios/NAME/study.toml.
-fs::path study_file(const std::string& name) {
-  return fs::is_regular_file(name) ? fs::path(name) : fs::path("scenarios") / name / "study.toml";
-}
-
 }  // namespace
 
 void add_sweep(CLI::App& app, Context& context) {
@@ -41,7 +37,8 @@ void add_sweep(CLI::App& app, Context& context) {
   command
       ->add_option(
           "study", options->scene,
-          "A study, a TOML file (docs/studies.md), or NAME of scenarios/NAME/study.toml; or a scene of "
+          "A study, a TOML file (docs/studies.md), a scenario that has none, or NAME of "
+          "scenarios/NAME/study.toml; or a scene of "
           "tandem's own: "
           "split_pendulum; "
           "engine (torque map, step response, changes of gear); "
@@ -99,8 +96,8 @@ void add_sweep(CLI::App& app, Context& context) {
       "rights.");
   command->callback([options, &context] {
     const std::string& scene = options->scene;
-    if (fs::is_regular_file(study_file(scene)))
-      return sweep_study({study_file(scene), options->output, options->overrides, options->tables,
+    if (fs::exists(study_path(scene)))
+      return sweep_study({study_path(scene), options->output, options->overrides, options->tables,
                           options->threads, options->resume, options->dry},
                          context);
     if (options->output.empty())
@@ -125,7 +122,7 @@ void add_sweep(CLI::App& app, Context& context) {
       sweep_split_pendulum(options->output, options->threads, context);
     else
       throw Error(ErrorCode::input_output,
-                  "'" + scene + "' is no file, and there is no " + study_file(scene).string());
+                  "'" + scene + "' is no file, and there is no " + study_path(scene).string());
   });
 }
 

@@ -8,20 +8,17 @@
 #include "cli/interrupt.hpp"
 #include "cli/progress.hpp"
 #include "cli/say.hpp"
+#include "cli/study_file.hpp"
 #include "metrics/all.hpp"
 #include "tandem/error.hpp"
 #include "tandem/output/files.hpp"
+#include "tandem/study/standing.hpp"
 #include "tandem/study/sweep.hpp"
 
 namespace tandem::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path folder_of(const StudySweep& settings) {
-  if (!settings.output.empty()) return settings.output;
-  return fs::path("results") / fs::weakly_canonical(settings.file).parent_path().filename();
-}
 
 /// A bar for the references, then one for the rows.
 class Bars {
@@ -62,9 +59,9 @@ std::string told(const study::SweepEnd& end) {
 }  // namespace
 
 void sweep_study(const StudySweep& settings, const Context& context) {
-  auto study = study::read(settings.file);
+  auto [study, standing, folder] = read_study(settings.file, context.builtins);
+  if (!settings.output.empty()) folder = settings.output;
   if (!settings.tables.empty()) study.keep_tables(settings.tables);
-  const fs::path folder = folder_of(settings);
   study::Sweep sweep(study, context.builtins,
                      {folder, settings.overrides, all_metrics(), settings.threads, settings.resume});
   if (settings.dry) {
@@ -80,6 +77,7 @@ void sweep_study(const StudySweep& settings, const Context& context) {
   if (!context.quiet) {
     say("{}\n", told(end));
     for (const fs::path& file : end.files) say("wrote {}\n", file.string());
+    if (standing) say("\n{}", study::standing_verdict(folder));
   }
   if (end.reference_failed)
     throw RunFailed("a reference failed; the rows that need it have the status failed");

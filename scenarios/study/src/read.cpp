@@ -43,9 +43,11 @@ class Reader {
     if (alone && !root_.node("scenario")) root_.missing("scenario", "the file of the scenario that is run");
     to_.scenario = {"", root_.text("scenario").value_or(to_.file.filename().string()),
                     root_.place("scenario")};
+    if (const toml::node* steps = root_.node("steps")) to_.steps = given(document_, "steps", *steps, "steps");
     to_.set = all_given(root_, "set");
     read_tables();
-    for (const Given& one : to_.set) check_columns(one, "set");
+    for (const Given& one : to_.set) check_columns(one, "set.");
+    if (to_.steps) check_columns(*to_.steps, "");
     read_references();
     read_metrics(root_, to_);
     order_columns();
@@ -115,7 +117,7 @@ class Reader {
     section.refuse_unknown();
     for (const std::string& column : one.per) check_column(section.place("per"), section.name("per"), column);
     for (const Given& with : one.with) check_column(with.place, section.name("with"), with.name);
-    for (const Given& set : one.set) check_columns(set, section.name("set"));
+    for (const Given& set : one.set) check_columns(set, section.name("set") + ".");
     return one;
   }
 
@@ -133,7 +135,7 @@ class Reader {
   }
 
   void check_columns(const Given& one, const std::string& table) const {
-    for (const std::string& column : one.columns()) check_column(one.place, table + "." + one.name, column);
+    for (const std::string& column : one.columns()) check_column(one.place, table + one.name, column);
   }
 
   void check_column(const Place& place, const std::string& what, const std::string& column) const {
@@ -290,8 +292,7 @@ bool Study::is_timed(const Table& table) const {
                      [this](const std::string& name) { return metric(name).is_time(); });
 }
 
-Study read(const std::filesystem::path& file) {
-  const Document document(file);
+static Study read_document(const std::filesystem::path& file, const Document& document) {
   Study study;
   study.file = file;
   if (const auto* inner = document.table().get_as<toml::table>("study"))
@@ -299,6 +300,12 @@ Study read(const std::filesystem::path& file) {
   else
     Reader(document, Section(document, keys()), study).read(true);
   return study;
+}
+
+Study read(const std::filesystem::path& file) { return read_document(file, Document(file)); }
+
+Study read(const std::filesystem::path& file, const std::string& text) {
+  return read_document(file, Document(file.string(), text));
 }
 
 }  // namespace tandem::study

@@ -34,6 +34,7 @@ class RowRunner::OneRun {
   /// False: it is refused.
   bool begin() {
     try {
+      all_.scenes_.scale_steps(scenario_, row_);
       assembly_.emplace(scenario_, all_.builtins_);
     } catch (const Error& error) {
       return end("refused", error.what()), false;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "tandem/scenario/steps.hpp"
+
 namespace tandem::study {
 namespace {
 
@@ -79,6 +81,15 @@ const scenario::ScenarioFile& Scenes::file(const Given& name, const FileValues& 
   return *one;
 }
 
+void Scenes::scale_steps(Scenario& scenario, const FileValues& values) const {
+  if (!study_.steps || of_columns({*study_.steps}, names_of(values)).empty()) return;
+  const text::SetValue found = study_.steps->with(values);
+  const auto* factor = std::get_if<double>(&found);
+  if (!factor || !(*factor > 0.0)) refuse(study_.steps->place, "steps is no number above 0");
+  if (*factor == 1.0) return;
+  located(study_.steps->place, [&] { scenario::scale_steps(scenario, builtins_, *factor); });
+}
+
 Scenario Scenes::of_row(const FileValues& row) {
   return alone(with(file(study_.scenario, row), of_columns(study_.set, names_of(row)), row));
 }
@@ -92,7 +103,9 @@ Scenario Scenes::of_reference(const Reference& reference, const FileValues& per,
   const Given& name = reference.scenario ? *reference.scenario : study_.scenario;
   std::vector<std::string> known = names_of(values);
   known.insert(known.end(), columns.begin(), columns.end());
-  return alone(with(file(name, values), of_columns(all, known), values));
+  Scenario scenario = with(file(name, values), of_columns(all, known), values);
+  if (!reference.scenario) scale_steps(scenario, values);
+  return alone(std::move(scenario));
 }
 
 }  // namespace tandem::study

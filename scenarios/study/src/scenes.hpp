@@ -8,17 +8,21 @@
 #include <vector>
 
 #include "tandem/study/study.hpp"
+#include "tandem/transports/open.hpp"
 
 namespace tandem::study {
 
 /// The scenarios of a study, of which each file is read once.
 class Scenes {
  public:
-  Scenes(const Study& study, std::vector<std::string> overrides)
-      : study_(study), overrides_(std::move(overrides)) {}
+  Scenes(const Study& study, const Builtins& builtins, std::vector<std::string> overrides)
+      : study_(study), builtins_(builtins), overrides_(std::move(overrides)) {}
 
   // From any thread. Throw Error for values that the scenario does not take.
+  /// Its own steps are those of the scenario.
   scenario::Scenario of_row(const FileValues& row);
+  /// As the study's `steps` says. Throws Error for a scenario that can't be opened too.
+  void scale_steps(scenario::Scenario& scenario, const FileValues& values) const;
   /// per: the values that it goes by. columns: those of the rows that need it.
   scenario::Scenario of_reference(const Reference& reference, const FileValues& per,
                                   const std::vector<std::string>& columns);
@@ -27,6 +31,7 @@ class Scenes {
   const scenario::ScenarioFile& file(const Given& name, const FileValues& values);
 
   const Study& study_;
+  const Builtins& builtins_;
   std::vector<std::string> overrides_;
   std::mutex mutex_;
   std::map<std::filesystem::path, std::unique_ptr<scenario::ScenarioFile>> files_;

@@ -26,7 +26,7 @@ class Sweep::Work {
   Work(const Study& study, const Builtins& builtins, SweepSettings settings)
       : study_(study),
         settings_(std::move(settings)),
-        scenes_(study, settings_.overrides),
+        scenes_(study, builtins, settings_.overrides),
         references_(study, scenes_, builtins) {
     for (const Table& table : study.tables)
       runners_.emplace_back(study, table, scenes_, references_, builtins, settings_.metrics);

@@ -108,8 +108,9 @@ struct Kept {
 /// Runs of a scenario with columns of values, what each is judged by, and what they are compared with.
 struct Study {
   std::filesystem::path file;
-  Given scenario;          ///< a file, relative to that of the study
-  std::vector<Given> set;  ///< in rows of a table that has the columns of each
+  Given scenario;              ///< a file, relative to that of the study
+  std::optional<Given> steps;  ///< a factor of all own steps and of the communication step
+  std::vector<Given> set;      ///< in rows of a table that has the columns of each
   std::vector<Table> tables;
   std::vector<Reference> references;
   std::vector<Metric> metrics;
@@ -138,5 +139,7 @@ const text::Keys& keys();
 /// Reads a study, a file of its own or the table [study] in a scenario. Throws Error with file, line, the
 /// value found and what is allowed.
 Study read(const std::filesystem::path& file);
+/// The same of a text. file: what errors call it, and in whose folder its files lie.
+Study read(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace tandem::study

@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "cli/study_file.hpp"
+
+#include "tandem/scenario/scenario.hpp"
+#include "tandem/study/standing.hpp"
+#include "tandem/text/document.hpp"
+
+namespace tandem::cli {
+
+namespace fs = std::filesystem;
+
+fs::path study_path(const std::string& name) {
+  return name.ends_with(".toml") || fs::is_regular_file(name) ? fs::path(name)
+                                                              : fs::path("scenarios") / name / "study.toml";
+}
+
+StudyFile read_study(const fs::path& file, const Builtins& builtins) {
+  const fs::path folder = fs::path("results") / fs::weakly_canonical(file).parent_path().filename();
+  const text::Document document(file);
+  const bool standing = document.table().contains("subsystems") && !document.table().contains("study");
+  if (!standing) return {study::read(file), false, folder};
+  const auto text = study::standing_study(scenario::read(file), builtins);
+  return {study::read(file, text), true, folder / file.stem()};
+}
+
+}  // namespace tandem::cli

@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "tandem/scenario/scenario.hpp"
+#include "tandem/transports/open.hpp"
+
+namespace tandem::study {
+
+/// The study of a scenario that has none, as a text in the language of studies: every schedule with one
+/// reconstruction for all connections, and own steps halved, as they are and doubled; at most 96 rows. Held
+/// outputs keep their reconstruction. Its table is `schemes`, its reference fastest-first with steps of a
+/// sixteenth. Rows are judged by the scenario's [judge], else by every connected output, 1 % of its peak.
+/// Throws Error for a scenario that can't be opened, or has no connection.
+std::string standing_study(const scenario::Scenario& scenario, const Builtins& builtins);
+
+/// In words: which rows of its table `schemes` are within the tolerance, and which of these is cheapest
+/// (fewest exchanges, then fewest own steps).
+std::string standing_verdict(const std::filesystem::path& folder);
+
+}  // namespace tandem::study

@@ -1,0 +1,194 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/study/standing.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "tandem/scenario/assembly.hpp"
+
+namespace tandem::study {
+namespace {
+
+constexpr double usual_tolerance = 0.01;  // of the peak
+
+/// An output that rows are judged by.
+struct JudgedOutput {
+  std::string name;
+  double tolerance;
+  scenario::Measure measure;
+};
+
+/// Writes the study of a scenario.
+class Writer {
+ public:
+  Writer(const scenario::Scenario& scenario, const Builtins& builtins)
+      : scenario_(scenario), parts_(scenario, builtins, scenario::Code::run) {
+    if (scenario.connections.empty())
+      throw Error(
+          ErrorCode::invalid_argument,
+          scenario.file.string() + " has no connection; allowed is a scenario with at least one, or a study");
+    find_judged();
+  }
+
+  std::string text() const {
+    return head() + reconstructions() + R"toml(
+[[tables.schemes.blocks]]
+axes = [
+  { schedule = ["slowest-first", "fastest-first", "staggered", "parallel"] },
+  { reconstruction = ["lagrange0", "lagrange1", "lagrange2", "lagrange3", "lagrange4", "hermite", "mean", "matched_hold"] },
+  { steps = [0.5, 1, 2] },
+]
+)toml" + reference() +
+           metrics() + charts();
+  }
+
+ private:
+  const Port* port_of(const std::string& output) const {
+    for (int i = 0; i < parts_.topology().size(); ++i)
+      for (const Port& port : parts_.topology().info(i).outputs) {
+        const std::string name = parts_.topology().name(i) + "." + port.name;
+        if (output == name || output.starts_with(name + "[")) return &port;
+      }
+    return nullptr;
+  }
+
+  void find_judged() {
+    if (const auto& judge = scenario_.judge) {
+      judged_.push_back({judge->quantity, judge->tolerance, judge->measure});
+      return;
+    }
+    for (const auto& entry : scenario_.connections) {
+      const std::string& from = entry.connection.from;
+      const Port* port = port_of(from);
+      const bool is_vector = port && port->size > 1 && !from.ends_with("]");
+      for (int k = 0; k < (is_vector ? port->size : 1); ++k)
+        add(is_vector ? fmt::format("{}[{}]", from, k) : from);
+    }
+  }
+
+  void add(const std::string& output) {
+    if (std::none_of(judged_.begin(), judged_.end(),
+                     [&](const JudgedOutput& one) { return one.name == output; }))
+      judged_.push_back({output, usual_tolerance, {}});
+  }
+
+  std::string head() const {
+    return fmt::format(
+        R"toml(# The study of a scenario that has none. Rows are good enough where error is at most 1.
+scenario = "{}"
+steps = "$steps"
+columns = ["schedule", "reconstruction", "steps", "error", "reference_error", "exchanges", "own_steps"]
+
+[set]
+"coordination.schedule" = "$schedule"
+)toml",
+        scenario_.file.filename().string());
+  }
+
+  static bool takes_any(const scenario::ConnectionEntry& entry, const Port* port) {
+    return !(port && port->held) && entry.connection.lag == Lag::none;
+  }
+
+  std::string reconstructions() const {
+    std::string text;
+    for (const auto& entry : scenario_.connections)
+      if (takes_any(entry, port_of(entry.connection.from)))
+        text +=
+            fmt::format("\"connections[{}].reconstruction\" = \"$reconstruction\"\n", entry.connection.to);
+    return text;
+  }
+
+  /// Hermite where there are derivatives, else lagrange3.
+  std::string reference() const {
+    std::string text = R"toml(
+[references.fine]
+with = { schedule = "fastest-first", reconstruction = "hermite", steps = 0.0625 }
+floor = true
+
+[references.fine.set]
+)toml";
+    for (const auto& entry : scenario_.connections) {
+      const Port* port = port_of(entry.connection.from);
+      if (takes_any(entry, port) && port && port->derivatives == 0)
+        text += fmt::format("\"connections[{}].reconstruction\" = \"lagrange3\"\n", entry.connection.to);
+    }
+    return text;
+  }
+
+  static std::string column(const JudgedOutput& output) {
+    std::string name = output.name + "_error";
+    std::replace_if(
+        name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+    return name;
+  }
+
+  std::string metrics() const {
+    std::string text = "\n[metrics]\n";
+    std::vector<std::string> fractions, floors, steps;
+    for (const JudgedOutput& one : judged_) {
+      const bool rms = one.measure.norm == scenario::Norm::rms;
+      text += fmt::format("{} = {{ of = \"{}\", norm = \"{}\", relative = \"{}\"", column(one), one.name,
+                          rms ? "rms" : "max", rms ? "rms" : "peak");
+      if (std::isfinite(one.measure.from)) text += fmt::format(", from = {}", one.measure.from);
+      if (std::isfinite(one.measure.to)) text += fmt::format(", to = {}", one.measure.to);
+      if (one.measure.shift > 0.0) text += fmt::format(", shift = {}", one.measure.shift);
+      text += " }\n";
+      fractions.push_back(fmt::format("{}/{}", column(one), one.tolerance));
+      floors.push_back(fmt::format("{}.floor/{}", column(one), one.tolerance));
+    }
+    for (const auto& entry : scenario_.subsystems) {
+      text += fmt::format("\"steps.{}\" = {{}}\n", entry.name);
+      steps.push_back("steps." + entry.name);
+    }
+    return text + fmt::format(R"toml(exchanges = {{}}
+own_steps = {{ formula = "{}" }}
+error = {{ formula = "max({})" }}
+reference_error = {{ formula = "max({})" }}
+)toml",
+                              fmt::join(steps, " + "), fmt::join(fractions, ", "), fmt::join(floors, ", "));
+  }
+
+  static std::string charts() {
+    return R"toml(
+[names]
+error = "error / tolerance"
+steps = "steps x"
+own_steps = "own steps"
+
+[[charts]]
+name = "schemes_work"
+kind = "work"
+title = "Error against cost"
+cost = ["exchanges", "own_steps"]
+error = "error"
+colour = "schedule"
+marker = "reconstruction"
+front = true
+tolerance = 1
+
+[[charts]]
+name = "schemes_map"
+kind = "map"
+title = "Error as a part of the tolerance"
+rows = ["schedule", "reconstruction"]
+columns = "steps"
+value = "error"
+limits = [0.01, 0.1, 0.5, 1, 10]
+best = 1
+)toml";
+  }
+
+  const scenario::Scenario& scenario_;
+  scenario::Parts parts_;
+  std::vector<JudgedOutput> judged_;
+};
+
+}  // namespace
+
+std::string standing_study(const scenario::Scenario& scenario, const Builtins& builtins) {
+  return Writer(scenario, builtins).text();
+}
+
+}  // namespace tandem::study
