@@ -36,17 +36,19 @@ void Cells::add(std::size_t row, const Charts& charts, const Table& table) {
             rows_.of(table.words(row, chart_.rows, chart_.place, charts)),
             0,
             {},
-            {}};
+            {},
+            false};
   if (!table.failed(row)) cell.value = table.number(row, *chart_.value);
   for (std::size_t k = 0; k < chart_.signs.size() && cell.value && !cell.sign; ++k)
     if (table.number(row, chart_.signs[k].when).value_or(0.0) != 0.0) cell.sign = k;
+  cell.also = chart_.also && table.number(row, chart_.also->when).value_or(0.0) != 0.0;
   cells_.push_back(cell);
 }
 
-const Cell* Cells::best(std::size_t panel, std::size_t column) const {
+const Cell* Cells::best(std::size_t panel, std::size_t column, bool also) const {
   const Cell* best = nullptr;
   for (const Cell& cell : cells_)
-    if (cell.panel == panel && cell.column == column && cell.value && chart_.best &&
+    if (cell.panel == panel && cell.column == column && (!also || cell.also) && cell.value && chart_.best &&
         *cell.value <= *chart_.best && (!best || *cell.value < *best->value))
       best = &cell;
   return best;

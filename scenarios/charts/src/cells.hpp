@@ -13,6 +13,7 @@ struct Cell {
   std::size_t panel, row, column;
   std::optional<double> value;      ///< nothing where it is no result
   std::optional<std::size_t> sign;  ///< the first that holds
+  bool also;                        ///< the chart's `also` holds
 
   /// Neither shaded nor signed.
   bool is_out(double limit) const { return !sign && (!value || *value > limit); }
@@ -28,7 +29,8 @@ class Cells {
   const std::vector<std::string>& rows() const { return rows_.names(); }
   const std::vector<std::string>& columns() const { return columns_; }
   /// The one with the smallest value of a column, unless it is larger than the chart's `best`; null: none.
-  const Cell* best(std::size_t panel, std::size_t column) const;
+  /// also: of those for which that holds.
+  const Cell* best(std::size_t panel, std::size_t column, bool also = false) const;
   /// Which is best of each column, a line each. value: how a value is shown.
   std::string words(std::string (*value)(double)) const;
 

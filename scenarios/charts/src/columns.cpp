@@ -22,6 +22,7 @@ std::vector<Quantity> columns_of(const Chart& chart) {
       if (!chart.difference.empty()) all.push_back({y.text + "." + chart.difference, y.place});
     }
   for (const Sign& sign : chart.signs) add(sign.when, all);
+  if (chart.also) add(chart.also->when, all);
   for (const auto* columns : {&chart.panels, &chart.colour, &chart.marker, &chart.rows, &chart.series})
     for (const std::string& column : *columns) all.push_back({column, chart.place});
   for (const std::string& column : {chart.columns, chart.jumps})

@@ -19,6 +19,7 @@ constexpr std::array<const char*, 3> sign_styles = {"with points pt 8 ps 0.55 lw
                                                     "with points pt 6 ps 0.55 lw 1 lc rgb '#707070'"};
 constexpr const char* no_value = "with points pt 2 ps 0.45 lw 1 lc rgb '#707070'";
 constexpr const char* disc = "with points pt 7 ps 0.95 lc rgb 'white'";
+constexpr const char* also_sign = "with points pt 6 ps 0.6 lw 1.8 lc rgb '#000000'";
 constexpr const char* best_sign = "with points pt 7 ps 0.6 lc rgb '#000000'";
 
 std::string fraction(double value) { return fmt::format("{:.2g} %", 100.0 * value); }
@@ -80,6 +81,7 @@ class MapChart {
                     [&](const Cell& cell) { return cell.is_out(last); }))
       sign.push_back({"", no_value, "failed, or above " + limit(last)});
     if (chart_.best) sign.push_back({"", best_sign, "best"});
+    if (chart_.best && chart_.also) sign.push_back({"", also_sign, chart_.also->name});
     return {shade, sign};
   }
 
@@ -96,7 +98,7 @@ class MapChart {
 
   std::vector<Curve> curves(Picture& picture, std::size_t panel) const {
     std::vector<std::vector<Point>> shaded(chart_.limits.size()), signs(chart_.signs.size());
-    std::vector<Point> out, best;
+    std::vector<Point> out, best, also;
     for (const Cell& cell : cells_.all()) {
       if (cell.panel != panel) continue;
       const auto shade = std::find_if(chart_.limits.begin(), chart_.limits.end(),
@@ -107,7 +109,11 @@ class MapChart {
       if (cell.is_out(chart_.limits.back())) out.push_back(place_of(cell));
     }
     for (std::size_t column = 0; column < cells_.columns().size(); ++column)
-      if (const Cell* cell = cells_.best(panel, column)) best.push_back(place_of(*cell));
+      if (const Cell* cell = cells_.best(panel, column)) {
+        best.push_back(place_of(*cell));
+        const Cell* second = chart_.also ? cells_.best(panel, column, true) : nullptr;
+        if (second && second != cell) also.push_back(place_of(*second));
+      }
     std::vector<Curve> all;
     for (std::size_t k = 0; k < shaded.size(); ++k)
       all.push_back(
@@ -116,8 +122,9 @@ class MapChart {
                        shades[k])});
     for (std::size_t k = 0; k < signs.size(); ++k) all.push_back({picture.data(signs[k]), sign_styles[k]});
     all.push_back({picture.data(out), no_value});
-    const std::string marked = picture.data(best);
+    const std::string marked = picture.data(best), marked_too = picture.data(also);
     all.push_back({marked, disc}), all.push_back({marked, best_sign});
+    all.push_back({marked_too, disc}), all.push_back({marked_too, also_sign});
     return all;
   }
 

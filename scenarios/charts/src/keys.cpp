@@ -68,7 +68,9 @@ void of_map(KeyList& to) {
       .may("percent", flag, "Limits are shown as percentages.", {.otherwise = "false"})
       .may("signs", any, "The first that holds stands in the cell.",
            {.allowed = "an array of up to three tables `{ when = EXPRESSION, name = TEXT }`"})
-      .may("best", positive, "The smallest value of each column is marked, unless it is larger than this.");
+      .may("best", positive, "The smallest value of each column is marked, unless it is larger than this.")
+      .may("also", any, "The best of the cells for which this holds is marked too.",
+           {.allowed = "a table `{ when = EXPRESSION, name = TEXT }`"});
   of_panels(to);
 }
 

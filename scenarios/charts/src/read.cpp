@@ -98,6 +98,12 @@ class Reader {
     }
   }
 
+  static Sign sign_in(Section& section) {
+    const auto when = quantity(section, "when");
+    if (!when) section.missing("when", "an expression");
+    return {*when, section.required_text("name", "a text")};
+  }
+
   void read_map() {
     constexpr std::size_t most_shades = 6, most_signs = 3;
     chart_.rows = one_or_more(section_, "rows");
@@ -110,13 +116,14 @@ class Reader {
         !std::is_sorted(chart_.limits.begin(), chart_.limits.end()))
       section_.wrong("limits", "something else", "one to six numbers, rising");
     chart_.percent = *section_.flag("percent");
-    tables(section_, "signs", [&](Section& sign) {
-      const auto when = quantity(sign, "when");
-      if (!when) sign.missing("when", "an expression");
-      chart_.signs.push_back({*when, sign.required_text("name", "a text")});
-    });
+    tables(section_, "signs", [&](Section& sign) { chart_.signs.push_back(sign_in(sign)); });
     if (chart_.signs.size() > most_signs) section_.wrong("signs", "more", "up to three");
     chart_.best = section_.positive("best");
+    if (const toml::table* table = section_.table("also")) {
+      Section also(section_.document(), *table, section_.name("also"));
+      chart_.also = sign_in(also);
+      also.refuse_unknown();
+    }
     read_panels();
   }
 

@@ -122,6 +122,13 @@ TEST_F(ChartTest, AMapHasShadesSignsAndTheBestOfEachColumn) {
   EXPECT_EQ(drawing.words, "         1  none\n         2  b (0.02)\n         4  none\n");
 }
 
+TEST_F(ChartTest, AMapMarksTheBestOfSomeCellsToo) {
+  const std::string drawn = script(map + "best = 1\nalso = { when = '(how is a)', name = 'of a' }\n");
+  EXPECT_TRUE(has(drawn, "title 'of a'"));
+  EXPECT_TRUE(has(drawn, "$d5 << END\n0 0\n1 0\nEND\n"));  // after both shades, what is out, and the best
+  EXPECT_TRUE(refused(map + "also = { when = 'x' }\n", {"c.toml:9: charts[0].also.name is missing"}));
+}
+
 TEST_F(ChartTest, TracesHaveWindowsDifferencesAndJumps) {
   table("time,y,y.exact,gear\n0,1,1,1\n1,2,2.5,1\n2,4,4,2\n3,5,5,2\n");
   const std::string drawn =

@@ -23,7 +23,7 @@ struct Line {
   std::string name;
 };
 
-/// A sign in the cells of a map for which an expression holds.
+/// Cells of a map for which an expression holds.
 struct Sign {
   Quantity when;
   std::string name;
@@ -66,6 +66,7 @@ struct Chart {
   std::vector<double> limits;
   std::vector<Sign> signs;
   std::optional<double> best;  ///< of each column, if its value is not above this
+  std::optional<Sign> also;    ///< the best of these cells is marked too
 
   // traces: y against x, a panel for each y
   std::vector<std::vector<double>> windows;
