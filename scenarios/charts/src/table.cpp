@@ -113,6 +113,7 @@ std::optional<double> Table::number(std::size_t row, const Quantity& quantity) c
     const std::string& cell = csv_[row].text(name);
     if (cell.empty()) return {};
     const auto value = as_number(cell);
+    if (value && !std::isfinite(*value)) return {};
     values[name] = value ? text::FileValue(*value) : text::FileValue(cell);
   }
   return located(quantity.place, [&] { return text::evaluated(quantity.text, values); });

@@ -26,7 +26,7 @@ class Table {
   /// Lines that say how it was made: the norms of these quantities, the program, the machine.
   std::vector<std::string> made(const std::vector<Quantity>& shown) const;
 
-  /// Nothing where a column that it needs is empty, or it is not finite. Throws Error naming the place for a
+  /// Nothing where a column that it needs is empty, or not finite. Throws Error naming the place for a
   /// column that is not there, and for a word where a number is needed.
   std::optional<double> number(std::size_t row, const Quantity& quantity) const;
   /// Whether the row has a status other than ok.

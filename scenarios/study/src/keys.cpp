@@ -29,7 +29,8 @@ void of_file(KeyList& to) {
 
 void of_tables(KeyList& to) {
   using enum text::Key::Type;
-  to.named("tables", "Tables of rows, each written to TABLE.csv.", "One of them.", true)
+  to.named("tables", "Tables of rows, each written to TABLE.csv. Without it there is a search.",
+           "One of them.")
       .may("columns", texts, "In place of the study's.")
       .may("metrics", texts, "Those that it has. Without it: all.")
       .table("tables.NAME.blocks[]", "Rows of it: blocks add up in the order of the file.", true)
@@ -106,6 +107,25 @@ void of_metrics(KeyList& to) {
       .may("NAME", any, "As it knows it.", {.allowed = "as in `[set]`"});
 }
 
+void of_searches(KeyList& to) {
+  using enum text::Key::Type;
+  to.table(
+        "search[]",
+        "The largest or smallest value of a column for which a condition holds, by bisection: a table of its "
+        "own, with the metrics of the run at that value.")
+      .need("name", text, "Its rows are written to NAME.csv.")
+      .need("column", text, "The column that is searched for; it is in no axis.")
+      .need("from", positive, "The smallest value.")
+      .need("to", positive, "The largest value.")
+      .may("find", word, "Which value: a condition holds up to the largest, or from the smallest on.",
+           {.otherwise = "largest", .words = {"largest", "smallest"}})
+      .need("holds", text, "A run whose status is not ok never does.",
+            {.allowed = "an expression of metrics and columns"})
+      .may("precision", positive, "Of the value, relative.", {.otherwise = "0.01"})
+      .need("axes", any, "A search for each row of these.", {.allowed = "as in a block"})
+      .may("where", text, "Leaves rows out where it is 0.", {.allowed = "an expression of columns"});
+}
+
 void of_kept(KeyList& to) {
   using enum text::Key::Type;
   to.table("keep[]", "Runs whose outputs over time are written to TABLE.series.csv.")
@@ -138,7 +158,8 @@ void of_verdicts(KeyList& to) {
 const text::Keys& keys() {
   static const text::Keys all = [] {
     KeyList list;
-    for (const auto part : {of_file, of_tables, of_references, of_metrics, of_verdicts, of_kept}) part(list);
+    for (const auto part : {of_file, of_tables, of_searches, of_references, of_metrics, of_verdicts, of_kept})
+      part(list);
     charts::add_keys(list);
     return text::Keys(std::move(list).list());
   }();

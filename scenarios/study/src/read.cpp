@@ -5,6 +5,7 @@
 #include "axes.hpp"
 #include "read_kept.hpp"
 #include "read_metrics.hpp"
+#include "read_search.hpp"
 #include "row_key.hpp"
 #include "tandem/nearest.hpp"
 #include "tandem/study/study.hpp"
@@ -51,6 +52,8 @@ class Reader {
     read_references();
     read_metrics(root_, to_);
     order_columns();
+    for (Table& table : to_.tables)
+      if (table.search) check_formula(table.search->holds, "search." + table.name + ".holds", to_);
     to_.lost = read_when("lost");
     to_.unstable = read_when("unstable");
     read_kept(root_, to_);
@@ -60,31 +63,50 @@ class Reader {
   }
 
  private:
+  using Named = std::vector<std::pair<std::string, Section>>;
+
   void read_tables() {
     const Axes axes(root_);
     auto all = root_.section("tables");
-    if (!all || all->table().empty())
-      root_.missing("tables", "a table [tables.NAME] with [[tables.NAME.blocks]]");
-    for (auto& [name, section] : all->named_sections()) {
-      if (!is_column_name(name))
-        refuse(section.place(), "table '" + name + "'; allowed are letters, digits and _, no digit first");
-      Table table{
-          .name = name, .columns = {}, .metrics = {}, .header = {}, .rows = {}, .place = section.place()};
+    const bool has_tables = all && !all->table().empty();
+    if (!has_tables && !root_.node("search"))
+      root_.missing("tables", "a table [tables.NAME] with [[tables.NAME.blocks]], or [[search]]");
+    for (auto& [name, section] : has_tables ? all->named_sections() : Named()) {
+      Table table = begun(name, section);
       for (Section& block : section.sections("blocks"))
         for (FileValues& row : axes.rows(block, table.columns)) table.rows.push_back(std::move(row));
-      if (table.rows.empty())
-        refuse(section.place(), "tables." + name + " has no rows; allowed is at least one");
-      refuse_twice(table);
-      to_.tables.push_back(std::move(table));
+      add(std::move(table));
       sections_.emplace(name, std::move(section));
     }
+    for (Section& section : root_.sections("search")) {
+      Table table = begun(section.required_text("name"), section);
+      table.search = read_search(section);
+      table.rows = axes.rows(section, table.columns);
+      add(std::move(table));
+    }
+  }
+
+  Table begun(const std::string& name, const Section& section) const {
+    if (!is_column_name(name))
+      refuse(section.place(), "table '" + name + "'; allowed are letters, digits and _, no digit first");
+    for (const Table& table : to_.tables)
+      if (table.name == name)
+        refuse(section.place(), "two tables have the name " + name + "; allowed is one");
+    return {.name = name, .columns = {}, .metrics = {}, .header = {}, .rows = {}, .place = section.place()};
+  }
+
+  void add(Table table) {
+    if (table.rows.empty())
+      refuse(table.place, "table " + table.name + " has no rows; allowed is at least one");
+    refuse_twice(table);
+    to_.tables.push_back(std::move(table));
   }
 
   static void refuse_twice(const Table& table) {
     std::set<std::string> keys;
     for (const FileValues& row : table.rows)
       if (!keys.insert(row_key(table.columns, row)).second)
-        refuse(table.place, "tables." + table.name + " has the row " + row_text(table.columns, row) +
+        refuse(table.place, "table " + table.name + " has the row " + row_text(table.columns, row) +
                                 " twice; allowed is once");
   }
 
@@ -152,6 +174,13 @@ class Reader {
     for (const Table& table : to_.tables)
       known.insert(known.end(), table.columns.begin(), table.columns.end());
     for (Table& table : to_.tables) {
+      if (table.search) {
+        table.metrics = without_times();
+        table.header = header({}, table);
+        table.header.insert(table.header.begin() + static_cast<std::ptrdiff_t>(table.columns.size()),
+                            table.search->column);
+        continue;
+      }
       Section& section = sections_.at(table.name);
       const auto own = section.texts("columns");
       const auto chosen = section.texts("metrics");
@@ -229,9 +258,11 @@ text::SetValue Given::with(const FileValues& columns) const {
 
 std::vector<std::string> Study::columns() const {
   std::vector<std::string> names;
-  for (const Table& table : tables)
+  for (const Table& table : tables) {
     for (const std::string& column : table.columns)
       if (!has(names, column)) names.push_back(column);
+    if (table.search && !has(names, table.search->column)) names.push_back(table.search->column);
+  }
   return names;
 }
 

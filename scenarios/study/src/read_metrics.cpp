@@ -165,9 +165,9 @@ void read_metrics(Section& root, Study& to) {
                  ": allowed names have letters, digits and _, no digit first; by their names "
                  "alone there are " +
                  names_alone);
-    for (const Table& table : to.tables)
-      if (std::find(table.columns.begin(), table.columns.end(), name) != table.columns.end())
-        refuse(section.place(), "metrics." + name + " has the name of a column of the table " + table.name);
+    const auto columns = to.columns();
+    if (std::find(columns.begin(), columns.end(), name) != columns.end())
+      refuse(section.place(), "metrics." + name + " has the name of a column");
     const Metric one = metric ? *metric : MetricReader(section, name, to).read();
     if (one.kind == Metric::Kind::formula) check_formula(*one.formula, "metrics." + name + ".formula", to);
     if (one.scale) check_names(*one.scale, "metrics." + name + ".scale", to.columns());

@@ -49,7 +49,10 @@ std::string References::key(const Reference& reference, const FileValues& row) {
   return key;
 }
 
-void References::need(const std::vector<const Metric*>& metrics, const Table& table, const FileValues& row) {
+void References::need(const std::vector<const Metric*>& metrics, const Table& table,
+                      const FileValues& of_table) {
+  FileValues row = of_table;
+  if (table.search) row[table.search->column] = table.search->from;  // its own value is not known before
   for (const Reference& reference : study_.references) {
     auto outputs = referred_outputs(metrics, reference.name);
     for (const Kept& kept : study_.kept)
@@ -57,6 +60,10 @@ void References::need(const std::vector<const Metric*>& metrics, const Table& ta
         outputs.insert(outputs.end(), kept.outputs.begin(), kept.outputs.end());
     if (outputs.empty()) continue;
     FileValues per;
+    if (table.search &&
+        std::find(reference.per.begin(), reference.per.end(), table.search->column) != reference.per.end())
+      refuse(reference.place, "references." + reference.name + ".per has " + table.search->column +
+                                  ", which is searched for; allowed are other columns");
     for (const std::string& column : reference.per)
       if (const auto it = row.find(column); it != row.end()) per[column] = it->second;
     ReferenceRun*& run = by_key_[key(reference, row)];

@@ -237,6 +237,11 @@ RowRunner::RowRunner(const Study& study, const Table& table, Scenes& scenes, con
       outputs_(judged_outputs(metrics_, table)) {}
 
 std::optional<RowResult> RowRunner::run(const FileValues& row, const std::function<bool()>& going) const {
+  return table_.search ? search(row, going) : run_once(row, going);
+}
+
+std::optional<RowResult> RowRunner::run_once(const FileValues& row,
+                                             const std::function<bool()>& going) const {
   OneRun one(*this, row, outputs_);
   if (!one.begin()) return one.result();
   if (!one.simulate(going)) return {};

@@ -70,7 +70,7 @@ TEST(Studies, ThatAreWrongAreRefusedWithTheirLine) {
     EXPECT_TRUE(test::refuses(ErrorCode::invalid_argument, says, [&] { of(text); })) << text;
   };
   refuses("", {"tables is missing"});
-  refuses("[tables.t]\n", {"tables.t has no rows"});
+  refuses("[tables.t]\n", {"table t has no rows"});
   refuses("[[tables.t.blocks]]\naxes = [{ a = [1, 2], b = [1] }]\n",
           {"study.toml:3", "b has 1 values and a has 2"});
   refuses("[[tables.t.blocks]]\naxes = [{ a = [1] }, { a = [2] }]\n", {"a is there twice"});

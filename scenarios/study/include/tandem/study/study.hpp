@@ -36,6 +36,15 @@ struct Given {
   text::SetValue with(const FileValues& columns) const;
 };
 
+/// The largest or smallest value of a column for which a condition holds, found by bisection.
+struct Search {
+  std::string column;
+  double from, to;   ///< between these
+  bool largest;      ///< it holds at `from`, and up to the value that is found; else from there to `to`
+  Formula holds;     ///< of metrics and columns; a run with another status than ok never does
+  double precision;  ///< relative, of the value
+};
+
 /// Rows of one set of columns.
 struct Table {
   std::string name;
@@ -44,6 +53,7 @@ struct Table {
   std::vector<std::string> header;   ///< columns and metrics in the order in which they are written
   std::vector<FileValues> rows;      ///< by column
   Place place;
+  std::optional<Search> search = {};  ///< each row is a search; its column is a metric of the row
 };
 
 /// What results are compared with: results, or a run.
@@ -118,7 +128,7 @@ struct Study {
   std::vector<Kept> kept;
   charts::Charts charts;
 
-  /// Of all tables, each once.
+  /// Of all tables, each once; those that are searched for too.
   std::vector<std::string> columns() const;
   /// Of TABLE.csv, without status and note; and of TABLE.series.csv.
   std::vector<std::string> columns_of(const Table& table) const;
