@@ -107,6 +107,14 @@ TEST_F(StandingStudy, ItsErrorsFallAsTheStepsDo) {
   }
 }
 
+TEST_F(StandingStudy, IsJudgedAsTheCommandLineSays) {
+  folder_.write("ring.toml", ring + judge);
+  ASSERT_EQ(tandem(folder_, {"sweep", "ring.toml", "--output", "o", "--set", "judge.tolerance=0.004"}).status,
+            0);
+  const CsvTable table = CsvTable::read(folder_.path() / "o/schemes.csv", {});
+  EXPECT_EQ(table[0].number("error"), table[0].number("c_y_error") / 0.004);
+}
+
 TEST_F(StandingStudy, WithoutAJudgeEveryConnectedOutputCounts) {
   const CsvTable table = swept(ring);
   const auto row = table[0];

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "command.hpp"
 #include "tandem/charts/csv_table.hpp"
 
@@ -77,6 +79,12 @@ TEST_F(StudySearch, FindsTheSmallestToo) {
   }
 }
 
+TEST_F(StudySearch, EndsWhereThereIsNoNumberBetween) {
+  const CsvTable found =
+      swept(search("from = 1e-3\nto = 4e-3\nholds = 'step < 0.003'\nprecision = 1e-18\n"), "largest");
+  EXPECT_EQ(found[0].number("step"), std::nextafter(0.003, 0.0));
+}
+
 TEST_F(StudySearch, SaysWhereItHoldsNowhereOrEverywhere) {
   const CsvTable nowhere = swept(search("from = 1e-3\nto = 0.02\nholds = 'error < 1e-9'\n"), "largest");
   EXPECT_EQ(nowhere[0].text("step"), "");
@@ -104,6 +112,7 @@ TEST_F(StudySearch, BadOnesAreRefused) {
           "name 'eror' is not there; did you mean 'error'?");
   refused(search(good + "find = 'best'\n"), "search[0].find is 'best'");
   refused(search(good + "frm = 1\n"), "unknown key of [search[0]] 'frm'; did you mean 'from'?");
+  refused(search(good) + "[[keep]]\nname = 'k'\noutputs = ['linkage.speed']\n", "keep[0] has no table");
   refused(search(good) + "[[tables.largest.blocks]]\naxes = [{ how = ['lagrange0'] }]\n",
           "two tables have the name largest");
 }

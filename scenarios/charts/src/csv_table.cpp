@@ -15,6 +15,13 @@ constexpr std::size_t most_cells = 100'000;  // of a row
 
 }  // namespace
 
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + "\"";
+}
+
 CsvTable CsvTable::read(const std::filesystem::path& file, const std::vector<std::string>& columns) {
   InputFile in(file);
   CsvTable table(file);

@@ -40,11 +40,10 @@ class MapChart {
       : chart_(chart), charts_(charts), table_(table), cells_(chart, charts, table) {}
 
   Picture drawn() {
-    std::vector<std::string> caption = chart_.notes;
-    for (std::string& line : table_.made({*chart_.value})) caption.push_back(std::move(line));
     const int panels = static_cast<int>(cells_.panels().size());
     const int across = std::min(panels, chart_.across > 0 ? chart_.across : 1);
-    Frame frame(chart_.name, grid(panels, across), {chart_.title, legends(), caption});
+    Frame frame(chart_.name, grid(panels, across),
+                {chart_.title, legends(), table_.caption(chart_, {*chart_.value})});
     for (int panel = 0; panel < panels; ++panel) {
       frame.go_to(panel / across, panel % across, cells_.panels()[static_cast<std::size_t>(panel)]);
       set_axes(frame.picture(), panel % across == 0);

@@ -45,11 +45,9 @@ class PointsChart {
   }
 
   std::vector<std::string> caption() const {
-    std::vector<std::string> lines = chart_.notes;
     std::vector<Quantity> shown = chart_.x;
     for (const auto& y : chart_.y) shown.insert(shown.end(), y.begin(), y.end());
-    for (std::string& line : table_.made(shown)) lines.push_back(std::move(line));
-    return lines;
+    return table_.caption(chart_, shown);
   }
 
   void draw_panel(Frame& frame, std::size_t row, std::size_t panel) {

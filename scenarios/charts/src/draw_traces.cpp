@@ -41,13 +41,12 @@ class TracesChart {
       : chart_(chart), charts_(charts), table_(table), strips_(chart, charts, table) {}
 
   Picture drawn() {
-    std::vector<std::string> caption = chart_.notes;
     std::vector<Quantity> shown;
     for (const auto& y : chart_.y) shown.insert(shown.end(), y.begin(), y.end());
-    for (std::string& line : table_.made(shown)) caption.push_back(std::move(line));
     const int rows = static_cast<int>(strips_.all().size());
     const int height = rows > 3 ? 160 : rows > 1 ? 220 : 400;
-    Frame frame(chart_.name, {rows, 1, height, 85, 10, 70}, {chart_.title, {legend()}, caption});
+    Frame frame(chart_.name, {rows, 1, height, 85, 10, 70},
+                {chart_.title, {legend()}, table_.caption(chart_, shown)});
     for (int row = 0; row < rows; ++row) draw(frame, row);
     return frame.picture();
   }

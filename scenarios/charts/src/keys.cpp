@@ -111,8 +111,6 @@ void add_keys(KeyList& to) {
 const text::Keys& keys() {
   static const text::Keys all = [] {
     KeyList list;
-    list.may("results", text::Key::Type::text,
-             "The folder of results. Without it: results/FOLDER of the file.");
     add_keys(list);
     return text::Keys(std::move(list).list());
   }();

@@ -22,7 +22,7 @@ class Reader {
     using enum Chart::Kind;
     const std::string kind = section_.kind();
     chart_.kind = kind == "curves" ? curves : kind == "work" ? work : kind == "map" ? map : traces;
-    chart_.table = section_.text("table").value_or("");
+    chart_.table = table_name(section_, section_.text("table").value_or(""));
     chart_.title = section_.text("title").value_or("");
     chart_.notes = section_.texts("notes");
     if (const toml::table* words = section_.table("words"))
@@ -37,6 +37,14 @@ class Reader {
   }
 
  private:
+  /// A table of the folder, and of no other: TABLE, or TABLE.series.
+  static std::string table_name(const Section& section, const std::string& name) {
+    const auto is_allowed = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '.'; };
+    if (name.starts_with('.') || !std::all_of(name.begin(), name.end(), is_allowed))
+      section.wrong("table", "'" + name + "'", "letters, digits, _ and dots, no dot first");
+    return name;
+  }
+
   void check_name() {
     const auto is_allowed = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
     if (chart_.name.empty() || !std::all_of(chart_.name.begin(), chart_.name.end(), is_allowed))
@@ -92,8 +100,8 @@ class Reader {
     });
     if (const toml::table* table = section_.table("overlay")) {
       Section overlay(section_.document(), *table, section_.name("overlay"));
-      chart_.overlay = {overlay.required_text("table", "a table"), overlay.required_text("name", "a text"),
-                        quantity(overlay, "where")};
+      chart_.overlay = {table_name(overlay, overlay.required_text("table", "a table")),
+                        overlay.required_text("name", "a text"), quantity(overlay, "where")};
       overlay.refuse_unknown();
     }
   }

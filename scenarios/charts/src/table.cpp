@@ -29,7 +29,7 @@ Texts texts_of(const nlohmann::json& json, const char* key) {
 std::string made_of(const nlohmann::json& json) {
   Texts known = texts_of(json, "made");
   std::string line;
-  for (const char* key : {"processor", "compiler", "commit", "reference", "repetitions"})
+  for (const char* key : {"processor", "compiler", "commit"})
     if (known.contains(key)) line += fmt::format("{}{}: {}", line.empty() ? "" : "   ", key, known[key]);
   return line;
 }
@@ -87,8 +87,8 @@ std::string Table::label(const Quantity& quantity, const Charts& charts, bool pe
   return unit.empty() ? name : name + " [" + unit + "]";
 }
 
-std::vector<std::string> Table::made(const std::vector<Quantity>& shown) const {
-  std::vector<std::string> lines;
+std::vector<std::string> Table::caption(const Chart& chart, const std::vector<Quantity>& shown) const {
+  std::vector<std::string> lines = chart.notes;
   for (const Quantity& one : shown)
     if (const auto it = norms_.find(one.text); it != norms_.end()) {
       const std::string line = one.text + ": " + it->second;

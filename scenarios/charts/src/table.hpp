@@ -23,8 +23,8 @@ class Table {
   bool is_word(const Quantity& quantity) const;
   /// "name [unit]" of what is drawn: for a metric the unit that the table has.
   std::string label(const Quantity& quantity, const Charts& charts, bool percent) const;
-  /// Lines that say how it was made: the norms of these quantities, the program, the machine.
-  std::vector<std::string> made(const std::vector<Quantity>& shown) const;
+  /// The lines below a chart of these quantities: its notes, their norms, the program and the machine.
+  std::vector<std::string> caption(const Chart& chart, const std::vector<Quantity>& shown) const;
 
   /// Nothing where a column that it needs is empty, or not finite. Throws Error naming the place for a
   /// column that is not there, and for a word where a number is needed.

@@ -15,10 +15,9 @@ ChartFile of_study(const fs::path& file, const Builtins& builtins) {
   return {std::move(found.study.charts), tables.size() == 1 ? tables[0].name : "", found.folder};
 }
 
-ChartFile of_charts(const text::Document& document) {
+ChartFile of_charts(const fs::path& file, const text::Document& document) {
   text::Section root(document, charts::keys());
-  const auto results = root.text("results");
-  ChartFile all{charts::read_charts(root), "", results.value_or("")};
+  ChartFile all{charts::read_charts(root), "", results_of(file)};
   root.refuse_unknown();
   return all;
 }
@@ -27,14 +26,13 @@ ChartFile of_charts(const text::Document& document) {
 
 ChartFile read_chart_file(const fs::path& file, const Builtins& builtins) {
   const text::Document document(file);
-  const auto& table = document.table();
-  const bool is_study = table.contains("study") || table.contains("tables") || table.contains("subsystems");
-  ChartFile all = is_study ? of_study(file, builtins) : of_charts(document);
+  const auto is_there = [&](const char* key) { return document.table().contains(key); };
+  const bool is_study =
+      is_there("study") || is_there("tables") || is_there("search") || is_there("subsystems");
+  ChartFile all = is_study ? of_study(file, builtins) : of_charts(file, document);
   if (all.charts.all.empty())
     throw Error(ErrorCode::invalid_argument,
                 file.string() + " has no charts; allowed is at least one [[charts]]");
-  if (all.results.empty())
-    all.results = fs::path("results") / fs::weakly_canonical(file).parent_path().filename();
   return all;
 }
 

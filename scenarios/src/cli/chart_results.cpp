@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "tandem/charts/csv_table.hpp"
 #include "tandem/error.hpp"
 #include "tandem/nearest.hpp"
 #include "tandem/output/files.hpp"
@@ -17,13 +18,6 @@ namespace tandem::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The quotes of RFC 4180.
-std::string quoted(const std::string& text) {
-  std::string all = "\"";
-  for (const char c : text) all += c == '"' ? "\"\"" : std::string(1, c);
-  return all + '"';
-}
 
 /// The rows of one of them that have a value.
 std::string rows_of(const fs::path& results, const std::vector<std::string>& columns) {
@@ -38,7 +32,7 @@ std::string rows_of(const fs::path& results, const std::vector<std::string>& col
   }
   std::string rows;
   for (std::size_t k = 0; k < table.times.size(); ++k) {
-    rows += quoted(results.string()) + fmt::format(",{}", table.times[k]);
+    rows += charts::csv_cell(results.string()) + fmt::format(",{}", table.times[k]);
     for (const auto* column : values)
       rows += std::isnan((*column)[k]) ? "," : fmt::format(",{}", (*column)[k]);
     rows += '\n';
@@ -60,7 +54,7 @@ nlohmann::json about(const fs::path& results) {
 charts::Drawing plotted(const std::vector<fs::path>& results, const std::vector<std::string>& columns,
                         const fs::path& folder) {
   std::string text = "results,time";
-  for (const std::string& column : columns) text += ',' + quoted(column);
+  for (const std::string& column : columns) text += ',' + charts::csv_cell(column);
   text += '\n';
   for (const fs::path& one : results) text += rows_of(one, columns);
   output::make_folder(folder);

@@ -14,12 +14,17 @@ fs::path study_path(const std::string& name) {
                                                               : fs::path("scenarios") / name / "study.toml";
 }
 
-StudyFile read_study(const fs::path& file, const Builtins& builtins) {
-  const fs::path folder = fs::path("results") / fs::weakly_canonical(file).parent_path().filename();
+fs::path results_of(const fs::path& file) {
+  return fs::path("results") / fs::weakly_canonical(file).parent_path().filename();
+}
+
+StudyFile read_study(const fs::path& file, const Builtins& builtins,
+                     const std::vector<std::string>& overrides) {
+  const fs::path folder = results_of(file);
   const text::Document document(file);
   const bool standing = document.table().contains("subsystems") && !document.table().contains("study");
   if (!standing) return {study::read(file), false, folder};
-  const auto text = study::standing_study(scenario::read(file), builtins);
+  const auto text = study::standing_study(scenario::read(file, overrides), builtins);
   return {study::read(file, text), true, folder / file.stem()};
 }
 

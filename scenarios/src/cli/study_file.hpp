@@ -17,7 +17,11 @@ struct StudyFile {
 
 /// FILE.toml, or scenarios/NAME/study.toml for NAME.
 std::filesystem::path study_path(const std::string& name);
-/// Throws Error for what is wrong with the file. The standing study of a scenario opens its subsystems.
-StudyFile read_study(const std::filesystem::path& file, const Builtins& builtins);
+/// results/FOLDER, FOLDER the name of the folder that a file lies in.
+std::filesystem::path results_of(const std::filesystem::path& file);
+/// overrides: of the scenario, if it is the standing study of one. Throws Error for what is wrong with the
+/// file. The standing study of a scenario opens its subsystems.
+StudyFile read_study(const std::filesystem::path& file, const Builtins& builtins,
+                     const std::vector<std::string>& overrides = {});
 
 }  // namespace tandem::cli

@@ -59,7 +59,7 @@ std::string told(const study::SweepEnd& end) {
 }  // namespace
 
 void sweep_study(const StudySweep& settings, const Context& context) {
-  auto [study, standing, folder] = read_study(settings.file, context.builtins);
+  auto [study, standing, folder] = read_study(settings.file, context.builtins, settings.overrides);
   if (!settings.output.empty()) folder = settings.output;
   if (!settings.tables.empty()) study.keep_tables(settings.tables);
   study::Sweep sweep(study, context.builtins,

@@ -42,6 +42,15 @@ double divisor(const Metric& metric, const Difference& d) {
 
 }  // namespace
 
+bool is_known(const Formula& formula, const FileValues& values) {
+  const auto names = text::names_in(formula.text);
+  return std::all_of(names.begin(), names.end(), [&](const auto& name) { return values.contains(name); });
+}
+
+double value_of(const Formula& formula, const FileValues& values) {
+  return located(formula.place, [&] { return text::evaluated(formula.text, values); });
+}
+
 std::vector<const Metric*> needed_metrics(const Study& study, const Table& table) {
   std::set<std::string> names(table.metrics.begin(), table.metrics.end());
   for (const auto& when : {study.lost, study.unstable})

@@ -14,6 +14,10 @@ namespace tandem::study {
 /// Outputs over time by the names that they have in the study.
 using OutputTables = std::map<std::string, text::TimeTable>;
 
+/// Whether all that an expression asks for is there; and its value. Throws Error with its place.
+bool is_known(const Formula& formula, const FileValues& values);
+double value_of(const Formula& formula, const FileValues& values);
+
 /// Those of its metrics that a table needs: what it has, and what its formulas and verdicts are made of, in
 /// the order of the study.
 std::vector<const Metric*> needed_metrics(const Study& study, const Table& table);

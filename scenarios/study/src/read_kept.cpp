@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "has.hpp"
 #include "read_metrics.hpp"
 #include "tandem/nearest.hpp"
 
@@ -20,13 +21,16 @@ std::vector<std::string> names_of(const All& all) {
 
 void check(Section& section, const char* key, const char* what, const std::string& name,
            const std::vector<std::string>& known) {
-  if (std::find(known.begin(), known.end(), name) == known.end())
-    refuse(section.place(key), section.name(key) + ": " + unknown(what, name, known));
+  if (!has(known, name)) refuse(section.place(key), section.name(key) + ": " + unknown(what, name, known));
 }
 
 std::string table_of(Section& section, const Study& study) {
-  const auto known = names_of(study.tables);
+  std::vector<std::string> known;
+  for (const Table& table : study.tables)
+    if (!table.search) known.push_back(table.name);
   const auto table = section.text("table");
+  if (known.empty())
+    refuse(section.place(), section.path() + " has no table; allowed is one that is no search");
   if (!table && known.size() > 1) section.missing("table", "one of the tables " + listed(known));
   if (table) check(section, "table", "table", *table, known);
   return table.value_or(known[0]);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "axes.hpp"
+#include "read_given.hpp"
 #include "tandem/nearest.hpp"
 
 namespace tandem::study {

@@ -5,9 +5,6 @@
 
 namespace tandem::study {
 
-/// What the keys of a table are set to, in the order of the file.
-std::vector<Given> all_given(text::Section& section, const std::string& key);
-
 /// The table [metrics] of a study whose tables and references were read.
 void read_metrics(text::Section& root, Study& to);
 

@@ -9,8 +9,6 @@ namespace tandem::study {
 
 /// As a cell of a table: a number in the fewest digits that read back the same.
 std::string cell_of(const text::FileValue& value);
-/// In quotes where it has a comma, a quote or an end of line (RFC 4180).
-std::string quoted(const std::string& cell);
 
 /// The cells of these columns with commas between them; empty for one that the row has not.
 std::string row_key(const std::vector<std::string>& columns, const text::FileValues& row);

@@ -18,11 +18,6 @@ using text::located;
 
 constexpr std::size_t longest_note = 1000;
 
-bool is_derived(const FileValues& values, const Formula& formula) {
-  const auto names = text::names_in(formula.text);
-  return std::all_of(names.begin(), names.end(), [&](const auto& name) { return values.contains(name); });
-}
-
 }  // namespace
 
 /// From a scenario to what it is judged by.
@@ -182,7 +177,8 @@ class RowRunner::OneRun {
     if (metric.kind == Metric::Kind::drift)
       return set(metric.name, drift(metric, *traces_, row_) * scale(metric));
     const FileValues values = with_columns();
-    if (is_derived(values, *metric.formula)) set(metric.name, value(*metric.formula, values) * scale(metric));
+    if (is_known(*metric.formula, values))
+      set(metric.name, value_of(*metric.formula, values) * scale(metric));
   }
 
   void tell(const Metric& metric) {
@@ -191,16 +187,13 @@ class RowRunner::OneRun {
     if (!note.empty()) result_.note = printable(note, longest_note);
   }
 
-  static double value(const Formula& formula, const FileValues& values) {
-    return located(formula.place, [&] { return text::evaluated(formula.text, values); });
-  }
-  double scale(const Metric& metric) const { return metric.scale ? value(*metric.scale, row_) : 1.0; }
+  double scale(const Metric& metric) const { return metric.scale ? value_of(*metric.scale, row_) : 1.0; }
 
   void judge_status() {
     const FileValues values = with_columns();
-    if (all_.study_.lost && value(*all_.study_.lost, values) != 0.0)
+    if (all_.study_.lost && value_of(*all_.study_.lost, values) != 0.0)
       end("lost", all_.study_.lost->text);
-    else if (all_.study_.unstable && value(*all_.study_.unstable, values) != 0.0)
+    else if (all_.study_.unstable && value_of(*all_.study_.unstable, values) != 0.0)
       end("unstable", all_.study_.unstable->text);
   }
 

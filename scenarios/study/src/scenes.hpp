@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tandem/scenario/scenario_file.hpp"
 #include "tandem/study/study.hpp"
 #include "tandem/transports/open.hpp"
 

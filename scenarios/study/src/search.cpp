@@ -13,9 +13,7 @@ bool RowRunner::holds(const FileValues& row, const RowResult& result) const {
   FileValues values = row;
   values.insert(result.metrics.begin(), result.metrics.end());
   const Formula& holds = table_.search->holds;
-  const auto names = text::names_in(holds.text);
-  return std::all_of(names.begin(), names.end(), [&](const auto& name) { return values.contains(name); }) &&
-         located(holds.place, [&] { return text::evaluated(holds.text, values); }) != 0.0;
+  return is_known(holds, values) && value_of(holds, values) != 0.0;
 }
 
 /// By bisection in the logarithm of the value, between one for which it holds and one for which it does not.
@@ -43,6 +41,7 @@ std::optional<RowResult> RowRunner::search(const FileValues& row, const std::fun
   }
   while (std::max(good / bad, bad / good) > 1.0 + search.precision) {
     const double middle = std::sqrt(good * bad);
+    if (middle == good || middle == bad) break;  // there is no number between
     const auto result = tried(middle);
     if (!result) return {};
     if (holds(at, *result))

@@ -23,11 +23,6 @@ std::vector<FileValues> results(const std::filesystem::path& file, const Table& 
   return rows;
 }
 
-bool is_known(const Formula& formula, const FileValues& values) {
-  const auto names = text::names_in(formula.text);
-  return std::all_of(names.begin(), names.end(), [&](const auto& name) { return values.contains(name); });
-}
-
 }  // namespace
 
 Series::Series(const Study& study, const Table& table, const References& references)
@@ -46,9 +41,7 @@ std::string Series::header() const {
 std::vector<std::size_t> Series::chosen(const Kept& kept, const std::vector<FileValues>& rows) const {
   std::vector<std::size_t> all;
   for (std::size_t k = 0; k < rows.size(); ++k)
-    if (!kept.where || (is_known(*kept.where, rows[k]) && located(kept.where->place, [&] {
-                                                            return text::evaluated(kept.where->text, rows[k]);
-                                                          }) != 0.0))
+    if (!kept.where || (is_known(*kept.where, rows[k]) && value_of(*kept.where, rows[k]) != 0.0))
       all.push_back(k);
   const std::string& by = kept.least.empty() ? kept.most : kept.least;
   if (by.empty()) return all;
@@ -70,8 +63,9 @@ std::vector<std::size_t> Series::chosen(const Kept& kept, const std::vector<File
 std::optional<std::string> Series::text(const std::filesystem::path& file, const RowRunner& runner,
                                         const std::function<bool()>& going) const {
   std::string text = header();
+  const auto rows = results(file, table_, table_.metrics);
   for (const Kept* kept : kept_)
-    for (const std::size_t k : chosen(*kept, results(file, table_, table_.metrics))) {
+    for (const std::size_t k : chosen(*kept, rows)) {
       const auto keep = [&](const scenario::Traces& traces) { add(*kept, table_.rows[k], traces, text); };
       if (!runner.trace(table_.rows[k], *kept, going, keep)) return {};
     }
@@ -93,7 +87,7 @@ void Series::add(const Kept& kept, const FileValues& row, const scenario::Traces
   }
   std::vector<Drift> drifts;
   for (const std::string& drift : kept.drifts) drifts.emplace_back(study_.metric(drift), traces, row, times);
-  const std::string head = row_key(table_.columns, row) + ',' + quoted(cell_of(kept.name)) + ',';
+  const std::string head = row_key(table_.columns, row) + ',' + charts::csv_cell(cell_of(kept.name)) + ',';
   double next = -std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < times.size(); ++k) {
     std::map<std::string, double> values;

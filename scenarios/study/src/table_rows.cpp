@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "row_key.hpp"
+#include "tandem/charts/csv_table.hpp"
 #include "tandem/input_file.hpp"
 #include "tandem/output/files.hpp"
 #include "tandem/output/json.hpp"
@@ -31,11 +32,11 @@ std::string TableRows::line(const FileValues& row, const RowResult& result) cons
   std::string line;
   for (const std::string& name : header_) {
     const auto column = row.find(name), metric = result.metrics.find(name);
-    if (column != row.end()) line += quoted(cell_of(column->second));
+    if (column != row.end()) line += charts::csv_cell(cell_of(column->second));
     if (column == row.end() && metric != result.metrics.end()) line += cell_of(metric->second);
     line += ',';
   }
-  return line + result.status + ',' + quoted(result.note);
+  return line + result.status + ',' + charts::csv_cell(result.note);
 }
 
 bool TableRows::keep() {

@@ -15,7 +15,6 @@ using test::Scratch;
 Charts charts_of(const std::string& text) {
   const text::Document document("c.toml", text);
   text::Section root(document, keys());
-  root.text("results");
   Charts charts = read_charts(root);
   root.refuse_unknown();
   return charts;
@@ -153,6 +152,8 @@ TEST_F(ChartTest, WhatIsWrongIsRefusedWithItsPlace) {
   EXPECT_TRUE(refused(curves + "limit = -1\n", {"c.toml:7: charts[0].limit is the number -1", "above 0"}));
   EXPECT_TRUE(refused("[[charts]]\nname = 'a/b'\nkind = 'curves'\n", {"c.toml:2", "letters, digits and _"}));
   EXPECT_TRUE(refused("[[charts]]\nname = 'a'\nkind = 'pie'\n", {"c.toml:3", "curves", "traces"}));
+  EXPECT_TRUE(
+      refused("[[charts]]\nname = 'a'\nkind = 'curves'\ntable = '../t'\n", {"c.toml:4", "no dot first"}));
   EXPECT_TRUE(refused(curves + "cost = 'x'\n", {"unknown key of [charts[0]] 'cost'"}));
   EXPECT_TRUE(refused(curves + curves, {"which another chart has"}));
   EXPECT_TRUE(refused(curves + "series = 'wat'\n", {"c.toml:1", "t.csv: column 'wat' is missing"}));

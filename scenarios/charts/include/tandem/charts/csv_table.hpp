@@ -8,6 +8,9 @@
 
 namespace tandem::charts {
 
+/// A cell of a CSV file: in quotes where it has a comma, a quote or an end of line (RFC 4180).
+std::string csv_cell(const std::string& text);
+
 /// A CSV file in memory: one header row, then rows with as many cells. A cell in double quotes may hold
 /// commas, and "" for a quote; no cell spans lines.
 class CsvTable {

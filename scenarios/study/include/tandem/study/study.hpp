@@ -7,34 +7,10 @@
 #include <vector>
 
 #include "tandem/charts/chart.hpp"
-#include "tandem/scenario/comparison.hpp"
-#include "tandem/scenario/scenario_file.hpp"
-#include "tandem/text/expression.hpp"
+#include "tandem/study/metric.hpp"
 #include "tandem/text/key_list.hpp"
 
 namespace tandem::study {
-
-using text::FileValue;
-using text::FileValues;
-using text::Place;
-
-/// An expression of columns (and of metrics, where it says so).
-struct Formula {
-  std::string text;
-  Place place;
-};
-
-/// What something is set to: a value, or a text "$NAME" or "$(EXPRESSION)" of columns.
-struct Given {
-  std::string name;  ///< a key of the scenario, or a column
-  text::SetValue value;
-  Place place;
-
-  /// The columns that it stands for.
-  std::vector<std::string> columns() const;
-  /// With the values of columns. Throws Error with the place.
-  text::SetValue with(const FileValues& columns) const;
-};
 
 /// The largest or smallest value of a column for which a condition holds, found by bisection.
 struct Search {
@@ -67,38 +43,6 @@ struct Reference {
   std::map<std::string, std::string> outputs = {};  ///< of judged outputs, those that have another name in it
   bool floor = false;                               ///< its own error is told, by a run with half its steps
   Place place = {};
-};
-
-/// A number that a row tells of its run.
-struct Metric {
-  enum class Kind {
-    output,     ///< a norm of an output's difference from a reference, or of the output itself
-    drift,      ///< a norm of an expression's departure from its start
-    formula,    ///< of other metrics and columns
-    exchanges,  ///< calls of subsystems, all together
-    steps,      ///< own steps of a subsystem
-    seconds,    ///< wall time of the rounds, and processor time as NAME.processor
-    share,      ///< part of the wall time inside a subsystem
-    real_time,  ///< simulated time divided by wall time
-    coded,      ///< by a CodedMetric
-  };
-  enum class Norm { max, rms, end };
-  enum class Relative { no, peak, rms, start };
-  std::string name;
-  Kind kind;
-  std::string of = {};       ///< the output, the subsystem, or the name of the coded metric
-  std::string against = {};  ///< a reference; empty: none
-  Norm norm = Norm::max;
-  Relative relative = Relative::no;
-  scenario::Measure window = {};
-  std::string unit = {};  ///< that the number is told in; empty: that of the output
-  std::optional<Formula> formula = {}, scale = {};
-  std::vector<Given> with = {};  ///< parameters of a coded one
-  int repetitions = 1;           ///< of which a time is the least
-  Place place = {};
-
-  /// Whether it is not the same each time.
-  bool is_time() const { return kind == Kind::seconds || kind == Kind::share || kind == Kind::real_time; }
 };
 
 /// Runs of a table whose outputs over time are kept, in TABLE.series.csv.

@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/study/study.hpp"
+
+#include <algorithm>
+
+#include "has.hpp"
+#include "tandem/nearest.hpp"
+
+namespace tandem::study {
+std::vector<std::string> Given::columns() const {
+  const auto* text = std::get_if<std::string>(&value);
+  if (!text || !text->starts_with("$")) return {};
+  if (!text->starts_with("$(")) return {text->substr(1)};
+  if (!text->ends_with(")")) return {};  // with() refuses it
+  return located(place, [&] { return text::names_in(text->substr(2, text->size() - 3)); });
+}
+
+text::SetValue Given::with(const FileValues& columns) const {
+  const auto* text = std::get_if<std::string>(&value);
+  if (!text || !text->starts_with("$")) return value;
+  return located(place, [&] {
+    const FileValue found = text::referred(*text, columns);
+    return std::visit([](const auto& one) { return text::SetValue(one); }, found);
+  });
+}
+
+std::vector<std::string> Study::columns() const {
+  std::vector<std::string> names;
+  for (const Table& table : tables) {
+    for (const std::string& column : table.columns)
+      if (!has(names, column)) names.push_back(column);
+    if (table.search && !has(names, table.search->column)) names.push_back(table.search->column);
+  }
+  return names;
+}
+
+std::vector<std::string> Study::columns_of(const Table& table) const {
+  std::vector<std::string> all;
+  for (const std::string& name : table.header) {
+    const auto names = has(table.metrics, name) ? names_of(metric(name)) : std::vector{name};
+    all.insert(all.end(), names.begin(), names.end());
+  }
+  return all;
+}
+
+std::vector<std::string> Study::columns_of_series(const Table& table) const {
+  std::vector<std::string> all = table.columns;
+  all.insert(all.end(), {"kept", "time"});
+  const auto add = [&all](const std::string& name) {
+    if (!has(all, name)) all.push_back(name);
+  };
+  for (const Kept& one : kept) {
+    if (one.table != table.name) continue;
+    for (const std::string& output : one.outputs) add(output);
+    for (const std::string& output : one.outputs)
+      if (!one.against.empty()) add(output + "." + one.against);
+    for (const std::string& drift : one.drifts) add(drift);
+  }
+  return all;
+}
+
+const Reference& Study::reference(const std::string& name) const {
+  return *std::find_if(references.begin(), references.end(),
+                       [&](const Reference& one) { return one.name == name; });
+}
+
+const Metric& Study::metric(const std::string& name) const {
+  return *std::find_if(metrics.begin(), metrics.end(), [&](const Metric& one) { return one.name == name; });
+}
+
+std::vector<std::string> Study::names_of(const Metric& metric) const {
+  std::vector<std::string> names = {metric.name};
+  if (metric.window.shift > 0.0) names.push_back(metric.name + ".shift");
+  if (!metric.against.empty() && reference(metric.against).floor) names.push_back(metric.name + ".floor");
+  if (metric.kind == Metric::Kind::seconds) names.push_back(metric.name + ".processor");
+  return names;
+}
+
+void Study::keep_tables(const std::vector<std::string>& names) {
+  std::vector<std::string> known;
+  for (const Table& table : tables) known.push_back(table.name);
+  for (const std::string& name : names)
+    if (!has(known, name))
+      throw Error(ErrorCode::invalid_argument, file.string() + ": " + unknown("table", name, known));
+  std::erase_if(tables, [&](const Table& table) { return !has(names, table.name); });
+  std::erase_if(kept, [&](const Kept& one) { return !has(names, one.table); });
+}
+
+bool Study::is_timed(const Table& table) const {
+  return std::any_of(table.metrics.begin(), table.metrics.end(),
+                     [this](const std::string& name) { return metric(name).is_time(); });
+}
+
+}  // namespace tandem::study
