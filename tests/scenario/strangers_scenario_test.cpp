@@ -196,9 +196,11 @@ TEST_F(StrangersScenario, AMechanismsFileWritesNoMatricesWhereItIsLookedAt) {
   const std::string text =
       read_text(folder_.path() / "linkage.toml") + "\n[run]\nstep = 0.01\nmatrices = \"m\"\n";
   folder_.write("m.toml", text);
-  for (const std::vector<std::string>& how : {std::vector<std::string>{"info", "mechanism:m.toml"},
-                                              {"info", "m.toml"},
-                                              {"check", "mechanism:m.toml"}}) {
+  for (const std::vector<std::string>& how :
+       {std::vector<std::string>{"info", "mechanism:m.toml"},
+        {"info", "m.toml"},
+        {"check", "mechanism:m.toml"},
+        {"info", "builtin:engine_linkage.linkage?step=0.01&matrices=m"}}) {
     EXPECT_EQ(say(how).status, 0) << say(how).err;
     EXPECT_FALSE(fs::exists(folder_.path() / "m")) << how[0];
   }

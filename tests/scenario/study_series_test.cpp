@@ -49,7 +49,7 @@ where = "step < 0.005"
 most = "error"
 per = ["voltage"]
 outputs = ["linkage.speed", "motor.torque"]
-drifts = ["drift"]
+metrics = ["drift"]
 every = 0.01
 [[charts]]
 name = "speed"
@@ -164,7 +164,8 @@ TEST_F(StudySeries, BadOnesAreRefusedByLine) {
   refused("table = \"steps\"\nwhere", "table = \"stops\"\nwhere",
           "keep[0].table: table 'stops' is not there");
   refused("outputs = [\"linkage.speed\", \"motor.torque\"]", "outputs = []", "keep[0].outputs is missing");
-  refused("drifts = [\"drift\"]", "drifts = [\"error\"]", "metric with a drift 'error' is not there");
+  refused("metrics = [\"drift\"]", "metrics = [\"error\"]",
+          "metric with a signal or a drift 'error' is not there");
   refused("[[\"linkage.speed\"", "[[\"linkage.sped\"", "charts.speed: column 'linkage.sped' is not there");
   refused("repetitions = 2", "repetitions = 0.5", "a whole number from 1 to 1000");
   refused("\"share.motor\" = {}", "\"share.engine\" = {}", "metric 'share.motor' is not there");

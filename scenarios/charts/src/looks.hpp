@@ -9,10 +9,12 @@
 namespace tandem::charts {
 
 // How things are drawn, in gnuplot's words. Colours that the colour-blind can tell apart (M. Okabe, K. Ito,
-// Color Universal Design, 2008); shapes and dashes differ too, so that all can be told apart in grey.
+// Color Universal Design, 2008), and four more; shapes and dashes differ too, so that all can be told apart
+// in grey.
 
-inline constexpr std::array<const char*, 8> colours = {"#000000", "#E69F00", "#56B4E9", "#D55E00",
-                                                       "#0072B2", "#009E73", "#CC79A7", "#7A6A00"};
+inline constexpr std::array<const char*, 12> colours = {"#000000", "#E69F00", "#56B4E9", "#D55E00",
+                                                        "#0072B2", "#009E73", "#CC79A7", "#7A6A00",
+                                                        "#909090", "#7B4FD0", "#A0307A", "#4D2600"};
 /// Gnuplot's hollow point types; the filled one is the next.
 inline constexpr std::array<int, 5> shapes = {6, 8, 4, 12, 10};
 inline constexpr std::array<const char*, 4> dashes = {"1", "'-'", "'.'", "'-.'"};

@@ -105,12 +105,18 @@ Source mechanism_source(const mbs::ElementKinds& kinds, const mbs::TellOfLimit& 
 }
 
 Builtins without_matrices(Builtins builtins) {
-  Source& mechanism = builtins.schemes["mechanism"];
-  mechanism.make = [make = mechanism.make](const Address& address, Parameters& p) {
-    p.text("matrices", "");  // refuses what is no text
-    p.set("matrices", std::string());
-    return make(address, p);
+  const auto leave_out = [](Source& source) {
+    if (std::none_of(source.words.begin(), source.words.end(),
+                     [](const Word& word) { return word.name == "matrices"; }))
+      return;
+    source.make = [make = source.make](const Address& address, Parameters& p) {
+      p.text("matrices", "");  // refuses what is no text
+      p.set("matrices", std::string());
+      return make(address, p);
+    };
   };
+  for (auto* sources : {&builtins.models, &builtins.schemes})
+    for (auto& [name, source] : *sources) leave_out(source);
   return builtins;
 }
 

@@ -8,21 +8,15 @@
 
 #include "bench/bench.hpp"
 #include "bench/served_process.hpp"
-#include "engine_linkage/coupled.hpp"
-#include "engine_linkage/linkage.hpp"
-#include "engine_linkage/monolithic.hpp"
 #include "sources/all.hpp"
 #include "sources/this_program.hpp"
-#include "tandem/engine/read.hpp"
-#include "tandem/engine/subsystem.hpp"
-#include "tandem/output/files.hpp"
+#include "tandem/scenario/assembly.hpp"
 
 namespace tandem::bench {
 namespace {
 
 constexpr double motion = 30.0;  // [s]
 constexpr int repeats = 3;
-const std::string its_diagram = "scenarios/engine_linkage/engine.toml";
 
 /// Where the sides are: `side` ("engine", "linkage") elsewhere over the transport, or "none".
 struct Way {
@@ -56,69 +50,67 @@ double seconds_of(const Call& call) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
 }
 
-/// The scene with so many loops, both steps 1 ms, slowest-first, degree 3.
+/// The scene with so many loops.
 class Scene {
  public:
-  explicit Scene(int loops) : loops_(loops), linkage_file_(folder_.file("linkage.toml")) {
-    output::write_text(linkage_file_, engine_linkage::linkage_text(loops));
-    builtins_ = all_sources({.tell = [](const std::string&) {}});
-  }
+  explicit Scene(int loops) : loops_(loops), builtins_(all_sources({.tell = [](const std::string&) {}})) {}
 
   /// Seconds of the run without its start; `rows` gets what it computes.
   double run(const Way& way, Rows& rows) const {
     std::unique_ptr<ServedProcess> server;
     if (const auto served = linked_transports();
         std::find(served.begin(), served.end(), way.transport) != served.end())
-      server = std::make_unique<ServedProcess>(file(way.side), way.transport, folder_);
-    const auto side = [&](const std::string& name) {
-      const std::string uri = way.side != name ? file(name) + "?"
-                              : server         ? server->uri() + "&"
-                                               : uri_of(way);
-      return open(uri + parameters(name), builtins_);
+      server = std::make_unique<ServedProcess>(here(way.side), way.transport, folder_);
+    const auto source = [&](const std::string& side) {
+      return "subsystems." + side + ".source=" +
+             (way.side != side ? here(side)
+              : server         ? server->uri()
+                               : elsewhere(way));
     };
-    engine_linkage::Coupled both(side("linkage"), side("engine"), {"slowest-first", "lagrange3", "lagrange3"},
-                                 motion);
-    Coordinator& coordinator = both.coordinator();
-    coordinator.observe(&rows);
-    coordinator.initialize();
+    const auto scenario =
+        scenario::read(folder / "engine_linkage.toml", {source("linkage"), source("engine")});
+    scenario::Assembly assembly(scenario, builtins_);
+    assembly.coordinator().observe(&rows);
+    assembly.initialize();
     return seconds_of([&] {
-      while (coordinator.round()) {
+      while (assembly.coordinator().round()) {
       }
     });
   }
 
-  /// Seconds of the one equation that the engine's diagram with the linkage in it is, with the engine's
-  /// steps.
+  /// Seconds of both in one diagram, with the engine's steps.
   double run_monolithic() const {
     const auto both =
-        engine::make_subsystem(engine_linkage::monolithic(engine::read_diagram(its_diagram), loops_), {1e-3});
-    constexpr std::int64_t count = 30001;
+        open(fmt::format("diagram:{}?step=1e-3&loops={}", (folder / "monolithic.toml").string(), loops_),
+             builtins_);
+    constexpr std::int64_t count = 1024;
     const auto size = both->info().row_size();
     std::vector<double> memory(static_cast<std::size_t>(count * size));
-    Samples y(memory.data(), size, count);
-    both->initialize(0.0, motion, {}, y);
-    return seconds_of([&] { both->advance(motion, false, {}, y); });
+    Samples start(memory.data(), size, count);
+    Clock clock = both->initialize(0.0, motion, {}, start);
+    return seconds_of([&] {
+      while (clock.time < motion) {
+        Samples y(memory.data(), size, count);
+        clock = both->advance(motion, false, {}, y);
+      }
+    });
   }
 
  private:
-  std::string file(const std::string& side) const {
-    return side == "engine" ? "diagram:" + std::filesystem::absolute(its_diagram).string()
-                            : "mechanism:" + linkage_file_;
+  std::string here(const std::string& side) const {
+    return side == "engine" ? "diagram:" + (folder / "engine.toml").string()
+                            : fmt::format("builtin:engine_linkage.linkage?loops={}", loops_);
   }
   /// Of a side that needs no server.
-  std::string uri_of(const Way& way) const {
-    if (way.transport == "spawn") return "spawn:'" + this_program() + "' serve " + file(way.side) + "?";
+  std::string elsewhere(const Way& way) const {
+    if (way.transport == "spawn") return "spawn:'" + this_program() + "' serve " + here(way.side);
     return "lib:" TANDEM_ENGINE_LINKAGE_LIBRARIES "/" +
-           (way.side == "engine" ? "engine_library.so?"
-                                 : fmt::format("linkage_of_loops.so?loops={}&", loops_));
-  }
-  static std::string parameters(const std::string& side) {
-    return side == "engine" ? "step=1e-3" : "step=1e-3&penalty=1e10";
+           (way.side == "engine" ? "engine_library.so" : fmt::format("linkage_of_loops.so?loops={}", loops_));
   }
 
+  inline static const std::filesystem::path folder = std::filesystem::absolute("scenarios/engine_linkage");
   int loops_;
   LinkFolder folder_;
-  std::string linkage_file_;
   Builtins builtins_;
 };
 

@@ -4,7 +4,6 @@
 #include "charts/dense_chart.hpp"
 #include "charts/elsewhere_chart.hpp"
 #include "charts/engine_charts.hpp"
-#include "charts/engine_linkage_charts.hpp"
 #include "charts/flat_position_chart.hpp"
 #include "charts/kart_charts.hpp"
 #include "charts/ladder_chart.hpp"
@@ -46,19 +45,6 @@ Drawing four_bar(const fs::path& folder) {
 Drawing four_bar_cost(const fs::path& folder) {
   const auto caption = conditions_caption(folder / "four_bar_conditions.json", 150);
   return {{charts::linkage_cost_chart(charts::read_linkage_times(folder / "four_bar.csv"), caption)}, ""};
-}
-
-Drawing engine_linkage(const fs::path& folder) {
-  const auto caption = conditions_caption(folder / "conditions.json", 150);
-  const auto work = charts::read_engine_linkage_work(folder / "work.csv");
-  const auto motion = charts::read_engine_linkage_motion(folder / "results.csv");
-  const auto elapsed = charts::read_engine_linkage_elapsed(folder / "elapsed.csv");
-  const double truth = charts::conditions_number(folder / "conditions.json", "truth_seconds");
-  return {{charts::engine_linkage_motion_chart(motion, caption),
-           charts::engine_linkage_errors_chart(work, caption),
-           charts::engine_linkage_work_chart(work, truth, caption),
-           charts::engine_linkage_elapsed_chart(elapsed, caption)},
-          ""};
 }
 
 Drawing engine(const fs::path& folder) {
@@ -145,11 +131,6 @@ const ChartScene scenes[] = {
      "sweep engine --output {}",
      {"torque_map.csv", "printed_torque_map.csv", "step_response.csv", "manoeuvre.csv", "conditions.json"},
      engine},
-    {"engine_linkage",
-     "results/engine_linkage",
-     "sweep engine_linkage --output {}",
-     {"results.csv", "work.csv", "elapsed.csv", "conditions.json"},
-     engine_linkage},
     {"kart", "results/kart", "sweep kart --output {}", {"work.csv", "traces.csv", "conditions.json"}, kart},
     {"ladder",
      "results/ladder/kart",

@@ -5,7 +5,6 @@
 #include "cli/commands.hpp"
 #include "cli/study_file.hpp"
 #include "cli/sweep_engine.hpp"
-#include "cli/sweep_engine_linkage.hpp"
 #include "cli/sweep_four_bar.hpp"
 #include "cli/sweep_kart.hpp"
 #include "cli/sweep_kart_drive.hpp"
@@ -21,8 +20,7 @@ namespace fs = std::filesystem;
 
 struct SweepOptions {
   std::string scene;
-  fs::path output, mechanisms = "scenarios/mechanisms", engine_linkage = "scenarios/engine_linkage",
-                   engine = "scenarios/engine", kart = "scenarios/kart";
+  fs::path output, mechanisms = "scenarios/mechanisms", engine = "scenarios/engine", kart = "scenarios/kart";
   std::vector<std::string> levels, overrides, tables;
   bool resume = false, only_table = false, dry = false;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
@@ -42,7 +40,7 @@ void add_sweep(CLI::App& app, Context& context) {
           "tandem's own: "
           "split_pendulum; "
           "engine (torque map, step response, changes of gear); "
-          "engine_linkage (the linkage driven by the engine, every scheme); kart (with its engine, every "
+          "kart (with its engine, every "
           "level, step and scheme); kart_drive (the torque of its engine over the manoeuvre, from level ii "
           "as "
           "one system: drive.csv); mechanisms (every formulation and integrator on every example); or "
@@ -68,10 +66,6 @@ void add_sweep(CLI::App& app, Context& context) {
   command
       ->add_option("--mechanisms", options->mechanisms,
                    "Folder of the example mechanisms (default: scenarios/mechanisms)")
-      ->type_name("DIR");
-  command
-      ->add_option("--engine-linkage", options->engine_linkage,
-                   "Folder of that scene (default: scenarios/engine_linkage)")
       ->type_name("DIR");
   command->add_option("--kart", options->kart, "Folder of that scene (default: scenarios/kart)")
       ->type_name("DIR");
@@ -113,9 +107,6 @@ void add_sweep(CLI::App& app, Context& context) {
       sweep_kart_drive(options->output, context);
     else if (scene == "engine")
       sweep_engine(options->engine, options->output, context);
-    else if (scene == "engine_linkage")
-      sweep_engine_linkage({options->engine_linkage, options->output, options->threads, options->only_table},
-                           context);
     else if (scene == "kart")
       sweep_kart({options->kart, options->output, options->levels, options->only_table}, context);
     else if (scene == "split_pendulum")

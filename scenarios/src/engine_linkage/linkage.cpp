@@ -3,7 +3,21 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
+#include "tandem/error.hpp"
+#include "tandem/sources/mechanism.hpp"
+
 namespace tandem::engine_linkage {
+namespace {
+
+int loops_of(Parameters& parameters) {
+  const double loops = parameters.number("loops", 1.0);
+  if (!(loops >= 1.0 && loops <= 1e6 && loops == std::floor(loops)))
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("parameter 'loops' is {}; allowed are 1, 2, ... 1000000", loops));
+  return static_cast<int>(loops);
+}
 
 std::string linkage_text(int loops) {
   std::string text = "name = \"linkage\"\ndimension = 2\ngravity = [0, -9.81]\n[points]\n";
@@ -23,6 +37,19 @@ std::string linkage_text(int loops) {
          "[forces]\nengine = { coordinate = \"turn\", magnitude = \"torque\" }\n"
          "[outputs]\nspeed = { velocity = \"turn\" }\nangle = { position = \"turn\" }\n"
          "energy = { energy = \"total\" }\n";
+}
+
+}  // namespace
+
+std::unique_ptr<Subsystem> make_linkage(Parameters& parameters, const mbs::TellOfLimit& tell) {
+  const std::string text = linkage_text(loops_of(parameters));
+  return make_mechanism({"linkage", text}, parameters, {}, tell);
+}
+
+void add_builtins(Builtins& builtins, const mbs::TellOfLimit& tell) {
+  builtins.models["engine_linkage.linkage"] = {
+      words_by(Setter::client, {"loops"}) + mechanism_source().words,
+      [tell](const Address&, Parameters& parameters) { return make_linkage(parameters, tell); }};
 }
 
 }  // namespace tandem::engine_linkage

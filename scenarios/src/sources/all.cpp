@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "sources/all.hpp"
 
+#include "engine_linkage/linkage.hpp"
 #include "engine_models/compiled.hpp"
 #include "kart/builtins.hpp"
 #include "sources/elements.hpp"
@@ -16,6 +17,7 @@ Builtins all_sources(const scenario::SourceSettings& settings) {
   all.schemes["diagram"] = diagram_source(engine_models::compiled_kinds(), settings.tell);
   two_mass::add_builtins(all);
   kart::add_builtins(all, settings.tell);
+  engine_linkage::add_builtins(all, settings.tell);
   return all;
 }
 

@@ -5,7 +5,6 @@
 #include <set>
 #include <utility>
 
-#include "drift.hpp"
 #include "norm_of.hpp"
 #include "tandem/coordinator/units.hpp"
 
@@ -62,17 +61,14 @@ std::vector<const Metric*> needed_metrics(const Study& study, const Table& table
       continue;
     needed.insert(needed.begin(), &*metric);
     if (metric->kind == Metric::Kind::formula) add_names(*metric->formula, names);
+    if (metric->kind == Metric::Kind::order) names.insert(metric->of);
   }
   return needed;
 }
 
 std::vector<std::string> judged_outputs(const std::vector<const Metric*>& metrics, const Table& table) {
   std::set<std::string> outputs;
-  for (const Metric* metric : metrics) {
-    if (metric->kind == Metric::Kind::output) outputs.insert(metric->of);
-    if (metric->kind != Metric::Kind::drift) continue;
-    for (const std::string& output : outputs_of_drift(*metric)) outputs.insert(output);
-  }
+  for (const Metric* metric : metrics) outputs.insert(metric->outputs.begin(), metric->outputs.end());
   for (const std::string& column : table.columns) outputs.erase(column);
   return {outputs.begin(), outputs.end()};
 }
@@ -81,7 +77,8 @@ std::vector<std::string> referred_outputs(const std::vector<const Metric*>& metr
                                           const std::string& reference) {
   std::set<std::string> outputs;
   for (const Metric* metric : metrics)
-    if (metric->kind == Metric::Kind::output && metric->against == reference) outputs.insert(metric->of);
+    for (const Metric::Referred& one : metric->referred)
+      if (one.reference == reference) outputs.insert(one.output);
   return {outputs.begin(), outputs.end()};
 }
 
@@ -110,8 +107,8 @@ double size_of(const Metric& metric, const TimeTable& run, const std::string& un
 
 std::string unit_of(const Metric& metric, const std::string& of_output) {
   if (metric.kind == Metric::Kind::seconds) return "s";
-  const bool counted =
-      metric.kind == Metric::Kind::exchanges || metric.kind == Metric::Kind::steps || metric.is_time();
+  const bool counted = metric.kind == Metric::Kind::exchanges || metric.kind == Metric::Kind::steps ||
+                       metric.kind == Metric::Kind::order || metric.is_time();
   if (counted || metric.relative != Metric::Relative::no) return "1";
   return metric.kind == Metric::Kind::output ? metric.unit.empty() ? of_output : metric.unit : "";
 }

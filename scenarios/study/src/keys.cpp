@@ -73,7 +73,7 @@ void of_metrics(KeyList& to) {
         "One of them. By its name alone: `exchanges = {}` (calls of subsystems) and `\"steps.INSTANCE\" = "
         "{}` (own steps); times, in tables whose `metrics` name them, or if there is one table: `seconds = "
         "{}` (wall time, and processor time as seconds.processor), `\"share.INSTANCE\" = {}` and "
-        "`real_time_factor = {}`. Else one of `of`, `drift`, `formula` and `builtin`.")
+        "`real_time_factor = {}`. Else one of `of`, `signal`, `drift`, `order`, `formula` and `builtin`.")
       .may(
           "of", text,
           "An output, compared with that of a reference, at the rows of the one that has fewer; the other is "
@@ -81,12 +81,23 @@ void of_metrics(KeyList& to) {
           "count. Without a "
           "reference: the output itself.",
           {.allowed = "\"instance.port\" or \"instance.port[i]\""})
-      .may("drift", text,
-           "What should stay as it is at the start, at the rows of the output that stands first in it.",
+      .may("signal", text,
+           "An expression over time, at the rows of the output that stands first in it. OUTPUT.REFERENCE is "
+           "an output of a reference.",
            {.allowed = "an expression of outputs, their derivatives der(OUTPUT), and columns"})
+      .may("drift", text, "A signal that should stay as it is at the start: its departure from there.",
+           {.allowed = "as of `signal`"})
+      .may("order", text,
+           "The observed order of a metric that stands before it: log2 of its ratio to what it is with all "
+           "own steps and the communication step halved, by a second run.",
+           {.allowed = "a metric"})
       .may("formula", text, "Of other metrics and columns.", {.allowed = "an expression"})
       .may("builtin", text, "What only code can tell, by its name.")
-      .may("norm", word, "Of it over time.", {.otherwise = "max", .words = {"max", "rms", "end"}})
+      .may("norm", word,
+           "Of it over time: largest magnitude, root mean square, last magnitude; without a reference also "
+           "the "
+           "least and the largest value.",
+           {.otherwise = "max", .words = {"max", "rms", "end", "least", "most"}})
       .may("relative", word,
            "It is divided by the peak of the reference, or by its rms; of a drift by the magnitude at the "
            "`start`. "
@@ -137,7 +148,7 @@ void of_kept(KeyList& to) {
       .may("per", texts, "Columns: one for each of their values.")
       .need("outputs", texts,
             "The first gives the times, the rows of its subsystem. Others are interpolated there.")
-      .may("drifts", texts, "Metrics with `drift`, over time.")
+      .may("metrics", texts, "Metrics with `signal` or `drift`, over time.")
       .may("against", text,
            "The reference whose outputs stand beside them, as OUTPUT.REFERENCE. Without it: the "
            "only one, if there is one.",

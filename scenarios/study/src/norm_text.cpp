@@ -9,7 +9,19 @@ namespace tandem::study {
 namespace {
 
 const char* norm(const Metric& metric) {
-  return metric.norm == Metric::Norm::max ? "largest" : metric.norm == Metric::Norm::rms ? "rms" : "last";
+  switch (metric.norm) {
+    case Metric::Norm::max:
+      return "largest magnitude";
+    case Metric::Norm::rms:
+      return "rms";
+    case Metric::Norm::least:
+      return "least value";
+    case Metric::Norm::most:
+      return "largest value";
+    case Metric::Norm::end:
+      break;
+  }
+  return "last magnitude";
 }
 
 std::string divided(const Metric& metric) {
@@ -37,11 +49,15 @@ std::string window(const Metric& metric) {
 std::string norm_text(const Metric& metric) {
   std::string text;
   if (metric.kind == Metric::Kind::output && metric.against.empty())
-    text = fmt::format("{} magnitude of {}", norm(metric), metric.of);
+    text = fmt::format("{} of {}", norm(metric), metric.of);
   else if (metric.kind == Metric::Kind::output)
-    text = fmt::format("{} difference of {} from {}", norm(metric), metric.of, metric.against);
+    text = fmt::format("{} of {} - {}", norm(metric), metric.of, metric.against);
+  else if (metric.kind == Metric::Kind::signal)
+    text = fmt::format("{} of {}", norm(metric), metric.formula->text);
   else if (metric.kind == Metric::Kind::drift)
-    text = fmt::format("{} departure from its start", norm(metric));
+    text = fmt::format("{} of the departure from its start", norm(metric));
+  else if (metric.kind == Metric::Kind::order)
+    text = fmt::format("order of {}, with half the steps", metric.of);
   else if (metric.kind == Metric::Kind::formula)
     text = metric.formula->text;
   else if (metric.kind == Metric::Kind::coded)

@@ -69,11 +69,12 @@ Kept read(Section& section, const Study& study) {
   one.place = section.place();
   if (one.outputs.empty()) section.missing("outputs");
   read_choice(section, study, one);
-  one.drifts = section.texts("drifts");
+  one.metrics = section.texts("metrics");
   std::vector<std::string> drifts;
   for (const Metric& metric : study.metrics)
-    if (metric.kind == Metric::Kind::drift) drifts.push_back(metric.name);
-  for (const std::string& drift : one.drifts) check(section, "drifts", "metric with a drift", drift, drifts);
+    if (metric.is_over_time()) drifts.push_back(metric.name);
+  for (const std::string& drift : one.metrics)
+    check(section, "metrics", "metric with a signal or a drift", drift, drifts);
   one.against = reference_of(section, study);
   one.every = section.positive("every").value_or(0.0);
   section.refuse_unknown();

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "axes.hpp"
+#include "over_time.hpp"
 #include "read_given.hpp"
 #include "tandem/nearest.hpp"
 
@@ -23,7 +24,8 @@ std::vector<std::string> names_of(const std::vector<Reference>& references) {
 }
 
 Metric::Norm norm_of(const std::string& word) {
-  return word == "rms" ? Metric::Norm::rms : word == "end" ? Metric::Norm::end : Metric::Norm::max;
+  using enum Metric::Norm;
+  return word == "rms" ? rms : word == "end" ? end : word == "least" ? least : word == "most" ? most : max;
 }
 
 Metric::Relative relative_of(const std::optional<std::string>& word) {
@@ -43,20 +45,8 @@ class MetricReader {
   }
 
   Metric read() {
-    const auto of = section_.text("of"), drift = section_.text("drift"), formula = section_.text("formula"),
-               coded = section_.text("builtin");
-    if (of.has_value() + drift.has_value() + formula.has_value() + coded.has_value() != 1)
-      section_.missing(
-          "of",
-          "one of `of`, `drift`, `formula` and `builtin`; by their names alone there are " + names_alone);
-    metric_.kind = of        ? Metric::Kind::output
-                   : drift   ? Metric::Kind::drift
-                   : formula ? Metric::Kind::formula
-                             : Metric::Kind::coded;
-    metric_.of = of ? *of : coded.value_or("");
+    read_kind();
     metric_.with = all_given(section_, "with");
-    if (drift) metric_.formula = Formula{*drift, section_.place("drift")};
-    if (formula) metric_.formula = Formula{*formula, section_.place("formula")};
     read_norm();
     read_reference();
     refuse_what_has_no_meaning();
@@ -66,6 +56,26 @@ class MetricReader {
   }
 
  private:
+  void read_kind() {
+    using Kind = Metric::Kind;
+    const std::pair<const char*, Kind> kinds[] = {{"of", Kind::output},       {"signal", Kind::signal},
+                                                  {"drift", Kind::drift},     {"order", Kind::order},
+                                                  {"formula", Kind::formula}, {"builtin", Kind::coded}};
+    int found = 0;
+    for (const auto& [key, kind] : kinds)
+      if (const auto text = section_.text(key)) {
+        ++found, metric_.kind = kind, metric_.of = *text;
+        if (kind == Kind::signal || kind == Kind::drift || kind == Kind::formula)
+          metric_.formula = Formula{*text, section_.place(key)};
+      }
+    if (found != 1)
+      section_.missing(
+          "of",
+          "one of `of`, `signal`, `drift`, `order`, `formula` and `builtin`; by their names alone "
+          "there are " +
+              names_alone);
+  }
+
   void read_norm() {
     metric_.norm = norm_of(*section_.text("norm"));
     metric_.relative = relative_of(section_.text("relative"));
@@ -89,6 +99,8 @@ class MetricReader {
   void read_reference() {
     const auto against = section_.text("against");
     const auto known = names_of(study_.references);
+    if (metric_.is_over_time()) find_outputs(metric_, study_.references);
+    if (against == none && metric_.kind == Metric::Kind::output) metric_.outputs = {metric_.of};
     if (against == none) return;
     if (against && std::find(known.begin(), known.end(), *against) == known.end())
       refuse(section_.place("against"),
@@ -96,10 +108,13 @@ class MetricReader {
     if (metric_.kind != Metric::Kind::output) return;
     if (!against && known.size() > 1) section_.missing("against", "one of the references " + listed(known));
     metric_.against = against ? *against : known.empty() ? "" : known[0];
+    metric_.outputs = {metric_.of};
+    if (!metric_.against.empty()) metric_.referred = {{metric_.of, metric_.of, metric_.against}};
   }
 
   void refuse_what_has_no_meaning() {
     const bool output = metric_.kind == Metric::Kind::output, drift = metric_.kind == Metric::Kind::drift;
+    const bool is_signed = metric_.norm == Metric::Norm::least || metric_.norm == Metric::Norm::most;
     const std::string no_reference = "there is no reference";
     if (!output) section_.leave_out("against", "it is no `of`");
     if (!output) section_.leave_out("shift", "it is no `of`");
@@ -107,9 +122,12 @@ class MetricReader {
     if (output && metric_.against.empty())
       section_.leave_out("relative", no_reference), section_.leave_out("shift", no_reference);
     if (metric_.kind != Metric::Kind::coded) section_.leave_out("with", "it is no `builtin`");
-    if (!output && !drift)
-      for (const char* key : {"norm", "relative", "from", "to"})
-        section_.leave_out(key, "it is neither `of` nor `drift`");
+    if (!output && !metric_.is_over_time())
+      for (const char* key : {"norm", "from", "to"})
+        section_.leave_out(key, "it is neither `of` nor `signal` nor `drift`");
+    if (!output && !drift) section_.leave_out("relative", "it is neither `of` nor `drift`");
+    if (is_signed && !metric_.against.empty())
+      section_.wrong("norm", "'" + *section_.text("norm") + "'", "max, rms or end, of a difference");
     const bool relative = metric_.relative != Metric::Relative::no;
     if (relative && (metric_.relative == Metric::Relative::start) != drift)
       section_.wrong("relative", "'" + *section_.text("relative") + "'",
@@ -153,6 +171,28 @@ void check_names(const Formula& formula, const std::string& what, const std::vec
   });
 }
 
+void check_signal(const Metric& one, const std::vector<std::string>& columns) {
+  const bool columns_alone =
+      std::all_of(one.outputs.begin(), one.outputs.end(), [&](const std::string& name) {
+        return std::find(columns.begin(), columns.end(), name) != columns.end();
+      });
+  if (columns_alone && one.referred.empty())
+    refuse(one.formula->place, "metrics." + one.name + ": '" + one.formula->text +
+                                   "' names no output; allowed is an expression of outputs");
+}
+
+/// Of what it is the order.
+void check_order(const Metric& one, const Study& study) {
+  using Kind = Metric::Kind;
+  std::vector<std::string> known;
+  for (const Metric& metric : study.metrics)
+    if (metric.kind == Kind::output || metric.is_over_time() || metric.kind == Kind::formula ||
+        metric.kind == Kind::coded)
+      known.push_back(metric.name);
+  if (std::find(known.begin(), known.end(), one.of) == known.end())
+    refuse(one.place, "metrics." + one.name + ".order: " + unknown("metric before it", one.of, known));
+}
+
 }  // namespace
 
 void read_metrics(Section& root, Study& to) {
@@ -171,6 +211,8 @@ void read_metrics(Section& root, Study& to) {
       refuse(section.place(), "metrics." + name + " has the name of a column");
     const Metric one = metric ? *metric : MetricReader(section, name, to).read();
     if (one.kind == Metric::Kind::formula) check_formula(*one.formula, "metrics." + name + ".formula", to);
+    if (one.is_over_time()) check_signal(one, columns);
+    if (one.kind == Metric::Kind::order) check_order(one, to);
     if (one.scale) check_names(*one.scale, "metrics." + name + ".scale", to.columns());
     to.metrics.push_back(one);
   }

@@ -58,6 +58,11 @@ void References::need(const std::vector<const Metric*>& metrics, const Table& ta
     for (const Kept& kept : study_.kept)
       if (kept.table == table.name && kept.against == reference.name)
         outputs.insert(outputs.end(), kept.outputs.begin(), kept.outputs.end());
+    for (const Kept& kept : study_.kept)
+      for (const std::string& drift : kept.metrics)
+        if (kept.table == table.name)
+          for (auto& output : referred_outputs({&study_.metric(drift)}, reference.name))
+            outputs.push_back(std::move(output));
     if (outputs.empty()) continue;
     FileValues per;
     if (table.search &&
@@ -78,6 +83,18 @@ void References::need(const std::vector<const Metric*>& metrics, const Table& ta
 
 const ReferenceRun& References::of(const std::string& reference, const FileValues& row) const {
   return *by_key_.at(key(study_.reference(reference), row));
+}
+
+TableOf References::tables(const Metric& metric, const scenario::Traces& traces,
+                           const FileValues& row) const {
+  return [&](const std::string& name) -> const TimeTable& {
+    const auto it = std::find_if(metric.referred.begin(), metric.referred.end(),
+                                 [&](const Metric::Referred& one) { return one.name == name; });
+    if (it == metric.referred.end()) return traces.of(name);
+    const ReferenceRun& reference = of(it->reference, row);
+    if (!reference.failure.empty()) throw Error(ErrorCode::numerical, reference.failure);
+    return reference.tables.at(it->output);
+  };
 }
 
 void References::make(std::size_t which, const std::function<bool()>& going) {

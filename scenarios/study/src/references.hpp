@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "judged.hpp"
+#include "over_time.hpp"
 #include "scenes.hpp"
 #include "tandem/transports/open.hpp"
 
@@ -39,6 +40,8 @@ class References {
   /// what is wrong before.
   void make(std::size_t which, const std::function<bool()>& going);
   const ReferenceRun& of(const std::string& reference, const FileValues& row) const;
+  /// What the expression of a metric names, for a row's run; all must outlive it.
+  TableOf tables(const Metric& metric, const scenario::Traces& traces, const FileValues& row) const;
 
  private:
   static std::string key(const Reference& reference, const FileValues& row);

@@ -2,13 +2,14 @@
 #include "row_run.hpp"
 
 #include <algorithm>
+#include <cmath>
 
-#include "drift.hpp"
 #include "observers.hpp"
 #include "tandem/coordinator/bounds.hpp"
 #include "tandem/nearest.hpp"
 #include "tandem/printable.hpp"
 #include "tandem/scenario/assembly.hpp"
+#include "tandem/scenario/steps.hpp"
 #include "timing.hpp"
 
 namespace tandem::study {
@@ -23,13 +24,19 @@ constexpr std::size_t longest_note = 1000;
 /// From a scenario to what it is judged by.
 class RowRunner::OneRun {
  public:
-  OneRun(const RowRunner& all, const FileValues& row, std::vector<std::string> outputs)
-      : all_(all), row_(row), outputs_(std::move(outputs)), scenario_(all.scenes_.of_row(row)) {}
+  /// finer: its steps are half of what they are.
+  OneRun(const RowRunner& all, const FileValues& row, std::vector<std::string> outputs, bool finer = false)
+      : all_(all),
+        row_(row),
+        outputs_(std::move(outputs)),
+        finer_(finer),
+        scenario_(all.scenes_.of_row(row)) {}
 
   /// False: it is refused.
   bool begin() {
     try {
       all_.scenes_.scale_steps(scenario_, row_);
+      if (finer_) scenario::scale_steps(scenario_, all_.builtins_, 0.5);
       assembly_.emplace(scenario_, all_.builtins_);
     } catch (const Error& error) {
       return end("refused", error.what()), false;
@@ -64,9 +71,13 @@ class RowRunner::OneRun {
     return true;
   }
 
-  void judge() {
+  void judge(const std::function<bool()>& going) {
     try {
-      for (const Metric* metric : all_.metrics_) judge(*metric);
+      for (const Metric* metric : all_.metrics_)
+        if (metric->kind != Metric::Kind::order)
+          judge(*metric);
+        else if (result_.status == "ok" && !finer_)
+          tell_order(*metric, going);
       if (result_.status == "ok") judge_status();
     } catch (const Error& error) {
       end("failed", error.what());
@@ -114,7 +125,7 @@ class RowRunner::OneRun {
   /// Of the metric that asks for an output which is not there.
   Place place_named_in(const std::string& sentence) const {
     for (const Metric* metric : all_.metrics_) {
-      const std::string& of = metric->kind == Metric::Kind::drift ? metric->formula->text : metric->of;
+      const std::string& of = metric->of;
       const auto begin = sentence.find('\'') + 1;
       if (of.find(sentence.substr(begin, sentence.find('\'', begin) - begin)) != std::string::npos)
         return metric->place;
@@ -140,6 +151,19 @@ class RowRunner::OneRun {
     if (metric.kind == Metric::Kind::real_time)
       return set(metric.name, (scenario_.stop - scenario_.start) / timing_->seconds);
     set(metric.name, timing_->seconds), set(metric.name + ".processor", timing_->processor);
+  }
+
+  void tell_order(const Metric& metric, const std::function<bool()>& going) {
+    if (!halved_) {
+      OneRun finer(all_, row_, outputs_, true);
+      if (!finer.begin() || !finer.simulate(going)) return;
+      finer.judge(going);
+      halved_ = finer.result();
+    }
+    const auto own = result_.metrics.find(metric.of), half = halved_->metrics.find(metric.of);
+    if (halved_->status != "ok" || own == result_.metrics.end() || half == halved_->metrics.end()) return;
+    const double order = std::log2(std::get<double>(own->second) / std::get<double>(half->second));
+    if (std::isfinite(order)) set(metric.name, order);
   }
 
   double counted(const Metric& metric) const {
@@ -174,8 +198,10 @@ class RowRunner::OneRun {
 
   void compute(const Metric& metric) {
     if (metric.kind == Metric::Kind::coded) return tell(metric);
-    if (metric.kind == Metric::Kind::drift)
-      return set(metric.name, drift(metric, *traces_, row_) * scale(metric));
+    if (metric.is_over_time()) {
+      const TableOf tables = all_.references_.tables(metric, *traces_, row_);
+      return set(metric.name, size_over_time(metric, tables, row_) * scale(metric));
+    }
     const FileValues values = with_columns();
     if (is_known(*metric.formula, values))
       set(metric.name, value_of(*metric.formula, values) * scale(metric));
@@ -207,6 +233,7 @@ class RowRunner::OneRun {
   const RowRunner& all_;
   const FileValues& row_;
   std::vector<std::string> outputs_;
+  bool finer_;
   scenario::Scenario scenario_;
   std::optional<scenario::Assembly> assembly_;
   std::optional<scenario::Traces> traces_;
@@ -216,6 +243,7 @@ class RowRunner::OneRun {
   std::optional<Timing> timing_;
   std::map<std::string, double> shares_;
   RowResult result_;
+  std::optional<RowResult> halved_;
 };
 
 RowRunner::RowRunner(const Study& study, const Table& table, Scenes& scenes, const References& references,
@@ -238,15 +266,15 @@ std::optional<RowResult> RowRunner::run_once(const FileValues& row,
   OneRun one(*this, row, outputs_);
   if (!one.begin()) return one.result();
   if (!one.simulate(going)) return {};
-  one.judge();
-  return one.result();
+  one.judge(going);
+  return going() ? std::optional(one.result()) : std::nullopt;
 }
 
 bool RowRunner::trace(const FileValues& row, const Kept& kept, const std::function<bool()>& going,
                       const std::function<void(const scenario::Traces&)>& keep) const {
   std::vector<std::string> outputs = kept.outputs;
-  for (const std::string& drift : kept.drifts)
-    for (const std::string& output : outputs_of_drift(study_.metric(drift)))
+  for (const std::string& drift : kept.metrics)
+    for (const std::string& output : study_.metric(drift).outputs)
       if (!row.contains(output)) outputs.push_back(output);
   OneRun one(*this, row, outputs);
   if (!located(kept.place, [&] { return one.begin(); })) return true;

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "drift.hpp"
 #include "row_key.hpp"
 #include "tandem/charts/csv_table.hpp"
 
@@ -85,8 +84,11 @@ void Series::add(const Kept& kept, const FileValues& row, const scenario::Traces
       for (const std::string& output : kept.outputs)
         followed.add(reference.tables.at(output), output), names.push_back(output + "." + kept.against);
   }
-  std::vector<Drift> drifts;
-  for (const std::string& drift : kept.drifts) drifts.emplace_back(study_.metric(drift), traces, row, times);
+  std::vector<OverTime> drifts;
+  for (const std::string& drift : kept.metrics) {
+    const Metric& metric = study_.metric(drift);
+    drifts.emplace_back(metric, references_.tables(metric, traces, row), row, times);
+  }
   const std::string head = row_key(table_.columns, row) + ',' + charts::csv_cell(cell_of(kept.name)) + ',';
   double next = -std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < times.size(); ++k) {
@@ -94,7 +96,7 @@ void Series::add(const Kept& kept, const FileValues& row, const scenario::Traces
     followed.move_to(k);
     for (std::size_t c = 0; c < names.size(); ++c) values[names[c]] = followed.values()[c];
     for (std::size_t d = 0; d < drifts.size(); ++d)
-      if (const auto value = drifts[d].at(k)) values[kept.drifts[d]] = *value / drifts[d].divisor();
+      if (const auto value = drifts[d].at(k)) values[kept.metrics[d]] = *value / drifts[d].divisor();
     if (times[k] < next) continue;
     next = times[k] + kept.every * (1.0 - 1e-9);
     to += head + cell_of(times[k]);

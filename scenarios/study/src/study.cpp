@@ -54,7 +54,7 @@ std::vector<std::string> Study::columns_of_series(const Table& table) const {
     for (const std::string& output : one.outputs) add(output);
     for (const std::string& output : one.outputs)
       if (!one.against.empty()) add(output + "." + one.against);
-    for (const std::string& drift : one.drifts) add(drift);
+    for (const std::string& drift : one.metrics) add(drift);
   }
   return all;
 }

@@ -37,7 +37,9 @@ struct Given {
 struct Metric {
   enum class Kind {
     output,     ///< a norm of an output's difference from a reference, or of the output itself
-    drift,      ///< a norm of an expression's departure from its start
+    signal,     ///< a norm of an expression over time
+    drift,      ///< the same of its departure from its start
+    order,      ///< log2 of the ratio of a metric to what it is with all own steps halved
     formula,    ///< of other metrics and columns
     exchanges,  ///< calls of subsystems, all together
     steps,      ///< own steps of a subsystem
@@ -46,21 +48,28 @@ struct Metric {
     real_time,  ///< simulated time divided by wall time
     coded,      ///< by a CodedMetric
   };
-  enum class Norm { max, rms, end };
+  enum class Norm { max, rms, end, least, most };
+  /// An output of a reference, and what an expression calls it: OUTPUT.REFERENCE.
+  struct Referred {
+    std::string name, output, reference;
+  };
   enum class Relative { no, peak, rms, start };
   std::string name;
   Kind kind;
-  std::string of = {};       ///< the output, the subsystem, or the name of the coded metric
+  std::string of = {};       ///< the output, the subsystem, the metric, or the name of the coded one
   std::string against = {};  ///< a reference; empty: none
   Norm norm = Norm::max;
   Relative relative = Relative::no;
   scenario::Measure window = {};
-  std::string unit = {};  ///< that the number is told in; empty: that of the output
-  std::optional<Formula> formula = {}, scale = {};
+  std::string unit = {};                            ///< that the number is told in; empty: that of the output
+  std::optional<Formula> formula = {}, scale = {};  ///< formula: of a signal and a drift too
+  std::vector<std::string> outputs = {};            ///< of the run; of an expression its columns too
+  std::vector<Referred> referred = {};
   std::vector<Given> with = {};  ///< parameters of a coded one
   int repetitions = 1;           ///< of which a time is the least
   Place place = {};
 
+  bool is_over_time() const { return kind == Kind::signal || kind == Kind::drift; }
   /// Whether it is not the same each time.
   bool is_time() const { return kind == Kind::seconds || kind == Kind::share || kind == Kind::real_time; }
 };

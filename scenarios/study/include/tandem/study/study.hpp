@@ -53,7 +53,7 @@ struct Kept {
   std::string least = {}, most = {};     ///< the metric by which one of them is chosen; empty: all
   std::vector<std::string> per = {};     ///< one for each of the values of these columns
   std::vector<std::string> outputs;      ///< the first gives the times
-  std::vector<std::string> drifts = {};  ///< metrics: their departures over time
+  std::vector<std::string> metrics = {};  ///< signals and drifts, over time
   std::string against = {};              ///< a reference whose outputs stand beside them; empty: none
   double every = 0.0;                    ///< between two rows, at least [s]
   Place place = {};
