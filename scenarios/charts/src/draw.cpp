@@ -37,6 +37,10 @@ Drawing draw(const Charts& charts, const std::filesystem::path& folder, const st
     const Table* overlay = chart.overlay ? &tables.of(chart.overlay->table, chart.place) : nullptr;
     Charts own{{}, chart.names};
     own.names.insert(charts.names.begin(), charts.names.end());
+    if (chart.kind == Chart::Kind::table) {
+      drawing.sheets.push_back({chart.name + ".md", markdown_table(chart, own, table)});
+      continue;
+    }
     drawing.pictures.push_back(chart.kind == Chart::Kind::map ? draw_map(chart, own, table, drawing.words)
                                : chart.kind == Chart::Kind::traces ? draw_traces(chart, own, table)
                                                                    : draw_points(chart, own, table, overlay));

@@ -11,6 +11,7 @@ namespace tandem::charts {
 Picture draw_points(const Chart& chart, const Charts& charts, const Table& table, const Table* overlay);
 /// words: which is best of each column is added to it.
 Picture draw_map(const Chart& chart, const Charts& charts, const Table& table, std::string& words);
+std::string markdown_table(const Chart& chart, const Charts& charts, const Table& table);
 Picture draw_traces(const Chart& chart, const Charts& charts, const Table& table);
 
 }  // namespace tandem::charts

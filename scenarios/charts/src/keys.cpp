@@ -89,6 +89,17 @@ void of_traces(KeyList& to) {
       .may("jumps", text, "Dotted lines where this column changes.", {.allowed = "a column"});
 }
 
+void of_tables(KeyList& to) {
+  using enum text::Key::Type;
+  to.kind("table", "A table in Markdown, NAME.md.")
+      .need("rows", edge, "A row for each value of these.", {.allowed = columns})
+      .may("columns", text, "A column for each value of this. Without it: one for each of `cells`.",
+           {.allowed = "a column"})
+      .need("cells", any, "What stands in each; of several in a cell the others stand in brackets.",
+            {.allowed = "a column, an expression, or an array of these"})
+      .may("digits", positive, "That count, of numbers that are not whole.", {.otherwise = "2"});
+}
+
 }  // namespace
 
 void add_keys(KeyList& to) {
@@ -98,14 +109,14 @@ void add_keys(KeyList& to) {
       .table("charts[]", "Pictures of tables.")
       .by_kind()
       .need("name", text, "The stem of its files.", {.allowed = "letters, digits and _"})
-      .need("kind", word, "What it is.", {.words = {"curves", "work", "map", "traces"}})
+      .need("kind", word, "What it is.", {.words = {"curves", "work", "map", "traces", "table"}})
       .may("table", text, "TABLE.csv in the folder of results. Without it: the only one that there is.")
       .may("title", text, "Stands above it.")
       .may("notes", texts, "Lines below it.")
       .may("words", any, "As `[names]`, of this chart alone.", {.allowed = "a table of texts"})
       .may("where", text, "The rows that it draws. Without it: all.",
            {.allowed = "an expression of columns"});
-  for (const auto kind : {of_curves, of_work, of_map, of_traces}) kind(to);
+  for (const auto kind : {of_curves, of_work, of_map, of_traces, of_tables}) kind(to);
 }
 
 const text::Keys& keys() {

@@ -21,7 +21,11 @@ class Reader {
     check_name();
     using enum Chart::Kind;
     const std::string kind = section_.kind();
-    chart_.kind = kind == "curves" ? curves : kind == "work" ? work : kind == "map" ? map : traces;
+    chart_.kind = kind == "curves"  ? curves
+                  : kind == "work"  ? work
+                  : kind == "map"   ? map
+                  : kind == "table" ? table
+                                    : traces;
     chart_.table = table_name(section_, section_.text("table").value_or(""));
     chart_.title = section_.text("title").value_or("");
     chart_.notes = section_.texts("notes");
@@ -32,6 +36,7 @@ class Reader {
     if (chart_.kind == work) read_work();
     if (chart_.kind == map) read_map();
     if (chart_.kind == traces) read_traces();
+    if (chart_.kind == table) read_table();
     section_.refuse_unknown();
     return chart_;
   }
@@ -133,6 +138,18 @@ class Reader {
       also.refuse_unknown();
     }
     read_panels();
+  }
+
+  void read_table() {
+    constexpr double most_digits = 17.0;
+    chart_.rows = one_or_more(section_, "rows");
+    if (chart_.rows.empty()) section_.missing("rows");
+    chart_.columns = section_.text("columns").value_or("");
+    chart_.y = quantities(section_, "cells");
+    const double digits = *section_.positive("digits");
+    if (digits != std::floor(digits) || digits > most_digits)
+      section_.wrong("digits", fmt::format("{}", digits), "a whole number up to 17");
+    chart_.digits = static_cast<int>(digits);
   }
 
   void read_traces() {

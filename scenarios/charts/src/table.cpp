@@ -134,6 +134,12 @@ std::vector<std::size_t> Table::chosen(const std::optional<Quantity>& where) con
   return all;
 }
 
+const std::string& Table::cell(std::size_t row, const std::string& column, const text::Place& place,
+                               const Charts& charts) const {
+  check(column, place);
+  return charts.name_of(csv_[row].text(column));
+}
+
 std::string Table::words(std::size_t row, const std::vector<std::string>& columns, const text::Place& place,
                          const Charts& charts) const {
   std::string all;

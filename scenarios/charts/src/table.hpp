@@ -36,6 +36,9 @@ class Table {
   /// What these columns have in a row, as the charts call it, with commas between. Throws likewise.
   std::string words(std::size_t row, const std::vector<std::string>& columns, const text::Place& place,
                     const Charts& charts) const;
+  /// What a column has in a row, as the charts call it. Throws likewise.
+  const std::string& cell(std::size_t row, const std::string& column, const text::Place& place,
+                          const Charts& charts) const;
 
  private:
   void check(const std::string& column, const text::Place& place) const;

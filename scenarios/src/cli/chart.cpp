@@ -12,6 +12,7 @@
 #include "tandem/charts/draw.hpp"
 #include "tandem/error.hpp"
 #include "tandem/nearest.hpp"
+#include "tandem/output/files.hpp"
 
 namespace tandem::cli {
 namespace {
@@ -20,7 +21,7 @@ namespace fs = std::filesystem;
 
 struct ChartOptions {
   std::vector<std::string> what;
-  std::vector<std::string> plotted;
+  std::vector<std::string> plotted, names;
   fs::path results;
   bool png = false;
 };
@@ -52,8 +53,22 @@ std::vector<std::string> scene_names() {
   return names;
 }
 
+/// Leaves out the charts that are not asked for.
+void keep_named(charts::Charts& charts, const std::vector<std::string>& names) {
+  std::vector<std::string> known;
+  for (const charts::Chart& chart : charts.all) known.push_back(chart.name);
+  for (const std::string& name : names)
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw Error(ErrorCode::invalid_argument, unknown("chart", name, known));
+  if (!names.empty())
+    std::erase_if(charts.all, [&](const charts::Chart& chart) {
+      return std::find(names.begin(), names.end(), chart.name) == names.end();
+    });
+}
+
 charts::Drawing of_file(const ChartOptions& options, const Builtins& builtins, fs::path& folder) {
-  const ChartFile file = read_chart_file(study_path(options.what[0]), builtins);
+  ChartFile file = read_chart_file(study_path(options.what[0]), builtins);
+  keep_named(file.charts, options.names);
   if (folder.empty()) folder = file.results;
   return charts::draw(file.charts, folder, file.only_table);
 }
@@ -90,7 +105,11 @@ charts::Drawing drawn(const ChartOptions& options, const Builtins& builtins, fs:
 void chart(const ChartOptions& options, const Context& context) {
   fs::path folder = options.results;
   const auto drawing = drawn(options, context.builtins, folder);
-  const std::string files = draw(drawing.pictures, folder, options.png);
+  std::string files = draw(drawing.pictures, folder, options.png);
+  for (const charts::Sheet& sheet : drawing.sheets) {
+    output::write_text(folder / sheet.name, sheet.text);
+    files += "  " + (folder / sheet.name).string() + '\n';
+  }
   if (context.quiet) return;
   if (!drawing.words.empty()) say("{}\n", drawing.words);
   say("Charts\n{}", files);
@@ -118,6 +137,10 @@ void add_chart(CLI::App& app, Context& context) {
                    "plot.svg in the folder of the first, or of --results")
       ->type_name("COLUMN,..")
       ->delimiter(',');
+  command
+      ->add_option("--chart", options->names, "Of a file: draw this chart alone (repeatable; default: all)")
+      ->expected(1)
+      ->take_all();
   command
       ->add_option("--results", options->results,
                    "Folder of the sweep or benchmark; the charts go there too (default: where these write by "

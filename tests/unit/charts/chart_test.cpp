@@ -173,5 +173,21 @@ TEST_F(ChartTest, ATableThatIsNotThereIsNamed) {
   EXPECT_TRUE(refused("[[charts]]\nname = 'c'\nkind = 'curves'\nx = 'x'\ny = 'y'\n", {"c names no table"}));
 }
 
+TEST_F(ChartTest, ATableHasACellForEachRowAndColumn) {
+  table("x,how,y,z,status\n1,a,0.01234,0.5,ok\n2,a,5e-05,1500,ok\n1,b,3,1e7,ok\n2,b,,,lost\n");
+  const std::string head = "[[charts]]\nname = 'c'\nkind = 'table'\ntable = 't'\nrows = 'how'\n";
+  const Drawing pivot = drawn(head + "columns = 'x'\ncells = ['y', 'z']\nwords = { a = 'first' }\n");
+  ASSERT_EQ(pivot.sheets.size(), 1U);
+  EXPECT_EQ(pivot.sheets[0].name, "c.md");
+  EXPECT_EQ(pivot.sheets[0].text,
+            "| how | x: 1 | 2 |\n|---|---|---|\n"
+            "| first | 0.012 (0.50) | 5.0e-05 (1500) |\n| b | 3 (10000000) | lost |\n");
+  EXPECT_EQ(drawn(head + "where = 'x < 1.5'\ncells = ['y', '2*z']\ndigits = 4\n").sheets[0].text,
+            "| how | y | 2*z |\n|---|---|---|\n| a | 0.01234 | 1 |\n| b | 3 | 20000000 |\n");
+  EXPECT_TRUE(refused(head + "cells = 'q'\n", {"q", "is missing"}));
+  EXPECT_TRUE(refused(head + "cells = 'y'\ndigits = 2.5\n", {"digits", "2.5", "a whole number up to 17"}));
+  EXPECT_TRUE(refused(head + "cells = 'y'\ncolumns = 'w'\n", {"'w'", "is missing"}));
+}
+
 }  // namespace
 }  // namespace tandem::charts

@@ -37,7 +37,7 @@ struct Overlay {
 
 /// A chart as a file describes it (docs/studies.md).
 struct Chart {
-  enum class Kind { curves, work, map, traces };
+  enum class Kind { curves, work, map, traces, table };
   std::string name;  ///< the stem of its files
   Kind kind;
   std::string table;  ///< TABLE.csv in the folder of results; empty: the only one
@@ -59,9 +59,11 @@ struct Chart {
   std::vector<Line> lines;
   std::optional<Overlay> overlay;
 
-  // map
+  // map and table
   std::vector<std::string> rows;
   std::string columns;
+
+  // map
   std::optional<Quantity> value;
   std::vector<double> limits;
   std::vector<Sign> signs;
@@ -72,6 +74,9 @@ struct Chart {
   std::vector<std::vector<double>> windows;
   std::vector<std::string> series;
   std::string difference, jumps;
+
+  // table: y are its cells
+  int digits = 2;  ///< that count, of numbers that are not whole
 
   text::Place place;
 };

@@ -5,10 +5,16 @@
 
 namespace tandem::charts {
 
-/// Pictures, and in words what they tell.
+/// A text that stands for a chart.
+struct Sheet {
+  std::string name, text;
+};
+
+/// Pictures and sheets, and in words what they tell.
 struct Drawing {
   std::vector<Picture> pictures;
   std::string words;  ///< lines; may be empty
+  std::vector<Sheet> sheets = {};
 };
 
 /// Draws the charts of tables in a folder. only_table: of charts that name none; empty: they have to. Throws
