@@ -185,6 +185,7 @@ const std::string& Charts::name_of(const std::string& word) const {
 
 Charts read_charts(Section& root) {
   Charts charts;
+  charts.beside = std::filesystem::path(root.document().file()).parent_path();
   if (const toml::table* names = root.table("names")) charts.names = names_in(root, *names, "names");
   for (Section& section : root.sections("charts")) {
     charts.all.push_back(Reader(section).read());

@@ -44,7 +44,8 @@ std::string Strips::label_of(const std::vector<Quantity>& y) const {
 std::size_t Strips::look_of(std::size_t row, const std::vector<Quantity>& y, const Quantity& one) {
   std::string word = table_.words(row, chart_.series, chart_.place, charts_);
   if (y.size() > 1) word += (word.empty() ? "" : ", ") + table_.label(one, charts_, false);
-  return is_reference(one, y) ? references_.of(word) : looks_.of(word);
+  if (is_reference(one, y)) return references_.of(word);
+  return word.empty() ? 0 : looks_.of(word);  // alone in its panel
 }
 
 void Strips::add(const std::string& panel, const std::vector<std::size_t>& rows, std::size_t which) {

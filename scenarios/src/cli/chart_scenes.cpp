@@ -3,7 +3,6 @@
 
 #include "charts/dense_chart.hpp"
 #include "charts/elsewhere_chart.hpp"
-#include "charts/engine_charts.hpp"
 #include "charts/flat_position_chart.hpp"
 #include "charts/kart_charts.hpp"
 #include "charts/ladder_chart.hpp"
@@ -45,16 +44,6 @@ Drawing four_bar(const fs::path& folder) {
 Drawing four_bar_cost(const fs::path& folder) {
   const auto caption = conditions_caption(folder / "four_bar_conditions.json", 150);
   return {{charts::linkage_cost_chart(charts::read_linkage_times(folder / "four_bar.csv"), caption)}, ""};
-}
-
-Drawing engine(const fs::path& folder) {
-  const auto caption = conditions_caption(folder / "conditions.json", 150);
-  const auto map = charts::read_torque_map(folder / "torque_map.csv"),
-             printed = charts::read_torque_map(folder / "printed_torque_map.csv");
-  return {{charts::engine_torque_map_chart(map, printed, caption),
-           charts::engine_step_chart(charts::read_engine_step(folder / "step_response.csv"), caption),
-           charts::engine_gears_chart(charts::read_manoeuvre(folder / "manoeuvre.csv"), caption)},
-          ""};
 }
 
 Drawing kart(const fs::path& folder) {
@@ -126,11 +115,6 @@ const ChartScene scenes[] = {
      "bench four_bar --output {}",
      {"four_bar.csv", "four_bar_conditions.json"},
      four_bar_cost},
-    {"engine",
-     "results/engine",
-     "sweep engine --output {}",
-     {"torque_map.csv", "printed_torque_map.csv", "step_response.csv", "manoeuvre.csv", "conditions.json"},
-     engine},
     {"kart", "results/kart", "sweep kart --output {}", {"work.csv", "traces.csv", "conditions.json"}, kart},
     {"ladder",
      "results/ladder/kart",

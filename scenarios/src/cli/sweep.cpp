@@ -4,7 +4,6 @@
 
 #include "cli/commands.hpp"
 #include "cli/study_file.hpp"
-#include "cli/sweep_engine.hpp"
 #include "cli/sweep_four_bar.hpp"
 #include "cli/sweep_kart.hpp"
 #include "cli/sweep_kart_drive.hpp"
@@ -20,7 +19,7 @@ namespace fs = std::filesystem;
 
 struct SweepOptions {
   std::string scene;
-  fs::path output, mechanisms = "scenarios/mechanisms", engine = "scenarios/engine", kart = "scenarios/kart";
+  fs::path output, mechanisms = "scenarios/mechanisms", kart = "scenarios/kart";
   std::vector<std::string> levels, overrides, tables;
   bool resume = false, only_table = false, dry = false;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
@@ -39,7 +38,6 @@ void add_sweep(CLI::App& app, Context& context) {
           "scenarios/NAME/study.toml; or a scene of "
           "tandem's own: "
           "split_pendulum; "
-          "engine (torque map, step response, changes of gear); "
           "kart (with its engine, every "
           "level, step and scheme); kart_drive (the torque of its engine over the manoeuvre, from level ii "
           "as "
@@ -68,9 +66,6 @@ void add_sweep(CLI::App& app, Context& context) {
                    "Folder of the example mechanisms (default: scenarios/mechanisms)")
       ->type_name("DIR");
   command->add_option("--kart", options->kart, "Folder of that scene (default: scenarios/kart)")
-      ->type_name("DIR");
-  command
-      ->add_option("--engine", options->engine, "Folder of the engine's diagrams (default: scenarios/engine)")
       ->type_name("DIR");
   command
       ->add_option(
@@ -105,8 +100,6 @@ void add_sweep(CLI::App& app, Context& context) {
       sweep_four_bar(options->output, options->threads, context);
     else if (scene == "kart_drive")
       sweep_kart_drive(options->output, context);
-    else if (scene == "engine")
-      sweep_engine(options->engine, options->output, context);
     else if (scene == "kart")
       sweep_kart({options->kart, options->output, options->levels, options->only_table}, context);
     else if (scene == "split_pendulum")

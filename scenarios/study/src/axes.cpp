@@ -37,7 +37,7 @@ std::vector<FileValue> range(Section section) {
     values.emplace_back(k == 0.0   ? *from
                         : s == 1.0 ? *to
                         : log      ? *from * std::pow(*to / *from, s)
-                                   : *from + s * (*to - *from));
+                                   : *from + k * (*to - *from) / (*count - 1.0));
   }
   return values;
 }

@@ -33,6 +33,9 @@ void of_tables(KeyList& to) {
            "One of them.")
       .may("columns", texts, "In place of the study's.")
       .may("metrics", texts, "Those that it has. Without it: all.")
+      .may("scenario", text, "In place of the study's.", {.allowed = "as the study's"})
+      .table("tables.NAME.set", "Keys of its scenario, besides those that the study sets.")
+      .may("NAME", any, "In quotes where it has dots.", {.allowed = "as in `[set]`"})
       .table("tables.NAME.blocks[]", "Rows of it: blocks add up in the order of the file.", true)
       .need("axes", any,
             "Each a table of columns that move together, or the name of a list; axes multiply, the last one "

@@ -27,13 +27,17 @@ class Reader {
 
   /// alone: it is a file of its own.
   void read(bool alone) {
-    if (alone && !root_.node("scenario")) root_.missing("scenario", "the file of the scenario that is run");
     to_.scenario = {"", root_.text("scenario").value_or(to_.file.filename().string()),
                     root_.place("scenario")};
     to_.steps = one_given(root_, "steps");
     to_.set = all_given(root_, "set");
     read_tables();
+    if (alone && !root_.node("scenario") &&
+        !std::all_of(to_.tables.begin(), to_.tables.end(), [](const Table& t) { return t.scenario; }))
+      root_.missing("scenario", "the file of the scenario that is run");
     for (const Given& one : to_.set) check_columns(one, "set.", to_);
+    for (const Table& table : to_.tables)
+      for (const Given& one : table.set) check_columns(one, "tables." + table.name + ".set.", to_);
     if (to_.steps) check_columns(*to_.steps, "", to_);
     read_references(root_, to_);
     read_metrics(root_, to_);
@@ -61,6 +65,8 @@ class Reader {
       Table table = begun(name, section);
       for (Section& block : section.sections("blocks"))
         for (FileValues& row : axes.rows(block, table.columns)) table.rows.push_back(std::move(row));
+      table.scenario = one_given(section, "scenario");
+      table.set = all_given(section, "set");
       add(std::move(table));
       sections_.emplace(name, std::move(section));
     }

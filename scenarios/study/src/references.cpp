@@ -42,9 +42,10 @@ std::string ReferenceRun::text() const {
   return "reference " + reference->name + (values.empty() ? "" : " (" + values + ")");
 }
 
-/// Rows with other columns leave other keys of the scenario alone.
-std::string References::key(const Reference& reference, const FileValues& row) {
+/// Rows with other columns leave other keys of the scenario alone, and tables may set some of their own.
+std::string References::key(const Reference& reference, const Table& table, const FileValues& row) {
   std::string key = reference.name + '\n' + row_key(reference.per, row);
+  if (!reference.scenario && (table.scenario || !table.set.empty())) key += '\n' + table.name + '\n';
   for (const std::string& column : columns_of(row)) key += '\n' + column;
   return key;
 }
@@ -71,9 +72,11 @@ void References::need(const std::vector<const Metric*>& metrics, const Table& ta
                                   ", which is searched for; allowed are other columns");
     for (const std::string& column : reference.per)
       if (const auto it = row.find(column); it != row.end()) per[column] = it->second;
-    ReferenceRun*& run = by_key_[key(reference, row)];
+    ReferenceRun*& run = by_key_[key(reference, table, row)];
     if (!run)
-      run = runs_.emplace_back(std::make_unique<ReferenceRun>(ReferenceRun{&reference, per, columns_of(row)}))
+      run = runs_
+                .emplace_back(
+                    std::make_unique<ReferenceRun>(ReferenceRun{&reference, &table, per, columns_of(row)}))
                 .get();
     for (const std::string& output : outputs)
       if (std::find(run->outputs.begin(), run->outputs.end(), output) == run->outputs.end())
@@ -81,17 +84,18 @@ void References::need(const std::vector<const Metric*>& metrics, const Table& ta
   }
 }
 
-const ReferenceRun& References::of(const std::string& reference, const FileValues& row) const {
-  return *by_key_.at(key(study_.reference(reference), row));
+const ReferenceRun& References::of(const std::string& reference, const Table& table,
+                                   const FileValues& row) const {
+  return *by_key_.at(key(study_.reference(reference), table, row));
 }
 
-TableOf References::tables(const Metric& metric, const scenario::Traces& traces,
+TableOf References::tables(const Metric& metric, const scenario::Traces& traces, const Table& table,
                            const FileValues& row) const {
   return [&](const std::string& name) -> const TimeTable& {
     const auto it = std::find_if(metric.referred.begin(), metric.referred.end(),
                                  [&](const Metric::Referred& one) { return one.name == name; });
     if (it == metric.referred.end()) return traces.of(name);
-    const ReferenceRun& reference = of(it->reference, row);
+    const ReferenceRun& reference = of(it->reference, table, row);
     if (!reference.failure.empty()) throw Error(ErrorCode::numerical, reference.failure);
     return reference.tables.at(it->output);
   };
@@ -118,7 +122,7 @@ void References::read(ReferenceRun& run) const {
 }
 
 void References::simulate(ReferenceRun& run, const std::function<bool()>& going) {
-  scenario::Scenario scenario = scenes_.of_reference(*run.reference, run.per, run.columns);
+  scenario::Scenario scenario = scenes_.of_reference(*run.reference, *run.table, run.per, run.columns);
   scenario::Scenario finer = scenario;
   if (run.reference->floor)
     located(run.reference->place, [&] { scenario::scale_steps(finer, builtins_, 0.5); });

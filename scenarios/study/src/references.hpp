@@ -16,6 +16,7 @@ namespace tandem::study {
 /// One reference for one set of values of the columns that it goes by.
 struct ReferenceRun {
   const Reference* reference;
+  const Table* table;  ///< one whose rows need it
   FileValues per;
   std::vector<std::string> columns;       ///< of the rows that need it
   std::vector<std::string> outputs = {};  ///< by the names in the study
@@ -39,12 +40,13 @@ class References {
   /// Reads or runs one: different ones at the same time. A run that fails is told in it; throws Error for
   /// what is wrong before.
   void make(std::size_t which, const std::function<bool()>& going);
-  const ReferenceRun& of(const std::string& reference, const FileValues& row) const;
+  const ReferenceRun& of(const std::string& reference, const Table& table, const FileValues& row) const;
   /// What the expression of a metric names, for a row's run; all must outlive it.
-  TableOf tables(const Metric& metric, const scenario::Traces& traces, const FileValues& row) const;
+  TableOf tables(const Metric& metric, const scenario::Traces& traces, const Table& table,
+                 const FileValues& row) const;
 
  private:
-  static std::string key(const Reference& reference, const FileValues& row);
+  static std::string key(const Reference& reference, const Table& table, const FileValues& row);
   void read(ReferenceRun& run) const;
   void simulate(ReferenceRun& run, const std::function<bool()>& going);
   OutputTables tables_of(ReferenceRun& run, const scenario::Scenario& scenario,

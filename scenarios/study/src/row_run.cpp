@@ -30,7 +30,7 @@ class RowRunner::OneRun {
         row_(row),
         outputs_(std::move(outputs)),
         finer_(finer),
-        scenario_(all.scenes_.of_row(row)) {}
+        scenario_(all.scenes_.of_row(all.table_, row)) {}
 
   /// False: it is refused.
   bool begin() {
@@ -182,7 +182,7 @@ class RowRunner::OneRun {
     const text::TimeTable& run = traces_->of(metric.of);
     const std::string& unit = traces_->unit(metric.of);
     if (metric.against.empty()) return set(metric.name, size_of(metric, run, unit) * scale(metric));
-    const ReferenceRun& reference = all_.references_.of(metric.against, row_);
+    const ReferenceRun& reference = all_.references_.of(metric.against, all_.table_, row_);
     if (!reference.failure.empty()) return end("failed", reference.failure);
     if (const auto it = reference.units.find(metric.of); it != reference.units.end() && it->second != unit)
       refuse(metric.place, "metrics." + metric.name + ": " + metric.of + " is in '" + unit +
@@ -199,7 +199,7 @@ class RowRunner::OneRun {
   void compute(const Metric& metric) {
     if (metric.kind == Metric::Kind::coded) return tell(metric);
     if (metric.is_over_time()) {
-      const TableOf tables = all_.references_.tables(metric, *traces_, row_);
+      const TableOf tables = all_.references_.tables(metric, *traces_, all_.table_, row_);
       return set(metric.name, size_over_time(metric, tables, row_) * scale(metric));
     }
     const FileValues values = with_columns();

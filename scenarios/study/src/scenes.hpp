@@ -21,14 +21,18 @@ class Scenes {
 
   // From any thread. Throw Error for values that the scenario does not take.
   /// Its own steps are those of the scenario.
-  scenario::Scenario of_row(const FileValues& row);
+  scenario::Scenario of_row(const Table& table, const FileValues& row);
   /// As the study's `steps` says. Throws Error for a scenario that can't be opened too.
   void scale_steps(scenario::Scenario& scenario, const FileValues& values) const;
   /// per: the values that it goes by. columns: those of the rows that need it.
-  scenario::Scenario of_reference(const Reference& reference, const FileValues& per,
+  scenario::Scenario of_reference(const Reference& reference, const Table& table, const FileValues& per,
                                   const std::vector<std::string>& columns);
 
  private:
+  const Given& name_of(const Table& table) const {
+    return table.scenario ? *table.scenario : study_.scenario;
+  }
+  std::vector<Given> set_in(const Table& table) const;
   const scenario::ScenarioFile& file(const Given& name, const FileValues& values);
 
   const Study& study_;

@@ -79,7 +79,7 @@ void Series::add(const Kept& kept, const FileValues& row, const scenario::Traces
   for (const std::string& output : kept.outputs)
     followed.add(traces.of(output), output), names.push_back(output);
   if (!kept.against.empty()) {
-    const ReferenceRun& reference = references_.of(kept.against, row);
+    const ReferenceRun& reference = references_.of(kept.against, table_, row);
     if (reference.failure.empty())
       for (const std::string& output : kept.outputs)
         followed.add(reference.tables.at(output), output), names.push_back(output + "." + kept.against);
@@ -87,7 +87,7 @@ void Series::add(const Kept& kept, const FileValues& row, const scenario::Traces
   std::vector<OverTime> drifts;
   for (const std::string& drift : kept.metrics) {
     const Metric& metric = study_.metric(drift);
-    drifts.emplace_back(metric, references_.tables(metric, traces, row), row, times);
+    drifts.emplace_back(metric, references_.tables(metric, traces, table_, row), row, times);
   }
   const std::string head = row_key(table_.columns, row) + ',' + charts::csv_cell(cell_of(kept.name)) + ',';
   double next = -std::numeric_limits<double>::infinity();

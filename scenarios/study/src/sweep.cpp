@@ -79,7 +79,7 @@ class Sweep::Work {
   void read_scenarios() {
     fingerprint_.add(study_.file);
     for (const Table& table : study_.tables)
-      for (const FileValues& row : table.rows) fingerprint_.add(scenes_.of_row(row));
+      for (const FileValues& row : table.rows) fingerprint_.add(scenes_.of_row(table, row));
   }
 
   /// By the first row of each table that is not refused: this finds outputs that are not there too.
@@ -98,7 +98,7 @@ class Sweep::Work {
         references_.need(runners_[k].metrics(), study_.tables[k], row);
     for (std::size_t k = 0; k < references_.size(); ++k)
       if (const ReferenceRun& run = references_.run(k); run.reference->file.empty())
-        fingerprint_.add(scenes_.of_reference(*run.reference, run.per, run.columns));
+        fingerprint_.add(scenes_.of_reference(*run.reference, *run.table, run.per, run.columns));
       else
         fingerprint_.add(run.reference->file);
   }

@@ -88,6 +88,7 @@ std::vector<Quantity> columns_of(const Chart& chart);
 struct Charts {
   std::vector<Chart> all;
   std::map<std::string, std::string> names;
+  std::filesystem::path beside = {};  ///< the file's folder: a table that is not in the results may lie there
 
   /// What a column, a word or a number is called.
   const std::string& name_of(const std::string& word) const;

@@ -29,7 +29,9 @@ struct Table {
   std::vector<std::string> header;   ///< columns and metrics in the order in which they are written
   std::vector<FileValues> rows;      ///< by column
   Place place;
-  std::optional<Search> search = {};  ///< each row is a search; its column is a metric of the row
+  std::optional<Search> search = {};   ///< each row is a search; its column is a metric of the row
+  std::optional<Given> scenario = {};  ///< in place of the study's
+  std::vector<Given> set = {};         ///< besides what the study sets
 };
 
 /// What results are compared with: results, or a run.
@@ -49,13 +51,13 @@ struct Reference {
 struct Kept {
   std::string name;  ///< in the column `kept`
   std::string table;
-  std::optional<Formula> where = {};     ///< of columns and metrics
-  std::string least = {}, most = {};     ///< the metric by which one of them is chosen; empty: all
-  std::vector<std::string> per = {};     ///< one for each of the values of these columns
-  std::vector<std::string> outputs;      ///< the first gives the times
+  std::optional<Formula> where = {};      ///< of columns and metrics
+  std::string least = {}, most = {};      ///< the metric by which one of them is chosen; empty: all
+  std::vector<std::string> per = {};      ///< one for each of the values of these columns
+  std::vector<std::string> outputs;       ///< the first gives the times
   std::vector<std::string> metrics = {};  ///< signals and drifts, over time
-  std::string against = {};              ///< a reference whose outputs stand beside them; empty: none
-  double every = 0.0;                    ///< between two rows, at least [s]
+  std::string against = {};               ///< a reference whose outputs stand beside them; empty: none
+  double every = 0.0;                     ///< between two rows, at least [s]
   Place place = {};
 };
 
