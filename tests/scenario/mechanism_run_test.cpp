@@ -8,7 +8,6 @@
 
 #include "command.hpp"
 #include "mechanisms/pendulum.hpp"
-#include "split_pendulum/model.hpp"
 #include "tandem/mbs/sparse/matrix_file.hpp"
 #include "tandem/text/time_table.hpp"
 
@@ -199,35 +198,6 @@ TEST(RunCommand, AMechanismInAScenarioIsLookedForBesideIt) {
   const Said said = tandem(folder, {"run", "s.toml", "--output", "o"});
   ASSERT_EQ(said.status, 0) << said.err;
   EXPECT_NEAR(column(TimeTable::read(folder.path() / "o"), "m.v").back(), 2.0, 1e-12);
-}
-
-std::string split_file(const std::string& name) {
-  return std::string(TANDEM_SOURCE_DIR) + "/scenarios/split_pendulum/" + name;
-}
-
-/// The elbow's largest distance from its exact motion in a scenario of the split pendulum with that large
-/// step.
-double split_error(const std::string& file, double step) {
-  const Scratch folder;
-  const Said said = tandem(folder, {"run", split_file(file), "--output", "o", "--set",
-                                    fmt::format("subsystems.upper.parameters.step={}", step), "--set",
-                                    fmt::format("subsystems.lower.parameters.step={}", step / 10.0)});
-  EXPECT_EQ(said.status, 0) << said.err;
-  const TimeTable table = TimeTable::read(folder.path() / "o");
-  const split_pendulum::Truth truth({}, 2.0);
-  const auto &x = column(table, "upper.x"), &y = column(table, "upper.y");
-  double largest = 0.0;
-  for (std::size_t k = 0; k < table.times.size(); k += 10)  // where the upper rod stands
-    largest = std::max(largest, (Eigen::Vector2d(x[k], y[k]) - truth.elbow(table.times[k])).norm());
-  return largest;
-}
-
-/// The figures of the card.
-TEST(SplitPendulum, TheScenariosAreAsNearToTheExactMotionAsTheSweepsRows) {
-  EXPECT_NEAR(split_error("split_pendulum.toml", 1e-3), 1.4e-4, 1e-5);
-  const double coarse = split_error("carried_mass.toml", 1e-3), fine = split_error("carried_mass.toml", 5e-4);
-  EXPECT_NEAR(coarse, 3.3e-5, 2e-6);
-  EXPECT_NEAR(std::log2(coarse / fine), 2.0, 0.2);
 }
 
 }  // namespace

@@ -12,13 +12,6 @@ using test::tandem;
 
 const std::string study = TANDEM_SOURCE_DIR "/scenarios/motor_crank/study.toml";
 
-TEST(SweepCommand, RefusesALevelThatTheKartHasNot) {
-  const Scratch folder;
-  const Said said = tandem(folder, {"sweep", "kart", "--level", "flat"});
-  EXPECT_EQ(said.status, 2);
-  EXPECT_NE(said.err.find("spatial_scalar_spin"), std::string::npos) << said.err;
-}
-
 TEST(SweepCommand, ATableThatCanNotBeWrittenIsStatusOneWithItsReason) {
   const Scratch folder;
   std::filesystem::create_directories(folder.path() / "o/schemes.csv.part");

@@ -3,23 +3,36 @@
 #include <functional>
 #include <vector>
 
-#include "kart/monolithic.hpp"
-#include "kart/plane.hpp"
+#include "engine_files.hpp"
 #include "tandem/time_series.hpp"
 
 namespace tandem::test {
 
-/// The torque on the driven shaft of the printed level ii over its manoeuvre.
-inline const std::function<double(double)>& kart_torque() {
-  static const std::function<double(double)> function = [] {
-    kart::Plane kart(kart::KartData{}, kart::TyreLaw::magic_formula);
-    const auto run = kart::run_monolithic(kart, 1e-4);
-    std::vector<double> times, values;
-    for (const auto& row : run.rows) times.push_back(row.time), values.push_back(row.torque);
-    return
-        [data = TimeSeries("torque", times, values, {TimeSeries::Between::linear, TimeSeries::Beyond::hold})](
-            double t) { return data.value(t); };
+/// The kart of level ii with its power train as one diagram, every 0.1 ms of its manoeuvre of 10 s.
+struct KartManoeuvre {
+  std::vector<double> times, torque, pitch;  ///< [s], on the driven shaft [N m], [deg]
+};
+inline const KartManoeuvre& kart_manoeuvre() {
+  static const KartManoeuvre manoeuvre = [] {
+    EngineRun run(engine_file("kart_monolithic.toml"));
+    KartManoeuvre all;
+    for (int k = 0; k <= 100000; ++k) {
+      run.run(1e-4 * k, 1e-4);
+      all.times.push_back(1e-4 * k);
+      all.torque.push_back(run["torque"]), all.pitch.push_back(run["pitch"]);
+    }
+    return all;
   }();
+  return manoeuvre;
+}
+
+/// Its torque.
+inline const std::function<double(double)>& kart_torque() {
+  static const std::function<double(double)> function =
+      [data = TimeSeries("torque", kart_manoeuvre().times, kart_manoeuvre().torque,
+                         {TimeSeries::Between::linear, TimeSeries::Beyond::hold})](double t) {
+        return data.value(t);
+      };
   return function;
 }
 

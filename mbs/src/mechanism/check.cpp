@@ -98,9 +98,9 @@ void check_masses(const Description& in) {
   for (const Body& body : in.bodies)
     for (const int e : body.entities) owned[e] = true;
   for (const PointMass& m : in.masses) {
-    owned[m.point] = true;
-    if (!(m.mass > 0.0))
-      refuse(m.where, fmt::format("mass '{}' is {} kg; allowed is above 0", m.name, m.mass));
+    if (m.mass > 0.0) owned[m.point] = true;
+    if (!(m.mass >= 0.0))
+      refuse(m.where, fmt::format("mass '{}' is {} kg; allowed is 0 or more", m.name, m.mass));
   }
   for (std::size_t e = 0; e < owned.size(); ++e)
     if (!owned[e] && !in.entities[e].fixed && !in.entities[e].massless)

@@ -54,7 +54,7 @@ class TracesChart {
  private:
   std::vector<Curve> legend() const {
     std::vector<Curve> all;
-    if (strips_.names().size() + strips_.references().size() > 1) {
+    if (strips_.names().size() > 1 || !strips_.references().empty()) {
       for (const std::string& name : strips_.references()) all.push_back({"", reference_curve, name});
       for (std::size_t k = 0; k < strips_.names().size(); ++k)
         all.push_back({"", style_of({k, false, {}}), strips_.names()[k]});
@@ -88,7 +88,8 @@ class TracesChart {
                    bool last) const {
     const Axis y = axis_of(strip.kind, from, to);
     picture.command(
-        fmt::format("{}; set xrange [{:.12g}:{:.12g}]; set xtics autofreq; set format x '{}'; set xlabel {} "
+        fmt::format("{}; set clip two; set xrange [{:.12g}:{:.12g}]; set xtics autofreq; set format x '{}'; "
+                    "set xlabel {} "
                     "noenhanced",
                     grid_command, from, to, last ? "%g" : "", quote(last ? x_label() : "")));
     y.apply(picture, first ? strip.label : "", true);

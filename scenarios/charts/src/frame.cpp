@@ -9,7 +9,7 @@ namespace tandem::charts {
 namespace {
 
 constexpr int head = 38, line = 18, between = 8;  // pixels: the title, a line of a legend, after it
-constexpr int caption_line = 14, letter = 8;
+constexpr int caption_line = 14, letter = 9;
 
 int width_of(const Frame::Grid& grid) {
   if (grid.width > 0) return grid.width;

@@ -79,13 +79,17 @@ class MarkdownTable {
 
   /// The first value, the others in brackets; of a row that failed its status.
   std::string cell(std::size_t row, const std::vector<std::vector<Quantity>>& parts) const {
-    std::string text;
+    std::string first, others;
     for (const auto& part : parts)
       for (const Quantity& quantity : part) {
         const auto value = table_.number(row, quantity);
         const std::string one = value ? shown(*value, chart_.digits) : "";
-        text += text.empty() || one.empty() ? one : " (" + one + ")";
+        if (first.empty())
+          first = one;
+        else if (!one.empty())
+          others += (others.empty() ? "" : "; ") + one;
       }
+    const std::string text = others.empty() ? first : first + " (" + others + ")";
     return table_.failed(row) ? table_.cell(row, "status", chart_.place, charts_) : text;
   }
 

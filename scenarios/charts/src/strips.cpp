@@ -42,9 +42,10 @@ std::string Strips::label_of(const std::vector<Quantity>& y) const {
 }
 
 std::size_t Strips::look_of(std::size_t row, const std::vector<Quantity>& y, const Quantity& one) {
+  if (is_reference(one, y)) return references_.of(table_.label(one, charts_, false));
   std::string word = table_.words(row, chart_.series, chart_.place, charts_);
-  if (y.size() > 1) word += (word.empty() ? "" : ", ") + table_.label(one, charts_, false);
-  if (is_reference(one, y)) return references_.of(word);
+  if (std::count_if(y.begin(), y.end(), [&](const Quantity& other) { return !is_reference(other, y); }) > 1)
+    word += (word.empty() ? "" : ", ") + table_.label(one, charts_, false);
   return word.empty() ? 0 : looks_.of(word);  // alone in its panel
 }
 
@@ -70,7 +71,10 @@ void Strips::add_traces(Strip& to, const std::vector<std::size_t>& rows, const Q
   for (const std::size_t row : rows) {
     const auto x = table_.number(row, chart_.x.front()), value = table_.number(row, y);
     const auto reference = less ? table_.number(row, *less) : std::optional(0.0);
-    if (x) points[look_of(row, all, y)].push_back({*x, value && reference ? *value - *reference : undefined});
+    if (!x) continue;
+    auto& own = points[look_of(row, all, y)];
+    if (!own.empty() && *x < own.back().x) own.push_back({*x, undefined});  // another run begins
+    own.push_back({*x, value && reference ? *value - *reference : undefined});
   }
   for (auto& [look, own] : points) to.traces.push_back({look, is_reference(y, all), std::move(own)});
 }

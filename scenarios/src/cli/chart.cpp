@@ -126,7 +126,7 @@ void add_chart(CLI::App& app, Context& context) {
   command
       ->add_option("what", options->what,
                    "A study or a file of charts, FILE.toml, or NAME of scenarios/NAME/study.toml; or a "
-                   "sweep: split_pendulum, kart, mechanisms, four_bar; a "
+                   "sweep: mechanisms, four_bar; a "
                    "ladder; or a benchmark: four_bar_cost (of bench four_bar), engine_linkage_elsewhere (of "
                    "bench engine_linkage), solvers, dense, threads, transports, simbody; or with --plot "
                    "results of runs, folders or files")

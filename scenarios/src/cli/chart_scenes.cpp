@@ -4,14 +4,12 @@
 #include "charts/dense_chart.hpp"
 #include "charts/elsewhere_chart.hpp"
 #include "charts/flat_position_chart.hpp"
-#include "charts/kart_charts.hpp"
 #include "charts/ladder_chart.hpp"
 #include "charts/linkage_cost_chart.hpp"
 #include "charts/linkage_errors_chart.hpp"
 #include "charts/mechanisms_work_chart.hpp"
 #include "charts/simbody_chart.hpp"
 #include "charts/solver_map_chart.hpp"
-#include "charts/split_pendulum_chart.hpp"
 #include "charts/threads_chart.hpp"
 #include "charts/transports_chart.hpp"
 #include "tandem/charts/style.hpp"
@@ -21,13 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using charts::conditions_caption;
-
-Drawing split_pendulum(const fs::path& folder) {
-  const auto caption = conditions_caption(folder / "conditions.json", 180);
-  return {
-      {charts::split_pendulum_chart(charts::read_split_pendulum_schemes(folder / "schemes.csv"), caption)},
-      ""};
-}
 
 Drawing mechanisms(const fs::path& folder) {
   const auto caption = conditions_caption(folder / "work_conditions.json", 180);
@@ -44,17 +35,6 @@ Drawing four_bar(const fs::path& folder) {
 Drawing four_bar_cost(const fs::path& folder) {
   const auto caption = conditions_caption(folder / "four_bar_conditions.json", 150);
   return {{charts::linkage_cost_chart(charts::read_linkage_times(folder / "four_bar.csv"), caption)}, ""};
-}
-
-Drawing kart(const fs::path& folder) {
-  const auto caption = conditions_caption(folder / "conditions.json", 150);
-  const auto levels = charts::read_kart_traces(folder / "traces.csv");
-  Drawing drawing{{charts::kart_work_chart(charts::read_kart_work(folder / "work.csv"), caption)}, ""};
-  for (const charts::KartLevel& level : levels) {
-    drawing.pictures.push_back(charts::kart_pitch_chart(level, caption));
-    drawing.pictures.push_back(charts::kart_course_chart(level, caption));
-  }
-  return drawing;
 }
 
 Drawing ladder(const fs::path& folder) {
@@ -95,11 +75,6 @@ Drawing simbody(const fs::path& folder) {
 }
 
 const ChartScene scenes[] = {
-    {"split_pendulum",
-     "results/split_pendulum",
-     "sweep split_pendulum --output {}",
-     {"schemes.csv", "conditions.json"},
-     split_pendulum},
     {"mechanisms",
      "results/mbs",
      "sweep mechanisms --output {}",
@@ -115,7 +90,6 @@ const ChartScene scenes[] = {
      "bench four_bar --output {}",
      {"four_bar.csv", "four_bar_conditions.json"},
      four_bar_cost},
-    {"kart", "results/kart", "sweep kart --output {}", {"work.csv", "traces.csv", "conditions.json"}, kart},
     {"ladder",
      "results/ladder/kart",
      "ladder SCENARIO --output {}",

@@ -5,10 +5,7 @@
 #include "cli/commands.hpp"
 #include "cli/study_file.hpp"
 #include "cli/sweep_four_bar.hpp"
-#include "cli/sweep_kart.hpp"
-#include "cli/sweep_kart_drive.hpp"
 #include "cli/sweep_mechanisms.hpp"
-#include "cli/sweep_split_pendulum.hpp"
 #include "cli/sweep_study.hpp"
 #include "tandem/error.hpp"
 
@@ -18,9 +15,9 @@ namespace {
 namespace fs = std::filesystem;
 
 struct SweepOptions {
-  std::string scene;
-  fs::path output, mechanisms = "scenarios/mechanisms", kart = "scenarios/kart";
-  std::vector<std::string> levels, overrides, tables;
+  std::string scene, where;
+  fs::path output, mechanisms = "scenarios/mechanisms";
+  std::vector<std::string> overrides, tables;
   bool resume = false, only_table = false, dry = false;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
 };
@@ -32,18 +29,13 @@ void add_sweep(CLI::App& app, Context& context) {
       app.add_subcommand("sweep", "Run a scene over its schemes and frequency ratios, and write the table");
   auto options = std::make_shared<SweepOptions>();
   command
-      ->add_option(
-          "study", options->scene,
-          "A study, a TOML file (docs/studies.md), a scenario that has none, or NAME of "
-          "scenarios/NAME/study.toml; or a scene of "
-          "tandem's own: "
-          "split_pendulum; "
-          "kart (with its engine, every "
-          "level, step and scheme); kart_drive (the torque of its engine over the manoeuvre, from level ii "
-          "as "
-          "one system: drive.csv); mechanisms (every formulation and integrator on every example); or "
-          "four_bar "
-          "(the N-fold four-bar linkage through its flat position)")
+      ->add_option("study", options->scene,
+                   "A study, a TOML file (docs/studies.md), a scenario that has none, or NAME of "
+                   "scenarios/NAME/study.toml; or a scene of "
+                   "tandem's own: "
+                   "mechanisms (every formulation and integrator on every example); or "
+                   "four_bar "
+                   "(the N-fold four-bar linkage through its flat position)")
       ->required();
   command
       ->add_option("--set", options->overrides,
@@ -55,6 +47,10 @@ void add_sweep(CLI::App& app, Context& context) {
       ->add_option("--table", options->tables, "Of a study: make this table alone (repeatable; default: all)")
       ->expected(1)
       ->take_all();
+  command
+      ->add_option("--where", options->where,
+                   "Of a study: run only the rows for which this expression of columns holds")
+      ->type_name("EXPRESSION");
   command->add_flag("--dry-run", options->dry,
                     "Of a study: tell its rows, its references and what is refused, and run nothing");
   command
@@ -65,15 +61,6 @@ void add_sweep(CLI::App& app, Context& context) {
       ->add_option("--mechanisms", options->mechanisms,
                    "Folder of the example mechanisms (default: scenarios/mechanisms)")
       ->type_name("DIR");
-  command->add_option("--kart", options->kart, "Folder of that scene (default: scenarios/kart)")
-      ->type_name("DIR");
-  command
-      ->add_option(
-          "--level", options->levels,
-          "A level of the kart: point, plane, spatial_scalar_spin, spatial (repeatable; default: all)")
-      ->expected(1)
-      ->take_all()
-      ->check(CLI::IsMember({"point", "plane", "spatial_scalar_spin", "spatial"}));
   command->add_flag("--resume", options->resume,
                     "Of a study: keep the rows that are there, if study, scenario and program are the same");
   command->add_flag("--table-only", options->only_table,
@@ -87,23 +74,15 @@ void add_sweep(CLI::App& app, Context& context) {
     const std::string& scene = options->scene;
     if (fs::exists(study_path(scene)))
       return sweep_study({study_path(scene), options->output, options->overrides, options->tables,
-                          options->threads, options->resume, options->dry},
+                          options->where, options->threads, options->resume, options->dry},
                          context);
     if (options->output.empty())
-      options->output = fs::path("results") / (scene == "mechanisms" || scene == "four_bar" ? "mbs"
-                                               : scene == "kart_drive"                      ? "kart"
-                                                                                            : scene);
+      options->output = fs::path("results") / (scene == "mechanisms" || scene == "four_bar" ? "mbs" : scene);
     if (scene == "mechanisms")
       sweep_mechanisms({options->mechanisms, options->output, options->threads, options->only_table},
                        context);
     else if (scene == "four_bar")
       sweep_four_bar(options->output, options->threads, context);
-    else if (scene == "kart_drive")
-      sweep_kart_drive(options->output, context);
-    else if (scene == "kart")
-      sweep_kart({options->kart, options->output, options->levels, options->only_table}, context);
-    else if (scene == "split_pendulum")
-      sweep_split_pendulum(options->output, options->threads, context);
     else
       throw Error(ErrorCode::input_output,
                   "'" + scene + "' is no file, and there is no " + study_path(scene).string());

@@ -62,6 +62,7 @@ void sweep_study(const StudySweep& settings, const Context& context) {
   auto [study, standing, folder] = read_study(settings.file, context.builtins, settings.overrides);
   if (!settings.output.empty()) folder = settings.output;
   if (!settings.tables.empty()) study.keep_tables(settings.tables);
+  if (!settings.where.empty()) study.keep_rows(settings.where);
   study::Sweep sweep(study, context.builtins,
                      {folder, settings.overrides, all_metrics(), settings.threads, settings.resume});
   if (settings.dry) {

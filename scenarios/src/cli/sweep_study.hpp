@@ -13,6 +13,7 @@ struct StudySweep {
   std::filesystem::path output;  ///< empty: results/FOLDER, the folder that the study lies in
   std::vector<std::string> overrides;
   std::vector<std::string> tables;  ///< those that are made; empty: all
+  std::string where;                ///< an expression of columns: the rows that are run; empty: all
   unsigned threads;
   bool resume, dry;
 };

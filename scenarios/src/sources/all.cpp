@@ -5,6 +5,7 @@
 #include "engine_models/compiled.hpp"
 #include "kart/builtins.hpp"
 #include "sources/elements.hpp"
+#include "split_pendulum/exact.hpp"
 #include "tandem/sources/diagram.hpp"
 #include "tandem/sources/mechanism.hpp"
 #include "two_mass/masses.hpp"
@@ -18,6 +19,7 @@ Builtins all_sources(const scenario::SourceSettings& settings) {
   two_mass::add_builtins(all);
   kart::add_builtins(all, settings.tell);
   engine_linkage::add_builtins(all, settings.tell);
+  split_pendulum::add_builtins(all);
   return all;
 }
 

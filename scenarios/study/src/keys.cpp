@@ -24,7 +24,9 @@ void of_file(KeyList& to) {
              "Keys of the scenario (those of `--set`) with what each is set to, in tables that have the "
              "columns in it.")
       .may("NAME", any, "In quotes where it has dots.",
-           {.allowed = "a number, true, false, a text, `\"$COLUMN\"` or `\"$(EXPRESSION)\"` of columns"});
+           {.allowed =
+                "a number, true, false, a text, `\"$COLUMN\"` or `\"$(EXPRESSION)\"` of columns; a condition "
+                "alone, `\"$((COLUMN is WORD))\"`, is true or false"});
 }
 
 void of_tables(KeyList& to) {
@@ -34,7 +36,9 @@ void of_tables(KeyList& to) {
       .may("columns", texts, "In place of the study's.")
       .may("metrics", texts, "Those that it has. Without it: all.")
       .may("scenario", text, "In place of the study's.", {.allowed = "as the study's"})
-      .table("tables.NAME.set", "Keys of its scenario, besides those that the study sets.")
+      .table(
+          "tables.NAME.set",
+          "Keys of its scenario, besides those that the study sets; of a scenario of its own: these alone.")
       .may("NAME", any, "In quotes where it has dots.", {.allowed = "as in `[set]`"})
       .table("tables.NAME.blocks[]", "Rows of it: blocks add up in the order of the file.", true)
       .need("axes", any,
@@ -115,7 +119,10 @@ void of_metrics(KeyList& to) {
            "The run may be so much later or earlier as a whole; by how much it is is told as METRIC.shift.",
            {.unit = "s"})
       .may("unit", text, "That the number is told in. Without it: that of the output.")
-      .may("repetitions", positive, "Of `seconds` and `real_time_factor`: the least of so many runs.",
+      .may("repetitions", positive,
+           "Of `seconds` and `real_time_factor`: the least of so many runs, of which the one that is judged "
+           "is the "
+           "first.",
            {.otherwise = "3"})
       .table("metrics.NAME.with", "Parameters of a `builtin`.")
       .may("NAME", any, "As it knows it.", {.allowed = "as in `[set]`"});

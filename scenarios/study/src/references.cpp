@@ -35,6 +35,11 @@ std::vector<std::string> columns_of(const FileValues& row) {
   return columns;
 }
 
+/// Before its metrics are known.
+bool may_be_kept(const Kept& kept, const FileValues& row) {
+  return !kept.where || !is_known(*kept.where, row) || value_of(*kept.where, row) != 0.0;
+}
+
 }  // namespace
 
 std::string ReferenceRun::text() const {
@@ -42,12 +47,19 @@ std::string ReferenceRun::text() const {
   return "reference " + reference->name + (values.empty() ? "" : " (" + values + ")");
 }
 
-/// Rows with other columns leave other keys of the scenario alone, and tables may set some of their own.
-std::string References::key(const Reference& reference, const Table& table, const FileValues& row) {
+/// Rows with other columns leave other keys of the scenario alone, and tables may have keys of their own.
+std::string References::key(const Reference& reference, const Table& table, const FileValues& row) const {
   std::string key = reference.name + '\n' + row_key(reference.per, row);
   if (!reference.scenario && (table.scenario || !table.set.empty())) key += '\n' + table.name + '\n';
-  for (const std::string& column : columns_of(row)) key += '\n' + column;
+  for (const Given& one : scenes_.set_of(reference, table, columns_of(row))) key += '\n' + one.name;
   return key;
+}
+
+void References::add_kept(const Kept& kept, const std::string& reference,
+                          std::vector<std::string>& to) const {
+  if (kept.against == reference) to.insert(to.end(), kept.outputs.begin(), kept.outputs.end());
+  for (const std::string& name : kept.metrics)
+    for (auto& output : referred_outputs({&study_.metric(name)}, reference)) to.push_back(std::move(output));
 }
 
 void References::need(const std::vector<const Metric*>& metrics, const Table& table,
@@ -57,13 +69,7 @@ void References::need(const std::vector<const Metric*>& metrics, const Table& ta
   for (const Reference& reference : study_.references) {
     auto outputs = referred_outputs(metrics, reference.name);
     for (const Kept& kept : study_.kept)
-      if (kept.table == table.name && kept.against == reference.name)
-        outputs.insert(outputs.end(), kept.outputs.begin(), kept.outputs.end());
-    for (const Kept& kept : study_.kept)
-      for (const std::string& drift : kept.metrics)
-        if (kept.table == table.name)
-          for (auto& output : referred_outputs({&study_.metric(drift)}, reference.name))
-            outputs.push_back(std::move(output));
+      if (kept.table == table.name && may_be_kept(kept, row)) add_kept(kept, reference.name, outputs);
     if (outputs.empty()) continue;
     FileValues per;
     if (table.search &&

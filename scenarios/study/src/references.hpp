@@ -46,7 +46,8 @@ class References {
                  const FileValues& row) const;
 
  private:
-  static std::string key(const Reference& reference, const Table& table, const FileValues& row);
+  std::string key(const Reference& reference, const Table& table, const FileValues& row) const;
+  void add_kept(const Kept& kept, const std::string& reference, std::vector<std::string>& to) const;
   void read(ReferenceRun& run) const;
   void simulate(ReferenceRun& run, const std::function<bool()>& going);
   OutputTables tables_of(ReferenceRun& run, const scenario::Scenario& scenario,

@@ -58,10 +58,12 @@ class RowRunner::OneRun {
   /// False: `going` said no.
   bool simulate(const std::function<bool()>& going) {
     try {
+      const Stopwatch watch;
       while (assembly_->coordinator().round()) {
         observers_.between_rounds();
         if (!going()) return false;
       }
+      judged_ = watch.read();
       end("ok", "");
     } catch (const Diverged& error) {
       end("lost", error.what());
@@ -73,12 +75,9 @@ class RowRunner::OneRun {
 
   void judge(const std::function<bool()>& going) {
     try {
-      for (const Metric* metric : all_.metrics_)
-        if (metric->kind != Metric::Kind::order)
-          judge(*metric);
-        else if (result_.status == "ok" && !finer_)
-          tell_order(*metric, going);
+      for (const Metric* metric : all_.metrics_) judge(*metric);
       if (result_.status == "ok") judge_status();
+      if (result_.status == "ok" && !finer_) judge_orders(going);
     } catch (const Error& error) {
       end("failed", error.what());
     }
@@ -134,6 +133,7 @@ class RowRunner::OneRun {
   }
 
   void judge(const Metric& metric) {
+    if (metric.kind == Metric::Kind::order) return;  // after the verdict
     if (metric.kind == Metric::Kind::exchanges || metric.kind == Metric::Kind::steps)
       set(metric.name, counted(metric));
     else if (metric.is_time() && result_.status == "ok")
@@ -147,10 +147,19 @@ class RowRunner::OneRun {
       if (shares_.empty()) shares_ = shares(scenario_, all_.builtins_);
       return set(metric.name, shares_.at(metric.of));
     }
-    if (!timing_) timing_ = least_time(scenario_, all_.builtins_, metric.repetitions);
+    if (!timing_) timing_ = least_time(scenario_, all_.builtins_, metric.repetitions, judged_);
     if (metric.kind == Metric::Kind::real_time)
       return set(metric.name, (scenario_.stop - scenario_.start) / timing_->seconds);
     set(metric.name, timing_->seconds), set(metric.name + ".processor", timing_->processor);
+  }
+
+  /// And the formulas that wait for them.
+  void judge_orders(const std::function<bool()>& going) {
+    for (const Metric* metric : all_.metrics_)
+      if (metric->kind == Metric::Kind::order)
+        tell_order(*metric, going);
+      else if (metric->kind == Metric::Kind::formula && !result_.metrics.contains(metric->name))
+        compute(*metric);
   }
 
   void tell_order(const Metric& metric, const std::function<bool()>& going) {
@@ -240,6 +249,7 @@ class RowRunner::OneRun {
   std::map<std::string, std::unique_ptr<CodedMetric>> coded_;
   Observers observers_;
   Differences differences_;
+  Timing judged_{};  ///< of the run that is judged
   std::optional<Timing> timing_;
   std::map<std::string, double> shares_;
   RowResult result_;

@@ -91,7 +91,7 @@ void Scenes::scale_steps(Scenario& scenario, const FileValues& values) const {
 }
 
 std::vector<Given> Scenes::set_in(const Table& table) const {
-  std::vector<Given> all = study_.set;
+  std::vector<Given> all = table.scenario ? std::vector<Given>() : study_.set;
   all.insert(all.end(), table.set.begin(), table.set.end());
   return all;
 }
@@ -100,16 +100,21 @@ Scenario Scenes::of_row(const Table& table, const FileValues& row) {
   return alone(with(file(name_of(table), row), of_columns(set_in(table), names_of(row)), row));
 }
 
+std::vector<Given> Scenes::set_of(const Reference& reference, const Table& table,
+                                  const std::vector<std::string>& columns) const {
+  std::vector<Given> all = reference.scenario ? std::vector<Given>() : set_in(table);
+  all.insert(all.end(), reference.set.begin(), reference.set.end());
+  std::vector<std::string> known = columns;
+  for (const Given& with : reference.with) known.push_back(with.name);
+  return of_columns(all, known);
+}
+
 Scenario Scenes::of_reference(const Reference& reference, const Table& table, const FileValues& per,
                               const std::vector<std::string>& columns) {
   FileValues values = per;
   for (const Given& with : reference.with) values[with.name] = column_value(with, per);
-  std::vector<Given> all = reference.scenario ? std::vector<Given>() : set_in(table);
-  all.insert(all.end(), reference.set.begin(), reference.set.end());
   const Given& name = reference.scenario ? *reference.scenario : name_of(table);
-  std::vector<std::string> known = names_of(values);
-  known.insert(known.end(), columns.begin(), columns.end());
-  Scenario scenario = with(file(name, values), of_columns(all, known), values);
+  Scenario scenario = with(file(name, values), set_of(reference, table, columns), values);
   if (!reference.scenario) scale_steps(scenario, values);
   return alone(std::move(scenario));
 }

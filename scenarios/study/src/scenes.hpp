@@ -28,6 +28,10 @@ class Scenes {
   scenario::Scenario of_reference(const Reference& reference, const Table& table, const FileValues& per,
                                   const std::vector<std::string>& columns);
 
+  /// The keys that it sets.
+  std::vector<Given> set_of(const Reference& reference, const Table& table,
+                            const std::vector<std::string>& columns) const;
+
  private:
   const Given& name_of(const Table& table) const {
     return table.scenario ? *table.scenario : study_.scenario;

@@ -11,14 +11,17 @@
 namespace tandem::study {
 namespace {
 
-/// Columns and numbers of each row that was written.
+/// Columns and numbers of each row that was written; of those that are not ok the columns alone.
 std::vector<FileValues> results(const std::filesystem::path& file, const Table& table,
                                 const std::vector<std::string>& metrics) {
   const auto csv = charts::CsvTable::read(file, {});
   std::vector<FileValues> rows = table.rows;
   for (std::size_t k = 0; k < rows.size(); ++k)
     for (const std::string& name : metrics)
-      if (const double value = csv[k].number(name); std::isfinite(value)) rows[k][name] = value;
+      if (csv[k].text("status") != "ok")
+        break;
+      else if (const double value = csv[k].number(name); std::isfinite(value))
+        rows[k][name] = value;
   return rows;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "has.hpp"
+#include "judged.hpp"
 #include "tandem/nearest.hpp"
 
 namespace tandem::study {
@@ -15,11 +16,23 @@ std::vector<std::string> Given::columns() const {
   return located(place, [&] { return text::names_in(text->substr(2, text->size() - 3)); });
 }
 
+namespace {
+
+/// "((how is hermite))" in place of a number: true or false.
+bool is_condition(const std::string& expression) {
+  return expression.starts_with("(") && expression.find(')') == expression.size() - 1 &&
+         (expression.find(" is ") != std::string::npos || expression.find(" in [") != std::string::npos);
+}
+
+}  // namespace
+
 text::SetValue Given::with(const FileValues& columns) const {
   const auto* text = std::get_if<std::string>(&value);
   if (!text || !text->starts_with("$")) return value;
   return located(place, [&] {
     const FileValue found = text::referred(*text, columns);
+    if (text->starts_with("$(") && is_condition(text->substr(2, text->size() - 3)))
+      return text::SetValue(std::get<double>(found) != 0.0);
     return std::visit([](const auto& one) { return text::SetValue(one); }, found);
   });
 }
@@ -84,6 +97,23 @@ void Study::keep_tables(const std::vector<std::string>& names) {
       throw Error(ErrorCode::invalid_argument, file.string() + ": " + unknown("table", name, known));
   std::erase_if(tables, [&](const Table& table) { return !has(names, table.name); });
   std::erase_if(kept, [&](const Kept& one) { return !has(names, one.table); });
+}
+
+void Study::keep_rows(const std::string& where) {
+  const Formula when{where, {file.string()}};
+  for (const std::string& name : located(when.place, [&] { return text::names_in(where); }))
+    if (const auto known = columns(); !has(known, name))
+      throw Error(ErrorCode::invalid_argument, file.string() + ": " + unknown("column", name, known));
+  for (Table& table : tables)
+    std::erase_if(table.rows,
+                  [&](const FileValues& row) { return !is_known(when, row) || value_of(when, row) == 0.0; });
+  std::vector<std::string> names;
+  for (const Table& table : tables)
+    if (!table.rows.empty()) names.push_back(table.name);
+  if (names.empty())
+    throw Error(ErrorCode::invalid_argument, file.string() + ": no row is left where " + where +
+                                                 "; allowed is an expression that holds for one");
+  keep_tables(names);
 }
 
 bool Study::is_timed(const Table& table) const {

@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <chrono>
 #include <map>
 #include <string>
 
@@ -14,8 +15,20 @@ struct Timing {
   double processor;  ///< of all processors, with the processes that were started and run [s]
 };
 
-/// The run of several with the least wall time. Nothing else should run meanwhile.
-Timing least_time(const scenario::Scenario& scenario, const Builtins& builtins, int repetitions);
+class Stopwatch {
+ public:
+  Stopwatch();
+  Timing read() const;
+
+ private:
+  std::chrono::steady_clock::time_point began_;
+  double processor_;
+};
+
+/// The run with the least wall time of `repetitions`, of which `first` is one. Nothing else should run
+/// meanwhile.
+Timing least_time(const scenario::Scenario& scenario, const Builtins& builtins, int repetitions,
+                  Timing first);
 
 /// By subsystem: the part of the rounds' wall time that is spent inside it, of one run that reads the clock
 /// at each call.

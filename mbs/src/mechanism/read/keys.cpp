@@ -53,7 +53,7 @@ void keys_of_bodies(KeyList& to) {
       .may("free", flag, "It hangs on nothing that is fixed.", {.otherwise = "false"})
       .named("masses", "Masses that are added at points.", "A mass.")
       .need("point", text, "The point.")
-      .need("mass", positive, "The mass.", {.unit = "kg"})
+      .need("mass", number, "The mass.", {.unit = "kg", .allowed = "0 or more"})
       .may("free", flag, "It hangs on nothing that is fixed.", {.otherwise = "false"});
 }
 

@@ -31,7 +31,7 @@ struct Table {
   Place place;
   std::optional<Search> search = {};   ///< each row is a search; its column is a metric of the row
   std::optional<Given> scenario = {};  ///< in place of the study's
-  std::vector<Given> set = {};         ///< besides what the study sets
+  std::vector<Given> set = {};         ///< besides what the study sets; with a scenario of its own alone
 };
 
 /// What results are compared with: results, or a run.
@@ -85,6 +85,9 @@ struct Study {
   bool is_timed(const Table& table) const;
   /// Leaves out the other tables, and what is kept of them. Throws Error for a name that none has.
   void keep_tables(const std::vector<std::string>& names);
+  /// Leaves out the rows for which an expression of columns is 0, and tables that lack one of its columns.
+  /// Throws Error for a column that no table has, and if no row is left.
+  void keep_rows(const std::string& where);
   /// What a metric tells: METRIC, and where it has these METRIC.shift, METRIC.floor and METRIC.processor.
   std::vector<std::string> names_of(const Metric& metric) const;
 };
