@@ -62,8 +62,6 @@ TEST_F(TwoInAFolder, TheSecondIsRefusedAndTheFirstEndsAsIfAlone) {
   refused(long_run_to("cut"));
   refused(with(long_run_to("cut"), {"--resume", "cut/checkpoint"}));
   refused({"sweep", two_mass_file("study.toml"), "--output", "cut"});
-  refused({"sweep", "split_pendulum", "--output", "cut"});
-  refused({"sweep", "kart", "--output", "cut", "--kart", TANDEM_SOURCE_DIR "/scenarios/kart"});
   refused({"ladder", TANDEM_SOURCE_DIR "/scenarios/kart/kart.toml", "--output", "cut"});
   refused({"bench", "exchange", "--output", "cut"});
   EXPECT_EQ(tandem(folder, with(long_run_to("cut"), {"--dry-run"})).status, 0);

@@ -263,27 +263,21 @@ TEST_F(StrangersScenario, TheCommandsThatRunItSayThatItIsCode) {
 /// A chart is a script that gnuplot runs, with texts of the results in it.
 TEST_F(StrangersScenario, AChartOfItsResultsRunsNoCode) {
   if (std::system("command -v gnuplot > /dev/null") != 0) GTEST_SKIP() << "gnuplot is absent";
-  const std::string header =
-      "level,run,schedule,to_fast,to_slow,time,difference,throttle,gear,torque,pitch,speed,front_load,"
-      "rear_load,front_slip,rear_slip\n";
-  folder_.write("conditions.json",
-                R"~({"processor":"p","compiler":"c","commit":"c","reference":"r",)~"
-                R"~("error_norm":"`touch started`","repetitions":"'; system('touch started')"})~");
-  folder_.write("work.csv",
-                "level,ratio,schedule,to_fast,to_slow,max_pitch_difference,seconds,status\n"
-                "'; system('touch started'); ',1,`touch started`,\"a\"\"\",b,1,1,ok\n");
-  for (const std::string level :
-       {"x'; system('touch started'); y='", "`touch started`", "../../x", "point"}) {
-    std::string rows;
-    for (const char* run : {"reference", "worst", "best"})
-      for (const char* time : {",0", ",1"})
-        rows += level + "," + run + ",`touch started`,'; system('touch started'); ',\"" + time +
-                ",1,1,1,1,1,1,1,1,1,1\n";
-    std::erase(rows, '"');
-    folder_.write("traces.csv", header + rows);
-    const Said said = say({"chart", "kart", "--results", "."});
-    EXPECT_EQ(said.status, level == "point" ? 0 : 2) << said.err;
-    EXPECT_FALSE(started()) << level;
+  const std::string code = "'; system('touch started'); '", quoted = "`touch started`";
+  folder_.write("t.json",
+                R"~({"made":{"tandem":"`touch started`","commit":"'; system('touch started')"},)~"
+                R"~("units":{"y":"`touch started`"},"norms":{"y":"'; system('touch started'); '"}})~");
+  folder_.write("t.csv", "how,\"`touch started`\",x,y,status\n" + code + "," + quoted + ",1,1,ok\n" + quoted +
+                             "," + code + ",2,2," + code + "\n");
+  for (const std::string kind :
+       {"'curves'\nx = 'x'\ny = 'y'\nseries = 'how'\n", "'work'\ncost = 'x'\nerror = 'y'\npanels = 'how'\n",
+        "'map'\nrows = 'how'\ncolumns = 'x'\nvalue = 'y'\nlimits = [1]\nbest = 1\n",
+        "'traces'\nx = 'x'\ny = 'y'\nseries = 'how'\njumps = 'how'\n",
+        "'table'\nrows = 'how'\ncells = 'y'\n"}) {
+    folder_.write("c.toml", "[[charts]]\nname = 'c'\ntable = 't'\nkind = " + kind);
+    const Said said = say({"chart", "c.toml", "--results", "."});
+    EXPECT_EQ(said.status, 0) << said.err;
+    EXPECT_FALSE(started()) << kind;
   }
 }
 

@@ -25,7 +25,7 @@ def schema_of(language):
 
 
 def language_of(document):
-    kinds = {"subsystems": "scenario", "tables": "study", "blocks": "diagram"}
+    kinds = {"subsystems": "scenario", "tables": "study", "search": "study", "blocks": "diagram"}
     return next((kind for key, kind in kinds.items() if key in document), "mechanism")
 
 

@@ -128,7 +128,8 @@ TEST(ReadMechanism, RefusesElementsWithWhatIsAllowed) {
       refused("[inputs]\nF = { unit = 'N', value = 2, polynomial = [1] }\n", {"has 2 of value, polynomial"}));
   EXPECT_TRUE(refused("[outputs]\no = { position = 'P.x', velocity = 'P.x' }\n", {"names 2 quantities"}));
   EXPECT_TRUE(refused("[outputs]\no = { reaction = 'P.x' }\n", {"a point that is not fixed"}));
-  EXPECT_TRUE(refused("[outputs]\no = { energy = 'all' }\n", {"'all'", "kinetic, potential, total or drift"}));
+  EXPECT_TRUE(
+      refused("[outputs]\no = { energy = 'all' }\n", {"'all'", "kinetic, potential, total or drift"}));
   EXPECT_TRUE(refused("[drives]\nd = { coordinate = 'O.x', motion = 'u' }\n", {"of a fixed point"}));
   EXPECT_TRUE(
       refused("[inputs]\nu = { unit = 'm', value = 1 }\n[drives]\nd = { coordinate = 'P.x', motion = 'u' }\n"
@@ -136,8 +137,7 @@ TEST(ReadMechanism, RefusesElementsWithWhatIsAllowed) {
               {"drive 'again' moves what drive 'd' moves already", "one drive of a coordinate"}));
   EXPECT_TRUE(refused("[angles]\nt = { from = ['O', 'P'], to = ['O', 'P'] }\n",
                       {"angle 't' lies between an edge and itself", "two edges"}));
-  EXPECT_TRUE(
-      refused("[masses]\nm = { point = 'P', mass = -2 }\n", {"masses.m.mass is the number -2", "above 0"}));
+  EXPECT_TRUE(refused("[masses]\nm = { point = 'P', mass = -2 }\n", {"mass 'm' is -2 kg", "0 or more"}));
   EXPECT_TRUE(
       refused("[points.Q]\nat = [1, 1]\n", {"p.toml:13", "point 'Q' belongs to no body and has no mass"}));
   EXPECT_TRUE(refused(

@@ -87,14 +87,15 @@ TEST(Studies, ThatAreWrongAreRefusedWithTheirLine) {
   refuses(block + "where = 'b > 1'\n", {"study.toml:4", "'b' is not there"});
   refuses("columns = ['b']\n" + block, {"study.toml:2", "'b' is not there"});
   refuses(block + "[metrics]\na = { of = 'x.y' }\n", {"name of a column"});
-  refuses(block + "[metrics]\nm = {}\n", {"one of `of`, `drift`, `formula` and `builtin`"});
+  refuses(block + "[metrics]\nm = {}\n",
+          {"one of `of`, `signal`, `drift`, `order`, `formula` and `builtin`"});
   refuses(block + "[metrics]\nm = { of = 'x.y', formula = 'a' }\n", {"one of `of`"});
   refuses(block + "[metrics]\nm = { of = 'x.y', relative = 'peak' }\n", {"study.toml:5", "no reference"});
   refuses(block + "[metrics]\nm = { formula = 'n*2' }\nn = { of = 'x.y' }\n",
           {"metrics.m.formula: name 'n' is not there"});
   refuses(block + "[metrics]\nm = { formula = '2*' }\n", {"'2*'", "can't be read"});
   refuses(block + "[metrics]\nm = { of = 'x.y', norm = 'largest' }\n",
-          {"norm is 'largest'", "max, rms or end"});
+          {"norm is 'largest'", "max, rms, end, least or most"});
   refuses(block + "[metrics]\nm = { of = 'x.y', from = 2, to = 1 }\n", {"after metrics.m.from"});
   refuses(block + "[references.r]\nper = ['b']\n", {"references.r.per", "'b' is not there"});
   refuses(block + "[references.r]\nwith = { b = 1 }\n", {"'b' is not there"});
