@@ -9,9 +9,12 @@ block() { # FILE LANGUAGE NUMBER: the first, second, ... fenced block of that la
     '$0 == open {inside = ++count == number; next} $0 == fence && inside {exit} inside' "$1"
 }
 
-diff <(block README.md cpp 1) tests/consumer/main.cpp
-diff <(block README.md toml 1) scenarios/two_mass/two_mass.toml
-diff <(block README.md cmake 1) tests/consumer/CMakeLists.txt
+diff <(block docs/program.md cpp 1) tests/consumer/main.cpp
+diff <(block docs/program.md cmake 1) tests/consumer/CMakeLists.txt
+diff <(block README.md toml 1) <(tail -n +2 tests/examples/arm/arm.toml)
+diff <(block README.md toml 2) <(tail -n +2 tests/examples/arm/motor.toml)
+diff <(block README.md toml 3) <(tail -n +2 tests/examples/arm/lift.toml)
+[[ $(wc -l < README.md) -le 130 ]]
 diff <(block docs/library.md cpp 1) tests/consumer/run_scenario.cpp
 diff <(block docs/models_in_cpp.md cpp 1) tests/examples/pendulum.hpp
 diff <(block docs/diagrams.md toml 1) tests/examples/hoist.toml
