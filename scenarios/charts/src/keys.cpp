@@ -111,9 +111,8 @@ void add_keys(KeyList& to) {
       .need("name", text, "The stem of its files.", {.allowed = "letters, digits and _"})
       .need("kind", word, "What it is.", {.words = {"curves", "work", "map", "traces", "table"}})
       .may("table", text,
-           "TABLE.csv in the folder of results, or if it is not there beside this file. Without it: the only "
-           "one "
-           "that there is.")
+           "TABLE.csv in the folder of results, or if it is not there beside this file. Without it: the "
+           "only one that there is.")
       .may("title", text, "Stands above it.")
       .may("notes", texts, "Lines below it.")
       .may("words", any, "As `[names]`, of this chart alone.", {.allowed = "a table of texts"})

@@ -101,9 +101,8 @@ void of_metrics(KeyList& to) {
       .may("formula", text, "Of other metrics and columns.", {.allowed = "an expression"})
       .may("builtin", text, "What only code can tell, by its name.")
       .may("norm", word,
-           "Of it over time: largest magnitude, root mean square, last magnitude; without a reference also "
-           "the "
-           "least and the largest value.",
+           "Of it over time: largest magnitude, root mean square, last magnitude; without a reference "
+           "also the least and the largest value.",
            {.otherwise = "max", .words = {"max", "rms", "end", "least", "most"}})
       .may("relative", word,
            "It is divided by the peak of the reference, or by its rms; of a drift by the magnitude at the "
@@ -120,9 +119,8 @@ void of_metrics(KeyList& to) {
            {.unit = "s"})
       .may("unit", text, "That the number is told in. Without it: that of the output.")
       .may("repetitions", positive,
-           "Of `seconds` and `real_time_factor`: the least of so many runs, of which the one that is judged "
-           "is the "
-           "first.",
+           "Of `seconds` and `real_time_factor`: the least of so many runs, of which the one that is "
+           "judged is the first.",
            {.otherwise = "3"})
       .table("metrics.NAME.with", "Parameters of a `builtin`.")
       .may("NAME", any, "As it knows it.", {.allowed = "as in `[set]`"});
