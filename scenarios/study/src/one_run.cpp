@@ -150,9 +150,14 @@ void RowRunner::OneRun::judge_orders(const std::function<bool()>& going) {
 void RowRunner::OneRun::tell_order(const Metric& metric, const std::function<bool()>& going) {
   if (!halved_) {
     OneRun finer(all_, row_, outputs_, true);
-    if (!finer.begin() || !finer.simulate(going)) return;
-    finer.judge(going);
+    if (finer.begin()) {
+      if (!finer.simulate(going)) return;
+      finer.judge(going);
+    }
     halved_ = finer.result();
+    if (halved_->status != "ok")
+      result_.note =
+          printable("with half the steps it is " + halved_->status + ": " + halved_->note, longest_note);
   }
   const auto own = result_.metrics.find(metric.of), half = halved_->metrics.find(metric.of);
   if (halved_->status != "ok" || own == result_.metrics.end() || half == halved_->metrics.end()) return;
