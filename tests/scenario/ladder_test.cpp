@@ -25,7 +25,7 @@ TEST(LadderCommand, TellsTheSimplestRungOfTheTwoMassTest) {
   EXPECT_TRUE(contains(said.out, "differences from one system")) << said.out;
   EXPECT_EQ(read_text(folder.path() / "l/verdict.txt"), said.out.substr(0, said.out.find("wrote ")));
   EXPECT_TRUE(contains(read_text(folder.path() / "l/ladder.csv"), "\"one system\",fast.x1,1,max,0,0,0.15,0,"));
-  for (const char* name : {"degree 0/results.csv", "one system/results.csv", "conditions.json"})
+  for (const char* name : {"degree 0/results.csv", "one system/results.csv", "ladder.json"})
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "l" / name)) << name;
 }
 

@@ -65,7 +65,7 @@ TEST_F(OddFiles, AFifoIsReadByNoCommand) {
 
 TEST_F(OddFiles, AFifoInTheFolderOfResultsIsReadByNoCommand) {
   fs::create_directory(folder.path() / "o");
-  fifo("o/results.json"), fifo("o/conditions.json"), fifo("o/ladder.csv");
+  fifo("o/results.json"), fifo("o/ladder.json"), fifo("o/ladder.csv");
   const std::string sentence = "it is a FIFO; allowed is a regular file";
   says({"view", "o"}, sentence);
   says({"compare", "o", "o"}, sentence);

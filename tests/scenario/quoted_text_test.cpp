@@ -82,8 +82,6 @@ class ForeignText : public testing::Test {
     fs::create_symlink("../foreign", folder_.path() / "about/results.json");
     fs::create_symlink("../foreign", folder_.path() / "rows/results.csv");
     fs::create_symlink("../foreign", folder_.path() / "chart/ladder.csv");
-    folder_.write("chart/conditions.json", R"({"processor":"p","compiler":"c","commit":"c","reference":"r",)"
-                                           R"("error_norm":"e","repetitions":"1"})");
     folder_.write("mechanisms/results.csv", "time,x\n0,1\n");
     folder_.write("mechanisms/results.json",
                   R"({"files":["results.csv"],"scenario":{"file":"s.toml","overrides":[],"values":)"
@@ -131,10 +129,11 @@ TEST_F(ForeignText, AsResults) {
   for (const char* place : {"foreign", "about", "rows", "mechanisms"}) tell_nothing({"view", place});
 }
 
-TEST_F(ForeignText, AsATableOrConditionsOfAChart) {
+TEST_F(ForeignText, AsATableOfAChartOrWhatIsSaidOfIt) {
   tell_nothing({"chart", "ladder", "--results", "chart"});
-  fs::remove(folder_.path() / "chart/conditions.json");
-  fs::create_symlink("../foreign", folder_.path() / "chart/conditions.json");
+  fs::remove(folder_.path() / "chart/ladder.csv");
+  folder_.write("chart/ladder.csv", "rung,quantity,difference,tolerance,seconds\na,q,1,1,1\n");
+  fs::create_symlink("../foreign", folder_.path() / "chart/ladder.json");
   tell_nothing({"chart", "ladder", "--results", "chart"});
 }
 

@@ -37,11 +37,13 @@ void Cells::add(std::size_t row, const Charts& charts, const Table& table) {
             0,
             {},
             {},
-            false};
+            false,
+            {}};
   if (!table.failed(row)) cell.value = table.number(row, *chart_.value);
   for (std::size_t k = 0; k < chart_.signs.size() && cell.value && !cell.sign; ++k)
     if (table.number(row, chart_.signs[k].when).value_or(0.0) != 0.0) cell.sign = k;
   cell.also = chart_.also && table.number(row, chart_.also->when).value_or(0.0) != 0.0;
+  if (!chart_.text.empty()) cell.letter = table.cell(row, chart_.text, chart_.place, charts).substr(0, 1);
   cells_.push_back(cell);
 }
 

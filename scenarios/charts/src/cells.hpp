@@ -14,6 +14,7 @@ struct Cell {
   std::optional<double> value;      ///< nothing where it is no result
   std::optional<std::size_t> sign;  ///< the first that holds
   bool also;                        ///< the chart's `also` holds
+  std::string letter;               ///< what stands in it, besides; empty: nothing
 
   /// Neither shaded nor signed.
   bool is_out(double limit) const { return !sign && (!value || *value > limit); }

@@ -25,7 +25,7 @@ std::vector<Quantity> columns_of(const Chart& chart) {
   if (chart.also) add(chart.also->when, all);
   for (const auto* columns : {&chart.panels, &chart.colour, &chart.marker, &chart.rows, &chart.series})
     for (const std::string& column : *columns) all.push_back({column, chart.place});
-  for (const std::string& column : {chart.columns, chart.jumps})
+  for (const std::string& column : {chart.columns, chart.jumps, chart.text})
     if (!column.empty()) all.push_back({column, chart.place});
   return all;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "cells.hpp"
 #include "drawings.hpp"
@@ -14,6 +15,7 @@ namespace {
 /// From the smallest values on; the smaller the darker, in grey too.
 constexpr std::array<const char*, 6> shades = {"#08306B", "#2A70B0", "#6BAED6",
                                                "#B5D4EA", "#E6E6E6", "#F3F3F3"};
+constexpr int dark_shades = 2;
 constexpr std::array<const char*, 3> sign_styles = {"with points pt 8 ps 0.55 lw 1 lc rgb '#707070'",
                                                     "with points pt 11 ps 0.55 lc rgb '#707070'",
                                                     "with points pt 6 ps 0.55 lw 1 lc rgb '#707070'"};
@@ -98,6 +100,7 @@ class MapChart {
   std::vector<Curve> curves(Picture& picture, std::size_t panel) const {
     std::vector<std::vector<Point>> shaded(chart_.limits.size()), signs(chart_.signs.size());
     std::vector<Point> out, best, also;
+    std::map<std::pair<std::string, bool>, std::vector<Point>> letters;  // whether on a dark shade
     for (const Cell& cell : cells_.all()) {
       if (cell.panel != panel) continue;
       const auto shade = std::find_if(chart_.limits.begin(), chart_.limits.end(),
@@ -105,6 +108,8 @@ class MapChart {
       if (shade != chart_.limits.end())
         shaded[static_cast<std::size_t>(shade - chart_.limits.begin())].push_back(place_of(cell));
       if (cell.sign) signs[*cell.sign].push_back(place_of(cell));
+      if (!cell.letter.empty())
+        letters[{cell.letter, shade < chart_.limits.begin() + dark_shades}].push_back(place_of(cell));
       if (cell.is_out(chart_.limits.back())) out.push_back(place_of(cell));
     }
     for (std::size_t column = 0; column < cells_.columns().size(); ++column)
@@ -121,6 +126,9 @@ class MapChart {
                        shades[k])});
     for (std::size_t k = 0; k < signs.size(); ++k) all.push_back({picture.data(signs[k]), sign_styles[k]});
     all.push_back({picture.data(out), no_value});
+    for (const auto& [letter, points] : letters)
+      all.push_back({picture.data(points), fmt::format("with points pt {} ps 1 lc rgb '{}'", quote(letter.first),
+                                                       letter.second ? "white" : "#000000")});
     const std::string marked = picture.data(best), marked_too = picture.data(also);
     all.push_back({marked, disc}), all.push_back({marked, best_sign});
     all.push_back({marked_too, disc}), all.push_back({marked_too, also_sign});

@@ -3,9 +3,9 @@
 
 #include "drawings.hpp"
 #include "frame.hpp"
+#include "looks.hpp"
 #include "legend.hpp"
 #include "panel_row.hpp"
-#include "tandem/charts/style.hpp"
 
 namespace tandem::charts {
 namespace {

@@ -9,7 +9,6 @@
 #include "frame.hpp"
 #include "looks.hpp"
 #include "strips.hpp"
-#include "tandem/charts/style.hpp"
 
 namespace tandem::charts {
 namespace {

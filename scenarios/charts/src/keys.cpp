@@ -68,6 +68,7 @@ void of_map(KeyList& to) {
       .may("percent", flag, "Limits are shown as percentages.", {.otherwise = "false"})
       .may("signs", any, "The first that holds stands in the cell.",
            {.allowed = "an array of up to three tables `{ when = EXPRESSION, name = TEXT }`"})
+      .may("text", text, "The first letter of what it has stands in each cell.", {.allowed = "a column"})
       .may("best", positive, "The smallest value of each column is marked, unless it is larger than this.")
       .may("also", any, "The best of the cells for which this holds is marked too.",
            {.allowed = "a table `{ when = EXPRESSION, name = TEXT }`"});

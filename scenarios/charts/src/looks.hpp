@@ -37,6 +37,9 @@ struct Look {
   }
 };
 
+/// Thin grey lines at the numbers of both axes.
+inline constexpr const char* grid_command = "set grid xtics ytics lt 1 dt 1 lw 0.7 lc rgb '#DCDCDC'";
+
 /// Interrupts a curve.
 inline constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 

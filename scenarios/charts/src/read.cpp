@@ -131,6 +131,7 @@ class Reader {
     chart_.percent = *section_.flag("percent");
     tables(section_, "signs", [&](Section& sign) { chart_.signs.push_back(sign_in(sign)); });
     if (chart_.signs.size() > most_signs) section_.wrong("signs", "more", "up to three");
+    chart_.text = section_.text("text").value_or("");
     chart_.best = section_.positive("best");
     if (const toml::table* table = section_.table("also")) {
       Section also(section_.document(), *table, section_.name("also"));

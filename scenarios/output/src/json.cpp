@@ -5,6 +5,7 @@
 
 #include "tandem/error.hpp"
 #include "tandem/input_file.hpp"
+#include "tandem/output/provenance.hpp"
 
 namespace tandem::output {
 namespace {
@@ -50,6 +51,13 @@ nlohmann::json parse_json(std::string_view text, const std::string& name) {
 
 nlohmann::json read_json(const std::filesystem::path& file) {
   return parse_json(read_file(file, longest), "file '" + file.string() + "'");
+}
+
+nlohmann::ordered_json made() {
+  return {{"tandem", version()},
+          {"commit", source_commit()},
+          {"compiler", compiler()},
+          {"processor", processor_model()}};
 }
 
 }  // namespace tandem::output

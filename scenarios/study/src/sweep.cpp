@@ -14,9 +14,9 @@
 #include "series.hpp"
 #include "table_rows.hpp"
 #include "tandem/output/files.hpp"
+#include "tandem/output/json.hpp"
 #include "tandem/output/lock.hpp"
 #include "tandem/output/parallel.hpp"
-#include "tandem/output/provenance.hpp"
 
 namespace tandem::study {
 namespace fs = std::filesystem;
@@ -209,11 +209,7 @@ class Sweep::Work {
             {"references", references},
             {"norms", norms(study_.tables[table])},
             {"made_from", fingerprint_.text(settings_.overrides)},
-            {"made",
-             {{"tandem", output::version()},
-              {"commit", output::source_commit()},
-              {"compiler", output::compiler()},
-              {"processor", output::processor_model()}}}};
+            {"made", output::made()}};
   }
 
   std::map<std::string, std::string> norms(const Table& table) const {

@@ -67,6 +67,7 @@ struct Chart {
   std::optional<Quantity> value;
   std::vector<double> limits;
   std::vector<Sign> signs;
+  std::string text;            ///< the column of which the first letter stands in each cell
   std::optional<double> best;  ///< of each column, if its value is not above this
   std::optional<Sign> also;    ///< the best of these cells is marked too
 

@@ -16,4 +16,7 @@ nlohmann::json parse_json(std::string_view text, const std::string& name);
 /// Of a file, which has to be a regular one.
 nlohmann::json read_json(const std::filesystem::path& file);
 
+/// What made results: tandem's version, commit, compiler, processor.
+nlohmann::ordered_json made();
+
 }  // namespace tandem::output

@@ -1,0 +1,212 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <fcntl.h>
+#include <spdlog/pattern_formatter.h>
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <new>
+#include <string_view>
+
+#include "cli/commands.hpp"
+#include "cli/limited_memory.hpp"
+#include "cli/log_file.hpp"
+#include "tandem/output/progress.hpp"
+#include "sources/all.hpp"
+#include "sources/this_program.hpp"
+#include "tandem/error.hpp"
+#include "tandem/library_file.hpp"
+#include "tandem/nearest.hpp"
+#include "tandem/output/provenance.hpp"
+#include "tandem/printable.hpp"
+
+namespace {
+
+bool log_failed = false;
+
+/// A message's text; names in it may be a stranger's.
+class PrintableText final : public spdlog::custom_flag_formatter {
+ public:
+  void format(const spdlog::details::log_msg& message, const std::tm&, spdlog::memory_buf_t& to) override {
+    try {
+      const std::string text = tandem::printable_lines({message.payload.data(), message.payload.size()});
+      to.append(text.data(), text.data() + text.size());
+    } catch (const std::bad_alloc&) {
+      constexpr std::string_view instead = "there is no memory to show a message";
+      to.append(instead.data(), instead.data() + instead.size());
+    }
+  }
+  std::unique_ptr<custom_flag_formatter> clone() const override { return std::make_unique<PrintableText>(); }
+};
+
+std::unique_ptr<spdlog::formatter> lines_of(const std::string& pattern) {
+  auto formatter = std::make_unique<spdlog::pattern_formatter>();
+  formatter->add_flag<PrintableText>('*').set_pattern(pattern);
+  return formatter;
+}
+
+/// Messages go to standard error, and to the log file if one is named; results go to standard output.
+void set_up_log(const tandem::cli::Context& context, const std::string& file) {
+  std::vector<spdlog::sink_ptr> sinks{std::make_shared<spdlog::sinks::stderr_color_sink_mt>()};
+  sinks[0]->set_formatter(lines_of("%*"));
+  sinks[0]->set_level(context.quiet     ? spdlog::level::err
+                      : context.verbose ? spdlog::level::debug
+                                        : spdlog::level::info);
+  try {
+    if (!file.empty()) {
+      sinks.push_back(std::make_shared<tandem::cli::LogFile>(file));
+      sinks[1]->set_formatter(lines_of("[%Y-%m-%d %H:%M:%S.%e] [%n] [%l] %*"));
+    }
+  } catch (const tandem::Error& error) {
+    throw tandem::Error(error.code(), std::string("log ") + error.what());
+  }
+  auto log = std::make_shared<spdlog::logger>("tandem", sinks.begin(), sinks.end());
+  log->set_level(spdlog::level::debug);
+  log->flush_on(spdlog::level::debug);  // whoever is killed has told all
+  log->set_error_handler([](const std::string& why) {
+    if (!log_failed) tandem::output::show_progress("tandem: log " + why + "\n");
+    log_failed = true;
+  });
+  spdlog::set_default_logger(log);
+}
+
+std::vector<std::string> commands(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  return names;
+}
+
+tandem::Builtins sources(bool allow_plaintext) {
+  tandem::Builtins all =
+      tandem::all_sources({allow_plaintext, [](const std::string& what) { spdlog::warn("{}", what); }});
+  if (const std::string own = tandem::this_program(); !own.empty()) all.server = {own, "--quiet", "serve"};
+  return all;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"tandem: multirate co-simulation", "tandem"};
+  app.set_version_flag("--version", tandem::output::version());
+  app.require_subcommand(1);
+  app.fallthrough();
+  tandem::cli::Context context;
+  std::string log_file;
+  auto* quiet = app.add_flag("--quiet", context.quiet, "Print results and errors only");
+  app.add_flag("--verbose", context.verbose, "Print more of what is done")->excludes(quiet);
+  app.add_option("--log", log_file, "Write all messages to this file too")->type_name("FILE");
+  app.add_flag("--allow-plaintext", context.allow_plaintext,
+               "Let tcp:// and zmq: without keys go beyond this machine, in plain text");
+  app.parse_complete_callback([&] {
+    set_up_log(context, log_file);
+    context.builtins = sources(context.allow_plaintext);
+  });
+  tandem::cli::add_run(app, context);
+  tandem::cli::add_sweep(app, context);
+  tandem::cli::add_chart(app, context);
+  tandem::cli::add_compare(app, context);
+  tandem::cli::add_info(app, context);
+  tandem::cli::add_validate(app, context);
+  tandem::cli::add_check(app, context);
+  tandem::cli::add_modes(app, context);
+  tandem::cli::add_list(app, context);
+  tandem::cli::add_serve(app, context);
+  tandem::cli::add_keys(app, context);
+  tandem::cli::add_bench(app, context);
+  tandem::cli::add_view(app, context);
+  tandem::cli::add_ladder(app, context);
+  tandem::cli::add_help(app, context);
+  tandem::cli::add_schema(app, context);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& done) {
+    return app.exit(done);
+  } catch (const CLI::ParseError& error) {
+    const auto rest = app.remaining();
+    if (app.get_subcommands().empty() && !rest.empty() && !rest[0].starts_with('-'))
+      throw tandem::Error(tandem::ErrorCode::invalid_argument,
+                          tandem::unknown("command", rest[0], commands(app)));
+    app.exit(error);
+    return 2;
+  }
+  return 0;
+}
+
+}  // namespace
+
+int run_and_report(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const tandem::cli::RunFailed& failure) {
+    spdlog::error("tandem: {}", failure.what());
+    return 1;
+  } catch (const std::bad_alloc& shortage) {
+    spdlog::error("tandem: {}", tandem::sentence_of(shortage));
+    return 1;
+  } catch (const std::exception& error) {
+    spdlog::error("tandem: {}", error.what());
+    return 2;
+  }
+}
+
+std::atomic<bool> memory_was_short = false;
+
+/// A library may throw where nothing can be caught: nlohmann-json allocates as it frees, toml++ in functions
+/// that say they don't throw. What was thrown there is not always to be had.
+[[noreturn]] void end_for_want_of_memory() {
+  bool short_of_memory = memory_was_short;
+  try {
+    if (std::current_exception()) std::rethrow_exception(std::current_exception());
+  } catch (const std::bad_alloc&) {
+    short_of_memory = true;
+  } catch (...) {  // a mistake of the program's
+    short_of_memory = false;
+  }
+  if (!short_of_memory) std::abort();
+  std::fputs("tandem: there is no memory for it\n", stderr);
+  tandem::LibraryCall::end_program(1);
+  std::_Exit(1);
+}
+
+/// Whoever starts the command without its standard streams would find what it writes there in the next file
+/// that it opens.
+void open_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", O_RDWR);
+}
+
+/// On a full disk, say.
+bool wrote_all_output() {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return true;
+  spdlog::error("tandem: standard output can't be written, so not all was told");
+  return false;
+}
+
+int main(int argc, char** argv) {
+  tandem::cli::begin_anew_if_limited(argv);
+  open_standard_streams();
+  std::set_new_handler([] {
+    memory_was_short = true;
+    throw std::bad_alloc();
+  });
+  std::set_terminate(end_for_want_of_memory);
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit of the size of files is told as a full disk is
+  try {
+    set_up_log({}, "");
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "tandem: %s\n", tandem::sentence_of(error).c_str());
+    return 1;
+  }
+  tandem::LibraryCall::begin_program();
+  int status = run_and_report(argc, argv);
+  if (status == 0 && !wrote_all_output()) status = 1;
+  spdlog::default_logger()->flush();
+  if (status == 0 && log_failed) status = 1;
+  tandem::LibraryCall::end_program(status);
+  if (tandem::LibraryCall::has_faulted()) std::_Exit(status);  // unloads none
+  return status;
+}
