@@ -10,6 +10,7 @@
 #include "bench/linkage_timing.hpp"
 #include "bench/meter.hpp"
 #include "four_bar/linkage.hpp"
+#include "thesis_solvers/thesis_solvers.hpp"
 #include "tandem/output/parallel.hpp"
 #include "tandem/error.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
@@ -38,6 +39,7 @@ bool is_dense(const std::string& solver) {
 }
 
 Cases all_cases() {
+  test::add_thesis_solvers();
   auto solvers = mbs::solver_names(mbs::MatrixKind::positive_definite);
   solvers.insert(solvers.begin() + 1, "generic");
   Cases all;

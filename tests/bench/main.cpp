@@ -66,7 +66,7 @@ int main(int argc, char** argv) {
   try {
     return tandem::bench::main(argc, argv);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "tandem bench: {}\n", error.what());
+    fmt::print(stderr, "tandem: {}\n", error.what());
     return 2;
   }
 }

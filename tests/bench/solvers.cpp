@@ -11,6 +11,7 @@
 #include "bench/bench.hpp"
 #include "bench/solver_fit.hpp"
 #include "bench/tangent_problem.hpp"
+#include "thesis_solvers/thesis_solvers.hpp"
 #include "tandem/error.hpp"
 #include "tandem/mbs/sparse/solver_choice.hpp"
 
@@ -192,6 +193,7 @@ class Row {
 }  // namespace
 
 std::vector<Table> linear_solvers() {
+  test::add_thesis_solvers();
   Table table({"kind", "placement", "variables", "filling", "entries_a_row", "band_width", "entries_of_l",
                "operations", "solver", "choice", "us", "over_best_smooth", "over_best_rough"});
   Table best({"kind", "placement", "problem", "variables", "filling", "best", "auto", "thesis"}, "best");

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "solver_bench.hpp"
+#include "thesis_solvers/thesis_solvers.hpp"
 
 namespace tandem::mbs {
 namespace {
@@ -30,6 +31,7 @@ std::string kind_name(MatrixKind kind) {
 void PrintTo(const KindCase& c, std::ostream* out) { *out << c.name << ", " << kind_name(c.kind); }
 
 std::vector<KindCase> kind_cases(const std::vector<MatrixKind>& kinds) {
+  test::add_thesis_solvers();
   std::vector<KindCase> all;
   for (const MatrixKind kind : kinds)
     for (const std::string& name : solver_names(kind)) all.push_back({name, kind});

@@ -10,6 +10,7 @@
 
 #include "refusal.hpp"
 #include "solver_bench.hpp"
+#include "thesis_solvers/thesis_solvers.hpp"
 
 namespace tandem::mbs {
 namespace {
@@ -33,6 +34,8 @@ MatrixXd shuffled_band(int size, int width, unsigned seed) {
       a(order[r], order[c]) = a(order[c], order[r]) = r == c ? 2.0 * width + u(random) : u(random);
   return a;
 }
+
+const bool has_all = test::add_thesis_solvers();
 
 class Solver : public testing::TestWithParam<std::string> {
  protected:
@@ -113,6 +116,13 @@ TEST(MakeSolver, RefusesANameThatIsNotThereOrNotForTheMatrix) {
                       [] { make_solver("kul", MatrixKind::positive_definite); }));
   EXPECT_TRUE(
       refuses(ErrorCode::invalid_argument, {"'band'"}, [] { make_solver("band", MatrixKind::unsymmetric); }));
+}
+
+TEST(MakeSolver, KnowsThoseThatWereAddedByTheirNames) {
+  const auto names = solver_names(MatrixKind::positive_definite);
+  EXPECT_NE(std::find(names.begin(), names.end(), "ldlt"), names.end());
+  EXPECT_TRUE(test::refuses(ErrorCode::invalid_argument, {"'klu'", "another name"},
+                            [] { add_solver("klu", MatrixKind::unsymmetric, test::ldlt); }));
 }
 
 }  // namespace

@@ -27,6 +27,10 @@ TEST(LadderCommand, TellsTheSimplestRungOfTheTwoMassTest) {
   EXPECT_TRUE(contains(read_text(folder.path() / "l/ladder.csv"), "\"one system\",fast.x1,1,max,0,0,0.15,0,"));
   for (const char* name : {"degree 0/results.csv", "one system/results.csv", "ladder.json"})
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "l" / name)) << name;
+  EXPECT_EQ(tandem(folder, {"chart", "ladder"}).status, 2);
+  const Said chart = tandem(folder, {"chart", "ladder", "--results", "l"});
+  EXPECT_EQ(chart.status, 0) << chart.err;
+  EXPECT_TRUE(contains(read_text(folder.path() / "l/ladder.gp"), "difference / tolerance"));
 }
 
 TEST(LadderCommand, ChangesItsVerdictWithTheTolerance) {

@@ -22,9 +22,10 @@ inline std::string shell_quoted(const std::string& text) {
 }
 
 /// Runs `tandem` with these arguments in `folder`.
-inline Said tandem(const Scratch& folder, const std::vector<std::string>& arguments) {
+inline Said tandem(const Scratch& folder, const std::vector<std::string>& arguments,
+                   const std::string& program = TANDEM_COMMAND) {
   const std::string out = (folder.path() / "out.txt").string(), err = (folder.path() / "err.txt").string();
-  std::string line = "cd " + shell_quoted(folder.path().string()) + " && " + shell_quoted(TANDEM_COMMAND);
+  std::string line = "cd " + shell_quoted(folder.path().string()) + " && " + shell_quoted(program);
   for (const std::string& argument : arguments) line += " " + shell_quoted(argument);
   const int status = std::system((line + " >" + shell_quoted(out) + " 2>" + shell_quoted(err)).c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(out), read_text(err)};

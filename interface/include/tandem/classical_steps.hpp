@@ -12,8 +12,8 @@ namespace tandem {
 /// P. Jarratt, BIT 11 (1971) 168) on the signal that changes first, halving where that is another than
 /// before.
 struct SignBracket {
-  static constexpr double touch =
-      1e-150;  ///< where a signal is zero and has not changed yet: it may do so next to it
+  /// Where a signal is zero and has not changed yet: it may do so next to it.
+  static constexpr double touch = 1e-150;
   double low, high, at_low, at_high;
   int which;
   bool raised = false, lowered = false;  ///< by the last trial
@@ -37,16 +37,14 @@ struct SignBracket {
 /// x' = f(t, x) with signals whose signs are watched. A change of sign is located by steps of other lengths
 /// from the same beginning, to 1e-12 of the step or the rounding of time, so the order is kept across events.
 /// System has:
-/// @code
-/// int size() const;                   // number of states
-/// double* states();                   // x
-/// void rates(double t, double* dx);   // f at t and these states
-/// void evaluate(double t);            // the system is as at t
-/// void evaluate_again(double t);      // the same where nothing has changed since but its inputs
-/// void read_rates(double* dx);        // f, after an evaluation
-/// int changed() const;                // after an evaluation: a signal with another sign than was seen last;
-/// -1 double watched(int signal) const;   // its value
-/// @endcode
+/// - `int size() const`: the number of states.
+/// - `double* states()`: x.
+/// - `void rates(double t, double* dx)`: f at t and these states.
+/// - `void evaluate(double t)`: the system is as at t.
+/// - `void evaluate_again(double t)`: the same where nothing has changed since but its inputs.
+/// - `void read_rates(double* dx)`: f, after an evaluation.
+/// - `int changed() const`: after an evaluation, a signal with another sign than was seen last; -1: none.
+/// - `double watched(int signal) const`: its value.
 template <class System>
 class ClassicalSteps {
  public:

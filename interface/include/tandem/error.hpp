@@ -8,12 +8,12 @@ namespace tandem {
 /// What kind of mistake an Error reports. The same numbers cross the C interface and the wire
 /// (tandem_status).
 enum class ErrorCode {
-  invalid_argument = 1,  ///< a value that the caller gave: port, unit, step, parameter
-  not_supported = 2,     ///< asked for something that the subsystem or scheme has not
-  wrong_state = 3,       ///< a call out of order
-  numerical = 4,         ///< the integration failed: not finite, no convergence, no progress
-  input_output = 5,      ///< a file or a stream
-  internal = 6,          ///< anything else
+  invalid_argument = 1,  ///< A value that the caller gave: port, unit, step, parameter.
+  not_supported = 2,     ///< Asked for something that the subsystem or scheme has not.
+  wrong_state = 3,       ///< A call out of order.
+  numerical = 4,         ///< The integration failed: not finite, no convergence, no progress.
+  input_output = 5,      ///< A file or a stream.
+  internal = 6,          ///< Anything else.
 };
 
 /// Thrown for a caller's mistake or a failed run. what() is one sentence that names subsystem, port and time

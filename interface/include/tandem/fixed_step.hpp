@@ -42,39 +42,32 @@ concept MayFinish = requires(const Model& model) {
   { model.finished() } -> std::same_as<bool>;
 };
 
-/// Makes a model with a fixed own step a Subsystem: keeps the grid, takes the steps that fit, lands, splits
-/// steps where an input jumps (Jumps), appends samples; adds the abilities `lands`, `restarts` and
-/// `saves_state`. Model is copyable (a copy is its saved state) and has:
-/// @code
-/// SubsystemInfo info() const;                              // ports, units, feedthrough
-/// double own_step() const;                                 // h [s], finite and above 0
-/// void start(double t, std::span<const double> u0);        // puts the state at t; u0 may hold NaN
-/// void step(const OwnStep& s, std::span<const Signal> u);  // integrates over s, reads inputs anywhere in it
-/// void outputs(double* y) const;                           // outputs, then derivatives, as the state is
-/// @endcode
-/// In place of step() a model that may have the ability `events` in its info() has
-/// @code
-/// bool step_to_event(OwnStep& s, std::span<const Signal> u);  // true: outputs jump at an event, to which it
-///                                                             // came, and s.end is its time
-/// void outputs_before(double* y) const;                       // as they were just before that
-/// @endcode
-/// One of which an output follows inputs at once may have
-/// @code
-/// bool jump(double t, std::span<const Signal> u);  // inputs have jumped at t, where it stands; true:
-/// outputs
-///                                                  // have with them
-/// @endcode
-/// One that may come to an end of its own, or that can't be copied once it has started, may have
-/// @code
-/// bool finished() const;     // after a step or an event: it has come to its end
-/// bool keeps_state() const;  // whether it has the ability `saves_state`
-/// @endcode
-/// With the ability `serializes_state` in its info() it also has
-/// @code
-/// void write(ByteWriter& to) const;  // all that its steps go by and that start() does not make
-/// void read(ByteReader& from);       // the same of a model that is made and started alike; refuses
-/// another's
-/// @endcode
+/// Makes a model with a fixed own step a Subsystem. It keeps the grid, takes the steps that fit, lands,
+/// splits steps where an input jumps (Jumps), and appends samples. It adds the abilities `lands`, `restarts`
+/// and `saves_state`. Model is copyable (a copy is its saved state) and has:
+/// - `SubsystemInfo info() const`: ports, units, feedthrough.
+/// - `double own_step() const`: h [s], finite and above 0.
+/// - `void start(double t, std::span<const double> u0)`: puts the state at t; u0 may hold NaN.
+/// - `void step(const OwnStep& s, std::span<const Signal> u)`: integrates over s, reads inputs anywhere in
+///   it.
+/// - `void outputs(double* y) const`: outputs, then derivatives, as the state is.
+///
+/// In place of step() a model that may have the ability `events` in its info() has:
+/// - `bool step_to_event(OwnStep& s, std::span<const Signal> u)`: true: outputs jump at an event, to which it
+///   came, and s.end is its time.
+/// - `void outputs_before(double* y) const`: as they were just before that.
+///
+/// A model of which an output follows inputs at once may have:
+/// - `bool jump(double t, std::span<const Signal> u)`: inputs have jumped at t, where it stands; true:
+///   outputs have with them.
+///
+/// A model that may come to an end of its own, or that can't be copied once it has started, may have:
+/// - `bool finished() const`: after a step or an event, it has come to its end.
+/// - `bool keeps_state() const`: whether it has the ability `saves_state`.
+///
+/// With the ability `serializes_state` in its info() it also has:
+/// - `void write(ByteWriter& to) const`: all that its steps go by and that start() does not make.
+/// - `void read(ByteReader& from)`: the same of a model that is made and started alike; refuses another's.
 template <class Model>
 class FixedStep final : public SavedModels<Model, GridPlace> {
   using Base = SavedModels<Model, GridPlace>;

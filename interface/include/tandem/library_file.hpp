@@ -18,11 +18,13 @@ void check_library_file(const std::filesystem::path& file, const std::string& wh
 /// function.
 void check_function(const void* address, const std::string& library, const std::string& symbol);
 
-/// While there is one, this thread is in a call of a library. One that ends the program there, by exit or
-/// quick_exit, ends it with a sentence that names the library and with status 1, whatever status it gives. In
-/// a program that says when it ends (begin_program, end_program) so does one that ends it before in any other
-/// way: in a thread of its own, or as it is unloaded; and one that makes a fault in a call, a signal: memory
-/// that is not there, a division by zero, abort. (What takes the process' place, exec, can't be told.)
+/// While there is one, this thread is in a call of a library. A library that ends the program there, by exit
+/// or quick_exit, ends it with a sentence that names the library and with status 1, whatever status it gives.
+/// In a program that says when it ends (begin_program, end_program) the same holds for a library that:
+/// - ends the program before in any other way: in a thread of its own, or as it is unloaded;
+/// - makes a fault in a call, a signal: memory that is not there, a division by zero, abort.
+///
+/// (What takes the process' place, exec, can't be told.)
 class LibraryCall {
  public:
   /// library: how the sentence calls it, "library 'FILE'"; outlives the call. Null: no library.
@@ -34,8 +36,8 @@ class LibraryCall {
   LibraryCall& operator=(const LibraryCall&) = delete;
 
   /// Makes the call, once. In a program that has called return_from_faults() a fault in it is an
-  /// Error(internal) that says what it was: the program is to end soon, without a call of any library, since
-  /// what the fault has left behind is not known.
+  /// Error(internal) that says what it was. The program is to end soon then, without a call of any library:
+  /// nobody knows what the fault has left behind.
   template <class Call>
   auto make(const Call& call) {
     sigjmp_buf back;

@@ -43,8 +43,7 @@ static inline void tandem_complete_parameter(tandem_values* values, const tandem
     snprintf(values->error, sizeof values->error, "parameter '%.100s' is no finite number", declared[i].name);
 }
 
-/* Reads "key=value&key=value". What is wrong is told in `error`. To be freed, by free(); NULL without memory.
- */
+/* Reads "key=value&key=value". `error` tells what is wrong. To be freed, by free(); NULL without memory. */
 static inline tandem_values* tandem_read_parameters(const tandem_parameter* declared, int32_t count,
                                                     const char* text) {
   const size_t n = (size_t)count, size = strlen(text) + 1;

@@ -6,9 +6,11 @@
 
 namespace tandem {
 
-/// A stranger's text as a terminal, a log and a file can take it: UTF-8 as it is, but control characters
-/// (also those that turn the direction of writing) as "\\x1b" or "\\u202e", bytes that are no UTF-8 as
-/// "\\xff", and what is beyond `longest` bytes as "...".
+/// A stranger's text as a terminal, a log and a file can take it:
+/// - UTF-8 as it is;
+/// - but control characters (also those that turn the direction of writing) as "\\x1b" or "\\u202e";
+/// - bytes that are no UTF-8 as "\\xff";
+/// - what is beyond `longest` bytes as "...".
 std::string printable(std::string_view text, std::size_t longest = 2000);
 
 /// All of a text of several lines, each printable.

@@ -1,8 +1,8 @@
 /* Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause */
 /* TANDEM_EXPORT_SAMPLED(tandem_subsystem, model): a model (tandem/model.h) that samples, with the period
- * own_step(). At each instant t_start + offset + k h it gives its outputs, as its state is or, where inputs
- * feed through, by outputs_at, and steps from there to the next instant on its inputs as they were at this
- * one. Before the first instant the outputs of the model as it was started hold. */
+ * own_step(). At each instant t_start + offset + k h it gives its outputs: as its state is or, where inputs
+ * feed through, by outputs_at. Then it steps from there to the next instant on its inputs as they were at
+ * this one. Before the first instant the outputs of the model as it was started hold. */
 #ifndef TANDEM_SAMPLED_H
 #define TANDEM_SAMPLED_H
 #include "tandem/model_instance.h"

@@ -39,14 +39,12 @@ class Instants {
 };
 
 /// Makes a model that is written for FixedStep a sampled subsystem, by this word in place of the other:
-/// own_step() is its period T. At each instant t_start + offset + k T it gives its outputs, as its state is,
-/// and steps from there to the next instant on its inputs as they were at this one. Before the first instant
-/// the outputs of the model as it was started hold. Model may also have
-/// @code
-/// double offset() const;                                     // of the first instant [s], 0 or more
-/// double latency() const;                                    // its outputs change so long after each [s]
-/// void outputs(double* y, std::span<const double> u) const;  // at an instant, where an input feeds through
-/// @endcode
+/// own_step() is its period T [s]. At each instant t_start + offset + k T it gives its outputs, as its state
+/// is. Then it steps from there to the next instant on its inputs as they were at this one. Before the first
+/// instant the outputs of the model as it was started hold. Model may also have:
+/// - `double offset() const`: of the first instant [s], 0 or more.
+/// - `double latency() const`: its outputs change so long after each [s].
+/// - `void outputs(double* y, std::span<const double> u) const`: at an instant, where an input feeds through.
 template <class Model>
 class Sampled final : public SavedModels<Model, Instants> {
   using Base = SavedModels<Model, Instants>;

@@ -29,8 +29,8 @@ enum {
   TANDEM_RESTARTS = 8, /* may be initialized again after an advance */
   TANDEM_REACTIVE_INPUTS = 16,
   TANDEM_SERIALIZES_STATE = 32, /* gives saved states as bytes, and takes them */
-  TANDEM_SAMPLED = 64, /* acts at instants of its own only, and all its outputs are held */
-  TANDEM_HOLDS = 128,  /* some outputs are held */
+  TANDEM_SAMPLED = 64,          /* acts at instants of its own only, and all its outputs are held */
+  TANDEM_HOLDS = 128,           /* some outputs are held */
   /* returns where its outputs jump (TANDEM_STOP_EVENT), with two rows there, the second marked as a jump;
    * needs room for two rows in each call */
   TANDEM_EVENTS = 256

@@ -16,8 +16,8 @@ struct Port {
   std::string unit;     ///< "1" for none; SI unless it says otherwise ("rpm"); "": not said, fits all
   int size = 1;         ///< number of scalars
   int derivatives = 0;  ///< of an output: time derivatives given with each sample, 0 to 3
-  double start =
-      std::numeric_limits<double>::quiet_NaN();  ///< of an input: its value when nothing else is known
+  /// Of an input: its value when nothing else is known.
+  double start = std::numeric_limits<double>::quiet_NaN();
   bool held = false;  ///< of an output: constant from each of its samples, that instant included, to the next
   double nominal = 1.0;  ///< of an output: its usual magnitude, in its unit; above 0
 };
@@ -38,13 +38,13 @@ struct Feedthrough {
 
 /// What a subsystem can do beyond the least.
 struct Abilities {
-  bool chooses_step = false;  ///< own steps vary
-  bool lands = false;         ///< can cut a step so that it ends at t_limit
+  bool chooses_step = false;  ///< Own steps vary.
+  bool lands = false;         ///< Can cut a step so that it ends at t_limit.
   bool saves_state = false;
-  bool restarts = false;  ///< may be initialized again after an advance
+  bool restarts = false;  ///< May be initialized again after an advance.
   bool reactive_inputs = false;
-  bool serializes_state = false;  ///< gives saved states as bytes, and takes them
-  bool sampled = false;           ///< acts at instants of its own only, and all its outputs are held
+  bool serializes_state = false;  ///< Gives saved states as bytes, and takes them.
+  bool sampled = false;           ///< Acts at instants of its own only, and all its outputs are held.
   /// Returns where its outputs jump (Stop::event), with two rows there, the second marked; needs room for
   /// two.
   bool events = false;

@@ -32,9 +32,9 @@ class TimeSeries {
     Beyond beyond = Beyond::refuse;
   };
 
-  /// name: what errors call it. Throws Error(invalid_argument) for fewer than two points or as many values as
-  /// there are not times, what is not finite, times that fall or are there three times, and for a spline a
-  /// time that is there twice.
+  /// name: what errors call it. Throws Error(invalid_argument) for fewer than two points, another number of
+  /// values than of times, and what is not finite. It also refuses times that fall or are there three times,
+  /// and for a spline a time that is there twice.
   TimeSeries(std::string name, std::span<const double> times, std::span<const double> values, How how);
 
   const std::string& name() const { return name_; }
@@ -48,7 +48,7 @@ class TimeSeries {
   /// the value jumps there.
   std::span<const Segment> pieces() const { return pieces_; }
   int degree() const { return degree_; }
-  /// That which holds at t [s]; where one ends and the next begins, the next.
+  /// The piece that holds at t [s]; where one ends and the next begins, the next.
   const Segment& piece(double t) const;
   double value(double t) const { return polynomial(piece(t), t); }
   /// Of the pieces between two jumps, the run before the first being number 0, at t [s], also at its ends.

@@ -31,17 +31,14 @@ constexpr TimeModel time_models[] = {
     {positive_definite, sparse, "prepared", 0, 16.74, 5.176, 0.1732},
     {positive_definite, band, "lapack_band", 142.2, 58.84, 4.721, 0.004743},
     {positive_definite, dense, "lapack", 993.8, 13.33, 2.786, 0.008253},
-    {positive_definite, sparse, "mumps", 7.863e4, 868.5, 12.7, 0.09289},
     {symmetric, sparse, "klu", 0, 0, 20.49, 4.969},
     {symmetric, dense, "eigen_dense", 0, 12.75, 6.896, 0.04681},
     {symmetric, band, "lapack_band", 0, 90.99, 16.65, 0.02241},
     {symmetric, dense, "lapack", 0, 108, 6.122, 0.01047},
-    {symmetric, sparse, "mumps", 6.463e4, 3481, 51.7, 0.9924},
     {unsymmetric, sparse, "klu", 0, 25.71, 11.7, 1.329},
     {unsymmetric, dense, "eigen_dense", 108.2, 0, 4.966, 0.02484},
     {unsymmetric, band, "lapack_band", 0, 75.24, 8.329, 0.01313},
     {unsymmetric, dense, "lapack_lu", 431.7, 9.345, 4.434, 0.01386},
-    {unsymmetric, sparse, "mumps", 1.097e5, 855.8, 28.33, 0.08008},
 };
 
 double expected(const TimeModel& m, const EliminationCost& cost) {

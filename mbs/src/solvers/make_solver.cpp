@@ -14,36 +14,22 @@ namespace {
 struct Entry {
   std::string name;
   MatrixKind kind;  ///< the worst that it takes
-  std::unique_ptr<LinearSolver> (*make)(MatrixKind);
+  MakeSolver* make;
 };
 
-/// Every solver of this build.
-const std::vector<Entry>& entries() {
+/// Every solver of this build, and those that were added.
+std::vector<Entry>& entries() {
   using enum MatrixKind;
-  static const std::vector<Entry> all = {
+  static std::vector<Entry> all = {
       {"auto", unsymmetric, solvers::automatic},
       {"klu", unsymmetric, solvers::klu},
       {"klu_full", unsymmetric, solvers::klu_full},
-#ifdef TANDEM_HAS_CHOLMOD
-      {"cholmod", positive_definite, solvers::cholmod},
-      {"cholmod_supernodal", positive_definite, solvers::cholmod_supernodal},
-#endif
-#ifdef TANDEM_HAS_UMFPACK
-      {"umfpack", unsymmetric, solvers::umfpack},
-#endif
-#ifdef TANDEM_HAS_SUPERLU
-      {"superlu", unsymmetric, solvers::superlu},
-#endif
-#ifdef TANDEM_HAS_MUMPS
-      {"mumps", unsymmetric, solvers::mumps},
-#endif
 #ifdef TANDEM_HAS_LAPACK
       {"lapack", symmetric, solvers::lapack},
       {"lapack_lu", unsymmetric, solvers::lapack_lu},
       {"lapack_band", unsymmetric, solvers::lapack_band},
 #endif
       {"eigen_dense", unsymmetric, solvers::eigen_dense},
-      {"ldlt", positive_definite, solvers::ldlt},
       {"prepared", positive_definite, solvers::prepared},
       {"band", positive_definite, solvers::band}};
   return all;
@@ -52,6 +38,13 @@ const std::vector<Entry>& entries() {
 }  // namespace
 
 void LinearSolver::recall(std::span<const double> memory) { check_memory(memory.empty()); }
+
+void add_solver(const std::string& name, MatrixKind worst, MakeSolver* make) {
+  for (const Entry& entry : entries())
+    if (entry.name == name)
+      throw Error(ErrorCode::invalid_argument, "there is a linear solver '" + name + "'; allowed is another name");
+  entries().push_back({name, worst, make});
+}
 
 std::vector<std::string> solver_names(MatrixKind kind) {
   std::vector<std::string> names;

@@ -9,16 +9,10 @@ namespace tandem::mbs::solvers {
 std::unique_ptr<LinearSolver> automatic(MatrixKind kind);
 std::unique_ptr<LinearSolver> klu(MatrixKind kind);
 std::unique_ptr<LinearSolver> klu_full(MatrixKind kind);
-std::unique_ptr<LinearSolver> cholmod(MatrixKind kind);
-std::unique_ptr<LinearSolver> cholmod_supernodal(MatrixKind kind);
-std::unique_ptr<LinearSolver> umfpack(MatrixKind kind);
-std::unique_ptr<LinearSolver> superlu(MatrixKind kind);
-std::unique_ptr<LinearSolver> mumps(MatrixKind kind);
 std::unique_ptr<LinearSolver> lapack(MatrixKind kind);
 std::unique_ptr<LinearSolver> lapack_lu(MatrixKind kind);
 std::unique_ptr<LinearSolver> lapack_band(MatrixKind kind);
 std::unique_ptr<LinearSolver> eigen_dense(MatrixKind kind);
-std::unique_ptr<LinearSolver> ldlt(MatrixKind kind);
 std::unique_ptr<LinearSolver> prepared(MatrixKind kind);
 std::unique_ptr<LinearSolver> band(MatrixKind kind);
 

@@ -116,7 +116,13 @@ std::optional<double> Table::number(std::size_t row, const Quantity& quantity) c
     if (value && !std::isfinite(*value)) return {};
     values[name] = value ? text::FileValue(*value) : text::FileValue(cell);
   }
-  return located(quantity.place, [&] { return text::evaluated(quantity.text, values); });
+  try {
+    return text::evaluated(quantity.text, values);
+  } catch (const Error&) {  // its sentence quotes the words, and the file may be none of ours
+    refuse(quantity.place, fmt::format("{}, line {}: {} can't be evaluated: a column has a word where a number "
+                                       "is needed, or the expression is wrong",
+                                       csv_.file().string(), row + 2, quantity.text));
+  }
 }
 
 bool Table::failed(std::size_t row) const {

@@ -6,12 +6,13 @@
 #include <optional>
 
 #include "cli/interrupt.hpp"
-#include "tandem/output/progress.hpp"
+#include "cli/mpi_ranks.hpp"
 #include "cli/say.hpp"
 #include "cli/study_file.hpp"
 #include "metrics/all.hpp"
 #include "tandem/error.hpp"
 #include "tandem/output/files.hpp"
+#include "tandem/output/progress.hpp"
 #include "tandem/study/standing.hpp"
 #include "tandem/study/sweep.hpp"
 
@@ -63,14 +64,17 @@ void sweep_study(const StudySweep& settings, const Context& context) {
   if (!settings.output.empty()) folder = settings.output;
   if (!settings.tables.empty()) study.keep_tables(settings.tables);
   if (!settings.where.empty()) study.keep_rows(settings.where);
+  const auto ranks = settings.dry ? nullptr : mpi_ranks();
   study::Sweep sweep(study, context.builtins,
-                     {folder, settings.overrides, all_metrics(), settings.threads, settings.resume});
+                     {folder, settings.overrides, all_metrics(), settings.threads, settings.resume, ranks.get()});
   if (settings.dry) {
     for (const std::string& line : sweep.plan()) say("{}\n", line);
     return;
   }
-  output::check_folder(folder);
+  const bool is_helper = ranks && ranks->rank() != 0;
+  if (!is_helper) output::check_folder(folder);
   const auto end = swept(sweep, context);
+  if (is_helper) return;
   for (const std::string& note : end.notes) spdlog::warn("note: {}", printable(note));
   if (end.interrupted)
     throw RunFailed(fmt::format("interrupted; {} of {} rows are kept in {}, --resume goes on from there",

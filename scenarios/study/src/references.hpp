@@ -37,6 +37,8 @@ class References {
   void need(const std::vector<const Metric*>& metrics, const Table& table, const FileValues& row);
   std::size_t size() const { return runs_.size(); }
   const ReferenceRun& run(std::size_t which) const { return *runs_[which]; }
+  /// For one that another process has made.
+  ReferenceRun& run(std::size_t which) { return *runs_[which]; }
   /// Reads or runs one: different ones at the same time. A run that fails is told in it; throws Error for
   /// what is wrong before.
   void make(std::size_t which, const std::function<bool()>& going);

@@ -9,10 +9,12 @@
 #include <nlohmann/json.hpp>
 
 #include "fingerprint.hpp"
+#include "hand_out.hpp"
 #include "norm_text.hpp"
 #include "row_key.hpp"
 #include "series.hpp"
 #include "table_rows.hpp"
+#include "told_reference.hpp"
 #include "tandem/output/files.hpp"
 #include "tandem/output/json.hpp"
 #include "tandem/output/lock.hpp"
@@ -51,13 +53,15 @@ class Sweep::Work {
   }
 
   SweepEnd run(const SweepListener& listener) {
+    listener_ = &listener;
+    if (settings_.ranks && settings_.ranks->rank() != 0) return work_for_rank_0(), SweepEnd();
+    if (settings_.ranks) hand_out_ = std::make_unique<HandOut>(*settings_.ranks);
     const output::FolderLock kept(settings_.folder,
                                   [this](const std::string& note) { end_.notes.push_back(note); });
-    listener_ = &listener;
     take_units();
     begin();
     make_references();
-    run_rows(open_, settings_.threads);
+    run_rows(open_, at_a_time());
     run_rows(timed_, 1);
     refuse_if_all_are();
     if (!end_.interrupted) finish();
@@ -68,6 +72,7 @@ class Sweep::Work {
   }
 
  private:
+  using Going = std::function<bool()>;
   struct Job {
     std::size_t table;
     const FileValues* row;
@@ -128,48 +133,100 @@ class Sweep::Work {
       if (fs::is_regular_file(file)) fs::remove(file);
   }
 
-  template <class One>
-  void in_parallel(const char* what, std::size_t count, unsigned threads, const One& one) {
+  /// here: does a job; job and done: what another rank is told of it, and has answered. most: jobs at a time.
+  void in_parallel(const char* what, std::size_t count, unsigned most,
+                   const std::function<void(std::size_t, const Going&)>& here,
+                   const std::function<Told(std::size_t)>& job,
+                   const std::function<void(std::size_t, const Told&)>& done) {
     if (count == 0) return;
     std::atomic<bool> stop = false;
-    const auto go_on = [&] { return !stop; };
-    output::for_each_in_parallel(
-        count, threads, [&](std::size_t k) { one(k, go_on); },
-        [&](std::size_t done) {
-          if (listener_->come) listener_->come(what, done, count);
-          if (!going()) stop = true, end_.interrupted = true;
-          return !stop.load();
-        });
+    const auto tick = [&](std::size_t finished) {
+      if (listener_->come) listener_->come(what, finished, count);
+      if (!going()) stop = true, end_.interrupted = true;
+      return !stop.load();
+    };
+    if (hand_out_) return hand_out_->each(count, most, job, done, tick);
+    output::for_each_in_parallel(count, most, [&](std::size_t k) { here(k, [&] { return !stop; }); }, tick);
+  }
+
+  unsigned at_a_time() const {
+    return hand_out_ ? static_cast<unsigned>(settings_.ranks->size()) : settings_.threads;
   }
 
   void make_references() {
     if (open_.empty() && timed_.empty() && study_.kept.empty()) return;
-    in_parallel("references", references_.size(), settings_.threads,
-                [&](std::size_t k, const std::function<bool()>& go_on) { references_.make(k, go_on); });
+    in_parallel(
+        "references", references_.size(), at_a_time(),
+        [&](std::size_t k, const Going& go_on) { references_.make(k, go_on); },
+        [](std::size_t k) { return Told{{"reference", k}}; },
+        [&](std::size_t k, const Told& made) {
+          take(made, references_.run(k));
+          hand_out_->tell_all({{"take", k}, {"made", made}});
+        });
     for (std::size_t k = 0; k < references_.size() && !end_.interrupted; ++k)
       if (const std::string& failure = references_.run(k).failure; !failure.empty())
         end_.notes.push_back(failure), end_.reference_failed = true;
   }
 
-  void run_rows(const std::vector<Job>& jobs, unsigned threads) {
+  void run_rows(const std::vector<Job>& jobs, unsigned most) {
     if (end_.interrupted) return;
-    const char* what = &jobs == &timed_ ? "timed rows" : "rows";
-    in_parallel(what, jobs.size(), threads, [&](std::size_t k, const std::function<bool()>& go_on) {
+    const auto take_row = [&](std::size_t k, const Told& answer) {
       const auto& [table, row] = jobs[k];
-      if (const auto result = runners_[table].run(*row, go_on)) {
-        rows_[table].add(*row, *result);
-        note(table, *row, *result);
-      }
-    });
+      rows_[table].add(*row, answer["line"]);
+      note(table, *row, answer["status"], answer["note"]);
+    };
+    in_parallel(
+        &jobs == &timed_ ? "timed rows" : "rows", jobs.size(), most,
+        [&](std::size_t k, const Going& go_on) {
+          if (const Told answer = run_row(jobs[k], go_on); !answer.is_null()) take_row(k, answer);
+        },
+        [&](std::size_t k) {
+          const auto row = jobs[k].row - study_.tables[jobs[k].table].rows.data();
+          return Told{{"table", jobs[k].table}, {"row", row}};
+        },
+        take_row);
     end_.done = end_.kept;
     for (const auto& [status, count] : end_.statuses) end_.done += count;
   }
 
-  void note(std::size_t table, const FileValues& row, const RowResult& result) {
+  /// Null: `go_on` said no.
+  Told run_row(const Job& job, const Going& go_on) const {
+    const auto result = runners_[job.table].run(*job.row, go_on);
+    if (!result) return {};
+    return {{"line", rows_[job.table].line(*job.row, *result)},
+            {"status", result->status},
+            {"note", result->note}};
+  }
+
+  void work_for_rank_0() {
+    need_references();
+    for (const Table& table : study_.tables)
+      rows_.emplace_back(table, study_.columns_of(table), settings_.folder, "");
+    work_for(*settings_.ranks, [this](const Told& job, const Going& go_on) { return answer(job, go_on); },
+             [this] { return going(); });
+  }
+
+  Told answer(const Told& job, const Going& go_on) {
+    if (job.contains("take")) return take(job["made"], references_.run(job["take"])), Told();
+    Told answer;
+    if (job.contains("reference")) {
+      references_.make(job["reference"], go_on);
+      if (go_on()) answer = told(references_.run(job["reference"]));
+    } else {
+      const std::size_t table = job["table"];
+      answer = run_row({table, &study_.tables[table].rows[job["row"].get<std::size_t>()]}, go_on);
+    }
+    if (answer.is_null())
+      throw Error(ErrorCode::input_output,
+                  fmt::format("rank {} was interrupted", settings_.ranks->rank()));
+    return answer;
+  }
+
+  void note(std::size_t table, const FileValues& row, const std::string& status, const std::string& why) {
     const std::lock_guard lock(mutex_);
-    ++end_.statuses[result.status];
-    if (result.status == "refused" && refusal_.empty())
-      refusal_ = "(" + row_text(study_.tables[table].columns, row) + ") " + result.note;
+    ++end_.statuses[status];
+    if (status == "refused" && refusal_.empty())
+      refusal_ = "(" + row_text(study_.tables[table].columns, row) + ") " + why;
   }
 
   void refuse_if_all_are() {
@@ -229,6 +286,7 @@ class Sweep::Work {
   Fingerprint fingerprint_;
   std::vector<Job> open_, timed_;  ///< rows that are not there yet; timed_: one at a time
   const SweepListener* listener_ = nullptr;
+  std::unique_ptr<HandOut> hand_out_;  ///< of rank 0, if there are ranks
   std::mutex mutex_;
   std::string refusal_;
   SweepEnd end_;

@@ -74,9 +74,9 @@ void TableRows::begin() {
   part_->write(text);
 }
 
-void TableRows::add(const FileValues& row, const RowResult& result) {
+void TableRows::add(const FileValues& row, const std::string& line) {
   const std::lock_guard lock(mutex_);
-  std::string& line = lines_[key(row)] = this->line(row, result);
+  lines_[key(row)] = line;
   part_->write(key(row) + between + line + '\n');
 }
 

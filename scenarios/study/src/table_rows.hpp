@@ -25,8 +25,10 @@ class TableRows {
   void begin();
   bool has(const FileValues& row) const { return lines_.contains(key(row)); }
   std::size_t size() const { return lines_.size(); }
+  /// As it stands in TABLE.csv.
+  std::string line(const FileValues& row, const RowResult& result) const;
   /// From any thread.
-  void add(const FileValues& row, const RowResult& result);
+  void add(const FileValues& row, const std::string& line);
   /// Writes TABLE.csv in the order of the study.
   void finish();
   /// When TABLE.csv and TABLE.json are there.
@@ -39,7 +41,6 @@ class TableRows {
 
  private:
   std::string key(const FileValues& row) const;
-  std::string line(const FileValues& row, const RowResult& result) const;
   bool keep_part();
   bool keep_table();
   std::string first_line() const { return "rows of " + fingerprint_; }

@@ -128,6 +128,13 @@ TEST_F(ChartTest, AMapMarksTheBestOfSomeCellsToo) {
   EXPECT_TRUE(refused(map + "also = { when = 'x' }\n", {"c.toml:9: charts[0].also.name is missing"}));
 }
 
+TEST_F(ChartTest, AMapHasTheFirstLetterOfAColumnInItsCells) {
+  const std::string drawn = script(map + "text = 'how'\nwords = { b = 'zero' }\n");
+  EXPECT_TRUE(has(drawn, "pt 'a' ps 1 lc rgb"));
+  EXPECT_TRUE(has(drawn, "pt 'z' ps 1 lc rgb 'white'"));  // on a dark shade
+  EXPECT_TRUE(refused(map + "text = 'wat'\n", {"c.toml", "'wat' is missing"}));
+}
+
 TEST_F(ChartTest, TracesHaveWindowsDifferencesAndJumps) {
   table("time,y,y.exact,gear\n0,1,1,1\n1,2,2.5,1\n2,4,4,2\n3,5,5,2\n");
   const std::string drawn =
@@ -159,7 +166,7 @@ TEST_F(ChartTest, WhatIsWrongIsRefusedWithItsPlace) {
   EXPECT_TRUE(refused(curves + "series = 'wat'\n", {"c.toml:1", "t.csv: column 'wat' is missing"}));
   EXPECT_TRUE(refused(curves + "where = 'x > 100'\n", {"t.csv has no row where x > 100 to draw"}));
   EXPECT_TRUE(refused(curves + "where = 'x ='\n", {"c.toml:7"}));
-  EXPECT_TRUE(refused(work + "hollow = 'how + 1'\n", {"c.toml:7", "which is the word 'a'"}));
+  EXPECT_TRUE(refused(work + "hollow = 'how + 1'\n", {"c.toml:7", "t.csv, line 2", "has a word where"}));
   EXPECT_TRUE(refused(map + "signs = [{ name = 'n' }]\n", {"when is missing"}));
   EXPECT_TRUE(
       refused("[[charts]]\nname = 'c'\nkind = 'traces'\ntable = 't'\ny = []\n", {"at least one quantity"}));

@@ -23,14 +23,14 @@ struct Update {
 /// What happens at an instant that is not known before: the sign of a signal changes.
 struct Crossing {
   enum class Direction : std::uint8_t { rising, falling, both };
-  int signal, sign;  ///< slots: of the signal, and of its sign as last seen (1 or -1)
+  int signal, sign;  ///< Slots: of the signal, and of its sign as last seen (1 or -1).
   Direction direction;
   std::vector<Update> updates;
-  std::string name;         ///< of its block
-  bool sees_start = false;  ///< a signal above 0 at the start has risen there
-  bool repeats = false;     ///< its updates make the signal fall; if it is above 0 even so, it rises again
-  int bound = -1;           ///< of a signal that leaves its limits: which of Program::bounds
-  int loop = -1;  ///< of a signal that follows from an algebraic loop: the last such of Program::loops
+  std::string name;         ///< Of its block.
+  bool sees_start = false;  ///< A signal above 0 at the start has risen there.
+  bool repeats = false;     ///< Its updates make the signal fall; if it is above 0 even so, it rises again.
+  int bound = -1;           ///< Of a signal that leaves its limits: which of Program::bounds.
+  int loop = -1;  ///< Of a signal that follows from an algebraic loop: the last such of Program::loops.
   /// Of one that puts a state, two slots: when that was, while it is not known whether its signal turns back
   /// (-infinity: it is known), and whether it did the last time.
   int turn = -1;
@@ -92,42 +92,42 @@ struct Course {
 /// what delays remember, and what is remembered of the run itself.
 struct Program {
   int states = 0, time = 0;
-  std::vector<int> inputs, outputs;  ///< slots
-  std::vector<int> rates;            ///< by state: the slot of its derivative
-  std::vector<Course> courses;       ///< by output
-  std::vector<int> output_rates;     ///< by output: the slot of its derivative, -1; empty if there is none
+  std::vector<int> inputs, outputs;  ///< Slots.
+  std::vector<int> rates;            ///< By state: the slot of its derivative.
+  std::vector<Course> courses;       ///< By output.
+  std::vector<int> output_rates;     ///< By output: the slot of its derivative, -1; empty if there is none.
   /// Of a program whose outputs change at its periodic events alone, which has no state but what is held: no
   /// two of its instants are nearer to each other [s]. 0 of any other.
   double shortest_period = 0.0;
   /// (output, input): that output depends on that input at once, of a sampled one at an instant.
   std::vector<std::pair<int, int>> feedthrough;
   std::vector<Operation> operations;
-  int rate_operations = 0;  ///< so many of them, the first, are all that derivatives need
-  int step_operations = 0;  ///< so many of them are all that is needed but at events
+  int rate_operations = 0;  ///< So many of them, the first, are all that derivatives need.
+  int step_operations = 0;  ///< So many of them are all that is needed but at events.
   std::vector<double> parameters;
   std::vector<Curve> curves;
   std::vector<Surface> surfaces;
   std::vector<TimeSeries> data;
-  std::vector<DataJumps> data_jumps;  ///< of those that have jumps
+  std::vector<DataJumps> data_jumps;  ///< Of those that have jumps.
   std::vector<CompiledBlock::Function> calls;
   std::vector<Delay> delays;
-  std::vector<Loop> loops;  ///< in the order of their operations
+  std::vector<Loop> loops;  ///< In the order of their operations.
   std::vector<Crossing> crossings;
   std::vector<Periodic> periodics;
-  std::vector<Update> step_updates;  ///< at the beginning of each own step
+  std::vector<Update> step_updates;  ///< At the beginning of each own step.
   std::vector<Range> ranges;
   std::vector<Bound> bounds;
-  std::vector<double> breaks;      ///< [s] where sources have a kink, ascending
-  std::vector<Update> starts;      ///< values at the start that come from signals
-  std::vector<Update> settled;     ///< modes; at the start both are repeated until nothing changes
-  std::vector<double> image;       ///< at the start
-  int step_begun = 0, events = 0;  ///< slots: whether an own step is under way, and its events so far
-  int longest_step = 0;            ///< slot: of own steps so far
-  int sizes = 0;                   ///< slots: by output, the largest magnitude so far
-  std::vector<std::string> state_names, signal_names;  ///< the second by slot; empty: no name
-  std::vector<std::string> signal_blocks;              ///< by slot: the block that makes it
-  std::map<std::string, std::string> places;           ///< of blocks by name: "FILE:LINE"
-  std::vector<std::string> left_out;                   ///< blocks that feed no output
+  std::vector<double> breaks;      ///< [s] where sources have a kink, ascending.
+  std::vector<Update> starts;      ///< Values at the start that come from signals.
+  std::vector<Update> settled;     ///< Modes; at the start both are repeated until nothing changes.
+  std::vector<double> image;       ///< At the start.
+  int step_begun = 0, events = 0;  ///< Slots: whether an own step is under way, and its events so far.
+  int longest_step = 0;            ///< Slot: of own steps so far.
+  int sizes = 0;                   ///< Slots: by output, the largest magnitude so far.
+  std::vector<std::string> state_names, signal_names;  ///< The second by slot; empty: no name.
+  std::vector<std::string> signal_blocks;              ///< By slot: the block that makes it.
+  std::map<std::string, std::string> places;           ///< Of blocks by name: "FILE:LINE".
+  std::vector<std::string> left_out;                   ///< Blocks that feed no output.
 
   /// "block 'f' (engine.toml:12)".
   std::string named(const std::string& block) const;

@@ -15,12 +15,12 @@ namespace tandem {
 /// How histories are filled before the first step, so that degree d gives global order d + 1 from the
 /// beginning.
 enum class StartKind {
-  automatic,    ///< derivatives if the outputs give enough of them, else repeat if all can restart, else cold
-                ///< (noted)
-  derivatives,  ///< past samples by Taylor expansion of the output derivatives at the start
-  repeat,       ///< the first steps are run again and again, on inputs interpolated in the pass before;
-                ///< cold (noted) where that does not settle, or an output jumps there
-  cold,         ///< as many samples as there are; caps the order at 2 (extrapolated) and 3 (interpolated)
+  automatic,    ///< Derivatives if the outputs give enough of them, else repeat if all can restart, else cold
+                ///< (noted).
+  derivatives,  ///< Past samples by Taylor expansion of the output derivatives at the start.
+  repeat,       ///< The first steps are run again and again, on inputs interpolated in the pass before;
+                ///< cold (noted) where that does not settle, or an output jumps there.
+  cold,         ///< As many samples as there are; caps the order at 2 (extrapolated) and 3 (interpolated).
 };
 /// "automatic", "derivatives", "repeat", "cold".
 std::string_view name(StartKind start);
@@ -44,8 +44,8 @@ struct Coordination {
   /// follows; else names decide. A note tells it.
   std::vector<std::string> order;
   std::map<std::string, Landing> landing;  ///< by instance; automatic where it is not there
-  std::optional<double>
-      communication_step;  ///< [s], for parallel and for delays; default: the nodes of the largest own step
+  /// [s], for parallel and for delays; default: the nodes of the largest own step.
+  std::optional<double> communication_step;
   StartKind start = StartKind::automatic;
   /// A run ends (Diverged) where an output grows beyond so many times the largest of its magnitude in the
   /// first hundredth of the span, its port's nominal value and 1; above 1, infinite: never.

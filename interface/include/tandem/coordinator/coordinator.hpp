@@ -25,8 +25,8 @@ class Coordinator {
               TimeSpan span);
 
   /// First samples, order, scheme checks and start, up to the point from which round() goes on; once. Throws
-  /// Error for an order that names what is not there, a scheme that the schedule can't honour, a start that
-  /// is asked for and can't be made, and what a subsystem throws.
+  /// Error for an order that names what is not there, a scheme that the schedule can't honour, and a start
+  /// that the coordination asks for and that can't be made. It also throws what a subsystem throws.
   void initialize();
 
   /// Tells `observer` (may be null) of all samples from now on. Call before initialize(), or after restore().
@@ -158,25 +158,25 @@ class Coordinator {
   std::optional<Schedule> schedule_;
   std::vector<Seat> seats_;
   std::vector<EventSeat> event_seats_;
-  int not_known_here_ = 0;        ///< subsystems that may work elsewhere (Seat::works_here)
-  bool has_samples_ = false;      ///< there are sampled subsystems
-  bool has_events_ = false;       ///< there are some with events, in turns or parallel
-  bool lands_elsewhere_ = false;  ///< there are sampled ones or events: steps end elsewhere than at own nodes
-  bool frozen_ = false;           ///< then in parallel: what others read is as it was at the begin of a round
-  bool ended_ = false;            ///< nobody goes back any more
-  std::vector<std::vector<Through>> through_;  ///< by subsystem; empty if there is none
-  std::vector<double> own_next_;               ///< by subsystem, if there are: see own_next()
-  std::vector<int> output_calls_;  ///< of sampled ones that read each other: who gives outputs, in this order
-  std::vector<char> together_;     ///< by subsystem: is one of these
-  std::vector<double> outputs_;    ///< of one that acts
-  std::vector<char> acts_;         ///< by subsystem: of `together_`, in the present round
-  std::vector<int> acting_;        ///< in the present round
-  std::vector<Turn> going_;        ///< likewise
-  std::vector<int> awaiting_;      ///< likewise: who waits for jumps of what it reads
+  int not_known_here_ = 0;        ///< Subsystems that may work elsewhere (Seat::works_here).
+  bool has_samples_ = false;      ///< There are sampled subsystems.
+  bool has_events_ = false;       ///< There are some with events, in turns or parallel.
+  bool lands_elsewhere_ = false;  ///< Some are sampled or have events: steps end elsewhere than at own nodes.
+  bool frozen_ = false;           ///< Then in parallel: others read what was there at the begin of a round.
+  bool ended_ = false;            ///< Nobody goes back any more.
+  std::vector<std::vector<Through>> through_;  ///< By subsystem; empty if there is none.
+  std::vector<double> own_next_;               ///< By subsystem, if there are: see own_next().
+  std::vector<int> output_calls_;  ///< Sampled ones that read each other: who gives outputs, in this order.
+  std::vector<char> together_;     ///< By subsystem: is one of these.
+  std::vector<double> outputs_;    ///< Of one that acts.
+  std::vector<char> acts_;         ///< By subsystem: of `together_`, in the present round.
+  std::vector<int> acting_;        ///< In the present round.
+  std::vector<Turn> going_;        ///< Likewise.
+  std::vector<int> awaiting_;      ///< Likewise: who waits for jumps of what it reads.
   std::vector<double> own_steps_;
   std::vector<std::string> notes_;
-  std::vector<OfferedCall> offered_;     ///< by subsystem; empty without threads
-  std::unique_ptr<ThreadPool> threads_;  ///< the first to go
+  std::vector<OfferedCall> offered_;     ///< By subsystem; empty without threads.
+  std::unique_ptr<ThreadPool> threads_;  ///< The first to go.
 };
 
 }  // namespace tandem

@@ -35,9 +35,9 @@ class alignas(64) History {
 
   /// Where the subsystem appends. make_room() first.
   Samples& room() { return samples_; }
-  /// Makes the appended rows visible, after checking that their values are finite and within their bounds,
-  /// that jump flags are 0 or 1, that times rise (a jump may repeat a time) and that none is past t_limit,
-  /// that of the advance which gave them, by more than the tolerance. Throws Error naming subsystem, call,
+  /// Checks the appended rows, then makes them visible. Values are to be finite and within their bounds, jump
+  /// flags 0 or 1. Times are to rise (a jump may repeat a time), and none may be past t_limit by more than
+  /// the tolerance. t_limit: the one of the advance that gave the rows. Throws Error naming subsystem, call,
   /// port and time.
   NewRows commit(double t_limit, const TimeTolerance& tolerance) {
     const NewRows rows{row(committed_), base_ + samples_.size() - committed_};

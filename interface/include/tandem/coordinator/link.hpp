@@ -13,13 +13,16 @@
 
 namespace tandem {
 
-/// All lanes from one source to one reader with the same reconstruction. Reconstructions that follow the
-/// samples get one segment per sample of the source, with its origin at that sample (the segment's right
-/// node), made once, when the sample is committed; so the signal depends on the samples alone, and many small
-/// calls read what one large call reads. Those of held outputs have it at their begin, the sample's time.
-/// Mean and matched hold depend on the reader's step and are made when it reads. It is one class for all
-/// kinds, and long for that, as a time loop reads links without a virtual call; each kind has a source of its
-/// own.
+/// All lanes from one source to one reader with the same reconstruction.
+///
+/// Reconstructions that follow the samples get one segment per sample of the source. The segment has its
+/// origin at that sample (the segment's right node); the segment of a held output has it at its begin, the
+/// sample's time. It is made once, when the sample is committed. So the signal depends on the samples alone,
+/// and many small calls read what one large call reads. Mean and matched hold depend on the reader's step and
+/// are made when it reads.
+///
+/// It is one class for all kinds, and long for that, as a time loop reads links without a virtual call; each
+/// kind has a source file of its own.
 class alignas(64) Link {
  public:
   /// delay [s]: the reader gets at t what the source gave at t - delay.
@@ -36,12 +39,15 @@ class alignas(64) Link {
   /// Takes memory for as many samples as there is room for in `samples`, the source's; they must outlive the
   /// link. Before anything below.
   void attach(const History& samples, TimeTolerance tolerance);
-  /// Its source has samples besides those at its own nodes, or jumps: one that is nearer than `nearest` [s],
-  /// above 0, to the next newer one that a polynomial goes through is passed over; after a jump of a lane its
-  /// polynomials go through the samples from the jump on, and the segment there is marked. What is
-  /// interpolated between two samples of which the older is passed over joins them all the same, as the
-  /// reader has stood there: the polynomial goes through both, and behind the newer one another goes on. So
-  /// it does with degree 0, by a line, where an own step of `2 nearest` was cut. Before attach().
+  /// Its source has samples besides those at its own nodes, or jumps. Before attach().
+  /// - A sample is passed over if it is nearer than `nearest` [s], above 0, to the next newer one that a
+  ///   polynomial goes through.
+  /// - After a jump of a lane its polynomials go through the samples from the jump on, and the segment there
+  ///   is marked.
+  /// - What is interpolated between two samples of which the older is passed over joins them all the same, as
+  ///   the reader has stood there. The polynomial goes through both, and behind the newer one another goes
+  ///   on.
+  /// - With degree 0 a line joins them, where an own step of `2 nearest` was cut.
   void pass_over(double nearest);
   /// Its source has events, or jumps with those of another. Before attach().
   void expect_jumps() { has_events_ = true; }
@@ -169,36 +175,36 @@ class alignas(64) Link {
   double held_mean(const Lane& lane, Rows rows, TimeSpan span) const;
 
   // What a turn touches, in two lines of the cache: what is read, and what is extended beside it.
-  Segment* first_ = nullptr;   ///< of lane 0: the segment that holds the reader's time
-  std::int64_t capacity_ = 0;  ///< segments that there is room for in a lane
-  std::int32_t count_ = 0;     ///< segments from first_ on
-  std::int32_t degree_;        ///< of the polynomials
-  bool follows_;               ///< how_.follows_samples()
-  bool held_;                  ///< how_.kind is held
-  bool plain_;                 ///< it is read as it is: neither held nor made when it is read
+  Segment* first_ = nullptr;   ///< Of lane 0: the segment that holds the reader's time.
+  std::int64_t capacity_ = 0;  ///< Segments that there is room for in a lane.
+  std::int32_t count_ = 0;     ///< Segments from first_ on.
+  std::int32_t degree_;        ///< Of the polynomials.
+  bool follows_;               ///< `how_.follows_samples()`.
+  bool held_;                  ///< `how_.kind` is held.
+  bool plain_;                 ///< It is read as it is: neither held nor made when it is read.
   bool been_read_ = false;
   std::vector<Lane> lanes_;
   Extend extend_;
-  std::int64_t stride_ = 0;  ///< of the source's rows
-  std::int64_t fitted_ = 0;  ///< rows that may be fitted together with the next one
-  double nearest_ = 0.0;     ///< see pass_over
+  std::int64_t stride_ = 0;  ///< Of the source's rows.
+  std::int64_t fitted_ = 0;  ///< Rows that may be fitted together with the next one.
+  double nearest_ = 0.0;     ///< See pass_over.
   double delay_;
   TimeTolerance tolerance_;
-  std::vector<double> differences_;  ///< by lane: backward divided differences at the newest row
+  std::vector<double> differences_;  ///< By lane: backward divided differences at the newest row.
 
   const History* samples_ = nullptr;
-  LineVector<Segment> segments_;  ///< by lane, then by row
+  LineVector<Segment> segments_;  ///< By lane, then by row.
   int source_, reader_;
   Reconstruction how_;
-  bool has_events_ = false;           ///< its source has
-  double expected_ = -Member::never;  ///< [s]: see expect_jump
-  bool joins_ = false;                ///< see pass_over
-  bool goes_on_ = false;              ///< behind the last segment one more, for what is past the last sample
-  std::vector<double> nodes_;         ///< rows that a polynomial goes through, where some are passed over
-  int gathered_ = 0;                  ///< of them, at the end
-  std::int64_t late_ = 0;             ///< see wait()
-  bool sampled_ = false, within_ = false, just_before_ = false;  ///< see read_at_instants
-  double read_from_ = 0.0;  ///< begin of the window that a sampled reader read last
+  bool has_events_ = false;           ///< Its source has.
+  double expected_ = -Member::never;  ///< Time [s]: see expect_jump.
+  bool joins_ = false;                ///< See pass_over.
+  bool goes_on_ = false;              ///< Behind the last segment one more, for what is past the last sample.
+  std::vector<double> nodes_;         ///< Rows that a polynomial goes through, where some are passed over.
+  int gathered_ = 0;                  ///< Of them, at the end.
+  std::int64_t late_ = 0;             ///< See wait().
+  bool sampled_ = false, within_ = false, just_before_ = false;  ///< See read_at_instants.
+  double read_from_ = 0.0;  ///< Begin of the window that a sampled reader read last.
 };
 
 }  // namespace tandem

@@ -8,13 +8,13 @@ namespace tandem {
 /// How the samples of an output become a function of time for its reader.
 struct Reconstruction {
   enum class Kind {
-    lagrange,  ///< polynomial through the newest degree + 1 samples; interpolates where samples cover the
-               ///< span
-    hermite,   ///< cubic through the values and derivatives of two samples
-    mean,      ///< mean of the source's samples within the reader's own step, constant over that step
-    least_squares,  ///< polynomial fitted to the newest degree + 1 + extra samples
-    matched_hold,   ///< the newest sample, constant over the whole call
-    held,           ///< of a held output: each sample from its time on, to the next
+    lagrange,  ///< Polynomial through the newest degree + 1 samples; interpolates where samples cover the
+               ///< span.
+    hermite,   ///< Cubic through the values and derivatives of two samples.
+    mean,      ///< Mean of the source's samples within the reader's own step, constant over that step.
+    least_squares,  ///< Polynomial fitted to the newest degree + 1 + extra samples.
+    matched_hold,   ///< The newest sample, constant over the whole call.
+    held,           ///< Of a held output: each sample from its time on, to the next.
   };
   Kind kind = Kind::lagrange;
   int degree = 0;  ///< lagrange: 0 to 4; least_squares: 0 to 4; else 0

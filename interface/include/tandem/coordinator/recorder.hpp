@@ -19,14 +19,14 @@ enum class RecordFormat { csv, npy };
 
 /// What a run writes, and where.
 struct Recording {
-  std::filesystem::path directory = ".";  ///< made if it is not there; earlier results in it are replaced
-  std::string clock = {};  ///< the instance at whose own steps there are rows; empty: the smallest first step
-  bool own = false;        ///< a file for each subsystem instead, at its own steps
-  std::vector<std::string> ports = {};  ///< outputs, "instance.port" or "instance.port[i]"; empty: all
-  RowRules rows = {};                   ///< which there are
-  std::function<void()> begin = {};     ///< called once, before files of an earlier run are replaced or cut
+  std::filesystem::path directory = ".";  ///< Made if it is not there; earlier results in it are replaced.
+  std::string clock = {};  ///< The instance at whose own steps rows stand; empty: the smallest first step.
+  bool own = false;        ///< A file for each subsystem instead, at its own steps.
+  std::vector<std::string> ports = {};  ///< Outputs, "instance.port" or "instance.port[i]"; empty: all.
+  RowRules rows = {};                   ///< Which there are.
+  std::function<void()> begin = {};     ///< Called once, before files of an earlier run are replaced or cut.
   RecordFormat format = RecordFormat::csv;
-  bool derivatives = false;  ///< "der(instance.port)" beside each output that gives derivatives
+  bool derivatives = false;  ///< "der(instance.port)" beside each output that gives derivatives.
 };
 
 /// Of the first of `ports` that names none of `outputs`, nor an array of them: "recorded output 'x' is not
@@ -39,9 +39,9 @@ std::string unknown_output(const std::vector<std::string>& outputs, const std::v
 /// instance jumps.
 ///
 /// At the clock's times the outputs of the other subsystems are interpolated: cubic Hermite where the port
-/// gives derivatives, else linear; at a jump, the value before it, and nothing is interpolated across one:
-/// the value before is held. A cell is empty where its subsystem has no sample at or after that time. A
-/// derivative is that of what its output was interpolated by.
+/// gives derivatives, else linear. At a jump they have the value before it. Nothing is interpolated across a
+/// jump: the value before is held. A cell is empty where its subsystem has no sample at or after that time. A
+/// derivative is the derivative of the curve that its output was interpolated by.
 ///
 /// samples() only copies into memory that is reserved at the first call (it grows if nobody calls
 /// between_rounds()); the files are written by between_rounds(), when that memory is half full, and by
@@ -96,8 +96,8 @@ class Recorder final : public Observer {
     std::vector<char> held;       ///< likewise
     bool sampled = false;         ///< all of them hold on after the last row
     std::vector<double> rows;
-    std::size_t cursor =
-        0;  ///< first row at or after the time that is being written; of a sampled one, after
+    /// First row at or after the time that is being written; of a sampled one, after.
+    std::size_t cursor = 0;
     bool end_noted = false;
 
     std::size_t width() const { return 2 + 2 * outputs.size(); }

@@ -12,22 +12,22 @@ namespace tandem {
 /// Of two members which waits for the other: a pure function of their clocks.
 struct Relation {
   enum class Kind : std::uint8_t {
-    turns,    ///< `first` leads `second`: always one of them waits
-    held,     ///< `first` reads held outputs of the sampled `second`: it waits where these are not known yet
-    nearest,  ///< the sampled `first` reads `second`: it waits as long as that can come nearer to its instant
-    passed,   ///< the same where `second` does not depend on `first`: it waits until that has come there
-    after,    ///< the sampled `first` reads the sampled `second`: at equal instants too that acts before
-    together,  ///< the same among sampled ones that read each other: at equal instants they act together
+    turns,    ///< `first` leads `second`: always one of them waits.
+    held,     ///< `first` reads held outputs of the sampled `second`: it waits where these are not known yet.
+    nearest,  ///< The sampled `first` reads `second`: it waits while that can come nearer to its instant.
+    passed,   ///< The same where `second` does not depend on `first`: it waits until that has come there.
+    after,    ///< The sampled `first` reads the sampled `second`: at equal instants too that acts before.
+    together,  ///< The same among sampled ones that read each other: at equal instants they act together.
   };
   enum class Waits : std::uint8_t { none, first, second };
 
   int first, second;
   Kind kind;
-  double lag;  ///< [s]: the reader sees at t what the source gave at t - lag
-  bool lands;  ///< held, nearest: who integrates itself ends a step at each instant of the sampled one;
-               ///< turns: `second` does so at each event of `first`
-  double period = 0.0;  ///< [s]: nearest: the least time between two instants of the sampled one
-  bool reads = false;   ///< turns: `first` reads `second`
+  double lag;  ///< Time [s]: the reader sees at t what the source gave at t - lag.
+  bool lands;  ///< Held, nearest: who integrates itself ends a step at each instant of the sampled one;
+               ///< turns: `second` does so at each event of `first`.
+  double period = 0.0;  ///< Nearest: the least time between two instants of the sampled one [s].
+  bool reads = false;   ///< Turns: `first` reads `second`.
 
   bool operator==(const Relation&) const = default;
 

@@ -29,8 +29,8 @@ class Schedule {
   /// What it goes by, beside the members.
   struct Plan {
     Kind kind;
-    /// Those that integrate themselves, that which is ahead of all others first (slowest-first: own steps
-    /// descending; fastest-first: ascending).
+    /// Members that integrate themselves; the one that is ahead of all others comes first (slowest-first: own
+    /// steps descending; fastest-first: ascending).
     std::vector<int> order;
     TimeSpan span;
     /// [s]: of parallel; in turns, how far subsystems that do not wait for each other may be apart.
@@ -51,9 +51,11 @@ class Schedule {
   const Member& member(int who) const { return members_[static_cast<std::size_t>(who)]; }
 
   /// Puts a member where its subsystem stands. It takes no further part if it stands at t_stop, if its next
-  /// step would end past it, or if it says so (next = never). break_at [s]: where a held input that it is to
-  /// land at is known to change next, or another to have jumped; jumped: see Member; it also lands at the
-  /// next instants of the sampled members that say so, for which those that they move are to be put anew.
+  /// step would end past it, or if it says so (next = never). It also lands at the next instants of the
+  /// sampled members that say so; for that the members that these move are to be put anew.
+  /// - break_at [s]: where a held input that it is to land at is known to change next, or another input to
+  ///   have jumped.
+  /// - jumped: see Member.
   void stand(int who, double time, double next, double break_at = Member::never, bool jumped = false) {
     Member& m = members_[static_cast<std::size_t>(who)];
     m.jumped = jumped;

@@ -55,18 +55,18 @@ struct EventSeat {
     double time;
     std::int64_t row;
   };
-  std::vector<int> readers = {};   ///< of one with events: who integrates itself and reads it, or a carrier
-  std::vector<int> carriers = {};  ///< whose outputs jump with its at once, by however many others
-  std::vector<int> of_carriers = {};   ///< of the readers those of carriers
-  std::vector<int> leaders_back = {};  ///< of these who may go back
-  std::vector<int> events_behind =
-      {};                       ///< of one that may go back: those with events that it reads and leads
-  std::vector<Back> back = {};  ///< of such a one, the oldest first
+  std::vector<int> readers = {};   ///< Of one with events: who integrates itself and reads it, or a carrier.
+  std::vector<int> carriers = {};  ///< Whose outputs jump with its at once, by however many others.
+  std::vector<int> of_carriers = {};   ///< Of the readers those of carriers.
+  std::vector<int> leaders_back = {};  ///< Of these who may go back.
+  /// Of one that may go back: those with events that it reads and leads.
+  std::vector<int> events_behind = {};
+  std::vector<Back> back = {};  ///< Of such a one, the oldest first.
   std::int64_t times_back = 0;
   // Events that a reader had passed, and did not go back to.
   std::int64_t missed = 0;
-  double most_missed = 0.0;  ///< jump times how far it had passed
-  int missed_by = -1;        ///< where that was
+  double most_missed = 0.0;  ///< Jump times how far it had passed.
+  int missed_by = -1;        ///< Where that was.
 };
 
 /// Of several pieces of work that are all done, the error of the first that failed, by their numbers.

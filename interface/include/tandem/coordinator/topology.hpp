@@ -42,14 +42,18 @@ struct Line {
 class Topology {
  public:
   /// A new instance; its index. `info` must outlive the topology. Throws Error for a name (of the instance or
-  /// of a port) that is empty, taken, or holds one of [ ] , " or a blank (an instance: or . / \), and for
-  /// ports that contradict themselves (size below 1, derivatives beyond 3, feedthrough of a port that is not
-  /// there).
+  /// of a port) that is empty, taken, or holds one of [ ] , " or a blank (an instance: or . / \). It also
+  /// throws Error for ports that contradict themselves: size below 1, derivatives beyond 3, feedthrough of a
+  /// port that is not there.
   int add(const std::string& name, const SubsystemInfo& info);
 
-  /// Checks and adds a connection. Throws Error for an unknown instance or port, an index out of range, sizes
-  /// or units that differ, an input connected twice without `add`, a reconstruction that is missing, that the
-  /// output's samples can't feed or that a held output does not need, a lag on mean or matched hold.
+  /// Checks and adds a connection. Throws Error for:
+  /// - an unknown instance or port, an index out of range;
+  /// - sizes or units that differ;
+  /// - an input connected twice without `add`;
+  /// - a reconstruction that is missing, that the output's samples can't feed or that a held output does not
+  ///   need;
+  /// - a lag on mean or matched hold.
   void connect(const Connection& connection);
 
   /// One end of a connection whose other end is not known here: it is only looked for, and check() takes an

@@ -16,23 +16,28 @@ namespace tandem {
 /// Two that integrate themselves are linked if one reads the other; the one that is earlier in the order
 /// leads. It is the follower's turn if the leader stands at or past the end of the follower's next step, so
 /// that the follower interpolates; else it is the leader's. A member is ready when it waits for none of those
-/// that it is related to. Of two that are linked never both are ready, and each step reads the same samples
-/// whatever goes first elsewhere: a leader's those of the follower up to where the leader stands, a
-/// follower's those of the leader up to the first one at or past the end of that step. Those that have
-/// nothing to do with each other do not wait for each other. A follower may give a row before its next node,
-/// at an instant that is not known yet: for that too its leader waits, who else would read it or not by
-/// chance.
+/// that it is related to.
 ///
-/// A sampled member acts at its instant t when all that it reads stand at t or can't come nearer without
-/// passing it, or have passed it where they do not depend on it; who reads it goes up to where its outputs
+/// Of two that are linked never both are ready, and each step reads the same samples whatever goes first
+/// elsewhere. A leader's step reads samples of the follower up to where the leader stands. A follower's step
+/// reads samples of the leader up to the first one at or past the end of that step. Members that have nothing
+/// to do with each other do not wait for each other. A follower may give a row before its next node, at an
+/// instant that is not known yet. Its leader waits for that row too; else it would read it or not by chance.
+///
+/// A sampled member acts at its instant t when all that it reads stand at t, can't come nearer without
+/// passing it, or, where they do not depend on it, have passed it. Who reads it goes up to where its outputs
 /// may change next (Relation).
 ///
-/// Three and more can wait in a ring: A leads B and C, B leads C; C waits for B to pass its node, B for A to
-/// pass its own, and A, which stands past C's node, for C. When all of a group that is linked wait, go from
-/// the one with the earliest node to the first that it waits for, on to the first that this one waits for,
-/// and so on until the ring is closed: the first leader of the ring goes without the sample of the follower
-/// that it waits for there. (So do subsystems that all read all, in the order of coordinator.md.) Where none
-/// is there, a follower goes without the leader that waits for a sampled one.
+/// Three and more can wait in a ring, where A leads B and C, and B leads C:
+/// - C waits for B to pass its node;
+/// - B waits for A to pass its own;
+/// - A, which stands past C's node, waits for C.
+///
+/// When all of a group that is linked wait, go from the one with the earliest node to the first that it waits
+/// for. Go on to the first that this one waits for, and so on until the ring is closed. The first leader of
+/// the ring goes without the sample of the follower that it waits for there. (So do subsystems that all read
+/// all, in the order of coordinator.md.) Where none is there, a follower goes without the leader that waits
+/// for a sampled one.
 class TurnOrder {
  public:
   TurnOrder() = default;
@@ -76,8 +81,8 @@ class TurnOrder {
   bool waits(int who) const { return waits_[static_cast<std::size_t>(who)] > 0; }
   /// Where `who`, which stands at ahead.start, is to end a step next: at ahead.stop, where an input is known
   /// to change (`never` for none), or before at an instant of a sampled member. Of times that are equal but
-  /// for rounding that of the change is taken, which is known first, so that it does not matter when it is
-  /// asked.
+  /// for rounding it takes the time of the change. That time is known first, so the moment of the call does
+  /// not matter.
   double landing(std::span<const Member> members, int who, TimeSpan ahead) const;
   /// Calls visit(other) for each that `who` is related to.
   template <class Visit>
@@ -146,26 +151,26 @@ class TurnOrder {
 
   std::vector<Relation> relations_;
   TimeTolerance tolerance_;
-  std::vector<Neighbour> neighbours_;  ///< of one member after the other, each in the order of relations
-  std::vector<std::size_t> first_;     ///< of a member's neighbours; and the end
-  std::vector<Relation::Waits> waiting_side_;  ///< by relation
-  std::vector<int> waits_;                     ///< by member: relations in which it waits
-  std::vector<double> rows_;  ///< by member: see earliest_row(); empty where these are its next nodes
-  std::vector<std::vector<int>> lands_at_;  ///< by member: leaders at whose events it ends steps; or empty
-  std::vector<std::size_t> place_;          ///< by member: in the order
-  std::vector<std::uint64_t> ready_;        ///< bits by member: neighbours in memory go one after the other
+  std::vector<Neighbour> neighbours_;  ///< Of one member after the other, each in the order of relations.
+  std::vector<std::size_t> first_;     ///< Of a member's neighbours; and the end.
+  std::vector<Relation::Waits> waiting_side_;  ///< By relation.
+  std::vector<int> waits_;                     ///< By member: relations in which it waits.
+  std::vector<double> rows_;  ///< By member: see earliest_row(); empty where these are its next nodes.
+  std::vector<std::vector<int>> lands_at_;  ///< By member: leaders at whose events it ends steps; or empty.
+  std::vector<std::size_t> place_;          ///< By member: in the order.
+  std::vector<std::uint64_t> ready_;        ///< Bits by member: neighbours in memory go one after the other.
   std::vector<Group> groups_;
-  std::vector<int> group_of_;               ///< by member
-  std::vector<std::vector<int>> clusters_;  ///< sampled ones that read each other
-  std::vector<int> cluster_of_;             ///< by member; -1: none. Empty without clusters
-  bool drift_ = false;                      ///< some could leave the others far behind
-  Earliest earliest_;                       ///< of the next nodes, where they could
+  std::vector<int> group_of_;               ///< By member.
+  std::vector<std::vector<int>> clusters_;  ///< Sampled ones that read each other.
+  std::vector<int> cluster_of_;             ///< By member; -1: none. Empty without clusters.
+  bool drift_ = false;                      ///< Some could leave the others far behind.
+  Earliest earliest_;                       ///< Of the next nodes, where they could.
 
-  std::vector<int> waiting_;  ///< groups that may all wait
+  std::vector<int> waiting_;  ///< Groups that may all wait.
   std::vector<int> out_of_rings_;
-  std::vector<Neighbour> chain_;  ///< who waits for whom
-  std::vector<char> in_chain_;    ///< by member
-  std::vector<int> freed_;        ///< relations in which nobody waits any more
+  std::vector<Neighbour> chain_;  ///< Who waits for whom.
+  std::vector<char> in_chain_;    ///< By member.
+  std::vector<int> freed_;        ///< Relations in which nobody waits any more.
 };
 
 }  // namespace tandem

@@ -12,12 +12,12 @@ namespace tandem::mbs {
 
 /// What does not change while a model moves.
 struct Structure {
-  int coordinates = 0;  ///< length of q and its derivatives: the variables, then coordinates that stay fixed
-  int variables = 0;    ///< n
-  int constraints = 0;  ///< m
-  Matrix mass;          ///< M, n x n, both triangles, constant
-  Pattern jacobian;     ///< of Phi_q^T, n x m: a column for each constraint
-  Pattern stiffness;    ///< of K and C, n x n; no entries if forces depend on neither q nor q'
+  int coordinates = 0;  ///< Length of q and its derivatives: the variables, then coordinates that stay fixed.
+  int variables = 0;    ///< N.
+  int constraints = 0;  ///< M.
+  Matrix mass;          ///< M, n x n, both triangles, constant.
+  Pattern jacobian;     ///< Of Phi_q^T, n x m: a column for each constraint.
+  Pattern stiffness;    ///< Of K and C, n x n; no entries if forces depend on neither q nor q'.
   /// States of first order, each the rate of a variable that neither constraints nor masses connect with
   /// others: a tangent is factorized without them (sparse/condensed_states.hpp).
   std::vector<int> states = {};
@@ -34,13 +34,13 @@ struct Structure {
   /// For sentences that refuse; may be left empty: the unit in which each constraint is off (Off), and its
   /// place, "FILE:LINE".
   std::vector<std::string> constraint_units, constraint_places;
-  double length = 1.0;  ///< of its parts [m]: default tolerances are in proportion to it
+  double length = 1.0;  ///< Of its parts [m]: default tolerances are in proportion to it.
   /// Where coordinates are lengths and pure numbers both and `length` is far from 1 m: what each coordinate
   /// and each Phi is multiplied with to become a length [m]. None: all 1. Steppers and the initial problems
   /// go by lengths (coordinate x scale), so that one tolerance and one penalty serve all.
   std::vector<double> coordinate_scales = {}, constraint_scales = {};
   double rounding =
-      0.0;  ///< what q as described leaves of a change (Euclidean): no default tolerance is below
+      0.0;  ///< What q as described leaves of a change (Euclidean): no default tolerance is below.
 
   /// The tolerance for changes of q that is set [m]; 0: this fraction of `length`.
   double tolerance(double set, double fraction) const {

@@ -63,7 +63,7 @@ void keys_of_runs(KeyList& to) {
            {.otherwise = s.integrator, .words = {"generalized_alpha", "newmark", "rk2", "rk4", "rk8"}});
   keys_of_iterations(to, s);
   keys_of_schemes(to, s);
-  to.may("solver", text, "Of linear systems: a name that `tandem bench solvers` lists.",
+  to.may("solver", text, "Of linear systems: a name that docs/sparse.md lists.",
          {.otherwise = s.index3.solver})
       .may("threads", number, "That share the loops over a large mechanism (`index3`).",
            {.otherwise = number_text(s.index3.threads), .allowed = "1 to 256"})

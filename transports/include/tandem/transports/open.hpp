@@ -38,12 +38,12 @@ struct Source {
   /// (a file's own parameters), or hand on to the subsystem unread (Parameters::rest).
   Words words;
   std::function<std::unique_ptr<Subsystem>(const Address&, Parameters&)> make;
-  bool elsewhere = false;  ///< the subsystem is not made here: it lives in a library or another process
-  bool code = false;       ///< to open it runs code that its place names
+  bool elsewhere = false;  ///< The subsystem is not made here: it lives in a library or another process.
+  bool code = false;       ///< To open it runs code that its place names.
   /// Of code: checks what can be without running any, and asks the parameters that `make` asks for. Gives
   /// what it has seen; nothing, where only the code itself can say.
   std::function<std::optional<Look>(const Address&, Parameters&)> look = {};
-  bool native = false;  ///< of code: it is loaded into this process, unless it is isolated
+  bool native = false;  ///< Of code: it is loaded into this process, unless it is isolated.
 };
 
 /// What URIs can name. Whoever owns the models fills it, and add_shared_library(), add_tcp() and the like add

@@ -22,10 +22,10 @@ class Listener {
 };
 
 struct ServerSettings {
-  int most_sessions = 64;  ///< at a time; a further peer is told so
-  bool once = false;       ///< one session, and no more; a peer that says no whole hello has none
+  int most_sessions = 64;  ///< At a time; a further peer is told so.
+  bool once = false;       ///< One session, and no more; a peer that says no whole hello has none.
   SessionSettings session = {};
-  std::function<void(const std::string&)> log;  ///< is told what sessions begin, end and break; may be empty
+  std::function<void(const std::string&)> log;  ///< Is told what sessions begin, end and break; may be empty.
   /// Called when sessions go on computing for a deadline after the server's end was asked for, with their
   /// number: a model's computing can't be cut short but with the process. If it returns, or is empty, they
   /// are waited for.

@@ -10,11 +10,11 @@ namespace tandem::engine {
 
 /// Tolerances and limits of the integrators of SUNDIALS.
 struct AdaptiveSettings {
-  double relative_tolerance = 1e-6, absolute_tolerance = 1e-9;  ///< of each state
-  std::map<std::string, double> absolute_tolerances = {};       ///< of states by name, instead of that
-  double longest_step = 0.0;                                    ///< [s]; 0: no limit
-  double shortest_step = 0.0;                                   ///< [s] one that would be shorter is an error
-  long most_steps = 1'000'000;  ///< within one step that it is asked for; then it is an error
+  double relative_tolerance = 1e-6, absolute_tolerance = 1e-9;  ///< Of each state.
+  std::map<std::string, double> absolute_tolerances = {};       ///< Of states by name, instead of that.
+  double longest_step = 0.0;                                    ///< [s]; 0: no limit.
+  double shortest_step = 0.0;                                   ///< [s] one that would be shorter is an error.
+  long most_steps = 1'000'000;  ///< Within one step that it is asked for; then it is an error.
 
   bool operator==(const AdaptiveSettings&) const = default;
 };

@@ -15,8 +15,8 @@ namespace tandem::text {
 /// A TOML text. Every value knows where it came from: a line, or an override that was put in.
 class Document {
  public:
-  /// Throws Error for a file that can't be read, and with file, line and column, and none of
-  /// its text, for one that is not TOML.
+  /// Throws Error for a file that can't be read, and with file, line and column, and none of its text, for
+  /// one that is not TOML.
   explicit Document(const std::filesystem::path& file);
   /// Of a text; `name` is what errors call it.
   Document(std::string name, const std::string& text);

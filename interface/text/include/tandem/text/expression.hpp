@@ -37,7 +37,8 @@ class Expression {
   const std::vector<std::string>& words() const;
 
   /// With values by name. Throws Error(invalid_argument) for a name that is not there, a word in place of a
-  /// number, a number in place of a word, and a result that is not finite, with the values that it has.
+  /// number, and a number in place of a word. So it does for a result that is not finite, with the values
+  /// that it has.
   double value(const FileValues& values);
   /// The numbers by their order in numbers(); conditions stand as at the last value(), at first for 0. May be
   /// not finite.

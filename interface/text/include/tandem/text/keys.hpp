@@ -12,25 +12,25 @@ namespace tandem::text {
 struct Key {
   enum class Type {
     text,
-    word,  ///< one of `words`, or of those of `pattern`
+    word,  ///< One of `words`, or of those of `pattern`.
     number,
-    positive,  ///< a number above 0
+    positive,  ///< A number above 0.
     flag,
     texts,
-    value,    ///< a number, a flag or a text
-    numbers,  ///< a number, or an array of them
-    vector,   ///< an array of numbers
-    matrix,   ///< a number, or an array of arrays of them
-    name,     ///< a number or a text
-    signal,   ///< a signal of a diagram, or a number
-    signals,  ///< an array of these
-    edge,     ///< a text, or an array of texts
-    edges,    ///< an array of these
+    value,    ///< A number, a flag or a text.
+    numbers,  ///< A number, or an array of them.
+    vector,   ///< An array of numbers.
+    matrix,   ///< A number, or an array of arrays of them.
+    name,     ///< A number or a text.
+    signal,   ///< A signal of a diagram, or a number.
+    signals,  ///< An array of these.
+    edge,     ///< A text, or an array of texts.
+    edges,    ///< An array of these.
     table,
     numbers_or_table,
-    tables,  ///< an array of tables
-    itself,  ///< a table with what a whole file has
-    any,     ///< what `allowed` says
+    tables,  ///< An array of tables.
+    itself,  ///< A table with what a whole file has.
+    any,     ///< What `allowed` says.
   };
   /// "coordination.order"; NAME stands for any name, and [] for each of an array of tables.
   std::string path;
@@ -71,8 +71,8 @@ class Keys {
   std::vector<const Key*> in(std::string_view table, std::string_view kind = {}) const;
   /// The kinds of a table, with the sentence of each; empty: it has none.
   std::vector<const Key*> kinds(std::string_view table) const;
-  /// By a path as a user writes it, "subsystems.motor.land", "connections.gain": NAME is any name there, or
-  /// left out, and [] can be left out or have a number in it; where a table has kinds, its name may be one of
+  /// By a path as a user writes it, "subsystems.motor.land", "connections.gain". NAME is any name there, or
+  /// left out, and [] can be left out or have a number in it. Where a table has kinds, its name may be one of
   /// these. More than one where keys of kinds have one name, none if there is none.
   std::vector<const Key*> matching(const std::string& path) const;
   /// Throws Error that tells which is near a path for which there is none.

@@ -10,13 +10,14 @@
 
 namespace tandem::text {
 
-/// A table of a document while it is read: each key is asked for by name and type, and what nobody asked for
-/// is refused. Every error names the place, the key, the value found and what is allowed. With the keys of a
-/// language, which then says what is allowed, what is missing and what holds where a key is not there.
+/// A table of a document while it is read. Its reader asks for each key by name and type, and what nobody
+/// asked for is refused. Every error names the place, the key, the value found and what is allowed. It may
+/// have the keys of a language, which then says what is allowed, what is missing and what holds where a key
+/// is not there.
 class Section {
  public:
   /// path: "coordination" or "connections[0]"; empty for the whole document. values: what texts that begin
-  /// with $ stand for, where a number or a text is asked for; null: they are texts.
+  /// with $ stand for, where the reader asks for a number or a text; null: they are texts.
   Section(const Document& document, const toml::table& table, std::string path,
           const Values* values = nullptr);
   /// The whole of a document in a language.

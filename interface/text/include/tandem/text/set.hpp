@@ -12,7 +12,7 @@ namespace tandem::text {
 /// `record.ports[0]`; one of several tables is named by its index or by its `to`, `connections[0].gain`,
 /// `connections[fast.x2].gain`, and `connections.gain` means all of them. A name with a dot in it stands in
 /// quotes: `run."absolute_tolerance.x"`. VALUE is TOML, or else a text without quotes. A key that the table
-/// has not is added (whether it may be there, the reader of the table says); where a table holds others by
+/// has not is added; whether it may be there, the reader of the table says. Where a table holds others by
 /// name, as [rods] does, a new one is added as a whole only. A subsystem's source takes the place of its
 /// command, and the other way round. Throws Error that names what is there.
 void set(toml::table& file, const std::string& override_text);

@@ -96,14 +96,14 @@ class Index3 final : public Stepper {
 
   Index3Settings settings_;
   Terms terms_;
-  double tolerance_;      ///< [m]
-  double penalty_;        ///< of the last step
-  Eigen::VectorXd left_;  ///< Phi_q q'' + gamma after the last projection
-  double weight_ = 0.0;   ///< of Phi_q^T Phi_q in the tangent at hand; 0: there is none of use
-  std::unique_ptr<MergedFrequency> highest_;  ///< with beta below 1/4
-  double frequency_ = 0.0;  ///< the highest when it was looked at last, with beta below 1/4 [rad/s]
-  long steps_ = 0;          ///< with beta below 1/4
-  bool needs_own_ = false;  ///< refresh() could not do with the tangent of a step
+  double tolerance_;      ///< [m].
+  double penalty_;        ///< Of the last step.
+  Eigen::VectorXd left_;  ///< Phi_q q'' + gamma after the last projection.
+  double weight_ = 0.0;   ///< Of Phi_q^T Phi_q in the tangent at hand; 0: there is none of use.
+  std::unique_ptr<MergedFrequency> highest_;  ///< With beta below 1/4.
+  double frequency_ = 0.0;  ///< The highest when it was looked at last, with beta below 1/4 [rad/s].
+  long steps_ = 0;          ///< With beta below 1/4.
+  bool needs_own_ = false;  ///< refresh() could not do with the tangent of a step.
 };
 
 }  // namespace tandem::mbs

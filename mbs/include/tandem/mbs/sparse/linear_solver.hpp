@@ -43,6 +43,11 @@ class LinearSolver {
   virtual void recall(std::span<const double> memory);
 };
 
+using MakeSolver = std::unique_ptr<LinearSolver>(MatrixKind kind);
+/// Adds a solver of one's own to those that make_solver() knows, for matrices of kind `worst` and better.
+/// Precondition: no thread makes one meanwhile. Throws Error for a name that is there.
+void add_solver(const std::string& name, MatrixKind worst, MakeSolver* make);
+
 /// Names of the solvers for matrices of this kind that this build has.
 std::vector<std::string> solver_names(MatrixKind kind);
 

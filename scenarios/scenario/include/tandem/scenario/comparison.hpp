@@ -28,28 +28,28 @@ struct Measure {
 /// How one column of two results differs.
 struct Difference {
   std::string column;
-  double time = 0.0;  ///< [s] of A, where it differs most
+  double time = 0.0;  ///< [s] of A, where it differs most.
   double a = 0.0, b = 0.0;
-  double absolute = 0.0;  ///< |a - b|
-  double peak = 0.0;  ///< largest magnitude of the column in B at the times that count (in A where it is 0)
-  double relative = 0.0;      ///< absolute, divided by peak
-  double rms = 0.0;           ///< of a - b over the compared times
-  double rms_of = 0.0;        ///< of the column in B at these times (in A where it is 0)
-  double relative_rms = 0.0;  ///< rms, divided by rms_of
-  double end = 0.0;           ///< |a - b| at the last compared time
-  std::size_t compared = 0;   ///< values
+  double absolute = 0.0;  ///< |a - b|.
+  double peak = 0.0;  ///< Largest magnitude of the column in B at the times that count (in A where it is 0).
+  double relative = 0.0;      ///< Absolute, divided by peak.
+  double rms = 0.0;           ///< Of a - b over the compared times.
+  double rms_of = 0.0;        ///< Of the column in B at these times (in A where it is 0).
+  double relative_rms = 0.0;  ///< Rms, divided by rms_of.
+  double end = 0.0;           ///< |a - b| at the last compared time.
+  std::size_t compared = 0;   ///< Values.
 
   double size(Norm norm) const { return norm == Norm::max ? relative : relative_rms; }
 };
 
 struct Comparison {
   std::vector<Difference> columns;
-  std::size_t times = 0;                ///< compared
-  std::size_t interpolated = 0;         ///< of these, times at which the other one has no row
-  std::vector<std::string> linear;      ///< columns that are interpolated by straight lines there
-  std::string at;                       ///< the file whose times these are
-  double shift = 0.0;                   ///< [s]: by how much A is later than B, in the measure's bounds
-  std::vector<std::string> uncompared;  ///< sentences: columns and times that only one of them has
+  std::size_t times = 0;                ///< Compared.
+  std::size_t interpolated = 0;         ///< Of these, times at which the other one has no row.
+  std::vector<std::string> linear;      ///< Columns that are interpolated by straight lines there.
+  std::string at;                       ///< The file whose times these are.
+  double shift = 0.0;                   ///< [s]: by how much A is later than B, in the measure's bounds.
+  std::vector<std::string> uncompared;  ///< Sentences: columns and times that only one of them has.
 };
 
 /// Compares the columns that both have, or those named. They are compared at the times of the one that has

@@ -18,8 +18,8 @@ struct Course {
     double y, d, c, e;
   };
   std::size_t values;
-  std::optional<std::size_t> derivatives;  ///< its column der(NAME), where there is one
-  mutable Cubic cubic = {};                ///< that was asked for last
+  std::optional<std::size_t> derivatives;  ///< Its column der(NAME), where there is one.
+  mutable Cubic cubic = {};                ///< That was asked for last.
 };
 
 /// The columns of a table as functions of time, at times that are asked for in rising order.

@@ -13,12 +13,12 @@ namespace tandem::scenario {
 
 /// What a run is asked for beside its scenario.
 struct RunSettings {
-  std::filesystem::path folder;                 ///< of its results; it is made if it is not there
-  std::filesystem::path resume = {};            ///< a checkpoint that the run goes on from; empty: none
-  std::optional<double> checkpoint_every = {};  ///< [s], simulated: so often FOLDER/checkpoint is written
-  int threads = 1;                              ///< Coordination::threads
-  bool profile = false;                         ///< Coordination::profile
-  bool compares = true;                         ///< with the reference that the scenario names
+  std::filesystem::path folder;                 ///< Of its results; it is made if it is not there.
+  std::filesystem::path resume = {};            ///< A checkpoint that the run goes on from; empty: none.
+  std::optional<double> checkpoint_every = {};  ///< [s], simulated: so often FOLDER/checkpoint is written.
+  int threads = 1;                              ///< Coordination::threads.
+  bool profile = false;                         ///< Coordination::profile.
+  bool compares = true;                         ///< With the reference that the scenario names.
 };
 
 /// Who listens to a run: called between its rounds by the thread that runs.
@@ -29,11 +29,11 @@ struct RunListener {
 
 /// How a run ended.
 struct RunEnd {
-  std::string status = "ok";              ///< "running", "ok", "failed", "diverged" or "interrupted"
-  std::string message = {};               ///< of a run that is not at its end, why
-  double seconds = 0.0;                   ///< of the stepping loop, with the recording
-  std::string report = {};                ///< of the comparison with the reference; empty: there was none
-  std::vector<std::string> outside = {};  ///< what is not within the reference's tolerances, in sentences
+  std::string status = "ok";              ///< "running", "ok", "failed", "diverged" or "interrupted".
+  std::string message = {};               ///< Of a run that is not at its end, why.
+  double seconds = 0.0;                   ///< Of the stepping loop, with the recording.
+  std::string report = {};                ///< Of the comparison with the reference; empty: there was none.
+  std::vector<std::string> outside = {};  ///< What is not within the reference's tolerances, in sentences.
 };
 
 /// One run, from a scenario that was read to its results: results.csv (or results.INSTANCE.csv with

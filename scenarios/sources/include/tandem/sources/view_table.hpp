@@ -13,11 +13,11 @@ namespace tandem {
 struct ViewTable {
   /// A circle about a point.
   struct Wheel {
-    int centre;              ///< a point
-    mbs::Edge axis = {};     ///< in space; in the plane it is the third direction
-    double radius, width;    ///< [m]
-    mbs::Edge spoke = {};    ///< turns with it, across the axis; `to` is -1 if none is given
-    std::string angle = {};  ///< or: the output that it turns by [rad], from where it stands as drawn
+    int centre;              ///< A point.
+    mbs::Edge axis = {};     ///< In space; in the plane it is the third direction.
+    double radius, width;    ///< [m].
+    mbs::Edge spoke = {};    ///< Turns with it, across the axis; `to` is -1 if none is given.
+    std::string angle = {};  ///< Or: the output that it turns by [rad], from where it stands as drawn.
   };
   std::vector<Wheel> wheels;
   std::optional<double> ground;    ///< its height against gravity [m]

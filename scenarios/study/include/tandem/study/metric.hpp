@@ -36,17 +36,17 @@ struct Given {
 /// A number that a row tells of its run.
 struct Metric {
   enum class Kind {
-    output,     ///< a norm of an output's difference from a reference, or of the output itself
-    signal,     ///< a norm of an expression over time
-    drift,      ///< the same of its departure from its start
-    order,      ///< log2 of the ratio of a metric to what it is with all own steps halved
-    formula,    ///< of other metrics and columns
-    exchanges,  ///< calls of subsystems, all together
-    steps,      ///< own steps of a subsystem
-    seconds,    ///< wall time of the rounds, and processor time as NAME.processor
-    share,      ///< part of the wall time inside a subsystem
-    real_time,  ///< simulated time divided by wall time
-    coded,      ///< by a CodedMetric
+    output,     ///< A norm of an output's difference from a reference, or of the output itself.
+    signal,     ///< A norm of an expression over time.
+    drift,      ///< The same of its departure from its start.
+    order,      ///< log2 of the ratio of a metric to what it is with all own steps halved.
+    formula,    ///< Of other metrics and columns.
+    exchanges,  ///< Calls of subsystems, all together.
+    steps,      ///< Own steps of a subsystem.
+    seconds,    ///< Wall time of the rounds, and processor time as NAME.processor.
+    share,      ///< Part of the wall time inside a subsystem.
+    real_time,  ///< Simulated time divided by wall time.
+    coded,      ///< By a CodedMetric.
   };
   enum class Norm { max, rms, end, least, most };
   /// An output of a reference, and what an expression calls it: OUTPUT.REFERENCE.

@@ -15,10 +15,10 @@ namespace tandem::study {
 /// The largest or smallest value of a column for which a condition holds, found by bisection.
 struct Search {
   std::string column;
-  double from, to;   ///< between these
-  bool largest;      ///< it holds at `from`, and up to the value that is found; else from there to `to`
-  Formula holds;     ///< of metrics and columns; a run with another status than ok never does
-  double precision;  ///< relative, of the value
+  double from, to;   ///< Between these.
+  bool largest;      ///< It holds at `from`, and up to the value that is found; else from there to `to`.
+  Formula holds;     ///< Of metrics and columns; a run with another status than ok never does.
+  double precision;  ///< Relative, of the value.
 };
 
 /// Rows of one set of columns.
@@ -37,27 +37,27 @@ struct Table {
 /// What results are compared with: results, or a run.
 struct Reference {
   std::string name;
-  std::filesystem::path file = {};                  ///< of results; empty: a run
-  std::optional<Given> scenario = {};               ///< of the run; none: that of the study
-  std::vector<std::string> per = {};                ///< columns: one run for each of the values of a table's
-  std::vector<Given> with = {};                     ///< values of other columns in it
-  std::vector<Given> set = {};                      ///< besides what the study sets
-  std::map<std::string, std::string> outputs = {};  ///< of judged outputs, those that have another name in it
-  bool floor = false;                               ///< its own error is told, by a run with half its steps
+  std::filesystem::path file = {};                  ///< Of results; empty: a run.
+  std::optional<Given> scenario = {};               ///< Of the run; none: that of the study.
+  std::vector<std::string> per = {};                ///< Columns: one run for each of the values of a table's.
+  std::vector<Given> with = {};                     ///< Values of other columns in it.
+  std::vector<Given> set = {};                      ///< Besides what the study sets.
+  std::map<std::string, std::string> outputs = {};  ///< Of judged outputs, those that have another name in it.
+  bool floor = false;                               ///< Its own error is told, by a run with half its steps.
   Place place = {};
 };
 
 /// Runs of a table whose outputs over time are kept, in TABLE.series.csv.
 struct Kept {
-  std::string name;  ///< in the column `kept`
+  std::string name;  ///< In the column `kept`.
   std::string table;
-  std::optional<Formula> where = {};      ///< of columns and metrics
-  std::string least = {}, most = {};      ///< the metric by which one of them is chosen; empty: all
-  std::vector<std::string> per = {};      ///< one for each of the values of these columns
-  std::vector<std::string> outputs;       ///< the first gives the times
-  std::vector<std::string> metrics = {};  ///< signals and drifts, over time
-  std::string against = {};               ///< a reference whose outputs stand beside them; empty: none
-  double every = 0.0;                     ///< between two rows, at least [s]
+  std::optional<Formula> where = {};      ///< Of columns and metrics.
+  std::string least = {}, most = {};      ///< The metric by which one of them is chosen; empty: all.
+  std::vector<std::string> per = {};      ///< One for each of the values of these columns.
+  std::vector<std::string> outputs;       ///< The first gives the times.
+  std::vector<std::string> metrics = {};  ///< Signals and drifts, over time.
+  std::string against = {};               ///< A reference whose outputs stand beside them; empty: none.
+  double every = 0.0;                     ///< Between two rows, at least [s].
   Place place = {};
 };
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tandem/study/coded_metric.hpp"
+#include "tandem/study/ranks.hpp"
 #include "tandem/study/study.hpp"
 #include "tandem/transports/open.hpp"
 
@@ -15,11 +16,12 @@ namespace tandem::study {
 
 /// What a sweep is asked for beside its study.
 struct SweepSettings {
-  std::filesystem::path folder;             ///< of its tables; it is made if it is not there
-  std::vector<std::string> overrides = {};  ///< "KEY=VALUE" of the study's scenario
-  CodedMetrics metrics = {};                ///< that the study may name
-  unsigned threads = 1;                     ///< rows that are run at the same time, unless they are timed
-  bool resume = false;  ///< keep the rows that are there, if nothing that made them has changed
+  std::filesystem::path folder;             ///< Of its tables; it is made if it is not there.
+  std::vector<std::string> overrides = {};  ///< "KEY=VALUE" of the study's scenario.
+  CodedMetrics metrics = {};                ///< That the study may name.
+  unsigned threads = 1;                     ///< Rows that are run at the same time, unless they are timed.
+  bool resume = false;  ///< Keep the rows that are there, if nothing that made them has changed.
+  Ranks* ranks = nullptr;  ///< Processes that share it, of which this is one; threads has no meaning then.
 };
 
 /// Who listens to a sweep: called by the thread that sweeps, now and then.
@@ -56,7 +58,7 @@ class Sweep {
 
   /// Throws Error(input_output) for a file that can't be written, with the rows kept that are finished; any
   /// other for what is wrong with the study: an output that is not there, a reference that can't be read, all
-  /// rows refused.
+  /// rows refused. With ranks each of them calls it; those above 0 return when rank 0 has ended, with nothing.
   SweepEnd run(const SweepListener& listener = {});
 
  private:

@@ -7,11 +7,14 @@
 #include <new>
 #include <vector>
 
-#include "blas_threads.hpp"
-#include "solvers.hpp"
+#include "solvers/blas_threads.hpp"
+#include "thesis_solvers/thesis_solvers.hpp"
 
-namespace tandem::mbs::solvers {
+namespace tandem::test {
 namespace {
+
+using namespace mbs;
+using solvers::OneBlasThread;
 
 /// Orders by AMD for symmetric matrices, else by COLAMD; pivots are chosen anew in each factorization.
 class Umfpack final : public LinearSolver {
@@ -82,4 +85,4 @@ class Umfpack final : public LinearSolver {
 
 std::unique_ptr<LinearSolver> umfpack(MatrixKind kind) { return std::make_unique<Umfpack>(kind); }
 
-}  // namespace tandem::mbs::solvers
+}  // namespace tandem::test

@@ -8,12 +8,15 @@
 #include <string>
 #include <vector>
 
-#include "blas_threads.hpp"
-#include "solvers.hpp"
+#include "solvers/blas_threads.hpp"
+#include "thesis_solvers/thesis_solvers.hpp"
 #include "tandem/error.hpp"
 
-namespace tandem::mbs::solvers {
+namespace tandem::test {
 namespace {
+
+using namespace mbs;
+using solvers::OneBlasThread;
 
 enum Job { finish = -2, start = -1, analysis = 1, factorization = 2, solution = 3 };
 
@@ -104,4 +107,4 @@ class Mumps final : public LinearSolver {
 
 std::unique_ptr<LinearSolver> mumps(MatrixKind kind) { return std::make_unique<Mumps>(kind); }
 
-}  // namespace tandem::mbs::solvers
+}  // namespace tandem::test

@@ -7,11 +7,14 @@
 #include <new>
 #include <vector>
 
-#include "blas_threads.hpp"
-#include "solvers.hpp"
+#include "solvers/blas_threads.hpp"
+#include "thesis_solvers/thesis_solvers.hpp"
 
-namespace tandem::mbs::solvers {
+namespace tandem::test {
 namespace {
+
+using namespace mbs;
+using solvers::OneBlasThread;
 
 /// Orders by minimum degree of A + A^T for symmetric matrices, which prefer their diagonal as pivots, else by
 /// COLAMD. Order and elimination tree are kept, pivots are chosen anew.
@@ -102,4 +105,4 @@ class SuperLu final : public LinearSolver {
 
 std::unique_ptr<LinearSolver> superlu(MatrixKind kind) { return std::make_unique<SuperLu>(kind); }
 
-}  // namespace tandem::mbs::solvers
+}  // namespace tandem::test

@@ -2,10 +2,12 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 
-#include "solvers.hpp"
+#include "thesis_solvers/thesis_solvers.hpp"
 
-namespace tandem::mbs::solvers {
+namespace tandem::test {
 namespace {
+
+using namespace mbs;
 
 /// Eigen's simplicial LDL^T with AMD ordering.
 class Ldlt final : public LinearSolver {
@@ -42,4 +44,4 @@ class Ldlt final : public LinearSolver {
 
 std::unique_ptr<LinearSolver> ldlt(MatrixKind) { return std::make_unique<Ldlt>(); }
 
-}  // namespace tandem::mbs::solvers
+}  // namespace tandem::test

@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <new>
 
-#include "blas_threads.hpp"
-#include "solvers.hpp"
+#include "solvers/blas_threads.hpp"
+#include "thesis_solvers/thesis_solvers.hpp"
 
-namespace tandem::mbs::solvers {
+namespace tandem::test {
 namespace {
+
+using namespace mbs;
+using solvers::OneBlasThread;
 
 /// L D L^T column by column, or L L^T by supernodes with BLAS. CHOLMOD orders by AMD, and by METIS if AMD
 /// leaves much fill.
@@ -90,4 +93,4 @@ std::unique_ptr<LinearSolver> cholmod_supernodal(MatrixKind) {
   return std::make_unique<Cholmod>(CHOLMOD_SUPERNODAL);
 }
 
-}  // namespace tandem::mbs::solvers
+}  // namespace tandem::test
