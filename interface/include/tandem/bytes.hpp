@@ -84,8 +84,8 @@ class ByteWriter {
   std::size_t size_ = 0, capacity_ = 0;
 };
 
-/// Bytes that are taken one after another. Whatever is not there is refused, before anything is allocated
-/// for it, with Error(invalid_argument) that names what it is of ("the message 'advance'") and the place.
+/// Bytes that are taken one after another. Whatever is not there is refused, before anything is allocated for
+/// it, with Error(invalid_argument) that names what it is of ("the message 'advance'") and the place.
 class ByteReader {
  public:
   /// kind, what: views that outlive the reader.

@@ -16,8 +16,8 @@ class CSubsystem : public Subsystem {
   /// A new instance of what `api` makes from `parameters` ("key=value&key=value"). `api` must outlive it.
   /// Throws Error for another ABI version, a table too small, a missing function, or ports that make no
   /// sense. Where the kind declares parameters, it throws NotMade for what is not among them, and for all
-  /// that keeps an instance from being made. library: how errors call where it comes from, "library 'FILE'";
-  /// empty: this program.
+  /// that keeps an instance from being made.
+  /// - library: how errors call where it comes from, "library 'FILE'"; empty: this program.
   CSubsystem(const tandem_subsystem_api* api, const std::string& parameters, std::string library = "");
   ~CSubsystem() override;
   CSubsystem(const CSubsystem&) = delete;

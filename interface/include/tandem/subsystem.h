@@ -107,8 +107,8 @@ typedef struct tandem_subsystem_api {
 
   /* Takes own steps for as long as they end at or before t_limit, and appends one row for each. The time of
    * the clock is then the time of the last row.
-   * - t_limit [s]: where the last step ends at the latest. Compare with a tolerance of
-   *   6 DBL_EPSILON max(|t|, |t_start|); a strict comparison costs extra calls.
+   * - t_limit [s]: where the last step ends at the latest. Compare times with this tolerance:
+   *   6 DBL_EPSILON max(|t|, |t_start|). A strict comparison costs extra calls.
    * - land: other than 0: the last step is cut so that it ends at t_limit; the grid of own steps stays as it
    *   was. Precondition of that: TANDEM_LANDS.
    * - u: one signal per scalar input, covering [time, t_limit], in the unit of its port. At the begin of a
@@ -119,7 +119,7 @@ typedef struct tandem_subsystem_api {
 
   /* With TANDEM_SAVES_STATE only, else NULL: copies the state; stands again where it stood when the state was
    * saved; forgets a saved state.
-   * - id: the saved state. It stays valid until released or destroyed. */
+   * - id: the saved state; save_state puts it there. It stays valid until released or destroyed. */
   tandem_status (*save_state)(void* self, int64_t* id);
   tandem_status (*restore_state)(void* self, int64_t id, tandem_clock* clock);
   tandem_status (*release_state)(void* self, int64_t id);
@@ -129,7 +129,7 @@ typedef struct tandem_subsystem_api {
    * and initialized with the same span and inputs, in this process or another. Restored there, it goes on
    * with the same bits as this one does. With this ability save_state leaves what follows as it would be
    * without it.
-   * - id: the saved state.
+   * - id: the saved state; deserialize_state puts it there.
    * - bytes: of serialize_state they belong to the subsystem and are valid until the next call on that
    *   instance. To deserialize_state bytes of another subsystem, or not whole, are TANDEM_INVALID_ARGUMENT,
    *   where that can be told.
@@ -141,11 +141,11 @@ typedef struct tandem_subsystem_api {
    * that instant included, to the next. It belongs to the subsystem and lives until `destroy`. */
   const int32_t* (*held)(void* self);
 
-  /* With TANDEM_SAMPLED only, else NULL; `advance` may then be NULL, as nobody calls it. Both are constant.
+  /* With TANDEM_SAMPLED only, else NULL; `advance` may then be NULL, as nobody calls it. Gives two constants.
    * - period [s]: the least time between two instants, above 0.
    * - latency [s]: the outputs change this long after each instant, 0 or more. */
   tandem_status (*sampling)(void* self, double* period, double* latency);
-  /* Likewise: acts at an instant.
+  /* With TANDEM_SAMPLED only, else NULL: acts at an instant.
    * - t [s]: the instant. Precondition: it is its next_time.
    * - parts: TANDEM_SAMPLE_... or both.
    * - u: one value per scalar input at t. Inputs from other sampled subsystems have what is new at t. The

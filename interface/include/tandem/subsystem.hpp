@@ -52,7 +52,7 @@ struct Figure {
 ///
 /// One thread at a time calls an instance, though not always the same one: see one_thread(). Other threads
 /// may call other instances of the same kind meanwhile. Any call may throw Error; the run ends then. u0, u
-/// and y belong to the caller and are valid during the call.
+/// and y belong to the caller and are valid during the call (of start_advance(): until finish_advance()).
 class Subsystem {
  public:
   virtual ~Subsystem() = default;
@@ -95,7 +95,8 @@ class Subsystem {
   /// socket sends its request here and awaits the reply in finish_advance(). True: the call is under way. No
   /// other call may come before finish_advance(). False: it is not under way; call advance(). The base class
   /// says false.
-  /// - t_limit, land: as for advance().
+  /// - t_limit [s]: as for advance().
+  /// - land: as for advance().
   /// - u: as for advance(); it stays as it is until finish_advance().
   /// - y: as for advance(); its rows stay as they are until finish_advance().
   virtual bool start_advance(double t_limit, bool land, std::span<const Signal> u, const Samples& y);

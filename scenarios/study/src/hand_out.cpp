@@ -46,13 +46,15 @@ void HandOut::each(std::size_t count, unsigned most, const std::function<Told(st
                    const std::function<void(std::size_t, const Told&)>& done,
                    const std::function<bool(std::size_t)>& tick) {
   std::deque<int> idle;
-  for (int rank = 1; rank < ranks_.size() && idle.size() < most; ++rank) idle.push_back(rank);
-  std::map<int, std::size_t> busy;
+  for (unsigned turn = 0; turn < (most > 1 ? 2 : 1); ++turn)
+    for (int rank = 1; rank < ranks_.size() && static_cast<unsigned>(rank) <= most; ++rank)
+      idle.push_back(rank);
+  std::map<int, std::deque<std::size_t>> busy;  // a rank answers in the order in which it was told
   std::size_t next = 0, finished = 0;
   while (finished < count && tick(finished)) {
     for (; next < count && !idle.empty(); idle.pop_front()) {
       send(ranks_, idle.front(), job(next));
-      busy[idle.front()] = next++;
+      busy[idle.front()].push_back(next++);
     }
     const auto message = ranks_.receive();
     if (!message) {
@@ -61,8 +63,8 @@ void HandOut::each(std::size_t count, unsigned most, const std::function<Told(st
     }
     const Told answer = told_in(*message);
     if (answer.contains("error")) rethrow(answer);
-    done(busy.at(message->from), answer);
-    busy.erase(message->from);
+    done(busy.at(message->from).front(), answer);
+    busy.at(message->from).pop_front();
     idle.push_back(message->from);
     ++finished;
   }

@@ -18,8 +18,8 @@ class HandOut {
   HandOut(const HandOut&) = delete;
   HandOut& operator=(const HandOut&) = delete;
 
-  /// Lets the others do `count` jobs, each at most one at a time and `most` together. job: what a rank is told;
-  /// done: what it has answered. tick: is told now and then how many are done; false ends it. Throws the Error
+  /// Lets the others do `count` jobs; most: ranks that have one at a time. Where that is more than one, the next
+  /// job of a rank waits there already. job: what a rank is told; done: what it has answered. tick: is told now and then how many are done; false ends it. Throws the Error
   /// that a rank has met.
   void each(std::size_t count, unsigned most, const std::function<Told(std::size_t)>& job,
             const std::function<void(std::size_t, const Told&)>& done,

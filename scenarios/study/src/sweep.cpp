@@ -32,7 +32,7 @@ class Sweep::Work {
         references_(study, scenes_, builtins) {
     for (const Table& table : study.tables)
       runners_.emplace_back(study, table, scenes_, references_, builtins, settings_.metrics);
-    read_scenarios();
+    if (!is_helper()) read_scenarios();
   }
 
   std::vector<std::string> plan() {
@@ -54,7 +54,7 @@ class Sweep::Work {
 
   SweepEnd run(const SweepListener& listener) {
     listener_ = &listener;
-    if (settings_.ranks && settings_.ranks->rank() != 0) return work_for_rank_0(), SweepEnd();
+    if (is_helper()) return work_for_rank_0(), SweepEnd();
     if (settings_.ranks) hand_out_ = std::make_unique<HandOut>(*settings_.ranks);
     const output::FolderLock kept(settings_.folder,
                                   [this](const std::string& note) { end_.notes.push_back(note); });
@@ -78,6 +78,7 @@ class Sweep::Work {
     const FileValues* row;
   };
 
+  bool is_helper() const { return settings_.ranks && settings_.ranks->rank() != 0; }
   bool going() const { return !listener_->going || listener_->going(); }
 
   /// All of them, so that what one does not take is told before any runs.

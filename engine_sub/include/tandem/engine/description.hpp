@@ -34,8 +34,8 @@ struct Block {
   }
   /// Tables, and arrays of them, at a key: each like a block of its own.
   std::map<std::string, std::vector<Block>> tables = {};
-  std::shared_ptr<const Description> diagram =
-      {};  ///< that stands in this block, of kind diagram or triggered
+  /// The one that stands in this block, of kind diagram or triggered.
+  std::shared_ptr<const Description> diagram = {};
 };
 
 /// A number, or a text: a word of a block, the file of a diagram in one.
@@ -57,8 +57,9 @@ struct Output {
   std::string where = {};
 };
 
-/// Values of a signal between which a diagram is believed, and what happens where the signal leaves them,
-/// which is located as an event: the run ends with the sentence, or it is told once and the run goes on.
+/// Values of a signal between which a diagram is believed, and what happens where the signal leaves them.
+/// That instant is located as an event: the run ends with the sentence, or it is told once and the run goes
+/// on.
 struct Limit {
   enum class OnLeaving { ignore, warn, stop };
   std::string name;

@@ -117,7 +117,7 @@ struct Program {
   std::vector<Update> step_updates;  ///< At the beginning of each own step.
   std::vector<Range> ranges;
   std::vector<Bound> bounds;
-  std::vector<double> breaks;      ///< [s] where sources have a kink, ascending.
+  std::vector<double> breaks;      ///< Where sources have a kink [s], ascending.
   std::vector<Update> starts;      ///< Values at the start that come from signals.
   std::vector<Update> settled;     ///< Modes; at the start both are repeated until nothing changes.
   std::vector<double> image;       ///< At the start.

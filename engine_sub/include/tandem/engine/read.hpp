@@ -14,7 +14,7 @@ namespace tandem::engine {
 using ParameterValues = std::map<std::string, ParameterValue>;
 
 /// Parameters whose given value, where it names a file, must name one below a folder after links are
-/// resolved; the value that stands in the diagram, and those it allows by a list, may name any.
+/// resolved. The value that stands in the diagram, and values that it allows by a list, may name any file.
 struct FileBounds {
   std::filesystem::path folder = {};
   std::set<std::string> parameters = {};

@@ -74,9 +74,9 @@ class Simulation {
   double& slot(int which) { return system_.image()[static_cast<std::size_t>(which)]; }
   void watch_jumps();
   void note_left();
-  /// What makes outputs jump. Inputs that have jumped in a way that is no jump of theirs, as they are
-  /// extrapolated anew, may turn a switch that should have turned between: the switch is late then, which is
-  /// nothing of the outputs' own unless they are held.
+  /// What makes outputs jump. Inputs may have jumped in a way that is no jump of theirs, as they are
+  /// extrapolated anew. They may then turn a switch that should have turned between. That switch is late,
+  /// which is nothing of the outputs' own unless they are held.
   enum class By { events, inputs, break_of_inputs };
   By cause();
   bool has_jumped(By by);

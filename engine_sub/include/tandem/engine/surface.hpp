@@ -8,8 +8,8 @@
 namespace tandem::engine {
 
 /// A function of two variables through the points of a grid: bilinear, or along each axis the monotone cubic
-/// of Curve, first along y in the four rows around a point, then along x through what they gave. Once
-/// differentiable, and no overshoot along a line of the grid.
+/// of Curve. The cubic goes first along y in the four rows around a point, then along x through what they
+/// gave. Once differentiable, and no overshoot along a line of the grid.
 class Surface {
  public:
   struct Grid {

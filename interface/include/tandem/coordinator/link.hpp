@@ -17,9 +17,9 @@ namespace tandem {
 ///
 /// Reconstructions that follow the samples get one segment per sample of the source. The segment has its
 /// origin at that sample (the segment's right node); the segment of a held output has it at its begin, the
-/// sample's time. It is made once, when the sample is committed. So the signal depends on the samples alone,
-/// and many small calls read what one large call reads. Mean and matched hold depend on the reader's step and
-/// are made when it reads.
+/// sample's time. Each segment is made once, when the sample is committed. So the signal depends on the
+/// samples alone, and many small calls read what one large call reads. Mean and matched hold depend on the
+/// reader's step and are made when it reads.
 ///
 /// It is one class for all kinds, and long for that, as a time loop reads links without a virtual call; each
 /// kind has a source file of its own.
@@ -45,8 +45,7 @@ class alignas(64) Link {
   /// - After a jump of a lane its polynomials go through the samples from the jump on, and the segment there
   ///   is marked.
   /// - What is interpolated between two samples of which the older is passed over joins them all the same, as
-  ///   the reader has stood there. The polynomial goes through both, and behind the newer one another goes
-  ///   on.
+  ///   the reader has stood there. The polynomial goes through both; another goes on behind the newer one.
   /// - With degree 0 a line joins them, where an own step of `2 nearest` was cut.
   void pass_over(double nearest);
   /// Its source has events, or jumps with those of another. Before attach().

@@ -35,12 +35,12 @@ struct Structure {
   /// place, "FILE:LINE".
   std::vector<std::string> constraint_units, constraint_places;
   double length = 1.0;  ///< Of its parts [m]: default tolerances are in proportion to it.
-  /// Where coordinates are lengths and pure numbers both and `length` is far from 1 m: what each coordinate
-  /// and each Phi is multiplied with to become a length [m]. None: all 1. Steppers and the initial problems
-  /// go by lengths (coordinate x scale), so that one tolerance and one penalty serve all.
+  /// Where coordinates are lengths and pure numbers both and `length` is far from 1 m: the factor that makes
+  /// each coordinate and each Phi a length [m]. None: all 1. Steppers and the initial problems go by lengths
+  /// (coordinate x scale), so that one tolerance and one penalty serve all.
   std::vector<double> coordinate_scales = {}, constraint_scales = {};
-  double rounding =
-      0.0;  ///< What q as described leaves of a change (Euclidean): no default tolerance is below.
+  /// What q as described leaves of a change (Euclidean): no default tolerance is below.
+  double rounding = 0.0;
 
   /// The tolerance for changes of q that is set [m]; 0: this fraction of `length`.
   double tolerance(double set, double fraction) const {

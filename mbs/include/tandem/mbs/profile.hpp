@@ -5,18 +5,16 @@
 
 namespace tandem::mbs {
 
-/// What a step of index3 consists of (F. Gonzalez, doctoral thesis, A Coruna 2010): motion predicted and
-/// corrected; constraints, Jacobian, forces and their derivatives; assembly of the tangent; residual; its
-/// factorization; substitution in the iteration; the two projections, with their substitutions.
+/// What a step of index3 consists of (F. Gonzalez, doctoral thesis, A Coruna 2010).
 enum class Task {
-  update,
-  dynamic_terms,
-  tangent,
+  update,         ///< motion predicted and corrected
+  dynamic_terms,  ///< constraints, Jacobian, forces and their derivatives
+  tangent,        ///< its assembly
   residual,
-  factorization,
-  substitution,
-  velocity_projection,
-  acceleration_projection
+  factorization,           ///< of the tangent
+  substitution,            ///< in the iteration
+  velocity_projection,     ///< with its substitutions
+  acceleration_projection  ///< likewise
 };
 constexpr std::size_t task_count = 8;
 /// "dynamic terms" and so on, by Task.

@@ -32,8 +32,8 @@ class Stepper {
   virtual TangentFactors tangent_factors([[maybe_unused]] double h) const { return {0.0, 0.0, 0.0}; }
 
   /// Appends what it goes by besides the state, after a step or start(). With the state of that moment and
-  /// its memory put back, steps are the same to the last bit, also of another stepper of the same kind that
-  /// has started. recall() throws Error(invalid_argument) for the memory of another kind.
+  /// its memory put back, steps are the same to the last bit. That holds also for another stepper of the same
+  /// kind that has started. recall() throws Error(invalid_argument) for the memory of another kind.
   virtual void remember(std::vector<double>& /*to*/) const {}
   virtual void recall(std::span<const double> /*memory*/) {}
 };

@@ -11,12 +11,13 @@ extern "C" {
 #endif
 
 /* Serves instances of the subsystem; made to be the whole of a program's main. Arguments, from argv[1] on:
- *   --listen URI       at tcp://HOST:PORT (port 0: a free one) or unix:PATH; prints "serving at URI"
- *   --once             ends after one session, of a client that has said hello
- *   --sessions N       most sessions at a time (16)
- *   --deadline S       seconds for a frame to come, or to be taken, whole (5)
- *   --idle S           seconds to wait for the next request (3600)
- *   --allow-plaintext  also beyond this machine
+ * - `--listen URI`: at tcp://HOST:PORT (port 0: a free one) or unix:PATH; prints "serving at URI"
+ * - `--once`: ends after one session, of a client that has said hello
+ * - `--sessions N`: most sessions at a time (16)
+ * - `--deadline S`: seconds for a frame to come, or to be taken, whole (5)
+ * - `--idle S`: seconds to wait for the next request (3600)
+ * - `--allow-plaintext`: also beyond this machine
+ *
  * Without --listen it serves one session on the socket whose number the variable TANDEM_FD holds, as the URI
  * spawn:PROGRAM has it. With --listen each session is a process of its own (fork) with an instance of its
  * own; SIGTERM and SIGINT end the sessions and the server. Returns the program's exit status: 0; 1 if the

@@ -26,9 +26,9 @@ Words words_by(Setter setter, std::initializer_list<const char*> names);
 /// Both lists.
 Words operator+(Words a, const Words& b);
 
-/// Named values for the making of a subsystem, from a scenario, a URI or a client. Each is asked for by name
-/// and type; what nobody asked for is an error, so that a misspelt parameter never passes unseen. Once words
-/// are declared, no other may be asked for, and none of the operator's is taken from a client.
+/// Named values for the making of a subsystem, from a scenario, a URI or a client. The maker asks for each by
+/// name and type. What nobody asked for is an error, so that a misspelt parameter never passes unseen. Once
+/// words are declared, no other may be asked for, and none of the operator's is taken from a client.
 class Parameters {
  public:
   using Value = std::variant<double, bool, std::string>;
@@ -59,7 +59,7 @@ class Parameters {
   /// so that they read back as the same. Throws Error for a text that holds '&'.
   std::string rest();
 
-  /// Throws Error that names a value nobody asked for, and the names that were asked for.
+  /// Throws Error that names a value nobody asked for, and the names that somebody asked for.
   void refuse_unused(const std::string& owner) const;
 
  private:

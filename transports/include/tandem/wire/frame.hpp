@@ -13,8 +13,8 @@ namespace tandem::wire {
 constexpr std::uint32_t protocol_version = 1;
 constexpr std::size_t header_size = 16;  ///< bytes
 constexpr std::size_t type_place = 8;    ///< of the type in the header
-constexpr std::uint64_t usual_longest = std::uint64_t{1}
-                                        << 26;  ///< payload that is taken if nothing else is said
+/// Payload that is taken if nothing else is said.
+constexpr std::uint64_t usual_longest = std::uint64_t{1} << 26;
 constexpr std::uint64_t shortest_limit = 4096;  ///< the least that a peer has to take
 
 enum class Type : std::uint32_t {

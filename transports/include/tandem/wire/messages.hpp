@@ -52,7 +52,7 @@ struct Advance {
   std::vector<Signal> signals;
   std::vector<Segment> segments;
 };
-/// What is asked for besides the inputs.
+/// What the request asks for besides the inputs.
 struct Goal {
   double t_limit;
   bool land;
@@ -72,7 +72,7 @@ struct Sample {
 void put_sample(Writer& frame, double t, SamplePart part, std::span<const double> u);
 /// Into `request`, whose memory is used again. inputs: scalars that there are.
 void read_sample(std::span<const std::byte> payload, int inputs, Sample& request);
-/// Its reply: the outputs that were asked for, none of the states alone.
+/// Its reply: the outputs that the request asks for; none if it asks for the states alone.
 void put_sampled(Writer& frame, const Clock& clock, std::span<const double> y);
 /// Fills y, or refuses another number of outputs.
 Clock read_sampled(std::span<const std::byte> payload, std::span<double> y);

@@ -26,9 +26,9 @@ struct ServerSettings {
   bool once = false;       ///< One session, and no more; a peer that says no whole hello has none.
   SessionSettings session = {};
   std::function<void(const std::string&)> log;  ///< Is told what sessions begin, end and break; may be empty.
-  /// Called when sessions go on computing for a deadline after the server's end was asked for, with their
-  /// number: a model's computing can't be cut short but with the process. If it returns, or is empty, they
-  /// are waited for.
+  /// Called, with their number, when sessions go on computing for a deadline after somebody asked for the
+  /// server's end. A model's computing can't be cut short but with the process. If it returns, or is empty,
+  /// they are waited for.
   std::function<void(int)> overdue;
 };
 

@@ -13,8 +13,8 @@ struct AdaptiveSettings {
   double relative_tolerance = 1e-6, absolute_tolerance = 1e-9;  ///< Of each state.
   std::map<std::string, double> absolute_tolerances = {};       ///< Of states by name, instead of that.
   double longest_step = 0.0;                                    ///< [s]; 0: no limit.
-  double shortest_step = 0.0;                                   ///< [s] one that would be shorter is an error.
-  long most_steps = 1'000'000;  ///< Within one step that it is asked for; then it is an error.
+  double shortest_step = 0.0;                                   ///< [s]; a shorter one is an error.
+  long most_steps = 1'000'000;  ///< Within one step that the caller asks for; then it is an error.
 
   bool operator==(const AdaptiveSettings&) const = default;
 };
@@ -29,8 +29,8 @@ std::unique_ptr<Integrator> cvode_adams(const AdaptiveSettings& settings);
 std::unique_ptr<Integrator> cvode_bdf(const AdaptiveSettings& settings);
 /// ARKODE's ERKStep: the explicit Runge-Kutta pair of order 4 that it takes by default.
 std::unique_ptr<Integrator> erkstep(const AdaptiveSettings& settings);
-/// The same with steps as long as it is asked for, without error control; tolerances and most_steps must be
-/// as they are by default. Events are located on its interpolant of order 3.
+/// The same with steps as long as the caller asks for, without error control; tolerances and most_steps must
+/// be as they are by default. Events are located on its interpolant of order 3.
 std::unique_ptr<Integrator> erkstep_fixed(const AdaptiveSettings& settings);
 /// ARKODE's ARKStep with the diagonally implicit pair of order 4 that it takes by default, and Newton's
 /// method.

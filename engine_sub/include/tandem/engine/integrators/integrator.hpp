@@ -11,7 +11,7 @@ struct Statistics {
 };
 
 /// Why an integrator begins anew. At an event, or where an input jumps, it may use what it knows of the
-/// lengths of its steps; where a state is set it may not, so that what follows depends on the state alone.
+/// lengths of its steps. Where a state is set it may not, so that what follows depends on the state alone.
 enum class Restart { event, state };
 
 /// Moves the states of a system.

@@ -5,8 +5,8 @@
 
 namespace tandem::engine {
 
-/// ClassicalSteps, as long as it is asked for; if events are not to be located, a change of sign is seen at
-/// the end of the step.
+/// ClassicalSteps, as long as the caller asks for. If events are not to be located, a change of sign is seen
+/// at the end of the step.
 class RungeKutta4 final : public Integrator {
  public:
   explicit RungeKutta4(bool locate_events = true) : locate_events_(locate_events) {}

@@ -20,8 +20,8 @@ struct SubsystemSettings {
 /// that follows held values alone is held; one that an event makes jump comes with both rows there (ability
 /// `events`). A diagram whose outputs change at its blocks' periodic instants alone, and that has no states,
 /// is a sampled subsystem, which acts at the union of these instants. It remarks data that end before the run
-/// does and are not held, and tells what its integrator has done. Throws Error for a step that is not
-/// finite and above 0, or is given to a sampled one, and for what compile() and make_integrator() refuse.
+/// does and are not held, and tells what its integrator has done. Throws Error for a step that is not finite
+/// and above 0, or is given to a sampled one, and for what compile() and make_integrator() refuse.
 std::unique_ptr<Subsystem> make_subsystem(const Description& diagram, const SubsystemSettings& settings);
 
 }  // namespace tandem::engine

@@ -21,8 +21,8 @@ struct Index1Settings {
 /// Augmented Lagrangian of index 1 (E. Bayo, J. Garcia de Jalon, M. A. Serna, Comput. Methods Appl. Mech.
 /// Eng. 71 (1988) 183): M q'' + Phi_q^T lambda = Q, Phi_q q'' + rhs = 0, rhs as in Stabilized, by iteration
 /// of
-///   (M + alpha Phi_q^T Phi_q) q'' = Q - Phi_q^T (lambda + alpha rhs), then lambda <- lambda + alpha (Phi_q
-///   q'' + rhs)
+///   (M + alpha Phi_q^T Phi_q) q'' = Q - Phi_q^T (lambda + alpha rhs),
+///   then lambda <- lambda + alpha (Phi_q q'' + rhs)
 /// with one factor (Terms::settle, which writes it for differences). An error falls to the part
 /// 1/(1 + alpha sigma^2) in an iteration, sigma a singular value of Phi_q in the metric of the mass; with
 /// redundant constraints the multipliers are those of the least norm.

@@ -11,24 +11,24 @@ namespace tandem::mbs {
 class MergedFrequency;
 
 struct Index3Settings {
-  /// alpha; 0: 1e7 times the largest mass term, and (1 ms / h)^2 times that for steps h below 1 ms
+  /// alpha; 0: 1e7 times the largest mass term, and (1 ms / h)^2 times that for steps h below 1 ms.
   double penalty = 0.0;
-  /// [s]: shorter steps h, as those are that are cut at events, have own_step / h times alpha, and below a
-  /// fiftieth of it go on with the acceleration at their begin; 0: none is cut. make_subsystem() puts its own
-  /// step here
+  /// [s]. Shorter steps h, such as steps cut at events, have own_step / h times alpha. Steps below a fiftieth
+  /// of it go on with the acceleration at their begin. 0: none is cut. make_subsystem() puts its own step
+  /// here.
   double own_step = 0.0;
   double beta = 0.25;  ///< Newmark's, 1/12 to 1/4; gamma is 1/2. 1/4: the trapezoidal rule
-  /// Newton's iteration ends when |dq| (Euclidean) is below [m]; 0: 1e-10 of the model's length
+  /// Newton's iteration ends when |dq| (Euclidean) is below [m]; 0: 1e-10 of the model's length.
   double tolerance = 0.0;
   int most_iterations = 30;        ///< then it has failed
   int multiplier_iterations = 10;  ///< of these update the multipliers; the others keep them
-  /// of velocities and of accelerations at most; they end when a change is below tolerance / h, tolerance /
-  /// h^2
+  /// Of velocities and of accelerations at most. They end when a change of velocities is below tolerance / h,
+  /// of accelerations below tolerance / h^2.
   int projections = 10;
   bool carry_multipliers = false;  ///< a step begins with the multipliers of the one before, not with zero
   std::string solver = "auto";
-  /// that share the loops over a large model's constraints, variables and matrix entries; the states are the
-  /// same, bit for bit, with any number. More than 1 needs a build with OpenMP
+  /// Threads that share the loops over a large model's constraints, variables and matrix entries. The states
+  /// are the same, bit for bit, with any number. More than 1 needs a build with OpenMP.
   int threads = 1;
   int threads_from = 40000;  ///< loops over fewer elements are not shared (docs/threads.md)
 
@@ -48,13 +48,13 @@ bool threads_are_built_in();
 ///   T dv = -beta h^2 alpha Phi_q^T (Phi_q q' + Phi_t),  T da = -beta h^2 alpha Phi_q^T (Phi_q q'' + gamma).
 /// (The literature writes T q' = (T - beta h^2 alpha Phi_q^T Phi_q) q'* - beta h^2 alpha Phi_q^T Phi_t, which
 /// is the same.) The lambda that the iteration ends with belongs to the accelerations before the projection
-/// and is of order 1; what a step leaves in the state is, of order 2,
+/// and is of order 1. A step leaves another lambda in the state, of order 2:
 ///   lambda + beta h^2 alpha (Phi_q q'' + gamma) summed over q'' after each projection,
 /// since M da = -Phi_q^T beta h^2 alpha (Phi_q q'' + gamma) - (h/2 C + beta h^2 K) da.
 ///
 /// Steps that are cut: constraints are held by alpha h^2, so alpha rises as h falls. Newmark's accelerations
-/// are differences of positions, 4 dq / h^2, so that in the shortest steps they would be what the iteration
-/// leaves in dq: there they stay as they are, and velocities are off by h^2/2 times their rate.
+/// are differences of positions, 4 dq / h^2. In the shortest steps they would be what the iteration leaves in
+/// dq. There they stay as they are, and velocities are off by h^2/2 times their rate.
 class Index3 final : public Stepper {
  public:
   /// `model` must outlive it. Throws Error for a setting that is not allowed.
@@ -63,18 +63,19 @@ class Index3 final : public Stepper {
 
   /// By the augmented Lagrangian of index 1 (Terms::settle).
   void start(State& state) override;
-  /// With beta below 1/4 a step is refused, Error(numerical), for two reasons. First, omega h is above
-  /// 1/sqrt(1/4 - beta), omega the highest frequency of the motion that the constraints leave, looked at
-  /// in every fiftieth step. Second, all `projections` together leave so much of the error of velocities that
-  /// the next step makes it larger than it was: Newmark's formulas multiply it by newmark_growth(beta) where
-  /// Phi = 0 is held at both ends, and a projection leaves 1/(1 + beta h^2 alpha sigma^2), sigma a singular
-  /// value of Phi_q in the metric of the mass. That is a limit for steps that are too short.
+  /// With beta below 1/4 a step is refused, Error(numerical), for two reasons:
+  /// - omega h is above 1/sqrt(1/4 - beta), omega the highest frequency of the motion that the constraints
+  ///   leave, looked at in every fiftieth step.
+  /// - All `projections` together leave so much of the error of velocities that the next step makes it larger
+  ///   than it was. Newmark's formulas multiply the error by newmark_growth(beta) where Phi = 0 is held at
+  ///   both ends. A projection leaves 1/(1 + beta h^2 alpha sigma^2) of it, sigma a singular value of Phi_q
+  ///   in the metric of the mass. That is a limit for steps that are too short.
   int step(State& state, double h, double t_end) override;
-  /// Accelerations and multipliers change by what the forces do, and by gamma: what the projection has left
-  /// of the constraints stays left, as forcing it to zero where constraints hardly hold (a flat position)
-  /// would make accelerations without bound. As start(), but with the tangent of the last step; if that has
-  /// not settled after ten substitutions (the steps are too short for that), with one of its own, from then
-  /// on always. What has not settled then, where constraints hardly hold, stays as it is.
+  /// Accelerations and multipliers change by what the forces do, and by gamma. What the projection has left
+  /// of the constraints stays left: forcing it to zero where constraints hardly hold (a flat position) would
+  /// make accelerations without bound. As start(), but with the tangent of the last step. If that has not
+  /// settled after ten substitutions (the steps are too short for that), with one of its own, from then on
+  /// always. What has not settled then, where constraints hardly hold, stays as it is.
   void refresh(State& state) override;
   TangentFactors tangent_factors(double h) const override;
   void remember(std::vector<double>& to) const override;
@@ -103,7 +104,7 @@ class Index3 final : public Stepper {
   std::unique_ptr<MergedFrequency> highest_;  ///< With beta below 1/4.
   double frequency_ = 0.0;  ///< The highest when it was looked at last, with beta below 1/4 [rad/s].
   long steps_ = 0;          ///< With beta below 1/4.
-  bool needs_own_ = false;  ///< refresh() could not do with the tangent of a step.
+  bool needs_own_ = false;  ///< `refresh()` could not do with the tangent of a step.
 };
 
 }  // namespace tandem::mbs

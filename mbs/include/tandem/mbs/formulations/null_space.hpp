@@ -19,8 +19,8 @@ struct NullSpaceSettings {
 /// z; dependent ones follow from Phi = 0 by Newton's method, their rates from Phi_q q' + Phi_t = 0. With
 /// q'' = R z'' + c, where the columns of R span the null space of Phi_q and Phi_q c = -gamma,
 ///   R^T M R z'' = R^T (Q - M c),  and Phi_q^T lambda = Q - M q'', of the least norm where it is not unique.
-/// A QR decomposition of Phi_q with pivoting chooses: rows that depend on others do no harm, and the choice
-/// stays for as long as its last pivot is above half of that of a new one. No penalty, no Newmark, dense
+/// A QR decomposition of Phi_q with pivoting chooses. Rows that depend on others do no harm. The choice stays
+/// for as long as its last pivot is above half of the last pivot of a new one. No penalty, no Newmark, dense
 /// matrices: an independent check of the other formulations, for small models. It allocates.
 class NullSpace final : public Formulation {
  public:

@@ -18,10 +18,11 @@ struct PenaltySettings {
 /// Penalty formulation (E. Bayo, J. Garcia de Jalon, M. A. Serna, Comput. Methods Appl. Mech. Eng. 71 (1988)
 /// 183), rhs as in Stabilized:
 ///   (M + alpha Phi_q^T Phi_q) q'' = Q - alpha Phi_q^T rhs,  lambda = alpha (Phi_q q'' + rhs).
-/// It is solved for the difference to the accelerations at hand, q'' <- q'' + T^-1 [Q - M q'' - alpha Phi_q^T
-/// (Phi_q q'' + rhs)], which is the same but for rounding: alpha rhs is not rounded into free directions.
-/// Constraints are satisfied to rest at Phi = lambda/(alpha omega^2); with omega = 0 they drift, as far as
-/// Stabilized lets them.
+/// It is solved for the difference to the accelerations at hand,
+///   q'' <- q'' + T^-1 [Q - M q'' - alpha Phi_q^T (Phi_q q'' + rhs)],
+/// which is the same but for rounding: alpha rhs is not rounded into free directions. Constraints are
+/// satisfied to rest at Phi = lambda/(alpha omega^2); with omega = 0 they drift, as far as Stabilized lets
+/// them.
 class Penalty final : public Stabilized {
  public:
   Penalty(Model& model, const PenaltySettings& settings);

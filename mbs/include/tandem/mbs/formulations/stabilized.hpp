@@ -13,8 +13,8 @@ namespace tandem::mbs {
 /// (J. Baumgarte, Comput. Methods Appl. Mech. Eng. 1 (1972) 1). They leave a constraint that steps let drift,
 /// by d [1/s] of Phi, off by 2 xi d/omega. Where that is more than a tenth of what Terms::refuse_lost()
 /// allows, a step ends with a projection of positions onto that tenth,
-///   dq = -T^-1 alpha Phi_q^T (Phi - the tenth),
-/// and with the accelerations that belong to them.
+///   dq = -T^-1 alpha Phi_q^T (Phi - the tenth).
+/// It ends then with the accelerations that belong to these positions.
 class Stabilized : public Formulation {
  public:
   int size() const override { return terms_.structure.variables; }

@@ -16,9 +16,9 @@ struct Terms {
 
   /// Phi and Phi_q^T.
   void constraints(const State& s);
-  /// At the end of a step, after constraints(): Error(numerical) names the constraint and the time where
-  /// Phi_q^T has a column that vanishes (below 1e-12 of the largest), or a constraint is lost: |Phi| above a
-  /// hundredth of its size.
+  /// At the end of a step, after constraints(). Error(numerical) names the constraint and the time where
+  /// Phi_q^T has a column that vanishes (below 1e-12 of the largest). It does so too where a constraint is
+  /// lost: |Phi| above a hundredth of its size.
   void refuse_lost(const State& s) const;
   /// error <- what is left of Phi beyond a tenth of that; whether there is anything.
   bool nearly_lost();
@@ -45,13 +45,13 @@ struct Terms {
   /// x <- x - T^-1 Phi_q^T weight error.
   void project(Eigen::VectorXd& x, double weight);
 
-  /// Augmented Lagrangian of index 1 from the a, lambda and error = Phi_q a + rhs at hand, after forces() and
-  /// factorize(): with e the error
+  /// Augmented Lagrangian of index 1 from the a, lambda and error e = Phi_q a + rhs at hand. Precondition:
+  /// forces() and factorize() came before. It repeats
   ///   a <- a + T^-1 [Q - M a - Phi_q^T (lambda + penalty e)], then lambda <- lambda + penalty e
-  /// until the next |da|, at the rate of the last two, is <= tolerance (|a| + |Q| / largest mass term).
-  /// penalty: that in T; other terms in T change the way but not the end. The residual, not the right-hand
-  /// side, is multiplied by T^-1 as in the second penalty |rhs| is lost to rounding. Returns the iterations,
-  /// 0 if these were not enough.
+  /// until the next |da|, at the rate of the last two, is <= tolerance (|a| + |Q| / largest mass term). The
+  /// residual, not the right-hand side, is multiplied by T^-1, as in the second penalty |rhs| is lost to
+  /// rounding. Returns the iterations, 0 if these were not enough.
+  /// - penalty: the penalty in T; other terms in T change the way but not the end.
   int settle(State& s, double penalty, double tolerance, int most);
 
   /// T, not factorized.

@@ -30,12 +30,15 @@ struct GeneralizedAlphaSettings {
 /// alpha_m = (2 rho - 1)/(rho + 1), alpha_f = rho/(rho + 1), gamma = 1/2 - alpha_m + alpha_f,
 /// beta = (1 - alpha_m + alpha_f)^2/4. Between steps it keeps w - f; a motion that jumps keeps it too.
 ///
-/// f+ comes from fixed-point iteration, from f on, until gamma h |df| <= tolerance
-/// (Euclidean, absolute: forces that balance leave rounding; by default not below that of v); it converges
-/// for beta (omega h)^2 < 1 (Newmark). With beta < 1/4 Newmark's method is stable for omega h < 1/sqrt(1/4 -
-/// beta), whatever the damping (T. Hughes, The Finite Element Method, 1987, sect. 9.1): every fiftieth step,
-/// the first of them, begins with the spectral radius omega^2 of df/dy by power iteration with differences,
-/// in 100 evaluations, and a step beyond the limit is refused.
+/// f+ comes from fixed-point iteration, from f on, until gamma h |df| <= tolerance (Euclidean, absolute:
+/// forces that balance leave rounding; by default not below that of v). It converges for beta (omega h)^2 < 1
+/// (Newmark).
+///
+/// With beta < 1/4 Newmark's method is stable for
+///   omega h < 1/sqrt(1/4 - beta),
+/// whatever the damping (T. Hughes, The Finite Element Method, 1987, sect. 9.1). Every fiftieth step, the
+/// first of them, begins with the spectral radius omega^2 of df/dy by power iteration with differences, in
+/// 100 evaluations. A step beyond the limit is refused.
 class NewmarkFamily final : public Integrator {
  public:
   /// Throw Error for a setting that is not allowed.

@@ -7,7 +7,7 @@
 
 namespace tandem::mbs {
 
-/// A body's share in the constant mass matrix and in the weights, by the entities that define it: points p of
+/// A body's share in the constant mass matrix and in the weights, by the entities that define it. Points p of
 /// the body are r = sum_k c_k(p) e_k with coefficients c_k that do not change (J. Garcia de Jalon, E. Bayo,
 /// Kinematic and Dynamic Simulation of Multibody Systems, 1994, ch. 4).
 struct BodyMass {
@@ -16,9 +16,12 @@ struct BodyMass {
   Eigen::MatrixXd weight;     ///< dim k x dim: times gravity it gives the forces on the entities [kg]
 };
 
-/// Throws Error with the body's name for a mass that is not positive, a size that can't be squared, an
-/// inertia that no body has, points and vectors that don't span where its mass is, and a body with no two of
-/// them apart.
+/// Throws Error with the body's name for:
+/// - a mass that is not positive;
+/// - a size that can't be squared;
+/// - an inertia that no body has;
+/// - points and vectors that don't span where its mass is;
+/// - a body with no two of them apart.
 BodyMass body_mass(const Description& in, const Body& body);
 
 /// True for lengths [m] whose squares and inverse squares are numbers of full precision: 1e-100 to 1e100.

@@ -65,10 +65,13 @@ struct Link {
   std::string where = {};
 };
 
-/// A coordinate more: the angle from edge a to edge b [rad], counterclockwise about `axis` (a vector, in
-/// space), which may turn over and over; the distance of two points [m], a alone, or of two places of
-/// carriers; a free one, which nothing defines but the equations and forces that name it; or a state, whose
-/// rate is a quantity of first order and which has mass 1: the force on it is that rate's derivative.
+/// A coordinate more:
+/// - the angle from edge a to edge b [rad], counterclockwise about `axis` (a vector, in space), which may
+///   turn over and over;
+/// - the distance of two points [m], a alone, or of two places of carriers;
+/// - a free one, which nothing defines but the equations and forces that name it;
+/// - a state, whose rate is a quantity of first order and which has mass 1: the force on it is that rate's
+///   derivative.
 struct Relative {
   enum class Kind { angle, length, free, state };
   std::string name;

@@ -29,9 +29,9 @@ struct Body {
   std::vector<int> entities;                         ///< at least one point
   double mass = 0.0;                                 ///< [kg]
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< [m]
-  Eigen::Matrix3d inertia =
-      Eigen::Matrix3d::Zero();  ///< about the centre [kg m^2]; in the plane (2, 2) counts
-  bool free = false;            ///< may be connected to nothing else
+  /// About the centre [kg m^2]; in the plane (2, 2) counts.
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+  bool free = false;  ///< may be connected to nothing else
   std::string where = {};
   std::vector<int> basis = {};  ///< of the entities those that define it; empty: the first that can
 };

@@ -63,10 +63,12 @@ struct Force {
   double gain = 1.0;
 };
 
-/// A quantity to be read of a mechanism. Reactions are those of the support on the mechanism: of a drive
-/// [N or N m], of a fixed point along an axis [N], of a fixed vector [N m]; or, on a body, what joints,
-/// springs and forces do to it at a point or vector of its own. drift: of the energy since the start [J].
-/// Residuals: the largest of Phi, Phi_q q' + Phi_t, Phi_q q'' + gamma, in the units of the constraints.
+/// A quantity to be read of a mechanism:
+/// - Reactions of the support on the mechanism: of a drive [N or N m], of a fixed point along an axis [N], of
+///   a fixed vector [N m].
+/// - Reactions on a body: what joints, springs and forces do to it at a point or vector of its own.
+/// - drift: of the energy since the start [J].
+/// - Residuals: the largest of Phi, Phi_q q' + Phi_t, Phi_q q'' + gamma, in the units of the constraints.
 struct Output {
   enum class Kind {
     position,

@@ -18,11 +18,11 @@ struct Mode {
   double damping() const;    ///< ratio -Re p / |p|; 1 or -1 where nothing oscillates
 };
 
-/// Those of M q'' = Q - Phi_q^T lambda about a state at rest (accelerations and velocities count as zero but
-/// in Q), with the constraints' curvature: M_r = R^T M R and so on, R a basis of what the constraints leave
-/// (J. Garcia de Jalon, E. Bayo, 1994, ch. 5), K and C by central differences. Of each pair of conjugate
-/// solutions one; by ascending frequency; none where the constraints leave no motion. Throws Error for a
-/// motion without mass, and where an input has no value.
+/// The modes of M q'' = Q - Phi_q^T lambda about a state at rest (accelerations and velocities count as zero
+/// but in Q), with the constraints' curvature. M_r = R^T M R and so on, R a basis of what the constraints
+/// leave (J. Garcia de Jalon, E. Bayo, 1994, ch. 5), K and C by central differences. Of each pair of
+/// conjugate solutions one; by ascending frequency; none where the constraints leave no motion. Throws Error
+/// for a motion without mass, and where an input has no value.
 std::vector<Mode> modes(Model& model, const State& state);
 
 /// What has how much of a mode's kinetic energy: a body along or about an axis of the drawing ("chassis about

@@ -10,9 +10,9 @@ namespace tandem::mbs {
 struct ModelMatrices;
 struct TangentFactors;
 
-/// Eliminates a model's states (Structure::states) from its tangent by hand: with d the diagonal entry of a
-/// state, c its column and r its row, A - c r / d is left, of which the symmetric part stands for the rest,
-/// and a solution takes two multiplications by c and r more.
+/// Eliminates a model's states (Structure::states) from its tangent by hand. With d the diagonal entry of a
+/// state, c its column and r its row, A - c r / d is left. The symmetric part of that stands for the rest. A
+/// solution takes two multiplications by c and r more.
 class CondensedStates {
  public:
   CondensedStates(const Structure& structure, const Layout& layout);

@@ -28,7 +28,7 @@ class Pattern {
     int start;     ///< Position of the first entry.
     int groups;    ///< Of entries, in each column.
     int together;  ///< Rows of a group: 2 or 3 if entries come in pairs or triples of rows without a gap.
-    int abreast;  ///< 2 or 3 if entries stand alone: of so many columns each has the rows of the last, plus 1.
+    int abreast;  ///< 2 or 3 if entries stand alone: of so many columns each has the last one's rows, plus 1.
     bool operator==(const Run&) const = default;
   };
   std::span<const Run> runs() const { return runs_; }

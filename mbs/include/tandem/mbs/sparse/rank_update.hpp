@@ -10,12 +10,12 @@
 
 namespace tandem::mbs {
 
-/// base + factor A A^T at given entries, A in compressed columns (Phi_q^T alpha Phi_q: A = Phi_q^T): a
-/// symmetric rank-k update, prepared as a list of where the products of each column with itself go
-/// (F. Gonzalez, doctoral thesis, A Coruna 2010, chapter 3), the rows of a point together where they stand
-/// together. The columns of an A of 4000 or more are coloured: those of one colour have no row in common, so
-/// threads can share them, and sums are the same with any number of threads. Those of a smaller one are not
-/// shared.
+/// base + factor A A^T at given entries, A in compressed columns (Phi_q^T alpha Phi_q: A = Phi_q^T). This
+/// symmetric rank-k update is prepared as a list of where the products of each column with itself go (F.
+/// Gonzalez, doctoral thesis, A Coruna 2010, chapter 3). The rows of a point go together where they stand
+/// together. The columns of an A of 4000 or more are coloured: columns of one colour have no row in common,
+/// so threads can share them, and sums are the same with any number of threads. The columns of a smaller A
+/// are not shared.
 class RankUpdate {
  public:
   /// layout: by position of the result the (row, column) it holds; (-1, -1) for none. Precondition: it has
@@ -25,16 +25,16 @@ class RankUpdate {
   void run(const double* a, double factor, const double* base, double* result) const;
 
  private:
-  /// Columns of A of one colour with equally many blocks of equally many rows, so that nothing is asked
-  /// within.
+  /// Columns of A of one colour with equally many blocks of equally many rows, so that the loop within needs
+  /// no condition.
   struct Group {
     int blocks, together;
     std::vector<std::int32_t> starts;   ///< by column: its first position in A
     std::vector<std::int32_t> targets;  ///< where its products go, in the order of add_products()
   };
   std::vector<Group> groups_;
-  std::vector<std::pair<std::int32_t, std::int32_t>>
-      copies_;        ///< (from, to): entries that the layout names again
+  /// (from, to): entries that the layout names again
+  std::vector<std::pair<std::int32_t, std::int32_t>> copies_;
   std::size_t size_;  ///< of the result
   bool coloured_, both_;
 };

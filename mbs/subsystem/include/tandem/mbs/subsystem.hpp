@@ -32,11 +32,11 @@ struct SubsystemSettings {
 /// function of time (a force, a torque, a prescribed motion, of which the signal's derivatives are used too);
 /// outputs are the description's. Positions come with their first two derivatives by time, velocities with
 /// their first. A position or velocity does not follow a force at once, an acceleration or reaction does; a
-/// prescribed motion is followed by all. Inputs are read at the end of each own step, and at its beginning:
-/// where they differ from what they were at the end of the step before, accelerations and multipliers are
-/// computed anew first (a held input would ruin the trapezoidal rule otherwise). A step may be cut (lands).
-/// Limits are looked at where a run begins and at the end of each own step. It remarks constraints that say
-/// nothing beside the others where it stands (freedom.hpp), and data that end before the run does.
+/// prescribed motion is followed by all. Inputs are read at the end of each own step, and at its beginning.
+/// Where they differ there from what they were at the end of the step before, accelerations and multipliers
+/// are computed anew first (a held input would ruin the trapezoidal rule otherwise). A step may be cut
+/// (lands). Limits are looked at where a run begins and at the end of each own step. It remarks constraints
+/// that say nothing beside the others where it stands (freedom.hpp), and data that end before the run does.
 /// Throws Error for a step that is not finite and above 0, and for what Mechanism and make_stepper() refuse.
 std::unique_ptr<Subsystem> make_subsystem(Description description, const SubsystemSettings& settings);
 

@@ -41,9 +41,11 @@ class Assembly {
 /// A sentence about a subsystem that lives elsewhere, with its address if that is not in it yet.
 std::string with_address(const Scenario& scenario, const Builtins& builtins, std::string sentence);
 
-/// What `validate` tells of a run that is initialized, beyond its notes: rings of any length in which a
-/// leader feeds an input through that it extrapolates; and the order in which those with events lead their
-/// readers. Nothing that only a trial can tell.
+/// What `validate` tells of a run that is initialized, beyond its notes:
+/// - rings of any length in which a leader feeds an input through that it extrapolates;
+/// - the order in which subsystems with events lead their readers.
+///
+/// Nothing that only a trial can tell.
 std::vector<std::string> advice(const Coordinator& run);
 
 }  // namespace tandem::scenario

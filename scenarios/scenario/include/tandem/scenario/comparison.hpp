@@ -19,8 +19,8 @@ struct Measure {
   double from = -std::numeric_limits<double>::infinity();
   double to = std::numeric_limits<double>::infinity();  ///< [s]: the times of B that count
   double shift = 0.0;  ///< [s]: A may be so much earlier or later than B as a whole
-  bool lines =
-      true;  ///< straight lines count where one has no row and no derivative; else such times are left out
+  /// Straight lines count where one has no row and no derivative; else such times are left out.
+  bool lines = true;
 
   bool operator==(const Measure&) const = default;
 };
@@ -28,15 +28,15 @@ struct Measure {
 /// How one column of two results differs.
 struct Difference {
   std::string column;
-  double time = 0.0;  ///< [s] of A, where it differs most.
+  double time = 0.0;  ///< Time of A where it differs most [s].
   double a = 0.0, b = 0.0;
-  double absolute = 0.0;  ///< |a - b|.
+  double absolute = 0.0;  ///< The difference |a - b|.
   double peak = 0.0;  ///< Largest magnitude of the column in B at the times that count (in A where it is 0).
-  double relative = 0.0;      ///< Absolute, divided by peak.
+  double relative = 0.0;      ///< `absolute`, divided by `peak`.
   double rms = 0.0;           ///< Of a - b over the compared times.
   double rms_of = 0.0;        ///< Of the column in B at these times (in A where it is 0).
-  double relative_rms = 0.0;  ///< Rms, divided by rms_of.
-  double end = 0.0;           ///< |a - b| at the last compared time.
+  double relative_rms = 0.0;  ///< `rms`, divided by `rms_of`.
+  double end = 0.0;           ///< The difference |a - b| at the last compared time.
   std::size_t compared = 0;   ///< Values.
 
   double size(Norm norm) const { return norm == Norm::max ? relative : relative_rms; }
@@ -48,7 +48,7 @@ struct Comparison {
   std::size_t interpolated = 0;         ///< Of these, times at which the other one has no row.
   std::vector<std::string> linear;      ///< Columns that are interpolated by straight lines there.
   std::string at;                       ///< The file whose times these are.
-  double shift = 0.0;                   ///< [s]: by how much A is later than B, in the measure's bounds.
+  double shift = 0.0;                   ///< By how much A is later than B [s], in the measure's bounds.
   std::vector<std::string> uncompared;  ///< Sentences: columns and times that only one of them has.
 };
 

@@ -19,7 +19,7 @@ struct Course {
   };
   std::size_t values;
   std::optional<std::size_t> derivatives;  ///< Its column der(NAME), where there is one.
-  mutable Cubic cubic = {};                ///< That was asked for last.
+  mutable Cubic cubic = {};                ///< The one that somebody asked for last.
 };
 
 /// The columns of a table as functions of time, at times that are asked for in rising order.

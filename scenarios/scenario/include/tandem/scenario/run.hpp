@@ -11,11 +11,11 @@
 
 namespace tandem::scenario {
 
-/// What a run is asked for beside its scenario.
+/// What the caller says of a run beside its scenario.
 struct RunSettings {
   std::filesystem::path folder;                 ///< Of its results; it is made if it is not there.
   std::filesystem::path resume = {};            ///< A checkpoint that the run goes on from; empty: none.
-  std::optional<double> checkpoint_every = {};  ///< [s], simulated: so often FOLDER/checkpoint is written.
+  std::optional<double> checkpoint_every = {};  ///< FOLDER/checkpoint is written so often [s], simulated.
   int threads = 1;                              ///< Coordination::threads.
   bool profile = false;                         ///< Coordination::profile.
   bool compares = true;                         ///< With the reference that the scenario names.
@@ -37,9 +37,13 @@ struct RunEnd {
 };
 
 /// One run, from a scenario that was read to its results: results.csv (or results.INSTANCE.csv with
-/// record.clock = "own"), results.json and machine.json. results.json says "running" before any row is
-/// written, and how it ended at last: nobody finds the status of an earlier run beside the rows of this one.
-/// Order of calls: start, finish.
+/// record.clock = "own"), results.json and machine.json. The file results.json says "running" before any row
+/// is written, and how it ended at last: nobody finds the status of an earlier run beside the rows of this
+/// one.
+///
+/// Order of calls:
+/// 1. start
+/// 2. finish
 class Run {
  public:
   /// Opens the subsystems and keeps the folder for this run alone. `scenario` and `builtins` must outlive it.

@@ -119,8 +119,8 @@ struct Scenario {
 
   std::vector<std::string> overrides;  ///< "KEY=VALUE"
   std::string values;                  ///< the file with the overrides in it, as JSON
-  std::map<std::string, Place>
-      places;  ///< of single keys by their path, "coordination.order"; absent: the file
+  /// Of single keys by their path, "coordination.order"; absent: the file.
+  std::map<std::string, Place> places;
 
   Place place(const std::string& key) const;
   /// The place that an error's sentence is about: of the connection, key or subsystem that it names, else the

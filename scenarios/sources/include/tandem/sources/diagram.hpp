@@ -17,7 +17,8 @@ using TellOfDiagram = std::function<void(const std::string&)>;
 /// chosen by the names of IntegratorSettings and AdaptiveSettings, and the diagram's own parameters. What is
 /// not given is taken from the file's table [run], else by default; `step` must be given. A client of a
 /// server may set the diagram's own parameters too, but names files only below the folder of the diagram's
-/// file, besides those that stand in it. kinds: of blocks, besides those that are built in.
+/// file, besides those that stand in it.
+/// - kinds: of blocks, besides those that are built in.
 std::unique_ptr<Subsystem> make_diagram(const SourceFile& file, Parameters& parameters,
                                         std::vector<engine::CompiledBlock> kinds = {},
                                         const TellOfDiagram& tell = {});

@@ -6,7 +6,8 @@
 namespace tandem {
 
 /// Values in `p` of the parameters that a mechanism's or diagram's file declares, which are a client's to
-/// give. settings: the words of its source, of which no parameter may have the name: one value would be both.
+/// give.
+/// - settings: the words of its source, of which no parameter may have the name: one value would be both.
 text::GivenValues take_file_parameters(const text::Document& document, const Words& settings, Parameters& p);
 
 /// Refuses a client's word that the file does not have or allow, as it may name a file.

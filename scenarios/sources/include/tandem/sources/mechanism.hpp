@@ -13,13 +13,18 @@ namespace tandem {
 /// begins with `name`.
 std::vector<double> matrix_times(const std::string& name, const std::string& text);
 
-/// A mechanism's file as a subsystem. Parameters: `step` [s]; `formulation` and `integrator` by name, and the
-/// settings of the two that are chosen, by the names of StepperSettings; `animate`, which adds an output for
-/// each coordinate of each point and of vectors that move (`tandem view` draws them); `matrices`, a folder
-/// for those of steps, `matrices_at` (times [s] with commas between; by default the start) and
-/// `matrices_format` (mtx, ccs). What is not given is taken from the file's table [run], else by default;
-/// `step` must be given. kinds: of elements, besides those that are built in. tell: takes what a limit of the
-/// file tells.
+/// A mechanism's file as a subsystem. Parameters:
+/// - `step` [s];
+/// - `formulation` and `integrator` by name, and the settings of the two that are chosen, by the names of
+///   StepperSettings;
+/// - `animate`, which adds an output for each coordinate of each point and of vectors that move
+///   (`tandem view` draws them);
+/// - `matrices`, a folder for the matrices of steps;
+/// - `matrices_at` (times [s] with commas between; by default the start) and `matrices_format` (mtx, ccs).
+///
+/// What is not given is taken from the file's table [run], else by default; `step` must be given.
+/// - kinds: of elements, besides those that are built in.
+/// - tell: takes what a limit of the file tells.
 std::unique_ptr<Subsystem> make_mechanism(const SourceFile& file, Parameters& parameters,
                                           const mbs::ElementKinds& kinds = {},
                                           const mbs::TellOfLimit& tell = {});

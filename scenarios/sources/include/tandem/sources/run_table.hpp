@@ -5,8 +5,8 @@
 
 namespace tandem {
 
-/// Takes the values of a file's table [run] that are not given yet, but for start, stop and
-/// tables (inputs), which belong to who runs it alone.
+/// Takes the values of a file's table [run] that are not given yet, but for start, stop and tables (inputs),
+/// which belong to who runs it alone.
 void take_run_table(const text::Document& document, Parameters& to);
 
 }  // namespace tandem

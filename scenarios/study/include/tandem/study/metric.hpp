@@ -39,7 +39,7 @@ struct Metric {
     output,     ///< A norm of an output's difference from a reference, or of the output itself.
     signal,     ///< A norm of an expression over time.
     drift,      ///< The same of its departure from its start.
-    order,      ///< log2 of the ratio of a metric to what it is with all own steps halved.
+    order,      ///< The log2 of the ratio of a metric to what it is with all own steps halved.
     formula,    ///< Of other metrics and columns.
     exchanges,  ///< Calls of subsystems, all together.
     steps,      ///< Own steps of a subsystem.

@@ -8,10 +8,10 @@
 
 namespace tandem::study {
 
-/// The study of a scenario that has none, as a text in the language of studies: every schedule with one
-/// reconstruction for all connections, and own steps halved, as they are and doubled; at most 96 rows. Held
-/// outputs keep their reconstruction. Its table is `schemes`, its reference fastest-first with steps of a
-/// sixteenth. Rows are judged by the scenario's [judge], else by every connected output, 1 % of its peak.
+/// The study of a scenario that has none, as a text in the language of studies. It has every schedule with
+/// one reconstruction for all connections, and own steps halved, as they are and doubled; at most 96 rows.
+/// Held outputs keep their reconstruction. Its table is `schemes`, its reference fastest-first with steps of
+/// a sixteenth. Rows are judged by the scenario's [judge], else by every connected output, 1 % of its peak.
 /// Throws Error for a scenario that can't be opened, or has no connection.
 std::string standing_study(const scenario::Scenario& scenario, const Builtins& builtins);
 

@@ -42,7 +42,7 @@ struct Reference {
   std::vector<std::string> per = {};                ///< Columns: one run for each of the values of a table's.
   std::vector<Given> with = {};                     ///< Values of other columns in it.
   std::vector<Given> set = {};                      ///< Besides what the study sets.
-  std::map<std::string, std::string> outputs = {};  ///< Of judged outputs, those that have another name in it.
+  std::map<std::string, std::string> outputs = {};  ///< Of judged outputs the ones with another name in it.
   bool floor = false;                               ///< Its own error is told, by a run with half its steps.
   Place place = {};
 };

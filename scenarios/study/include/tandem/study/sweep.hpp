@@ -14,21 +14,21 @@
 
 namespace tandem::study {
 
-/// What a sweep is asked for beside its study.
+/// What the caller says of a sweep beside its study.
 struct SweepSettings {
   std::filesystem::path folder;             ///< Of its tables; it is made if it is not there.
   std::vector<std::string> overrides = {};  ///< "KEY=VALUE" of the study's scenario.
   CodedMetrics metrics = {};                ///< That the study may name.
   unsigned threads = 1;                     ///< Rows that are run at the same time, unless they are timed.
-  bool resume = false;  ///< Keep the rows that are there, if nothing that made them has changed.
+  bool resume = false;     ///< Keep the rows that are there, if nothing that made them has changed.
   Ranks* ranks = nullptr;  ///< Processes that share it, of which this is one; threads has no meaning then.
 };
 
 /// Who listens to a sweep: called by the thread that sweeps, now and then.
 struct SweepListener {
   std::function<bool()> going = {};  ///< false: the sweep ends there, interrupted
-  std::function<void(const char* what, std::size_t done, std::size_t all)> come =
-      {};  ///< "references", "rows" or "timed rows"
+  /// what: "references", "rows" or "timed rows".
+  std::function<void(const char* what, std::size_t done, std::size_t all)> come = {};
 };
 
 /// How a sweep ended.
@@ -56,9 +56,10 @@ class Sweep {
   /// What it would do, in lines: tables, references, and the rows that would be refused. Nothing is written.
   std::vector<std::string> plan();
 
-  /// Throws Error(input_output) for a file that can't be written, with the rows kept that are finished; any
-  /// other for what is wrong with the study: an output that is not there, a reference that can't be read, all
-  /// rows refused. With ranks each of them calls it; those above 0 return when rank 0 has ended, with nothing.
+  /// Throws Error(input_output) for a file that can't be written, with the rows kept that are finished. It
+  /// throws any other Error for what is wrong with the study: an output that is not there, a reference that
+  /// can't be read, all rows refused. With ranks each of them calls it; ranks above 0 return when rank 0 has
+  /// ended, with nothing.
   SweepEnd run(const SweepListener& listener = {});
 
  private:

@@ -9,10 +9,12 @@
 
 namespace tandem::fmi {
 
-/// A zip file that a stranger may have made. All is read from the file itself, nothing is believed: names
-/// that lead elsewhere ("..", "/x", "a\\b"), links, names that are there twice, what is encrypted, too many
-/// files, more bytes than allowed, and bytes that are not those that were packed are refused with
-/// Error(input_output) that names the archive and the file in it.
+/// A zip file that a stranger may have made. All is read from the file itself, nothing is believed.
+/// Error(input_output) that names the archive and the file in it refuses:
+/// - names that lead elsewhere ("..", "/x", "a\\b"), links, names that are there twice;
+/// - what is encrypted;
+/// - too many files, more bytes than allowed;
+/// - bytes that are not the bytes that were packed.
 class Archive {
  public:
   static constexpr std::uint64_t most_files = 65536;

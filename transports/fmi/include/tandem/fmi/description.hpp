@@ -56,8 +56,8 @@ struct Description {
   int event_indicators = 0;
   Experiment experiment;
   std::vector<Variable> variables;
-  std::vector<Unknown> outputs,
-      derivatives;  ///< of the model's structure; derivatives: of its states, in order
+  /// Of the model's structure; derivatives: of its states, in order.
+  std::vector<Unknown> outputs, derivatives;
 };
 
 /// Reads the text of a modelDescription.xml. Nothing that it names is looked for. `file`: how errors call it.

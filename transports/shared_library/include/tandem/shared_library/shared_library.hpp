@@ -13,8 +13,8 @@ inline constexpr const char* default_entry = "tandem_subsystem";
 
 /// A new instance of the subsystem in a shared library that exports `entry` (tandem_subsystem_entry of
 /// subsystem.h). The library stays loaded as long as the instance lives; one library may have any number of
-/// instances. Throws Error that names the file for one that is not there or can't be loaded, a symbol that
-/// is missing, and all that CSubsystem refuses.
+/// instances. Throws Error that names the file for one that is not there or can't be loaded, a symbol that is
+/// missing, and all that CSubsystem refuses.
 std::unique_ptr<Subsystem> load_subsystem(const std::filesystem::path& file, const std::string& entry,
                                           const std::string& parameters);
 

@@ -9,13 +9,11 @@
 
 namespace tandem {
 
-/// What a library of three functions does not say of itself. They are, in C,
-/// @code
-/// void initiate(void);                                /* puts its state at the start */
-/// void step(const double* inputs, double* outputs);   /* one step: takes the inputs of its beginning,
-///                                                        gives the outputs of its end */
-/// void clean_up(void);                                /* before it is initiated again or leaves */
-/// @endcode
+/// What a library of three functions does not say of itself. They are, in C:
+/// - `void initiate(void)`: puts its state at the start.
+/// - `void step(const double* inputs, double* outputs)`: one step: takes the inputs of its beginning, gives
+///   the outputs of its end.
+/// - `void clean_up(void)`: before it is initiated again or leaves.
 struct ThreeFunctions {
   std::string initiate = "initiate", step = "step", clean_up = "clean_up";  ///< their names
   double own_step = 0.0;                                                    ///< [s], as it is built in

@@ -25,10 +25,13 @@ struct SocketSettings {
   TlsFiles tls = {};             ///< of tls:// only
 };
 
-/// Connects to "tcp://HOST:PORT", "tls://HOST:PORT" or "unix:PATH". Throws Error(input_output) that names the
-/// address for a host that is not known, a connection refused or none within the deadline, and the file for
-/// a key or certificate that can't be used; Error(not_supported) for plain text beyond the loopback interface
-/// unless it is allowed, and for tls:// in a build without it. The handshake of TLS is the first send's.
+/// Connects to "tcp://HOST:PORT", "tls://HOST:PORT" or "unix:PATH". The handshake of TLS is the first send's.
+/// Throws:
+/// - Error(input_output) that names the address, for a host that is not known, a connection refused or none
+///   within the deadline;
+/// - Error(input_output) that names the file, for a key or certificate that can't be used;
+/// - Error(not_supported) for plain text beyond the loopback interface unless it is allowed, and for tls://
+///   in a build without it.
 std::unique_ptr<wire::Channel> connect(const std::string& address, const SocketSettings& settings);
 
 /// Listens at "tcp://HOST:PORT", "tls://HOST:PORT" (port 0: a free one) or "unix:PATH" (readable by its owner

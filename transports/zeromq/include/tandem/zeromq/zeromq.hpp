@@ -32,8 +32,8 @@ struct ZmqSettings {
 std::unique_ptr<wire::Channel> zmq_connect(const std::string& address, const ZmqSettings& settings);
 std::unique_ptr<wire::Listener> zmq_listen(const std::string& address, const ZmqSettings& settings);
 
-/// Adds "zmq:ADDRESS?deadline=SECONDS&key=FILE&server_key=FILE"; other parameters go to the
-/// subsystem. `key` is the file of the secret key, with the public one in FILE.pub.
+/// Adds "zmq:ADDRESS?deadline=SECONDS&key=FILE&server_key=FILE"; other parameters go to the subsystem. `key`
+/// is the file of the secret key, with the public one in FILE.pub.
 void add_zeromq(Builtins& builtins, bool allow_plaintext = false);
 
 }  // namespace tandem

@@ -14,9 +14,12 @@ namespace tandem::mbs {
 /// which gives the values of f as a full real matrix, or as a message why not.
 extern const char* const octave_functions;
 
-/// The functions of a struct in Octave, wherever that Octave is. The struct has the fields
-///   variables  names, a cell array of n texts        units  of each (may be absent: "m")
-///   q, v       where it starts, n x 1 each           mass, constraints, ...: a function handle for each Term
+/// The functions of a struct in Octave, wherever that Octave is. The struct has the fields:
+/// - `variables`: names, a cell array of n texts;
+/// - `units`: of each (may be absent: "m");
+/// - `q`, `v`: where it starts, n x 1 each;
+/// - `mass`, `constraints`, ...: a function handle for each Term.
+///
 /// Arguments are () for mass, (t, q) for constraints, jacobian and constraint_rates, (t, q, v) for the
 /// others. Throws Error with the name of the model, the field and the time for a field that is absent or not
 /// known, and for a value of another shape.
