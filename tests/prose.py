@@ -38,10 +38,11 @@ def comment_blocks(text):
     for number, line in enumerate([*text.splitlines(), ""], 1):
         found = re.match(r"\s*///?(.*)", line) or re.match(r"\s*\*(?!/)(.*)", line)
         inline = re.search(r"///<(.*)", line)
-        if inline and not line.lstrip().startswith("///"):
+        of_code = bool(inline) and not line.lstrip().startswith("///")
+        if of_code:
             found = inline
         words = found.group(1).strip("< ") if found else ""
-        if block and (not words or words.startswith(("- ", "* "))):
+        if block and (not words or of_code or words.startswith(("- ", "* "))):
             yield begun, " ".join(block)
             block = []
         if words and "SPDX" not in words:
@@ -52,6 +53,7 @@ def comment_blocks(text):
 
 def plain(text):
     text = re.sub(r"`[^`]*`", "CODE", text)
+    text = re.sub(r"CODE(, CODE)+", "CODE", text)  # a list of names
     text = re.sub(r"!?\[([^\]]*)\]\([^)]*\)", r"\1", text)
     text = re.sub(r"<[^>]*>", "", text)
     return re.sub(r"\b(e\.g|i\.e|cf|Fig|fig|eq|Sect|vol|no|ed|al|etc|vs|J|Ph)\.", r"\1", re.sub(r"\b([A-Z])\.", r"\1", text))

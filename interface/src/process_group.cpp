@@ -46,10 +46,6 @@ ProcessGroup::~ProcessGroup() {
   while (::waitpid(number_, nullptr, 0) < 0 && errno == EINTR) continue;
 }
 
-void ProcessGroup::join() const noexcept {
-  if (::setpgid(0, number_) != 0) ::_exit(126);
-}
-
 void ProcessGroup::signal(int number) const noexcept { ::kill(-number_, number); }
 
 }  // namespace tandem

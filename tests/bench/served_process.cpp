@@ -4,8 +4,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -13,8 +11,7 @@
 
 #include "sources/this_program.hpp"
 #include "tandem/error.hpp"
-
-extern char** environ;  // NOLINT: POSIX gives it no header
+#include "tandem/start_process.hpp"
 
 namespace tandem::bench {
 namespace {
@@ -42,23 +39,6 @@ Meeting meeting(const std::string& transport, const LinkFolder& folder) {
   return {transport == "zmq:tcp" ? "zmq:" + port : port};
 }
 
-/// Starts a program whose standard output goes into the pipe.
-pid_t start(std::vector<std::string> words, const int (&pipe)[2]) {
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, pipe[1], STDOUT_FILENO);
-  pid_t process = -1;
-  const int failed = posix_spawn(&process, arguments[0], &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (failed != 0)
-    throw Error(ErrorCode::input_output,
-                "program '" + words[0] + "' can't be started: " + std::strerror(failed));
-  return process;
-}
-
 std::string first_line(int descriptor) {
   std::string line;
   char c = 0;
@@ -81,13 +61,13 @@ ServedProcess::ServedProcess(const std::string& source, const std::string& trans
   int pipe[2];
   if (::pipe2(pipe, O_CLOEXEC) != 0)
     throw Error(ErrorCode::internal, std::string("no pipe: ") + std::strerror(errno));
-  process_ = start(words, pipe);
+  process_ = start_process({.words = words, .output = pipe[1]});
   ::close(pipe[1]);
   const std::string line = first_line(pipe[0]);
   ::close(pipe[0]);
   const auto at = line.rfind(" at ");
   if (at == std::string::npos) {
-    ::waitpid(process_, nullptr, 0);
+    end_of_process(process_);
     throw Error(ErrorCode::internal, "'" + source + "' is not served at " + meet.address);
   }
   uri_ = line.substr(at + 4) + "?deadline=60" + meet.client_query;
@@ -95,8 +75,7 @@ ServedProcess::ServedProcess(const std::string& source, const std::string& trans
 
 ServedProcess::~ServedProcess() {
   ::kill(process_, SIGTERM);
-  while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
-  }
+  end_of_process(process_);
 }
 
 }  // namespace tandem::bench

@@ -117,7 +117,7 @@ class Row {
       for (Runner& runner : runners)
         if (runner.seconds() <= limit) runner.repeat();
     }
-    write(table, best, problem.pattern, runners);
+    write(table, best, problem.pattern, variables, runners);
     for (const Runner& r : runners)
       if (r.seconds() <= well_measured * least(runners, "")) fit.add(kind_.name, r.name(), cost, r.seconds());
   }
@@ -139,7 +139,8 @@ class Row {
   }
 
   /// Where problems are rough `klu` tries its pivots again and factorizes anew: the time of both.
-  void write(Table& table, Table& best, const mbs::Pattern& pattern, const std::vector<Runner>& runners) {
+  void write(Table& table, Table& best, const mbs::Pattern& pattern, int variables,
+             const std::vector<Runner>& runners) {
     const auto cost = mbs::elimination_cost(pattern);
     const double smooth = least(runners, ""), rough = least(runners, "klu");
     const std::string choice = mbs::solver_choice(kind_.kind, pattern),
@@ -168,7 +169,7 @@ class Row {
       return std::isfinite(seconds) ? fmt::format("{:.2f}", seconds / least) : "";
     };
     const auto add_best = [&](const char* problem, double least, double chosen, double of_thesis) {
-      best.add({kind_.name, placement_name(), problem, std::to_string(cost.columns), std::to_string(entries_),
+      best.add({kind_.name, placement_name(), problem, std::to_string(variables), std::to_string(entries_),
                 best_of(runners, least), over(chosen, least), over(of_thesis, least)});
     };
     add_best("smooth", smooth, by_choice, by_thesis);

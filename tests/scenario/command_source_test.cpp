@@ -83,11 +83,11 @@ TEST_F(CommandSource, TakesItsWordsAsTheyAre) {
 
 TEST_F(CommandSource, ItsStatusIsTold) {
   refused("command = [\"no_such_program\"]",
-          "program [\"no_such_program\"] ended with status 127 (not found?)");
+          "program [\"no_such_program\"] can't be started: No such file or directory");
   refused("command = [\"sh\", \"-c\", \"exit 3\"]", "ended with status 3");
   refused("command = [\"sh\", \"-c\", \"kill -ABRT $$\"]", "was ended by signal 6");
   folder_.write("text", "x");
-  refused("command = [\"./text\"]", "ended with status 126");
+  refused("command = [\"./text\"]", "program [\"./text\"] can't be started: Permission denied");
 }
 
 TEST_F(CommandSource, WhatIsNoneIsRefused) {

@@ -18,8 +18,6 @@ class ProcessGroup {
   ProcessGroup(const ProcessGroup&) = delete;
   ProcessGroup& operator=(const ProcessGroup&) = delete;
 
-  /// Called in a child process between fork and exec; what can't join ends.
-  void join() const noexcept;
   void signal(int number) const noexcept;
   pid_t number() const { return number_; }
 

@@ -4,7 +4,6 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
-#include <spawn.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -16,8 +15,7 @@
 #include <utility>
 
 #include "tandem/error.hpp"
-
-extern char** environ;  // NOLINT: POSIX gives it no header
+#include "tandem/start_process.hpp"
 
 namespace tandem::mbs {
 namespace {
@@ -27,27 +25,6 @@ namespace {
               "program '" + program + "' can't be started: " + std::strerror(number));
 }
 
-/// With `socket` as its standard input, output and error.
-pid_t spawn(const std::vector<std::string>& command, int socket, pid_t group) {
-  std::vector<char*> words;
-  for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
-  words.push_back(nullptr);
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-    posix_spawn_file_actions_adddup2(&files, socket, standard);
-  posix_spawnattr_t how;
-  posix_spawnattr_init(&how);
-  posix_spawnattr_setflags(&how, POSIX_SPAWN_SETPGROUP);
-  posix_spawnattr_setpgroup(&how, group);
-  pid_t child = -1;
-  const int failed = posix_spawnp(&child, words[0], &files, &how, words.data(), environ);
-  posix_spawnattr_destroy(&how);
-  posix_spawn_file_actions_destroy(&files);
-  if (failed) refuse(command[0], failed);
-  return child;
-}
-
 }  // namespace
 
 /// A pair of sockets and not two pipes, since a pipe that nobody reads any more ends who writes to it.
@@ -55,7 +32,11 @@ Process::Process(std::vector<std::string> command) : group_("'" + command[0] + "
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) refuse(command[0], errno);
   try {
-    child_ = spawn(command, ends[1], group_.number());
+    child_ = start_process({.words = command,
+                            .input = ends[1],
+                            .output = ends[1],
+                            .error = ends[1],
+                            .group = group_.number()});
   } catch (...) {
     close(ends[0]);
     close(ends[1]);
@@ -124,7 +105,7 @@ std::string Process::end() {
     int status = 0;
     if (waitpid(child_, &status, WNOHANG) == 0) {
       kill(child_, SIGKILL);
-      while (waitpid(child_, &status, 0) < 0 && errno == EINTR) continue;
+      status = end_of_process(child_);
     }
     child_ = -1;
     how_it_ended_ = WIFSIGNALED(status) ? "signal " + std::to_string(WTERMSIG(status))

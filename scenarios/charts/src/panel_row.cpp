@@ -13,6 +13,7 @@ namespace tandem::charts {
 namespace {
 
 constexpr std::size_t most_strip_rows = 5;
+constexpr std::size_t most_marked = 60;  ///< points of a line, for markers to tell more than the line
 
 std::string slope_line(double slope, const Axis& x, const Axis& y) {
   const double middle_x = std::sqrt(x.low() * x.high()), middle_y = std::sqrt(y.low() * y.high());
@@ -111,6 +112,7 @@ void PanelRow::add_series(Picture& picture, std::vector<const Mark*>& marks, std
     if (mark->y) (mark->hollow ? hollow : filled).push_back({x, y});
   }
   if (joined) to.push_back({picture.data(line), "with lines " + look.line()});
+  if (joined && filled.size() > most_marked) filled.clear();
   for (const auto* points : {&filled, &failed})
     if (!points->empty()) to.push_back({picture.data(*points), "with points " + look.filled()});
   if (hollow.empty()) return;

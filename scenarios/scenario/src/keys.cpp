@@ -57,11 +57,8 @@ void of_subsystems(KeyList& to) {
            "input and output (in place of `source`).",
            {.allowed = "at least one"})
       .may("isolate", flag,
-           "Native code, `lib:`, `three_functions:` or `fmu:`, runs in a process of its own, as behind "
-           "`spawn:`, "
-           "whose "
-           "parameters it may have besides: a crash, or a call that does not end within its `deadline`, ends "
-           "the "
+           "Native code, `lib:`, `three_functions:` or `fmu:`, runs in a process of its own. It may have the "
+           "parameters of `spawn:` too. A crash, or a call that does not end within its `deadline`, ends the "
            "run with a sentence.",
            {.otherwise = "false"})
       .may("land", word,
@@ -120,10 +117,9 @@ void of_coordination(KeyList& to) {
   using enum text::Key::Type;
   to.table("coordination", "Who goes first, and how the run starts.")
       .may("schedule", word,
-           "Whose turn it is: with `slowest-first` the slow one goes ahead on extrapolated "
-           "inputs and the fast ones follow, with `fastest-first` the other way round; "
-           "`staggered`: the slow one steps in the middle of its step, of two with matched "
-           "hold; `parallel`: all go to the next communication point.",
+           "Whose turn it is. `slowest-first`: the slow one goes ahead on extrapolated inputs and the fast "
+           "ones follow. `fastest-first`: the other way round. `staggered`: of two with matched hold, the "
+           "slow one steps in the middle of its step. `parallel`: all go to the next communication point.",
            {.otherwise = "slowest-first", .words = schedules()})
       .may("order", texts,
            "The subsystems that integrate themselves, the slowest first: with "
@@ -135,9 +131,9 @@ void of_coordination(KeyList& to) {
            "Without it: the own step of the slowest.",
            {.unit = "s"})
       .may("start", word,
-           "How histories are filled before the first step: from `derivatives` of the "
-           "outputs, by a `repeat` of the first steps, or not (`cold`, of low order at "
-           "first); `automatic`: the first of these that can be.",
+           "How histories are filled before the first step. `derivatives`: from those of the outputs. "
+           "`repeat`: by a repetition of the first steps. `cold`: not at all, so that the order is low at "
+           "first. `automatic`: the first of these that can be.",
            {.otherwise = "automatic", .words = starts()})
       .may("coupling", word, "What the subsystems exchange.", {.otherwise = "signals", .words = {"signals"}});
 }

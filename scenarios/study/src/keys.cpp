@@ -77,10 +77,11 @@ void of_metrics(KeyList& to) {
   using enum text::Key::Type;
   to.named(
         "metrics", "Numbers that each row has.",
-        "One of them. By its name alone: `exchanges = {}` (calls of subsystems) and `\"steps.INSTANCE\" = "
-        "{}` (own steps); times, in tables whose `metrics` name them, or if there is one table: `seconds = "
-        "{}` (wall time, and processor time as seconds.processor), `\"share.INSTANCE\" = {}` and "
-        "`real_time_factor = {}`. Else one of `of`, `signal`, `drift`, `order`, `formula` and `builtin`.")
+        "One of them. Counts go by their names alone: `exchanges = {}` (calls of subsystems) and "
+        "`\"steps.INSTANCE\" = {}` (own steps). So do times: `seconds = {}` (wall time, and processor time "
+        "as seconds.processor), `\"share.INSTANCE\" = {}` and `real_time_factor = {}`. A table has times if "
+        "its `metrics` name them, or if it is the only one. Else one of `of`, `signal`, `drift`, `order`, "
+        "`formula` and `builtin`.")
       .may(
           "of", text,
           "An output, compared with that of a reference, at the rows of the one that has fewer; the other is "

@@ -14,29 +14,12 @@
 #include "stream.hpp"
 #include "tandem/error.hpp"
 #include "tandem/process_group.hpp"
+#include "tandem/start_process.hpp"
 #include "tandem/tcp/tcp.hpp"
-
-extern char** environ;
 
 namespace tandem {
 namespace tcp {
 namespace {
-
-/// The words of a program as exec takes them: pointers to each, and null.
-std::vector<char*> pointers(const std::vector<std::string>& words) {
-  std::vector<char*> all;
-  for (const std::string& word : words) all.push_back(const_cast<char*>(word.c_str()));
-  all.push_back(nullptr);
-  return all;
-}
-
-/// The variables of this process, with the socket's descriptor for a program.
-std::vector<std::string> variables_with(int socket) {
-  std::vector<std::string> all{"TANDEM_FD=" + std::to_string(socket)};
-  for (char** v = environ; *v; ++v)
-    if (!std::string_view(*v).starts_with("TANDEM_FD=")) all.emplace_back(*v);
-  return all;
-}
 
 /// A program with one end of a socket, in a group of its own, so that the terminal's Ctrl-C does not reach it
 /// before this process has ended the run.
@@ -47,20 +30,12 @@ class Program {
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) fail_to_start(name_, "socketpair");
     our_end = Descriptor(ends[0]);
     const Descriptor its_end(ends[1]);
-    // All that allocates is done before the fork.
-    const std::vector<std::string> variables = variables_with(its_end.get());
-    const std::vector<char*> words = pointers(start.words);
-    std::vector<char*> settings = pointers(variables);
-    process_ = ::fork();
-    if (process_ == 0) {
-      group_.join();
-      ::fcntl(its_end.get(), F_SETFD, 0);
-      if (!start.folder.empty() && ::chdir(start.folder.c_str()) != 0) ::_exit(126);
-      environ = settings.data();
-      ::execvp(words[0], words.data());
-      ::_exit(errno == ENOENT ? 127 : 126);
-    }
-    if (process_ < 0) fail_to_start(name_, "fork");
+    process_ = start_process({.words = start.words,
+                              .kept = its_end.get(),
+                              .folder = start.folder,
+                              .variables = {"TANDEM_FD=" + std::to_string(its_end.get())},
+                              .group = group_.number(),
+                              .name = name_});
   }
   /// By now its socket is closed: a program that reads it ends of its own accord, others are told to. What it
   /// has started and left is in its group, and goes with it.
@@ -68,7 +43,7 @@ class Program {
     if (!ended_within(1.0)) group_.signal(SIGTERM);
     ended_within(1.0);
     if (!ended_) ::kill(process_, SIGKILL);  // by its own number: it may have left the group
-    ::waitpid(process_, nullptr, 0);
+    end_of_process(process_);
   }
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
@@ -91,11 +66,8 @@ class Program {
     if (!ended_within(0.2)) return who + "closed its socket";
     const int code = end_.si_status;
     if (end_.si_code != CLD_EXITED) return who + "was ended by signal " + std::to_string(code);
-    const std::string by = code > 128 ? " (signal " + std::to_string(code - 128) + "?)" : "";
     return who + "ended with status " + std::to_string(code) +
-           (code == 127   ? " (not found?)"
-            : code == 126 ? " (no such folder, or not executable)"
-                          : by);
+           (code > 128 ? " (signal " + std::to_string(code - 128) + "?)" : "");
   }
 
  private:
