@@ -16,12 +16,12 @@
 #include "cli/commands.hpp"
 #include "cli/limited_memory.hpp"
 #include "cli/log_file.hpp"
-#include "tandem/output/progress.hpp"
 #include "sources/all.hpp"
 #include "sources/this_program.hpp"
 #include "tandem/error.hpp"
 #include "tandem/library_file.hpp"
 #include "tandem/nearest.hpp"
+#include "tandem/output/progress.hpp"
 #include "tandem/output/provenance.hpp"
 #include "tandem/printable.hpp"
 

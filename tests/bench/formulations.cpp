@@ -44,7 +44,8 @@ double balance(const mbs::Mechanism& m, const mbs::State& s) {
 
 Figures run(const FormulationCase& c, int steps) {
   const std::string& name = c.example->name;
-  mbs::Mechanism m(mbs::read_mechanism(std::filesystem::path("scenarios/mechanisms") / name / (name + ".toml")));
+  mbs::Mechanism m(
+      mbs::read_mechanism(std::filesystem::path("scenarios/mechanisms") / name / (name + ".toml")));
   mbs::StepperSettings settings;
   settings.formulation = c.names.formulation;
   settings.integrator = c.names.integrator;
@@ -103,10 +104,11 @@ std::vector<std::string> formulation_row(const FormulationCase& c) {
     const Figures coarse = run(c, c.steps), fine = run(c, 2 * c.steps);
     const double order = std::log2(coarse.error / fine.error);
     const mbs::Residuals& r = fine.residuals;
-    return row(c, 2 * c.steps,
-               {fmt::format("{:.3e}", fine.error), fmt::format("{:.2f}", order),
-                fmt::format("{:.2e}", fine.drift), fmt::format("{:.1e}", r.position),
-                fmt::format("{:.1e}", r.velocity), fmt::format("{:.1e}", r.acceleration), status(c, order), ""});
+    return row(
+        c, 2 * c.steps,
+        {fmt::format("{:.3e}", fine.error), fmt::format("{:.2f}", order), fmt::format("{:.2e}", fine.drift),
+         fmt::format("{:.1e}", r.position), fmt::format("{:.1e}", r.velocity),
+         fmt::format("{:.1e}", r.acceleration), status(c, order), ""});
   } catch (const Error& error) {
     if (error.code() != ErrorCode::numerical) throw;
     return row(c, 2 * c.steps, {"", "", "", "", "", "", "failed", cell(error.what())});

@@ -10,11 +10,11 @@
 #include "bench/linkage_timing.hpp"
 #include "bench/meter.hpp"
 #include "four_bar/linkage.hpp"
-#include "thesis_solvers/thesis_solvers.hpp"
-#include "tandem/output/parallel.hpp"
 #include "tandem/error.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
 #include "tandem/mbs/sparse/linear_solver.hpp"
+#include "tandem/output/parallel.hpp"
+#include "thesis_solvers/thesis_solvers.hpp"
 
 namespace tandem::bench {
 namespace {

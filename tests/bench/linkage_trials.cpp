@@ -14,7 +14,8 @@ namespace {
 constexpr double asked = 1e-3;  // [m]
 
 /// On one method's front, by rising time.
-std::optional<Cost> cost_on(const std::vector<charts::Point>& front, double error, const std::string& method) {
+std::optional<Cost> cost_on(const std::vector<charts::Point>& front, double error,
+                            const std::string& method) {
   if (front.empty() || front.back().y > error) return std::nullopt;
   if (front.front().y <= error) return Cost{front.front().x, front.front().y < error, method};
   std::size_t k = 1;
@@ -46,8 +47,14 @@ std::vector<std::string> row(const std::vector<LinkageTrial>& runs) {
   const auto simbody = cost_where(runs, [](const auto& r) { return r.code == "simbody"; });
   const auto tandem = cost_where(runs, [](const auto& r) { return r.code == "tandem"; });
   const auto index3 = cost_where(runs, [](const auto& r) { return r.family() == "index3"; });
-  return {runs.front().start, std::to_string(runs.front().loops), seconds(simbody), simbody ? simbody->method : "",
-          seconds(index3),    ratio(simbody, index3),             seconds(tandem),  ratio(simbody, tandem),
+  return {runs.front().start,
+          std::to_string(runs.front().loops),
+          seconds(simbody),
+          simbody ? simbody->method : "",
+          seconds(index3),
+          ratio(simbody, index3),
+          seconds(tandem),
+          ratio(simbody, tandem),
           tandem ? tandem->method : ""};
 }
 

@@ -18,8 +18,8 @@ namespace {
 
 void run(const Benchmark& benchmark, const std::filesystem::path& folder, bool quiet) {
   if (!quiet) fmt::print("{}; {}, {}\n", benchmark.about, output::processor_model(), output::compiler());
-  const output::FolderLock kept(folder,
-                                [](const std::string& what) { output::show_progress("note: " + what + "\n"); });
+  const output::FolderLock kept(
+      folder, [](const std::string& what) { output::show_progress("note: " + what + "\n"); });
   std::vector<Table> tables;
   {
     output::Progress progress(benchmark.name, 100, !quiet);

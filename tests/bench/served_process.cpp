@@ -55,8 +55,8 @@ std::string first_line(int descriptor) {
 ServedProcess::ServedProcess(const std::string& source, const std::string& transport,
                              const LinkFolder& folder) {
   const Meeting meet = meeting(transport, folder);
-  std::vector<std::string> words = {program_beside("tandem"), "--quiet",  "serve",     source,
-                                    "--once",       "--listen", meet.address};
+  std::vector<std::string> words = {
+      program_beside("tandem"), "--quiet", "serve", source, "--once", "--listen", meet.address};
   words.insert(words.end(), meet.server_words.begin(), meet.server_words.end());
   int pipe[2];
   if (::pipe2(pipe, O_CLOEXEC) != 0)

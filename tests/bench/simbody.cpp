@@ -66,7 +66,8 @@ void add_simbody(Table& table, std::vector<LinkageTrial>& runs, const SimbodyRow
 }  // namespace
 
 std::vector<Table> against_simbody(const Tick& tick) {
-  Table table({"code", "start", "loops", "method", "family", "accuracy", "steps", "rms_error", "seconds", "status"});
+  Table table(
+      {"code", "start", "loops", "method", "family", "accuracy", "steps", "rms_error", "seconds", "status"});
   std::vector<LinkageTrial> runs;
   double done = 0.0;
   for (const LinkageMotion& motion : motions)

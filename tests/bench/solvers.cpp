@@ -11,9 +11,9 @@
 #include "bench/bench.hpp"
 #include "bench/solver_fit.hpp"
 #include "bench/tangent_problem.hpp"
-#include "thesis_solvers/thesis_solvers.hpp"
 #include "tandem/error.hpp"
 #include "tandem/mbs/sparse/solver_choice.hpp"
+#include "thesis_solvers/thesis_solvers.hpp"
 
 namespace tandem::bench {
 namespace {

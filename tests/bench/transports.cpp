@@ -53,8 +53,9 @@ InTurns by_empty_call() {
 
 void add_row(Table& table, const std::string& transport, const std::string& wait, const Shape& shape,
              const InTurns& t) {
-  table.add({transport, wait, wait == "none" ? transport : transport + " " + wait, std::to_string(shape.signals), std::to_string(shape.samples),
-             micro(t.tandem.median), micro(t.tandem.p99), micro(t.raw.median),
+  table.add({transport, wait, wait == "none" ? transport : transport + " " + wait,
+             std::to_string(shape.signals), std::to_string(shape.samples), micro(t.tandem.median),
+             micro(t.tandem.p99), micro(t.raw.median),
              fmt::format("{:.3f}", t.tandem.median / t.raw.median)});
 }
 
@@ -64,7 +65,8 @@ std::vector<bool> waits(const std::string& transport) {
 }
 
 Table round_trips(const Tick& tick) {
-  Table table({"transport", "wait", "link", "signals", "samples", "median_us", "p99_us", "raw_median_us", "ratio"});
+  Table table(
+      {"transport", "wait", "link", "signals", "samples", "median_us", "p99_us", "raw_median_us", "ratio"});
   const Shape shapes[] = {{4, 1}, {4, 100}};
   const auto transports = linked_transports();
   add_row(table, "lib", "none", {1, 1}, by_empty_call());

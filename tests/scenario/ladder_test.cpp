@@ -24,7 +24,8 @@ TEST(LadderCommand, TellsTheSimplestRungOfTheTwoMassTest) {
   EXPECT_FALSE(contains(said.out, "simplest within the tolerances: degree 0")) << said.out;
   EXPECT_TRUE(contains(said.out, "differences from one system")) << said.out;
   EXPECT_EQ(read_text(folder.path() / "l/verdict.txt"), said.out.substr(0, said.out.find("wrote ")));
-  EXPECT_TRUE(contains(read_text(folder.path() / "l/ladder.csv"), "\"one system\",fast.x1,1,max,0,0,0.15,0,"));
+  EXPECT_TRUE(
+      contains(read_text(folder.path() / "l/ladder.csv"), "\"one system\",fast.x1,1,max,0,0,0.15,0,"));
   for (const char* name : {"degree 0/results.csv", "one system/results.csv", "ladder.json"})
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "l" / name)) << name;
   EXPECT_EQ(tandem(folder, {"chart", "ladder"}).status, 2);

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "solvers/blas_threads.hpp"
-#include "thesis_solvers/thesis_solvers.hpp"
 #include "tandem/error.hpp"
+#include "thesis_solvers/thesis_solvers.hpp"
 
 namespace tandem::test {
 namespace {

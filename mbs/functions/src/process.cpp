@@ -32,11 +32,8 @@ Process::Process(std::vector<std::string> command) : group_("'" + command[0] + "
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) refuse(command[0], errno);
   try {
-    child_ = start_process({.words = command,
-                            .input = ends[1],
-                            .output = ends[1],
-                            .error = ends[1],
-                            .group = group_.number()});
+    child_ = start_process(
+        {.words = command, .input = ends[1], .output = ends[1], .error = ends[1], .group = group_.number()});
   } catch (...) {
     close(ends[0]);
     close(ends[1]);

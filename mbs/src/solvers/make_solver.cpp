@@ -20,18 +20,17 @@ struct Entry {
 /// Every solver of this build, and those that were added.
 std::vector<Entry>& entries() {
   using enum MatrixKind;
-  static std::vector<Entry> all = {
-      {"auto", unsymmetric, solvers::automatic},
-      {"klu", unsymmetric, solvers::klu},
-      {"klu_full", unsymmetric, solvers::klu_full},
+  static std::vector<Entry> all = {{"auto", unsymmetric, solvers::automatic},
+                                   {"klu", unsymmetric, solvers::klu},
+                                   {"klu_full", unsymmetric, solvers::klu_full},
 #ifdef TANDEM_HAS_LAPACK
-      {"lapack", symmetric, solvers::lapack},
-      {"lapack_lu", unsymmetric, solvers::lapack_lu},
-      {"lapack_band", unsymmetric, solvers::lapack_band},
+                                   {"lapack", symmetric, solvers::lapack},
+                                   {"lapack_lu", unsymmetric, solvers::lapack_lu},
+                                   {"lapack_band", unsymmetric, solvers::lapack_band},
 #endif
-      {"eigen_dense", unsymmetric, solvers::eigen_dense},
-      {"prepared", positive_definite, solvers::prepared},
-      {"band", positive_definite, solvers::band}};
+                                   {"eigen_dense", unsymmetric, solvers::eigen_dense},
+                                   {"prepared", positive_definite, solvers::prepared},
+                                   {"band", positive_definite, solvers::band}};
   return all;
 }
 
@@ -42,7 +41,8 @@ void LinearSolver::recall(std::span<const double> memory) { check_memory(memory.
 void add_solver(const std::string& name, MatrixKind worst, MakeSolver* make) {
   for (const Entry& entry : entries())
     if (entry.name == name)
-      throw Error(ErrorCode::invalid_argument, "there is a linear solver '" + name + "'; allowed is another name");
+      throw Error(ErrorCode::invalid_argument,
+                  "there is a linear solver '" + name + "'; allowed is another name");
   entries().push_back({name, worst, make});
 }
 

@@ -127,8 +127,9 @@ class MapChart {
     for (std::size_t k = 0; k < signs.size(); ++k) all.push_back({picture.data(signs[k]), sign_styles[k]});
     all.push_back({picture.data(out), no_value});
     for (const auto& [letter, points] : letters)
-      all.push_back({picture.data(points), fmt::format("with points pt {} ps 1 lc rgb '{}'", quote(letter.first),
-                                                       letter.second ? "white" : "#000000")});
+      all.push_back(
+          {picture.data(points), fmt::format("with points pt {} ps 1 lc rgb '{}'", quote(letter.first),
+                                             letter.second ? "white" : "#000000")});
     const std::string marked = picture.data(best), marked_too = picture.data(also);
     all.push_back({marked, disc}), all.push_back({marked, best_sign});
     all.push_back({marked_too, disc}), all.push_back({marked_too, also_sign});

@@ -3,8 +3,8 @@
 
 #include "drawings.hpp"
 #include "frame.hpp"
-#include "looks.hpp"
 #include "legend.hpp"
+#include "looks.hpp"
 #include "panel_row.hpp"
 
 namespace tandem::charts {

@@ -119,9 +119,10 @@ std::optional<double> Table::number(std::size_t row, const Quantity& quantity) c
   try {
     return text::evaluated(quantity.text, values);
   } catch (const Error&) {  // its sentence quotes the words, and the file may be none of ours
-    refuse(quantity.place, fmt::format("{}, line {}: {} can't be evaluated: a column has a word where a number "
-                                       "is needed, or the expression is wrong",
-                                       csv_.file().string(), row + 2, quantity.text));
+    refuse(quantity.place,
+           fmt::format("{}, line {}: {} can't be evaluated: a column has a word where a number "
+                       "is needed, or the expression is wrong",
+                       csv_.file().string(), row + 2, quantity.text));
   }
 }
 

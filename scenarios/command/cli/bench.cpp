@@ -15,10 +15,11 @@ namespace {
 void become(std::vector<std::string> words) {
   const std::string program = program_beside("tandem_bench");
   if (program.empty())
-    throw Error(ErrorCode::not_supported,
-                "the benchmarks are a program of their own, tandem_bench, which is not beside this one; "
-                "'cmake --preset release' and 'cmake --build --preset release --target tandem_bench' build it "
-                "in the source tree");
+    throw Error(
+        ErrorCode::not_supported,
+        "the benchmarks are a program of their own, tandem_bench, which is not beside this one; "
+        "'cmake --preset release' and 'cmake --build --preset release --target tandem_bench' build it "
+        "in the source tree");
   words.insert(words.begin(), program);
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());

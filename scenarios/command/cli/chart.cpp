@@ -117,8 +117,9 @@ void add_chart(CLI::App& app, Context& context) {
       ->expected(1)
       ->take_all();
   command
-      ->add_option("--results", options->results,
-                   "Folder of the tables; the charts go there too (default: where `tandem sweep` writes them)")
+      ->add_option(
+          "--results", options->results,
+          "Folder of the tables; the charts go there too (default: where `tandem sweep` writes them)")
       ->type_name("DIR");
   command->add_flag("--png", options->png, "Draw PNG files too, besides SVG");
   command->footer(

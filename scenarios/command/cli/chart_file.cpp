@@ -38,7 +38,9 @@ ChartFile of_charts(const text::Document& document, const fs::path& results) {
 
 }  // namespace
 
-ChartFile charts_of_ladder() { return of_charts(text::Document("the charts of a ladder", ladder_charts), ""); }
+ChartFile charts_of_ladder() {
+  return of_charts(text::Document("the charts of a ladder", ladder_charts), "");
+}
 
 ChartFile read_chart_file(const fs::path& file, const Builtins& builtins) {
   const text::Document document(file);

@@ -7,11 +7,11 @@
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/kept_folder.hpp"
-#include "tandem/output/progress.hpp"
 #include "cli/say.hpp"
 #include "ladder/ladder_run.hpp"
 #include "tandem/output/files.hpp"
 #include "tandem/output/json.hpp"
+#include "tandem/output/progress.hpp"
 
 namespace tandem::cli {
 namespace {
@@ -62,8 +62,7 @@ void climb(const LadderOptions& options, const Context& context) {
   output::write_text(folder / "verdict.txt", text);
   const nlohmann::ordered_json about = {
       {"reference", "the richest, " + runs.back().name},
-      {"norms",
-       {{"seconds", fmt::format("processor time, the least of {} in turns", options.repetitions)}}},
+      {"norms", {{"seconds", fmt::format("processor time, the least of {} in turns", options.repetitions)}}},
       {"made", output::made()}};
   output::write_text(folder / "ladder.json", about.dump(2) + "\n");
   say("{}", text);

@@ -48,7 +48,8 @@ class MpiRanks final : public study::Ranks {
                                                 std::to_string(INT_MAX));
     forget_sent();
     Sent& one = sent_.emplace_back(Sent{bytes, {}});
-    MPI_Isend(one.bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, to, 0, MPI_COMM_WORLD, &one.request);
+    MPI_Isend(one.bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, to, 0, MPI_COMM_WORLD,
+              &one.request);
   }
 
   std::optional<Message> receive() override {

@@ -38,8 +38,7 @@ void add_sweep(CLI::App& app, Context& context) {
                    "A study, a TOML file (docs/studies.md), a scenario that has none, or NAME of "
                    "scenarios/NAME/study.toml")
       ->required();
-  command
-      ->add_option("--set", options->overrides, "Set a value of the scenario, as in run (repeatable)")
+  command->add_option("--set", options->overrides, "Set a value of the scenario, as in run (repeatable)")
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->take_all();
@@ -59,8 +58,7 @@ void add_sweep(CLI::App& app, Context& context) {
                     "Keep the rows that are there, if study, scenario and program are the same");
   command->add_option("--threads", options->threads, "Number of threads (default: all cores)")
       ->check(CLI::Range(1U, 1024U));
-  command->footer(
-      "A scenario is code: the programs and libraries that it names are run with your rights.");
+  command->footer("A scenario is code: the programs and libraries that it names are run with your rights.");
   command->callback([options, &context] { sweep(*options, context); });
 }
 

@@ -65,8 +65,9 @@ void sweep_study(const StudySweep& settings, const Context& context) {
   if (!settings.tables.empty()) study.keep_tables(settings.tables);
   if (!settings.where.empty()) study.keep_rows(settings.where);
   const auto ranks = settings.dry ? nullptr : mpi_ranks();
-  study::Sweep sweep(study, context.builtins,
-                     {folder, settings.overrides, all_metrics(), settings.threads, settings.resume, ranks.get()});
+  study::Sweep sweep(
+      study, context.builtins,
+      {folder, settings.overrides, all_metrics(), settings.threads, settings.resume, ranks.get()});
   if (settings.dry) {
     for (const std::string& line : sweep.plan()) say("{}\n", line);
     return;

@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "tandem/coordinator/units.hpp"
-#include "tandem/output/lock.hpp"
 #include "tandem/output/processor_time.hpp"
 #include "tandem/scenario/about.hpp"
 #include "tandem/scenario/assembly.hpp"
+#include "tandem/scenario/run.hpp"
 
 namespace tandem::scenario {
 namespace {
@@ -152,19 +152,14 @@ RungRun Ladder::run(std::size_t index, const std::filesystem::path& folder,
     result.table = renamed(*rung.results, rung.entry, rung.quantities);
     return result;
   }
-  try {
-    const output::FolderLock kept(folder / rung.entry.name, [](const std::string&) {});
-    Assembly assembly(*rung.scenario, builtins_);
-    const auto recorder = assembly.recorder(folder / rung.entry.name);
-    assembly.coordinator().observe(recorder.get());
-    assembly.initialize();
-    while (assembly.coordinator().round()) recorder->between_rounds(), go_on(going);
-    recorder->close();
-    result.table = renamed(text::TimeTable::read(folder / rung.entry.name), rung.entry, rung.quantities);
-  } catch (const Error& error) {
-    if (error.code() != ErrorCode::numerical || !going()) throw;
-    result.failure = error.what();
-  }
+  const auto own = folder / rung.entry.name;
+  const RunEnd end =
+      scenario::run(*rung.scenario, builtins_, {.folder = own, .compares = false}, {.going = going});
+  if (end.status == "interrupted") throw Error(ErrorCode::numerical, end.status);
+  if (end.status == "ok")
+    result.table = renamed(text::TimeTable::read(own), rung.entry, rung.quantities);
+  else
+    result.failure = end.message;
   return result;
 }
 

@@ -6,7 +6,6 @@
 
 #include <cstdio>
 
-
 namespace tandem::output {
 namespace {
 using Clock = std::chrono::steady_clock;

@@ -14,11 +14,11 @@
 #include "row_key.hpp"
 #include "series.hpp"
 #include "table_rows.hpp"
-#include "told_reference.hpp"
 #include "tandem/output/files.hpp"
 #include "tandem/output/json.hpp"
 #include "tandem/output/lock.hpp"
 #include "tandem/output/parallel.hpp"
+#include "told_reference.hpp"
 
 namespace tandem::study {
 namespace fs = std::filesystem;
@@ -147,7 +147,8 @@ class Sweep::Work {
       return !stop.load();
     };
     if (hand_out_) return hand_out_->each(count, most, job, done, tick);
-    output::for_each_in_parallel(count, most, [&](std::size_t k) { here(k, [&] { return !stop; }); }, tick);
+    output::for_each_in_parallel(
+        count, most, [&](std::size_t k) { here(k, [&] { return !stop; }); }, tick);
   }
 
   unsigned at_a_time() const {
@@ -159,7 +160,9 @@ class Sweep::Work {
     in_parallel(
         "references", references_.size(), at_a_time(),
         [&](std::size_t k, const Going& go_on) { references_.make(k, go_on); },
-        [](std::size_t k) { return Told{{"reference", k}}; },
+        [](std::size_t k) {
+          return Told{{"reference", k}};
+        },
         [&](std::size_t k, const Told& made) {
           take(made, references_.run(k));
           hand_out_->tell_all({{"take", k}, {"made", made}});
@@ -203,8 +206,9 @@ class Sweep::Work {
     need_references();
     for (const Table& table : study_.tables)
       rows_.emplace_back(table, study_.columns_of(table), settings_.folder, "");
-    work_for(*settings_.ranks, [this](const Told& job, const Going& go_on) { return answer(job, go_on); },
-             [this] { return going(); });
+    work_for(
+        *settings_.ranks, [this](const Told& job, const Going& go_on) { return answer(job, go_on); },
+        [this] { return going(); });
   }
 
   Told answer(const Told& job, const Going& go_on) {
@@ -218,8 +222,7 @@ class Sweep::Work {
       answer = run_row({table, &study_.tables[table].rows[job["row"].get<std::size_t>()]}, go_on);
     }
     if (answer.is_null())
-      throw Error(ErrorCode::input_output,
-                  fmt::format("rank {} was interrupted", settings_.ranks->rank()));
+      throw Error(ErrorCode::input_output, fmt::format("rank {} was interrupted", settings_.ranks->rank()));
     return answer;
   }
 

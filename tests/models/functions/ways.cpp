@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "tandem/charts/program.hpp"
 #include "functions/double_pendulum.hpp"
+#include "tandem/charts/program.hpp"
 #include "tandem/error.hpp"
 #include "tandem/mbs/functions/function_model.hpp"
 #include "tandem/mbs/functions/library.hpp"
