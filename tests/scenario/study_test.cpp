@@ -231,6 +231,7 @@ TEST(Study, TellsItsPlanAndWritesNothing) {
             std::string::npos);
   EXPECT_NE(said.out.find("reference fine (voltage = 50), and with half its steps"), std::string::npos)
       << said.out;
+  EXPECT_NE(said.out.find(" s for references, on one processor"), std::string::npos) << said.out;
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "o"));
 }
 

@@ -48,6 +48,12 @@ Reconstruction Reconstruction::parse(std::string_view text) {
                                                "to 16 samples), matched_hold");
 }
 
+const std::vector<std::string>& Reconstruction::words() {
+  static const std::vector<std::string> all = {"lagrange0", "lagrange1", "lagrange2", "lagrange3",
+                                               "lagrange4", "hermite",   "mean",      "matched_hold"};
+  return all;
+}
+
 std::string Reconstruction::name() const {
   switch (kind) {
     case Kind::hermite:

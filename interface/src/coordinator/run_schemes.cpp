@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 // Whether the schedule can honour what is asked for.
-#include <algorithm>
 #include <cmath>
 
+#include "reconstruction_rules.hpp"
 #include "run_start.hpp"
 #include "tandem/error.hpp"
 
@@ -11,8 +11,11 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& sentence) { throw Error(ErrorCode::not_supported, sentence); }
 
-std::size_t position(const std::vector<int>& order, int who) {
-  return static_cast<std::size_t>(std::find(order.begin(), order.end(), who) - order.begin());
+/// By subsystem its place in the order.
+std::vector<std::size_t> places(const std::vector<int>& order, int subsystems) {
+  std::vector<std::size_t> all(static_cast<std::size_t>(subsystems), order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) all[static_cast<std::size_t>(order[k])] = k;
+  return all;
 }
 
 }  // namespace
@@ -27,8 +30,12 @@ void RunStart::check_schemes(const std::vector<int>& order) const {
         "' can't shorten a step, so schedule staggered keeps a first order part of the size of its own "
         "step over that of '" +
         topology_.name(order[0]) + "'");
+  const auto place = places(order, topology_.size());
   for (const Line& line : topology_.lines()) {
-    check_line(line, order);
+    const bool integrate = !sampled(line.source) && !sampled(line.reader);
+    if (integrate)
+      check_in_schedule(topology_, line, run_.coordination_.schedule,
+                        place[line.source] < place[line.reader]);
     note_empty_means(line);
   }
 }
@@ -50,27 +57,6 @@ bool RunStart::misses_middle(int fast, int slow) const {
   const Abilities &a = topology_.info(fast).abilities, &b = topology_.info(slow).abilities;
   return !a.lands && (a.chooses_step || b.chooses_step ||
                       std::abs(nearest) > (1.0 + middle / run_.own_step(fast)) * rounding());
-}
-
-void RunStart::check_line(const Line& line, const std::vector<int>& order) const {
-  using Kind = Reconstruction::Kind;
-  if (sampled(line.source) || sampled(line.reader)) return;
-  const Schedule::Kind schedule = run_.coordination_.schedule;
-  const std::string what =
-      "input " + topology_.input_name(line.reader, line.input) + " is reconstructed by " + line.how.name();
-  const bool turns = schedule == Schedule::Kind::slowest_first || schedule == Schedule::Kind::fastest_first;
-  if (schedule == Schedule::Kind::staggered && line.how.kind != Kind::matched_hold &&
-      line.how.kind != Kind::held)
-    refuse(what + "; schedule staggered takes matched_hold only");
-  if (schedule == Schedule::Kind::parallel && line.how.kind == Kind::matched_hold)
-    refuse(what + ", which needs subsystems that take turns; schedule parallel has none");
-  if (line.how.kind == Kind::mean && !(turns && position(order, line.source) < position(order, line.reader)))
-    refuse(what + ", which needs a source that is ahead of its reader; in schedule " +
-           std::string(Schedule::name(schedule)) + " '" + topology_.name(line.source) +
-           "' is not ahead of '" + topology_.name(line.reader) + "'");
-  if (line.lag == Lag::memory && topology_.info(line.reader).abilities.chooses_step)
-    refuse("input " + topology_.input_name(line.reader, line.input) +
-           " has a memory of one own step, but its subsystem chooses its steps; use a delay");
 }
 
 }  // namespace tandem

@@ -75,7 +75,6 @@ class RunStart {
   void note_empty_means(const Line& line) const;
   bool misses_middle(int fast, int slow) const;
   void note_without_effect() const;
-  void check_line(const Line& line, const std::vector<int>& order) const;
   void measure_batches();
   std::vector<std::int64_t> capacities(const std::vector<int>& seeds) const;
   void open_exchange(const std::vector<int>& seeds);

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "../number_text.hpp"
+#include "reconstruction_rules.hpp"
 #include "tandem/check_info.hpp"
 #include "tandem/coordinator/units.hpp"
 #include "tandem/error.hpp"
@@ -17,26 +18,6 @@ namespace {
 
 [[noreturn]] void refuse_topology(const std::string& sentence) {
   throw Error(ErrorCode::invalid_argument, sentence);
-}
-
-/// What a connection says, checked against what it joins.
-Reconstruction reconstruction_of(const Connection& c, const Port& from, bool to_sampled,
-                                 const std::string& what) {
-  using Kind = Reconstruction::Kind;
-  if (from.held && (!c.how || c.how->kind == Kind::held)) return {Kind::held};
-  if (!c.how || c.how->kind == Kind::held)
-    refuse_topology(what + " has no reconstruction; only a held output, which " + c.from +
-                    " is not, needs none");
-  if (from.held && c.how->kind != Kind::mean)
-    refuse_topology(what + " is to be reconstructed by " + c.how->name() + ", but " + c.from +
-                    " is held, constant from sample to sample; allowed is no reconstruction, or mean");
-  if (from.derivatives < c.how->derivatives_read())
-    refuse_topology(what + " is to be reconstructed by " + c.how->name() + ", but " + c.from +
-                    " gives no derivative");
-  if (to_sampled && c.how->kind == Kind::matched_hold)
-    refuse_topology(what + " is a matched hold, which needs a reader that integrates itself; '" + c.to +
-                    "' is of a sampled one");
-  return *c.how;
 }
 
 }  // namespace

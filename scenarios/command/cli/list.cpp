@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -54,9 +55,8 @@ void print_words(const Context& context) {
   for (const auto kind : {Schedule::Kind::slowest_first, Schedule::Kind::fastest_first,
                           Schedule::Kind::staggered, Schedule::Kind::parallel})
     say(" {}", Schedule::name(kind));
-  say("\nreconstructions: lagrange0 lagrange1 lagrange2 lagrange3 lagrange4 hermite mean "
-      "least_squaresD_EXTRA (degree D 0 to 4, "
-      "EXTRA 1 to 16 samples) matched_hold\n");
+  say("\nreconstructions: {} least_squaresD_EXTRA (degree D 0 to 4, EXTRA 1 to 16 samples)\n",
+      fmt::join(Reconstruction::words(), " "));
 }
 
 }  // namespace

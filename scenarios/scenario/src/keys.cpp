@@ -92,9 +92,8 @@ void of_connections(KeyList& to) {
            "How the input is made a function of time from samples of the output. A held output "
            "needs none; any other has to have one.",
            {.allowed = "`least_squaresD_EXTRA`: degree D 0 to 4 through 1 to 16 EXTRA samples",
-            .words = {"lagrange0", "lagrange1", "lagrange2", "lagrange3", "lagrange4", "hermite", "mean",
-                      "matched_hold"},
-            .pattern = "least_squares[0-4]_([1-9]|1[0-6])",
+            .words = Reconstruction::words(),
+            .pattern = Reconstruction::least_squares_words,
             .also = is_reconstruction})
       .may("gain", number, "The input is gain times output plus offset.", {.otherwise = "1.0"})
       .may("offset", number, "See gain; in the unit of the input.", {.otherwise = "0.0"})

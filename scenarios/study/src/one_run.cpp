@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "expected_time.hpp"
 #include "tandem/coordinator/bounds.hpp"
 #include "tandem/nearest.hpp"
 #include "tandem/printable.hpp"
@@ -15,6 +16,7 @@ namespace {
 using text::located;
 
 constexpr std::size_t longest_note = 1000;
+constexpr double patience = 0.1;  ///< [s] of a run, to tell what the whole will take
 
 }  // namespace
 
@@ -63,6 +65,10 @@ bool RowRunner::OneRun::simulate(const std::function<bool()>& going) {
     end("failed", error.what());
   }
   return true;
+}
+
+double RowRunner::OneRun::expected_seconds() {
+  return study::expected_seconds(*assembly_, scenario_.start, scenario_.stop, patience);
 }
 
 void RowRunner::OneRun::judge(const std::function<bool()>& going) {

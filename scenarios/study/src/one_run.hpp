@@ -17,6 +17,8 @@ class RowRunner::OneRun {
   /// False: `going` said no.
   bool simulate(const std::function<bool()>& going);
   void judge(const std::function<bool()>& going);
+  /// In place of these two, of what they would take [s].
+  double expected_seconds();
   RowResult result() const { return result_; }
   const scenario::Traces& traces() const { return *traces_; }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "expected_time.hpp"
 #include "row_key.hpp"
 #include "tandem/nearest.hpp"
 #include "tandem/scenario/assembly.hpp"
@@ -110,6 +111,17 @@ TableOf References::tables(const Metric& metric, const scenario::Traces& traces,
 void References::make(std::size_t which, const std::function<bool()>& going) {
   ReferenceRun& run = *runs_[which];
   run.reference->file.empty() ? simulate(run, going) : read(run);
+}
+
+double References::expected_seconds(std::size_t which) {
+  constexpr double patience = 0.5;  // [s]
+  const ReferenceRun& run = *runs_[which];
+  if (!run.reference->file.empty()) return 0.0;
+  const auto scenario = scenes_.of_reference(*run.reference, *run.table, run.per, run.columns);
+  scenario::Assembly assembly(scenario, builtins_);
+  assembly.initialize();
+  const double once = study::expected_seconds(assembly, scenario.start, scenario.stop, patience);
+  return run.reference->floor ? 3.0 * once : once;
 }
 
 void References::read(ReferenceRun& run) const {

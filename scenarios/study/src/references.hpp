@@ -39,6 +39,8 @@ class References {
   const ReferenceRun& run(std::size_t which) const { return *runs_[which]; }
   /// For one that another process has made.
   ReferenceRun& run(std::size_t which) { return *runs_[which]; }
+  /// What one will take [s].
+  double expected_seconds(std::size_t which);
   /// Reads or runs one: different ones at the same time. A run that fails is told in it; throws Error for
   /// what is wrong before.
   void make(std::size_t which, const std::function<bool()>& going);

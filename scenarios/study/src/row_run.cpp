@@ -42,9 +42,11 @@ bool RowRunner::trace(const FileValues& row, const Kept& kept, const std::functi
   return true;
 }
 
-std::string RowRunner::refusal(const FileValues& row) const {
+std::string RowRunner::refusal(const FileValues& row, double* seconds) const {
   OneRun one(*this, row, outputs_);
-  return one.begin() ? "" : one.result().note;
+  if (!one.begin()) return one.result().note;
+  if (seconds) *seconds = one.expected_seconds();
+  return "";
 }
 
 std::map<std::string, std::string> RowRunner::units(const FileValues& row) const {

@@ -24,8 +24,9 @@ class RowRunner {
   /// Runs it again for outputs over time that are kept. False: `going` said no.
   bool trace(const FileValues& row, const Kept& kept, const std::function<bool()>& going,
              const std::function<void(const scenario::Traces&)>& keep) const;
-  /// Up to the first step; the sentence of a row that is refused, else empty.
-  std::string refusal(const FileValues& row) const;
+  /// Up to the first step; the sentence of a row that is refused, else empty. seconds: gets what the run will
+  /// take, where it is not null.
+  std::string refusal(const FileValues& row, double* seconds = nullptr) const;
   const std::vector<const Metric*>& metrics() const { return metrics_; }
   /// By metric, as far as a run that began has told them.
   std::map<std::string, std::string> units(const FileValues& row) const;

@@ -33,15 +33,17 @@ class Writer {
   }
 
   std::string text() const {
-    return head() + reconstructions() + R"toml(
+    return head() + reconstructions() +
+           fmt::format(R"toml(
 [[tables.schemes.blocks]]
 axes = [
-  { schedule = ["slowest-first", "fastest-first", "staggered", "parallel"] },
-  { reconstruction = ["lagrange0", "lagrange1", "lagrange2", "lagrange3", "lagrange4", "hermite", "mean", "matched_hold"] },
-  { steps = [0.5, 1, 2] },
+  {{ schedule = ["slowest-first", "fastest-first", "staggered", "parallel"] }},
+  {{ reconstruction = ["{}"] }},
+  {{ steps = [0.5, 1, 2] }},
 ]
-)toml" + reference() +
-           metrics() + charts();
+)toml",
+                       fmt::join(Reconstruction::words(), "\", \"")) +
+           reference() + metrics() + charts();
   }
 
  private:

@@ -2,6 +2,7 @@
 #pragma once
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tandem {
 
@@ -23,6 +24,9 @@ struct Reconstruction {
   /// From "lagrange0" .. "lagrange4", "hermite", "mean", "least_squaresD_EXTRA", "matched_hold".
   /// Throws Error(invalid_argument) that lists these for any other text. (What is held needs no word.)
   static Reconstruction parse(std::string_view text);
+  /// The words that parse() takes, without the family `least_squares`, whose words match least_squares_words.
+  static const std::vector<std::string>& words();
+  static constexpr const char* least_squares_words = "least_squares[0-4]_([1-9]|1[0-6])";
   /// The text that parse() takes.
   std::string name() const;
 

@@ -53,7 +53,8 @@ class Sweep {
   Sweep(const Sweep&) = delete;
   Sweep& operator=(const Sweep&) = delete;
 
-  /// What it would do, in lines: tables, references, and the rows that would be refused. Nothing is written.
+  /// What it would do, in lines: tables, references, the rows that would be refused, and about how long it would
+  /// take, by the beginnings of some runs. Nothing is written.
   std::vector<std::string> plan();
 
   /// Throws Error(input_output) for a file that can't be written, with the rows kept that are finished. It
