@@ -235,6 +235,16 @@ TEST(Study, TellsItsPlanAndWritesNothing) {
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "o"));
 }
 
+/// Rows that are refused leave it to those after them.
+TEST(Study, TellsAboutHowLongItTakesByTheRowsThatRun) {
+  const Scratch folder;
+  folder.write("s.toml", study("{ voltage = [50] }, { schedule = ['parallel'] }, { how = ['hermite', "
+                               "'lagrange1'] }, { step = [4e-3, 8e-3] }"));
+  const Said said = tandem(folder, {"sweep", "s.toml", "--dry-run"});
+  EXPECT_NE(said.out.find("\nabout "), std::string::npos) << said.out;
+  EXPECT_EQ(said.out.find("\nabout 0 s for rows"), std::string::npos) << said.out;
+}
+
 TEST(Study, OnAFullDiskIsStatusOneAndInAFolderAtWorkIsRefused) {
   const Scratch folder;
   folder.write("s.toml", study(axes));

@@ -11,6 +11,7 @@
 #include "fingerprint.hpp"
 #include "hand_out.hpp"
 #include "norm_text.hpp"
+#include "plan.hpp"
 #include "row_key.hpp"
 #include "series.hpp"
 #include "table_rows.hpp"
@@ -35,19 +36,7 @@ class Sweep::Work {
     if (!is_helper()) read_scenarios();
   }
 
-  std::vector<std::string> plan() {
-    std::vector<std::string> lines;
-    double of_rows = 0.0, of_references = 0.0;  // [s]
-    for (std::size_t k = 0; k < runners_.size(); ++k) of_rows += plan_table(k, lines);
-    for (std::size_t k = 0; k < references_.size(); ++k) {
-      lines.push_back(references_.run(k).text() +
-                      (references_.run(k).reference->floor ? ", and with half its steps" : ""));
-      of_references += references_.expected_seconds(k);
-    }
-    lines.push_back(fmt::format("about {:.3g} s for rows and {:.3g} s for references, on one processor",
-                                of_rows, of_references));
-    return lines;
-  }
+  std::vector<std::string> plan() { return study::plan(study_, runners_, references_); }
 
   SweepEnd run(const SweepListener& listener) {
     listener_ = &listener;
@@ -77,35 +66,6 @@ class Sweep::Work {
 
   bool is_helper() const { return settings_.ranks && settings_.ranks->rank() != 0; }
   bool going() const { return !listener_->going || listener_->going(); }
-
-  std::size_t repetitions(std::size_t table) const {
-    int most = 1;
-    for (const Metric* metric : runners_[table].metrics()) most = std::max(most, metric->repetitions);
-    return static_cast<std::size_t>(most);
-  }
-
-  /// Returns what its rows will take [s], by some of them.
-  double plan_table(std::size_t which, std::vector<std::string>& lines) {
-    constexpr std::size_t tried = 8;
-    const Table& table = study_.tables[which];
-    lines.push_back(fmt::format("{}.csv: {} rows", table.name, table.rows.size()));
-    double seconds = 0.0;
-    std::size_t runs = 0, timed = 0;
-    for (std::size_t k = 0; k < table.rows.size(); ++k) {
-      const FileValues& row = table.rows[k];
-      references_.need(runners_[which].metrics(), table, row);
-      const bool is_tried = k * tried / table.rows.size() == timed;
-      double own = 0.0;
-      if (const std::string why = runners_[which].refusal(row, is_tried ? &own : nullptr); !why.empty()) {
-        lines.push_back("  refused (" + row_text(table.columns, row) + "): " + why);
-        continue;
-      }
-      ++runs;
-      if (is_tried) seconds += own, ++timed;
-    }
-    return timed == 0 ? 0.0
-                      : seconds * static_cast<double>(runs * repetitions(which)) / static_cast<double>(timed);
-  }
 
   /// All of them, so that what one does not take is told before any runs.
   void read_scenarios() {
