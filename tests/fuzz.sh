@@ -35,13 +35,13 @@ report() {
 }
 
 status=0
-for target in server client table archive description mechanism diagram scenario; do
+for target in server client table archive description mechanism diagram scenario study; do
   [[ -x $folder/${target}_fuzz ]] || continue # of FMUs, without what they need
   mkdir -p "$folder/corpus/$target" "$folder/seeds/$target"
   echo "$target: $runs runs"
   # A run may take 20 s and 3 GB; inputs have up to 8 KiB.
   words=()
-  [[ $target =~ ^(mechanism|diagram|scenario)$ ]] && words=(-dict="$folder/seeds/words")
+  [[ $target =~ ^(mechanism|diagram|scenario|study)$ ]] && words=(-dict="$folder/seeds/words")
   "$folder/${target}_fuzz" "${words[@]}" -runs="$runs" -seed="$seed" -max_len=8192 -timeout=20 -rss_limit_mb=3000 \
     -verbosity=0 -print_final_stats=1 -artifact_prefix="$folder/$target-" \
     "$folder/corpus/$target" "$folder/seeds/$target" >"$folder/$target.log" 2>&1 ||

@@ -30,9 +30,11 @@ def with_small_payloads(message):
 
 
 def kind(text):
-    """As scenario::kind_alone has it."""
+    """As scenario::kind_alone has it, and studies."""
     if re.search(r"^\[*blocks\b", text, re.MULTILINE):
         return "diagram"
+    if re.search(r"^\[*(tables|search|charts)\b", text, re.MULTILINE):
+        return "study"
     return "mechanism" if re.search(r"^dimension\b", text, re.MULTILINE) else "scenario"
 
 
