@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "compile/sort.hpp"
-#include "functions.hpp"
+#include "math_functions.hpp"
 #include "past.hpp"
 
 namespace tandem::engine {

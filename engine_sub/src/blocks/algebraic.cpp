@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include "functions.hpp"
 #include "kinds.hpp"
+#include "math_functions.hpp"
 #include "tandem/nearest.hpp"
 
 namespace tandem::engine {

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "functions.hpp"
 #include "kinds.hpp"
+#include "math_functions.hpp"
 
 namespace tandem::engine {
 namespace {

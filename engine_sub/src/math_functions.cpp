@@ -1,5 +1,5 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-#include "functions.hpp"
+#include "math_functions.hpp"
 
 #include <cmath>
 
