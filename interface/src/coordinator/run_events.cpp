@@ -35,7 +35,9 @@ void RunStart::note_events(const std::vector<int>& order) {
 void RunStart::note_reader(const ReadEvents& what, const std::vector<int>& order) {
   const auto [source, reader, by] = what;
   const Schedule::Kind schedule = run_.coordination_.schedule;
-  if (schedule == Schedule::Kind::staggered) return;
+  if (schedule == Schedule::Kind::staggered)
+    return run_.notes_.push_back("schedule staggered ends no step of subsystem '" + topology_.name(reader) +
+                                 "' where '" + topology_.name(source) + "' has an event");
   run_.has_events_ = true;
   if (!add_once(run_.events(source).readers, reader)) return;
   const auto place = [&](int who) { return std::find(order.begin(), order.end(), who) - order.begin(); };

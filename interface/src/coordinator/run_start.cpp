@@ -98,7 +98,7 @@ void RunStart::note_without_effect() const {
       std::any_of(lines.begin(), lines.end(), [](const Line& line) { return line.lag == Lag::delay; });
   if (run_.coordination_.communication_step && !parallel && !delays)
     run_.notes_.push_back("communication_step has no effect: it serves schedule parallel and delays");
-  if (!run_.coordination_.order.empty() && parallel)
+  if (!run_.coordination_.order.empty() && parallel && !run_.has_events_)
     run_.notes_.push_back("order has no effect in schedule parallel");
   for (int i = 0; i < topology_.size(); ++i)
     if (sampled(i) && landing_of(i) != Landing::automatic)

@@ -36,7 +36,7 @@ namespace tandem {
 /// When all of a group that is linked wait, go from the one with the earliest node to the first that it waits
 /// for. Go on to the first that this one waits for, and so on until the ring is closed. The first leader of
 /// the ring goes without the sample of the follower that it waits for there. (So do subsystems that all read
-/// all, in the order of coordinator.md.) Where none is there, a follower goes without the leader that waits
+/// all.) Where none is there, a follower goes without the leader that waits
 /// for a sampled one.
 class TurnOrder {
  public:
