@@ -112,7 +112,7 @@ std::vector<Case> error_cases() {
 Table error_table(const std::vector<Case>& cases, const std::vector<Result>& results) {
   Table table({"loops", "formulation", "integrator", "settings", "step", "newton_tolerance",
                "iterations_per_step", "x_error", "order", "energy_drift", "position_residual",
-               "velocity_residual", "acceleration_residual", "largest_tilt", "end", "status"});
+               "velocity_residual", "acceleration_residual", "largest_tilt", "end", "status", "note"});
   const auto rough_figure = [](double value) { return fmt::format("{:.1e}", value); };
   for (std::size_t k = 0; k < cases.size(); ++k) {
     const Case& c = cases[k];
@@ -123,7 +123,7 @@ Table error_table(const std::vector<Case>& cases, const std::vector<Result>& res
                order(cases, results, k), fmt::format("{:.2e}", r.energy_drift),
                rough_figure(r.position_residual), rough_figure(r.velocity_residual),
                rough_figure(r.acceleration_residual), rough_figure(r.largest_tilt),
-               fmt::format("{:.6g}", r.time), r.status});
+               fmt::format("{:.6g}", r.time), r.status, r.note});
   }
   return table;
 }

@@ -30,7 +30,7 @@ std::string seconds(const std::optional<Cost>& cost) {
 }
 
 std::string ratio(const std::optional<Cost>& above, const std::optional<Cost>& below) {
-  if (!above || !below) return "-";
+  if (!above || !below || (above->bound && below->bound)) return "-";  // of two bounds there is none
   return fmt::format("{}{}{:.0f}", above->bound ? "<" : "", below->bound ? ">" : "",
                      above->seconds / below->seconds);
 }
@@ -73,7 +73,9 @@ std::optional<Cost> cost_of(const std::vector<LinkageTrial>& runs, double error)
 }
 
 Table ratios(const std::vector<LinkageTrial>& runs) {
-  Table table({"start", "loops", "simbody", "by", "index3", "times", "tandem", "times", "by"}, "at_1_mm");
+  Table table({"start", "loops", "simbody", "simbody_by", "index3", "index3_times", "tandem", "tandem_times",
+               "tandem_by"},
+              "at_1_mm");
   std::vector<LinkageTrial> same;
   for (const LinkageTrial& r : runs) {
     if (!same.empty() && (r.start != same.front().start || r.loops != same.front().loops)) {

@@ -98,6 +98,8 @@ void of_tables(KeyList& to) {
            {.allowed = "a column"})
       .need("cells", any, "What stands in each; of several in a cell the others stand in brackets.",
             {.allowed = "a column, an expression, or an array of these"})
+      .may("each", edge, "What the values of several rows in a cell make. Without it a cell has one row.",
+           {.allowed = "`sum`, `mean`, `least` or `most`, or one of these for each of `cells`"})
       .may("digits", positive, "That count, of numbers that are not whole.", {.otherwise = "2"});
 }
 

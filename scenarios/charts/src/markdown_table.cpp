@@ -1,7 +1,9 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "drawings.hpp"
 #include "groups.hpp"
@@ -9,14 +11,30 @@
 namespace tandem::charts {
 namespace {
 
-/// Whole numbers as they are, others with so many digits that count.
-std::string shown(double value, int digits) {
+/// With so many digits that count; whole numbers as they are.
+std::string rounded(double value, int digits) {
   constexpr double most = 1e15, large = 1e6, small = 1e-4;
   const double size = std::abs(value);
   if (value == std::round(value) && size < most) return fmt::format("{:.0f}", value);
   if (size < small || size >= large) return fmt::format("{:.{}e}", value, digits - 1);
   const int before = static_cast<int>(std::floor(std::log10(size))) + 1;  // digits before the point
   return fmt::format("{:.{}f}", value, std::max(0, digits - before));
+}
+
+/// Whether a number that is written with a point has no more digits than that.
+bool is_short(const std::string& number, int digits) {
+  const auto first = number.find_first_not_of("-0.");
+  return first != std::string::npos && number.find('.') != std::string::npos &&
+         number.find_first_not_of("-.0123456789") == std::string::npos &&
+         std::count_if(number.begin() + first, number.end(), [](char c) { return c != '.'; }) <= digits;
+}
+
+/// What the values of several rows make, of which there is one at least.
+double together(const std::string& each, const std::vector<double>& values) {
+  if (each == "least") return *std::min_element(values.begin(), values.end());
+  if (each == "most") return *std::max_element(values.begin(), values.end());
+  const double sum = std::accumulate(values.begin(), values.end(), 0.0);
+  return each == "mean" ? sum / static_cast<double>(values.size()) : sum;
 }
 
 class MarkdownTable {
@@ -30,12 +48,16 @@ class MarkdownTable {
     std::string text = line(head()), rule = "|";
     for (std::size_t k = 0; k < head().size(); ++k) rule += "---|";
     text += rule + '\n';
-    for (std::size_t row = 0; row < rows_.size(); ++row) {
-      std::vector<std::string> cells = words_[row];
-      for (std::size_t column = 0; column < width(); ++column) {
-        const auto it = cells_.find({row, column});
-        cells.push_back(it == cells_.end() ? "" : it->second);
-      }
+    for (std::size_t at = 0; at < rows_.size(); ++at) {
+      std::vector<std::string> cells = words_[at];
+      const std::size_t parts = chart_.y.size();
+      if (chart_.columns.empty())
+        for (std::size_t k = 0; k < parts; ++k) cells.push_back(cell(cells_.at({at, 0}), k, k + 1));
+      else
+        for (std::size_t column = 0; column < columns_.size(); ++column) {
+          const auto it = cells_.find({at, column});
+          cells.push_back(it == cells_.end() ? "" : cell(it->second, 0, parts));
+        }
       text += line(cells);
     }
     return text;
@@ -47,8 +69,6 @@ class MarkdownTable {
     for (const std::string& cell : cells) text += ' ' + cell + (cell.empty() ? "|" : " |");
     return text + '\n';
   }
-
-  std::size_t width() const { return chart_.columns.empty() ? chart_.y.size() : columns_.size(); }
 
   std::vector<std::string> head() const {
     std::vector<std::string> head;
@@ -69,36 +89,59 @@ class MarkdownTable {
       for (const std::string& column : chart_.rows)
         words_[at].push_back(table_.cell(row, column, chart_.place, charts_));
     }
-    if (chart_.columns.empty()) {
-      for (std::size_t k = 0; k < chart_.y.size(); ++k) cells_[{at, k}] = cell(row, {chart_.y[k]});
-      return;
-    }
-    const std::size_t column = columns_.of(table_.cell(row, chart_.columns, chart_.place, charts_));
-    cells_[{at, column}] = cell(row, chart_.y);
+    const std::string name =
+        chart_.columns.empty() ? "" : table_.cell(row, chart_.columns, chart_.place, charts_);
+    auto& rows = cells_[{at, columns_.of(name)}];
+    rows.push_back(row);
+    if (rows.size() > 1 && chart_.each.empty())
+      refuse(chart_.place,
+             fmt::format("table '{}': rows {} and {} of {}.csv stand in one cell; `each` says what they "
+                         "make, or `where` leaves one out",
+                         chart_.name, rows[0] + 1, row + 1, chart_.table));
   }
 
-  /// The first value, the others in brackets; of a row that failed its status.
-  std::string cell(std::size_t row, const std::vector<std::vector<Quantity>>& parts) const {
+  /// The first value, the others in brackets, of some of what stands in a cell; of one row that failed its status.
+  std::string cell(const std::vector<std::size_t>& rows, std::size_t from, std::size_t to) const {
+    if (chart_.each.empty() && table_.failed(rows[0]))
+      return table_.cell(rows[0], "status", chart_.place, charts_);
     std::string first, others;
-    for (const auto& part : parts)
-      for (const Quantity& quantity : part) {
-        const auto value = table_.number(row, quantity);
-        const std::string one = value ? shown(*value, chart_.digits) : "";
+    for (std::size_t part = from; part < to; ++part)
+      for (const Quantity& quantity : chart_.y[part]) {
+        const std::string one = chart_.each.empty()
+                                    ? shown(rows[0], quantity)
+                                    : shown(rows, quantity, chart_.each[part % chart_.each.size()]);
         if (first.empty())
           first = one;
         else if (!one.empty())
           others += (others.empty() ? "" : "; ") + one;
       }
-    const std::string text = others.empty() ? first : first + " (" + others + ")";
-    return table_.failed(row) ? table_.cell(row, "status", chart_.place, charts_) : text;
+    return others.empty() ? first : first + " (" + others + ")";
+  }
+
+  /// A number with the chart's digits, or as it stands in the table if it has fewer there; a word as it is called.
+  std::string shown(std::size_t row, const Quantity& quantity) const {
+    const std::string own = table_.has(quantity.text) ? table_.text(row, quantity.text) : "";
+    if (table_.is_word(quantity)) return charts_.name_of(own);
+    const auto value = table_.number(row, quantity);
+    if (!value) return {};
+    return is_short(own, chart_.digits) ? own : rounded(*value, chart_.digits);
+  }
+
+  std::string shown(const std::vector<std::size_t>& rows, const Quantity& quantity,
+                    const std::string& each) const {
+    std::vector<double> values;
+    for (const std::size_t row : rows)
+      if (const auto value = table_.number(row, quantity); value && !table_.failed(row))
+        values.push_back(*value);
+    return values.empty() ? "" : rounded(together(each, values), chart_.digits);
   }
 
   const Chart& chart_;
   const Charts& charts_;
   const Table& table_;
   Groups rows_, columns_;
-  std::vector<std::vector<std::string>> words_;  ///< by row
-  std::map<std::pair<std::size_t, std::size_t>, std::string> cells_;
+  std::vector<std::vector<std::string>> words_;                                    ///< by row
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> cells_;  ///< rows of the table
 };
 
 }  // namespace

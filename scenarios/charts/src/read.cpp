@@ -147,6 +147,14 @@ class Reader {
     if (chart_.rows.empty()) section_.missing("rows");
     chart_.columns = section_.text("columns").value_or("");
     chart_.y = quantities(section_, "cells");
+    chart_.each = one_or_more(section_, "each");
+    static const std::vector<std::string> known = {"sum", "mean", "least", "most"};
+    for (const std::string& one : chart_.each)
+      if (std::find(known.begin(), known.end(), one) == known.end())
+        section_.wrong("each", "'" + one + "'", "sum, mean, least or most");
+    if (chart_.each.size() > 1 && chart_.each.size() != chart_.y.size())
+      section_.wrong("each", fmt::format("{} words", chart_.each.size()),
+                     fmt::format("one, or as many as cells has ({})", chart_.y.size()));
     const double digits = *section_.positive("digits");
     if (digits != std::floor(digits) || digits > most_digits)
       section_.wrong("digits", fmt::format("{}", digits), "a whole number up to 17");

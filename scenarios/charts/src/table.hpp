@@ -29,6 +29,8 @@ class Table {
   /// Nothing where a column that it needs is empty, or not finite. Throws Error naming the place for a
   /// column that is not there, and for a word where a number is needed.
   std::optional<double> number(std::size_t row, const Quantity& quantity) const;
+  /// What stands there.
+  const std::string& text(std::size_t row, const std::string& column) const { return csv_[row].text(column); }
   /// Whether the row has a status other than ok.
   bool failed(std::size_t row) const;
   /// The rows for which `where` holds; all without one.

@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 struct ChartOptions {
   std::vector<std::string> what;
   std::vector<std::string> plotted, names;
+  std::string where;
   fs::path results;
   bool png = false;
 };
@@ -51,6 +52,15 @@ void keep_named(charts::Charts& charts, const std::vector<std::string>& names) {
     });
 }
 
+/// The charts draw no rows but these, besides what each says itself.
+void keep_rows(charts::Charts& charts, const std::string& where) {
+  if (where.empty()) return;
+  for (charts::Chart& chart : charts.all) {
+    const std::string own = chart.where ? "(" + chart.where->text + ") && " : "";
+    chart.where = charts::Quantity{own + "(" + where + ")", {"--where", 0}};
+  }
+}
+
 ChartFile charts_of(const std::string& name, const Builtins& builtins) {
   if (const fs::path file = study_path(name); name.ends_with(".toml") || fs::exists(file))
     return read_chart_file(file, builtins);
@@ -63,6 +73,7 @@ ChartFile charts_of(const std::string& name, const Builtins& builtins) {
 charts::Drawing of_file(const ChartOptions& options, const Builtins& builtins, fs::path& folder) {
   ChartFile file = charts_of(options.what[0], builtins);
   keep_named(file.charts, options.names);
+  keep_rows(file.charts, options.where);
   if (folder.empty()) folder = file.results;
   if (folder.empty())
     throw Error(ErrorCode::invalid_argument, "--results is missing: the folder that tandem ladder wrote");
@@ -116,6 +127,9 @@ void add_chart(CLI::App& app, Context& context) {
       ->add_option("--chart", options->names, "Of a file: draw this chart alone (repeatable; default: all)")
       ->expected(1)
       ->take_all();
+  command
+      ->add_option("--where", options->where, "Of a file: draw these rows alone, besides what the charts say")
+      ->type_name("EXPRESSION");
   command
       ->add_option(
           "--results", options->results,

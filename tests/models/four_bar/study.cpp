@@ -24,12 +24,6 @@ double tilt_of(const State& s, int loops) {
   return largest;
 }
 
-std::string failure(const Error& error) {
-  std::string sentence = fmt::format("failed: {}", error.what());
-  std::replace(sentence.begin(), sentence.end(), ',', ';');
-  return sentence;
-}
-
 /// Figures of the last state that is of use.
 void tell(Mechanism& m, const State& s, int loops, Result& result) {
   const State start = m.described_state();
@@ -60,13 +54,15 @@ Result run(const Case& c, double end, const std::function<void(const Place&)>& s
       const Place place{s.time, tilt_of(s, c.loops), std::atan2(s.q[0], s.q[1])};
       if (seen) seen(place);
       result.largest_tilt = std::max(result.largest_tilt, place.tilt);
-      if (!(place.tilt <= lost_tilt)) result.status = fmt::format("lost at {:.4f}", s.time);
+      if (!(place.tilt <= lost_tilt)) result.status = fmt::format("lost at {:.2f} s", s.time);
     }
     last = s;
     if (result.status.empty()) result.status = "ok";
   } catch (const Error& error) {
     if (error.code() != ErrorCode::numerical) throw;
-    result.status = failure(error);
+    result.status = fmt::format("failed at {:.2f} s", last.time);
+    result.note = error.what();
+    std::replace(result.note.begin(), result.note.end(), ',', ';');
   }
   if (k > 0) result.iterations = static_cast<double>(iterations) / static_cast<double>(k);
   tell(m, last, c.loops, result);

@@ -34,7 +34,8 @@ struct Result {
   double x_error = 0.0;                           ///< of the first moving point's x [m]
   double energy_drift = 0.0, largest_tilt = 0.0;  ///< as a part of the potential energy at the start; [m]
   double position_residual = 0.0, velocity_residual = 0.0, acceleration_residual = 0.0;
-  std::string status;  ///< ok; lost at T; failed: sentence, without commas
+  std::string status;  ///< "ok", "lost at 1.26 s", "failed at 0.72 s"
+  std::string note;    ///< Why it failed, without commas.
 };
 
 /// Runs until `end` [s], the loss of the parallelogram, or what the stepper can't do. `seen` is told of each

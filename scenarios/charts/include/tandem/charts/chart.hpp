@@ -77,7 +77,8 @@ struct Chart {
   std::string difference, jumps;
 
   // table: y are its cells
-  int digits = 2;  ///< that count, of numbers that are not whole
+  std::vector<std::string> each;  ///< what several rows in a cell make; empty: there is one
+  int digits = 2;                 ///< that count, of numbers that are not whole
 
   text::Place place;
 };
