@@ -38,6 +38,11 @@ void of_file(KeyList& to) {
       .may("description", text, "A sentence that `tandem list` prints.")
       .may("study", any, "A study of this scenario, for `tandem sweep` (docs/studies.md).",
            {.allowed = "a table"})
+      .table("constants",
+             "Numbers by name, of those before them. Where a number may stand in this file, `\"$NAME\"` "
+             "stands for "
+             "one and `\"$(EXPRESSION)\"` for an expression of them.")
+      .may("NAME", number, "The number.")
       .table("parameters", "Parameters that every subsystem gets, before its own.")
       .may("NAME", value, "As the source of each subsystem knows it.")
       .table("subsystems", "The subsystems, a table for each.", true);
@@ -53,8 +58,8 @@ void of_subsystems(KeyList& to) {
            "`spawn:PROGRAM`, `tcp://HOST:PORT`, ...; `tandem list` has all. Files stand relative "
            "to the scenario's folder.")
       .may("command", texts,
-           "A program and its arguments, which is started and speaks the protocol on its standard "
-           "input and output (in place of `source`).",
+           "A program and its arguments, in place of `source`. It is started, and speaks the protocol on the "
+           "socket whose number is in the environment as TANDEM_FD.",
            {.allowed = "at least one"})
       .may("isolate", flag,
            "Native code, `lib:`, `three_functions:` or `fmu:`, runs in a process of its own. It may have the "
@@ -157,7 +162,7 @@ const text::Keys& keys() {
     for (const auto part :
          {of_file, of_subsystems, of_connections, of_coordination, of_span, keys_of_results, keys_of_ladder})
       part(list);
-    return text::Keys(std::move(list).list());
+    return text::Keys(std::move(list).list(), text::Keys::Texts::refer);
   }();
   return all;
 }

@@ -33,10 +33,11 @@ class Reader {
           Place{to_.file.string()},
           "the file holds nothing; allowed is a scenario, with tables [subsystems.NAME], a mechanism, with "
           "points, or a diagram, with blocks");
-    Section root(document_, keys());
+    Section root(document_, keys(), &constants_);
+    read_constants(root);
     to_.name = root.text("name").value_or(to_.file.stem().string());
     to_.description = root.text("description").value_or("");
-    if (const auto* table = root.table("parameters")) shared_ = parameters(*table, "parameters");
+    if (const auto* table = root.table("parameters")) shared_ = parameters(*table, "parameters", &constants_);
     read_subsystems(root);
     for (Section& connection : root.sections("connections")) read_connection(connection);
     for (const auto& [name, read_into] : settings())
@@ -59,7 +60,7 @@ class Reader {
     entry.overrides = overrides;
     Section run(document_, *table, "run");
     read_span(run);
-    for (Parameter& p : parameters(*table, "run", kind == "diagram" ? "inputs" : ""))
+    for (Parameter& p : parameters(*table, "run", nullptr, kind == "diagram" ? "inputs" : ""))
       if (p.name != "start" && p.name != "stop") entry.parameters.push_back(std::move(p));
     if (kind == "diagram") read_inputs_of_diagram(run, entry);
     to_.animate = kind == "mechanism" && !run.node("animate");
@@ -67,6 +68,13 @@ class Reader {
   }
 
  private:
+  /// Each may be of those before it.
+  void read_constants(Section& root) {
+    if (const auto* table = root.table("constants"))
+      for (const auto& [name, node] : in_file_order(*table))
+        constants_.set(name, root.number_of(*node, "constants." + name));
+  }
+
   void read_span(Section& run) {
     const auto start = run.number("start"), step = run.number("step"), stop = run.number("stop");
     if (!stop) run.missing("stop", "the time of its end [s]");
@@ -86,13 +94,16 @@ class Reader {
     }
   }
 
+  /// constants: what texts that begin with $ stand for; null: they are texts.
   std::vector<Parameter> parameters(const toml::table& table, const std::string& path,
-                                    const std::string& but = "") const {
+                                    const text::Values* constants, const std::string& but = "") const {
     std::vector<Parameter> all;
     for (const auto& [key, node] : in_file_order(table)) {
       if (key == but) continue;
       const Place place = document_.place(*node);
-      if (const auto* text = node->as_string())
+      if (constants && text::Values::refers(*node))
+        all.push_back({key, constants->number(document_, *node, path + "." + key), place});
+      else if (const auto* text = node->as_string())
         all.push_back({key, text->get(), place});
       else if (const auto* flag = node->as_boolean())
         all.push_back({key, flag->get(), place});
@@ -108,8 +119,9 @@ class Reader {
   void read_subsystems(Section& root) {
     auto all = root.section("subsystems");
     if (!all || all->table().empty())
-      root.missing("subsystems",
-                   "a table [subsystems.NAME] for each; a mechanism has points, a diagram blocks, a study tables");
+      root.missing(
+          "subsystems",
+          "a table [subsystems.NAME] for each; a mechanism has points, a diagram blocks, a study tables");
     for (auto& [name, section] : all->named_sections()) read_subsystem(name, section);
   }
 
@@ -121,7 +133,7 @@ class Reader {
       entry.source = section.required_text(
           "source", "a source like \"builtin:NAME\", or command, a program and its arguments");
     if (const auto* table = section.table("parameters"))
-      for (Parameter& own : parameters(*table, section.name("parameters"))) {
+      for (Parameter& own : parameters(*table, section.name("parameters"), &constants_)) {
         std::erase_if(entry.parameters, [&](const Parameter& p) { return p.name == own.name; });
         entry.parameters.push_back(std::move(own));
       }
@@ -150,7 +162,7 @@ class Reader {
       if (node->is_table())
         read_series(inputs.of_name(port), port, entry);
       else
-        read_numbers(*node, inputs.name(port), port, entry);
+        read_numbers(inputs, *node, port, entry);
   }
 
   void read_series(Section section, const std::string& port, SubsystemEntry& entry) const {
@@ -160,18 +172,15 @@ class Reader {
     entry.inputs.push_back({port, std::make_shared<const TimeSeries>(*series), section.place()});
   }
 
-  void read_numbers(const toml::node& node, const std::string& path, const std::string& port,
+  void read_numbers(const Section& inputs, const toml::node& node, const std::string& port,
                     SubsystemEntry& entry) const {
-    if (!node.is_array()) {
-      entry.inputs.push_back({port, number_of(document_, node, path), document_.place(node)});
-      return;
-    }
+    const auto add = [&](const toml::node& value, const std::string& index) {
+      const std::string path = inputs.name(port) + index;
+      entry.inputs.push_back({port + index, inputs.number_of(value, path), document_.place(value)});
+    };
+    if (!node.is_array()) return add(node, "");
     int element = 0;
-    for (const toml::node& value : *node.as_array()) {
-      const std::string index = "[" + std::to_string(element++) + "]";
-      entry.inputs.push_back(
-          {port + index, number_of(document_, value, path + index), document_.place(value)});
-    }
+    for (const toml::node& value : *node.as_array()) add(value, "[" + std::to_string(element++) + "]");
   }
 
   void read_connection(Section& section) {
@@ -191,6 +200,7 @@ class Reader {
 
   const Document& document_;
   Scenario& to_;
+  text::Values constants_;
   std::vector<Parameter> shared_;
 };
 
