@@ -24,7 +24,8 @@ FLOORS = {
     "scenario": ("scenarios/scenario",
                  ["interface", "text", "transports", "output", "sources", "mbs_subsystem", "engine_subsystem"]),
     "charts": ("scenarios/charts", ["interface", "text", "output"]),
-    "study": ("scenarios/study", ["interface", "text", "transports", "output", "scenario", "charts"]),
+    "stability": ("scenarios/stability", ["interface", "text", "transports", "scenario"]),
+    "study": ("scenarios/study", ["interface", "text", "transports", "output", "scenario", "charts", "stability"]),
     "models": ("scenarios/models",
                ["interface", "text", "transports", "mbs", "mbs_subsystem", "engine", "engine_subsystem", "sources",
                 "output", "scenario", "study"]),
@@ -32,7 +33,7 @@ FLOORS = {
              ["interface", "text", "mbs", "sources", "output", "scenario", "models"]),
     "command": ("scenarios/command", None),  # all
 }
-LISTED = ["output", "scenario", "charts", "study", "models", "view", "command", "sources"]
+LISTED = ["output", "scenario", "charts", "stability", "study", "models", "view", "command", "sources"]
 
 
 def floor_of(file):

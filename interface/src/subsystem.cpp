@@ -8,6 +8,9 @@ namespace {
 [[noreturn]] void refuse(const SubsystemInfo& info) {
   throw Error(ErrorCode::not_supported, "subsystem '" + info.name + "' has no ability to save its state");
 }
+[[noreturn]] void refuse_numbers(const SubsystemInfo& info) {
+  throw Error(ErrorCode::not_supported, "subsystem '" + info.name + "' does not give its states as numbers");
+}
 [[noreturn]] void refuse_bytes(const SubsystemInfo& info) {
   throw Error(ErrorCode::not_supported,
               "subsystem '" + info.name + "' has no ability to give its state as bytes");
@@ -62,6 +65,9 @@ Clock Subsystem::finish_advance(Samples&) {
 Clock Subsystem::sample(double, SamplePart, std::span<const double>, std::span<double>) {
   throw Error(ErrorCode::not_supported, "subsystem '" + info().name + "' is not sampled");
 }
+
+void Subsystem::get_states(std::span<double>) const { refuse_numbers(info()); }
+void Subsystem::set_states(std::span<const double>) { refuse_numbers(info()); }
 
 StateId Subsystem::save_state() { refuse(info()); }
 Clock Subsystem::restore_state(StateId) { refuse(info()); }

@@ -101,7 +101,26 @@ SubsystemInfo DiagramModel::info() const {
     info.outputs.back().held = m.program.courses[k].held;
   }
   for (const auto& [output, input] : m.program.feedthrough) info.feedthrough.push_back({output, input});
+  if (names_states())
+    for (const std::string& name : m.program.state_names) info.states.push_back({name, ""});
   return info;
+}
+
+bool DiagramModel::names_states() const {
+  const Program& p = program();
+  const bool remembers = !p.crossings.empty() || !p.periodics.empty() || !p.delays.empty() ||
+                         !p.calls.empty() || !p.step_updates.empty() || !p.settled.empty();
+  return !remembers && machine_->simulation.keeps_exactly();
+}
+
+void DiagramModel::get_states(std::span<double> x) const {
+  std::copy_n(image().begin(), x.size(), x.begin());
+}
+
+void DiagramModel::set_states(std::span<const double> x) {
+  kept_ = image();
+  kept_time_ = machine_->simulation.time();
+  std::copy(x.begin(), x.end(), kept_.begin());
 }
 
 /// What is not known yet counts as zero, and what follows it at once is not told.
@@ -160,8 +179,7 @@ void DiagramModel::look(double t, std::span<const double> u, double* y) {
 }
 
 void DiagramModel::outputs(double* y) const {
-  const auto& image = kept_.empty() ? machine_->simulation.signals() : kept_;
-  program().row(image.data(), y);
+  program().row(image().data(), y);
   for (std::size_t k = 0; k < hidden_.size(); ++k)
     if (hidden_[k]) y[k] = std::numeric_limits<double>::quiet_NaN();
 }

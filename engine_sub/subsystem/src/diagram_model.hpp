@@ -42,6 +42,8 @@ class DiagramModel {
   bool jump(double t, std::span<const Signal> u);
   void outputs(double* y) const;
   std::vector<std::string> remarks(double t_stop) const;
+  void get_states(std::span<double> x) const;
+  void set_states(std::span<const double> x);
   void write(ByteWriter& to) const;
   void read(ByteReader& from);
   /// Of a sampled diagram: what happens at its instant t; or what it would give, and nothing changes.
@@ -62,6 +64,10 @@ class DiagramModel {
     std::vector<double> before;  ///< of look()
   };
 
+  /// What it was when it was kept, else what it is.
+  const std::vector<double>& image() const { return kept_.empty() ? machine_->simulation.signals() : kept_; }
+  /// Whether its states are all that its steps go by.
+  bool names_states() const;
   /// Goes on with the state that is kept.
   Simulation& resume();
 

@@ -25,6 +25,14 @@ concept SaysWhetherKept = requires(const Model& model) {
   { model.keeps_state() } -> std::same_as<bool>;
 };
 
+/// A model that gives its states as numbers; its info() names them.
+template <class Model>
+concept GivesStates =
+    requires(Model& model, const Model& same, std::span<double> to, std::span<const double> x) {
+      same.get_states(to);
+      model.set_states(x);
+    };
+
 /// What FixedStep and Sampled have in common: a model, its place in time, and saved copies of both. Place has
 /// clock(), write() and read().
 template <class Model, class Place>
@@ -40,6 +48,15 @@ class SavedModels : public Subsystem {
   std::vector<Figure> figures() const override {
     if constexpr (requires { model_.figures(); }) return model_.figures();
     return {};
+  }
+
+  void get_states(std::span<double> x) const override {
+    if constexpr (GivesStates<Model>) return model_.get_states(x);
+    Subsystem::get_states(x);
+  }
+  void set_states(std::span<const double> x) override {
+    if constexpr (GivesStates<Model>) return model_.set_states(x);
+    Subsystem::set_states(x);
   }
 
   StateId save_state() override {

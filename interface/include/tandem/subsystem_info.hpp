@@ -52,6 +52,11 @@ struct Abilities {
 /// From bits of subsystem_info.h (TANDEM_LANDS, ...); bits that are not known are left out.
 Abilities abilities_from(std::uint32_t bits);
 
+/// A continuous or discrete state of a model, as a number.
+struct StateName {
+  std::string name, unit;  ///< as of a Port
+};
+
 /// Of a sampled subsystem.
 struct Sampling {
   double period = 0.0;   ///< [s]: the least time between two instants; above 0
@@ -65,6 +70,7 @@ struct SubsystemInfo {
   Abilities abilities;
   Sampling sampling = {};
   DeclaredParameters parameters = {};  ///< of its kind; none: it takes any, and refuses what it does not know
+  std::vector<StateName> states = {};  ///< that Subsystem::get_states() gives; none: it keeps them to itself
 
   int input_size() const { return scalars(inputs); }    ///< number of scalar inputs
   int output_size() const { return scalars(outputs); }  ///< number of scalar outputs

@@ -60,8 +60,8 @@ void print_schema(const std::string& language) {
 }  // namespace
 
 void add_help(CLI::App& app, Context&) {
-  auto* command =
-      app.add_subcommand("help", "Tell what a key of a scenario or a mechanism means, or all of them");
+  auto* command = app.add_subcommand(
+      "help", "Tell what a key of a scenario, mechanism, diagram or study means, or all of them");
   auto asked = std::make_shared<std::string>();
   command
       ->add_option(

@@ -48,8 +48,10 @@ void add_sweep(CLI::App& app, Context& context) {
   command
       ->add_option("--where", options->where, "Run only the rows for which this expression of columns holds")
       ->type_name("EXPRESSION");
-  command->add_flag("--dry-run", options->dry,
-                    "Tell the rows, the references and what is refused, and run nothing");
+  command->add_flag(
+      "--dry-run", options->dry,
+      "Tell the rows, the references, what is refused and about how long it takes, for which the first "
+      "0.1 s of some runs are run; write nothing");
   command
       ->add_option("--output", options->output,
                    "Folder for the tables (default: results/FOLDER, that of the study)")

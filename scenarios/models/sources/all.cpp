@@ -4,6 +4,7 @@
 #include "engine_linkage/linkage.hpp"
 #include "engine_models/compiled.hpp"
 #include "kart/builtins.hpp"
+#include "oscillator/side.hpp"
 #include "sources/elements.hpp"
 #include "split_pendulum/exact.hpp"
 #include "tandem/sources/diagram.hpp"
@@ -19,6 +20,7 @@ Builtins all_sources(const scenario::SourceSettings& settings) {
   two_mass::add_builtins(all);
   kart::add_builtins(all, settings.tell);
   engine_linkage::add_builtins(all, settings.tell);
+  oscillator::add_builtins(all);
   split_pendulum::add_builtins(all);
   return all;
 }

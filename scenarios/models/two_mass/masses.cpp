@@ -20,6 +20,7 @@ SubsystemInfo FastMass::info() const {
                      {{"x1", "m", 1, 2}, {"v1", "m/s", 1, 1}},
                      {},
                      {.serializes_state = true}};
+  info.states = {{"x1", "m"}, {"v1", "m/s"}};
   if (!options_.force) return info;
   info.outputs.push_back({"F", "N"});
   info.feedthrough.push_back({2, 0});
@@ -68,6 +69,9 @@ void FastMass::outputs(double* y) const {
   }
 }
 
+void FastMass::get_states(std::span<double> x) const { x[0] = x1_, x[1] = v1_; }
+void FastMass::set_states(std::span<const double> x) { x1_ = x[0], v1_ = x[1]; }
+
 void FastMass::write(ByteWriter& to) const { to.put_doubles(std::array{x1_, v1_, a1_, force_}); }
 
 void FastMass::read(ByteReader& from) {
@@ -95,6 +99,8 @@ SubsystemInfo SlowMass::info() const {
                      {{"x2", "m", 1, 2}, {"v2", "m/s", 1, 1}},
                      {},
                      {.serializes_state = true}};
+  info.states = {{"x2", "m"}, {"v2", "m/s"}};
+  if (options_.reuse_acceleration) info.states.push_back({"a2", "m/s^2"});
   if (!options_.force) return info;
   info.inputs[0] = {"F", "N"};
   info.outputs.push_back({"a2", "m/s^2"});
@@ -129,6 +135,15 @@ void SlowMass::outputs(double* y) const {
   }
 }
 
+void SlowMass::get_states(std::span<double> x) const {
+  x[0] = x2_, x[1] = v2_;
+  if (options_.reuse_acceleration) x[2] = a2_;
+}
+void SlowMass::set_states(std::span<const double> x) {
+  x2_ = x[0], v2_ = x[1];
+  if (options_.reuse_acceleration) a2_ = x[2];
+}
+
 void SlowMass::write(ByteWriter& to) const { to.put_doubles(std::array{x2_, v2_, a2_}); }
 
 void SlowMass::read(ByteReader& from) {
@@ -138,11 +153,13 @@ void SlowMass::read(ByteReader& from) {
 }
 
 SubsystemInfo BothMasses::info() const {
-  return {"two_mass.both",
-          {},
-          {{"x1", "m"}, {"v1", "m/s"}, {"x2", "m"}, {"v2", "m/s"}},
-          {},
-          {.serializes_state = true}};
+  SubsystemInfo info{"two_mass.both",
+                     {},
+                     {{"x1", "m"}, {"v1", "m/s"}, {"x2", "m"}, {"v2", "m/s"}},
+                     {},
+                     {.serializes_state = true}};
+  info.states = {{"x1", "m"}, {"v1", "m/s"}, {"x2", "m"}, {"v2", "m/s"}};
+  return info;
 }
 
 void BothMasses::start(double t, std::span<const double>) { state_ = model_.exact(t); }
@@ -164,6 +181,9 @@ void BothMasses::step(const OwnStep& s, std::span<const Signal>) {
 void BothMasses::outputs(double* y) const {
   y[0] = state_.x1, y[1] = state_.v1, y[2] = state_.x2, y[3] = state_.v2;
 }
+
+void BothMasses::get_states(std::span<double> x) const { outputs(x.data()); }
+void BothMasses::set_states(std::span<const double> x) { state_ = {x[0], x[1], x[2], x[3]}; }
 
 void BothMasses::write(ByteWriter& to) const {
   to.put_doubles(std::array{state_.x1, state_.v1, state_.x2, state_.v2});

@@ -25,6 +25,8 @@ class FastMass {
   void start(double t, std::span<const double> u0);
   void step(const OwnStep& s, std::span<const Signal> u);
   void outputs(double* y) const;
+  void get_states(std::span<double> x) const;
+  void set_states(std::span<const double> x);
   void write(ByteWriter& to) const;
   void read(ByteReader& from);
 
@@ -58,6 +60,8 @@ class SlowMass {
   void start(double t, std::span<const double> u0);
   void step(const OwnStep& s, std::span<const Signal> u);
   void outputs(double* y) const;
+  void get_states(std::span<double> x) const;
+  void set_states(std::span<const double> x);
   void write(ByteWriter& to) const;
   void read(ByteReader& from);
 
@@ -79,6 +83,8 @@ class BothMasses {
   void start(double t, std::span<const double> u0);
   void step(const OwnStep& s, std::span<const Signal> u);
   void outputs(double* y) const;
+  void get_states(std::span<double> x) const;
+  void set_states(std::span<const double> x);
   void write(ByteWriter& to) const;
   void read(ByteReader& from);
 

@@ -108,7 +108,8 @@ double size_of(const Metric& metric, const TimeTable& run, const std::string& un
 std::string unit_of(const Metric& metric, const std::string& of_output) {
   if (metric.kind == Metric::Kind::seconds) return "s";
   const bool counted = metric.kind == Metric::Kind::exchanges || metric.kind == Metric::Kind::steps ||
-                       metric.kind == Metric::Kind::order || metric.is_time();
+                       metric.kind == Metric::Kind::order || metric.kind == Metric::Kind::stability ||
+                       metric.is_time();
   if (counted || metric.relative != Metric::Relative::no) return "1";
   return metric.kind == Metric::Kind::output ? metric.unit.empty() ? of_output : metric.unit : "";
 }

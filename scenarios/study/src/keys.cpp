@@ -80,7 +80,9 @@ void of_metrics(KeyList& to) {
         "One of them. Counts go by their names alone: `exchanges = {}` (calls of subsystems) and "
         "`\"steps.INSTANCE\" = {}` (own steps). So do times: `seconds = {}` (wall time, and processor time "
         "as seconds.processor), `\"share.INSTANCE\" = {}` and `real_time_factor = {}`. A table has times if "
-        "its `metrics` name them, or if it is the only one. Else one of `of`, `signal`, `drift`, `order`, "
+        "its `metrics` name them, or if it is the only one. So do three of the map of a super-step "
+        "(docs/stability.md): `spectral_radius = {}`, `damping = {}` and `detuning = {}`. A row with these "
+        "alone is not run. Else one of `of`, `signal`, `drift`, `order`, "
         "`formula` and `builtin`.")
       .may(
           "of", text,
@@ -123,6 +125,11 @@ void of_metrics(KeyList& to) {
            "Of `seconds` and `real_time_factor`: the least of so many runs, of which the one that is "
            "judged is the first.",
            {.otherwise = "3"})
+      .may("state", text,
+           "Of `damping` and `detuning`: that of the mode in which this state takes part most. Without it: "
+           "the mode "
+           "that is farthest off.",
+           {.allowed = "\"instance.state\""})
       .table("metrics.NAME.with", "Parameters of a `builtin`.")
       .may("NAME", any, "As it knows it.", {.allowed = "as in `[set]`"});
 }
@@ -142,6 +149,14 @@ void of_searches(KeyList& to) {
       .need("holds", text, "A run whose status is not ok never does.",
             {.allowed = "an expression of metrics and columns"})
       .may("precision", positive, "Of the value, relative.", {.otherwise = "0.01"})
+      .may("scan", positive,
+           "A factor above 1: values are tried by it from the end where it holds, up to the first where it "
+           "does "
+           "not; then bisection. Without it: by bisection between both ends.")
+      .may("nowhere", any, "What stands where it holds nowhere. Without it: nothing.",
+           {.allowed = "a number, or inf"})
+      .may("everywhere", any, "What stands where it holds up to the other end. Without it: that end.",
+           {.allowed = "a number, or inf"})
       .need("axes", any, "A search for each row of these.", {.allowed = "as in a block"})
       .may("where", text, "Leaves rows out where it is 0.", {.allowed = "an expression of columns"});
 }

@@ -60,6 +60,8 @@ std::string norm_text(const Metric& metric) {
     text = fmt::format("order of {}, with half the steps", metric.of);
   else if (metric.kind == Metric::Kind::formula)
     text = metric.formula->text;
+  else if (metric.kind == Metric::Kind::stability)
+    text = "of the map of a super-step";
   else if (metric.kind == Metric::Kind::coded)
     text = metric.of;
   else

@@ -126,7 +126,9 @@ Place RowRunner::OneRun::place_named_in(const std::string& sentence) const {
 
 void RowRunner::OneRun::judge(const Metric& metric) {
   if (metric.kind == Metric::Kind::order) return;  // after the verdict
-  if (metric.kind == Metric::Kind::exchanges || metric.kind == Metric::Kind::steps)
+  if (metric.kind == Metric::Kind::stability)
+    tell_stability(metric);
+  else if (metric.kind == Metric::Kind::exchanges || metric.kind == Metric::Kind::steps)
     set(metric.name, counted(metric));
   else if (metric.is_time()) {
     if (result_.status == "ok" && !finer_) time(metric);
@@ -169,6 +171,28 @@ void RowRunner::OneRun::tell_order(const Metric& metric, const std::function<boo
   if (halved_->status != "ok" || own == result_.metrics.end() || half == halved_->metrics.end()) return;
   const double order = std::log2(std::get<double>(own->second) / std::get<double>(half->second));
   if (std::isfinite(order)) set(metric.name, order);
+}
+
+void RowRunner::OneRun::tell_stability(const Metric& metric) {
+  if (metric.of == "spectral_radius")
+    return set(metric.name, stability::spectral_radius(stability::super_step(scenario_, all_.builtins_).map));
+  if (!stability_) stability_ = stability::stability(scenario_, all_.builtins_);
+  const auto off = [&](const stability::Mode& mode) {
+    return metric.of == "damping" ? mode.scheme_damping - mode.damping : mode.detuning();
+  };
+  const auto& states = stability_->states;
+  const auto state = std::find(states.begin(), states.end(), metric.state);
+  if (!metric.state.empty() && state == states.end())
+    refuse(metric.place, "metrics." + metric.name + ".state: " + unknown("state", metric.state, states));
+  const auto weight = [&](const stability::Mode& mode) {
+    return metric.state.empty() ? std::abs(off(mode)) : mode.parts[state - states.begin()];
+  };
+  const auto& modes = stability_->modes;
+  const auto chosen = std::max_element(modes.begin(), modes.end(),
+                                       [&](const auto& a, const auto& b) { return weight(a) < weight(b); });
+  if (chosen == modes.end()) return;
+  if (chosen->is_kept()) return set(metric.name, off(*chosen));
+  result_.note = "the scheme has no mode like that of " + stability_->mostly(*chosen);
 }
 
 double RowRunner::OneRun::counted(const Metric& metric) const {

@@ -3,6 +3,7 @@
 #include "observers.hpp"
 #include "row_run.hpp"
 #include "tandem/scenario/assembly.hpp"
+#include "tandem/stability/modes.hpp"
 #include "timing.hpp"
 
 namespace tandem::study {
@@ -17,7 +18,9 @@ class RowRunner::OneRun {
   /// False: `going` said no.
   bool simulate(const std::function<bool()>& going);
   void judge(const std::function<bool()>& going);
-  /// In place of these two, of what they would take [s].
+  /// In place of simulate(), where nothing that it judges comes of the run.
+  void leave_out() { end("ok", ""); }
+  /// In place of simulate() and judge(), what they would take [s].
   double expected_seconds();
   RowResult result() const { return result_; }
   const scenario::Traces& traces() const { return *traces_; }
@@ -35,6 +38,7 @@ class RowRunner::OneRun {
   /// And the formulas that wait for them.
   void judge_orders(const std::function<bool()>& going);
   void tell_order(const Metric& metric, const std::function<bool()>& going);
+  void tell_stability(const Metric& metric);
   double counted(const Metric& metric) const;
   void compare(const Metric& metric);
   void compute(const Metric& metric);
@@ -57,6 +61,7 @@ class RowRunner::OneRun {
   Timing judged_{};  ///< of the run that is judged
   std::optional<Timing> timing_;
   std::map<std::string, double> shares_;
+  std::optional<stability::Stability> stability_;
   RowResult result_;
   std::optional<RowResult> halved_;
 };

@@ -118,34 +118,51 @@ class Reader {
   /// Those named first, then the others.
   void order_columns() {
     const auto first = root_.texts("columns");
-    std::vector<std::string> metrics, known;
-    for (const Metric& metric : to_.metrics) metrics.push_back(metric.name);
-    known = metrics;
-    for (const Table& table : to_.tables)
-      known.insert(known.end(), table.columns.begin(), table.columns.end());
-    for (Table& table : to_.tables) {
-      if (table.search) {
-        table.metrics = without_times();
-        table.header = header({}, table);
-        table.header.insert(table.header.begin() + static_cast<std::ptrdiff_t>(table.columns.size()),
-                            table.search->column);
-        continue;
-      }
-      Section& section = sections_.at(table.name);
-      const auto own = section.texts("columns");
-      const auto chosen = section.texts("metrics");
-      for (const auto& [names, at] : {std::pair(&first, &root_), std::pair(&own, &section)})
-        for (const std::string& name : *names)
-          if (!has(known, name))
-            refuse(at->place("columns"),
-                   at->name("columns") + ": " + unknown("column or metric", name, known));
-      for (const std::string& name : chosen)
-        if (!has(metrics, name))
-          refuse(section.place("metrics"), section.name("metrics") + ": " + unknown("metric", name, metrics));
-      table.metrics = section.node("metrics") ? chosen : to_.tables.size() == 1 ? metrics : without_times();
-      table.header = header(own.empty() ? first : own, table);
-      section.refuse_unknown();
-    }
+    check_names(root_, first);
+    for (Table& table : to_.tables)
+      if (table.search)
+        order_search(first, table);
+      else
+        order_table(first, table);
+  }
+
+  /// Its column stands after its axes'.
+  void order_search(const std::vector<std::string>& first, Table& table) {
+    table.metrics = without_times();
+    Table all = table;
+    all.columns.push_back(table.search->column);
+    table.header = header(first, all);
+  }
+
+  void order_table(const std::vector<std::string>& first, Table& table) {
+    Section& section = sections_.at(table.name);
+    const auto own = section.texts("columns");
+    const auto chosen = section.texts("metrics");
+    check_names(section, own);
+    const auto metrics = metric_names();
+    for (const std::string& name : chosen)
+      if (!has(metrics, name))
+        refuse(section.place("metrics"), section.name("metrics") + ": " + unknown("metric", name, metrics));
+    table.metrics = section.node("metrics") ? chosen : to_.tables.size() == 1 ? metrics : without_times();
+    table.header = header(own.empty() ? first : own, table);
+    section.refuse_unknown();
+  }
+
+  std::vector<std::string> metric_names() const {
+    std::vector<std::string> names;
+    for (const Metric& metric : to_.metrics) names.push_back(metric.name);
+    return names;
+  }
+
+  /// Of the key `columns`.
+  void check_names(Section& section, const std::vector<std::string>& names) const {
+    auto known = metric_names();
+    const auto columns = to_.columns();
+    known.insert(known.end(), columns.begin(), columns.end());
+    for (const std::string& name : names)
+      if (!has(known, name))
+        refuse(section.place("columns"),
+               section.name("columns") + ": " + unknown("column or metric", name, known));
   }
 
   std::vector<std::string> without_times() const {

@@ -33,7 +33,9 @@ Metric::Relative relative_of(const std::optional<std::string>& word) {
   return !word ? no : *word == "peak" ? peak : *word == "rms" ? rms : start;
 }
 
-const std::string names_alone = "exchanges, steps.INSTANCE, seconds, share.INSTANCE and real_time_factor";
+const std::string names_alone =
+    "exchanges, steps.INSTANCE, seconds, share.INSTANCE, real_time_factor, spectral_radius, damping and "
+    "detuning";
 
 /// One metric of a table with keys.
 class MetricReader {
@@ -51,6 +53,7 @@ class MetricReader {
     read_reference();
     refuse_what_has_no_meaning();
     section_.leave_out("repetitions", "it is no time");
+    section_.leave_out("state", "it is neither damping nor detuning");
     section_.refuse_unknown();
     return std::move(metric_);
   }
@@ -150,16 +153,23 @@ int repetitions(Section& section) {
   return static_cast<int>(count);
 }
 
-/// By its name alone; nothing if it has other keys.
+const std::string modal[] = {"damping", "detuning"};
+
+/// By its name, with the one key that it may have; nothing if it has others.
 std::optional<Metric> by_name(Section& section, const std::string& name) {
   using Kind = Metric::Kind;
-  const bool is_time = name == "seconds" || name == "real_time_factor";
-  if (section.table().size() > (is_time && section.table().contains("repetitions") ? 1U : 0U)) return {};
+  const bool is_time = name == "seconds" || name == "real_time_factor",
+             is_modal = std::find(std::begin(modal), std::end(modal), name) != std::end(modal);
+  const auto has_one = [&](const char* key) { return section.table().contains(key); };
+  const bool own_key = (is_time && has_one("repetitions")) || (is_modal && has_one("state"));
+  if (section.table().size() > (own_key ? 1U : 0U)) return {};
   Metric one{.name = name, .kind = Kind::exchanges, .place = section.place()};
   if (is_time)
     one.kind = name == "seconds" ? Kind::seconds : Kind::real_time, one.repetitions = repetitions(section);
   if (name.starts_with(steps)) one.kind = Kind::steps, one.of = name.substr(steps.size());
   if (name.starts_with(share)) one.kind = Kind::share, one.of = name.substr(share.size());
+  if (name == "spectral_radius" || is_modal)
+    one.kind = Kind::stability, one.of = name, one.state = section.text("state").value_or("");
   return is_time || name == "exchanges" || !one.of.empty() ? std::optional(one) : std::nullopt;
 }
 

@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "row_run.hpp"
 
+#include <algorithm>
+
 #include "one_run.hpp"
 
 namespace tandem::study {
@@ -20,11 +22,20 @@ std::optional<RowResult> RowRunner::run(const FileValues& row, const std::functi
   return table_.search ? search(row, going) : run_once(row, going);
 }
 
+bool RowRunner::needs_run() const {
+  return metrics_.empty() || std::any_of(metrics_.begin(), metrics_.end(), [](const Metric* metric) {
+           return metric->kind != Metric::Kind::stability && metric->kind != Metric::Kind::formula;
+         });
+}
+
 std::optional<RowResult> RowRunner::run_once(const FileValues& row,
                                              const std::function<bool()>& going) const {
   OneRun one(*this, row, outputs_);
   if (!one.begin()) return one.result();
-  if (!one.simulate(going)) return {};
+  if (!needs_run())
+    one.leave_out();
+  else if (!one.simulate(going))
+    return {};
   one.judge(going);
   return going() ? std::optional(one.result()) : std::nullopt;
 }

@@ -34,6 +34,7 @@ class RowRunner {
  private:
   class OneRun;
   std::optional<RowResult> run_once(const FileValues& row, const std::function<bool()>& going) const;
+  bool needs_run() const;
   bool holds(const FileValues& row, const RowResult& result) const;
   std::optional<RowResult> search(const FileValues& row, const std::function<bool()>& going) const;
   const Study& study_;

@@ -16,10 +16,27 @@ bool RowRunner::holds(const FileValues& row, const RowResult& result) const {
   return is_known(holds, values) && value_of(holds, values) != 0.0;
 }
 
-/// By bisection in the logarithm of the value, between one for which it holds and one for which it does not.
+namespace {
+
+/// What is tried after a value for which it holds: the other end, or on the way there.
+double next(const Search& search, double good) {
+  if (search.largest) return search.scan ? std::min(good * *search.scan, search.to) : search.to;
+  return search.scan ? std::max(good / *search.scan, search.from) : search.from;
+}
+
+void put(RowResult& result, const Search& search, std::optional<double> value) {
+  if (value)
+    result.metrics[search.column] = *value;
+  else
+    result.metrics.clear();
+}
+
+}  // namespace
+
 std::optional<RowResult> RowRunner::search(const FileValues& row, const std::function<bool()>& going) const {
   const Search& search = *table_.search;
-  double good = search.largest ? search.from : search.to, bad = search.largest ? search.to : search.from;
+  const double end = search.largest ? search.to : search.from;
+  double good = search.largest ? search.from : search.to, bad = end;
   FileValues at = row;
   const auto tried = [&](double value) {
     at[search.column] = value;
@@ -28,28 +45,32 @@ std::optional<RowResult> RowRunner::search(const FileValues& row, const std::fun
   auto best = tried(good);
   if (!best || best->status == "refused") return best;
   if (!holds(at, *best)) {
-    best->metrics.clear();
+    put(*best, search, search.nowhere);
     best->note = fmt::format("it does not hold at {}{}", good, best->note.empty() ? "" : ": " + best->note);
     best->status = "ok";
     return best;
   }
-  auto far = tried(bad);
-  if (!far) return {};
-  if (holds(at, *far)) {
-    best = far, good = bad;
-    best->note = fmt::format("it holds at {} too", bad);
+  const auto try_at = [&](double value) {
+    const auto result = tried(value);
+    if (result && holds(at, *result))
+      good = value, best = result;
+    else
+      bad = value;
+    return result.has_value();
+  };
+  for (bool failed = false; !failed && good != end;) {
+    const double value = next(search, good);
+    if (!try_at(value)) return {};
+    failed = good != value;
   }
-  while (std::max(good / bad, bad / good) > 1.0 + search.precision) {
+  if (good == end) best->note = fmt::format("it holds at {} too", end);
+  while (good != end &&
+         std::max(good / bad, bad / good) > 1.0 + search.precision) {  // by halves of the logarithm
     const double middle = std::sqrt(good * bad);
     if (middle == good || middle == bad) break;  // there is no number between
-    const auto result = tried(middle);
-    if (!result) return {};
-    if (holds(at, *result))
-      good = middle, best = result;
-    else
-      bad = middle;
+    if (!try_at(middle)) return {};
   }
-  best->metrics[search.column] = good;
+  put(*best, search, good == end ? search.everywhere.value_or(end) : good);
   return best;
 }
 

@@ -8,9 +8,32 @@
 #include "tandem/nearest.hpp"
 
 namespace tandem::study {
+namespace {
+
+/// Each "${COLUMN}" of a text as `one` has it.
+template <class One>
+std::string replaced(const std::string& text, const One& one) {
+  std::string all;
+  std::size_t at = 0;
+  for (auto begin = text.find("${"); begin != std::string::npos; begin = text.find("${", at)) {
+    const auto end = text.find('}', begin);
+    if (end == std::string::npos) break;
+    all += text.substr(at, begin - at) + one(text.substr(begin + 2, end - begin - 2));
+    at = end + 1;
+  }
+  return all + text.substr(at);
+}
+
+bool has_columns_within(const std::string& text) { return text.find("${") != std::string::npos; }
+
+}  // namespace
+
 std::vector<std::string> Given::columns() const {
   const auto* text = std::get_if<std::string>(&value);
-  if (!text || !text->starts_with("$")) return {};
+  if (!text) return {};
+  std::vector<std::string> within;
+  replaced(*text, [&](const std::string& name) { return within.push_back(name), name; });
+  if (!text->starts_with("$") || !within.empty()) return within;
   if (!text->starts_with("$(")) return {text->substr(1)};
   if (!text->ends_with(")")) return {};  // with() refuses it
   return located(place, [&] { return text::names_in(text->substr(2, text->size() - 3)); });
@@ -28,7 +51,16 @@ bool is_condition(const std::string& expression) {
 
 text::SetValue Given::with(const FileValues& columns) const {
   const auto* text = std::get_if<std::string>(&value);
-  if (!text || !text->starts_with("$")) return value;
+  if (!text) return value;
+  if (has_columns_within(*text))
+    return text::SetValue(located(place, [&] {
+      return replaced(*text, [&](const std::string& name) {
+        const FileValue found = text::referred("$" + name, columns);
+        const auto* word = std::get_if<std::string>(&found);
+        return word ? *word : text::shown(found);
+      });
+    }));
+  if (!text->starts_with("$")) return value;
   return located(place, [&] {
     const FileValue found = text::referred(*text, columns);
     if (text->starts_with("$(") && is_condition(text->substr(2, text->size() - 3)))

@@ -21,7 +21,7 @@ struct Formula {
   Place place;
 };
 
-/// What something is set to: a value, or a text "$NAME" or "$(EXPRESSION)" of columns.
+/// What something is set to: a value, or a text of columns: "$NAME", "$(EXPRESSION)", or with "${NAME}" within.
 struct Given {
   std::string name;  ///< a key of the scenario, or a column
   text::SetValue value;
@@ -46,6 +46,7 @@ struct Metric {
     seconds,    ///< Wall time of the rounds, and processor time as NAME.processor.
     share,      ///< Part of the wall time inside a subsystem.
     real_time,  ///< Simulated time divided by wall time.
+    stability,  ///< Of the map of a super-step (tandem::stability): `of` says what.
     coded,      ///< By a CodedMetric.
   };
   enum class Norm { max, rms, end, least, most };
@@ -56,8 +57,11 @@ struct Metric {
   enum class Relative { no, peak, rms, start };
   std::string name;
   Kind kind;
-  std::string of = {};       ///< the output, the subsystem, the metric, or the name of the coded one
+  std::string of =
+      {};  ///< the output, the subsystem, the metric, the name of the coded one, or what of stability
   std::string against = {};  ///< a reference; empty: none
+  std::string state =
+      {};  ///< of stability: the mode in which it takes part most; empty: the one farthest off
   Norm norm = Norm::max;
   Relative relative = Relative::no;
   scenario::Measure window = {};

@@ -19,6 +19,10 @@ struct Search {
   bool largest;      ///< It holds at `from`, and up to the value that is found; else from there to `to`.
   Formula holds;     ///< Of metrics and columns; a run with another status than ok never does.
   double precision;  ///< Relative, of the value.
+  std::optional<double> scan =
+      {};  ///< The first value for which it does not hold, on the way by this factor.
+  std::optional<double> nowhere = {},
+                        everywhere = {};  ///< In place of the value where it holds nowhere, everywhere.
 };
 
 /// Rows of one set of columns.

@@ -1,0 +1,131 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/stability/modes.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "trial.hpp"
+#include "undivided.hpp"
+
+namespace tandem::stability {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+using Eigen::VectorXcd;
+
+/// Eigenvalues with eigenvectors, of which the part of the states counts.
+struct Pairs {
+  VectorXcd values;
+  Eigen::MatrixXcd vectors;
+};
+
+Pairs pairs_of(const Eigen::MatrixXd& map, const std::vector<Index>& rows) {
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(map);
+  Pairs pairs{solver.eigenvalues(), Eigen::MatrixXcd(static_cast<Index>(rows.size()), map.cols())};
+  const Eigen::MatrixXcd all = solver.eigenvectors();
+  for (Index k = 0; k < pairs.vectors.rows(); ++k)
+    pairs.vectors.row(k) = all.row(rows[static_cast<std::size_t>(k)]);
+  return pairs;
+}
+
+std::vector<Index> states_in(const SuperStep& step) {
+  std::vector<Index> rows;
+  for (std::size_t k = 0; k < step.coordinates.size(); ++k)
+    if (step.coordinates[k].age < 0) rows.push_back(static_cast<Index>(k));
+  return rows;
+}
+
+/// |a* b|^2 / (a* a)(b* b), of vectors that are scaled alike.
+double likeness(const VectorXcd& a, const VectorXcd& b) {
+  const double both = a.squaredNorm() * b.squaredNorm();
+  return both > 0.0 ? std::norm(a.dot(b)) / both : 0.0;
+}
+
+class Matching {
+ public:
+  Matching(const Undivided& whole, const SuperStep& step)
+      : period_(step.period), taken_(static_cast<std::size_t>(step.map.cols())) {
+    std::vector<Index> all(whole.names.size());
+    for (std::size_t k = 0; k < all.size(); ++k) all[k] = static_cast<Index>(k);
+    true_ = pairs_of(whole.rates, all), here_ = pairs_of(step.map, states_in(step));
+    parts_ = true_.vectors.cwiseProduct(true_.vectors.fullPivLu().inverse().transpose()).cwiseAbs();
+    const Eigen::VectorXd largest = true_.vectors.cwiseAbs().rowwise().maxCoeff();
+    for (Pairs* pairs : {&true_, &here_})
+      for (Index k = 0; k < largest.size(); ++k)
+        if (largest[k] > 0.0) pairs->vectors.row(k) /= largest[k];
+  }
+
+  /// One of each pair of conjugates, the fastest first.
+  std::vector<Mode> modes() {
+    std::vector<Mode> all;
+    for (Index k = 0; k < true_.values.size(); ++k)
+      if (true_.values[k].imag() >= 0.0) all.push_back(mode(k));
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Mode& a, const Mode& b) { return a.frequency > b.frequency; });
+    return all;
+  }
+
+ private:
+  /// The scheme's pair that is most like a true one, and near it: likeness alone does not tell conjugates.
+  Index best_for(Index k) {
+    Index best = 0;
+    double most = -1.0;
+    const Complex expected = std::exp(true_.values[k] * period_);
+    for (Index j = 0; j < here_.values.size(); ++j) {
+      const double far = std::abs(here_.values[j] - expected) / (1.0 + std::abs(here_.values[j]));
+      const double score = likeness(here_.vectors.col(j), true_.vectors.col(k)) - far / 4.0;
+      if (!taken_[static_cast<std::size_t>(j)] && score > most) most = score, best = j;
+    }
+    taken_[static_cast<std::size_t>(best)] = 1;
+    return best;
+  }
+
+  Mode mode(Index k) {
+    const Index j = best_for(k);
+    const Complex mu = true_.values[k], lambda = here_.values[j];
+    constexpr double turn = 2.0 * std::numbers::pi;
+    const double size = std::abs(mu), growth = std::abs(lambda);
+    const double late = std::arg(lambda * std::exp(Complex(0.0, -mu.imag() * period_)));
+    return {.frequency = mu.imag() / turn,
+            .damping = size > 0.0 ? -mu.real() / size : 0.0,
+            .scheme_frequency = (mu.imag() + late / period_) / turn,
+            .scheme_damping = size > 0.0 ? -std::log(growth) / (period_ * size) : 0.0,
+            .growth = growth,
+            .parts = parts_.col(k),
+            .likeness = likeness(here_.vectors.col(j), true_.vectors.col(k))};
+  }
+
+  double period_;
+  std::vector<char> taken_;
+  Pairs true_, here_;
+  /// Of states in true modes: the product of a state in the mode and of the mode in the state, which has no unit
+  /// (I. J. Perez-Arriaga et al., IEEE Trans. Power Apparatus and Systems 101, 1982).
+  Eigen::MatrixXd parts_;
+};
+
+}  // namespace
+
+std::string Stability::mostly(const Mode& mode) const {
+  constexpr double third = 1.0 / 3.0;
+  std::string text;
+  for (Index k = 0; k < mode.parts.size(); ++k)
+    if (mode.parts[k] >= third * mode.parts.maxCoeff())
+      text += (text.empty() ? "" : ", ") + states[static_cast<std::size_t>(k)];
+  return text;
+}
+
+Stability stability(const scenario::Scenario& scenario, const Builtins& builtins) {
+  Stability all{super_step(scenario, builtins), 0.0, {}, {}};
+  all.radius = spectral_radius(all.step.map);
+  const Undivided whole = undivided(Trial(scenario, builtins), all.step.linear);
+  all.states = whole.names;
+  all.modes = Matching(whole, all.step).modes();
+  return all;
+}
+
+}  // namespace tandem::stability

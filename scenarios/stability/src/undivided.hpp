@@ -1,0 +1,25 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <Eigen/Dense>
+#include <string>
+#include <vector>
+
+#include "trial.hpp"
+
+namespace tandem::stability {
+
+/// The coupled system as one that nothing divides: z' = rates z about the start, z the states of all subsystems.
+struct Undivided {
+  Eigen::MatrixXd rates;  ///< [1/s]
+  std::vector<std::string> names;
+};
+
+/// From what each subsystem makes of its own states and of constant inputs over one step, which is shortened by
+/// halves (where it lands) until no mode turns by more than half a radian in it:
+///   [x; u] moves by E = exp([G b; 0 0] h), so [G b; 0 0] = log(E) / h,
+/// and by Richardson's extrapolation of G and b over three such steps, in which the integrator's own error goes.
+/// With y = C x + D u from the same steps and u = L y of the connections: rates = G + b (1 - L D)^-1 L C. Lags are
+/// left out. is_linear: the differences may be large. Throws Error(not_supported) for connections that make a loop at once.
+Undivided undivided(const Trial& trial, bool is_linear);
+
+}  // namespace tandem::stability
