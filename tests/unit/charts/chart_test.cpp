@@ -188,10 +188,10 @@ TEST_F(ChartTest, ATableHasACellForEachRowAndColumn) {
   EXPECT_EQ(pivot.sheets[0].name, "c.md");
   EXPECT_EQ(pivot.sheets[0].text,
             "| how | x: 1 | 2 |\n|---|---|---|\n"
-            "| first | 0.012 (0.50) | 5.0e-05 (1500) |\n| b | 3 (10000000) | lost |\n");
+            "| first | 0.012 (0.5) | 5.0e-05 (1500) |\n| b | 3 (10000000) | lost |\n");
   EXPECT_EQ(drawn(head + "where = 'x < 1.5'\ncells = ['y', '2*z']\ndigits = 4\n").sheets[0].text,
             "| how | y | 2*z |\n|---|---|---|\n| a | 0.01234 | 1 |\n| b | 3 | 20000000 |\n");
-  EXPECT_TRUE(refused(head + "cells = 'q'\n", {"q", "is missing"}));
+  EXPECT_TRUE(refused(head + "where = 'x < 1.5'\ncells = 'q'\n", {"q", "is missing"}));
   EXPECT_TRUE(refused(head + "cells = 'y'\ndigits = 2.5\n", {"digits", "2.5", "a whole number up to 17"}));
   EXPECT_TRUE(refused(head + "cells = 'y'\ncolumns = 'w'\n", {"'w'", "is missing"}));
 }
