@@ -287,4 +287,10 @@ void Simulation::restore(double t, std::span<const double> state) {
   integrator_->restart(system_, t, Restart::state);
 }
 
+void Simulation::put_states(std::span<const double> x) {
+  std::copy(x.begin(), x.end(), system_.states());
+  system_.evaluate(time_);
+  integrator_->restart(system_, time_, Restart::state);
+}
+
 }  // namespace tandem::engine

@@ -94,6 +94,35 @@ TEST_F(StudySearch, SaysWhereItHoldsNowhereOrEverywhere) {
   EXPECT_EQ(everywhere[0].text("note"), "it holds at 0.002 too");
 }
 
+TEST_F(StudySearch, AScanFindsTheFirstValueThatFailsWhereBisectionPassesOverIt) {
+  const std::string holds =
+      "from = 1e-3\nto = 0.016\nholds = 'step < 0.0025 || step > 0.004'\nprecision = 1e-6\n";
+  EXPECT_EQ(swept(search(holds), "largest")[0].number("step"), 0.016);
+  EXPECT_NEAR(swept(search(holds + "scan = 1.1\n"), "largest")[0].number("step"), 0.0025, 3e-9);
+  const std::string down =
+      "from = 1e-3\nto = 0.016\nfind = 'smallest'\nprecision = 1e-6\n"
+      "holds = 'step > 0.004 || step < 0.0025'\nscan = 1.1\n";
+  EXPECT_NEAR(swept(search(down), "largest")[0].number("step"), 0.004, 5e-9);
+}
+
+TEST_F(StudySearch, NumbersOfItsOwnStandWhereItHoldsNowhereOrEverywhere) {
+  const std::string both = "nowhere = 0\neverywhere = inf\nscan = 1.5\n";
+  const CsvTable nowhere =
+      swept(search("from = 1e-3\nto = 2e-3\nholds = 'error < 1e-9'\n" + both), "largest");
+  EXPECT_EQ(nowhere[0].text("step"), "0");
+  const CsvTable everywhere =
+      swept(search("from = 1e-3\nto = 2e-3\nholds = 'error < 1'\n" + both), "largest");
+  EXPECT_EQ(everywhere[0].text("step"), "inf");
+  EXPECT_EQ(everywhere[0].text("note"), "it holds at 0.002 too");
+}
+
+TEST_F(StudySearch, TheColumnsOfTheStudyComeFirst) {
+  const CsvTable found = swept(
+      "columns = ['how', 'exchanges', 'step']\n" + search("from = 1e-3\nto = 2e-3\nholds = 'error < 1'\n"),
+      "largest");
+  EXPECT_EQ(found.names(), (std::vector<std::string>{"how", "exchanges", "step", "error", "status", "note"}));
+}
+
 TEST_F(StudySearch, IsTheSameWithOneThreadAndAfterResuming) {
   const std::string study = search("from = 5e-4\nto = 0.02\nholds = 'error < 0.005'\n");
   swept(study, "largest");
@@ -111,6 +140,10 @@ TEST_F(StudySearch, BadOnesAreRefused) {
   refused(search("from = 5e-4\nto = 0.02\nholds = 'eror < 1'\n"),
           "name 'eror' is not there; did you mean 'error'?");
   refused(search(good + "find = 'best'\n"), "search[0].find is 'best'");
+  refused(search(good + "scan = 0.9\n"), "search[0].scan is the number 0.9; allowed is a factor above 1");
+  refused(search(good + "nowhere = 'none'\n"),
+          "search[0].nowhere is the text 'none'; allowed is a number, or inf");
+  refused("columns = ['hwo']\n" + search(good), "columns: column or metric 'hwo' is not there");
   refused(search(good + "frm = 1\n"), "unknown key of [search[0]] 'frm'; did you mean 'from'?");
   refused(search(good) + "[[keep]]\nname = 'k'\noutputs = ['linkage.speed']\n", "keep[0] has no table");
   refused(search(good) + "[[tables.largest.blocks]]\naxes = [{ how = ['lagrange0'] }]\n",

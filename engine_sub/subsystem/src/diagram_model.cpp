@@ -117,11 +117,7 @@ void DiagramModel::get_states(std::span<double> x) const {
   std::copy_n(image().begin(), x.size(), x.begin());
 }
 
-void DiagramModel::set_states(std::span<const double> x) {
-  kept_ = image();
-  kept_time_ = machine_->simulation.time();
-  std::copy(x.begin(), x.end(), kept_.begin());
-}
+void DiagramModel::set_states(std::span<const double> x) { resume().put_states(x); }
 
 /// What is not known yet counts as zero, and what follows it at once is not told.
 void DiagramModel::start(double t, std::span<const double> u0) {

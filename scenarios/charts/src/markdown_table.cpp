@@ -95,9 +95,9 @@ class MarkdownTable {
     rows.push_back(row);
     if (rows.size() > 1 && chart_.each.empty())
       refuse(chart_.place,
-             fmt::format("table '{}': rows {} and {} of {}.csv stand in one cell; `each` says what they "
+             fmt::format("table '{}': rows {} and {} of {} stand in one cell; `each` says what they "
                          "make, or `where` leaves one out",
-                         chart_.name, rows[0] + 1, row + 1, chart_.table));
+                         chart_.name, rows[0] + 1, row + 1, table_.file()));
   }
 
   /// The first value, the others in brackets, of some of what stands in a cell; of one row that failed its status.

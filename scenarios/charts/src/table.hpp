@@ -17,6 +17,7 @@ class Table {
   /// name: what charts call it. Throws Error that names the file, and the line of what is wrong in it.
   Table(const std::filesystem::path& folder, const std::string& name);
 
+  std::string file() const { return csv_.file().filename().string(); }
   std::size_t rows() const { return csv_.size(); }
   bool has(const std::string& column) const;
   /// Whether it is a column with something that is no number.

@@ -38,10 +38,11 @@ void of_file(KeyList& to) {
       .may("description", text, "A sentence that `tandem list` prints.")
       .may("study", any, "A study of this scenario, for `tandem sweep` (docs/studies.md).",
            {.allowed = "a table"})
-      .table("constants",
-             "Numbers by name, of those before them. Where a number may stand in this file, `\"$NAME\"` "
-             "stands for "
-             "one and `\"$(EXPRESSION)\"` for an expression of them.")
+      .table(
+          "constants",
+          "Numbers by name, which may be of each other. Where a number may stand in this file, `\"$NAME\"` "
+          "stands for "
+          "one and `\"$(EXPRESSION)\"` for an expression of them.")
       .may("NAME", number, "The number.")
       .table("parameters", "Parameters that every subsystem gets, before its own.")
       .may("NAME", value, "As the source of each subsystem knows it.")

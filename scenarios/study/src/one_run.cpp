@@ -37,6 +37,7 @@ bool RowRunner::OneRun::begin() {
     return end("refused", error.what()), false;
   }
   check_subsystems();
+  check_states();
   located([this](const std::string& sentence) { return place_named_in(sentence); },
           [this] { traces_.emplace(assembly_->topology(), outputs_, "the run"); });
   observers_.add(*traces_);
@@ -114,6 +115,17 @@ void RowRunner::OneRun::check_subsystems() const {
       refuse(metric->place, "metrics.\"" + metric->name + "\": " + unknown("subsystem", metric->of, names));
 }
 
+void RowRunner::OneRun::check_states() const {
+  const Topology& topology = assembly_->topology();
+  std::vector<std::string> known;
+  for (int i = 0; i < topology.size(); ++i)
+    for (const StateName& state : topology.info(i).states)
+      known.push_back(topology.name(i) + "." + state.name);
+  for (const Metric* metric : all_.metrics_)
+    if (!metric->state.empty() && std::find(known.begin(), known.end(), metric->state) == known.end())
+      refuse(metric->place, "metrics." + metric->name + ".state: " + unknown("state", metric->state, known));
+}
+
 Place RowRunner::OneRun::place_named_in(const std::string& sentence) const {
   for (const Metric* metric : all_.metrics_) {
     const std::string& of = metric->of;
@@ -182,8 +194,6 @@ void RowRunner::OneRun::tell_stability(const Metric& metric) {
   };
   const auto& states = stability_->states;
   const auto state = std::find(states.begin(), states.end(), metric.state);
-  if (!metric.state.empty() && state == states.end())
-    refuse(metric.place, "metrics." + metric.name + ".state: " + unknown("state", metric.state, states));
   const auto weight = [&](const stability::Mode& mode) {
     return metric.state.empty() ? std::abs(off(mode)) : mode.parts[state - states.begin()];
   };

@@ -47,6 +47,19 @@ TEST(StudyAxes, HaveListsAndRanges) {
   EXPECT_EQ(rows[11], (FileValues{{"level", "ii"}, {"mass", 2.5}, {"d", 1.0}, {"h", 0.1}}));
 }
 
+TEST(Studies, ATextMayHaveColumnsWithin) {
+  const Given how{"reconstruction", std::string("least_squares${d}_${extra}"), {}};
+  EXPECT_EQ(how.columns(), (std::vector<std::string>{"d", "extra"}));
+  EXPECT_EQ(how.with({{"d", 2.0}, {"extra", 4.0}}), text::SetValue("least_squares2_4"));
+  const Given file{"scenario", std::string("${name}.toml"), {}};
+  EXPECT_EQ(file.with({{"name", "scene"}}), text::SetValue("scene.toml"));
+  EXPECT_TRUE(test::refuses(ErrorCode::invalid_argument, {"nam", "name"}, [] {
+    Given{"scenario", std::string("${nam}.toml"), {}}.with({{"name", "scene"}});
+  }));
+  const Given open{"x", std::string("${d"), {}};
+  EXPECT_EQ(open.with({{"d", 2.0}}), text::SetValue("${d"));
+}
+
 TEST(Studies, WriteTheColumnsThatAreNamedFirst) {
   const Study study =
       of("columns = ['b', 'n']\n[[tables.t.blocks]]\naxes = [{ a = [1] }, { b = [2] }, { c = [3] }]\n"

@@ -61,6 +61,8 @@ class Simulation {
   const std::vector<double>& keep();
   const std::vector<double>& signals() const { return system_.image(); }
   void restore(double t, std::span<const double> state);
+  /// Its states where it stands; all signals follow, and the integrator starts anew.
+  void put_states(std::span<const double> x);
   /// Whether keep() leaves what follows as it would be without it.
   bool keeps_exactly() const { return integrator_->goes_by_image(); }
 
