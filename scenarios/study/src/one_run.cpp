@@ -72,6 +72,13 @@ double RowRunner::OneRun::expected_seconds() {
   return study::expected_seconds(*assembly_, scenario_.start, scenario_.stop, patience);
 }
 
+double RowRunner::OneRun::judging_seconds() {
+  const Stopwatch watch;
+  leave_out();
+  judge([] { return true; });
+  return watch.read().processor;
+}
+
 void RowRunner::OneRun::judge(const std::function<bool()>& going) {
   try {
     for (const Metric* metric : all_.metrics_) judge(*metric);

@@ -22,6 +22,8 @@ class RowRunner::OneRun {
   void leave_out() { end("ok", ""); }
   /// In place of simulate() and judge(), what they would take [s].
   double expected_seconds();
+  /// Of leave_out() and judge(), what they take [s].
+  double judging_seconds();
   RowResult result() const { return result_; }
   const scenario::Traces& traces() const { return *traces_; }
 

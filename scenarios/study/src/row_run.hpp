@@ -36,6 +36,7 @@ class RowRunner {
   std::optional<RowResult> run_once(const FileValues& row, const std::function<bool()>& going) const;
   bool needs_run() const;
   bool holds(const FileValues& row, const RowResult& result) const;
+  double runs_of_row() const;  ///< that a search makes, about; else 1
   std::optional<RowResult> search(const FileValues& row, const std::function<bool()>& going) const;
   const Study& study_;
   const Table& table_;

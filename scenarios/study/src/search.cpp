@@ -33,6 +33,14 @@ void put(RowResult& result, const Search& search, std::optional<double> value) {
 
 }  // namespace
 
+double RowRunner::runs_of_row() const {
+  if (!table_.search) return 1.0;
+  const Search& s = *table_.search;
+  const double whole = std::log(s.to / s.from), part = s.scan ? std::log(*s.scan) : whole;
+  const double scanned = s.scan ? 0.5 * whole / part : 1.0;  // half of the way
+  return 1.0 + scanned + std::max(0.0, std::log2(part / s.precision));
+}
+
 std::optional<RowResult> RowRunner::search(const FileValues& row, const std::function<bool()>& going) const {
   const Search& search = *table_.search;
   const double end = search.largest ? search.to : search.from;
