@@ -7,79 +7,16 @@
 #include <numbers>
 #include <random>
 
-#include "command.hpp"
-#include "recording.hpp"
+#include "long_run.hpp"
 #include "refusal.hpp"
-#include "sources/all.hpp"
-#include "tandem/charts/csv_table.hpp"
 #include "tandem/nearest.hpp"
-#include "tandem/scenario/assembly.hpp"
 #include "tandem/stability/largest_step.hpp"
 #include "tandem/stability/modes.hpp"
 
 namespace tandem::stability_tests {
 namespace {
 
-using Eigen::VectorXd;
-using stability::Coordinate;
-using stability::SuperStep;
-
-const std::string scenes = TANDEM_SOURCE_DIR "/scenarios/";
-
-using Settings = std::vector<std::string>;
-
-scenario::Scenario scene(const std::string& file, const Settings& settings) {
-  scenario::Scenario one = scenario::read(scenes + file, settings);
-  one.coordination.start = StartKind::cold;
-  one.coordination.diverged_beyond = std::numeric_limits<double>::infinity();
-  return one;
-}
-
-const Builtins& sources() {
-  static const Builtins all = all_sources();
-  return all;
-}
-
-/// A run of so many super-steps, of subsystems whose states are outputs too, by the same names.
-class LongRun {
- public:
-  LongRun(scenario::Scenario scenario, const SuperStep& step, int super_steps) : step_(step) {
-    scenario.stop = scenario.start + super_steps * step.period;
-    scenario::Assembly run(scenario, sources());
-    for (int i = 0; i < run.topology().size(); ++i) outputs_.push_back(run.topology().output_names(i));
-    run.coordinator().observe(&rows_);
-    run.initialize();
-    while (run.coordinator().round()) {
-    }
-  }
-
-  /// What stands after k super-steps.
-  VectorXd at(int k) const {
-    VectorXd z(static_cast<Eigen::Index>(step_.coordinates.size()));
-    for (std::size_t i = 0; i < step_.coordinates.size(); ++i) {
-      const Coordinate& c = step_.coordinates[i];
-      const auto& rows = rows_.rows(c.subsystem);
-      const std::size_t newest = row_at(rows, k * step_.period);
-      const auto& names = outputs_[static_cast<std::size_t>(c.subsystem)];
-      const auto index = c.age < 0 ? std::find(names.begin(), names.end(), c.name) - names.begin() : c.index;
-      z[static_cast<Eigen::Index>(i)] = rows[newest - static_cast<std::size_t>(std::max(c.age, 0))].at(
-          static_cast<std::size_t>(Samples::header + index));
-    }
-    return z;
-  }
-
- private:
-  static std::size_t row_at(const test::Recording::Rows& rows, double t) {
-    const auto near = [](const auto& row, double time) { return row[0] < time; };
-    const auto it = std::lower_bound(rows.begin(), rows.end(), t - 1e-9 * std::max(1.0, t), near);
-    EXPECT_TRUE(it != rows.end() && std::abs((*it)[0] - t) < 1e-9 * std::max(1.0, t)) << "no row at " << t;
-    return static_cast<std::size_t>(it - rows.begin());
-  }
-
-  const SuperStep& step_;
-  test::Recording rows_;
-  std::vector<std::vector<std::string>> outputs_;
-};
+using namespace test;
 
 TEST(Stability, TheMapMovesWhatStandsInARunOfTwoMassesAsTheRunDoes) {
   for (const char* schedule : {"slowest-first", "fastest-first", "parallel"})
@@ -116,68 +53,6 @@ TEST(Stability, TheMapKnowsMeansMatchedHoldsMemoryAndDelay) {
     const VectorXd from = run.at(11), to = run.at(12);
     EXPECT_LE((step.map * from - to).norm(), 1e-12 * to.norm()) << file;
   }
-}
-
-/// spring: what is as long as it; blocks: more of them.
-std::string diagram(double stiffness, const std::string& spring = "x", const std::string& blocks = "") {
-  return "[inputs]\nF = { unit = \"1\" }\n[blocks]\nv = { kind = \"integrator\", input = \"a\" }\n"
-         "x = { kind = \"integrator\", input = \"v\", initial = 1 }\n" +
-         blocks + "a = { kind = \"sum\", inputs = [\"F\", \"" + spring + "\", \"v\"], gains = [1, " +
-         std::to_string(-stiffness) + ", -0.1] }\n[outputs]\nx = { unit = \"1\" }\nv = { unit = \"1\" }\n";
-}
-
-scenario::Scenario diagrams(const test::Scratch& folder, const std::string& soft) {
-  folder.write("soft.toml", soft);
-  folder.write("stiff.toml", diagram(9.0));
-  return scenario::read(folder.write("s.toml", R"toml([subsystems.soft]
-source = "diagram:soft.toml"
-parameters = { step = 0.06 }
-[subsystems.stiff]
-source = "diagram:stiff.toml"
-parameters = { step = 0.02 }
-[[connections]]
-from = "soft.x"
-to = "stiff.F"
-reconstruction = "lagrange2"
-[[connections]]
-from = "stiff.v"
-to = "soft.F"
-reconstruction = "lagrange2"
-[coordination]
-start = "cold"
-[span]
-stop = 1
-)toml"));
-}
-
-TEST(Stability, DiagramsOfContinuousBlocksGiveTheirStates) {
-  const test::Scratch folder;
-  const auto one = diagrams(folder, diagram(1.0));
-  const SuperStep step = stability::super_step(one, sources());
-  EXPECT_TRUE(step.linear);
-  const LongRun run(one, step, 14);
-  const VectorXd from = run.at(11), to = run.at(12);
-  EXPECT_LE((step.map * from - to).norm(), 1e-12 * to.norm());
-  const auto found = stability::stability(one, sources());
-  ASSERT_EQ(found.modes.size(), 2U);
-  Eigen::Matrix4d rates;  // soft.x, soft.v, stiff.x, stiff.v
-  rates << 0, 1, 0, 0, -1, -0.1, 0, 1, 0, 0, 0, 1, 1, 0, -9, -0.1;
-  const Eigen::Vector4cd exact = rates.eigenvalues();
-  for (const auto& mode : found.modes) {
-    double nearest = 1.0;
-    for (const auto& p : exact)
-      nearest = std::min(nearest, std::abs(std::abs(p.imag()) / (2.0 * std::numbers::pi) - mode.frequency) +
-                                      std::abs(-p.real() / std::abs(p) - mode.damping));
-    EXPECT_LT(nearest, 1e-7);
-  }
-}
-
-TEST(Stability, DiagramsThatRememberMoreAreNamed) {
-  const test::Scratch folder;
-  const auto one =
-      diagrams(folder, diagram(1.0, "late", "late = { kind = \"delay\", input = \"x\", delay = 0.1 }\n"));
-  EXPECT_TRUE(test::refuses(ErrorCode::invalid_argument, {"subsystem 'soft'", "states as numbers"},
-                            [&] { stability::super_step(one, sources()); }));
 }
 
 /// A scene of two oscillators of all kinds.
@@ -287,45 +162,6 @@ TEST(Stability, WhatHasNoStatesIsNamed) {
   }));
 }
 
-const std::string study = "scenario = '" + scenes + R"toml(two_mass/two_mass.toml'
-[set]
-"parameters.frequency_ratio" = "$ratio"
-[[tables.t.blocks]]
-axes = [{ ratio = [10, 25, 90] }]
-[metrics]
-spectral_radius = {}
-)toml";
-
-TEST(StabilityStudy, HasRadiusDampingAndDetuningWithoutARun) {
-  const test::Scratch folder;
-  folder.write("s.toml", study + "damping = { state = 'fast.x1' }\ndetuning = {}\n");
-  const auto said = test::tandem(folder, {"sweep", "s.toml", "--output", "o"});
-  ASSERT_EQ(said.status, 0) << said.err;
-  const auto rows = charts::CsvTable::read(folder.path() / "o/t.csv", {});
-  for (std::size_t k = 0; k < 2; ++k) {
-    const auto found = stability::stability(
-        scene("two_mass/two_mass.toml", {"parameters.frequency_ratio=" + rows[k].text("ratio")}), sources());
-    EXPECT_NEAR(rows[k].number("spectral_radius"), found.radius, 1e-14);
-    EXPECT_NEAR(rows[k].number("damping"), found.modes[0].scheme_damping - found.modes[0].damping, 1e-12);
-    EXPECT_NEAR(rows[k].number("detuning"), found.modes[0].detuning(), 1e-12);
-  }
-  EXPECT_EQ(rows[2].text("damping"), "");
-  EXPECT_EQ(rows[2].text("note"), "the scheme has no mode like that of fast.x1, fast.v1");
-}
-
-TEST(StabilityStudy, WrongStatesAreRefused) {
-  const test::Scratch folder;
-  for (const auto& [metric, why] :
-       {std::pair("damping = { state = 'fast.x' }", "state 'fast.x' is not there"),
-        std::pair("damping = { mode = 1 }", "metrics.damping.of is missing"),
-        std::pair("e = { of = 'fast.x1', state = 'fast.x1' }", "state")}) {
-    folder.write("s.toml", study + metric + "\n");
-    const auto said = test::tandem(folder, {"sweep", "s.toml", "--output", "x"});
-    EXPECT_EQ(said.status, 2) << said.out;
-    EXPECT_NE(said.err.find(why), std::string::npos) << said.err;
-  }
-}
-
 TEST(Stability, LargestStepsAreThoseOfTheSearch) {
   const auto of = [](const std::string& file, const Settings& settings) {
     return stability::largest_step(scene(file, settings), sources());
@@ -349,15 +185,6 @@ TEST(Stability, LargestStepsAreThoseOfTheSearch) {
   }
   EXPECT_TRUE(test::refuses(ErrorCode::invalid_argument, {"'fast'", "no parameter"},
                             [&] { of("two_mass/two_mass.toml", {}); }));
-}
-
-TEST(StabilityCommand, TellsRadiusAndModes) {
-  const test::Scratch folder;
-  const auto said = test::tandem(folder, {"stability", scenes + "two_mass/two_mass.toml"});
-  EXPECT_EQ(said.status, 0) << said.err;
-  for (const char* words : {"unstable", "super-step: 0.25 s, own steps: fast 25, slow 1",
-                            "spectral radius: 1.0000", "fast.x1, fast.v1", "largest stable step: not known"})
-    EXPECT_NE(said.out.find(words), std::string::npos) << said.out;
 }
 
 }  // namespace

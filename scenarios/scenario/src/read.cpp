@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <map>
 #include <mutex>
-#include <set>
 
+#include "read_constants.hpp"
 #include "settings.hpp"
 #include "tandem/input_file.hpp"
 #include "tandem/scenario/keys.hpp"
@@ -35,7 +35,7 @@ class Reader {
           "the file holds nothing; allowed is a scenario, with tables [subsystems.NAME], a mechanism, with "
           "points, or a diagram, with blocks");
     Section root(document_, keys(), &constants_);
-    read_constants(root);
+    read_constants(root, constants_);
     to_.name = root.text("name").value_or(to_.file.stem().string());
     to_.description = root.text("description").value_or("");
     if (const auto* table = root.table("parameters")) shared_ = parameters(*table, "parameters", &constants_);
@@ -69,39 +69,6 @@ class Reader {
   }
 
  private:
-  /// Whether all names in a text that stands for a number are constants that are known. One that can't be read
-  /// counts: reading it tells why.
-  bool is_ready(const toml::node& node) const {
-    if (!text::Values::refers(node)) return true;
-    const std::string& text = node.as_string()->get();
-    try {
-      const auto names = text.starts_with("$(") ? text::names_in(text.substr(2, text.size() - 3))
-                                                : std::vector{text.substr(1)};
-      return std::all_of(names.begin(), names.end(),
-                         [this](const std::string& name) { return known_.contains(name); });
-    } catch (const Error&) {
-      return true;
-    }
-  }
-
-  /// Of each other, in any order.
-  void read_constants(Section& root) {
-    const auto* table = root.table("constants");
-    if (!table) return;
-    auto left = in_file_order(*table);
-    const auto read = [&](const auto& entry) {
-      constants_.set(entry.first, root.number_of(*entry.second, "constants." + entry.first));
-      known_.insert(entry.first);
-    };
-    for (bool more = true; more;)
-      more = std::erase_if(left, [&](const auto& entry) {
-               const bool ready = is_ready(*entry.second);
-               if (ready) read(entry);
-               return ready;
-             }) > 0;
-    std::for_each(left.begin(), left.end(), read);  // which refuses the first, by the name that is not there
-  }
-
   void read_span(Section& run) {
     const auto start = run.number("start"), step = run.number("step"), stop = run.number("stop");
     if (!stop) run.missing("stop", "the time of its end [s]");
@@ -228,7 +195,6 @@ class Reader {
   const Document& document_;
   Scenario& to_;
   text::Values constants_;
-  std::set<std::string> known_;  ///< of them
   std::vector<Parameter> shared_;
 };
 

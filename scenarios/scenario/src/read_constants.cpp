@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "read_constants.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace tandem::scenario {
+namespace {
+
+/// The names that a text which stands for a number has. Of one that can't be read there are none: reading it as a
+/// number tells why.
+std::vector<std::string> names_in(const toml::node& node) {
+  if (!text::Values::refers(node)) return {};
+  const std::string& text = node.as_string()->get();
+  if (!text.starts_with("$(")) return {text.substr(1)};
+  try {
+    return text::names_in(text.substr(2, text.size() - 3));
+  } catch (const Error&) {
+    return {};
+  }
+}
+
+}  // namespace
+
+void read_constants(text::Section& root, text::Values& to) {
+  const auto* table = root.table("constants");
+  if (!table) return;
+  auto left = text::in_file_order(*table);
+  std::set<std::string> known;
+  const auto read = [&](const auto& entry) {
+    to.set(entry.first, root.number_of(*entry.second, "constants." + entry.first));
+    known.insert(entry.first);
+  };
+  const auto read_ready = [&](const auto& entry) {
+    const auto names = names_in(*entry.second);
+    const bool ready = std::all_of(names.begin(), names.end(),
+                                   [&](const std::string& name) { return known.contains(name); });
+    if (ready) read(entry);
+    return ready;
+  };
+  while (std::erase_if(left, read_ready) > 0) {
+  }
+  std::for_each(left.begin(), left.end(), read);  // which refuses the first, by the name that is not there
+}
+
+}  // namespace tandem::scenario

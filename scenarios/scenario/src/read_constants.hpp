@@ -1,0 +1,11 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "tandem/text/section.hpp"
+
+namespace tandem::scenario {
+
+/// Puts the table [constants] of a scenario into `to`, which is what stands behind `root`. Each may be of the
+/// others, in any order. Throws Error with file and line for a name that is not there, and for a ring of them.
+void read_constants(text::Section& root, text::Values& to);
+
+}  // namespace tandem::scenario

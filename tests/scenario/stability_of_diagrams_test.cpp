@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// Diagrams that give their states, and such that remember more.
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "long_run.hpp"
+#include "refusal.hpp"
+#include "scratch.hpp"
+#include "tandem/stability/modes.hpp"
+
+namespace tandem::stability_of_diagrams_tests {
+namespace {
+
+using namespace test;
+
+/// spring: what is as long as it; blocks: more of them.
+std::string diagram(double stiffness, const std::string& spring = "x", const std::string& blocks = "") {
+  return "[inputs]\nF = { unit = \"1\" }\n[blocks]\nv = { kind = \"integrator\", input = \"a\" }\n"
+         "x = { kind = \"integrator\", input = \"v\", initial = 1 }\n" +
+         blocks + "a = { kind = \"sum\", inputs = [\"F\", \"" + spring + "\", \"v\"], gains = [1, " +
+         std::to_string(-stiffness) + ", -0.1] }\n[outputs]\nx = { unit = \"1\" }\nv = { unit = \"1\" }\n";
+}
+
+scenario::Scenario diagrams(const Scratch& folder, const std::string& soft) {
+  folder.write("soft.toml", soft);
+  folder.write("stiff.toml", diagram(9.0));
+  return scenario::read(folder.write("s.toml", R"toml([subsystems.soft]
+source = "diagram:soft.toml"
+parameters = { step = 0.06 }
+[subsystems.stiff]
+source = "diagram:stiff.toml"
+parameters = { step = 0.02 }
+[[connections]]
+from = "soft.x"
+to = "stiff.F"
+reconstruction = "lagrange2"
+[[connections]]
+from = "stiff.v"
+to = "soft.F"
+reconstruction = "lagrange2"
+[coordination]
+start = "cold"
+[span]
+stop = 1
+)toml"));
+}
+
+TEST(Stability, DiagramsOfContinuousBlocksGiveTheirStates) {
+  const Scratch folder;
+  const auto one = diagrams(folder, diagram(1.0));
+  const SuperStep step = stability::super_step(one, sources());
+  EXPECT_TRUE(step.linear);
+  const LongRun run(one, step, 14);
+  const VectorXd from = run.at(11), to = run.at(12);
+  EXPECT_LE((step.map * from - to).norm(), 1e-12 * to.norm());
+  const auto found = stability::stability(one, sources());
+  ASSERT_EQ(found.modes.size(), 2U);
+  Eigen::Matrix4d rates;  // soft.x, soft.v, stiff.x, stiff.v
+  rates << 0, 1, 0, 0, -1, -0.1, 0, 1, 0, 0, 0, 1, 1, 0, -9, -0.1;
+  const Eigen::Vector4cd exact = rates.eigenvalues();
+  for (const auto& mode : found.modes) {
+    double nearest = 1.0;
+    for (const auto& p : exact)
+      nearest = std::min(nearest, std::abs(std::abs(p.imag()) / (2.0 * std::numbers::pi) - mode.frequency) +
+                                      std::abs(-p.real() / std::abs(p) - mode.damping));
+    EXPECT_LT(nearest, 1e-7);
+  }
+}
+
+TEST(Stability, DiagramsThatRememberMoreAreNamed) {
+  const Scratch folder;
+  const auto one =
+      diagrams(folder, diagram(1.0, "late", "late = { kind = \"delay\", input = \"x\", delay = 0.1 }\n"));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"subsystem 'soft'", "states as numbers"},
+                      [&] { stability::super_step(one, sources()); }));
+}
+
+}  // namespace
+}  // namespace tandem::stability_of_diagrams_tests
