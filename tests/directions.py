@@ -24,8 +24,11 @@ FLOORS = {
     "scenario": ("scenarios/scenario",
                  ["interface", "text", "transports", "output", "sources", "mbs_subsystem", "engine_subsystem"]),
     "charts": ("scenarios/charts", ["interface", "text", "output"]),
-    "stability": ("scenarios/stability", ["interface", "text", "transports", "scenario"]),
+    "identification": ("scenarios/identification", ["interface"]),
+    "stability": ("scenarios/stability", ["interface", "text", "transports", "scenario", "identification"]),
     "study": ("scenarios/study", ["interface", "text", "transports", "output", "scenario", "charts", "stability"]),
+    "advice": ("scenarios/advice", ["interface", "text", "transports", "output", "scenario", "charts", "identification",
+                                    "stability", "study"]),
     "models": ("scenarios/models",
                ["interface", "text", "transports", "mbs", "mbs_subsystem", "engine", "engine_subsystem", "sources",
                 "output", "scenario", "study"]),
@@ -33,7 +36,7 @@ FLOORS = {
              ["interface", "text", "mbs", "sources", "output", "scenario", "models"]),
     "command": ("scenarios/command", None),  # all
 }
-LISTED = ["output", "scenario", "charts", "stability", "study", "models", "view", "command", "sources"]
+LISTED = ["output", "scenario", "charts", "identification", "stability", "study", "advice", "models", "view", "command", "sources"]
 
 
 def floor_of(file):

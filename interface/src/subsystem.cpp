@@ -66,6 +66,7 @@ Clock Subsystem::sample(double, SamplePart, std::span<const double>, std::span<d
   throw Error(ErrorCode::not_supported, "subsystem '" + info().name + "' is not sampled");
 }
 
+std::optional<std::vector<StateName>> Subsystem::states() const { return {}; }
 void Subsystem::get_states(std::span<double>) const { refuse_numbers(info()); }
 void Subsystem::set_states(std::span<const double>) { refuse_numbers(info()); }
 

@@ -114,6 +114,7 @@ int run(int argc, char** argv) {
   tandem::cli::add_check(app, context);
   tandem::cli::add_modes(app, context);
   tandem::cli::add_stability(app, context);
+  tandem::cli::add_advise(app, context);
   tandem::cli::add_list(app, context);
   tandem::cli::add_serve(app, context);
   tandem::cli::add_keys(app, context);

@@ -115,7 +115,7 @@ TEST(Stability, RandomOscillatorsGrowAndDieOutAsTheRadiusSays) {
 
 TEST(Stability, ModesOfTheSystemUndividedAreThoseOfTheEquations) {
   const auto masses = stability::stability(scene("two_mass/two_mass.toml", {}), sources());
-  ASSERT_EQ(masses.modes.size(), 2U);
+  ASSERT_EQ(masses.modes.size(), 2U) << masses.unknown;
   EXPECT_NEAR(masses.modes[0].frequency, 1.0, 1e-6);
   EXPECT_NEAR(masses.modes[1].frequency, 1.0 / 25.0, 1e-6);
   for (const auto& mode : masses.modes) EXPECT_NEAR(mode.damping, 0.0, 1e-6);
@@ -150,15 +150,30 @@ TEST(Stability, DetuningAndDampingOfASchemeHaveItsOrder) {
   }
 }
 
-TEST(Stability, WhatHasNoStatesIsNamed) {
-  const auto refused = [](const std::string& file, const std::vector<std::string>& words) {
-    return test::refuses(ErrorCode::invalid_argument, words,
-                         [&] { stability::super_step(scene(file, {}), sources()); });
-  };
-  EXPECT_TRUE(refused("split_pendulum/split_pendulum.toml", {"subsystem 'upper'", "states as numbers"}));
-  EXPECT_TRUE(test::refuses(ErrorCode::not_supported, {"no common period", "1000"}, [] {
-    stability::super_step(scene("two_mass/two_mass.toml", {"parameters.frequency_ratio=31.4159265"}),
-                          sources());
+/// Beside ratios that differ by 1e-5 and meet after a thousand of the slow side's steps.
+TEST(Stability, StepsThatNeverMeetAreTakenWhereTheyNearlyDo) {
+  for (const double ratio : {7.0710678118, 17.3205080757, 31.4159265359}) {
+    const auto of = [](double r) {
+      return scene("two_mass/two_mass.toml",
+                   {fmt::format("parameters.frequency_ratio={:.17g}", r), "coordination.schedule=parallel",
+                    "connections.reconstruction=lagrange1"});
+    };
+    const auto near = stability::stability(of(ratio), sources()),
+               exact = stability::stability(of(std::round(ratio * 1000.0) / 1000.0), sources());
+    EXPECT_GT(near.step.apart, 0.0) << ratio;
+    EXPECT_LE(near.step.apart, 1e-3) << ratio;
+    EXPECT_EQ(exact.step.apart, 0.0) << ratio;
+    const auto& mode = exact.modes[0];
+    EXPECT_NEAR(near.modes[0].scheme_damping, mode.scheme_damping,
+                1e-5 + 0.005 * std::abs(mode.scheme_damping))
+        << ratio;
+    EXPECT_NEAR(near.modes[0].scheme_frequency, mode.scheme_frequency, 1e-3) << ratio;
+  }
+}
+
+TEST(Stability, WhatIsSampledIsNamed) {
+  EXPECT_TRUE(test::refuses(ErrorCode::invalid_argument, {"subsystem 'controller'", "is sampled"}, [] {
+    stability::super_step(scene("drive/drive_mechanism.toml", {}), sources());
   }));
 }
 
@@ -183,8 +198,20 @@ TEST(Stability, LargestStepsAreThoseOfTheSearch) {
         stability::super_step(scene("oscillator/force_displacement.toml", near), sources()).map);
     EXPECT_EQ(radius <= 1.0 + 1e-9, stable) << times;
   }
-  EXPECT_TRUE(test::refuses(ErrorCode::invalid_argument, {"'fast'", "no parameter"},
-                            [&] { of("two_mass/two_mass.toml", {}); }));
+  const auto masses = of("two_mass/two_mass.toml",
+                         {"coordination.schedule=fastest-first", "connections.reconstruction=lagrange2"});
+  EXPECT_EQ(masses.whose, "fast");
+  for (const auto& [times, stable] : {std::pair(0.9999, true), {1.0001, false}}) {
+    const std::string steps =
+        fmt::format("parameters.steps_per_cycle={:.17g}", 100.0 / (masses.factor * times));
+    const double radius = stability::spectral_radius(
+        stability::super_step(
+            scene("two_mass/two_mass.toml",
+                  {"coordination.schedule=fastest-first", "connections.reconstruction=lagrange2", steps}),
+            sources())
+            .map);
+    EXPECT_EQ(radius <= 1.0 + 1e-9, stable) << times;
+  }
 }
 
 }  // namespace

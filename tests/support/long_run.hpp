@@ -47,7 +47,7 @@ class LongRun {
     }
   }
 
-  /// What stands after k super-steps.
+  /// What stands after k super-steps; before the first sample all are as that.
   VectorXd at(int k) const {
     VectorXd z(static_cast<Eigen::Index>(step_.coordinates.size()));
     for (std::size_t i = 0; i < step_.coordinates.size(); ++i) {
@@ -56,8 +56,9 @@ class LongRun {
       const std::size_t newest = row_at(rows, k * step_.period);
       const auto& names = outputs_[static_cast<std::size_t>(c.subsystem)];
       const auto index = c.age < 0 ? std::find(names.begin(), names.end(), c.name) - names.begin() : c.index;
-      z[static_cast<Eigen::Index>(i)] = rows[newest - static_cast<std::size_t>(std::max(c.age, 0))].at(
-          static_cast<std::size_t>(Samples::header + index));
+      const auto age = static_cast<std::size_t>(std::max(c.age, 0));
+      z[static_cast<Eigen::Index>(i)] =
+          rows[newest - std::min(newest, age)].at(static_cast<std::size_t>(Samples::header + index));
     }
     return z;
   }

@@ -89,6 +89,12 @@ void Parameters::read(const std::string& pairs, const std::string& owner, Setter
   }
 }
 
+std::string Parameters::written() const {
+  std::string pairs;
+  for (const auto& [name, value] : values_) pairs += (pairs.empty() ? "" : "&") + name + "=" + text_of(value);
+  return pairs;
+}
+
 std::string Parameters::rest() {
   std::string pairs;
   for (const auto& [name, value] : values_) {

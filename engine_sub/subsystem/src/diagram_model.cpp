@@ -101,16 +101,17 @@ SubsystemInfo DiagramModel::info() const {
     info.outputs.back().held = m.program.courses[k].held;
   }
   for (const auto& [output, input] : m.program.feedthrough) info.feedthrough.push_back({output, input});
-  if (names_states())
-    for (const std::string& name : m.program.state_names) info.states.push_back({name, ""});
   return info;
 }
 
-bool DiagramModel::names_states() const {
+std::optional<std::vector<StateName>> DiagramModel::states() const {
   const Program& p = program();
   const bool remembers = !p.crossings.empty() || !p.periodics.empty() || !p.delays.empty() ||
                          !p.calls.empty() || !p.step_updates.empty() || !p.settled.empty();
-  return !remembers && machine_->simulation.keeps_exactly();
+  if (remembers || !machine_->simulation.keeps_exactly()) return {};
+  std::vector<StateName> names;
+  for (const std::string& name : p.state_names) names.push_back({name, ""});
+  return names;
 }
 
 void DiagramModel::get_states(std::span<double> x) const {

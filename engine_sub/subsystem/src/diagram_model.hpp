@@ -42,6 +42,7 @@ class DiagramModel {
   bool jump(double t, std::span<const Signal> u);
   void outputs(double* y) const;
   std::vector<std::string> remarks(double t_stop) const;
+  std::optional<std::vector<StateName>> states() const;
   void get_states(std::span<double> x) const;
   void set_states(std::span<const double> x);
   void write(ByteWriter& to) const;
@@ -67,7 +68,6 @@ class DiagramModel {
   /// What it was when it was kept, else what it is.
   const std::vector<double>& image() const { return kept_.empty() ? machine_->simulation.signals() : kept_; }
   /// Whether its states are all that its steps go by.
-  bool names_states() const;
   /// Goes on with the state that is kept.
   Simulation& resume();
 

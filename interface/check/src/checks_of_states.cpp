@@ -1,4 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
 #include <exception>
 #include <thread>
 
@@ -33,6 +35,12 @@ void refuse_bytes(Subsystem& s) {
   const std::string what = " without the ability to give states as bytes";
   require_refusal(ErrorCode::not_supported, "serialize_state" + what, [&] { s.serialize_state(0); });
   require_refusal(ErrorCode::not_supported, "deserialize_state" + what, [&] { s.deserialize_state({}); });
+}
+
+void refuse_numbers(Subsystem& s) {
+  const std::string what = " of one that gives no states as numbers";
+  require_refusal(ErrorCode::not_supported, "get_states" + what, [&] { s.get_states({}); });
+  require_refusal(ErrorCode::not_supported, "set_states" + what, [&] { s.set_states({}); });
 }
 
 void go_on_from_a_state(const Subject& of) {
@@ -117,6 +125,48 @@ void know_its_states(const Subject& of) {
   require_refusal(code, "releasing a state that was released", [&] { s.release_state(id); });
 }
 
+/// Of what it is compared with: a mechanism also goes by accelerations, which its step before has left.
+constexpr double like = 1e-6;
+
+void require_like(double found, double expected, double size, const std::string& what) {
+  require(std::abs(found - expected) <= like * size, what + " is " + number_text(found) + "; allowed is " +
+                                                         number_text(expected) + " to 1e-6 of " +
+                                                         number_text(size));
+}
+
+/// The newest rows.
+void require_like(const Rows& found, const Rows& all) {
+  const std::size_t first = all.size() - std::min(all.size(), found.size());
+  for (std::size_t k = 0; k < all.front().size(); ++k) {
+    double size = 0.0;
+    for (const auto& row : all) size = std::max(size, std::abs(row[k]));
+    for (std::size_t row = 0; row < found.size() && first > 0; ++row)
+      require_like(found[row][k], all[first + row][k], size,
+                   "from its states as numbers, column " + std::to_string(k) +
+                       " at t = " + number_text(all[first + row][0]) + " s");
+  }
+}
+
+/// Another instance that is started there and put at its states goes on as it does.
+void give_its_states(const Subject& of) {
+  Instance it(of), other(of);
+  const auto names = it.subsystem->states();
+  if (!names) return refuse_numbers(*it.subsystem);
+  it.advance(it.ahead(1.5));
+  std::vector<double> x(names->size()), again(x.size());
+  it.subsystem->get_states(x);
+  other.initialize_at(it.clock.time);
+  other.subsystem->set_states(x);
+  other.subsystem->get_states(again);
+  for (std::size_t k = 0; k < x.size(); ++k)
+    require_like(again[k], x[k], std::abs(x[k]),
+                 "its state '" + (*names)[k].name + "', put and taken again,");
+  const double end = it.ahead(5.5);
+  it.advance(end), other.advance(end);
+  other.rows.erase(other.rows.begin());
+  require_like(other.rows, it.rows);
+}
+
 void be_independent(const Subject& of) {
   Instance it(of), other(of);
   const double end = it.ahead(12.5);
@@ -161,6 +211,7 @@ const std::vector<Check> states = {
     {"a state that is released or was never saved is refused", know_its_states},
     {"a state goes as bytes to another instance and goes on with the same bits", give_a_state_as_bytes},
     {"bytes that are no state are refused", refuse_other_bytes},
+    {"from its states as numbers another instance goes on alike", give_its_states},
     {"instances are independent", be_independent},
     {"two instances may be at work at once", work_at_once}};
 

@@ -63,6 +63,13 @@ Clock Instance::initialize(const std::vector<double>& u0) {
   return clock = call(1, [&](Samples& y) { return subsystem->initialize(t_start_, t_start_ + 1e6, u0, y); });
 }
 
+Clock Instance::initialize_at(double t) {
+  std::vector<double> u0;
+  for (const Signal& input : signals_) u0.push_back(input.value(t));
+  t_start_ = t;
+  return initialize(u0);
+}
+
 Clock Instance::call_once(double t_limit, bool land, std::int64_t room) {
   return clock = call(room, [&](Samples& y) { return subsystem->advance(t_limit, land, signals_, y); });
 }

@@ -42,6 +42,8 @@ class Instance {
   /// Starts, with a new list of rows.
   Clock initialize(const std::vector<double>& u0);
   Clock initialize() { return initialize(u0_); }
+  /// Starts at another time [s], with its inputs there.
+  Clock initialize_at(double t);
   /// One call with room for so many rows.
   Clock call_once(double t_limit, bool land = false, std::int64_t room = 1'000);
   /// The same, and of one with events as many as there are events on the way.

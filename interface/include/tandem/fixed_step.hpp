@@ -65,8 +65,9 @@ concept MayFinish = requires(const Model& model) {
 /// - `bool finished() const`: after a step or an event, it has come to its end.
 /// - `bool keeps_state() const`: whether it has the ability `saves_state`.
 ///
-/// A model whose info() names states has:
-/// - `void get_states(std::span<double> x) const` and `void set_states(std::span<const double> x)`.
+/// A model that gives its states as numbers (Subsystem::states) has:
+/// - `std::optional<std::vector<StateName>> states() const`, `void get_states(std::span<double> x) const` and
+///   `void set_states(std::span<const double> x)`.
 ///
 /// With the ability `serializes_state` in its info() it also has:
 /// - `void write(ByteWriter& to) const`: all that its steps go by and that start() does not make.

@@ -2,6 +2,7 @@
 #pragma once
 #include <algorithm>
 #include <concepts>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,10 +26,11 @@ concept SaysWhetherKept = requires(const Model& model) {
   { model.keeps_state() } -> std::same_as<bool>;
 };
 
-/// A model that gives its states as numbers; its info() names them.
+/// A model that gives its states as numbers.
 template <class Model>
 concept GivesStates =
     requires(Model& model, const Model& same, std::span<double> to, std::span<const double> x) {
+      { same.states() } -> std::same_as<std::optional<std::vector<StateName>>>;
       same.get_states(to);
       model.set_states(x);
     };
@@ -50,12 +52,18 @@ class SavedModels : public Subsystem {
     return {};
   }
 
+  std::optional<std::vector<StateName>> states() const override {
+    if constexpr (GivesStates<Model>) return model_.states();
+    return {};
+  }
   void get_states(std::span<double> x) const override {
-    if constexpr (GivesStates<Model>) return model_.get_states(x);
+    if constexpr (GivesStates<Model>)
+      if (model_.states()) return model_.get_states(x);
     Subsystem::get_states(x);
   }
   void set_states(std::span<const double> x) override {
-    if constexpr (GivesStates<Model>) return model_.set_states(x);
+    if constexpr (GivesStates<Model>)
+      if (model_.states()) return model_.set_states(x);
     Subsystem::set_states(x);
   }
 

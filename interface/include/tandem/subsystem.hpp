@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -115,13 +116,17 @@ class Subsystem {
   ///   next ones do.
   virtual Clock sample(double t, SamplePart part, std::span<const double> u, std::span<double> y);
 
-  /// If info() names states: what they are where it stands. These, the time and its inputs are all that its
-  /// next own steps depend on. The base class refuses this and the next one with Error(not_supported).
+  /// The states that get_states() gives, the same after each initialize(). These, the time and its inputs are all
+  /// that its next own steps depend on, to a millionth. Precondition: initialize() was called. Nothing: it keeps them to itself, as
+  /// the base class does. An empty list: it has none.
+  virtual std::optional<std::vector<StateName>> states() const;
+  /// What they are where it stands. The base class refuses this and the next one with Error(not_supported).
   /// - x: takes one value per state, in its unit.
   virtual void get_states(std::span<double> x) const;
   /// Puts its states, after initialize() and before the first step: it goes on as if it had come there by steps.
   /// The sample that initialize() gave is not given anew.
-  /// - x: one finite value per state.
+  /// - x: one finite value per state, near what they are: where others follow from them in several ways, the nearest
+  ///   is meant.
   virtual void set_states(std::span<const double> x);
 
   /// With the ability `saves_state`: copies the whole state. The copy is valid until it is released. The base

@@ -70,7 +70,6 @@ struct SubsystemInfo {
   Abilities abilities;
   Sampling sampling = {};
   DeclaredParameters parameters = {};  ///< of its kind; none: it takes any, and refuses what it does not know
-  std::vector<StateName> states = {};  ///< that Subsystem::get_states() gives; none: it keeps them to itself
 
   int input_size() const { return scalars(inputs); }    ///< number of scalar inputs
   int output_size() const { return scalars(outputs); }  ///< number of scalar outputs

@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "linear_forces.hpp"
 
+#include "../dense.hpp"
+
 namespace tandem::mbs {
 namespace {
 
@@ -63,6 +65,16 @@ Eigen::MatrixXd DenseTerms::mass() const {
     for (int k = m.pattern.starts()[column]; k < m.pattern.starts()[column + 1]; ++k)
       result(m.pattern.indices()[k], column) = m.values[static_cast<std::size_t>(k)];
   return result;
+}
+
+Eigen::MatrixXd free_motions(const Eigen::MatrixXd& gradients) {
+  const auto n = gradients.rows();
+  if (gradients.cols() == 0) return Eigen::MatrixXd::Identity(n, n);
+  Eigen::MatrixXd scaled = gradients;
+  for (int c = 0; c < scaled.cols(); ++c) scaled.col(c).stableNormalize();
+  dense::Qr qr(scaled);
+  qr.setThreshold(1e-9);
+  return dense::complement(qr);
 }
 
 }  // namespace tandem::mbs

@@ -30,4 +30,7 @@ class DenseTerms {
   std::vector<double> values_;
 };
 
+/// What the constraints leave: orthonormal columns R with Phi_q R = 0, from gradients Phi_q^T.
+Eigen::MatrixXd free_motions(const Eigen::MatrixXd& gradients);
+
 }  // namespace tandem::mbs

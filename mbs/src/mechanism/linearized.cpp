@@ -105,7 +105,8 @@ void Linearized::push(VectorXd& q, double most) const {
 /// a second solution half a turn away.
 bool assemble(Linearized& at, VectorXd& q, const std::vector<Known::Value>& known) {
   const VectorXd from = q;
-  at.limit = tolerable(largest(q));
+  constexpr double least = 1e-6;  // of its unit: where all coordinates are 0
+  at.limit = tolerable(std::max(largest(q), least * at.unit()));
   double way = 0.0;
   for (const auto& k : known) way = std::max(way, std::abs(k.value - from[k.coordinate]));
   const int parts = static_cast<int>(std::clamp(std::ceil(4.0 * way / at.unit()), 1.0, 200.0));

@@ -16,17 +16,6 @@ namespace {
 
 using Eigen::MatrixXd;
 
-/// What the constraints leave: columns R with Phi_q R = 0.
-MatrixXd free_motions(const MatrixXd& gradients) {
-  const auto n = gradients.rows();
-  if (gradients.cols() == 0) return MatrixXd::Identity(n, n);
-  MatrixXd scaled = gradients;
-  for (int c = 0; c < scaled.cols(); ++c) scaled.col(c).stableNormalize();
-  dense::Qr qr(scaled);
-  qr.setThreshold(1e-9);
-  return dense::complement(qr);
-}
-
 /// [0 1; -M^-1 K, -M^-1 C].
 MatrixXd first_order(const MatrixXd& m, const MatrixXd& k, const MatrixXd& c) {
   const Eigen::LLT<MatrixXd> mass(m);

@@ -202,6 +202,31 @@ std::vector<std::string> Multibody::redundant_equations() const {
   return names;
 }
 
+/// The same from one start to the next: signals of the last call are gone, and no gradient depends on inputs.
+const Independent& Multibody::independent() const {
+  Machine& m = *machine_;
+  if (!m.independent) {
+    m.mechanism.set_inputs(nullptr);
+    m.independent.emplace(m.mechanism, moving_.state());
+    m.mechanism.set_inputs(&m.inputs);
+  }
+  return *m.independent;
+}
+
+std::optional<std::vector<StateName>> Multibody::states() const {
+  std::vector<StateName> all;
+  for (const std::string& name : independent().names()) all.push_back({name, ""});
+  return all;
+}
+
+void Multibody::get_states(std::span<double> x) const { independent().get(moving_.state(), x); }
+
+void Multibody::set_states(std::span<const double> x) {
+  moving_.start(independent().put(moving_.state(), x));
+  machine_->outputs.start(moving_.state());
+  machine_->limits.start(moving_.state());
+}
+
 void Multibody::write(ByteWriter& to) const {
   moving_.write(to);
   for (const InputValue& input : inputs_)

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "moving_state.hpp"
 #include "signal_inputs.hpp"
 #include "tandem/fixed_step.hpp"
+#include "tandem/mbs/mechanism/independent.hpp"
 #include "tandem/mbs/mechanism/outputs.hpp"
 #include "tandem/mbs/subsystem.hpp"
 
@@ -26,6 +28,9 @@ class Multibody {
   bool jump(double t, std::span<const Signal> u);
   void outputs(double* y) const;
   std::vector<std::string> remarks(double t_stop) const;
+  std::optional<std::vector<StateName>> states() const;
+  void get_states(std::span<double> x) const;
+  void set_states(std::span<const double> x);
   void write(ByteWriter& to) const;
   void read(ByteReader& from);
 
@@ -45,9 +50,11 @@ class Multibody {
     MatrixDump dump;
     std::size_t dumped = 0;  ///< of its times
     Limits limits;
-    bool begun = false;  ///< a step has been taken since the start
+    bool begun = false;                      ///< a step has been taken since the start
+    std::optional<Independent> independent;  ///< once somebody has asked for states
   };
 
+  const Independent& independent() const;
   bool take_inputs(double t, std::span<const Signal> u);
   bool move(OwnStep& s);
   void pass_jump(double t, const OwnStep& part);

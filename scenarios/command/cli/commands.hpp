@@ -29,6 +29,7 @@ void add_check(CLI::App& app, Context& context);
 void add_info(CLI::App& app, Context& context);
 void add_modes(CLI::App& app, Context& context);
 void add_stability(CLI::App& app, Context& context);
+void add_advise(CLI::App& app, Context& context);
 void add_list(CLI::App& app, Context& context);
 void add_compare(CLI::App& app, Context& context);
 void add_sweep(CLI::App& app, Context& context);

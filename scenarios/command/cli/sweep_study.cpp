@@ -57,10 +57,15 @@ std::string told(const study::SweepEnd& end) {
   return text;
 }
 
+StudyFile found(const StudySweep& settings, const Context& context) {
+  if (settings.study.empty()) return read_study(settings.file, context.builtins, settings.overrides);
+  return {study::read(settings.file, settings.study), false, results_of(settings.file)};
+}
+
 }  // namespace
 
 void sweep_study(const StudySweep& settings, const Context& context) {
-  auto [study, standing, folder] = read_study(settings.file, context.builtins, settings.overrides);
+  auto [study, standing, folder] = found(settings, context);
   if (!settings.output.empty()) folder = settings.output;
   if (!settings.tables.empty()) study.keep_tables(settings.tables);
   if (!settings.where.empty()) study.keep_rows(settings.where);

@@ -16,6 +16,7 @@ struct StudySweep {
   std::string where;                ///< an expression of columns: the rows that are run; empty: all
   unsigned threads;
   bool resume, dry;
+  std::string study = {};  ///< in place of the file's, which is a scenario's
 };
 
 /// Sweeps a study, and tells how its rows ended.

@@ -4,6 +4,7 @@
 #include <array>
 #include <unsupported/Eigen/MatrixFunctions>
 
+#include "oscillator/both_sides.hpp"
 #include "tandem/error.hpp"
 
 namespace tandem::oscillator {
@@ -66,7 +67,6 @@ SubsystemInfo Side::info() const {
   SubsystemInfo info{
       "oscillator", {{"F", ""}}, {{"x", "m", 1, 2}, {"v", "m/s", 1, 1}}, {}, {.serializes_state = true}};
   if (!settings_.force) info.inputs = {{"x_other", "m"}, {"v_other", "m/s"}};
-  info.states = {{"x", "m"}, {"v", "m/s"}};
   return info;
 }
 
@@ -132,6 +132,10 @@ void add_builtins(Builtins& builtins) {
         Settings::words(), [force](const Address&, Parameters& p) -> std::unique_ptr<Subsystem> {
           return std::make_unique<FixedStep<Side>>(Side(Settings::from(p, force)));
         }};
+  builtins.models["oscillator.exact"] = {BothSides::words(),
+                                         [](const Address&, Parameters& p) -> std::unique_ptr<Subsystem> {
+                                           return std::make_unique<FixedStep<BothSides>>(BothSides::from(p));
+                                         }};
 }
 
 }  // namespace tandem::oscillator

@@ -38,6 +38,9 @@ class Side {
   void start(double t, std::span<const double> u0);
   void step(const OwnStep& s, std::span<const Signal> u);
   void outputs(double* y) const;
+  std::optional<std::vector<StateName>> states() const {
+    return std::vector<StateName>{{"x", "m"}, {"v", "m/s"}};
+  }
   void get_states(std::span<double> x) const { x[0] = x_, x[1] = v_; }
   void set_states(std::span<const double> x) { x_ = x[0], v_ = x[1]; }
   void write(ByteWriter& to) const;
@@ -58,7 +61,8 @@ class Side {
   double a_ = 0.0;              ///< with the inputs at the end of the last step
 };
 
-/// oscillator.side1 (input force), oscillator.side2 (input displacement), with the names of Settings as parameters.
+/// oscillator.side1 (input force), oscillator.side2 (input displacement), with the names of Settings as parameters, and
+/// oscillator.exact (BothSides).
 void add_builtins(Builtins& builtins);
 
 }  // namespace tandem::oscillator

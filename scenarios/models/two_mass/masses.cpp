@@ -20,7 +20,6 @@ SubsystemInfo FastMass::info() const {
                      {{"x1", "m", 1, 2}, {"v1", "m/s", 1, 1}},
                      {},
                      {.serializes_state = true}};
-  info.states = {{"x1", "m"}, {"v1", "m/s"}};
   if (!options_.force) return info;
   info.outputs.push_back({"F", "N"});
   info.feedthrough.push_back({2, 0});
@@ -69,6 +68,9 @@ void FastMass::outputs(double* y) const {
   }
 }
 
+std::optional<std::vector<StateName>> FastMass::states() const {
+  return std::vector<StateName>{{"x1", "m"}, {"v1", "m/s"}};
+}
 void FastMass::get_states(std::span<double> x) const { x[0] = x1_, x[1] = v1_; }
 void FastMass::set_states(std::span<const double> x) { x1_ = x[0], v1_ = x[1]; }
 
@@ -99,8 +101,6 @@ SubsystemInfo SlowMass::info() const {
                      {{"x2", "m", 1, 2}, {"v2", "m/s", 1, 1}},
                      {},
                      {.serializes_state = true}};
-  info.states = {{"x2", "m"}, {"v2", "m/s"}};
-  if (options_.reuse_acceleration) info.states.push_back({"a2", "m/s^2"});
   if (!options_.force) return info;
   info.inputs[0] = {"F", "N"};
   info.outputs.push_back({"a2", "m/s^2"});
@@ -135,6 +135,11 @@ void SlowMass::outputs(double* y) const {
   }
 }
 
+std::optional<std::vector<StateName>> SlowMass::states() const {
+  std::vector<StateName> names{{"x2", "m"}, {"v2", "m/s"}};
+  if (options_.reuse_acceleration) names.push_back({"a2", "m/s^2"});
+  return names;
+}
 void SlowMass::get_states(std::span<double> x) const {
   x[0] = x2_, x[1] = v2_;
   if (options_.reuse_acceleration) x[2] = a2_;
@@ -153,13 +158,11 @@ void SlowMass::read(ByteReader& from) {
 }
 
 SubsystemInfo BothMasses::info() const {
-  SubsystemInfo info{"two_mass.both",
-                     {},
-                     {{"x1", "m"}, {"v1", "m/s"}, {"x2", "m"}, {"v2", "m/s"}},
-                     {},
-                     {.serializes_state = true}};
-  info.states = {{"x1", "m"}, {"v1", "m/s"}, {"x2", "m"}, {"v2", "m/s"}};
-  return info;
+  return {"two_mass.both",
+          {},
+          {{"x1", "m"}, {"v1", "m/s"}, {"x2", "m"}, {"v2", "m/s"}},
+          {},
+          {.serializes_state = true}};
 }
 
 void BothMasses::start(double t, std::span<const double>) { state_ = model_.exact(t); }
@@ -182,6 +185,9 @@ void BothMasses::outputs(double* y) const {
   y[0] = state_.x1, y[1] = state_.v1, y[2] = state_.x2, y[3] = state_.v2;
 }
 
+std::optional<std::vector<StateName>> BothMasses::states() const {
+  return std::vector<StateName>{{"x1", "m"}, {"v1", "m/s"}, {"x2", "m"}, {"v2", "m/s"}};
+}
 void BothMasses::get_states(std::span<double> x) const { outputs(x.data()); }
 void BothMasses::set_states(std::span<const double> x) { state_ = {x[0], x[1], x[2], x[3]}; }
 

@@ -25,6 +25,7 @@ class FastMass {
   void start(double t, std::span<const double> u0);
   void step(const OwnStep& s, std::span<const Signal> u);
   void outputs(double* y) const;
+  std::optional<std::vector<StateName>> states() const;
   void get_states(std::span<double> x) const;
   void set_states(std::span<const double> x);
   void write(ByteWriter& to) const;
@@ -60,6 +61,7 @@ class SlowMass {
   void start(double t, std::span<const double> u0);
   void step(const OwnStep& s, std::span<const Signal> u);
   void outputs(double* y) const;
+  std::optional<std::vector<StateName>> states() const;
   void get_states(std::span<double> x) const;
   void set_states(std::span<const double> x);
   void write(ByteWriter& to) const;
@@ -83,6 +85,7 @@ class BothMasses {
   void start(double t, std::span<const double> u0);
   void step(const OwnStep& s, std::span<const Signal> u);
   void outputs(double* y) const;
+  std::optional<std::vector<StateName>> states() const;
   void get_states(std::span<double> x) const;
   void set_states(std::span<const double> x);
   void write(ByteWriter& to) const;

@@ -35,23 +35,31 @@ void set(SubsystemEntry& entry, const std::string& name, double value) {
     entry.parameters.push_back({name, value, entry.place});
 }
 
-/// Parameters that may make its own step.
-std::vector<std::string> candidates(const SubsystemEntry& entry, const Builtins& builtins, double step) {
-  std::vector<std::string> names;
-  if (takes(entry, builtins, "step")) names.emplace_back("step");
-  for (const Parameter& p : entry.parameters)
-    if (const auto* number = std::get_if<double>(&p.value);
-        number && is_near(*number, step) && p.name != "step")
-      names.push_back(p.name);
-  return names;
+struct Candidate {
+  std::string name;
+  double value;
+};
+
+/// Parameters that may make its own step, with what would make another one.
+std::vector<Candidate> candidates(const SubsystemEntry& entry, const Builtins& builtins, double from,
+                                  double to) {
+  std::vector<Candidate> all;
+  if (takes(entry, builtins, "step")) all.push_back({"step", to});
+  for (const Parameter& p : entry.parameters) {
+    const auto* number = std::get_if<double>(&p.value);
+    if (!number || p.name == "step") continue;
+    if (is_near(*number, from)) all.push_back({p.name, to});
+    if (p.name.starts_with("steps_per_")) all.push_back({p.name, *number * from / to});
+  }
+  return all;
 }
 
 /// The scenario with another own step of one subsystem; nothing if no parameter makes it.
 std::optional<Scenario> with_step(const Scenario& scenario, std::size_t which, const Builtins& builtins,
                                   double from, double to) {
-  for (const std::string& name : candidates(scenario.subsystems[which], builtins, from)) {
+  for (const auto& [name, value] : candidates(scenario.subsystems[which], builtins, from, to)) {
     Scenario other = scenario;
-    set(other.subsystems[which], name, to);
+    set(other.subsystems[which], name, value);
     if (is_near(own_steps(other, builtins)[which], to)) return other;
   }
   return {};
@@ -66,11 +74,12 @@ void scale_steps(Scenario& scenario, const Builtins& builtins, double factor) {
     if (std::isnan(steps[i])) continue;
     auto other = with_step(scenario, i, builtins, steps[i], steps[i] * factor);
     if (!other)
-      refuse(scenario.subsystems[i].place,
-             fmt::format("subsystem '{}' has an own step of {} s, and no parameter of it is known to make it "
-                         "{} s; allowed is "
-                         "one whose value in the scenario is that of the own step",
-                         scenario.subsystems[i].name, steps[i], steps[i] * factor));
+      refuse(
+          scenario.subsystems[i].place,
+          fmt::format("subsystem '{}' has an own step of {} s, and no parameter of it is known to make it "
+                      "{} s; allowed is "
+                      "one whose value in the scenario is that of the own step, or one named steps_per_...",
+                      scenario.subsystems[i].name, steps[i], steps[i] * factor));
     scenario = std::move(*other);
   }
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tandem/error.hpp"
 #include "trial.hpp"
 #include "undivided.hpp"
 
@@ -91,7 +92,8 @@ class Matching {
     constexpr double turn = 2.0 * std::numbers::pi;
     const double size = std::abs(mu), growth = std::abs(lambda);
     const double late = std::arg(lambda * std::exp(Complex(0.0, -mu.imag() * period_)));
-    return {.frequency = mu.imag() / turn,
+    return {.rate = mu.real(),
+            .frequency = mu.imag() / turn,
             .damping = size > 0.0 ? -mu.real() / size : 0.0,
             .scheme_frequency = (mu.imag() + late / period_) / turn,
             .scheme_damping = size > 0.0 ? -std::log(growth) / (period_ * size) : 0.0,
@@ -119,12 +121,29 @@ std::string Stability::mostly(const Mode& mode) const {
   return text;
 }
 
+bool is_stable(const SuperStep& step, double radius, double rate) {
+  constexpr double like = 1.01;  // of a rate that grows: the integrators' own error
+  return std::log(radius) <= like * rate * step.period + step.rounding();
+}
+
+bool Stability::is_unstable() const { return !is_stable(step, radius, rate); }
+
 Stability stability(const scenario::Scenario& scenario, const Builtins& builtins) {
-  Stability all{super_step(scenario, builtins), 0.0, {}, {}};
+  Stability all;
+  all.step = super_step(scenario, builtins);
   all.radius = spectral_radius(all.step.map);
-  const Undivided whole = undivided(Trial(scenario, builtins), all.step.linear);
-  all.states = whole.names;
-  all.modes = Matching(whole, all.step).modes();
+  const Trial trial(scenario, builtins);
+  try {
+    const Undivided whole = undivided(trial, all.step.linear);
+    all.states = whole.names;
+    all.modes = Matching(whole, all.step).modes();
+    constexpr double rounding = 1e-8;  // of a damping ratio
+    for (const Mode& mode : all.modes)
+      if (mode.damping < -rounding) all.rate = std::max(all.rate, mode.rate);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::not_supported) throw;
+    all.unknown = error.what();
+  }
   return all;
 }
 

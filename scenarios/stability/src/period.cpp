@@ -3,22 +3,41 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
+
+#include "tandem/stability/super_step.hpp"
 
 namespace tandem::stability {
+namespace {
 
-std::optional<Period> common_period(const std::vector<double>& lengths, std::int64_t most) {
-  constexpr double tolerance = 1e-12;  // relative: steps are quotients and products of few numbers
-  const double largest = *std::max_element(lengths.begin(), lengths.end());
-  for (std::int64_t n = 1; n <= most; ++n) {
-    Period period{static_cast<double>(n) * largest, {}};
-    for (const double h : lengths) {
-      const double steps = std::round(period.length / h);
-      if (std::abs(period.length / h - steps) > tolerance * steps) break;
-      period.steps.push_back(static_cast<std::int64_t>(steps));
-    }
-    if (period.steps.size() == lengths.size()) return period;
+/// Of n of the largest.
+Period period_of(std::int64_t n, double largest, const std::vector<double>& lengths) {
+  constexpr double rounding = 1e-12;  // relative: steps are quotients and products of few numbers
+  Period period;
+  for (const double h : lengths) {
+    const double ratio = static_cast<double>(n) * largest / h, steps = std::round(ratio);
+    period.steps.push_back(static_cast<std::int64_t>(steps));
+    period.length = std::max(period.length, steps * h);
+    if (const double apart = std::abs(ratio - steps); apart > rounding * steps)
+      period.apart = std::max(period.apart, apart);
   }
-  return {};
+  return period;
+}
+
+}  // namespace
+
+Period common_period(const std::vector<double>& lengths) {
+  constexpr double near = 1e-3;
+  const double largest = *std::max_element(lengths.begin(), lengths.end());
+  std::optional<Period> nearly, best;
+  for (std::int64_t n = 1; n <= most_steps; ++n) {
+    Period period = period_of(n, largest, lengths);
+    if (period.apart == 0.0) return period;
+    if (!nearly && period.apart <= near) nearly = period;
+    if (!best || period.apart < best->apart) best = std::move(period);
+  }
+  return nearly ? *nearly : *best;
 }
 
 }  // namespace tandem::stability

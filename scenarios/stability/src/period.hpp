@@ -1,18 +1,18 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace tandem::stability {
 
 struct Period {
-  double length;                    ///< [s]
-  std::vector<std::int64_t> steps;  ///< of each length in it
+  double length = 0.0;                   ///< [s]: that of all its steps of the length for which it is longest
+  std::vector<std::int64_t> steps = {};  ///< of each length in it
+  double apart = 0.0;                    ///< by how much their ends lie apart, at most, as a part of a step
 };
 
-/// The shortest time that is a whole multiple of all lengths [s], up to `most` times the largest; nothing if there
-/// is none. Lengths that meet within rounding count as meeting.
-std::optional<Period> common_period(const std::vector<double>& lengths, std::int64_t most);
+/// The shortest time in which so many of each length [s] end together, of up to most_steps of the largest; to rounding,
+/// else to a thousandth of each, else as nearly as any.
+Period common_period(const std::vector<double>& lengths);
 
 }  // namespace tandem::stability

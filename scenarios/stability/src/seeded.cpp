@@ -1,8 +1,12 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "seeded.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
+
+#include "tandem/error.hpp"
 
 namespace tandem::stability {
 
@@ -45,6 +49,11 @@ void Seeded::enter(std::span<const Signal> u) {
 Clock Seeded::go_on(double t_limit, bool land, std::span<const Signal> u, Samples& y) {
   const std::int64_t first = y.size();
   const Clock clock = inner_.advance(t_limit, land, u, y);
+  if (clock.stop == Stop::event)
+    throw Error(ErrorCode::not_supported,
+                fmt::format("subsystem '{}' has an event at {} s, within the super-step, "
+                            "and an event is no linear map",
+                            info().name, clock.time));
   for (std::int64_t row = first; row < y.size(); ++row)
     newest_.emplace_back(y.values(row).begin(), y.values(row).end());
   return clock;

@@ -11,7 +11,7 @@ namespace tandem::stability {
 /// that it is told. So a coordinator's histories and a subsystem's states are what a trial wants them to be.
 class Seeded final : public Subsystem {
  public:
-  /// inner: restarts and names its states; it must outlive this. step: its own step [s].
+  /// inner: restarts and names its states; it must outlive this. step: between two samples of the past [s].
   Seeded(Subsystem& inner, double begin, double step);
 
   /// past: the newest samples at `begin` and before, the newest first, each as long as a row's values; older ones

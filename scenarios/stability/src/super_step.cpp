@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <random>
 
+#include "difference.hpp"
 #include "trial.hpp"
 
 namespace tandem::stability {
@@ -11,8 +12,9 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// Whether half of a change makes half of the effect.
-bool is_linear(Trial& trial) {
+/// Whether half of a change makes half of the effect. One that can't be taken at all (rods that do not reach) makes
+/// none.
+bool is_linear(Trial& trial) try {
   constexpr double tolerance = 1e-10;
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> any(-1.0, 1.0);
@@ -21,26 +23,28 @@ bool is_linear(Trial& trial) {
   const VectorXd whole = trial.after(trial.start() + change) - from,
                  half = trial.after(trial.start() + 0.5 * change) - from;
   return (whole - 2.0 * half).norm() <= tolerance * (whole.norm() + from.norm());
+} catch (const Error&) {
+  return false;
 }
 
 /// Of a map that is linear beside what does not depend on z.
 Eigen::MatrixXd columns(Trial& trial) {
-  const Eigen::Index size = trial.start().size();
-  const VectorXd from = trial.after(VectorXd::Zero(size));
-  Eigen::MatrixXd map(size, size);
-  for (Eigen::Index k = 0; k < size; ++k) map.col(k) = trial.after(VectorXd::Unit(size, k)) - from;
+  const VectorXd& z = trial.start();
+  const VectorXd from = trial.after(z);
+  Eigen::MatrixXd map(z.size(), z.size());
+  for (Eigen::Index k = 0; k < z.size(); ++k)
+    map.col(k) = trial.after(z + VectorXd::Unit(z.size(), k)) - from;
   return map;
 }
 
-/// Central differences; the change is the cube root of rounding times the number's size, where both errors meet.
+/// The change is the cube root of rounding times the number's size, where both errors meet.
 Eigen::MatrixXd differences(Trial& trial) {
   constexpr double part = 6e-6, least = 1e-3;
   const VectorXd& z = trial.start();
   Eigen::MatrixXd map(z.size(), z.size());
-  for (Eigen::Index k = 0; k < z.size(); ++k) {
-    const VectorXd change = part * std::max(std::abs(z[k]), least) * VectorXd::Unit(z.size(), k);
-    map.col(k) = (trial.after(z + change) - trial.after(z - change)) / (2.0 * change[k]);
-  }
+  for (Eigen::Index k = 0; k < z.size(); ++k)
+    map.col(k) = difference([&](const VectorXd& at) { return trial.after(at); }, z, k,
+                            part * std::max(std::abs(z[k]), least));
   return map;
 }
 
@@ -48,9 +52,20 @@ Eigen::MatrixXd differences(Trial& trial) {
 
 SuperStep super_step(const scenario::Scenario& scenario, const Builtins& builtins) {
   Trial trial(scenario, builtins);
-  SuperStep step{trial.period().length, trial.period().steps, trial.coordinates(), {}, is_linear(trial)};
+  SuperStep step;
+  step.period = trial.period().length, step.steps = trial.period().steps, step.apart = trial.period().apart;
+  step.coordinates = trial.coordinates(), step.identified = trial.identified();
+  step.linear = is_linear(trial);
   step.map = step.linear ? columns(trial) : differences(trial);
+  for (const Identified& one : step.identified) step.linear = step.linear && one.linear;
   return step;
+}
+
+double SuperStep::rounding() const {
+  constexpr double of_differences = 1e-6;  // two eigenvalues that meet at 1, and 1e-11 in the map
+  double most = linear ? 1e-9 : of_differences;
+  for (const Identified& one : identified) most = std::max(most, 10.0 * one.residual);
+  return most;
 }
 
 double spectral_radius(const Eigen::MatrixXd& map) {

@@ -26,13 +26,24 @@ class Trial {
   Eigen::VectorXd after(const Eigen::VectorXd& z);
 
   const Topology& topology() const { return parts_.topology(); }
-  Subsystem& subsystem(int instance) const { return *parts_.subsystem(instance); }
+  const std::vector<Identified>& identified() const { return identified_; }
+  /// It, or its surrogate.
+  Subsystem& subsystem(int instance) const { return *subsystems_[static_cast<std::size_t>(instance)]; }
   double begin_time() const { return scenario_.start; }
+  const std::vector<StateName>& states(int instance) const {
+    return states_[static_cast<std::size_t>(instance)];
+  }
+  /// Its inputs at the start.
+  const std::vector<double>& inputs(int instance) const {
+    return inputs_[static_cast<std::size_t>(instance)];
+  }
   double own_step(int instance) const { return own_steps_[static_cast<std::size_t>(instance)]; }
 
  private:
-  void refuse(int instance, const std::string& what) const;
+  [[noreturn]] void refuse(int instance, const std::string& what) const;
   void begin();
+  void find_period();
+  void identify(int instance);
   void add_coordinates(int instance, const Coordinator& run);
   int samples_read(int instance) const;
   std::set<int> values_read(int instance) const;
@@ -41,7 +52,12 @@ class Trial {
   const scenario::Scenario& scenario_;
   scenario::Parts parts_;
   Coordination coordination_;
+  std::vector<Subsystem*> subsystems_;
+  std::vector<std::unique_ptr<Subsystem>> surrogates_;
+  std::vector<Identified> identified_;
   std::vector<double> own_steps_;
+  std::vector<std::vector<StateName>> states_;
+  std::vector<std::vector<double>> inputs_;
   Period period_;
   std::vector<Coordinate> coordinates_;
   std::vector<int> ages_;  ///< past samples of each subsystem

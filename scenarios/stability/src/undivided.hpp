@@ -19,7 +19,8 @@ struct Undivided {
 ///   [x; u] moves by E = exp([G b; 0 0] h), so [G b; 0 0] = log(E) / h,
 /// and by Richardson's extrapolation of G and b over three such steps, in which the integrator's own error goes.
 /// With y = C x + D u from the same steps and u = L y of the connections: rates = G + b (1 - L D)^-1 L C. Lags are
-/// left out. is_linear: the differences may be large. Throws Error(not_supported) for connections that make a loop at once.
+/// left out. is_linear: the differences may be large. Throws Error(not_supported) for connections that make a loop at once,
+/// and for a subsystem that follows rates of its inputs (a prescribed motion): constant inputs tell nothing of these.
 Undivided undivided(const Trial& trial, bool is_linear);
 
 }  // namespace tandem::stability

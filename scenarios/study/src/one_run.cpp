@@ -37,7 +37,6 @@ bool RowRunner::OneRun::begin() {
     return end("refused", error.what()), false;
   }
   check_subsystems();
-  check_states();
   located([this](const std::string& sentence) { return place_named_in(sentence); },
           [this] { traces_.emplace(assembly_->topology(), outputs_, "the run"); });
   observers_.add(*traces_);
@@ -48,7 +47,21 @@ bool RowRunner::OneRun::begin() {
   } catch (const Error& error) {
     return end(error.code() == ErrorCode::numerical ? "failed" : "refused", error.what()), false;
   }
+  check_states();
   return true;
+}
+
+/// Of one that keeps its states to itself no name is known before its model is found.
+void RowRunner::OneRun::check_states() const {
+  std::vector<std::string> known;
+  for (int i = 0; i < assembly_->topology().size(); ++i) {
+    const auto states = assembly_->subsystem(i).states();
+    if (!states) return;
+    for (const StateName& state : *states) known.push_back(assembly_->topology().name(i) + "." + state.name);
+  }
+  for (const Metric* metric : all_.metrics_)
+    if (!metric->state.empty() && std::find(known.begin(), known.end(), metric->state) == known.end())
+      refuse(metric->place, "metrics." + metric->name + ".state: " + unknown("state", metric->state, known));
 }
 
 bool RowRunner::OneRun::simulate(const std::function<bool()>& going) {
@@ -122,17 +135,6 @@ void RowRunner::OneRun::check_subsystems() const {
       refuse(metric->place, "metrics.\"" + metric->name + "\": " + unknown("subsystem", metric->of, names));
 }
 
-void RowRunner::OneRun::check_states() const {
-  const Topology& topology = assembly_->topology();
-  std::vector<std::string> known;
-  for (int i = 0; i < topology.size(); ++i)
-    for (const StateName& state : topology.info(i).states)
-      known.push_back(topology.name(i) + "." + state.name);
-  for (const Metric* metric : all_.metrics_)
-    if (!metric->state.empty() && std::find(known.begin(), known.end(), metric->state) == known.end())
-      refuse(metric->place, "metrics." + metric->name + ".state: " + unknown("state", metric->state, known));
-}
-
 Place RowRunner::OneRun::place_named_in(const std::string& sentence) const {
   for (const Metric* metric : all_.metrics_) {
     const std::string& of = metric->of;
@@ -196,11 +198,14 @@ void RowRunner::OneRun::tell_stability(const Metric& metric) {
   if (metric.of == "spectral_radius")
     return set(metric.name, stability::spectral_radius(stability::super_step(scenario_, all_.builtins_).map));
   if (!stability_) stability_ = stability::stability(scenario_, all_.builtins_);
+  if (!stability_->unknown.empty()) throw Error(ErrorCode::not_supported, stability_->unknown);
   const auto off = [&](const stability::Mode& mode) {
     return metric.of == "damping" ? mode.scheme_damping - mode.damping : mode.detuning();
   };
   const auto& states = stability_->states;
   const auto state = std::find(states.begin(), states.end(), metric.state);
+  if (!metric.state.empty() && state == states.end())
+    refuse(metric.place, "metrics." + metric.name + ".state: " + unknown("state", metric.state, states));
   const auto weight = [&](const stability::Mode& mode) {
     return metric.state.empty() ? std::abs(off(mode)) : mode.parts[state - states.begin()];
   };

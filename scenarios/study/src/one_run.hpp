@@ -33,8 +33,8 @@ class RowRunner::OneRun {
   std::unique_ptr<CodedMetric> coded(const Metric& metric) const;
   /// Those whose steps are counted, or whose share is told, are there.
   void check_subsystems() const;
-  /// Those that metrics name are there.
   void check_states() const;
+  /// Those that metrics name are there.
   /// Of the metric that asks for an output which is not there.
   Place place_named_in(const std::string& sentence) const;
   void judge(const Metric& metric);

@@ -32,6 +32,13 @@ class Writer {
     find_judged();
   }
 
+  std::vector<std::string> free_connections() const {
+    std::vector<std::string> all;
+    for (const auto& entry : scenario_.connections)
+      if (takes_any(entry, port_of(entry.connection.from))) all.push_back(entry.connection.to);
+    return all;
+  }
+
   std::string text() const {
     return head() + reconstructions() +
            fmt::format(R"toml(
@@ -95,10 +102,8 @@ columns = ["schedule", "reconstruction", "steps", "error", "reference_error", "e
 
   std::string reconstructions() const {
     std::string text;
-    for (const auto& entry : scenario_.connections)
-      if (takes_any(entry, port_of(entry.connection.from)))
-        text +=
-            fmt::format("\"connections[{}].reconstruction\" = \"$reconstruction\"\n", entry.connection.to);
+    for (const std::string& to : free_connections())
+      text += fmt::format("\"connections[{}].reconstruction\" = \"$reconstruction\"\n", to);
     return text;
   }
 
@@ -191,6 +196,10 @@ best = 1
 
 std::string standing_study(const scenario::Scenario& scenario, const Builtins& builtins) {
   return Writer(scenario, builtins).text();
+}
+
+std::vector<std::string> free_connections(const scenario::Scenario& scenario, const Builtins& builtins) {
+  return Writer(scenario, builtins).free_connections();
 }
 
 }  // namespace tandem::study

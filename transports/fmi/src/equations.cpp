@@ -22,6 +22,26 @@ void Equations::start(double t, std::span<const double> u0) {
   settle(t);
 }
 
+std::optional<std::vector<StateName>> Equations::names() const {
+  const Description& d = running_.fmu().description;
+  const auto is_discrete = [](const Variable& v) { return v.variability == Variability::discrete; };
+  if (d.event_indicators > 0 || std::any_of(d.variables.begin(), d.variables.end(), is_discrete)) return {};
+  std::vector<StateName> all;
+  for (const Unknown& rate : d.derivatives) {
+    const Variable& v = d.variables[static_cast<std::size_t>(rate.variable)];
+    const Variable& state = d.variables[static_cast<std::size_t>(v.derivative_of)];
+    all.push_back({state.name, state.unit});
+  }
+  return all;
+}
+
+void Equations::put(std::span<const double> x) {
+  running_.resume();
+  std::copy(x.begin(), x.end(), x_.begin());
+  if (!x_.empty())
+    instance().call(&Functions::SetContinuousStates, "fmi2SetContinuousStates", x_.data(), x_.size());
+}
+
 void Equations::resume(std::span<const Signal> u) {
   u_ = u;
   running_.resume();

@@ -1,5 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <algorithm>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,6 +21,10 @@ class Equations {
   Instance& instance() const { return running_.instance(); }
 
   void start(double t, std::span<const double> u0);
+  /// Its states, where no event indicator and no discrete variable belongs to what it remembers.
+  std::optional<std::vector<StateName>> names() const;
+  void get(std::span<double> x) const { std::copy(x_.begin(), x_.end(), x.begin()); }
+  void put(std::span<const double> x);
   /// Goes on with the state that is kept, and on these inputs, which outlive the call.
   void resume(std::span<const Signal> u);
   /// Whether inputs that may change at events alone have other values now.

@@ -39,6 +39,12 @@ class ExchangedModel {
   }
   void outputs_before(double* y) const { std::copy(left_.begin(), left_.end(), y); }
 
+  std::optional<std::vector<StateName>> states() const { return equations_.names(); }
+  void get_states(std::span<double> x) const { equations_.get(x); }
+  void set_states(std::span<const double> x) {
+    fmu().within([&] { equations_.put(x); });
+  }
+
   void write(ByteWriter& to) const {
     equations_.write(to);
     to.put(events_since_);

@@ -55,6 +55,8 @@ class Parameters {
   /// Adds what "key=value&key=value" says, as texts. Throws Error beginning with `owner` for what is no pair
   /// and for a key that is there already. by: whose words they are.
   void read(const std::string& pairs, const std::string& owner, Setter by = Setter::operator_only);
+  /// All of them, as "key=value&key=value"; numbers are written so that they read back as the same.
+  std::string written() const;
   /// What nobody asked for, as "key=value&key=value"; it counts as asked for from now on. Numbers are written
   /// so that they read back as the same. Throws Error for a text that holds '&'.
   std::string rest();

@@ -6,6 +6,7 @@ namespace tandem::stability {
 
 /// One mode of the coupled system, as the system undivided has it and as the scheme makes it.
 struct Mode {
+  double rate;              ///< Re mu [1/s] of the system undivided
   double frequency;         ///< of the system undivided: |Im mu| / 2 pi [Hz]; 0: it does not swing
   double damping;           ///< its damping ratio, -Re mu / |mu|
   double scheme_frequency;  ///< of the scheme: the nearest that its multiplier over a super-step allows [Hz]
@@ -26,10 +27,18 @@ struct Stability {
   double radius;                    ///< spectral radius of step.map
   std::vector<std::string> states;  ///< "fast.x1"
   std::vector<Mode> modes;          ///< the fastest first
+  std::string unknown;              ///< why modes are not known; empty: they are
+  double rate =
+      0.0;  ///< [1/s]: of what grows fastest in the system undivided; 0: nothing does, or it is not known
 
+  /// Whether something grows that does not, or not as fast, in the system undivided.
+  bool is_unstable() const;
   /// The names of the states that take part in a mode at least a third as much as the one that takes part most.
   std::string mostly(const Mode& mode) const;
 };
+
+/// Whether what a super-step multiplies by `radius` at most grows no faster than by `rate` [1/s].
+bool is_stable(const SuperStep& step, double radius, double rate);
 
 /// Throws Error as super_step() does.
 Stability stability(const scenario::Scenario& scenario, const Builtins& builtins);

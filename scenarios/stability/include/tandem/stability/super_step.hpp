@@ -19,23 +19,39 @@ struct Coordinate {
   std::string name;  ///< "fast.x1", "fast.x1 2 samples ago"
 };
 
+/// A subsystem that keeps its states to itself, of which a linear model stands in the map (identification/identify.hpp).
+struct Identified {
+  std::string name;
+  int order;        ///< states of the model
+  double residual;  ///< what it leaves of responses
+  bool linear;      ///< superposition holds
+};
+
 /// One super-step: the shortest time after which all own steps, and the communication step of `parallel`, end
-/// together again.
+/// together again; of up to most_steps of the largest. Where there is none, the first after which they end within a thousandth of
+/// a step, else that after which they end nearest together.
 struct SuperStep {
   double period = 0.0;              ///< T [s]
   std::vector<std::int64_t> steps;  ///< own steps of each subsystem in it
+  double apart = 0.0;  ///< by how much their ends lie apart, at most, as a part of a step; 0: they meet
   std::vector<Coordinate> coordinates;
+  std::vector<Identified> identified;
   Eigen::MatrixXd map;  ///< z(t + T) = map z(t), beside what does not depend on z
   bool linear =
       false;  ///< superposition at two amplitudes holds to 1e-10; else the map is that about the start
+
+  /// What the modulus of an eigenvalue may be above 1 and mean 1.
+  double rounding() const;
 };
 
 /// The map of one super-step, by the coordinator and the subsystems themselves. Each past sample and each state in
 /// turn is made 1, a run of one super-step goes on from there, and what it comes to is a column. Where subsystems
 /// are not linear, columns are central differences about the state at the start.
 ///
-/// Precondition: all subsystems name their states (SubsystemInfo::states), and restart. Throws Error(not_supported)
-/// that names the one that does not, and for steps without a common period of most_steps largest own steps.
+/// A subsystem that does not name its states (Subsystem::states) is replaced by a linear model of it.
+///
+/// Precondition: all subsystems restart. Throws Error(not_supported) that names the one that does not, of which no
+/// linear model is found, or that has an event within the super-step.
 SuperStep super_step(const scenario::Scenario& scenario, const Builtins& builtins);
 constexpr std::int64_t most_steps = 1000;
 

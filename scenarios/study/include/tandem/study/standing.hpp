@@ -2,6 +2,7 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "tandem/scenario/scenario.hpp"
 #include "tandem/transports/open.hpp"
@@ -14,6 +15,10 @@ namespace tandem::study {
 /// a sixteenth. Rows are judged by the scenario's [judge], else by every connected output, 1 % of its peak.
 /// Throws Error for a scenario that can't be opened, or has no connection.
 std::string standing_study(const scenario::Scenario& scenario, const Builtins& builtins);
+
+/// The inputs, "slow.x1", whose connections the standing study gives any reconstruction: those of outputs that are not
+/// held, without a lag. Throws Error for a scenario that can't be opened.
+std::vector<std::string> free_connections(const scenario::Scenario& scenario, const Builtins& builtins);
 
 /// In words: which rows of its table `schemes` are within the tolerance, and which of these is cheapest
 /// (fewest exchanges, then fewest own steps).

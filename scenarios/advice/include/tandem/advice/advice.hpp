@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tandem/scenario/scenario.hpp"
+#include "tandem/transports/open.hpp"
+
+namespace tandem::advice {
+
+/// A scheme of the standing study (study/standing.hpp), with what is predicted of it.
+struct Choice {
+  std::string schedule, reconstruction;
+  double steps;      ///< times all own steps and the communication step
+  double error;      ///< as a part of the tolerance
+  double exchanges;  ///< calls of subsystems
+  double own_steps;  ///< of all subsystems together
+};
+
+struct Ranking {
+  std::vector<Choice> choices;  ///< the smallest error first; of those within 1 % the fewest exchanges first
+  std::size_t others = 0;       ///< that failed, were lost or refused
+  double reference_error = 0.0;
+
+  /// Of those within the tolerance the one with the fewest exchanges, then the fewest own steps.
+  std::optional<Choice> cheapest() const;
+};
+
+/// From the table `schemes` of the standing study.
+Ranking ranking(const std::filesystem::path& table);
+
+/// What the choice sets in a scenario: "KEY=VALUE", without own steps.
+std::vector<std::string> settings(const Choice& choice, const scenario::Scenario& scenario,
+                                  const Builtins& builtins);
+/// The scenario with a choice. overrides: of the file.
+scenario::Scenario chosen(const Choice& choice, const scenario::Scenario& scenario,
+                          const std::vector<std::string>& overrides, const Builtins& builtins);
+/// The lines that the choice puts into a scenario, as TOML.
+std::string lines(const Choice& choice, const scenario::Scenario& scenario,
+                  const std::vector<std::string>& overrides, const Builtins& builtins);
+/// Why, in words: how often the fastest mode is sampled a cycle, and what the scheme makes of its amplitude over the run.
+/// Nothing where the map of a super-step does not tell (stability/super_step.hpp).
+std::string reason(const scenario::Scenario& chosen, const Builtins& builtins);
+
+}  // namespace tandem::advice

@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "tandem/transports/open.hpp"
+
+namespace tandem::advice {
+
+/// What stands for the subsystems of one source.
+struct Stand {
+  std::string source;     ///< its URI
+  bool modelled = false;  ///< a linear model; else it runs itself
+  int order = 0;          ///< states of the model
+  double residual = 0.0;  ///< what the model leaves of responses
+  std::string why = {};   ///< it runs itself
+};
+
+/// Linear models in place of subsystems, each found once for the same source and parameters.
+class Models {
+ public:
+  /// The same sources. What they make is, from its start on, its linear model (identification/identify.hpp), where it is
+  /// linear and the model leaves at most `most_residual` of its responses. Else it runs itself: what is sampled, has
+  /// events, varies its steps or can't start again, and what no such model tells. This must outlive what they make.
+  Builtins replacing(Builtins all);
+  static constexpr double most_residual = 1e-7;
+
+  /// By source, in the order of their names.
+  std::vector<Stand> stands() const;
+
+ private:
+  struct Entry;
+  class Modelled;
+  Source replacing(Source source);
+  Entry& entry(const std::string& key, const std::string& source);
+
+  mutable std::mutex mutex_;
+  std::map<std::string, std::shared_ptr<Entry>> entries_;  ///< by source and parameters
+};
+
+}  // namespace tandem::advice

@@ -1,0 +1,147 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/advice/models.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "tandem/error.hpp"
+#include "tandem/identification/identify.hpp"
+#include "tandem/identification/surrogate.hpp"
+
+namespace tandem::advice {
+namespace {
+
+using identification::LinearModel;
+
+/// Nothing: it may have a linear model.
+std::string why_not(const SubsystemInfo& info) {
+  if (info.abilities.sampled) return "it is sampled";
+  if (info.abilities.events) return "it has events";
+  if (info.abilities.chooses_step) return "its own steps vary";
+  if (!info.abilities.restarts) return "it can't start again";
+  return "";
+}
+
+/// Responses that last a quarter of the run, where that is not too long.
+identification::Wanted wanted(const SubsystemInfo& info, const Clock& start, double t_stop,
+                              std::span<const double> u0) {
+  constexpr double least = 12.0, most = 1536.0;
+  const double steps = 0.25 * (t_stop - start.time) / (start.next_time - start.time);
+  identification::Wanted all{start.time, {u0.begin(), u0.end()}, {}};
+  all.steps = static_cast<std::int64_t>(std::clamp(steps, least, most));
+  for (int k = 0; k < info.row_size() - Samples::header; ++k) all.values.push_back(k);
+  return all;
+}
+
+}  // namespace
+
+struct Models::Entry {
+  explicit Entry(const std::string& source) { stand.source = source; }
+
+  std::once_flag found;
+  std::optional<LinearModel> model;
+  Stand stand;
+
+  void find(Subsystem& subsystem, const Clock& start, double t_stop, std::span<const double> u0) {
+    try {
+      const auto what = wanted(subsystem.info(), start, t_stop, u0);
+      if (!identification::is_linear(subsystem, what)) {
+        stand.why = "it is not linear";
+        return;
+      }
+      LinearModel found = identification::identify(subsystem, what);
+      stand.order = static_cast<int>(found.order()), stand.residual = found.residual;
+      stand.modelled = found.residual <= most_residual;
+      if (stand.modelled)
+        model = std::move(found);
+      else
+        stand.why = fmt::format("the best linear model leaves {:.2g} of its responses; allowed is {}",
+                                found.residual, most_residual);
+    } catch (const Error& error) {
+      stand.why = error.what();
+    }
+  }
+};
+
+/// A subsystem that becomes its model where it starts with inputs that are known.
+class Models::Modelled final : public Subsystem {
+ public:
+  Modelled(std::unique_ptr<Subsystem> real, Entry& entry)
+      : real_(std::move(real)), entry_(entry), info_(real_->info()) {
+    info_.abilities.serializes_state = false;
+  }
+
+  const SubsystemInfo& info() const override { return info_; }
+  bool one_thread() const override { return real_->one_thread(); }
+  std::vector<std::string> remarks(double t_stop) const override { return real_->remarks(t_stop); }
+
+  Clock initialize(double t_start, double t_stop, std::span<const double> u0, Samples& y) override {
+    active_ = real_.get();
+    const Clock clock = real_->initialize(t_start, t_stop, u0, y);
+    if (std::any_of(u0.begin(), u0.end(), [](double u) { return std::isnan(u); })) return clock;
+    std::call_once(entry_.found, [&] { entry_.find(*real_, clock, t_stop, u0); });
+    if (entry_.model) {
+      if (!surrogate_) surrogate_ = make_surrogate(*entry_.model, info_);
+      active_ = surrogate_.get();
+    }
+    std::vector<double> row(static_cast<std::size_t>(info_.row_size()));
+    Samples unused(row.data(), info_.row_size(), 1);
+    return active_->initialize(t_start, t_stop, u0, unused);
+  }
+
+  Clock advance(double t_limit, bool land, std::span<const Signal> u, Samples& y) override {
+    return active_->advance(t_limit, land, u, y);
+  }
+  StateId save_state() override { return active_->save_state(); }
+  Clock restore_state(StateId id) override { return active_->restore_state(id); }
+  void release_state(StateId id) override { active_->release_state(id); }
+
+ private:
+  std::unique_ptr<Subsystem> real_, surrogate_;
+  Subsystem* active_ = nullptr;
+  Entry& entry_;
+  SubsystemInfo info_;
+};
+
+Models::Entry& Models::entry(const std::string& key, const std::string& source) {
+  const std::lock_guard lock(mutex_);
+  auto& one = entries_[key];
+  if (!one) one = std::make_shared<Entry>(source);
+  return *one;
+}
+
+Source Models::replacing(Source source) {
+  source.make = [this, make = source.make](const Address& address,
+                                           Parameters& parameters) -> std::unique_ptr<Subsystem> {
+    std::string key = address.uri + '\n' + address.folder.string() + '\n' + parameters.written();
+    for (const std::string& part : address.command) key += '\n' + part;
+    for (const std::string& part : address.overrides) key += '\n' + part;
+    auto real = make(address, parameters);
+    Entry& one = entry(key, address.command.empty() ? address.uri : address.name());
+    const std::string why = why_not(real->info());
+    if (why.empty()) return std::make_unique<Modelled>(std::move(real), one);
+    std::call_once(one.found, [&] { one.stand.why = why; });
+    return real;
+  };
+  return source;
+}
+
+Builtins Models::replacing(Builtins all) {
+  for (auto* list : {&all.models, &all.schemes})
+    for (auto& [name, source] : *list) source = replacing(source);
+  return all;
+}
+
+std::vector<Stand> Models::stands() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<Stand> all;
+  for (const auto& [key, one] : entries_)
+    if (all.empty() || all.back().source != one->stand.source) all.push_back(one->stand);
+  return all;
+}
+
+}  // namespace tandem::advice

@@ -1,0 +1,16 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <memory>
+
+#include "tandem/identification/linear_model.hpp"
+#include "tandem/subsystem.hpp"
+
+namespace tandem::identification {
+
+/// A subsystem that is a linear model, with the ports of the one that the model was found from. Values of a row that the
+/// model does not give are 0. It restarts, saves states, lands, and gives its states ("state 1"). Over a part of a step
+/// it goes by the motion in continuous time that comes to the same whole steps; where there is none, a step that is cut is
+/// Error(not_supported).
+std::unique_ptr<Subsystem> make_surrogate(LinearModel model, const SubsystemInfo& of);
+
+}  // namespace tandem::identification

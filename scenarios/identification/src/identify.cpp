@@ -1,0 +1,186 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/identification/identify.hpp"
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <cmath>
+
+#include "probe.hpp"
+#include "realise.hpp"
+
+namespace tandem::identification {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+/// What a run and its changes are, from the start on.
+struct Runs {
+  MatrixXd baseline;
+  std::vector<MatrixXd> changes;  ///< by input, then by place; the last place is the start
+  bool linear;
+};
+
+class Prober {
+ public:
+  Prober(Subsystem& subsystem, const Wanted& wanted) : probe_(subsystem, wanted), wanted_(wanted) {
+    is_linear_ = looks_linear();
+  }
+
+  double step() const { return probe_.step(); }
+  bool is_linear() const { return is_linear_; }
+
+  Runs runs(std::int64_t steps) {
+    Runs all{probe_.run(steps), {}, is_linear_};
+    for (int input = 0; input < probe_.inputs(); ++input)
+      for (int place = 0; place <= all_places; ++place)
+        all.changes.push_back(response(input, place, steps, all.baseline));
+    return all;
+  }
+
+ private:
+  double size(int input) const {
+    constexpr double small = 1e-5;  // curvature and rounding leave 1e-10 each
+    return (is_linear_ ? 1.0 : small) *
+           std::max(1.0, std::abs(wanted_.inputs[static_cast<std::size_t>(input)]));
+  }
+
+  /// By a change of 1. What rounding has left of a response that is none is 0.
+  MatrixXd response(int input, int place, std::int64_t steps, const MatrixXd& baseline) {
+    constexpr double rounding = 1e-13;
+    const double by = size(input);
+    const Change up{input, place, by}, down{input, place, -by};
+    const MatrixXd moved = is_linear_
+                               ? MatrixXd((probe_.run(steps, &up) - baseline) / by)
+                               : MatrixXd((probe_.run(steps, &up) - probe_.run(steps, &down)) / (2.0 * by));
+    return moved.norm() * by <= rounding * baseline.norm() ? MatrixXd::Zero(moved.rows(), moved.cols())
+                                                           : moved;
+  }
+
+  bool looks_linear() {
+    constexpr double tolerance = 1e-10, rounding = 1e-14;
+    const MatrixXd from = probe_.run(wanted_.steps);
+    for (int input = 0; input < probe_.inputs(); ++input) {
+      const Change whole{input, 2, size(input)}, half{input, 2, 0.5 * size(input)};
+      const MatrixXd all = probe_.run(wanted_.steps, &whole) - from,
+                     part = probe_.run(wanted_.steps, &half) - from;
+      if ((all - 2.0 * part).norm() > tolerance * all.norm() + rounding * from.norm()) return false;
+    }
+    return true;
+  }
+
+  Probe probe_;
+  const Wanted& wanted_;
+  bool is_linear_ = true;
+};
+
+/// The columns of a model that responses belong to.
+struct Seats {
+  Responses responses;
+  std::vector<Index> of;  ///< the change of each; the baseline comes last and has none
+};
+
+/// Those that are not 0, without what outputs follow at once. Of the baseline the differences from step to step: in these
+/// e stands alone.
+Seats seats(const Runs& runs, const MatrixXd& d) {
+  Seats all;
+  const Index length = runs.baseline.cols() - 1;
+  const auto add = [&](MatrixXd response, Index change, double size) {
+    constexpr double rounding = 1e-13;
+    if (!(response.norm() > rounding * size)) return;
+    all.responses.push_back(std::move(response)), all.of.push_back(change);
+  };
+  for (std::size_t k = 0; k < runs.changes.size(); ++k) {
+    MatrixXd response = runs.changes[k].rightCols(length);
+    const auto input = static_cast<Index>(k) / (all_places + 1),
+               place = static_cast<Index>(k) % (all_places + 1);
+    const double size = response.norm();
+    if (place == all_places - 1) response.col(0) -= d.col(input);
+    add(std::move(response), static_cast<Index>(k), size);
+  }
+  add(runs.baseline.rightCols(length) - runs.baseline.leftCols(length), -1, runs.baseline.norm());
+  return all;
+}
+
+LinearModel empty(const Runs& runs, const Wanted& wanted) {
+  const Index inputs = static_cast<Index>(wanted.inputs.size()), values = runs.baseline.rows();
+  LinearModel model;
+  model.inputs = Eigen::Map<const Eigen::VectorXd>(wanted.inputs.data(), inputs);
+  model.values = wanted.values;
+  model.linear = runs.linear;
+  model.d.resize(values, inputs);
+  for (Index i = 0; i < inputs; ++i)
+    model.d.col(i) = runs.changes[static_cast<std::size_t>(i * (all_places + 1) + all_places)].col(0);
+  model.y0 = runs.baseline.col(0);
+  model.a.resize(0, 0), model.c.resize(values, 0), model.e.resize(0);
+  model.b.resize(0, inputs * all_places), model.s.resize(0, inputs);
+  return model;
+}
+
+/// States that come to given ones in a step; of several those that outputs tell least of, as what outputs have at the
+/// start is taken for what they follow at once.
+class Start {
+ public:
+  explicit Start(const Realisation& of) : c_(of.c), back_(of.a) {
+    constexpr double rounding = 1e-9;
+    Eigen::FullPivLU<MatrixXd> lu(of.a);
+    lu.setThreshold(rounding);
+    if (lu.dimensionOfKernel() > 0) lost_ = lu.kernel();
+  }
+  Eigen::VectorXd before(const Eigen::VectorXd& x1) const {
+    const Eigen::VectorXd x = back_.solve(x1);
+    if (lost_.cols() == 0) return x;
+    return x - lost_ * (c_ * lost_).completeOrthogonalDecomposition().solve(c_ * x);
+  }
+
+ private:
+  MatrixXd c_, lost_;
+  Eigen::CompleteOrthogonalDecomposition<MatrixXd> back_;
+};
+
+LinearModel model_of(const Runs& runs, const Wanted& wanted) {
+  LinearModel model = empty(runs, wanted);
+  const Seats all = seats(runs, model.d);
+  if (all.responses.empty()) return model;
+  const Realisation r = realise(all.responses);
+  const Index n = r.a.rows();
+  model.a = r.a, model.c = r.c, model.residual = r.residual;
+  model.e.setZero(n), model.b.setZero(n, model.b.cols()), model.s.setZero(n, model.s.cols());
+  const Start start(r);
+  for (std::size_t k = 0; k < all.of.size(); ++k) {
+    const auto x1 = r.x1.col(static_cast<Index>(k));
+    if (all.of[k] < 0)
+      model.e = x1;
+    else if (const Index input = all.of[k] / (all_places + 1), place = all.of[k] % (all_places + 1);
+             place < all_places)
+      model.b.col(input * all_places + place) = x1;
+    else
+      model.s.col(input) = start.before(x1);
+  }
+  model.d -= model.c * model.s;
+  return model;
+}
+
+bool stays(const LinearModel& before, const LinearModel& now) {
+  constexpr double exact = 1e-10, alike = 3.0;
+  return now.order() == before.order() && now.residual <= std::max(exact, alike * before.residual);
+}
+
+}  // namespace
+
+bool is_linear(Subsystem& subsystem, const Wanted& wanted) { return Prober(subsystem, wanted).is_linear(); }
+
+LinearModel identify(Subsystem& subsystem, const Wanted& wanted) {
+  Prober prober(subsystem, wanted);
+  std::int64_t steps = wanted.steps;
+  LinearModel before = model_of(prober.runs(steps), wanted), now = before;
+  while (2 * steps <= most_steps) {
+    now = model_of(prober.runs(steps *= 2), wanted);
+    if (stays(before, now)) break;
+    before = now;
+  }
+  now.step = prober.step();
+  return now;
+}
+
+}  // namespace tandem::identification

@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "probe.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "tandem/error.hpp"
+
+namespace tandem::identification {
+namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+Probe::Probe(Subsystem& subsystem, const Wanted& wanted)
+    : subsystem_(subsystem), wanted_(wanted), courses_(courses()) {
+  const Abilities& can = subsystem.info().abilities;
+  if (!can.restarts) refuse("can't start again");
+  if (can.sampled) refuse("is sampled");
+  start(1, nullptr);
+}
+
+void Probe::refuse(const std::string& what) const {
+  throw Error(ErrorCode::not_supported, fmt::format("subsystem '{}' {}, so no linear model of it is found",
+                                                    subsystem_.info().name, what));
+}
+
+Samples Probe::start(std::int64_t rows, const Change* change) {
+  const std::int64_t size = subsystem_.info().row_size();
+  memory_.assign(static_cast<std::size_t>(rows * size), 0.0);
+  Samples y(memory_.data(), size, rows);
+  std::vector<double> u0 = wanted_.inputs;
+  if (change && change->place == all_places) u0[static_cast<std::size_t>(change->input)] += change->size;
+  const Clock clock = subsystem_.initialize(wanted_.start, std::numeric_limits<double>::max(), u0, y);
+  step_ = clock.next_time - clock.time;
+  return y;
+}
+
+/// In one call, with the change all the way.
+void Probe::advance(double until, const Change* change, Samples& y) {
+  std::vector<Segment> pieces;
+  for (const double value : wanted_.inputs) pieces.push_back({never, wanted_.start, {value}});
+  if (change && change->place < all_places) {
+    Segment& s = pieces[static_cast<std::size_t>(change->input)];
+    for (int k = 0; k < all_places; ++k)
+      s.c[k] += change->size * courses_(k, change->place) / std::pow(step_, k);
+  }
+  std::vector<Signal> u;
+  for (const Segment& s : pieces) u.emplace_back(&s, 1, all_places - 1);
+  if (subsystem_.advance(until, false, u, y).stop != Stop::limit)
+    refuse(fmt::format("stops before {} s, at an event or its end", until));
+}
+
+Eigen::MatrixXd Probe::run(std::int64_t steps, const Change* change) {
+  Samples y = start(steps + 3, change);
+  advance(wanted_.start + 1.25 * step_, change, y);
+  advance(wanted_.start + (static_cast<double>(steps) + 0.25) * step_, nullptr, y);
+  if (y.size() != steps + 1) refuse("takes own steps that vary");
+  Eigen::MatrixXd values(static_cast<Eigen::Index>(wanted_.values.size()), steps + 1);
+  for (Eigen::Index k = 0; k <= steps; ++k)
+    for (Eigen::Index row = 0; row < values.rows(); ++row)
+      values(row, k) = y.values(k)[static_cast<std::size_t>(wanted_.values[static_cast<std::size_t>(row)])];
+  if (!values.allFinite()) refuse("gives values that are not finite");
+  return values;
+}
+
+}  // namespace tandem::identification

@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+#include "courses.hpp"
+#include "tandem/identification/identify.hpp"
+
+namespace tandem::identification {
+
+/// How one input differs in a run.
+struct Change {
+  int input;
+  int place;    ///< at which it is `size` in the first step; all_places: at the start alone
+  double size;  ///< in the unit of the input
+};
+constexpr int all_places = static_cast<int>(places.size());
+
+/// Runs of a subsystem alone.
+class Probe {
+ public:
+  /// Throws as identify() does. Both must outlive it.
+  Probe(Subsystem& subsystem, const Wanted& wanted);
+
+  double step() const { return step_; }
+  int inputs() const { return static_cast<int>(wanted_.inputs.size()); }
+  /// The wanted values, a column each for the start and so many own steps.
+  Eigen::MatrixXd run(std::int64_t steps, const Change* change = nullptr);
+
+ private:
+  [[noreturn]] void refuse(const std::string& what) const;
+  Samples start(std::int64_t rows, const Change* change);
+  void advance(double until, const Change* change, Samples& y);
+
+  Subsystem& subsystem_;
+  const Wanted& wanted_;
+  double step_ = 0.0;
+  std::vector<double> memory_;
+  Courses courses_;
+};
+
+}  // namespace tandem::identification

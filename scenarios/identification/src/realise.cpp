@@ -1,0 +1,125 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "realise.hpp"
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+
+#include "tandem/identification/identify.hpp"
+
+namespace tandem::identification {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Each response of size 1, and each value of the same size in all of them together.
+struct Scaled {
+  Responses responses;
+  VectorXd of_values, of_responses;  ///< what each was multiplied with
+};
+
+Scaled scaled(Responses all) {
+  Scaled result{std::move(all), VectorXd::Zero(0), VectorXd(0)};
+  auto& list = result.responses;
+  VectorXd squares = VectorXd::Zero(list.front().rows());
+  for (MatrixXd& one : list) squares += one.rowwise().squaredNorm() / one.squaredNorm();
+  result.of_values = squares.unaryExpr([](double s) { return s > 0.0 ? 1.0 / std::sqrt(s) : 0.0; });
+  result.of_responses.resize(static_cast<Index>(list.size()));
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    list[k] = result.of_values.asDiagonal() * list[k];
+    list[k] *= result.of_responses[static_cast<Index>(k)] = 1.0 / list[k].norm();
+  }
+  return result;
+}
+
+/// Block (i, l) holds what all responses are at the place i s + l s + offset, from 0.
+MatrixXd hankel(const Responses& all, Index blocks, Index stride, Index offset) {
+  const Index values = all.front().rows(), count = static_cast<Index>(all.size());
+  MatrixXd h(blocks * values, blocks * count);
+  for (Index i = 0; i < blocks; ++i)
+    for (Index l = 0; l < blocks; ++l)
+      for (Index k = 0; k < count; ++k)
+        h.block(i * values, l * count + k, values, 1) =
+            all[static_cast<std::size_t>(k)].col((i + l) * stride + offset);
+  return h;
+}
+
+/// The largest difference of a value in a response, by the largest that it is there. What is never more than rounding in
+/// that response does not count.
+double residual(const Realisation& of, const Responses& all) {
+  constexpr double rounding = 1e-10;
+  double most = 0.0;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    VectorXd x = of.x1.col(static_cast<Index>(k));
+    const VectorXd size =
+        all[k].cwiseAbs().rowwise().maxCoeff().cwiseMax(rounding * all[k].cwiseAbs().maxCoeff());
+    for (Index step = 0; step < all[k].cols(); ++step, x = of.a * x) {
+      const double off = (of.c * x - all[k].col(step)).cwiseAbs().cwiseQuotient(size).maxCoeff();
+      most = std::max(most, std::isfinite(off) ? off : 1e300);
+    }
+  }
+  return most;
+}
+
+class Realiser {
+ public:
+  explicit Realiser(const Responses& all) : all_(all) {
+    const Index length = all.front().cols();
+    constexpr Index most_blocks = 24;
+    const Index blocks = std::min(most_blocks, length / 2),
+                stride = std::max<Index>(1, (length - 2) / (2 * blocks - 2));
+    const MatrixXd here = hankel(all, blocks, stride, 0);
+    later_ = hankel(all, blocks, stride, 1);
+    const Eigen::BDCSVD<MatrixXd> svd(here, Eigen::ComputeThinU | Eigen::ComputeThinV);
+    u_ = svd.matrixU(), v_ = svd.matrixV(), s_ = svd.singularValues();
+  }
+
+  /// Beyond it nothing but rounding is left, or what is allowed.
+  Index most() const {
+    constexpr double rounding = 1e-15;
+    const Index known = (s_.array() > rounding * s_[0]).count();
+    return std::min<Index>(known, most_states);
+  }
+
+  Realisation of_order(Index n) const {
+    const VectorXd root = s_.head(n).cwiseSqrt(), inverse = root.cwiseInverse();
+    const MatrixXd u = u_.leftCols(n), v = v_.leftCols(n);
+    Realisation r;
+    r.a = inverse.asDiagonal() * (u.transpose() * later_ * v) * inverse.asDiagonal();
+    r.c = u.topRows(all_.front().rows()) * root.asDiagonal();
+    r.x1 = root.asDiagonal() * v.topRows(static_cast<Index>(all_.size())).transpose();
+    r.residual = residual(r, all_);
+    return r;
+  }
+
+ private:
+  const Responses& all_;
+  MatrixXd later_, u_, v_;
+  VectorXd s_;
+};
+
+}  // namespace
+
+Realisation realise(const Responses& responses) {
+  constexpr double exact = 1e-11, worse = 1.5;
+  const Scaled all = scaled(responses);
+  const Realiser realiser(all.responses);
+  std::vector<Realisation> found;
+  for (Index n = 1; n <= realiser.most(); ++n) {
+    found.push_back(realiser.of_order(n));
+    if (found.back().residual <= exact) break;
+  }
+  const auto least = std::min_element(found.begin(), found.end(), [](const auto& a, const auto& b) {
+                       return a.residual < b.residual;
+                     })->residual;
+  Realisation best = *std::find_if(found.begin(), found.end(), [&](const auto& one) {
+    return one.residual <= std::max(exact, worse * least);
+  });
+  best.c = all.of_values.unaryExpr([](double f) { return f > 0.0 ? 1.0 / f : 0.0; }).asDiagonal() * best.c;
+  best.x1 = best.x1 * all.of_responses.cwiseInverse().asDiagonal();
+  return best;
+}
+
+}  // namespace tandem::identification

@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+namespace tandem::identification {
+
+/// Responses of one linear system to several things: each is y(1), y(2), .. in columns.
+using Responses = std::vector<Eigen::MatrixXd>;
+
+/// y(k) = C A^(k - 1) x1 of each response.
+struct Realisation {
+  Eigen::MatrixXd a, c;
+  Eigen::MatrixXd x1;  ///< a column for each response
+  double residual;     ///< the largest part of a value in a response that it leaves
+};
+
+/// The smallest system whose residual is at most 1.5 times the smallest, or 1e-11, of up to most_states states.
+/// Precondition: all responses are as long, at least 4, and none is 0.
+Realisation realise(const Responses& responses);
+
+}  // namespace tandem::identification

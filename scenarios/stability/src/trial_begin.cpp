@@ -1,0 +1,122 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "starting.hpp"
+#include "tandem/identification/identify.hpp"
+#include "tandem/identification/surrogate.hpp"
+#include "trial.hpp"
+
+namespace tandem::stability {
+
+void Trial::begin() {
+  const Topology& topology = parts_.topology();
+  std::vector<Starting> starting;
+  for (int i = 0; i < topology.size(); ++i)
+    starting.emplace_back(*subsystems_.emplace_back(parts_.subsystem(i)));
+  std::vector<Subsystem*> all;
+  for (Starting& one : starting) all.push_back(&one);
+  Coordinator run(topology, all, coordination_, {scenario_.start, scenario_.stop});
+  run.initialize();
+  for (int i = 0; i < topology.size(); ++i) {
+    own_steps_.push_back(run.own_step(i));
+    inputs_.push_back(starting[static_cast<std::size_t>(i)].inputs());
+  }
+  find_period();
+  std::int64_t before = 1;
+  for (int i = 0; i < topology.size(); ++i) {
+    if (!subsystem(i).states()) identify(i);
+    states_.push_back(*subsystem(i).states());
+    ages_.push_back(samples_read(i));
+    const std::int64_t steps = period_.steps[static_cast<std::size_t>(i)];
+    before = std::max(before, (ages_.back() + steps - 1) / steps);
+    add_coordinates(i, run);
+    const double past = period_.apart > 0.0 ? period_.length / static_cast<double>(steps) : own_step(i);
+    seeded_.push_back(std::make_unique<Seeded>(subsystem(i), scenario_.start, past));
+  }
+  span_ = {scenario_.start - static_cast<double>(before) * period_.length, scenario_.start + period_.length};
+  after(start_);  // so that each knows how many samples it gives up to the start
+}
+
+void Trial::find_period() {
+  auto lengths = own_steps_;
+  if (coordination_.communication_step && coordination_.schedule == Schedule::Kind::parallel)
+    lengths.push_back(*coordination_.communication_step);
+  period_ = common_period(lengths);
+}
+
+/// One that keeps its states to itself gets a surrogate, and that its start.
+void Trial::identify(int instance) {
+  constexpr double most = 1e-4;
+  const auto at = static_cast<std::size_t>(instance);
+  const std::set<int> read = values_read(instance);
+  const auto model = identification::identify(
+      *parts_.subsystem(instance),
+      {scenario_.start,
+       inputs_[at],
+       {read.begin(), read.end()},
+       std::clamp<std::int64_t>(2 * period_.steps[at], 12, identification::most_steps)});
+  if (model.residual > most)
+    refuse(instance, fmt::format("keeps its states to itself, and no linear model tells its outputs: the "
+                                 "best leaves {:.2g} of a response; allowed is {}",
+                                 model.residual, most));
+  const std::string& name = topology().name(instance);
+  identified_.push_back({name, static_cast<int>(model.order()), model.residual, model.linear});
+  subsystems_[at] = surrogates_.emplace_back(make_surrogate(model, topology().info(instance))).get();
+  std::vector<double> row(static_cast<std::size_t>(topology().info(instance).row_size()));
+  Samples unused(row.data(), topology().info(instance).row_size(), 1);
+  subsystems_[at]->initialize(scenario_.start, scenario_.stop, inputs_[at], unused);
+}
+
+/// Past samples, the newest included, that a reader's segment or mean may be made of.
+int Trial::samples_read(int instance) const {
+  int most = 1;
+  for (const int number : parts_.topology().lines_from(instance)) {
+    const Line& line = parts_.topology().lines()[static_cast<std::size_t>(number)];
+    double late =
+        line.how.kind == Reconstruction::Kind::mean || line.lag == Lag::memory ? own_step(line.reader) : 0.0;
+    if (line.lag == Lag::delay)
+      late =
+          coordination_.communication_step.value_or(*std::max_element(own_steps_.begin(), own_steps_.end()));
+    most = std::max(most, line.how.samples() + 1 + static_cast<int>(std::ceil(late / own_step(instance))));
+  }
+  return most;
+}
+
+void Trial::add_coordinates(int instance, const Coordinator& run) {
+  const Topology& topology = parts_.topology();
+  const SubsystemInfo& info = topology.info(instance);
+  std::vector<double> values(states(instance).size());
+  subsystem(instance).get_states(values);
+  for (std::size_t k = 0; k < values.size(); ++k)
+    coordinates_.push_back(
+        {instance, static_cast<int>(k), -1, topology.name(instance) + '.' + states(instance)[k].name});
+  const History& history = run.exchange().history(instance);
+  const auto row = history.values(history.newest());
+  for (const int index : values_read(instance)) {
+    const std::string name = topology.output_name(instance, index % info.output_size());
+    const std::string rate(static_cast<std::size_t>(index / info.output_size()), '\'');
+    for (int age = 0; age < ages_.back(); ++age) {
+      coordinates_.push_back({instance, index, age, fmt::format("{}{} {} samples ago", name, rate, age)});
+      values.push_back(row[static_cast<std::size_t>(index)]);
+    }
+  }
+  const auto count = static_cast<Eigen::Index>(values.size());
+  start_.conservativeResize(start_.size() + count);
+  start_.tail(count) = Eigen::Map<Eigen::VectorXd>(values.data(), count);
+}
+
+/// Of the values in its rows.
+std::set<int> Trial::values_read(int instance) const {
+  const int outputs = parts_.topology().info(instance).output_size();
+  std::set<int> all;
+  for (const int number : parts_.topology().lines_from(instance)) {
+    const Line& line = parts_.topology().lines()[static_cast<std::size_t>(number)];
+    for (int k = 0; k <= line.how.derivatives_read(); ++k) all.insert(line.output + k * outputs);
+  }
+  return all;
+}
+
+}  // namespace tandem::stability
