@@ -50,7 +50,7 @@ Table engine_models() {
   const struct {
     const char *name, *listed_file, *compiled_file;
     engine::ParameterValues compiled;
-  } models[] = {{"engine, form A", "engine.toml", "engine_compiled.toml", {}},
+  } models[] = {{"engine of form A", "engine.toml", "engine_compiled.toml", {}},
                 {"kart with power train",
                  "kart_monolithic.toml",
                  "kart_monolithic.toml",
