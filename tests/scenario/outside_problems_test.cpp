@@ -66,7 +66,7 @@ TEST(OutsideProblems, TheExactMotionKeepsItsEnergy) {
     const double x1 = row[2], v1 = row[3], x2 = row[4], v2 = row[5];
     const double energy =
         0.5 * (v1 * v1 + v2 * v2 + 10.0 * x1 * x1 + 1000.0 * x2 * x2 + 100.0 * (x1 - x2) * (x1 - x2));
-    EXPECT_NEAR(energy, 1e4, 1e-8) << row[0];
+    EXPECT_NEAR(energy, 1e4, 1e-7) << row[0];  // rounding of exp(A t), up to t = 10 s
   }
 }
 

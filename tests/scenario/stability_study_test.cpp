@@ -63,5 +63,48 @@ TEST(StabilityCommand, TellsRadiusAndModes) {
     EXPECT_NE(said.out.find(words), std::string::npos) << said.out;
 }
 
+TEST(StabilityCommand, DrawsAMapOfTwoKeys) {
+  const test::Scratch folder;
+  const auto map = [&](const std::string& x, const std::string& y) {
+    return test::tandem(folder,
+                        {"stability", scenes + "oscillator/udc.toml", "--map", x, y, "--output", "m"});
+  };
+  const auto said = map("x=constants.step:0.5e-3:4e-3:4", "y=constants.c:10:1000:3:log");
+  ASSERT_EQ(said.status, 0) << said.err;
+  const auto table =
+      charts::CsvTable::read(folder.path() / "m/stability_map.csv", {"x", "y", "spectral_radius"});
+  EXPECT_EQ(table.size(), 15U) << "0.001 is among 0.0005, 0.001667, ..; 100 is there already";
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "m/stability_map.svg"));
+  for (std::size_t k = 0; k < table.size(); ++k)
+    if (table[k].number("x") == 0.001 && table[k].number("y") == 100.0) {
+      EXPECT_NEAR(table[k].number("spectral_radius"), 1.0, 1e-9);
+    }
+  for (const auto& [x, y, why] :
+       {std::tuple("x=constants.step:1:0.5:4", "y=constants.c:1:2:3", "does not rise"),
+        {"x=constants.step:1:2:4", "z=constants.c:1:2:3", "y is missing"},
+        {"x=constants.step:a:2:4", "y=constants.c:1:2:3", "'a' is no number"},
+        {"x=constants.step:0:2:4:log", "y=constants.c:1:2:3", "FROM is 0"},
+        {"x=constants.step:1:2:400", "y=constants.c:1:2:3", "COUNT is 400"}}) {
+    const auto wrong = map(x, y);
+    EXPECT_EQ(wrong.status, 2) << wrong.out;
+    EXPECT_NE(wrong.err.find(why), std::string::npos) << wrong.err;
+  }
+}
+
+TEST(AdviseCommand, RanksSchemesAndWritesTheLinesOfOne) {
+  const test::Scratch folder;
+  const auto said = test::tandem(folder, {"advise", scenes + "two_mass/two_mass.toml", "--set",
+                                          "span.stop=20", "--show", "2", "--output", "a"});
+  ASSERT_EQ(said.status, 0) << said.err;
+  for (const char* words :
+       {"builtin:two_mass.fast: a linear model of order 2", "smallest error:",
+        "cheapest within the tolerance:", "fastest mode 1 Hz (fast.x1, fast.v1)", "advice.toml"})
+    EXPECT_NE(said.out.find(words), std::string::npos) << said.out;
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "a/advice.toml"));
+  const auto wrong = test::tandem(folder, {"advise", "not_there.toml"});
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_NE(wrong.err.find("not_there.toml"), std::string::npos) << wrong.err;
+}
+
 }  // namespace
 }  // namespace tandem::stability_study_tests

@@ -133,6 +133,15 @@ TEST_F(StandingStudy, IsToldAndDrawn) {
   EXPECT_TRUE(std::filesystem::exists(folder_.path() / "o/schemes_map.svg"));
 }
 
+/// Four connections are added in one input.
+TEST_F(StandingStudy, OfInputsThatAreSumsSweepsThemTogether) {
+  const Said said =
+      tandem(folder_, {"sweep", std::string(TANDEM_SOURCE_DIR) + "/scenarios/oscillator/udc.toml", "--set",
+                       "span.stop=0.1", "--output", "x", "--table", "schemes"});
+  EXPECT_EQ(said.status, 0) << said.err;
+  EXPECT_NE(said.out.find("96 rows, 63 ok, 33 refused"), std::string::npos) << said.out;
+}
+
 TEST_F(StandingStudy, OfAScenarioThatItCanNotSweepSaysWhy) {
   const auto refused = [&](const std::string& scenario, const std::string& why) {
     folder_.write("ring.toml", scenario);

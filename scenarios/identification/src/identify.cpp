@@ -5,7 +5,7 @@
 #include <Eigen/QR>
 #include <cmath>
 
-#include "probe.hpp"
+#include "prober.hpp"
 #include "realise.hpp"
 
 namespace tandem::identification {
@@ -13,66 +13,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
-
-/// What a run and its changes are, from the start on.
-struct Runs {
-  MatrixXd baseline;
-  std::vector<MatrixXd> changes;  ///< by input, then by place; the last place is the start
-  bool linear;
-};
-
-class Prober {
- public:
-  Prober(Subsystem& subsystem, const Wanted& wanted) : probe_(subsystem, wanted), wanted_(wanted) {
-    is_linear_ = looks_linear();
-  }
-
-  double step() const { return probe_.step(); }
-  bool is_linear() const { return is_linear_; }
-
-  Runs runs(std::int64_t steps) {
-    Runs all{probe_.run(steps), {}, is_linear_};
-    for (int input = 0; input < probe_.inputs(); ++input)
-      for (int place = 0; place <= all_places; ++place)
-        all.changes.push_back(response(input, place, steps, all.baseline));
-    return all;
-  }
-
- private:
-  double size(int input) const {
-    constexpr double small = 1e-5;  // curvature and rounding leave 1e-10 each
-    return (is_linear_ ? 1.0 : small) *
-           std::max(1.0, std::abs(wanted_.inputs[static_cast<std::size_t>(input)]));
-  }
-
-  /// By a change of 1. What rounding has left of a response that is none is 0.
-  MatrixXd response(int input, int place, std::int64_t steps, const MatrixXd& baseline) {
-    constexpr double rounding = 1e-13;
-    const double by = size(input);
-    const Change up{input, place, by}, down{input, place, -by};
-    const MatrixXd moved = is_linear_
-                               ? MatrixXd((probe_.run(steps, &up) - baseline) / by)
-                               : MatrixXd((probe_.run(steps, &up) - probe_.run(steps, &down)) / (2.0 * by));
-    return moved.norm() * by <= rounding * baseline.norm() ? MatrixXd::Zero(moved.rows(), moved.cols())
-                                                           : moved;
-  }
-
-  bool looks_linear() {
-    constexpr double tolerance = 1e-10, rounding = 1e-14;
-    const MatrixXd from = probe_.run(wanted_.steps);
-    for (int input = 0; input < probe_.inputs(); ++input) {
-      const Change whole{input, 2, size(input)}, half{input, 2, 0.5 * size(input)};
-      const MatrixXd all = probe_.run(wanted_.steps, &whole) - from,
-                     part = probe_.run(wanted_.steps, &half) - from;
-      if ((all - 2.0 * part).norm() > tolerance * all.norm() + rounding * from.norm()) return false;
-    }
-    return true;
-  }
-
-  Probe probe_;
-  const Wanted& wanted_;
-  bool is_linear_ = true;
-};
 
 /// The columns of a model that responses belong to.
 struct Seats {

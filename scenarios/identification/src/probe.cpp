@@ -43,6 +43,8 @@ Samples Probe::start(std::int64_t rows, const Change* change) {
 void Probe::advance(double until, const Change* change, Samples& y) {
   std::vector<Segment> pieces;
   for (const double value : wanted_.inputs) pieces.push_back({never, wanted_.start, {value}});
+  if (change && change->place == throughout)
+    pieces[static_cast<std::size_t>(change->input)].c[0] += change->size;
   if (change && change->place < all_places) {
     Segment& s = pieces[static_cast<std::size_t>(change->input)];
     for (int k = 0; k < all_places; ++k)

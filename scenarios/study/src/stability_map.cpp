@@ -73,12 +73,14 @@ MapAxis MapAxis::from_text(const std::string& text) {
 }
 
 std::vector<double> MapAxis::values(double own) const {
+  const auto four_digits = [](double value) { return std::stod(fmt::format("{:.4g}", value)); };
   std::vector<double> all;
   for (int k = 0; k < count; ++k) {
     const double part = static_cast<double>(k) / (count - 1);
-    all.push_back(log ? from * std::pow(to / from, part) : from + part * (to - from));
+    all.push_back(four_digits(log ? from * std::pow(to / from, part) : from + part * (to - from)));
   }
-  if (from < own && own < to && std::find(all.begin(), all.end(), own) == all.end()) all.push_back(own);
+  const auto same = [own](double value) { return std::abs(value - own) <= 1e-9 * std::abs(own); };
+  if (from < own && own < to) std::erase_if(all, same), all.push_back(own);
   std::sort(all.begin(), all.end());
   return all;
 }

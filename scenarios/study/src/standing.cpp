@@ -32,10 +32,13 @@ class Writer {
     find_judged();
   }
 
+  /// Several connections may be added in one input.
   std::vector<std::string> free_connections() const {
     std::vector<std::string> all;
     for (const auto& entry : scenario_.connections)
-      if (takes_any(entry, port_of(entry.connection.from))) all.push_back(entry.connection.to);
+      if (const std::string& to = entry.connection.to; takes_any(entry, port_of(entry.connection.from)) &&
+                                                       std::find(all.begin(), all.end(), to) == all.end())
+        all.push_back(to);
     return all;
   }
 

@@ -15,7 +15,7 @@ struct MapAxis {
 
   /// "KEY:FROM:TO:COUNT" or "KEY:FROM:TO:COUNT:log". Throws Error that says what is wrong with it.
   static MapAxis from_text(const std::string& text);
-  /// Ascending; `own` is among them, if it lies between.
+  /// Ascending, to four digits; `own` is among them as it is, if it lies between.
   std::vector<double> values(double own) const;
 };
 
