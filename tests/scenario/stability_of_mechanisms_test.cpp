@@ -158,5 +158,14 @@ stop = 10
   }
 }
 
+/// A reaction by samples of a motion that it prescribes: runs are stable, and differences say nothing.
+TEST(Stability, DifferencesThatDoNotSettleAreRefused) {
+  EXPECT_TRUE(refuses(ErrorCode::not_supported, {"pair.toml", "does not settle"}, [] {
+    stability::super_step(scene("split_pendulum/pair.toml", {"subsystems.taker.parameters.step=5e-4",
+                                                             "subsystems.giver.parameters.step=5e-5"}),
+                          sources());
+  }));
+}
+
 }  // namespace
 }  // namespace tandem::stability_of_mechanisms_tests

@@ -84,7 +84,8 @@ TEST(StabilityCommand, DrawsAMapOfTwoKeys) {
         {"x=constants.step:1:2:4", "z=constants.c:1:2:3", "y is missing"},
         {"x=constants.step:a:2:4", "y=constants.c:1:2:3", "'a' is no number"},
         {"x=constants.step:0:2:4:log", "y=constants.c:1:2:3", "FROM is 0"},
-        {"x=constants.step:1:2:400", "y=constants.c:1:2:3", "COUNT is 400"}}) {
+        {"x=constants.step:1:2:400", "y=constants.c:1:2:3", "COUNT is 400"},
+        {"x=constants.stop:1:2:4", "y=constants.c:1:2:3", "'stop' is not there"}}) {
     const auto wrong = map(x, y);
     EXPECT_EQ(wrong.status, 2) << wrong.out;
     EXPECT_NE(wrong.err.find(why), std::string::npos) << wrong.err;

@@ -35,6 +35,7 @@ class Reader {
           "the file holds nothing; allowed is a scenario, with tables [subsystems.NAME], a mechanism, with "
           "points, or a diagram, with blocks");
     Section root(document_, keys(), &constants_);
+    refuse_unnamed_constants(document_);
     read_constants(root, constants_);
     to_.name = root.text("name").value_or(to_.file.stem().string());
     to_.description = root.text("description").value_or("");

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <set>
 
+#include "tandem/nearest.hpp"
+
 namespace tandem::scenario {
 namespace {
 
@@ -20,7 +22,25 @@ std::vector<std::string> names_in(const toml::node& node) {
   }
 }
 
+void add_names(const toml::node& node, std::set<std::string>& to) {
+  for (std::string& name : names_in(node)) to.insert(std::move(name));
+  if (const auto* table = node.as_table())
+    for (const auto& entry : *table) add_names(entry.second, to);
+  if (const auto* array = node.as_array())
+    for (const toml::node& entry : *array) add_names(entry, to);
+}
+
 }  // namespace
+
+void refuse_unnamed_constants(const text::Document& document) {
+  const auto* table = document.table().get_as<toml::table>("constants");
+  if (!table) return;
+  std::set<std::string> named;
+  add_names(document.table(), named);
+  for (const auto& [key, node] : *table)
+    if (const std::string name(key.str()); !document.place(node).set_by.empty() && !named.contains(name))
+      text::refuse(document.place(node), unknown("constant", name, {named.begin(), named.end()}));
+}
 
 void read_constants(text::Section& root, text::Values& to) {
   const auto* table = root.table("constants");

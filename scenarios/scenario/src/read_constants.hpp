@@ -8,4 +8,8 @@ namespace tandem::scenario {
 /// others, in any order. Throws Error with file and line for a name that is not there, and for a ring of them.
 void read_constants(text::Section& root, text::Values& to);
 
+/// Refuses a constant that the command line or a study has set and that no text of the file names: it would be without
+/// effect.
+void refuse_unnamed_constants(const text::Document& document);
+
 }  // namespace tandem::scenario

@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "tandem/stability/super_step.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Eigenvalues>
 #include <random>
 
@@ -37,15 +39,31 @@ Eigen::MatrixXd columns(Trial& trial) {
   return map;
 }
 
-/// The change is the cube root of rounding times the number's size, where both errors meet.
-Eigen::MatrixXd differences(Trial& trial) {
-  constexpr double part = 6e-6, least = 1e-3;
+/// By a part of each number's size.
+Eigen::MatrixXd differences(Trial& trial, double part) {
+  constexpr double least = 1e-3;
   const VectorXd& z = trial.start();
   Eigen::MatrixXd map(z.size(), z.size());
   for (Eigen::Index k = 0; k < z.size(); ++k)
     map.col(k) = difference([&](const VectorXd& at) { return trial.after(at); }, z, k,
                             part * std::max(std::abs(z[k]), least));
   return map;
+}
+
+/// The smaller change is the cube root of rounding, where both errors of a difference meet. By a larger one it is seen what
+/// subsystems leave of their iterations.
+void differentiate(Trial& trial, const std::string& file, SuperStep& to) {
+  constexpr double small = 6e-6, large = 6e-5, most = 1e-3;
+  to.map = differences(trial, small);
+  to.unsettled = std::abs(spectral_radius(to.map) - spectral_radius(differences(trial, large)));
+  if (!(to.unsettled <= most))
+    throw Error(
+        ErrorCode::not_supported,
+        fmt::format(
+            "{}: the map of a super-step does not settle: by differences of two sizes its spectral radius "
+            "differs by {:.2g}; allowed is {}. A subsystem gives values that are known less well than its "
+            "states, such as the reaction of a prescribed motion",
+            file, to.unsettled, most));
 }
 
 }  // namespace
@@ -56,14 +74,17 @@ SuperStep super_step(const scenario::Scenario& scenario, const Builtins& builtin
   step.period = trial.period().length, step.steps = trial.period().steps, step.apart = trial.period().apart;
   step.coordinates = trial.coordinates(), step.identified = trial.identified();
   step.linear = is_linear(trial);
-  step.map = step.linear ? columns(trial) : differences(trial);
+  if (step.linear)
+    step.map = columns(trial);
+  else
+    differentiate(trial, scenario.file.string(), step);
   for (const Identified& one : step.identified) step.linear = step.linear && one.linear;
   return step;
 }
 
 double SuperStep::rounding() const {
   constexpr double of_differences = 1e-6;  // two eigenvalues that meet at 1, and 1e-11 in the map
-  double most = linear ? 1e-9 : of_differences;
+  double most = linear ? 1e-9 : std::max(of_differences, unsettled);
   for (const Identified& one : identified) most = std::max(most, 10.0 * one.residual);
   return most;
 }

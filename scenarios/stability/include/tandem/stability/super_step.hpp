@@ -40,6 +40,9 @@ struct SuperStep {
   bool linear =
       false;  ///< superposition at two amplitudes holds to 1e-10; else the map is that about the start
 
+  /// Of differences: how far the spectral radius by ten times larger ones lies.
+  double unsettled = 0.0;
+
   /// What the modulus of an eigenvalue may be above 1 and mean 1.
   double rounding() const;
 };
@@ -51,7 +54,7 @@ struct SuperStep {
 /// A subsystem that does not name its states (Subsystem::states) is replaced by a linear model of it.
 ///
 /// Precondition: all subsystems restart. Throws Error(not_supported) that names the one that does not, of which no
-/// linear model is found, or that has an event within the super-step.
+/// linear model is found, or that has an event within the super-step, and for differences that do not settle.
 SuperStep super_step(const scenario::Scenario& scenario, const Builtins& builtins);
 constexpr std::int64_t most_steps = 1000;
 
