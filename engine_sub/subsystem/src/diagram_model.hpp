@@ -67,7 +67,6 @@ class DiagramModel {
 
   /// What it was when it was kept, else what it is.
   const std::vector<double>& image() const { return kept_.empty() ? machine_->simulation.signals() : kept_; }
-  /// Whether its states are all that its steps go by.
   /// Goes on with the state that is kept.
   Simulation& resume();
 

@@ -116,9 +116,9 @@ class Subsystem {
   ///   next ones do.
   virtual Clock sample(double t, SamplePart part, std::span<const double> u, std::span<double> y);
 
-  /// The states that get_states() gives, the same after each initialize(). These, the time and its inputs are all
-  /// that its next own steps depend on, to a millionth. Precondition: initialize() was called. Nothing: it keeps them to itself, as
-  /// the base class does. An empty list: it has none.
+  /// The states that get_states() gives, the same after each initialize(). These, the time and its inputs are
+  /// all that its next own steps depend on, to a millionth. Precondition: initialize() was called. Nothing: it
+  /// keeps them to itself, as the base class does. An empty list: it has none.
   virtual std::optional<std::vector<StateName>> states() const;
   /// What they are where it stands. The base class refuses this and the next one with Error(not_supported).
   /// - x: takes one value per state, in its unit.

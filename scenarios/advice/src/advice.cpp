@@ -62,8 +62,8 @@ std::optional<Choice> Ranking::cheapest() const {
 }
 
 Ranking ranking(const std::filesystem::path& file) {
-  const auto table = charts::CsvTable::read(file, {"schedule", "reconstruction", "steps", "error",
-                                                   "reference_error", "exchanges", "own_steps", "status"});
+  const auto table = charts::CsvTable::read(
+      file, {"schedule", "reconstruction", "steps", "error", "exchanges", "own_steps", "status"});
   Ranking all;
   for (std::size_t k = 0; k < table.size(); ++k) {
     const auto row = table[k];
@@ -73,24 +73,17 @@ Ranking ranking(const std::filesystem::path& file) {
     }
     all.choices.push_back({row.text("schedule"), row.text("reconstruction"), row.number("steps"),
                            row.number("error"), row.number("exchanges"), row.number("own_steps")});
-    all.reference_error = row.number("reference_error");
   }
   rank(all.choices);
-  return all;
-}
-
-std::vector<std::string> settings(const Choice& choice, const scenario::Scenario& scenario,
-                                  const Builtins& builtins) {
-  std::vector<std::string> all{"coordination.schedule=" + choice.schedule};
-  for (const std::string& to : study::free_connections(scenario, builtins))
-    all.push_back(fmt::format("connections[{}].reconstruction={}", to, choice.reconstruction));
   return all;
 }
 
 scenario::Scenario chosen(const Choice& choice, const scenario::Scenario& scenario,
                           const std::vector<std::string>& overrides, const Builtins& builtins) {
   auto all = overrides;
-  for (const std::string& one : settings(choice, scenario, builtins)) all.push_back(one);
+  all.push_back("coordination.schedule=" + choice.schedule);
+  for (const std::string& to : study::free_connections(scenario, builtins))
+    all.push_back(fmt::format("connections[{}].reconstruction={}", to, choice.reconstruction));
   auto result = scenario::read(scenario.file, all);
   if (choice.steps != 1.0) scenario::scale_steps(result, builtins, choice.steps);
   return result;

@@ -22,7 +22,6 @@ struct Choice {
 struct Ranking {
   std::vector<Choice> choices;  ///< the smallest error first; of those within 1 % the fewest exchanges first
   std::size_t others = 0;       ///< that failed, were lost or refused
-  double reference_error = 0.0;
 
   /// Of those within the tolerance the one with the fewest exchanges, then the fewest own steps.
   std::optional<Choice> cheapest() const;
@@ -31,9 +30,6 @@ struct Ranking {
 /// From the table `schemes` of the standing study.
 Ranking ranking(const std::filesystem::path& table);
 
-/// What the choice sets in a scenario: "KEY=VALUE", without own steps.
-std::vector<std::string> settings(const Choice& choice, const scenario::Scenario& scenario,
-                                  const Builtins& builtins);
 /// The scenario with a choice. overrides: of the file.
 scenario::Scenario chosen(const Choice& choice, const scenario::Scenario& scenario,
                           const std::vector<std::string>& overrides, const Builtins& builtins);

@@ -28,8 +28,8 @@ struct Identified {
 };
 
 /// One super-step: the shortest time after which all own steps, and the communication step of `parallel`, end
-/// together again; of up to most_steps of the largest. Where there is none, the first after which they end within a thousandth of
-/// a step, else that after which they end nearest together.
+/// together again; of up to most_steps of the largest. Where there is none, the first after which they end within a
+/// thousandth of a step, else that after which they end nearest together.
 struct SuperStep {
   double period = 0.0;              ///< T [s]
   std::vector<std::int64_t> steps;  ///< own steps of each subsystem in it
