@@ -24,6 +24,10 @@ const mbs::Entity* entity_of(const Run& run, const std::string& column) {
   return nullptr;
 }
 
+bool is_indicator(const std::string& column) {
+  return column.starts_with("defect(") || column.starts_with("energy(");
+}
+
 std::vector<std::string> asked_for(const Run& run) {
   std::vector<std::string> names;
   if (!run.about.contains("scenario")) return names;
@@ -44,10 +48,11 @@ std::vector<std::string> by_interest(const Run& run) {
   std::set<std::string> units;
   for (const text::TimeTable& table : run.tables)
     for (const std::string& name : table.names)
-      (drawn_only(run, name)                 ? positions
-       : units.insert(run.unit(name)).second ? first
-                                             : rest)
-          .push_back(name);
+      if (!is_indicator(name))
+        (drawn_only(run, name)                 ? positions
+         : units.insert(run.unit(name)).second ? first
+                                               : rest)
+            .push_back(name);
   first.insert(first.end(), rest.begin(), rest.end());
   return first.empty() ? positions : first;
 }
@@ -69,6 +74,8 @@ std::vector<std::string> plots_at_first(const Run& run) {
     if (asked.empty() && chosen.size() == plots_in_sight) break;
     if (run.has(name) && !stands_still(run, name) && seen.insert(name).second) chosen.push_back(name);
   }
+  for (const std::string& name : run.indicators)
+    if (run.has(name)) chosen.push_back(name);
   return chosen;
 }
 

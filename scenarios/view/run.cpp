@@ -106,6 +106,8 @@ Run read_run(const fs::path& place) {
     run.about = scenario::read_about(place);
     for (const auto& file : run.about["files"])
       run.tables.push_back(text::TimeTable::read(place / file.get<std::string>()));
+    if ((run.indicators = scenario::largest_indicators(run.about, place)); !run.indicators.empty())
+      run.tables.push_back(text::TimeTable::read(place / "indicators.csv"));
   }
   for (const text::TimeTable& table : run.tables) check_columns(table);
   for (const text::TimeTable& table : run.tables) run.columns.insert(table.names.begin(), table.names.end());

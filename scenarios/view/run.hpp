@@ -26,6 +26,7 @@ struct Run {
   std::vector<text::TimeTable> tables;
   std::unordered_set<std::string> columns;  ///< names of all tables
   std::vector<RunMechanism> mechanisms;
+  std::vector<std::string> indicators = {};  ///< columns of indicators.csv that are shown at first
 
   std::string unit(const std::string& column) const;  ///< empty if it is not known
   bool held(const std::string& column) const;         ///< constant from row to row

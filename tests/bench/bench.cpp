@@ -76,6 +76,10 @@ const std::vector<Benchmark>& all() {
      [](const Tick&) {
        return std::vector{exchange(), topologies(), round_threads()};
      }},
+    {"indicators",
+     "whole runs of scenes with their indicators and without",
+     [](const Tick& tick) { return std::vector{indicators(tick)}; },
+     {{"ns_per_connection_and_step", "the least of 40 to 400 runs, in turns; steps of the finer side"}}},
     {"two_mass", "a run of the two-mass test split into its sides and the coordinator", one(two_mass)},
     {"formulations",
      "every formulation and integrator on every example mechanism: error, order, drift and residuals",

@@ -56,6 +56,7 @@ const std::vector<Benchmark>& all();
 Table exchange();
 Table topologies();
 Table round_threads();
+Table indicators(const Tick& tick);
 Table two_mass();
 std::vector<Table> four_bar_linkage(const Tick& tick);
 std::vector<Table> linkage_errors(const Tick& tick);

@@ -9,7 +9,7 @@
 
 #include "long_run.hpp"
 #include "scratch.hpp"
-#include "tandem/advice/models.hpp"
+#include "tandem/identification/models.hpp"
 #include "tandem/study/standing.hpp"
 #include "tandem/study/sweep.hpp"
 
@@ -50,7 +50,7 @@ TEST(Advice, ARunOfModelsIsThatOfTheSubsystems) {
       {"oscillator/udc.toml", {"span.stop=1"}, 1e-7}};
   for (const auto& [file, settings, most] : cases) {
     const auto one = scene(file, settings);
-    advice::Models models;
+    identification::Models models;
     const auto expected = rows_of(one, sources()), found = rows_of(one, models.replacing(sources()));
     for (const auto& stand : models.stands())
       EXPECT_TRUE(stand.modelled) << stand.source << ": " << stand.why;
@@ -64,7 +64,7 @@ TEST(Advice, ARunOfModelsIsThatOfTheSubsystems) {
 
 TEST(Advice, WhatHasNoLinearModelRunsItself) {
   const auto why = [](const std::string& file, const std::string& source) {
-    advice::Models models;
+    identification::Models models;
     scenario::Assembly(scene(file, {}), models.replacing(sources())).initialize();
     for (const auto& stand : models.stands())
       if (stand.source == source) return stand.modelled ? "modelled" : stand.why;
@@ -105,7 +105,7 @@ advice::Ranking ranking_of(const scenario::Scenario& one, const Builtins& builti
 TEST(Advice, PredictsTheErrorsOfTheStandingStudy) {
   const Settings settings = {"parameters.frequency_ratio=9.3", "span.stop=20"};
   const auto one = scene("two_mass/two_mass.toml", settings);
-  advice::Models models;
+  identification::Models models;
   const auto predicted = ranking_of(one, models.replacing(sources()), settings),
              found = ranking_of(one, sources(), settings);
   ASSERT_EQ(predicted.choices.size(), found.choices.size());

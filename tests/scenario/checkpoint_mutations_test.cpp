@@ -11,6 +11,7 @@
 #include "command.hpp"
 #include "sources/all.hpp"
 #include "tandem/bytes.hpp"
+#include "tandem/coordinator/observers.hpp"
 #include "tandem/error.hpp"
 #include "tandem/scenario/checkpoint.hpp"
 
@@ -57,13 +58,17 @@ class Resumable {
       : scenario_(scenario::read(TANDEM_SOURCE_DIR "/scenarios/" + file, overrides)) {
     Assembly assembly(scenario_, builtins_);
     const auto recorder = assembly.recorder(results());
-    assembly.coordinator().observe(recorder.get());
+    const auto indicators = assembly.indicators();
+    Observers both;
+    both.add(*recorder), both.add(*indicators);
+    assembly.coordinator().observe(&both);
     assembly.initialize();
     for (int k = 0; k < rounds && assembly.coordinator().round(); ++k) recorder->between_rounds();
-    Checkpoint(scenario_, builtins_, assembly, *recorder).write(file_);
+    Checkpoint(scenario_, builtins_, assembly, *recorder, indicators.get()).write(file_);
     bytes_ = read_text(file_);
     ByteWriter coordinator;
     assembly.coordinator().save(coordinator);
+    indicators->save(coordinator);
     recorder_ = states() + coordinator.size();
     while (assembly.coordinator().round()) recorder->between_rounds();
     recorder->close();
@@ -84,16 +89,17 @@ class Resumable {
     std::ofstream(file_, std::ios::binary) << bytes;
     Assembly assembly(scenario_, builtins_);
     auto recorder = assembly.recorder(results());
+    const auto indicators = assembly.indicators();
     assembly.initialize();
     try {
-      Checkpoint(scenario_, builtins_, assembly, *recorder).resume(file_);
+      Checkpoint(scenario_, builtins_, assembly, *recorder, indicators.get()).resume(file_);
     } catch (const Error& error) {
       recorder.reset();
       EXPECT_TRUE(is_as_before()) << error.what();
       ++refused;
       return error.what();
     }
-    std::string said = went_on(assembly, *recorder);
+    std::string said = went_on(assembly, *recorder, *indicators);
     recorder.reset();
     if (said.empty() && is_as_before()) ++same;
     for (const auto& [path, text] : kept_) std::ofstream(path, std::ios::binary) << text;
@@ -104,8 +110,10 @@ class Resumable {
 
  private:
   fs::path results() const { return folder_.path() / "o"; }
-  static std::string went_on(Assembly& assembly, Recorder& recorder) try {
-    assembly.coordinator().observe(&recorder);
+  static std::string went_on(Assembly& assembly, Recorder& recorder, Indicators& indicators) try {
+    Observers both;
+    both.add(recorder), both.add(indicators);
+    assembly.coordinator().observe(&both);
     while (assembly.coordinator().round()) recorder.between_rounds();
     recorder.close();
     return "";

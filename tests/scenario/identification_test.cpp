@@ -10,7 +10,7 @@
 #include "hidden.hpp"
 #include "long_run.hpp"
 #include "refusal.hpp"
-#include "tandem/advice/models.hpp"
+#include "tandem/identification/models.hpp"
 #include "tandem/fixed_step.hpp"
 #include "tandem/identification/identify.hpp"
 #include "tandem/identification/surrogate.hpp"
@@ -170,7 +170,7 @@ TEST(Identification, ASuperStepOfModelsIsThatOfTheSubsystemsToTenTimesTheResidua
       auto one = scene("two_mass/two_mass.toml", {"parameters.frequency_ratio=" + std::to_string(ratio),
                                                   std::string("connections.reconstruction=") + how});
       one.stop = one.start + stability::super_step(one, sources()).period;
-      advice::Models models;
+      identification::Models models;
       const auto expected = recorded(one, sources()), found = recorded(one, models.replacing(sources()));
       double residual = 1e-12;  // what rounding leaves of the responses themselves
       for (const auto& stand : models.stands()) residual = std::max(residual, stand.residual);

@@ -150,7 +150,8 @@ TEST_F(ViewCommand, BeginsWithThePlotsThatAreAskedFor) {
             0);
   ASSERT_EQ(tandem(folder, {"view", "o", "--output", "page.html"}).status, 0);
   const auto data = data_in(folder.path() / "page.html");
-  EXPECT_EQ(data["plots"], nlohmann::json{"slow.x2"});
+  const nlohmann::json plots{"slow.x2", "defect(slow.x1)", "defect(fast.x2)", "energy(slow.x2:fast.x1)"};
+  EXPECT_EQ(data["plots"], plots) << "and what the run's indicators are, under them";
   EXPECT_EQ(data["notes"][0], "No subsystem of this run is a mechanism from a file: there are plots only.");
 }
 

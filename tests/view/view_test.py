@@ -282,7 +282,7 @@ class ViewTest(unittest.TestCase):
         counts = "tandem.scene.mechanisms.map((m) => [m.wheels.length, m.springs.length, m.rods.length > 15])"
         self.assertEqual(self.value(counts), [[4, 4, True], [4, 4, True]])
         self.assertEqual(self.value("tandem.plots.all.map((plot) => plot.choice.value)"),
-                         ["kart.roll", "kart.yaw", "driver.steering", "kart.load_FR"])
+                         ["kart.roll", "kart.yaw", "driver.steering", "kart.load_FR", "defect(kart.torque)"])
         self.assertGreater(self.value(PIXELS)["drawn"], 1e-2)
         start = self.value(PIXELS)["sum"]
         self.value("tandem.clock.set(0.5)")

@@ -241,6 +241,7 @@ void Coordinator::take(const Turn& turn, Exchange& inputs) {
     seat.idle_calls = 0;
   else
     check_clock(turn, before, steps, clock);
+  if (observer_) observer_->inputs(who, {before, clock.time}, inputs.lanes(who));
   seat.stop = clock.stop;
   seat.call = Seat::Call::none;
   stand(who, clock);

@@ -100,6 +100,7 @@ void Coordinator::go_back(int who, double t) {
   back.pop_back();
   events(who).times_back += 1;
   exchange_->rebuild(who);
+  if (observer_) observer_->went_back(who, clock.time);
   stand(who, clock);
   forget_jumps(who);
 }

@@ -66,6 +66,7 @@ void Coordinator::act() {
 Clock Coordinator::sample(int who, SamplePart part) {
   Seat& seat = this->seat(who);
   const auto u = exchange_->sample(who, {seat.time, own_next(who)});
+  if (observer_) observer_->inputs_at(who, own_next(who), exchange_->values(who));
   const auto outputs = static_cast<std::size_t>(topology_.info(who).output_size());
   seat.effort.exchanges += 1;
   return named(topology_.name(who), [&] {

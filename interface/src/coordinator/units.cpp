@@ -84,4 +84,25 @@ std::optional<UnitConversion> convert_unit(std::string_view from, std::string_vi
   return UnitConversion{a->scale / b->scale, (a->zero - b->zero) / b->scale};
 }
 
+std::optional<EnergyProduct> energy_product(std::string_view effort, std::string_view along) {
+  struct Pair {
+    std::string_view effort, along;
+    bool is_power;
+  };
+  constexpr std::array pairs = {Pair{"force", "speed", true}, Pair{"torque", "angular speed", true},
+                                Pair{"voltage", "current", true}, Pair{"force", "length", false},
+                                Pair{"torque", "angle", false}};
+  const Unit *a = find(effort), *b = find(along);
+  if (!a || !b) return std::nullopt;
+  for (const Pair& pair : pairs)
+    if (pair.effort == a->quantity && pair.along == b->quantity)
+      return EnergyProduct{pair.is_power, a->scale * b->scale};
+  return std::nullopt;
+}
+
+double displacement_scale(std::string_view unit) {
+  const Unit* u = find(unit);
+  return u && (u->quantity == "length" || u->quantity == "angle") ? u->scale : 1.0;
+}
+
 }  // namespace tandem

@@ -8,7 +8,8 @@
 #include "cli/study_file.hpp"
 #include "cli/sweep_study.hpp"
 #include "tandem/advice/advice.hpp"
-#include "tandem/advice/models.hpp"
+#include "tandem/advice/leading.hpp"
+#include "tandem/identification/models.hpp"
 #include "tandem/output/files.hpp"
 #include "tandem/scenario/assembly.hpp"
 #include "tandem/sources/mechanism.hpp"
@@ -26,10 +27,10 @@ struct AdviseOptions {
 };
 
 /// What is continuous and runs itself costs a run for each scheme.
-bool runs_itself(const advice::Stand& stand) { return !stand.modelled && stand.why != "it is sampled"; }
+bool runs_itself(const identification::Stand& stand) { return !stand.is_known(); }
 
-void tell_stands(const std::vector<advice::Stand>& stands) {
-  for (const advice::Stand& one : stands)
+void tell_stands(const std::vector<identification::Stand>& stands) {
+  for (const identification::Stand& one : stands)
     if (one.modelled)
       say("  {}: a linear model of order {}, which leaves {:.2g} of its responses\n", one.source, one.order,
           one.residual);
@@ -57,10 +58,12 @@ class Adviser {
   }
 
   void advise() {
-    scenario::Assembly(scenario_, advised_.builtins).initialize();  // finds the models
+    scenario::Assembly assembly(scenario_, advised_.builtins);
+    assembly.initialize();  // finds the models
     const auto stands = models_.stands();
     say("{}: schemes of its standing study, predicted by\n", scenario_.file.string());
     tell_stands(stands);
+    for (const std::string& line : advice::on_leading(assembly.coordinator())) say("  {}\n", line);
     if (std::any_of(stands.begin(), stands.end(), runs_itself)) shorten();
     sweep_study({options_.file,
                  folder_,
@@ -115,7 +118,7 @@ class Adviser {
   Builtins builtins_;
   scenario::Scenario scenario_;
   std::filesystem::path folder_;
-  advice::Models models_;
+  identification::Models models_;
   Context advised_;
   std::vector<std::string> overrides_;
 };

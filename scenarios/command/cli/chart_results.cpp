@@ -12,6 +12,7 @@
 #include "tandem/nearest.hpp"
 #include "tandem/output/files.hpp"
 #include "tandem/output/json.hpp"
+#include "tandem/scenario/about.hpp"
 #include "tandem/text/time_table.hpp"
 
 namespace tandem::cli {
@@ -19,25 +20,40 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The rows of one of them that have a value.
-std::string rows_of(const fs::path& results, const std::vector<std::string>& columns) {
-  const auto table = text::TimeTable::read(results);
+const std::vector<double>* find(const text::TimeTable& table, const std::string& column) {
+  const auto it = std::find(table.names.begin(), table.names.end(), column);
+  return it == table.names.end() ? nullptr
+                                 : &table.columns[static_cast<std::size_t>(it - table.names.begin())];
+}
+
+/// What a table has of these columns.
+std::string rows_of(const text::TimeTable& table, const std::string& results,
+                    const std::vector<std::string>& columns) {
   std::vector<const std::vector<double>*> values;
-  for (const std::string& column : columns) {
-    const auto it = std::find(table.names.begin(), table.names.end(), column);
-    if (it == table.names.end())
-      throw Error(ErrorCode::invalid_argument,
-                  results.string() + ": " + unknown("column", column, table.names));
-    values.push_back(&table.columns[static_cast<std::size_t>(it - table.names.begin())]);
-  }
+  for (const std::string& column : columns) values.push_back(find(table, column));
   std::string rows;
   for (std::size_t k = 0; k < table.times.size(); ++k) {
-    rows += charts::csv_cell(results.string()) + fmt::format(",{}", table.times[k]);
+    rows += charts::csv_cell(results) + fmt::format(",{}", table.times[k]);
     for (const auto* column : values)
-      rows += std::isnan((*column)[k]) ? "," : fmt::format(",{}", (*column)[k]);
+      rows += !column || std::isnan((*column)[k]) ? "," : fmt::format(",{}", (*column)[k]);
     rows += '\n';
   }
   return rows;
+}
+
+text::TimeTable with_all(const fs::path& results, const std::vector<std::string>& columns) {
+  auto table = text::TimeTable::read(results);
+  for (const std::string& column : columns)
+    if (!find(table, column))
+      throw Error(ErrorCode::invalid_argument,
+                  results.string() + ": " + unknown("column", column, table.names));
+  return table;
+}
+
+/// What stands under the curves.
+std::vector<std::string> indicators_of(const fs::path& results) {
+  if (!fs::is_regular_file(results / "results.json")) return {};
+  return scenario::largest_indicators(scenario::read_about(results), results);
 }
 
 /// What the first of the results says of units, and of what made it.
@@ -53,10 +69,16 @@ nlohmann::json about(const fs::path& results) {
 
 charts::Drawing plotted(const std::vector<fs::path>& results, const std::vector<std::string>& columns,
                         const fs::path& folder) {
+  std::vector<std::string> all = columns;
+  for (const std::string& name : indicators_of(results.front())) all.push_back(name);
   std::string text = "results,time";
-  for (const std::string& column : columns) text += ',' + charts::csv_cell(column);
+  for (const std::string& column : all) text += ',' + charts::csv_cell(column);
   text += '\n';
-  for (const fs::path& one : results) text += rows_of(one, columns);
+  for (const fs::path& one : results) {
+    text += rows_of(with_all(one, columns), one.string(), all);
+    if (all.size() > columns.size() && fs::is_regular_file(one / "indicators.csv"))
+      text += rows_of(text::TimeTable::read(one / "indicators.csv"), one.string(), all);
+  }
   output::make_folder(folder);
   output::replace_text(folder / "plot.csv", text);
   output::replace_text(folder / "plot.json", about(results.front()).dump(2) + '\n');
@@ -64,8 +86,7 @@ charts::Drawing plotted(const std::vector<fs::path>& results, const std::vector<
   chart.name = chart.table = "plot";
   chart.kind = charts::Chart::Kind::traces;
   chart.series = {"results"};
-  for (const std::string& column : columns)
-    chart.y.push_back({{column, {}}}), chart.x.push_back({"time", {}});
+  for (const std::string& column : all) chart.y.push_back({{column, {}}}), chart.x.push_back({"time", {}});
   return charts::draw({{chart}, {}}, folder, "");
 }
 

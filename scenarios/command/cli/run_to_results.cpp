@@ -73,6 +73,7 @@ void tell(const Scenario& scenario, const scenario::Run& run, const RunEnd& end,
   if (!quiet) {
     for (const fs::path& file : run.files()) say("wrote {}\n", file.string());
     say("{}", end.report);
+    if (!end.indicators.empty()) say("indicators: {}\n", end.indicators);
   }
   if (!end.outside.empty())
     throw RunFailed(fmt::format("{}: the run came to its end, but not within its reference: {}",

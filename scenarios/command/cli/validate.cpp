@@ -23,18 +23,19 @@ void validate(const ValidateOptions& options, const Context& context) {
     return check_in_part(scenario, builtins, true);
   scenario::Assembly assembly(scenario, builtins);
   const auto recorder = assembly.recorder(".");
+  const auto indicators = assembly.indicators();
   if (scenario.reference)
     scenario::located(scenario.reference->place, [&] { text::TimeTable::read(scenario.reference->file); });
   assembly.initialize();
   say("{}: ok\n", options.file);
   for (const std::string& note : assembly.notes()) say("note: {}\n", note);
-  for (const std::string& line : scenario::advice(assembly.coordinator())) say("advice: {}\n", line);
+  say("tandem advise {} tells which scheme to take\n", options.file);
 }
 
 }  // namespace
 
 void add_validate(CLI::App& app, Context& context) {
-  auto* command = app.add_subcommand("validate", "Check a scenario up to its first step, and advise");
+  auto* command = app.add_subcommand("validate", "Check a scenario up to its first step");
   auto options = std::make_shared<ValidateOptions>();
   command->add_option("scenario", options->file, "The scenario, a TOML file")->required()->type_name("FILE");
   command->add_option("--set", options->overrides, "Set a value of the file, as in run (repeatable)")
@@ -45,6 +46,7 @@ void add_validate(CLI::App& app, Context& context) {
   command->footer(
       "Without --run-programs a scenario with sources that are code is checked in part: what was left out is "
       "named.\n"
+      "Which scheme to take, tandem advise tells.\n"
       "Exit status: 0, also then; or 2 with the file, the line, the value found and what is allowed.");
   command->callback([options, &context] { validate(*options, context); });
 }

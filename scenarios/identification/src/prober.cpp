@@ -52,7 +52,7 @@ MatrixXd Prober::response(int input, int place, std::int64_t steps, const Matrix
 }
 
 bool Prober::looks_linear() {
-  constexpr double tolerance = 1e-10, rounding = 1e-14;
+  constexpr double tolerance = 1e-10, rounding = 1e-13;  // of a thousand steps
   const MatrixXd from = probe_.run(wanted_.steps);
   for (int input = 0; input < probe_.inputs(); ++input) {
     const Change whole{input, throughout, size(input)}, half{input, throughout, 0.5 * size(input)};

@@ -1,9 +1,11 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "realise.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
 #include "tandem/identification/identify.hpp"
 
@@ -100,10 +102,35 @@ class Realiser {
   VectorXd s_;
 };
 
+/// A step of it can be cut: it is a motion in continuous time, which has no eigenvalue of a step at 0 or below.
+bool can_be_cut(const Realisation& r) {
+  const auto values = r.a.eigenvalues();
+  return std::none_of(values.begin(), values.end(), [](const std::complex<double>& value) {
+    constexpr double nothing = 1e-8;
+    return std::abs(value) < nothing ||
+           (value.real() < 0.0 && std::abs(value.imag()) < nothing * std::abs(value));
+  });
+}
+
+/// The smallest order that is nearly as good as the best. If a step of it can't be cut, states that only follow rounding may
+/// be to blame: then one of those that can, where it is good enough for what models are used for.
+const Realisation& chosen(const std::vector<Realisation>& found) {
+  constexpr double exact = 1e-11, worse = 1.5, enough = 1e-8;
+  const auto less = [](const auto& a, const auto& b) { return a.residual < b.residual; };
+  const double least = std::min_element(found.begin(), found.end(), less)->residual;
+  const auto best = std::find_if(found.begin(), found.end(), [&](const auto& one) {
+    return one.residual <= std::max(exact, worse * least);
+  });
+  if (can_be_cut(*best)) return *best;
+  const auto other = std::find_if(found.begin(), found.end(),
+                                  [&](const auto& one) { return one.residual <= enough && can_be_cut(one); });
+  return other == found.end() ? *best : *other;
+}
+
 }  // namespace
 
 Realisation realise(const Responses& responses) {
-  constexpr double exact = 1e-11, worse = 1.5;
+  constexpr double exact = 1e-11;
   const Scaled all = scaled(responses);
   const Realiser realiser(all.responses);
   std::vector<Realisation> found;
@@ -111,12 +138,7 @@ Realisation realise(const Responses& responses) {
     found.push_back(realiser.of_order(n));
     if (found.back().residual <= exact) break;
   }
-  const auto least = std::min_element(found.begin(), found.end(), [](const auto& a, const auto& b) {
-                       return a.residual < b.residual;
-                     })->residual;
-  Realisation best = *std::find_if(found.begin(), found.end(), [&](const auto& one) {
-    return one.residual <= std::max(exact, worse * least);
-  });
+  Realisation best = chosen(found);
   best.c = all.of_values.unaryExpr([](double f) { return f > 0.0 ? 1.0 / f : 0.0; }).asDiagonal() * best.c;
   best.x1 = best.x1 * all.of_responses.cwiseInverse().asDiagonal();
   return best;

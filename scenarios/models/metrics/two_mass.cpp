@@ -47,7 +47,7 @@ class ExchangeEnergy final : public study::CodedMetric {
     squares_ += error * error;
     ++rounds_;
   }
-  std::optional<double> value(std::string& /*note*/) const override {
+  std::optional<double> value(std::string& /*note*/, const text::TimeTable* /*reference*/) const override {
     if (rounds_ == 0) return {};
     return scale_ * std::sqrt(squares_ / static_cast<double>(rounds_));
   }
@@ -83,11 +83,11 @@ class FastMode final : public study::CodedMetric {
     return true;
   }
 
-  std::optional<double> value(std::string& note) const override {
+  std::optional<double> value(std::string& note, const text::TimeTable* reference) const override {
     if (!enough_)
       return note = "no fit of the fast mode: the run has fewer than ten fast cycles", std::nullopt;
     const ModeFit::Mode mode = fit_.solve();
-    const double size = std::abs(model_.c11);
+    const double size = reference ? amplitude_of(*reference) : std::abs(model_.c11);
     if (mode.residual > largest_residual * std::max(mode.amplitude, size))
       return note = "no fit of the fast mode: the rest of x1 is above half of its amplitude", std::nullopt;
     if (of_ == Of::amplitude) return mode.amplitude / size - 1.0;
@@ -98,6 +98,14 @@ class FastMode final : public study::CodedMetric {
   }
 
  private:
+  /// Of the fast mode in the same time.
+  double amplitude_of(const text::TimeTable& reference) const {
+    ModeFit fit(model_.omega1, model_.omega2, from_ + 0.5 * fitted_cycles);
+    for (std::size_t k = 0; k < reference.times.size(); ++k)
+      if (!tolerance_.before(reference.times[k], from_)) fit.add(reference.times[k], reference.columns[0][k]);
+    return fit.solve().amplitude;
+  }
+
   Model model_;
   Of of_;
   int fast_;
@@ -111,6 +119,7 @@ std::function<std::unique_ptr<study::CodedMetric>(const Coordinator&, const Time
 fast_mode(Of of) {
   return [of](const Coordinator& run, const TimeSpan& span, Parameters& p) {
     const std::string name = p.text("subsystem", "fast");
+    p.text("output", "");  // of a reference
     return std::make_unique<FastMode>(run.topology(), name, Settings::from(p), span, of);
   };
 }

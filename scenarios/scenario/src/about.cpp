@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "tandem/error.hpp"
 #include "tandem/output/json.hpp"
@@ -33,6 +35,9 @@ constexpr Key about_keys[] = {{"", Type::object, true},
                               {"/units", Type::object, false, Type::string},
                               {"/interpolation", Type::object, false, Type::string},
                               {"/versions", Type::object, false, Type::string},
+                              {"/indicators", Type::object},
+                              {"/indicators/defects", Type::object, false, Type::object},
+                              {"/indicators/energies", Type::object, false, Type::object},
                               {"/coordination", Type::object},
                               {"/coordination/schedule", Type::string},
                               {"/scenario", Type::object, true},
@@ -62,7 +67,33 @@ void check_key(const nlohmann::json& about, const Key& key, const fs::path& file
                            *key.path ? key.path + 1 : "the whole", there ? "of another type" : "missing"));
 }
 
+/// Names by `of`, as a part of `whole`; the largest first, at most `most`.
+void add_largest(std::vector<std::string>& to, const nlohmann::json& all, const char* of, const char* whole,
+                 std::size_t most) {
+  std::vector<std::pair<double, std::string>> parts;
+  const auto number = [](const nlohmann::json& one, const char* key) {
+    const auto it = one.find(key);
+    return it != one.end() && it->is_number() ? it->get<double>() : 0.0;
+  };
+  for (const auto& [name, one] : all.items())
+    if (const double peak = number(one, whole); peak > 0.0)
+      parts.emplace_back(std::abs(number(one, of)) / peak, name);
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  for (std::size_t k = 0; k < std::min(most, parts.size()); ++k) to.push_back(parts[k].second);
+}
+
 }  // namespace
+
+std::vector<std::string> largest_indicators(const nlohmann::json& about, const fs::path& folder) {
+  std::vector<std::string> names;
+  if (!about.contains("indicators") || !fs::is_regular_file(folder / "indicators.csv")) return names;
+  const auto& all = about.at("indicators");
+  const auto part = [&](const char* key) { return all.value(key, nlohmann::json::object()); };
+  add_largest(names, part("defects"), "largest", "peak_of_input", 2);
+  add_largest(names, part("energies"), "made", "passed", 1);
+  return names;
+}
 
 nlohmann::json read_about(const fs::path& folder) {
   const fs::path file = folder / "results.json";

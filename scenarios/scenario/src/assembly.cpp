@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "tandem/scenario/assembly.hpp"
 
+#include <algorithm>
 #include <unordered_set>
 
 namespace tandem::scenario {
@@ -37,6 +38,21 @@ std::unique_ptr<Recorder> Assembly::recorder(const std::filesystem::path& direct
   if (scenario_.animate && !recording.ports.empty()) add_positions(recording.ports);
   return located(scenario_.place("record.ports"),
                  [&] { return std::make_unique<Recorder>(*coordinator_, recording); });
+}
+
+/// The links that it states, and those that are found of other lines.
+std::unique_ptr<Indicators> Assembly::indicators() const {
+  std::vector<PowerLink> links;
+  for (const LinkEntry& entry : scenario_.links)
+    located(entry.place, [&] { links.push_back(power_link(topology(), entry.link)); });
+  const auto taken = [&](int line) {
+    return std::any_of(links.begin(), links.end(),
+                       [line](const PowerLink& one) { return one.effort == line || one.back == line; });
+  };
+  for (const PowerLink& link : power_links(topology()))
+    if (!taken(link.effort) && !taken(link.back)) links.push_back(link);
+  if (!scenario_.indicators) return nullptr;
+  return std::make_unique<Indicators>(*coordinator_, links);
 }
 
 void Assembly::initialize() {

@@ -77,8 +77,12 @@ std::string value_at(const nlohmann::json& json, const nlohmann::json::json_poin
 }  // namespace
 
 Checkpoint::Checkpoint(const Scenario& scenario, const Builtins& builtins, Assembly& assembly,
-                       Recorder& recorder)
-    : scenario_(scenario), builtins_(builtins), assembly_(assembly), recorder_(recorder) {}
+                       Recorder& recorder, Indicators* indicators)
+    : scenario_(scenario),
+      builtins_(builtins),
+      assembly_(assembly),
+      recorder_(recorder),
+      indicators_(indicators) {}
 
 /// The scenario with what was set, and of each subsystem its ports and the file that it is read from. Where a
 /// subsystem lives does not matter if it is elsewhere: its address may be another one.
@@ -131,6 +135,7 @@ void Checkpoint::write(const fs::path& file) {
   to.put(std::uint64_t{0});
   to.put_text(identity());
   assembly_.coordinator().save(to);
+  if (indicators_) indicators_->save(to);
   recorder_.save(to);
   const auto payload = to.bytes().subspan(head_size);
   const std::uint64_t length = payload.size(), sum = checksum(payload);
@@ -145,6 +150,7 @@ void Checkpoint::resume(const fs::path& file) {
   ByteReader from(payload_of(std::as_bytes(std::span(text)), file), file.native(), "checkpoint");
   check_identity(from.take_text(longest_identity), file);
   assembly_.coordinator().restore(from);
+  if (indicators_) indicators_->resume(from);
   recorder_.resume(from);
 }
 

@@ -118,6 +118,23 @@ void of_connections(KeyList& to) {
            {.otherwise = "false"});
 }
 
+void of_links(KeyList& to) {
+  using enum text::Key::Type;
+  to.table("links[]",
+           "Two connections that carry a power, one each way, whose energy the indicators follow "
+           "(docs/indicators.md). "
+           "Those whose units say so are found without it.")
+      .may("effort", text, "The output that is a force, torque or voltage.", {.allowed = "\"instance.port\""})
+      .may("flow", text, "The output that comes back, a speed or a current.",
+           {.allowed = "\"instance.port\""})
+      .may(
+          "displacement", edge,
+          "In place of `flow`, a length or an angle. With `stiffness` both outputs, of the ends of a spring.",
+          {.allowed = "\"instance.port\", or two of them"})
+      .may("stiffness", positive, "That of the spring between two displacements.",
+           {.unit = "N/m or N m/rad"});
+}
+
 void of_coordination(KeyList& to) {
   using enum text::Key::Type;
   to.table("coordination", "Who goes first, and how the run starts.")
@@ -160,8 +177,8 @@ void of_span(KeyList& to) {
 const text::Keys& keys() {
   static const text::Keys all = [] {
     KeyList list;
-    for (const auto part :
-         {of_file, of_subsystems, of_connections, of_coordination, of_span, keys_of_results, keys_of_ladder})
+    for (const auto part : {of_file, of_subsystems, of_connections, of_links, of_coordination, of_span,
+                            keys_of_results, keys_of_ladder})
       part(list);
     return text::Keys(std::move(list).list(), text::Keys::Texts::refer);
   }();

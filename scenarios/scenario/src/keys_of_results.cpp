@@ -49,6 +49,9 @@ void keys_of_results(KeyList& to) {
            {.unit = "s"})
       .may("from", number, "The first time that is recorded. Without it: that of the start.", {.unit = "s"})
       .may("to", number, "The last one. Without it: that of the end.", {.unit = "s"})
+      .may("indicators", word,
+           "How far the coupling is off, from what the run does anyway: indicators.csv (docs/indicators.md).",
+           {.otherwise = "raw", .words = {"raw", "off"}})
       .may("animate", flag, "Mechanisms tell where their points are, for `tandem view`.",
            {.otherwise = "false"})
       .table("reference", "Results that those of a run are compared with.")

@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "read_constants.hpp"
+#include "read_link.hpp"
 #include "settings.hpp"
 #include "tandem/input_file.hpp"
 #include "tandem/scenario/keys.hpp"
@@ -42,6 +43,7 @@ class Reader {
     if (const auto* table = root.table("parameters")) shared_ = parameters(*table, "parameters", &constants_);
     read_subsystems(root);
     for (Section& connection : root.sections("connections")) read_connection(connection);
+    for (Section& link : root.sections("links")) to_.links.push_back(read_link(link));
     for (const auto& [name, read_into] : settings())
       if (auto section = root.section(name)) read_into(*section, to_);
     root.table("study");  // who sweeps reads it

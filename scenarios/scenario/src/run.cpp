@@ -13,7 +13,9 @@
 #include "pace.hpp"
 #include "results.hpp"
 #include "run_checkpoints.hpp"
+#include "run_indicators.hpp"
 #include "run_reference.hpp"
+#include "tandem/coordinator/observers.hpp"
 #include "tandem/error.hpp"
 #include "tandem/output/files.hpp"
 #include "tandem/output/lock.hpp"
@@ -44,8 +46,10 @@ class Run::Stages {
     if (writes) kept_.emplace(settings_.folder, [this](const std::string& what) { notes_.push_back(what); });
     assembly_.emplace(scenario_, builtins_, settings_.profile, settings_.threads);
     recorder_ = assembly_->recorder(settings_.folder, [this] { begin(); });
-    checkpoints_.emplace(Checkpoint(scenario_, builtins_, *assembly_, *recorder_), settings_.folder,
-                         settings_.checkpoint_every, scenario_.start);
+    observers_.add(*recorder_);
+    if ((indicators_ = assembly_->indicators())) observers_.add(*indicators_);
+    checkpoints_.emplace(Checkpoint(scenario_, builtins_, *assembly_, *recorder_, indicators_.get()),
+                         settings_.folder, settings_.checkpoint_every, scenario_.start);
     if (checkpoints_->wanted() || !settings_.resume.empty())
       located([this](const std::string& sentence) { return scenario_.place_named_in(sentence); },
               [this] { run().require_serializable(); });
@@ -59,9 +63,9 @@ class Run::Stages {
 
   void start() try {
     const bool anew = settings_.resume.empty();
-    if (anew) run().observe(recorder_.get());
+    if (anew) run().observe(&observers_);
     assembly_->initialize();
-    if (!anew) checkpoints_->resume(settings_.resume), run().observe(recorder_.get());
+    if (!anew) checkpoints_->resume(settings_.resume), run().observe(&observers_);
     began_at_ = anew ? scenario_.start : time();
     checkpoints_->begin_at(began_at_);
     output::remove_part(checkpoints_->file());  // of a run that was killed
@@ -74,6 +78,10 @@ class Run::Stages {
   RunEnd finish(const RunListener& listener) {
     simulate(listener);
     attempt([&] { recorder_->close(); });
+    if (indicators_) {
+      attempt([&] { write_indicators(settings_.folder / "indicators.csv", *indicators_, time()); });
+      end_.indicators = told_by(*indicators_);
+    }
     if (reference_ && end_.status == "ok") {
       reference_->compare(settings_.folder);
       end_.report = reference_->report();
@@ -89,6 +97,7 @@ class Run::Stages {
 
   std::vector<fs::path> files() const {
     std::vector<fs::path> all = recorder_->files();
+    if (indicators_) all.push_back(settings_.folder / "indicators.csv");
     all.push_back(settings_.folder / "results.json");
     all.push_back(settings_.folder / "machine.json");
     return all;
@@ -110,7 +119,8 @@ class Run::Stages {
     const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
     RunEnd running{"running", fmt::format("process {}, since {:%Y-%m-%dT%H:%M:%SZ}", getpid(), now)};
     write_json(settings_.folder / "results.json", results_of(scenario_, *assembly_, *recorder_, running));
-    if (fs::is_regular_file(settings_.folder / "machine.json")) fs::remove(settings_.folder / "machine.json");
+    for (const char* name : {"machine.json", "indicators.csv"})
+      if (fs::is_regular_file(settings_.folder / name)) fs::remove(settings_.folder / name);
     has_begun_ = true;
   }
 
@@ -164,6 +174,7 @@ class Run::Stages {
 
   void write_results() {
     auto results = results_of(scenario_, *assembly_, *recorder_, end_);
+    if (indicators_) add_figures(*indicators_, results);
     if (reference_ && end_.status == "ok") results["reference"] = reference_->figures();
     attempt([&] { write_json(settings_.folder / "results.json", results); });
   }
@@ -175,6 +186,8 @@ class Run::Stages {
   std::optional<output::FolderLock> kept_;  ///< none where nothing is written
   std::optional<Assembly> assembly_;
   std::unique_ptr<Recorder> recorder_;
+  std::unique_ptr<Indicators> indicators_;  ///< null: none are wanted
+  Observers observers_;
   std::optional<RunCheckpoints> checkpoints_;
   std::optional<RunReference> reference_;
   bool has_begun_ = false;  ///< files of an earlier run are replaced or cut

@@ -63,6 +63,11 @@ void of_references(KeyList& to) {
            "A second run, with half the own steps and the communication step, tells the error of the "
            "reference itself, as METRIC.floor.",
            {.otherwise = "false"})
+      .may("models", flag,
+           "Linear models run in its subsystems' places, found from their inputs and outputs "
+           "(docs/advice.md); sampled "
+           "subsystems run themselves. Of any other that has no model it is told, and the reference fails.",
+           {.otherwise = "false"})
       .table("references.NAME.with", "Columns that have another value in it: a finer run.")
       .may("NAME", name, "The value.",
            {.allowed = "a number, a word, `\"$COLUMN\"` or `\"$(EXPRESSION)\"` of the columns in `per`"})
@@ -83,7 +88,7 @@ void of_metrics(KeyList& to) {
         "its `metrics` name them, or if it is the only one. So do three of the map of a super-step "
         "(docs/stability.md): `spectral_radius = {}`, `damping = {}` and `detuning = {}`. A row with these "
         "alone is not run. Else one of `of`, `signal`, `drift`, `order`, "
-        "`formula` and `builtin`.")
+        "`formula`, `builtin`, `defect` and `energy`.")
       .may(
           "of", text,
           "An output, compared with that of a reference, at the rows of the one that has fewer; the other is "
@@ -103,6 +108,10 @@ void of_metrics(KeyList& to) {
            {.allowed = "a metric"})
       .may("formula", text, "Of other metrics and columns.", {.allowed = "an expression"})
       .may("builtin", text, "What only code can tell, by its name.")
+      .may("defect", text, "The largest defect of an input (docs/indicators.md).",
+           {.allowed = "\"instance.port\", as in indicators.csv"})
+      .may("energy", text, "What the coupling made on a link (docs/indicators.md) [J].",
+           {.allowed = "\"EFFORT:BACK\", as in indicators.csv"})
       .may("norm", word,
            "Of it over time: largest magnitude, root mean square, last magnitude; without a reference "
            "also the least and the largest value.",
@@ -113,7 +122,10 @@ void of_metrics(KeyList& to) {
            "Without it: it is not.",
            {.words = {"peak", "rms", "start"}})
       .may("scale", name, "It is multiplied by this.", {.allowed = "a number, or an expression of columns"})
-      .may("against", text, "The reference. Without it: the only one, if there is one.",
+      .may("against", text,
+           "The reference. Without it: the only one, if there is one. A `builtin` that compares with one "
+           "gets its output "
+           "`with.output`.",
            {.allowed = "a reference, or `none`: the output itself"})
       .may("from", number, "The first time that counts. Without it: the first.", {.unit = "s"})
       .may("to", number, "The last one. Without it: the last.", {.unit = "s"})
@@ -121,6 +133,9 @@ void of_metrics(KeyList& to) {
            "The run may be so much later or earlier as a whole; by how much it is is told as METRIC.shift.",
            {.unit = "s"})
       .may("unit", text, "That the number is told in. Without it: that of the output.")
+      .may("otherwise", any,
+           "What stands where it is not known, of a run that failed too. Without it: nothing.",
+           {.allowed = "a number, or inf"})
       .may("repetitions", positive,
            "Of `seconds` and `real_time_factor`: the least of so many runs, of which the one that is "
            "judged is the first.",

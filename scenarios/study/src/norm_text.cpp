@@ -64,6 +64,10 @@ std::string norm_text(const Metric& metric) {
     text = "of the map of a super-step";
   else if (metric.kind == Metric::Kind::coded)
     text = metric.of;
+  else if (metric.kind == Metric::Kind::defect)
+    text = "largest defect of " + metric.of;
+  else if (metric.kind == Metric::Kind::energy)
+    text = "energy that the coupling made on " + metric.of;
   else
     return "";
   text += divided(metric) + window(metric);

@@ -41,6 +41,14 @@ bool RowRunner::OneRun::begin() {
           [this] { traces_.emplace(assembly_->topology(), outputs_, "the run"); });
   observers_.add(*traces_);
   add_coded();
+  const auto is_indicator = [](const Metric* metric) { return metric->is_indicator(); };
+  if (std::any_of(all_.metrics_.begin(), all_.metrics_.end(), is_indicator)) {
+    indicators_ = assembly_->indicators();
+    if (!indicators_) return end("refused", "record.indicators is off, and a metric is of them"), false;
+    observers_.add(*indicators_);
+    for (const Metric* metric : all_.metrics_)
+      if (metric->is_indicator()) indicated(*metric);  // is there
+  }
   assembly_->coordinator().observe(&observers_);
   try {
     assembly_->initialize();
@@ -94,7 +102,7 @@ double RowRunner::OneRun::judging_seconds() {
 
 void RowRunner::OneRun::judge(const std::function<bool()>& going) {
   try {
-    for (const Metric* metric : all_.metrics_) judge(*metric);
+    for (const Metric* metric : all_.metrics_) judge(*metric), judge_otherwise(*metric);
     if (result_.status == "ok") judge_status();
     if (result_.status == "ok" && !finer_) judge_orders(going);
   } catch (const Error& error) {
@@ -151,6 +159,8 @@ void RowRunner::OneRun::judge(const Metric& metric) {
     tell_stability(metric);
   else if (metric.kind == Metric::Kind::exchanges || metric.kind == Metric::Kind::steps)
     set(metric.name, counted(metric));
+  else if (metric.is_indicator())
+    set(metric.name, indicated(metric) * scale(metric));
   else if (metric.is_time()) {
     if (result_.status == "ok" && !finer_) time(metric);
   } else if (result_.status == "ok" || metric.kind == Metric::Kind::formula)
@@ -217,6 +227,27 @@ void RowRunner::OneRun::tell_stability(const Metric& metric) {
   result_.note = "the scheme has no mode like that of " + stability_->mostly(*chosen);
 }
 
+/// Of a run that failed, too.
+void RowRunner::OneRun::judge_otherwise(const Metric& metric) {
+  if (metric.otherwise && !result_.metrics.contains(metric.name)) set(metric.name, *metric.otherwise);
+}
+
+double RowRunner::OneRun::indicated(const Metric& metric) const {
+  const bool defect = metric.kind == Metric::Kind::defect;
+  const std::string name = (defect ? "defect(" : "energy(") + metric.of + ")";
+  std::vector<std::string> known;
+  for (const auto& one : indicators_->connections()) {
+    if (defect && one.name == name) return one.largest;
+    if (defect) known.push_back(one.name.substr(7, one.name.size() - 8));
+  }
+  for (const auto& one : indicators_->links()) {
+    if (!defect && one.name == name) return one.energy;
+    if (!defect) known.push_back(one.name.substr(7, one.name.size() - 8));
+  }
+  refuse(metric.place,
+         "metrics." + metric.name + ": " + unknown(defect ? "input" : "link", metric.of, known));
+}
+
 double RowRunner::OneRun::counted(const Metric& metric) const {
   double sum = 0.0;
   for (int i = 0; i < assembly_->topology().size(); ++i) {
@@ -259,7 +290,14 @@ void RowRunner::OneRun::compute(const Metric& metric) {
 
 void RowRunner::OneRun::tell(const Metric& metric) {
   std::string note;
-  if (const auto number = coded_.at(metric.name)->value(note)) set(metric.name, *number * scale(metric));
+  const text::TimeTable* reference = nullptr;
+  if (!metric.against.empty()) {
+    const ReferenceRun& made = all_.references_.of(metric.against, all_.table_, row_);
+    if (!made.failure.empty()) return end("failed", made.failure);
+    reference = &made.tables.at(metric.referred.front().output);
+  }
+  if (const auto number = coded_.at(metric.name)->value(note, reference))
+    set(metric.name, *number * scale(metric));
   if (!note.empty()) result_.note = printable(note, longest_note);
 }
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "observers.hpp"
 #include "row_run.hpp"
+#include "tandem/coordinator/observers.hpp"
 #include "tandem/scenario/assembly.hpp"
 #include "tandem/stability/modes.hpp"
 #include "timing.hpp"
@@ -38,12 +38,14 @@ class RowRunner::OneRun {
   /// Of the metric that asks for an output which is not there.
   Place place_named_in(const std::string& sentence) const;
   void judge(const Metric& metric);
+  void judge_otherwise(const Metric& metric);
   void time(const Metric& metric);
   /// And the formulas that wait for them.
   void judge_orders(const std::function<bool()>& going);
   void tell_order(const Metric& metric, const std::function<bool()>& going);
   void tell_stability(const Metric& metric);
   double counted(const Metric& metric) const;
+  double indicated(const Metric& metric) const;
   void compare(const Metric& metric);
   void compute(const Metric& metric);
   void tell(const Metric& metric);
@@ -61,6 +63,7 @@ class RowRunner::OneRun {
   std::optional<scenario::Traces> traces_;
   std::map<std::string, std::unique_ptr<CodedMetric>> coded_;
   Observers observers_;
+  std::unique_ptr<Indicators> indicators_;  ///< null: no metric is of them
   Differences differences_;
   Timing judged_{};  ///< of the run that is judged
   std::optional<Timing> timing_;

@@ -63,7 +63,8 @@ class MetricReader {
     using Kind = Metric::Kind;
     const std::pair<const char*, Kind> kinds[] = {{"of", Kind::output},       {"signal", Kind::signal},
                                                   {"drift", Kind::drift},     {"order", Kind::order},
-                                                  {"formula", Kind::formula}, {"builtin", Kind::coded}};
+                                                  {"formula", Kind::formula}, {"builtin", Kind::coded},
+                                                  {"defect", Kind::defect},   {"energy", Kind::energy}};
     int found = 0;
     for (const auto& [key, kind] : kinds)
       if (const auto text = section_.text(key)) {
@@ -72,11 +73,11 @@ class MetricReader {
           metric_.formula = Formula{*text, section_.place(key)};
       }
     if (found != 1)
-      section_.missing(
-          "of",
-          "one of `of`, `signal`, `drift`, `order`, `formula` and `builtin`; by their names alone "
-          "there are " +
-              names_alone);
+      section_.missing("of",
+                       "one of `of`, `signal`, `drift`, `order`, `formula`, `builtin`, `defect` and "
+                       "`energy`; by their names alone "
+                       "there are " +
+                           names_alone);
   }
 
   void read_norm() {
@@ -87,12 +88,22 @@ class MetricReader {
     metric_.window.shift = section_.positive("shift").value_or(0.0);
     metric_.window.lines = false;
     metric_.unit = section_.text("unit").value_or("");
+    metric_.otherwise = read_otherwise();
     if (const toml::node* scale = section_.node("scale"))
       metric_.scale = Formula{scale->is_string() ? scale->as_string()->get() : fmt_number(*scale),
                               section_.place("scale")};
     if (!(metric_.window.from < metric_.window.to))
       section_.wrong("to", text::described(*section_.node("to")),
                      "a time in s after " + section_.name("from"));
+  }
+
+  std::optional<double> read_otherwise() {
+    const toml::node* found = section_.node("otherwise");
+    if (!found) return {};
+    const auto number = found->value<double>();
+    if (!number || std::isnan(*number))
+      section_.wrong("otherwise", text::described(*found), "a number, or inf");
+    return number;
   }
 
   std::string fmt_number(const toml::node& node) const {
@@ -108,18 +119,27 @@ class MetricReader {
     if (against && std::find(known.begin(), known.end(), *against) == known.end())
       refuse(section_.place("against"),
              section_.name("against") + ": " + unknown("reference", *against, known));
+    if (metric_.kind == Metric::Kind::coded && against) metric_.of_reference(*against, named_output());
     if (metric_.kind != Metric::Kind::output) return;
     if (!against && known.size() > 1) section_.missing("against", "one of the references " + listed(known));
     metric_.against = against ? *against : known.empty() ? "" : known[0];
     metric_.outputs = {metric_.of};
-    if (!metric_.against.empty()) metric_.referred = {{metric_.of, metric_.of, metric_.against}};
+    if (!metric_.against.empty()) metric_.of_reference(metric_.against, metric_.of);
+  }
+
+  /// Of a builtin that compares with a reference.
+  std::string named_output() const {
+    for (const Given& one : metric_.with)
+      if (const auto* text = std::get_if<std::string>(&one.value); text && one.name == "output") return *text;
+    section_.missing("against", "with.output beside it, the output of the reference");
   }
 
   void refuse_what_has_no_meaning() {
     const bool output = metric_.kind == Metric::Kind::output, drift = metric_.kind == Metric::Kind::drift;
     const bool is_signed = metric_.norm == Metric::Norm::least || metric_.norm == Metric::Norm::most;
     const std::string no_reference = "there is no reference";
-    if (!output) section_.leave_out("against", "it is no `of`");
+    if (!output && metric_.kind != Metric::Kind::coded)
+      section_.leave_out("against", "it is neither `of` nor `builtin`");
     if (!output) section_.leave_out("shift", "it is no `of`");
     if (!output) section_.leave_out("unit", "it is no `of`");
     if (output && metric_.against.empty())

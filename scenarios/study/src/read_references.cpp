@@ -16,6 +16,7 @@ Reference read_reference(const std::string& name, Section& section, const Study&
     one.scenario = Given{"", *scenario, section.place("scenario")};
   one.per = section.texts("per");
   one.floor = *section.flag("floor");
+  one.models = *section.flag("models");
   one.with = all_given(section, "with");
   one.set = all_given(section, "set");
   if (auto outputs = section.section("outputs"))
@@ -24,7 +25,7 @@ Reference read_reference(const std::string& name, Section& section, const Study&
       one.outputs[output] = node->as_string()->get();
     }
   if (!one.file.empty())
-    for (const char* key : {"scenario", "per", "floor", "with", "set"})
+    for (const char* key : {"scenario", "per", "floor", "models", "with", "set"})
       section.leave_out(key, "results are read from `file`");
   section.refuse_unknown();
   for (const std::string& column : one.per)

@@ -5,6 +5,7 @@
 
 #include "expected_time.hpp"
 #include "row_key.hpp"
+#include "tandem/identification/models.hpp"
 #include "tandem/nearest.hpp"
 #include "tandem/scenario/assembly.hpp"
 #include "tandem/scenario/steps.hpp"
@@ -39,6 +40,13 @@ std::vector<std::string> columns_of(const FileValues& row) {
 /// Before its metrics are known.
 bool may_be_kept(const Kept& kept, const FileValues& row) {
   return !kept.where || !is_known(*kept.where, row) || value_of(*kept.where, row) != 0.0;
+}
+
+/// Of what is neither a model nor sampled.
+void refuse_without(const identification::Models& models) {
+  for (const identification::Stand& one : models.stands())
+    if (!one.is_known())
+      throw Error(ErrorCode::not_supported, "there is no linear model of " + one.source + ": " + one.why);
 }
 
 }  // namespace
@@ -156,12 +164,15 @@ void References::simulate(ReferenceRun& run, const std::function<bool()>& going)
 
 OutputTables References::tables_of(ReferenceRun& run, const scenario::Scenario& scenario,
                                    const std::function<bool()>& going) const {
-  scenario::Assembly assembly(scenario, builtins_);
+  identification::Models models;
+  const Builtins builtins = run.reference->models ? models.replacing(builtins_) : builtins_;
+  scenario::Assembly assembly(scenario, builtins);
   std::vector<std::string> names;
   for (const std::string& output : run.outputs) names.push_back(name_in(*run.reference, output));
   scenario::Traces traces(assembly.topology(), names, run.text());
   assembly.coordinator().observe(&traces);
   assembly.initialize();
+  refuse_without(models);
   while (assembly.coordinator().round())
     if (!going()) throw Error(ErrorCode::numerical, "interrupted");
   OutputTables tables;

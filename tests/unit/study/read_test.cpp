@@ -101,7 +101,7 @@ TEST(Studies, ThatAreWrongAreRefusedWithTheirLine) {
   refuses("columns = ['b']\n" + block, {"study.toml:2", "'b' is not there"});
   refuses(block + "[metrics]\na = { of = 'x.y' }\n", {"name of a column"});
   refuses(block + "[metrics]\nm = {}\n",
-          {"one of `of`, `signal`, `drift`, `order`, `formula` and `builtin`"});
+          {"one of `of`, `signal`, `drift`, `order`, `formula`, `builtin`, `defect` and `energy`"});
   refuses(block + "[metrics]\nm = { of = 'x.y', formula = 'a' }\n", {"one of `of`"});
   refuses(block + "[metrics]\nm = { of = 'x.y', relative = 'peak' }\n", {"study.toml:5", "no reference"});
   refuses(block + "[metrics]\nm = { formula = 'n*2' }\nn = { of = 'x.y' }\n",

@@ -62,6 +62,13 @@ class Observer {
   /// Rows first..last of the subsystem's history are new. Called after each turn (parallel: for each
   /// subsystem after the round). Returns false to end the run.
   virtual bool samples(int subsystem, const History& history, std::int64_t first, std::int64_t last) = 0;
+  /// It has gone over the span on these signals: its inputs, and behind them the terms of those that are sums
+  /// (Exchange::slot). Its new rows are told later. Valid until the call returns.
+  virtual void inputs(int /*subsystem*/, TimeSpan /*span*/, std::span<const Signal> /*lanes*/) {}
+  /// It is sampled, and has acted at t [s] on these values, as above; of several calls for one t the last one counts.
+  virtual void inputs_at(int /*subsystem*/, double /*t*/, std::span<const double> /*lanes*/) {}
+  /// It stands at t [s] again, to go from there on other inputs. No row that was told is taken back.
+  virtual void went_back(int /*subsystem*/, double /*t*/) {}
   /// Called by Coordinator::run after each round that is followed by another, with all samples made known:
   /// the place for input and output. Whoever calls round() in a loop of his own calls this too.
   virtual void between_rounds() {}

@@ -51,6 +51,7 @@ class Coordinator {
   const Topology& topology() const { return topology_; }
   const Exchange& exchange() const { return *exchange_; }
   const Schedule& schedule() const { return *schedule_; }
+  double t_stop() const { return t_stop_; }  ///< [s]
   /// Where a subsystem stands [s].
   double time(int subsystem) const { return seat(subsystem).time; }
   const Effort& effort(int subsystem) const { return seat(subsystem).effort; }

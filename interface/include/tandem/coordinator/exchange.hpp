@@ -93,6 +93,13 @@ class Exchange {
     return {end.slots.data(), static_cast<std::size_t>(end.inputs)};
   }
 
+  /// What the reader got last: its inputs, and behind them the terms of those that are sums. Valid as what inputs() and
+  /// sample() give.
+  std::span<const Signal> lanes(int reader) const { return ends_[static_cast<std::size_t>(reader)].slots; }
+  std::span<const double> values(int reader) const { return ends_[static_cast<std::size_t>(reader)].values; }
+  /// The place of a line of the topology among these.
+  std::size_t slot(int line) const { return slots_of_lines_[static_cast<std::size_t>(line)]; }
+
   /// The inputs of a sampled `reader` at its instant `to.stop`, having acted at `to.start`. Valid until the
   /// next call for it.
   std::span<const double> sample(int reader, TimeSpan to);
@@ -165,6 +172,7 @@ class Exchange {
   TimeTolerance tolerance_;
   std::vector<Link> links_;
   std::vector<End> ends_;
+  std::vector<std::size_t> slots_of_lines_;
 };
 
 }  // namespace tandem

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 namespace tandem::scenario {
 
@@ -13,5 +14,9 @@ nlohmann::json read_about(const std::filesystem::path& folder);
 /// Of a folder of a run, or a CSV file in one, of which the run did not come to its end, a sentence; else
 /// empty.
 std::string unfinished(const std::filesystem::path& place);
+
+/// Of a run's indicators what stands under its curves: the two defects and the energy that are the largest parts of what
+/// they are of. Names of columns of indicators.csv in the folder; empty where there is none.
+std::vector<std::string> largest_indicators(const nlohmann::json& about, const std::filesystem::path& folder);
 
 }  // namespace tandem::scenario

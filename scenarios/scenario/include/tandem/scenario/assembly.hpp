@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "tandem/coordinator/indicators.hpp"
 #include "tandem/scenario/parts.hpp"
 
 namespace tandem::scenario {
@@ -24,6 +25,8 @@ class Assembly {
   /// The recorder that the scenario asks for, writing into `directory`; begin: see Recording.
   std::unique_ptr<Recorder> recorder(const std::filesystem::path& directory,
                                      std::function<void()> begin = {}) const;
+  /// The indicators that the scenario asks for; null: none.
+  std::unique_ptr<Indicators> indicators() const;
   /// Coordinator::initialize.
   void initialize();
   /// The coordinator's, and what the subsystems remark.
@@ -40,12 +43,5 @@ class Assembly {
 
 /// A sentence about a subsystem that lives elsewhere, with its address if that is not in it yet.
 std::string with_address(const Scenario& scenario, const Builtins& builtins, std::string sentence);
-
-/// What `validate` tells of a run that is initialized, beyond its notes:
-/// - rings of any length in which a leader feeds an input through that it extrapolates;
-/// - the order in which subsystems with events lead their readers.
-///
-/// Nothing that only a trial can tell.
-std::vector<std::string> advice(const Coordinator& run);
 
 }  // namespace tandem::scenario

@@ -8,13 +8,15 @@
 namespace tandem::scenario {
 
 /// A run between two rounds as a file: 8 bytes "TANDEMCP", u32 format version, u64 length and u64 checksum of
-/// what follows: a text, what it is a checkpoint of (identity()), Coordinator::save, Recorder::save.
+/// what follows: a text, what it is a checkpoint of (identity()), Coordinator::save, Indicators::save if there are any,
+/// Recorder::save.
 class Checkpoint {
  public:
-  static constexpr std::uint32_t format_version = 6;
+  static constexpr std::uint32_t format_version = 7;
 
-  /// All must outlive it.
-  Checkpoint(const Scenario& scenario, const Builtins& builtins, Assembly& assembly, Recorder& recorder);
+  /// All must outlive it. indicators: null for none.
+  Checkpoint(const Scenario& scenario, const Builtins& builtins, Assembly& assembly, Recorder& recorder,
+             Indicators* indicators);
 
   /// With the recorded rows, down to the disk; an earlier file stays until the new one is whole. Throws
   /// Error(input_output) with the path, and what a subsystem throws.
@@ -33,6 +35,7 @@ class Checkpoint {
   const Builtins& builtins_;
   Assembly& assembly_;
   Recorder& recorder_;
+  Indicators* indicators_;
 };
 
 }  // namespace tandem::scenario

@@ -33,11 +33,12 @@ struct RunEnd {
   std::string message = {};               ///< Of a run that is not at its end, why.
   double seconds = 0.0;                   ///< Of the stepping loop, with the recording.
   std::string report = {};                ///< Of the comparison with the reference; empty: there was none.
+  std::string indicators = {};            ///< What they say, in a line; empty: there are none.
   std::vector<std::string> outside = {};  ///< What is not within the reference's tolerances, in sentences.
 };
 
 /// One run, from a scenario that was read to its results: results.csv (or results.INSTANCE.csv with
-/// record.clock = "own"), results.json and machine.json. The file results.json says "running" before any row
+/// record.clock = "own"), indicators.csv, results.json and machine.json. The file results.json says "running" before any row
 /// is written, and how it ended at last: nobody finds the status of an earlier run beside the rows of this
 /// one.
 ///

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "tandem/coordinator/power_link.hpp"
 #include "tandem/coordinator/recorder.hpp"
 #include "tandem/scenario/comparison.hpp"
 #include "tandem/text/place.hpp"
@@ -61,6 +62,12 @@ struct ConnectionEntry {
   Place place_named_in(const std::string& sentence) const;
 };
 
+/// Two connections that carry a power.
+struct LinkEntry {
+  StatedLink link;
+  Place place;
+};
+
 /// Results to compare with.
 struct ReferenceEntry {
   std::filesystem::path file;  ///< of the scenario's folder if it was not absolute
@@ -108,9 +115,11 @@ struct Scenario {
   std::string name, description;
   std::vector<SubsystemEntry> subsystems;
   std::vector<ConnectionEntry> connections;
+  std::vector<LinkEntry> links;  ///< besides those that are found by their units
   Coordination coordination;
   double start = 0.0, stop = 0.0;  ///< [s]
   Recording recording;             ///< without its directory
+  bool indicators = true;          ///< how far the coupling is off is recorded
   std::optional<ReferenceEntry> reference;
   std::optional<JudgeEntry> judge;
   std::optional<LadderEntry> ladder;

@@ -48,6 +48,8 @@ struct Metric {
     real_time,  ///< Simulated time divided by wall time.
     stability,  ///< Of the map of a super-step (tandem::stability): `of` says what.
     coded,      ///< By a CodedMetric.
+    defect,     ///< The largest defect of an input (tandem::Indicators).
+    energy,     ///< That the coupling made on a link.
   };
   enum class Norm { max, rms, end, least, most };
   /// An output of a reference, and what an expression calls it: OUTPUT.REFERENCE.
@@ -69,11 +71,16 @@ struct Metric {
   std::optional<Formula> formula = {}, scale = {};  ///< formula: of a signal and a drift too
   std::vector<std::string> outputs = {};            ///< of the run; of an expression its columns too
   std::vector<Referred> referred = {};
-  std::vector<Given> with = {};  ///< parameters of a coded one
-  int repetitions = 1;           ///< of which a time is the least
+  std::vector<Given> with = {};          ///< parameters of a coded one
+  std::optional<double> otherwise = {};  ///< what it is where it is not known
+  int repetitions = 1;                   ///< of which a time is the least
   Place place = {};
 
+  void of_reference(const std::string& reference, const std::string& output) {
+    against = reference, referred = {{output, output, reference}};
+  }
   bool is_over_time() const { return kind == Kind::signal || kind == Kind::drift; }
+  bool is_indicator() const { return kind == Kind::defect || kind == Kind::energy; }
   /// Whether it is not the same each time.
   bool is_time() const { return kind == Kind::seconds || kind == Kind::share || kind == Kind::real_time; }
 };

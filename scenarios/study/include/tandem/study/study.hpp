@@ -47,6 +47,7 @@ struct Reference {
   std::vector<Given> with = {};                     ///< Values of other columns in it.
   std::vector<Given> set = {};                      ///< Besides what the study sets.
   std::map<std::string, std::string> outputs = {};  ///< Of judged outputs the ones with another name in it.
+  bool models = false;                              ///< Linear models run in its subsystems' places.
   bool floor = false;                               ///< Its own error is told, by a run with half its steps.
   Place place = {};
 };

@@ -1,17 +1,17 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/advice/leading.hpp"
+
 #include <algorithm>
 #include <optional>
 #include <utility>
 
-#include "tandem/scenario/assembly.hpp"
-
-namespace tandem::scenario {
+namespace tandem::advice {
 namespace {
 
 /// What is sure of a run that is about to begin.
-class Advice {
+class Leading {
  public:
-  explicit Advice(const Coordinator& run) : run_(run), topology_(run.topology()) {
+  explicit Leading(const Coordinator& run) : run_(run), topology_(run.topology()) {
     for (const int who : run.schedule().order())
       if (!sampled(who)) order_.push_back(who);
   }
@@ -118,6 +118,6 @@ class Advice {
 
 }  // namespace
 
-std::vector<std::string> advice(const Coordinator& run) { return Advice(run).all(); }
+std::vector<std::string> on_leading(const Coordinator& run) { return Leading(run).all(); }
 
-}  // namespace tandem::scenario
+}  // namespace tandem::advice

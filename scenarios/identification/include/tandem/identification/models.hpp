@@ -8,7 +8,7 @@
 
 #include "tandem/transports/open.hpp"
 
-namespace tandem::advice {
+namespace tandem::identification {
 
 /// What stands for the subsystems of one source.
 struct Stand {
@@ -16,7 +16,11 @@ struct Stand {
   bool modelled = false;  ///< a linear model; else it runs itself
   int order = 0;          ///< states of the model
   double residual = 0.0;  ///< what the model leaves of responses
-  std::string why = {};   ///< it runs itself
+  bool sampled = false;
+  std::string why = {};  ///< it runs itself
+
+  /// What is sampled is as good as its model.
+  bool is_known() const { return modelled || sampled; }
 };
 
 /// Linear models in place of subsystems, each found once for the same source and parameters.
@@ -41,4 +45,4 @@ class Models {
   std::map<std::string, std::shared_ptr<Entry>> entries_;  ///< by source and parameters
 };
 
-}  // namespace tandem::advice
+}  // namespace tandem::identification

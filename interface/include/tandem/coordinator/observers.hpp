@@ -4,7 +4,7 @@
 
 #include "tandem/coordinator/coordination.hpp"
 
-namespace tandem::study {
+namespace tandem {
 
 /// Several observers of one run. The run goes on while all of them want it to.
 class Observers final : public Observer {
@@ -17,6 +17,15 @@ class Observers final : public Observer {
     for (Observer* one : all_) going = one->samples(subsystem, history, first, last) && going;
     return going;
   }
+  void inputs(int subsystem, TimeSpan span, std::span<const Signal> lanes) override {
+    for (Observer* one : all_) one->inputs(subsystem, span, lanes);
+  }
+  void inputs_at(int subsystem, double t, std::span<const double> lanes) override {
+    for (Observer* one : all_) one->inputs_at(subsystem, t, lanes);
+  }
+  void went_back(int subsystem, double t) override {
+    for (Observer* one : all_) one->went_back(subsystem, t);
+  }
   void between_rounds() override {
     for (Observer* one : all_) one->between_rounds();
   }
@@ -25,4 +34,4 @@ class Observers final : public Observer {
   std::vector<Observer*> all_;
 };
 
-}  // namespace tandem::study
+}  // namespace tandem

@@ -1,5 +1,5 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-#include "tandem/advice/models.hpp"
+#include "tandem/identification/models.hpp"
 
 #include <fmt/format.h>
 
@@ -12,10 +12,8 @@
 #include "tandem/identification/identify.hpp"
 #include "tandem/identification/surrogate.hpp"
 
-namespace tandem::advice {
+namespace tandem::identification {
 namespace {
-
-using identification::LinearModel;
 
 /// Nothing: it may have a linear model.
 std::string why_not(const SubsystemInfo& info) {
@@ -27,11 +25,10 @@ std::string why_not(const SubsystemInfo& info) {
 }
 
 /// Responses that last a quarter of the run, where that is not too long.
-identification::Wanted wanted(const SubsystemInfo& info, const Clock& start, double t_stop,
-                              std::span<const double> u0) {
+Wanted wanted(const SubsystemInfo& info, const Clock& start, double t_stop, std::span<const double> u0) {
   constexpr double least = 12.0, most = 1536.0;
   const double steps = 0.25 * (t_stop - start.time) / (start.next_time - start.time);
-  identification::Wanted all{start.time, {u0.begin(), u0.end()}, {}};
+  Wanted all{start.time, {u0.begin(), u0.end()}, {}};
   all.steps = static_cast<std::int64_t>(std::clamp(steps, least, most));
   for (int k = 0; k < info.row_size() - Samples::header; ++k) all.values.push_back(k);
   return all;
@@ -49,11 +46,11 @@ struct Models::Entry {
   void find(Subsystem& subsystem, const Clock& start, double t_stop, std::span<const double> u0) {
     try {
       const auto what = wanted(subsystem.info(), start, t_stop, u0);
-      if (!identification::is_linear(subsystem, what)) {
+      if (!is_linear(subsystem, what)) {
         stand.why = "it is not linear";
         return;
       }
-      LinearModel found = identification::identify(subsystem, what);
+      LinearModel found = identify(subsystem, what);
       stand.order = static_cast<int>(found.order()), stand.residual = found.residual;
       stand.modelled = found.residual <= most_residual;
       if (stand.modelled)
@@ -124,7 +121,8 @@ Source Models::replacing(Source source) {
     Entry& one = entry(key, address.command.empty() ? address.uri : address.name());
     const std::string why = why_not(real->info());
     if (why.empty()) return std::make_unique<Modelled>(std::move(real), one);
-    std::call_once(one.found, [&] { one.stand.why = why; });
+    std::call_once(one.found,
+                   [&] { one.stand.sampled = real->info().abilities.sampled, one.stand.why = why; });
     return real;
   };
   return source;
@@ -144,4 +142,4 @@ std::vector<Stand> Models::stands() const {
   return all;
 }
 
-}  // namespace tandem::advice
+}  // namespace tandem::identification

@@ -4,22 +4,23 @@
 #include "linear_controller.hpp"
 #include "run_bench.hpp"
 #include "scripted.hpp"
+#include "tandem/advice/leading.hpp"
 #include "tandem/scenario/assembly.hpp"
 #include "two_mass/masses.hpp"
 
-namespace tandem::scenario {
+namespace tandem::advice {
 namespace {
 
 std::vector<std::string> advice_for(const std::string& file, const std::vector<std::string>& overrides) {
   Builtins builtins;
   two_mass::add_builtins(builtins);
-  const Scenario scenario = read(std::string(TANDEM_SOURCE_DIR) + "/scenarios/two_mass/" + file, overrides);
-  Assembly assembly(scenario, builtins);
+  const auto one = scenario::read(std::string(TANDEM_SOURCE_DIR) + "/scenarios/two_mass/" + file, overrides);
+  scenario::Assembly assembly(one, builtins);
   assembly.initialize();
-  return advice(assembly.coordinator());
+  return on_leading(assembly.coordinator());
 }
 
-TEST(Advice, TellsOfAForceOfTheLeaderThatComesRound) {
+TEST(AdviceOnLeading, TellsOfAForceOfTheLeaderThatComesRound) {
   EXPECT_EQ(advice_for("force_plain.toml", {}).size(), 0U);
   const auto lines = advice_for("force_plain.toml", {"coordination.schedule=fastest-first"});
   ASSERT_EQ(lines.size(), 1U);
@@ -29,11 +30,11 @@ TEST(Advice, TellsOfAForceOfTheLeaderThatComesRound) {
       "fastest-first; what that errs by is in the output at once, and comes round over 'slow'");
 }
 
-TEST(Advice, InParallelNobodyLeads) {
+TEST(AdviceOnLeading, InParallelNobodyLeads) {
   EXPECT_EQ(advice_for("force_plain.toml", {"coordination.schedule=parallel"}).size(), 0U);
 }
 
-TEST(Advice, WithoutFeedthroughThereIsNone) {
+TEST(AdviceOnLeading, WithoutFeedthroughThereIsNone) {
   EXPECT_EQ(advice_for("two_mass.toml", {"coordination.schedule=fastest-first"}).size(), 0U);
 }
 
@@ -49,7 +50,7 @@ class RingAdvice : public testing::Test {
     bench.connect("b.y", "c.u", sampled == 'b' ? "" : "lagrange1");
     bench.connect("c.y", "a.u", sampled == 'c' ? "" : "lagrange1");
     bench.make(4.0).initialize();
-    return advice(*bench.coordinator);
+    return on_leading(*bench.coordinator);
   }
   static test::Linear half() {
     const auto one = [](double value) { return test::MatrixXd::Constant(1, 1, value); };
@@ -85,10 +86,10 @@ std::vector<std::string> advice_for_relay(const std::string& schedule, std::vect
   bench.connect("plant.y", "third.u", "lagrange1");
   bench.coordination.order = std::move(order);
   bench.make(4.0).initialize();
-  return advice(*bench.coordinator);
+  return on_leading(*bench.coordinator);
 }
 
-TEST(Advice, LetsWhoSwitchesLeadItsReaders) {
+TEST(AdviceOnLeading, LetsWhoSwitchesLeadItsReaders) {
   ASSERT_EQ(advice_for_relay("slowest-first", {}).size(), 1U);
   EXPECT_EQ(advice_for_relay("slowest-first", {})[0],
             "'relay' with events should lead who reads them, which then ends its steps there: "
@@ -104,4 +105,4 @@ TEST(Advice, LetsWhoSwitchesLeadItsReaders) {
 }
 
 }  // namespace
-}  // namespace tandem::scenario
+}  // namespace tandem::advice

@@ -1,0 +1,15 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string>
+#include <vector>
+
+#include "tandem/coordinator/coordinator.hpp"
+
+namespace tandem::advice {
+
+/// What is sure of a run that is initialized, without a trial, in sentences:
+/// - rings of any length in which a leader feeds an input through that it extrapolates;
+/// - the order in which subsystems with events lead their readers.
+std::vector<std::string> on_leading(const Coordinator& run);
+
+}  // namespace tandem::advice
