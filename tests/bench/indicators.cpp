@@ -21,9 +21,9 @@ struct Scene {
 
 std::vector<Scene> scenes() {
   const std::string step = "subsystems.engine.parameters.step=";
-  return {{"two_mass, ratio 2", "two_mass/two_mass.toml", {"parameters.frequency_ratio=2"}, 400},
-          {"two_mass, ratio 30", "two_mass/two_mass.toml", {"parameters.frequency_ratio=30"}, 400},
-          {"two_mass, ratio 100", "two_mass/two_mass.toml", {"parameters.frequency_ratio=100"}, 400},
+  return {{"two_mass at ratio 2", "two_mass/two_mass.toml", {"parameters.frequency_ratio=2"}, 400},
+          {"two_mass at ratio 30", "two_mass/two_mass.toml", {"parameters.frequency_ratio=30"}, 400},
+          {"two_mass at ratio 100", "two_mass/two_mass.toml", {"parameters.frequency_ratio=100"}, 400},
           {"engine_linkage", "engine_linkage/engine_linkage.toml", {"span.stop=3"}, 80},
           {"kart", "kart/kart.toml", {"span.stop=2"}, 40},
           {"drive", "drive/drive.toml", {}, 60}};

@@ -65,6 +65,14 @@ nlohmann::json about(const fs::path& results) {
           {"made", json.value("versions", nlohmann::json::object())}};
 }
 
+/// The name of a link is longer than an axis.
+std::map<std::string, std::string> short_names(const std::vector<std::string>& columns) {
+  std::map<std::string, std::string> names;
+  for (const std::string& column : columns)
+    if (column.starts_with("energy(")) names[column] = "energy made";
+  return names;
+}
+
 }  // namespace
 
 charts::Drawing plotted(const std::vector<fs::path>& results, const std::vector<std::string>& columns,
@@ -87,7 +95,7 @@ charts::Drawing plotted(const std::vector<fs::path>& results, const std::vector<
   chart.kind = charts::Chart::Kind::traces;
   chart.series = {"results"};
   for (const std::string& column : all) chart.y.push_back({{column, {}}}), chart.x.push_back({"time", {}});
-  return charts::draw({{chart}, {}}, folder, "");
+  return charts::draw({{chart}, short_names(all)}, folder, "");
 }
 
 }  // namespace tandem::cli

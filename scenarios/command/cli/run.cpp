@@ -18,7 +18,8 @@ Any value of the scenario can be set by its path:
 
 Results: results.csv (or results.INSTANCE.csv with record.clock = "own"), results.json (status, units, how cells were
 interpolated, the scenario with what was set, versions), machine.json (steps, exchanges, seconds, real-time factor:
-simulated seconds in a second; with --profile the seconds of each subsystem, and of the coordinator with the recording).
+simulated seconds in a second; with --profile the seconds of each subsystem, and of the coordinator with the recording),
+indicators.csv (how far the coupling is off, docs/indicators.md).
 One run at a time writes to a folder: another is refused before it changes anything there.
 
 Checkpoints (docs/checkpoints.md): a run that is resumed gives the same results to the last bit; every subsystem has to

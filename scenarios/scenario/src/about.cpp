@@ -70,14 +70,15 @@ void check_key(const nlohmann::json& about, const Key& key, const fs::path& file
 /// Names by `of`, as a part of `whole`; the largest first, at most `most`.
 void add_largest(std::vector<std::string>& to, const nlohmann::json& all, const char* of, const char* whole,
                  std::size_t most) {
+  constexpr double rounding = 1e-12;
   std::vector<std::pair<double, std::string>> parts;
   const auto number = [](const nlohmann::json& one, const char* key) {
     const auto it = one.find(key);
     return it != one.end() && it->is_number() ? it->get<double>() : 0.0;
   };
   for (const auto& [name, one] : all.items())
-    if (const double peak = number(one, whole); peak > 0.0)
-      parts.emplace_back(std::abs(number(one, of)) / peak, name);
+    if (const double size = std::abs(number(one, of)), peak = number(one, whole); size > rounding * peak)
+      parts.emplace_back(size / peak, name);
   std::stable_sort(parts.begin(), parts.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
   for (std::size_t k = 0; k < std::min(most, parts.size()); ++k) to.push_back(parts[k].second);
