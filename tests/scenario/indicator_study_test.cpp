@@ -180,5 +180,17 @@ TEST(IndicatorStudy, AReferenceByModelsTellsWhatHasNone) {
       << said;
 }
 
+/// The load of the drive changes at 0.314 s, long after what its model is found from.
+TEST(IndicatorStudy, AReferenceByModelsTellsWhatGoesByItsOwnClock) {
+  const std::string whole =
+      "[set]\n'connections[motor.w].reconstruction' = '$how'\n"
+      "[[tables.t.blocks]]\naxes = [{ how = ['lagrange3'] }]\n"
+      "[references.m]\nmodels = true\nper = ['how']\n[metrics]\ne = { of = 'load.speed' }\n";
+  const std::string said = sweep_of("drive/drive.toml", whole, 1);
+  EXPECT_NE(said.find("there is no linear model of diagram:load.toml: its model is farthest off at t = 0."),
+            std::string::npos)
+      << said;
+}
+
 }  // namespace
 }  // namespace tandem::test::indicator_study

@@ -34,6 +34,55 @@ Wanted wanted(const SubsystemInfo& info, const Clock& start, double t_stop, std:
   return all;
 }
 
+/// A subsystem and its model from the start to the end of the run, with inputs that stay as they are.
+class SideBySide {
+ public:
+  SideBySide(Subsystem& real, Subsystem& model, std::span<const double> u0)
+      : real_(real), model_(model), u0_(u0), stride_(real.info().row_size()) {
+    for (const double u : u0) segments_.push_back({0.0, 0.0, {u}});
+    for (const Segment& one : segments_) signals_.emplace_back(&one, 1, 0);
+    values_.resize(static_cast<std::size_t>(stride_ - Samples::header));
+  }
+
+  /// When a value differs most, if that is by more than a part of its largest magnitude; else nothing.
+  std::optional<double> apart(double t_start, double t_stop, double part) {
+    std::vector<double> a(static_cast<std::size_t>(stride_ * rows)), b = a;
+    Samples y(a.data(), stride_, rows), of_model(b.data(), stride_, rows);
+    real_.initialize(t_start, t_stop, u0_, y), model_.initialize(t_start, t_stop, u0_, of_model);
+    while (y.size() > 0) {
+      if (y.size() != of_model.size()) return t_stop;
+      for (std::int64_t row = 0; row < y.size(); ++row)
+        compare(a.data() + row * stride_, b.data() + row * stride_);
+      y = Samples(a.data(), stride_, rows), of_model = Samples(b.data(), stride_, rows);
+      real_.advance(t_stop, false, signals_, y), model_.advance(t_stop, false, signals_, of_model);
+    }
+    const auto far = [part](const Value& v) { return !(v.off <= part * v.peak); };
+    const auto it = std::find_if(values_.begin(), values_.end(), far);
+    return it == values_.end() ? std::nullopt : std::optional(it->at);
+  }
+
+ private:
+  static constexpr std::int64_t rows = 256;
+  struct Value {
+    double peak = 1e-9, off = 0.0, at = 0.0;
+  };
+  void compare(const double* a, const double* b) {
+    for (std::size_t k = 0; k < values_.size(); ++k) {
+      Value& value = values_[k];
+      const double own = a[Samples::header + k], off = std::abs(own - b[Samples::header + k]);
+      value.peak = std::max(value.peak, std::abs(own));
+      if (!(off <= value.off)) value.off = off, value.at = a[0];
+    }
+  }
+
+  Subsystem &real_, &model_;
+  std::span<const double> u0_;
+  std::int64_t stride_;
+  std::vector<Value> values_;
+  std::vector<Segment> segments_;
+  std::vector<Signal> signals_;
+};
+
 }  // namespace
 
 struct Models::Entry {
@@ -54,13 +103,30 @@ struct Models::Entry {
       stand.order = static_cast<int>(found.order()), stand.residual = found.residual;
       stand.modelled = found.residual <= most_residual;
       if (stand.modelled)
-        model = std::move(found);
+        keep(subsystem, std::move(found), start.time, t_stop, u0);
       else
         stand.why = fmt::format("the best linear model leaves {:.2g} of its responses; allowed is {}",
                                 found.residual, most_residual);
     } catch (const Error& error) {
-      stand.why = error.what();
+      stand.modelled = false, stand.why = error.what();
     }
+  }
+
+ private:
+  /// If it goes like the subsystem to the end.
+  void keep(Subsystem& subsystem, LinearModel found, double t_start, double t_stop,
+            std::span<const double> u0) {
+    constexpr double part = 1e-4;
+    const auto surrogate = make_surrogate(found, subsystem.info());
+    const auto apart = SideBySide(subsystem, *surrogate, u0).apart(t_start, t_stop, part);
+    stand.modelled = !apart;
+    if (apart)
+      stand.why = fmt::format(
+          "its model is farthest off at t = {:.6g} s, by more than 1e-4 of the peak: it goes by its own "
+          "clock, or is not linear",
+          *apart);
+    else
+      model = std::move(found);
   }
 };
 
