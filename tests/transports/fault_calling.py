@@ -127,7 +127,7 @@ class Caller:
     @staticmethod
     def whole(folder):
         """What is recorded has whole lines of one length, and nothing else is left."""
-        if not set(os.listdir(folder)) <= {"run.toml", "results.csv", "results.json", "machine.json"}:
+        if not set(os.listdir(folder)) <= {"run.toml", "results.csv", "indicators.csv", "results.json", "machine.json"}:
             return False
         file = os.path.join(folder, "results.csv")
         if not os.path.exists(file):
