@@ -126,10 +126,9 @@ void Exchange::add_line(const Topology& topology, const Line& line, const LinkTi
     slot =
         sum.first + static_cast<std::size_t>(std::find(terms.begin(), terms.end(), number) - terms.begin());
   }
-  slots_of_lines_.push_back(slot);
   const bool held = scalar_at(topology.info(line.source).outputs, line.output).port->held;
   link_for(topology, line, times, of_pair)
-      .add({line.output, static_cast<int>(slot), line.gain, line.offset, held});
+      .add({line.output, static_cast<int>(slots_of_lines_.emplace_back(slot)), line.gain, line.offset, held});
 }
 
 /// Inputs without a connection keep their start value.

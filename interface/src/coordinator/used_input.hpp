@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <limits>
 #include <vector>
 
 #include "tandem/bytes.hpp"
@@ -21,9 +22,7 @@ class UsedInput {
     while (first_ + 1 < pieces_.size() && pieces_[first_].until < t) ++first_;
     if (first_ == pieces_.size() || t < from_ || t > pieces_[first_].until)
       return std::numeric_limits<double>::quiet_NaN();
-    const Segment& s = pieces_[first_].segment;
-    const double x = t - s.origin, x2 = x * x;
-    return (s.c[0] + s.c[1] * x) + x2 * ((s.c[2] + s.c[3] * x) + x2 * (s.c[4] + s.c[5] * x));
+    return Signal(&pieces_[first_].segment, 1, TANDEM_MAX_COEFFICIENTS - 1).value(t);
   }
 
   void write(ByteWriter& to) const;

@@ -116,9 +116,8 @@ struct Models::Entry {
   /// If it goes like the subsystem to the end.
   void keep(Subsystem& subsystem, LinearModel found, double t_start, double t_stop,
             std::span<const double> u0) {
-    constexpr double part = 1e-4;
     const auto surrogate = make_surrogate(found, subsystem.info());
-    const auto apart = SideBySide(subsystem, *surrogate, u0).apart(t_start, t_stop, part);
+    const auto apart = SideBySide(subsystem, *surrogate, u0).apart(t_start, t_stop, most_apart);
     stand.modelled = !apart;
     if (apart)
       stand.why = fmt::format(

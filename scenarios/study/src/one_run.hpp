@@ -28,6 +28,7 @@ class RowRunner::OneRun {
   const scenario::Traces& traces() const { return *traces_; }
 
  private:
+  static constexpr std::size_t longest_note = 1000;
   void end(const std::string& status, const std::string& note);
   void add_coded();
   std::unique_ptr<CodedMetric> coded(const Metric& metric) const;

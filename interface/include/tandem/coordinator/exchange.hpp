@@ -29,7 +29,8 @@ struct LinkTimes {
 };
 
 /// What passes between the subsystems of a run: the recent samples of each, and the signals made from them.
-/// Subsystem i appends to history(i), commit(i) makes that visible, inputs(j) gives what j reads.
+/// Subsystem i appends to history(i), commit(i) makes that visible, inputs(j) gives what j reads. Its header is
+/// long, as what a turn calls stands in it.
 class Exchange {
  public:
   /// Of a run from t_start [s] on. capacities: rows of memory by subsystem, to begin with. `topology` must

@@ -25,8 +25,7 @@ namespace tandem {
 /// - two displacements, of a spring of stiffness k: k (d_e f' + d_f e').
 ///
 /// In each the first term is what the effort does on its reader beyond what it should, the second what the other end
-/// is relieved of. (After the power
-/// bonds of S. Sadjina et al., doi:10.1007/s00366-016-0492-8.)
+/// is relieved of. (After the power bonds of S. Sadjina et al., doi:10.1007/s00366-016-0492-8.)
 class Indicators final : public Observer {
  public:
   /// A run has so many windows at most, and numbers of them. Each window is as long as the longest first own step, or

@@ -33,10 +33,10 @@ struct StatedLink {
   double stiffness = 1.0;  ///< [N/m, N m/rad]
 };
 /// Throws Error for an output that is not there, or that the other's subsystem does not read by one line that is not
-/// held, and for units whose product is no power.
+/// held, and for units whose product is no power. Ports that say no units count as SI.
 PowerLink power_link(const Topology& topology, const StatedLink& link);
 
-/// "effort with back": names of the outputs.
+/// "EFFORT:BACK": names of the outputs.
 std::string name_of(const Topology& topology, const PowerLink& link);
 
 }  // namespace tandem

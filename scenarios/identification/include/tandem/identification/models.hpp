@@ -26,11 +26,12 @@ struct Stand {
 /// Linear models in place of subsystems, each found once for the same source and parameters.
 class Models {
  public:
-  /// The same sources. What they make is, from its start on, its linear model (identification/identify.hpp), where it is
-  /// linear and the model leaves at most `most_residual` of its responses. Else it runs itself: what is sampled, has
-  /// events, varies its steps or can't start again, and what no such model tells. This must outlive what they make.
+  /// The same sources. What they make becomes at its start a linear model (identification/identify.hpp), where three
+  /// things hold. It is linear. The model leaves at most `most_residual` of its responses. Alone, with inputs that stay,
+  /// both go alike to the end of the run, to `most_apart` of each value's peak. Else it runs itself: what is sampled,
+  /// has events, varies its steps or can't start again, and what no such model tells. This must outlive what they make.
   Builtins replacing(Builtins all);
-  static constexpr double most_residual = 1e-7;
+  static constexpr double most_residual = 1e-7, most_apart = 1e-4;
 
   /// By source, in the order of their names.
   std::vector<Stand> stands() const;
