@@ -19,11 +19,11 @@ fs::path results_of(const fs::path& file) {
 }
 
 StudyFile read_study(const fs::path& file, const Builtins& builtins,
-                     const std::vector<std::string>& overrides) {
+                     const std::vector<std::string>& overrides, std::uint64_t seed) {
   const fs::path folder = results_of(file);
   const text::Document document(file);
   const bool standing = document.table().contains("subsystems") && !document.table().contains("study");
-  if (!standing) return {study::read(file), false, folder};
+  if (!standing) return {study::read(file, seed), false, folder};
   const auto text = study::standing_study(scenario::read(file, overrides), builtins);
   return {study::read(file, text), true, folder / file.stem()};
 }

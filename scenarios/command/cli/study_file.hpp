@@ -22,6 +22,6 @@ std::filesystem::path results_of(const std::filesystem::path& file);
 /// overrides: of the scenario, if it is the standing study of one. Throws Error for what is wrong with the
 /// file. The standing study of a scenario opens its subsystems.
 StudyFile read_study(const std::filesystem::path& file, const Builtins& builtins,
-                     const std::vector<std::string>& overrides = {});
+                     const std::vector<std::string>& overrides = {}, std::uint64_t seed = 0);
 
 }  // namespace tandem::cli

@@ -14,6 +14,7 @@ struct SweepOptions {
   std::string study, where;
   std::filesystem::path output;
   std::vector<std::string> overrides, tables;
+  std::uint64_t seed = 0;
   bool resume = false, dry = false;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
 };
@@ -24,7 +25,7 @@ void sweep(const SweepOptions& options, const Context& context) {
     throw Error(ErrorCode::input_output,
                 "'" + options.study + "' is no file, and there is no " + file.string());
   sweep_study({file, options.output, options.overrides, options.tables, options.where, options.threads,
-               options.resume, options.dry},
+               options.resume, options.dry, "", options.seed},
               context);
 }
 
@@ -48,6 +49,7 @@ void add_sweep(CLI::App& app, Context& context) {
   command
       ->add_option("--where", options->where, "Run only the rows for which this expression of columns holds")
       ->type_name("EXPRESSION");
+  command->add_option("--seed", options->seed, "Of the values that a study draws: other ones (default: 0)");
   command->add_flag(
       "--dry-run", options->dry,
       "Tell the rows, the references, what is refused and about how long it takes, for which the first "

@@ -58,7 +58,8 @@ std::string told(const study::SweepEnd& end) {
 }
 
 StudyFile found(const StudySweep& settings, const Context& context) {
-  if (settings.study.empty()) return read_study(settings.file, context.builtins, settings.overrides);
+  if (settings.study.empty())
+    return read_study(settings.file, context.builtins, settings.overrides, settings.seed);
   return {study::read(settings.file, settings.study), false, results_of(settings.file)};
 }
 

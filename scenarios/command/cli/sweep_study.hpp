@@ -17,6 +17,7 @@ struct StudySweep {
   unsigned threads;
   bool resume, dry;
   std::string study = {};  ///< in place of the file's, which is a scenario's
+  std::uint64_t seed = 0;  ///< of values that are drawn
 };
 
 /// Sweeps a study, and tells how its rows ended.

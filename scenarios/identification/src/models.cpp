@@ -132,8 +132,8 @@ struct Models::Entry {
 /// A subsystem that becomes its model where it starts with inputs that are known.
 class Models::Modelled final : public Subsystem {
  public:
-  Modelled(std::unique_ptr<Subsystem> real, Entry& entry)
-      : real_(std::move(real)), entry_(entry), info_(real_->info()) {
+  Modelled(std::unique_ptr<Subsystem> real, const Models& all, Entry& entry)
+      : real_(std::move(real)), all_(all), entry_(entry), info_(real_->info()) {
     info_.abilities.serializes_state = false;
   }
 
@@ -146,6 +146,7 @@ class Models::Modelled final : public Subsystem {
     const Clock clock = real_->initialize(t_start, t_stop, u0, y);
     if (std::any_of(u0.begin(), u0.end(), [](double u) { return std::isnan(u); })) return clock;
     std::call_once(entry_.found, [&] { entry_.find(*real_, clock, t_stop, u0); });
+    all_.refuse_without(entry_.stand);
     if (entry_.model) {
       if (!surrogate_) surrogate_ = make_surrogate(*entry_.model, info_);
       active_ = surrogate_.get();
@@ -165,9 +166,15 @@ class Models::Modelled final : public Subsystem {
  private:
   std::unique_ptr<Subsystem> real_, surrogate_;
   Subsystem* active_ = nullptr;
+  const Models& all_;
   Entry& entry_;
   SubsystemInfo info_;
 };
+
+void Models::refuse_without(const Stand& stand) const {
+  if (without_ == Without::refused && !stand.is_known())
+    throw Error(ErrorCode::not_supported, "there is no linear model of " + stand.source + ": " + stand.why);
+}
 
 Models::Entry& Models::entry(const std::string& key, const std::string& source) {
   const std::lock_guard lock(mutex_);
@@ -185,9 +192,10 @@ Source Models::replacing(Source source) {
     auto real = make(address, parameters);
     Entry& one = entry(key, address.command.empty() ? address.uri : address.name());
     const std::string why = why_not(real->info());
-    if (why.empty()) return std::make_unique<Modelled>(std::move(real), one);
+    if (why.empty()) return std::make_unique<Modelled>(std::move(real), *this, one);
     std::call_once(one.found,
                    [&] { one.stand.sampled = real->info().abilities.sampled, one.stand.why = why; });
+    refuse_without(one.stand);
     return real;
   };
   return source;
@@ -202,8 +210,7 @@ Builtins Models::replacing(Builtins all) {
 std::vector<Stand> Models::stands() const {
   const std::lock_guard lock(mutex_);
   std::vector<Stand> all;
-  for (const auto& [key, one] : entries_)
-    if (all.empty() || all.back().source != one->stand.source) all.push_back(one->stand);
+  for (const auto& [key, one] : entries_) all.push_back(one->stand);
   return all;
 }
 

@@ -39,8 +39,7 @@ PartSteps::PartSteps(const LinearModel& model) : states_(model.order()), inputs_
 }
 
 /// In parts of s each input is a chain q0' = q1, q1' = q2, .. with qk = k! times its coefficient of degree k.
-const PartStep& PartSteps::of(double length) {
-  if (length == last_.length) return last_;
+PartStep PartSteps::of(double length) const {
   const Index last = states_ + inputs_ * degree_terms, size = last + 1;
   MatrixXd rates = MatrixXd::Zero(size, size);
   rates.topLeftCorner(states_, states_) = length * rates_->leftCols(states_);
@@ -56,10 +55,8 @@ const PartStep& PartSteps::of(double length) {
     to_chain.block(i * degree_terms, i * degree_terms, degree_terms, degree_terms) = chain;
   }
   const MatrixXd moved = rates.exp();
-  last_ = {length, moved.topLeftCorner(states_, states_),
-           moved.block(0, states_, states_, inputs_ * degree_terms) * to_chain,
-           moved.col(last).head(states_)};
-  return last_;
+  return {moved.topLeftCorner(states_, states_),
+          moved.block(0, states_, states_, inputs_ * degree_terms) * to_chain, moved.col(last).head(states_)};
 }
 
 }  // namespace tandem::identification

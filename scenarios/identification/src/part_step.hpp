@@ -9,7 +9,6 @@ namespace tandem::identification {
 
 /// A model's x+ = A x + sum of B_j u(t + places[j] s) + e over a part s of its step.
 struct PartStep {
-  double length = 0.0;  ///< s [s]
   Eigen::MatrixXd a, b;
   Eigen::VectorXd e;
 };
@@ -22,13 +21,11 @@ class PartSteps {
 
   /// Whether there are such G and b. There are none where A has an eigenvalue that no motion comes to (0, or below 0).
   bool exist() const { return rates_.has_value(); }
-  /// Valid until the next call.
-  const PartStep& of(double length);
+  PartStep of(double length) const;
 
  private:
   Eigen::Index states_, inputs_;
   std::optional<Eigen::MatrixXd> rates_;  ///< [G b f]
-  PartStep last_;
 };
 
 }  // namespace tandem::identification

@@ -11,7 +11,7 @@ namespace tandem::identification {
 /// How one input differs in a run.
 struct Change {
   int input;
-  int place;    ///< at which it is `size` in the first step; all_places: at the start alone; throughout: all over it
+  int place;  ///< at which it is `size` in the first step; all_places: at the start alone; throughout: all over it
   double size;  ///< in the unit of the input
 };
 constexpr int all_places = static_cast<int>(places.size()), throughout = all_places + 1;

@@ -53,13 +53,17 @@ MatrixXd hankel(const Responses& all, Index blocks, Index stride, Index offset) 
 double residual(const Realisation& of, const Responses& all) {
   constexpr double rounding = 1e-10;
   double most = 0.0;
+  VectorXd y(of.c.rows()), next(of.a.rows());
   for (std::size_t k = 0; k < all.size(); ++k) {
     VectorXd x = of.x1.col(static_cast<Index>(k));
     const VectorXd size =
         all[k].cwiseAbs().rowwise().maxCoeff().cwiseMax(rounding * all[k].cwiseAbs().maxCoeff());
-    for (Index step = 0; step < all[k].cols(); ++step, x = of.a * x) {
-      const double off = (of.c * x - all[k].col(step)).cwiseAbs().cwiseQuotient(size).maxCoeff();
+    for (Index step = 0; step < all[k].cols(); ++step) {
+      y.noalias() = of.c.lazyProduct(x);
+      const double off = (y - all[k].col(step)).cwiseAbs().cwiseQuotient(size).maxCoeff();
       most = std::max(most, std::isfinite(off) ? off : 1e300);
+      next.noalias() = of.a.lazyProduct(x);
+      x.swap(next);
     }
   }
   return most;
@@ -112,10 +116,22 @@ bool can_be_cut(const Realisation& r) {
   });
 }
 
+constexpr double worse = 1.5;    ///< times the least residual is nearly as good
+constexpr double enough = 1e-8;  ///< for what models are used for
+
+/// Two more states, of a mode say, made nothing better.
+bool is_settled(const std::vector<Realisation>& found) {
+  if (found.size() < 3) return false;
+  const Realisation& best = *(found.end() - 3);
+  const auto is_no_better = [&](const Realisation& one) { return worse * one.residual >= best.residual; };
+  return best.residual <= enough && std::all_of(found.end() - 2, found.end(), is_no_better) &&
+         can_be_cut(best);
+}
+
 /// The smallest order that is nearly as good as the best. If a step of it can't be cut, states that only follow rounding may
 /// be to blame: then one of those that can, where it is good enough for what models are used for.
 const Realisation& chosen(const std::vector<Realisation>& found) {
-  constexpr double exact = 1e-11, worse = 1.5, enough = 1e-8;
+  constexpr double exact = 1e-11;
   const auto less = [](const auto& a, const auto& b) { return a.residual < b.residual; };
   const double least = std::min_element(found.begin(), found.end(), less)->residual;
   const auto best = std::find_if(found.begin(), found.end(), [&](const auto& one) {
@@ -136,7 +152,7 @@ Realisation realise(const Responses& responses) {
   std::vector<Realisation> found;
   for (Index n = 1; n <= realiser.most(); ++n) {
     found.push_back(realiser.of_order(n));
-    if (found.back().residual <= exact) break;
+    if (found.back().residual <= exact || is_settled(found)) break;
   }
   Realisation best = chosen(found);
   best.c = all.of_values.unaryExpr([](double f) { return f > 0.0 ? 1.0 / f : 0.0; }).asDiagonal() * best.c;

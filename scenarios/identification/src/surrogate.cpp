@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "part_step.hpp"
@@ -13,16 +14,43 @@ namespace tandem::identification {
 namespace {
 
 using Eigen::Index;
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr Index looks = static_cast<Index>(places.size());
+/// Where a step looks at an input.
+struct Look {
+  std::size_t input;
+  double part;    ///< of the step
+  double before;  ///< what the model takes off
+};
+
+/// A step as one product: x+ = M [x; inputs where it looks; 1].
+struct Packed {
+  Packed() = default;
+  /// Without the columns that are 0: most methods look at few places.
+  Packed(const LinearModel& model, const MatrixXd& a, const MatrixXd& b, const VectorXd& e) {
+    const Index n = a.rows(), all = static_cast<Index>(places.size());
+    m.resize(n, n + b.cols() + 1);
+    m.leftCols(n) = a;
+    for (Index k = 0; k < b.cols(); ++k) {
+      if (b.col(k).isZero(0.0)) continue;
+      m.col(n + static_cast<Index>(looks.size())) = b.col(k);
+      looks.push_back({static_cast<std::size_t>(k / all), places[static_cast<std::size_t>(k % all)],
+                       model.inputs[k / all]});
+    }
+    m.conservativeResize(n, n + static_cast<Index>(looks.size()) + 1);
+    m.rightCols(1) = e;
+  }
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> m;
+  std::vector<Look> looks;
+};
 
 /// The model of a FixedStep. A copy is a state that is kept: it shares the linear model.
 class SurrogateModel {
  public:
   SurrogateModel(LinearModel model, const SubsystemInfo& of)
       : machine_(std::make_shared<Machine>(std::move(model), of)),
-        u_(linear().b.cols()),
+        z_(linear().order() + linear().b.cols() + 1),
         end_(linear().inputs.size()) {
     machine_->info.abilities = {};
     machine_->feeds_through = linear().d.size() > 0 && linear().d.cwiseAbs().maxCoeff() > 0.0;
@@ -39,18 +67,19 @@ class SurrogateModel {
   /// A step is whole where it has the length of one, but for rounding.
   void step(const OwnStep& s, std::span<const Signal> u) {
     constexpr double rounding = 1e-9;
-    read(s, u);
     const bool is_whole = std::abs(s.length - own_step()) <= rounding * own_step();
-    const PartStep* const part = is_whole ? nullptr : &part_of(s.length);
-    next_.noalias() = (part ? part->a : linear().a) * x_;
-    next_.noalias() += (part ? part->b : linear().b) * u_;
-    next_ += part ? part->e : linear().e;
-    std::swap(x_, next_);
+    const Packed& packed = is_whole ? machine_->whole : part_of(s.length);
+    double* z = std::copy(x_.begin(), x_.end(), z_.data());
+    for (const Look& look : packed.looks)
+      *z++ = u[look.input].value(look.part == 1.0 ? s.end : s.begin + look.part * s.length) - look.before;
+    *z = 1.0;
+    for (Index k = 0; k < x_.size(); ++k)
+      x_[k] = std::inner_product(z_.data(), z + 1, packed.m.data() + k * packed.m.cols(), 0.0);
+    if (machine_->feeds_through) read(s.end, u);
   }
 
   bool jump(double t, std::span<const Signal> u) {
-    for (Index i = 0; i < end_.size(); ++i)
-      end_[i] = u[static_cast<std::size_t>(i)].value(t) - linear().inputs[i];
+    read(t, u);
     return machine_->feeds_through;
   }
 
@@ -75,36 +104,38 @@ class SurrogateModel {
 
  private:
   struct Machine {
-    Machine(LinearModel of, const SubsystemInfo& ports) : model(std::move(of)), parts(model), info(ports) {}
+    Machine(LinearModel of, const SubsystemInfo& ports)
+        : model(std::move(of)), whole(model, model.a, model.b, model.e), parts(model), info(ports) {}
     LinearModel model;
+    Packed whole;
     PartSteps parts;
+    Packed part;
+    double part_length = 0.0;
     SubsystemInfo info;
     bool feeds_through = false;
   };
   const LinearModel& linear() const { return machine_->model; }
 
-  void read(const OwnStep& s, std::span<const Signal> u) {
-    for (Index i = 0; i < end_.size(); ++i) {
-      const Signal& input = u[static_cast<std::size_t>(i)];
-      for (Index j = 0; j < looks; ++j) {
-        const double t = j + 1 == looks ? s.end : s.begin + places[static_cast<std::size_t>(j)] * s.length;
-        u_[i * looks + j] = input.value(t) - linear().inputs[i];
-      }
-      end_[i] = u_[i * looks + looks - 1];
-    }
+  void read(double t, std::span<const Signal> u) {
+    for (Index i = 0; i < end_.size(); ++i)
+      end_[i] = u[static_cast<std::size_t>(i)].value(t) - linear().inputs[i];
   }
 
-  const PartStep& part_of(double length) {
+  const Packed& part_of(double length) {
     if (!machine_->parts.exist())
       throw Error(ErrorCode::not_supported,
                   "the linear model of subsystem '" + machine_->info.name +
                       "' has no motion in continuous time, so no step of it is cut");
-    return machine_->parts.of(length);
+    if (machine_->part_length != length) {
+      const PartStep part = machine_->parts.of(length);
+      machine_->part = Packed(linear(), part.a, part.b, part.e), machine_->part_length = length;
+    }
+    return machine_->part;
   }
 
   std::shared_ptr<Machine> machine_;
-  VectorXd x_, next_;
-  VectorXd u_, end_;  ///< inputs at all places of a step, and at its end
+  VectorXd x_, z_;
+  VectorXd end_;  ///< inputs at the end of a step
 };
 
 }  // namespace

@@ -7,7 +7,10 @@
 #include <cctype>
 #include <cmath>
 #include <optional>
+#include <random>
+#include <span>
 
+#include "tandem/bytes.hpp"
 #include "tandem/nearest.hpp"
 
 namespace tandem::study {
@@ -19,26 +22,41 @@ using text::Section;
 
 constexpr std::size_t most_rows = 1'000'000;
 
-/// { from, to, count, spacing }; both ends as they stand there.
-std::vector<FileValue> range(Section section) {
+/// Numbers from 0 to 1: the same for the same column and seed.
+class Drawn {
+ public:
+  Drawn(const std::string& column, std::uint64_t seed)
+      : random_(checksum(std::as_bytes(std::span(column)), empty_checksum + seed)) {}
+  double next() { return std::ldexp(static_cast<double>(random_() >> 11), -53); }
+
+ private:
+  std::mt19937_64 random_;
+};
+
+/// { from, to, count, spacing }; both ends as they stand there, unless values are drawn.
+std::vector<FileValue> range(Section section, const std::string& column, std::uint64_t seed) {
   const auto from = section.number("from"), to = section.number("to"), count = section.number("count");
   const std::string spacing = section.text("spacing").value_or("linear");
   if (!from || !to || !count) section.missing(!from ? "from" : !to ? "to" : "count", "from, to and count");
   section.refuse_unknown();
-  const bool log = spacing == "log";
-  if (!log && spacing != "linear") section.wrong("spacing", "'" + spacing + "'", "linear or log");
+  const bool log = spacing == "log" || spacing == "drawn_log", drawn = spacing.starts_with("drawn");
+  if (spacing != "linear" && spacing != "drawn" && !log)
+    section.wrong("spacing", "'" + spacing + "'", "linear, log, drawn or drawn_log");
   if (*count < 2 || *count > most_rows || *count != std::floor(*count))
     section.wrong("count", fmt::format("{}", *count), fmt::format("a whole number from 2 to {}", most_rows));
   if (log && (*from <= 0.0 || *to <= 0.0))
     section.wrong("from", fmt::format("{} to {}", *from, *to), "ends above 0, with log");
+  const auto value = [&](double s) {
+    return log ? *from * std::pow(*to / *from, s) : *from + s * (*to - *from);
+  };
   std::vector<FileValue> values;
-  for (double k = 0.0; k < *count; ++k) {
-    const double s = k / (*count - 1.0);
-    values.emplace_back(k == 0.0   ? *from
-                        : s == 1.0 ? *to
-                        : log      ? *from * std::pow(*to / *from, s)
-                                   : *from + k * (*to - *from) / (*count - 1.0));
-  }
+  Drawn random(column, seed);
+  for (double k = 0.0; k < *count; ++k)
+    values.emplace_back(drawn               ? value(random.next())
+                        : k == 0.0          ? *from
+                        : k == *count - 1.0 ? *to
+                        : log               ? value(k / (*count - 1.0))
+                                            : *from + k * (*to - *from) / (*count - 1.0));
   return values;
 }
 
@@ -50,7 +68,7 @@ bool is_column_name(const std::string& name) {
          std::all_of(name.begin(), name.end(), in_name);
 }
 
-Axes::Axes(Section& root) {
+Axes::Axes(Section& root, std::uint64_t seed) : seed_(seed) {
   const toml::table* lists = root.table("lists");
   if (!lists) return;
   const Document& document = root.document();
@@ -99,7 +117,8 @@ std::vector<FileValue> Axes::column(const Document& document, const toml::node& 
                                     const std::string& name) const {
   if (const auto* inner = node.as_table();
       inner && inner->contains("range") && inner->get("range")->is_table())
-    return range(Section(document, *inner->get("range")->as_table(), name + ".range"));
+    return range(Section(document, *inner->get("range")->as_table(), name + ".range"),
+                 name.substr(name.rfind('.') + 1), seed_);
   if (const auto* text = node.as_string(); text && text->get().starts_with("$"))
     if (const auto it = lists_.find(text->get().substr(1));
         it != lists_.end() && it->second.values.size() == 1)

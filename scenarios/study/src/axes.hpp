@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -18,7 +19,8 @@ struct Axis {
 /// The lists and axes of a study.
 class Axes {
  public:
-  explicit Axes(text::Section& root);
+  /// seed: of values that are drawn.
+  Axes(text::Section& root, std::uint64_t seed);
 
   /// The rows of a block: its axes multiplied, the last one moving first, without those that `where` leaves
   /// out. The names of its columns are added to `columns`.
@@ -30,6 +32,7 @@ class Axes {
   std::vector<FileValue> column(const text::Document& document, const toml::node& node,
                                 const std::string& name) const;
 
+  std::uint64_t seed_;
   std::map<std::string, Axis> lists_;
 };
 

@@ -74,10 +74,11 @@ void Fingerprint::add_named(const std::string& text, const fs::path& folder) {
   if (const auto colon = place.find(':'); colon != std::string::npos) add(folder / place.substr(colon + 1));
 }
 
-std::string Fingerprint::text(const std::vector<std::string>& overrides) const {
+std::string Fingerprint::text(const std::vector<std::string>& overrides, std::uint64_t seed) const {
   std::uint64_t sum =
       sum_of_file("/proc/self/exe", empty_checksum);  // Linux; elsewhere the program is not looked at
   for (const std::string& one : overrides) sum = sum_of(one, sum);
+  sum = sum_of(std::to_string(seed), sum);
   for (const fs::path& file : files_) sum = sum_of_file(file, sum);
   return fmt::format("{:016x}", sum);
 }

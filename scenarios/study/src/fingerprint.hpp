@@ -8,13 +8,13 @@
 namespace tandem::study {
 
 /// A checksum of all that rows are made from: files, those that a scenario names in any text of it (and those
-/// that TOML files among them name), what the command line sets, and this program.
+/// that TOML files among them name), what the command line sets, the seed of what is drawn, and this program.
 class Fingerprint {
  public:
   void add(const std::filesystem::path& file);
   void add(const scenario::Scenario& scenario);
   /// 16 digits.
-  std::string text(const std::vector<std::string>& overrides) const;
+  std::string text(const std::vector<std::string>& overrides, std::uint64_t seed) const;
 
  private:
   void add_named(const std::string& text, const std::filesystem::path& folder);

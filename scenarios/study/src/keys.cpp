@@ -36,18 +36,46 @@ void of_tables(KeyList& to) {
       .may("columns", texts, "In place of the study's.")
       .may("metrics", texts, "Those that it has. Without it: all.")
       .may("scenario", text, "In place of the study's.", {.allowed = "as the study's"})
+      .may("models", flag,
+           "Linear models run in the subsystems' places, as in a reference. A row whose subsystems have none "
+           "is "
+           "refused.",
+           {.otherwise = "false"})
       .table(
           "tables.NAME.set",
           "Keys of its scenario, besides those that the study sets; of a scenario of its own: these alone.")
       .may("NAME", any, "In quotes where it has dots.", {.allowed = "as in `[set]`"})
       .table("tables.NAME.blocks[]", "Rows of it: blocks add up in the order of the file.", true)
-      .need("axes", any,
-            "Each a table of columns that move together, or the name of a list; axes multiply, the last one "
-            "first.",
-            {.allowed = "an array of tables and texts; a column is an array, `\"$LIST\"`, or `{ range = { "
-                        "from, to, count, spacing } }` "
-                        "with the spacing `linear` or `log`"})
+      .need(
+          "axes", any,
+          "Each a table of columns that move together, or the name of a list; axes multiply, the last one "
+          "first.",
+          {.allowed =
+               "an array of tables and texts; a column is an array, `\"$LIST\"`, or `{ range = { "
+               "from, to, count, spacing } }` "
+               "with the spacing `linear` or `log`. `drawn` and `drawn_log` are by chance: the same for the "
+               "same name of a column and the same `--seed`"})
       .may("where", text, "Leaves rows out where it is 0.", {.allowed = "an expression of columns"});
+}
+
+void of_choices(KeyList& to) {
+  using enum text::Key::Type;
+  to.named(
+        "choices",
+        "What one table chooses, and what another one says of it: how good a prediction is. It is written to "
+        "NAME.csv, of the columns in `per`, then `advised`, `best`, `advised_error`, `best_error` and "
+        "`rank`.",
+        "One of them. A scheme is the other columns of a row, with spaces between. Of the rows whose `least` "
+        "is "
+        "within 1 % of the smallest the one with the least `cost` is advised. Its `rank` is 1 more than the "
+        "number "
+        "of those with a smaller error. What is not known counts as infinite.")
+      .need("by", text, "The table that chooses.", {.allowed = "a table"})
+      .need("of", text, "The table that judges.", {.allowed = "a table with the same rows"})
+      .need("least", text, "By what it chooses.", {.allowed = "a metric of the first"})
+      .need("cost", text, "By what it chooses among equal ones.", {.allowed = "a metric of the first"})
+      .need("error", text, "By what it is judged.", {.allowed = "a metric of the second"})
+      .may("per", texts, "Columns: a choice for each of their values.");
 }
 
 void of_references(KeyList& to) {
@@ -208,7 +236,8 @@ void of_verdicts(KeyList& to) {
 const text::Keys& keys() {
   static const text::Keys all = [] {
     KeyList list;
-    for (const auto part : {of_file, of_tables, of_searches, of_references, of_metrics, of_verdicts, of_kept})
+    for (const auto part :
+         {of_file, of_tables, of_searches, of_references, of_metrics, of_verdicts, of_choices, of_kept})
       part(list);
     charts::add_keys(list);
     return text::Keys(std::move(list).list());

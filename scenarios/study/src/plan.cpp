@@ -48,6 +48,8 @@ std::vector<std::string> plan(const Study& study, const std::deque<RowRunner>& r
   double of_rows = 0.0, of_references = 0.0;  // [s]
   for (std::size_t k = 0; k < runners.size(); ++k)
     of_rows += plan_table(study.tables[k], runners[k], references, lines);
+  for (const Choice& choice : study.choices)
+    lines.push_back(fmt::format("{}.csv: what {} chooses, judged by {}", choice.name, choice.by, choice.of));
   for (std::size_t k = 0; k < references.size(); ++k) {
     const ReferenceRun& run = references.run(k);
     lines.push_back(run.text() + (run.reference->floor ? ", and with half its steps" : ""));

@@ -4,6 +4,7 @@
 
 #include "axes.hpp"
 #include "has.hpp"
+#include "read_choices.hpp"
 #include "read_given.hpp"
 #include "read_kept.hpp"
 #include "read_metrics.hpp"
@@ -47,6 +48,7 @@ class Reader {
     to_.lost = read_when("lost");
     to_.unstable = read_when("unstable");
     read_kept(root_, to_);
+    read_choices(root_, to_);
     to_.charts = charts::read_charts(root_);
     for (const charts::Chart& chart : to_.charts.all) check_chart(chart);
     root_.refuse_unknown();
@@ -56,7 +58,7 @@ class Reader {
   using Named = std::vector<std::pair<std::string, Section>>;
 
   void read_tables() {
-    const Axes axes(root_);
+    const Axes axes(root_, to_.seed);
     auto all = root_.section("tables");
     const bool has_tables = all && !all->table().empty();
     if (!has_tables && !root_.node("search"))
@@ -67,6 +69,7 @@ class Reader {
         for (FileValues& row : axes.rows(block, table.columns)) table.rows.push_back(std::move(row));
       table.scenario = one_given(section, "scenario");
       table.set = all_given(section, "set");
+      table.models = *section.flag("models");
       add(std::move(table));
       sections_.emplace(name, std::move(section));
     }
@@ -196,9 +199,9 @@ class Reader {
   std::map<std::string, Section> sections_;  ///< of tables
 };
 
-Study read_document(const std::filesystem::path& file, const Document& document) {
+Study read_document(const std::filesystem::path& file, const Document& document, std::uint64_t seed) {
   Study study;
-  study.file = file;
+  study.file = file, study.seed = seed;
   if (const auto* inner = document.table().get_as<toml::table>("study"))
     Reader(Section(document, keys(), *inner, "study", ""), study).read(false);
   else
@@ -208,10 +211,12 @@ Study read_document(const std::filesystem::path& file, const Document& document)
 
 }  // namespace
 
-Study read(const std::filesystem::path& file) { return read_document(file, Document(file)); }
+Study read(const std::filesystem::path& file, std::uint64_t seed) {
+  return read_document(file, Document(file), seed);
+}
 
 Study read(const std::filesystem::path& file, const std::string& text) {
-  return read_document(file, Document(file.string(), text));
+  return read_document(file, Document(file.string(), text), 0);
 }
 
 }  // namespace tandem::study

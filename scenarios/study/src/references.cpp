@@ -42,13 +42,6 @@ bool may_be_kept(const Kept& kept, const FileValues& row) {
   return !kept.where || !is_known(*kept.where, row) || value_of(*kept.where, row) != 0.0;
 }
 
-/// Of what is neither a model nor sampled.
-void refuse_without(const identification::Models& models) {
-  for (const identification::Stand& one : models.stands())
-    if (!one.is_known())
-      throw Error(ErrorCode::not_supported, "there is no linear model of " + one.source + ": " + one.why);
-}
-
 }  // namespace
 
 std::string ReferenceRun::text() const {
@@ -164,7 +157,7 @@ void References::simulate(ReferenceRun& run, const std::function<bool()>& going)
 
 OutputTables References::tables_of(ReferenceRun& run, const scenario::Scenario& scenario,
                                    const std::function<bool()>& going) const {
-  identification::Models models;
+  identification::Models models(identification::Models::Without::refused);
   const Builtins builtins = run.reference->models ? models.replacing(builtins_) : builtins_;
   scenario::Assembly assembly(scenario, builtins);
   std::vector<std::string> names;
@@ -172,7 +165,6 @@ OutputTables References::tables_of(ReferenceRun& run, const scenario::Scenario& 
   scenario::Traces traces(assembly.topology(), names, run.text());
   assembly.coordinator().observe(&traces);
   assembly.initialize();
-  refuse_without(models);
   while (assembly.coordinator().round())
     if (!going()) throw Error(ErrorCode::numerical, "interrupted");
   OutputTables tables;

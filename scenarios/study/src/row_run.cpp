@@ -6,6 +6,15 @@
 #include "one_run.hpp"
 
 namespace tandem::study {
+namespace {
+
+using identification::Models;
+
+std::unique_ptr<Models> models_for(const Table& table) {
+  return table.models ? std::make_unique<Models>(Models::Without::refused) : nullptr;
+}
+
+}  // namespace
 
 RowRunner::RowRunner(const Study& study, const Table& table, Scenes& scenes, const References& references,
                      const Builtins& builtins, const CodedMetrics& coded)
@@ -13,7 +22,8 @@ RowRunner::RowRunner(const Study& study, const Table& table, Scenes& scenes, con
       table_(table),
       scenes_(scenes),
       references_(references),
-      builtins_(builtins),
+      models_(models_for(table)),
+      builtins_(models_ ? models_->replacing(builtins) : builtins),
       coded_(coded),
       metrics_(needed_metrics(study, table)),
       outputs_(judged_outputs(metrics_, table)) {}

@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "references.hpp"
+#include "tandem/identification/models.hpp"
 #include "tandem/study/coded_metric.hpp"
 
 namespace tandem::study {
@@ -42,7 +43,8 @@ class RowRunner {
   const Table& table_;
   Scenes& scenes_;
   const References& references_;
-  const Builtins& builtins_;
+  std::unique_ptr<identification::Models> models_;  ///< that stand in the subsystems' places; null: none do
+  const Builtins builtins_;
   const CodedMetrics& coded_;
   std::vector<const Metric*> metrics_;
   std::vector<std::string> outputs_;

@@ -104,6 +104,10 @@ std::vector<std::string> Study::columns_of_series(const Table& table) const {
   return all;
 }
 
+const Table& Study::table(const std::string& name) const {
+  return *std::find_if(tables.begin(), tables.end(), [&](const Table& one) { return one.name == name; });
+}
+
 const Reference& Study::reference(const std::string& name) const {
   return *std::find_if(references.begin(), references.end(),
                        [&](const Reference& one) { return one.name == name; });
@@ -129,6 +133,7 @@ void Study::keep_tables(const std::vector<std::string>& names) {
       throw Error(ErrorCode::invalid_argument, file.string() + ": " + unknown("table", name, known));
   std::erase_if(tables, [&](const Table& table) { return !has(names, table.name); });
   std::erase_if(kept, [&](const Kept& one) { return !has(names, one.table); });
+  std::erase_if(choices, [&](const Choice& one) { return !has(names, one.by) || !has(names, one.of); });
 }
 
 void Study::keep_rows(const std::string& where) {

@@ -8,6 +8,7 @@
 #include <deque>
 #include <nlohmann/json.hpp>
 
+#include "choices.hpp"
 #include "fingerprint.hpp"
 #include "hand_out.hpp"
 #include "norm_text.hpp"
@@ -97,7 +98,7 @@ class Sweep::Work {
 
   void begin() {
     need_references();
-    const std::string made_from = fingerprint_.text(settings_.overrides);
+    const std::string made_from = fingerprint_.text(settings_.overrides, study_.seed);
     bool other = false;
     for (std::size_t k = 0; k < runners_.size(); ++k) {
       TableRows& rows = rows_.emplace_back(study_.tables[k], study_.columns_of(study_.tables[k]),
@@ -111,14 +112,18 @@ class Sweep::Work {
     if (other)
       end_.notes.emplace_back(
           "the rows in the folder are of another study, scenario or program; they are made anew");
-    for (TableRows& rows : rows_) remove_earlier(rows), rows.begin();
+    for (TableRows& rows : rows_) {
+      for (const fs::path& file : {rows.file(), rows.json(), rows.series()}) remove_earlier(file);
+      rows.begin();
+    }
+    for (const Choice& choice : study_.choices) remove_earlier(file_of(choice));
   }
 
-  /// Nobody takes them for those of this sweep.
-  static void remove_earlier(const TableRows& rows) {
-    for (const fs::path& file : {rows.file(), rows.json(), rows.series()})
-      if (fs::is_regular_file(file)) fs::remove(file);
+  /// Nobody takes it for that of this sweep.
+  static void remove_earlier(const fs::path& file) {
+    if (fs::is_regular_file(file)) fs::remove(file);
   }
+  fs::path file_of(const Choice& choice) const { return settings_.folder / (choice.name + ".csv"); }
 
   /// here: does a job; job and done: what another rank is told of it, and has answered. most: jobs at a time.
   void in_parallel(const char* what, std::size_t count, unsigned most,
@@ -233,6 +238,10 @@ class Sweep::Work {
       end_.files.push_back(rows_[k].file());
       end_.files.push_back(rows_[k].json());
     }
+    for (const Choice& choice : study_.choices) {
+      output::replace_text(file_of(choice), choices_text(choice, study_, settings_.folder));
+      end_.files.push_back(file_of(choice));
+    }
   }
 
   /// Of runs that are made again, so that rows that were kept need not be.
@@ -255,7 +264,7 @@ class Sweep::Work {
             {"units", units_[table]},
             {"references", references},
             {"norms", norms(study_.tables[table])},
-            {"made_from", fingerprint_.text(settings_.overrides)},
+            {"made_from", fingerprint_.text(settings_.overrides, study_.seed)},
             {"made", output::made()}};
   }
 

@@ -26,14 +26,18 @@ struct Stand {
 /// Linear models in place of subsystems, each found once for the same source and parameters.
 class Models {
  public:
+  /// What becomes of what has no model, unless it is sampled: it runs itself, or is refused where it starts.
+  enum class Without { runs_itself, refused };
+  explicit Models(Without without = Without::runs_itself) : without_(without) {}
+
   /// The same sources. What they make becomes at its start a linear model (identification/identify.hpp), where three
   /// things hold. It is linear. The model leaves at most `most_residual` of its responses. Alone, with inputs that stay,
-  /// both go alike to the end of the run, to `most_apart` of each value's peak. Else it runs itself: what is sampled,
-  /// has events, varies its steps or can't start again, and what no such model tells. This must outlive what they make.
+  /// both go alike to the end of the run, to `most_apart` of each value's peak. No model have what is sampled, has
+  /// events, varies its steps or can't start again, and what no such model tells. This must outlive what they make.
   Builtins replacing(Builtins all);
   static constexpr double most_residual = 1e-7, most_apart = 1e-4;
 
-  /// By source, in the order of their names.
+  /// Of each source with each set of parameters, in the order of their names.
   std::vector<Stand> stands() const;
 
  private:
@@ -41,7 +45,9 @@ class Models {
   class Modelled;
   Source replacing(Source source);
   Entry& entry(const std::string& key, const std::string& source);
+  void refuse_without(const Stand& stand) const;
 
+  const Without without_;
   mutable std::mutex mutex_;
   std::map<std::string, std::shared_ptr<Entry>> entries_;  ///< by source and parameters
 };

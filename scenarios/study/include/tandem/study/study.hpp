@@ -36,6 +36,19 @@ struct Table {
   std::optional<Search> search = {};   ///< each row is a search; its column is a metric of the row
   std::optional<Given> scenario = {};  ///< in place of the study's
   std::vector<Given> set = {};         ///< besides what the study sets; with a scenario of its own alone
+  bool models = false;                 ///< linear models run in its subsystems' places
+};
+
+/// The row that one table chooses, for each of the values of some columns, and what another one with the same rows says
+/// of it: how good advice is, say.
+struct Choice {
+  std::string name;                      ///< it is written to NAME.csv
+  std::string by, of;                    ///< the table that chooses, and the one that judges
+  std::string least, cost;               ///< metrics of `by`
+  std::string error;                     ///< a metric of `of`
+  std::vector<std::string> per;          ///< a choice for each of the values of these columns
+  static constexpr double alike = 1.01;  ///< of the rows with so many times the least the cheapest is chosen
+  Place place = {};
 };
 
 /// What results are compared with: results, or a run.
@@ -69,6 +82,7 @@ struct Kept {
 /// Runs of a scenario with columns of values, what each is judged by, and what they are compared with.
 struct Study {
   std::filesystem::path file;
+  std::uint64_t seed;          ///< of values that are drawn
   Given scenario;              ///< a file, relative to that of the study
   std::optional<Given> steps;  ///< a factor of all own steps and of the communication step
   std::vector<Given> set;      ///< in rows of a table that has the columns of each
@@ -77,6 +91,7 @@ struct Study {
   std::vector<Metric> metrics;
   std::optional<Formula> lost, unstable;  ///< of metrics and columns
   std::vector<Kept> kept;
+  std::vector<Choice> choices;
   charts::Charts charts;
 
   /// Of all tables, each once; those that are searched for too.
@@ -84,11 +99,12 @@ struct Study {
   /// Of TABLE.csv, without status and note; and of TABLE.series.csv.
   std::vector<std::string> columns_of(const Table& table) const;
   std::vector<std::string> columns_of_series(const Table& table) const;
+  const Table& table(const std::string& name) const;
   const Reference& reference(const std::string& name) const;
   const Metric& metric(const std::string& name) const;
   /// Whether a table has a metric that is a time: its rows are run after all others, one at a time.
   bool is_timed(const Table& table) const;
-  /// Leaves out the other tables, and what is kept of them. Throws Error for a name that none has.
+  /// Leaves out the other tables, and what is kept of them or chosen by them. Throws Error for a name that none has.
   void keep_tables(const std::vector<std::string>& names);
   /// Leaves out the rows for which an expression of columns is 0, and tables that lack one of its columns.
   /// Throws Error for a column that no table has, and if no row is left.
@@ -102,7 +118,7 @@ const text::Keys& keys();
 
 /// Reads a study, a file of its own or the table [study] in a scenario. Throws Error with file, line, the
 /// value found and what is allowed.
-Study read(const std::filesystem::path& file);
+Study read(const std::filesystem::path& file, std::uint64_t seed = 0);
 /// The same of a text. file: what errors call it, and in whose folder its files lie.
 Study read(const std::filesystem::path& file, const std::string& text);
 
