@@ -122,13 +122,13 @@ TEST(Advice, PredictsTheErrorsOfTheStandingStudy) {
 TEST(Advice, LinesMakeTheSchemeOfAChoice) {
   const auto one = scene("oscillator/udc.toml", {});
   const advice::Choice choice{"fastest-first", "lagrange4", 0.5, 0.0, 0.0, 0.0};
-  const std::string text = advice::lines(choice, one, {}, sources());
+  const std::string text = advice::lines(choice, one, sources(), study::Varied::all);
   EXPECT_NE(text.find("schedule = \"fastest-first\""), std::string::npos) << text;
   EXPECT_NE(text.find("from = \"side2.x\"\nto = \"side1.x_other\"\nreconstruction = \"lagrange4\""),
             std::string::npos)
       << text;
   EXPECT_NE(text.find("[subsystems.side1.parameters]\nstep = 0.0005"), std::string::npos) << text;
-  EXPECT_NE(advice::reason(advice::chosen(choice, one, {}, sources()), sources()).find("fastest mode"),
+  EXPECT_NE(advice::reason(scenario::with_taken(one, advice::taken(choice, one, sources(), study::Varied::all)), sources()).find("fastest mode"),
             std::string::npos);
 }
 

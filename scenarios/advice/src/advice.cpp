@@ -32,18 +32,35 @@ void rank(std::vector<Choice>& all) {
   }
 }
 
-/// Parameters that differ from those of the scenario: own steps.
-std::string changed(const scenario::SubsystemEntry& now, const scenario::SubsystemEntry& before) {
-  std::string text;
-  for (const auto& parameter : now.parameters) {
-    const auto same = std::find_if(
-        before.parameters.begin(), before.parameters.end(),
-        [&](const auto& other) { return other.name == parameter.name && other.value == parameter.value; });
-    if (const double* number = std::get_if<double>(&parameter.value);
-        number && same == before.parameters.end())
-      text += fmt::format("{} = {}\n", parameter.name, *number);
-  }
-  return text.empty() ? "" : fmt::format("\n[subsystems.{}.parameters]\n{}", now.name, text);
+/// A parameter that makes another own step.
+struct Changed {
+  std::string subsystem, parameter;
+  double value;
+};
+
+/// The steps of a choice, where they are not those of the scenario.
+struct Steps {
+  std::optional<double> communication;
+  std::vector<Changed> own;
+};
+
+Steps steps_of(const Choice& choice, const scenario::Scenario& scenario, const Builtins& builtins) {
+  Steps all;
+  if (choice.steps == 1.0) return all;
+  scenario::Scenario scaled = scenario;
+  scenario::scale_steps(scaled, builtins, choice.steps);
+  all.communication = scaled.coordination.communication_step;
+  for (std::size_t k = 0; k < scaled.subsystems.size(); ++k)
+    for (const auto& now : scaled.subsystems[k].parameters) {
+      const auto is_as_before = [&](const auto& other) {
+        return other.name == now.name && other.value == now.value;
+      };
+      const auto& before = scenario.subsystems[k].parameters;
+      const double* number = std::get_if<double>(&now.value);
+      if (number && std::none_of(before.begin(), before.end(), is_as_before))
+        all.own.push_back({scaled.subsystems[k].name, now.name, *number});
+    }
+  return all;
 }
 
 std::string percent(double part) {
@@ -78,30 +95,31 @@ Ranking ranking(const std::filesystem::path& file) {
   return all;
 }
 
-scenario::Scenario chosen(const Choice& choice, const scenario::Scenario& scenario,
-                          const std::vector<std::string>& overrides, const Builtins& builtins) {
-  auto all = overrides;
-  all.push_back("coordination.schedule=" + choice.schedule);
-  for (const std::string& to : study::free_connections(scenario, builtins))
+std::vector<std::string> taken(const Choice& choice, const scenario::Scenario& scenario,
+                               const Builtins& builtins, study::Varied varied) {
+  std::vector<std::string> all = {"coordination.schedule=" + choice.schedule};
+  for (const std::string& to : study::free_connections(scenario, builtins, varied))
     all.push_back(fmt::format("connections[{}].reconstruction={}", to, choice.reconstruction));
-  auto result = scenario::read(scenario.file, all);
-  if (choice.steps != 1.0) scenario::scale_steps(result, builtins, choice.steps);
-  return result;
+  const Steps steps = steps_of(choice, scenario, builtins);
+  if (steps.communication)
+    all.push_back(fmt::format("coordination.communication_step={}", *steps.communication));
+  for (const Changed& one : steps.own)
+    all.push_back(fmt::format("subsystems.{}.parameters.{}={}", one.subsystem, one.parameter, one.value));
+  return all;
 }
 
-std::string lines(const Choice& choice, const scenario::Scenario& scenario,
-                  const std::vector<std::string>& overrides, const Builtins& builtins) {
-  const auto result = chosen(choice, scenario, overrides, builtins);
+std::string lines(const Choice& choice, const scenario::Scenario& scenario, const Builtins& builtins,
+                  study::Varied varied) {
+  const Steps steps = steps_of(choice, scenario, builtins);
   std::string text = fmt::format("[coordination]\nschedule = \"{}\"\n", choice.schedule);
-  if (const auto& step = result.coordination.communication_step; step && choice.steps != 1.0)
-    text += fmt::format("communication_step = {}\n", *step);
-  const auto free = study::free_connections(scenario, builtins);
+  if (steps.communication) text += fmt::format("communication_step = {}\n", *steps.communication);
+  const auto free = study::free_connections(scenario, builtins, varied);
   for (const auto& entry : scenario.connections)
     if (std::find(free.begin(), free.end(), entry.connection.to) != free.end())
       text += fmt::format("\n[[connections]]\nfrom = \"{}\"\nto = \"{}\"\nreconstruction = \"{}\"\n",
                           entry.connection.from, entry.connection.to, choice.reconstruction);
-  for (std::size_t k = 0; k < result.subsystems.size(); ++k)
-    text += changed(result.subsystems[k], scenario.subsystems[k]);
+  for (const Changed& one : steps.own)
+    text += fmt::format("\n[subsystems.{}.parameters]\n{} = {}\n", one.subsystem, one.parameter, one.value);
   return text;
 }
 

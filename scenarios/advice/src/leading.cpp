@@ -1,6 +1,9 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "tandem/advice/leading.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -22,8 +25,36 @@ class Leading {
     for (const int leader : order_)
       for (const int source : order_)
         if (auto ring = ring_of(leader, source)) lines.push_back(std::move(*ring));
-    if (auto order = better_order()) lines.push_back(std::move(*order));
+    if (const auto [order, moved] = better_order(); !order.empty())
+      lines.push_back(moved +
+                      " with events should lead who reads them, which then ends its steps there: "
+                      "coordination.order = [\"" +
+                      fmt::format("{}", fmt::join(order, "\", \"")) + "\"]");
     return lines;
+  }
+
+  /// The order in which those with events lead the ones without that read them, if it is another; and who moved.
+  struct Better {
+    std::vector<std::string> order;
+    std::string moved;
+  };
+  Better better_order() const {
+    Better better;
+    if (run_.schedule().kind() == Schedule::Kind::parallel) return better;
+    std::vector<int> order = order_;
+    for (const int who : order_) {
+      const auto reader = std::find_if(order.begin(), order.end(), [&](int other) {
+        return !has_events(other) && leads(order, other, who) && reads(other, who);
+      });
+      if (!has_events(who) || reader == order.end()) continue;
+      better.moved += (better.moved.empty() ? "" : ", ") + name(who);
+      const auto at = std::find(order.begin(), order.end(), who);
+      std::rotate(reader, at, at + 1);
+    }
+    if (better.moved.empty()) return better;
+    if (run_.schedule().kind() == Schedule::Kind::fastest_first) std::reverse(order.begin(), order.end());
+    for (const int who : order) better.order.push_back(topology_.name(who));
+    return better;
   }
 
  private:
@@ -83,29 +114,6 @@ class Leading {
     return names;
   }
 
-  /// The order in which those with events lead the ones without that read them, if it is another.
-  std::optional<std::string> better_order() const {
-    std::vector<int> order = order_;
-    std::string moved;
-    for (const int who : order_) {
-      const auto reader = std::find_if(order.begin(), order.end(), [&](int other) {
-        return !has_events(other) && leads(order, other, who) && reads(other, who);
-      });
-      if (!has_events(who) || reader == order.end()) continue;
-      moved += (moved.empty() ? "" : ", ") + name(who);
-      const auto at = std::find(order.begin(), order.end(), who);
-      std::rotate(reader, at, at + 1);
-    }
-    if (moved.empty()) return std::nullopt;
-    if (run_.schedule().kind() == Schedule::Kind::fastest_first) std::reverse(order.begin(), order.end());
-    std::string key;
-    for (const int who : order) key += (key.empty() ? "\"" : ", \"") + topology_.name(who) + "\"";
-    return moved +
-           " with events should lead who reads them, which then ends its steps there: "
-           "coordination.order = [" +
-           key + "]";
-  }
-
   bool reads(int reader, int source) const {
     const auto lines = topology_.lines_from(source);
     return std::any_of(lines.begin(), lines.end(), [&](int k) { return line(k).reader == reader; });
@@ -119,5 +127,7 @@ class Leading {
 }  // namespace
 
 std::vector<std::string> on_leading(const Coordinator& run) { return Leading(run).all(); }
+
+std::vector<std::string> better_order(const Coordinator& run) { return Leading(run).better_order().order; }
 
 }  // namespace tandem::advice

@@ -8,6 +8,13 @@
 
 namespace tandem::cli {
 
+scenario::Scenario as_it_is_stated(scenario::Scenario scenario) {
+  if (!scenario.chooses) return scenario;
+  say("note: coordination.scheme is auto: what is left out is taken when it runs, and has its usual value "
+      "here\n");
+  return scenario::with_usual(std::move(scenario));
+}
+
 CLI::Option* add_run_programs(CLI::App& command, bool& run_programs) {
   return command.add_flag("--run-programs", run_programs,
                           "Also open the scenario's sources that are code (command, spawn:, lib:, "

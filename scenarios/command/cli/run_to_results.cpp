@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include "cli/adviser.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/kept_folder.hpp"
 #include "cli/looking.hpp"
@@ -13,6 +14,7 @@
 #include "cli/say.hpp"
 #include "tandem/library_file.hpp"
 #include "tandem/output/files.hpp"
+#include "tandem/scenario/checkpoint.hpp"
 #include "tandem/scenario/run.hpp"
 #include "tandem/sources/mechanism.hpp"
 
@@ -23,12 +25,18 @@ namespace fs = std::filesystem;
 using scenario::RunEnd;
 using scenario::Scenario;
 
-Scenario scenario_of(const RunOptions& options, const Builtins& builtins) {
-  return with_matrices(scenario::read(options.file, options.overrides), options.matrices, builtins);
-}
-
 fs::path folder_of(const RunOptions& options) {
   return options.output.empty() ? fs::path("results") / options.file.stem() : options.output;
+}
+
+/// What it leaves to be taken is taken; of a run that is resumed it was.
+Scenario scenario_of(const RunOptions& options, const Context& context) {
+  Scenario scenario = scenario::read(options.file, options.overrides);
+  if (scenario.chooses)
+    scenario = options.resume.empty()
+                   ? advised(scenario, folder_of(options) / "advice", context)
+                   : scenario::with_taken(scenario, scenario::Checkpoint::taken(options.resume));
+  return with_matrices(std::move(scenario), options.matrices, context.builtins);
 }
 
 scenario::RunSettings settings_of(const RunOptions& options) {
@@ -83,7 +91,7 @@ void tell(const Scenario& scenario, const scenario::Run& run, const RunEnd& end,
 }  // namespace
 
 void run_to_results(const RunOptions& options, const Context& context) {
-  const Scenario scenario = scenario_of(options, context.builtins);
+  const Scenario scenario = scenario_of(options, context);
   const auto kept = kept_of_matrices(options);
   scenario::Run run(scenario, context.builtins, settings_of(options));
   LibraryCall::return_from_faults();
@@ -98,7 +106,8 @@ void run_to_results(const RunOptions& options, const Context& context) {
 
 void run_dry(const RunOptions& options, const Context& context) {
   const Builtins builtins = without_matrices(context.builtins);
-  const Scenario scenario = scenario_of(options, context.builtins);
+  const Scenario scenario = with_matrices(as_it_is_stated(scenario::read(options.file, options.overrides)),
+                                          options.matrices, context.builtins);
   const fs::path folder = folder_of(options);
   if (options.run_programs || !scenario::names_code(scenario, builtins)) {
     tell_notes(scenario::Run::check(scenario, builtins, settings_of(options)));

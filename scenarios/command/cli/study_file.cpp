@@ -24,7 +24,10 @@ StudyFile read_study(const fs::path& file, const Builtins& builtins,
   const text::Document document(file);
   const bool standing = document.table().contains("subsystems") && !document.table().contains("study");
   if (!standing) return {study::read(file, seed), false, folder};
-  const auto text = study::standing_study(scenario::read(file, overrides), builtins);
+  const auto scenario = scenario::read(file, overrides);
+  const auto text = scenario.chooses ? study::standing_study(scenario::with_usual(scenario), builtins,
+                                                             study::Varied::left_out)
+                                     : study::standing_study(scenario, builtins);
   return {study::read(file, text), true, folder / file.stem()};
 }
 

@@ -17,7 +17,7 @@ struct ValidateOptions {
 };
 
 void validate(const ValidateOptions& options, const Context& context) {
-  const auto scenario = scenario::read(options.file, options.overrides);
+  const auto scenario = as_it_is_stated(scenario::read(options.file, options.overrides));
   const Builtins builtins = without_matrices(context.builtins);
   if (!options.run_programs && scenario::names_code(scenario, builtins))
     return check_in_part(scenario, builtins, true);

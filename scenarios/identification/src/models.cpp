@@ -86,9 +86,10 @@ class SideBySide {
 }  // namespace
 
 struct Models::Entry {
-  explicit Entry(const std::string& source) { stand.source = source; }
+  Entry(const std::string& source, double own_step) : step(own_step) { stand.source = source; }
 
   std::once_flag found;
+  double step;  ///< of the model; 0: that of the subsystem
   std::optional<LinearModel> model;
   Stand stand;
 
@@ -125,7 +126,7 @@ struct Models::Entry {
           "clock, or is not linear",
           *apart);
     else
-      model = std::move(found);
+      model = step > 0.0 ? with_step(found, step) : std::move(found);
   }
 };
 
@@ -176,21 +177,23 @@ void Models::refuse_without(const Stand& stand) const {
     throw Error(ErrorCode::not_supported, "there is no linear model of " + stand.source + ": " + stand.why);
 }
 
-Models::Entry& Models::entry(const std::string& key, const std::string& source) {
+Models::Entry& Models::entry(const std::string& key, const std::string& source, double step) {
   const std::lock_guard lock(mutex_);
   auto& one = entries_[key];
-  if (!one) one = std::make_shared<Entry>(source);
+  if (!one) one = std::make_shared<Entry>(source, step);
   return *one;
 }
 
 Source Models::replacing(Source source) {
+  source.words.push_back({step_word});
   source.make = [this, make = source.make](const Address& address,
                                            Parameters& parameters) -> std::unique_ptr<Subsystem> {
     std::string key = address.uri + '\n' + address.folder.string() + '\n' + parameters.written();
     for (const std::string& part : address.command) key += '\n' + part;
     for (const std::string& part : address.overrides) key += '\n' + part;
+    const double step = not_negative(parameters, step_word, 0.0);
     auto real = make(address, parameters);
-    Entry& one = entry(key, address.command.empty() ? address.uri : address.name());
+    Entry& one = entry(key, address.command.empty() ? address.uri : address.name(), step);
     const std::string why = why_not(real->info());
     if (why.empty()) return std::make_unique<Modelled>(std::move(real), *this, one);
     std::call_once(one.found,

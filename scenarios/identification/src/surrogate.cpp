@@ -140,6 +140,15 @@ class SurrogateModel {
 
 }  // namespace
 
+std::optional<LinearModel> with_step(const LinearModel& model, double step) {
+  const PartSteps parts(model);
+  if (!parts.exist()) return {};
+  LinearModel other = model;
+  const PartStep part = parts.of(step);
+  other.a = part.a, other.b = part.b, other.e = part.e, other.step = step;
+  return other;
+}
+
 std::unique_ptr<Subsystem> make_surrogate(LinearModel model, const SubsystemInfo& of) {
   return std::make_unique<FixedStep<SurrogateModel>>(SurrogateModel(std::move(model), of));
 }

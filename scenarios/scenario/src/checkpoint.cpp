@@ -32,6 +32,11 @@ std::string contents(const fs::path& file, const std::string& what = "file") {
   return read_file(file, std::numeric_limits<std::uint64_t>::max(), what);
 }
 
+std::string checkpoint_at(const fs::path& file) {
+  if (!fs::exists(file)) refuse_file(file, "is not there");
+  return contents(file, "checkpoint");
+}
+
 /// What follows the head, after all checks of the file itself.
 std::span<const std::byte> payload_of(std::span<const std::byte> all, const fs::path& file) {
   if (all.size() < magic.size() || std::memcmp(all.data(), magic.data(), magic.size()) != 0)
@@ -89,6 +94,7 @@ Checkpoint::Checkpoint(const Scenario& scenario, const Builtins& builtins, Assem
 std::string Checkpoint::identity() const {
   Json all = {{"tandem", output::version()},
               {"scenario", Json::parse(scenario_.values)},
+              {"taken", scenario_.taken},
               {"subsystems", Json::object()}};
   for (int i = 0; i < assembly_.topology().size(); ++i) {
     const SubsystemEntry& entry = scenario_.subsystems[static_cast<std::size_t>(i)];
@@ -118,7 +124,7 @@ void Checkpoint::check_identity(const std::string& text, const fs::path& file) c
       output::parse_json(text, fmt::format("checkpoint '{}': what it is of", file.string()));
   const nlohmann::json here = nlohmann::json::parse(own);
   if (!there.is_object()) refuse_file(file, "does not say what it is a checkpoint of");
-  for (const char* part : {"tandem", "scenario", "subsystems"}) {
+  for (const char* part : {"tandem", "scenario", "taken", "subsystems"}) {
     const nlohmann::json difference =
         nlohmann::json::diff({{part, there.value(part, nlohmann::json())}}, {{part, here.at(part)}});
     if (!difference.empty()) refuse_other_run(file, difference[0]["path"], there, here);
@@ -144,9 +150,19 @@ void Checkpoint::write(const fs::path& file) {
   output::replace_durably(file, to.bytes());
 }
 
+std::vector<std::string> Checkpoint::taken(const fs::path& file) {
+  const std::string text = checkpoint_at(file);
+  ByteReader from(payload_of(std::as_bytes(std::span(text)), file), file.native(), "checkpoint");
+  const nlohmann::json there = output::parse_json(
+      from.take_text(longest_identity), fmt::format("checkpoint '{}': what it is of", file.string()));
+  std::vector<std::string> all;
+  for (const auto& one : there.is_object() ? there.value("taken", nlohmann::json::array()) : nlohmann::json())
+    if (one.is_string()) all.push_back(one.get<std::string>());
+  return all;
+}
+
 void Checkpoint::resume(const fs::path& file) {
-  if (!fs::exists(file)) refuse_file(file, "is not there");
-  const std::string text = contents(file, "checkpoint");
+  const std::string text = checkpoint_at(file);
   ByteReader from(payload_of(std::as_bytes(std::span(text)), file), file.native(), "checkpoint");
   check_identity(from.take_text(longest_identity), file);
   assembly_.coordinator().restore(from);

@@ -138,6 +138,11 @@ void of_links(KeyList& to) {
 void of_coordination(KeyList& to) {
   using enum text::Key::Type;
   to.table("coordination", "Who goes first, and how the run starts.")
+      .may("scheme", word,
+           "`auto`: what the scenario leaves out of schedule, order, reconstructions and steps is taken "
+           "before the "
+           "run, by predicted error (docs/advice.md).",
+           {.otherwise = "stated", .words = {"stated", "auto"}})
       .may("schedule", word,
            "Whose turn it is. `slowest-first`: the slow one goes ahead on extrapolated inputs and the fast "
            "ones follow. `fastest-first`: the other way round. `staggered`: of two with matched hold, the "

@@ -68,6 +68,9 @@ bool takes(const SubsystemEntry& entry, const Builtins& builtins, const std::str
 }
 
 Parts::Parts(const Scenario& scenario, const Builtins& builtins, Code code) : scenario_(scenario) {
+  if (scenario.chooses)
+    refuse(scenario.place("coordination.scheme"),
+           "coordination.scheme is auto, and no scheme has been taken; allowed here is stated");
   if (scenario.animate) check_animation(builtins);
   for (const SubsystemEntry& entry : scenario.subsystems) {
     const bool out = code == Code::leave_out && is_code(entry, builtins);
@@ -136,8 +139,18 @@ void Parts::set_inputs() {
         });
 }
 
+const Port* Parts::output(const std::string& name) const {
+  for (int i = 0; i < topology_.size(); ++i)
+    for (const Port& port : topology_.info(i).outputs)
+      if (const std::string whole = topology_.name(i) + "." + port.name;
+          name == whole || name.starts_with(whole + "["))
+        return &port;
+  return nullptr;
+}
+
 void Parts::connect(const ConnectionEntry& entry) {
-  const Connection& c = entry.connection;
+  Connection c = entry.connection;
+  if (const Port* port = output(c.from); !c.how && port && !port->held) c.how = scenario_.otherwise;
   const bool no_source = is_left_out(c.from), no_reader = is_left_out(c.to);
   if (!no_source && !no_reader) return topology_.connect(c);
   if (!no_source) topology_.connect_half(c.from, true);

@@ -12,6 +12,7 @@ Json scenario_of(const Scenario& scenario) {
   return {{"file", scenario.file.string()},
           {"name", scenario.name},
           {"overrides", scenario.overrides},
+          {"taken", scenario.taken},
           {"values", Json::parse(scenario.values)}};
 }
 

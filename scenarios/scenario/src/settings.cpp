@@ -46,7 +46,8 @@ void check_order(const Section& section, const Scenario& scenario) {
 }
 
 void read_coordination(Section& section, Scenario& to) {
-  note_places(section, {"schedule", "order", "communication_step", "start"}, to);
+  note_places(section, {"scheme", "schedule", "order", "communication_step", "start"}, to);
+  to.chooses = *section.text("scheme") == "auto";
   Coordination& c = to.coordination;
   c.schedule = Schedule::parse(*section.text("schedule"));
   c.order = section.texts("order");

@@ -51,6 +51,9 @@ std::vector<Candidate> candidates(const SubsystemEntry& entry, const Builtins& b
     if (is_near(*number, from)) all.push_back({p.name, to});
     if (p.name.starts_with("steps_per_")) all.push_back({p.name, *number * from / to});
   }
+  constexpr const char* of_model =
+      "model_step";  // a linear model in the place of a subsystem (identification)
+  if (takes(entry, builtins, of_model)) all.push_back({of_model, to});
   return all;
 }
 
@@ -82,6 +85,30 @@ void scale_steps(Scenario& scenario, const Builtins& builtins, double factor) {
                       scenario.subsystems[i].name, steps[i], steps[i] * factor));
     scenario = std::move(*other);
   }
+}
+
+bool can_scale_steps(const Scenario& scenario, const Builtins& builtins) {
+  Scenario other = scenario;
+  try {
+    scale_steps(other, builtins, 0.5);
+    return true;
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::invalid_argument) throw;
+    return false;
+  }
+}
+
+bool states_steps(const Scenario& scenario, const Builtins& builtins) {
+  if (scenario.coordination.communication_step) return true;
+  Scenario other = scenario;
+  scale_steps(other, builtins, 0.5);
+  const auto is_as_before = [](const SubsystemEntry& now, const SubsystemEntry& before) {
+    return now.parameters.size() != before.parameters.size() ||
+           std::equal(now.parameters.begin(), now.parameters.end(), before.parameters.begin(),
+                      [](const Parameter& a, const Parameter& b) { return a.value == b.value; });
+  };
+  return !std::equal(other.subsystems.begin(), other.subsystems.end(), scenario.subsystems.begin(),
+                     is_as_before);
 }
 
 }  // namespace tandem::scenario

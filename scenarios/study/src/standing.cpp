@@ -5,8 +5,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "tandem/scenario/assembly.hpp"
+#include "tandem/scenario/steps.hpp"
 
 namespace tandem::study {
 namespace {
@@ -23,21 +25,23 @@ struct JudgedOutput {
 /// Writes the study of a scenario.
 class Writer {
  public:
-  Writer(const scenario::Scenario& scenario, const Builtins& builtins)
-      : scenario_(scenario), parts_(scenario, builtins, scenario::Code::run) {
+  Writer(const scenario::Scenario& scenario, const Builtins& builtins, Varied varied)
+      : scenario_(scenario), varied_(varied), parts_(scenario, builtins, scenario::Code::run) {
     if (scenario.connections.empty())
       throw Error(
           ErrorCode::invalid_argument,
           scenario.file.string() + " has no connection; allowed is a scenario with at least one, or a study");
     find_judged();
+    varies_steps_ = scenario::can_scale_steps(scenario, builtins);
+    if (varied == Varied::left_out) find_stated(builtins);
   }
 
   /// Several connections may be added in one input.
   std::vector<std::string> free_connections() const {
     std::vector<std::string> all;
-    for (const auto& entry : scenario_.connections)
-      if (const std::string& to = entry.connection.to; takes_any(entry, port_of(entry.connection.from)) &&
-                                                       std::find(all.begin(), all.end(), to) == all.end())
+    for (std::size_t k = 0; k < scenario_.connections.size(); ++k)
+      if (const std::string& to = scenario_.connections[k].connection.to;
+          is_free(k) && std::find(all.begin(), all.end(), to) == all.end())
         all.push_back(to);
     return all;
   }
@@ -47,23 +51,41 @@ class Writer {
            fmt::format(R"toml(
 [[tables.schemes.blocks]]
 axes = [
-  {{ schedule = ["slowest-first", "fastest-first", "staggered", "parallel"] }},
+  {{ schedule = ["{}"] }},
   {{ reconstruction = ["{}"] }},
-  {{ steps = [0.5, 1, 2] }},
+  {{ steps = [{}] }},
 ]
 )toml",
-                       fmt::join(Reconstruction::words(), "\", \"")) +
+                       fmt::join(schedules_, "\", \""), fmt::join(words(), "\", \""),
+                       varies_steps_ ? "0.5, 1, 2" : "1") +
            reference() + metrics() + charts();
   }
 
  private:
-  const Port* port_of(const std::string& output) const {
-    for (int i = 0; i < parts_.topology().size(); ++i)
-      for (const Port& port : parts_.topology().info(i).outputs) {
-        const std::string name = parts_.topology().name(i) + "." + port.name;
-        if (output == name || output.starts_with(name + "[")) return &port;
-      }
-    return nullptr;
+  /// What is stated is not varied.
+  void find_stated(const Builtins& builtins) {
+    if (stated("/coordination/schedule"))
+      schedules_ = {std::string(Schedule::name(scenario_.coordination.schedule))};
+    varies_steps_ = varies_steps_ && !states_steps(scenario_, builtins);
+    if (schedules_.size() == 1 && !varies_steps_ && free_connections().empty())
+      scenario::refuse(
+          scenario_.place("coordination.scheme"),
+          "coordination.scheme is auto, and the scenario leaves nothing out; allowed is stated, or a "
+          "scenario without a schedule, a reconstruction or a step");
+  }
+  bool stated(const std::string& path) const { return states(scenario_, path); }
+
+  std::vector<std::string> words() const {
+    return free_connections().empty() ? std::vector<std::string>{"stated"} : Reconstruction::words();
+  }
+
+  /// Its reconstruction is varied: that of an output that is not held, without a lag.
+  bool is_free(std::size_t k) const {
+    const auto& entry = scenario_.connections[k];
+    const Port* port = parts_.output(entry.connection.from);
+    const bool given =
+        varied_ == Varied::left_out && stated(fmt::format("/connections/{}/reconstruction", k));
+    return !given && !(port && port->held) && entry.connection.lag == Lag::none;
   }
 
   void find_judged() {
@@ -73,7 +95,7 @@ axes = [
     }
     for (const auto& entry : scenario_.connections) {
       const std::string& from = entry.connection.from;
-      const Port* port = port_of(from);
+      const Port* port = parts_.output(from);
       const bool is_vector = port && port->size > 1 && !from.ends_with("]");
       for (int k = 0; k < (is_vector ? port->size : 1); ++k)
         add(is_vector ? fmt::format("{}[{}]", from, k) : from);
@@ -95,12 +117,9 @@ columns = ["schedule", "reconstruction", "steps", "error", "reference_error", "e
 
 [set]
 "coordination.schedule" = "$schedule"
-)toml",
-        scenario_.file.filename().string());
-  }
-
-  static bool takes_any(const scenario::ConnectionEntry& entry, const Port* port) {
-    return !(port && port->held) && entry.connection.lag == Lag::none;
+{})toml",
+        scenario_.file.filename().string(),
+        stated("/coordination/scheme") ? "\"coordination.scheme\" = \"stated\"\n" : "");
   }
 
   std::string reconstructions() const {
@@ -119,10 +138,10 @@ floor = true
 
 [references.fine.set]
 )toml";
-    for (const auto& entry : scenario_.connections) {
-      const Port* port = port_of(entry.connection.from);
-      if (takes_any(entry, port) && port && port->derivatives == 0)
-        text += fmt::format("\"connections[{}].reconstruction\" = \"lagrange3\"\n", entry.connection.to);
+    for (std::size_t k = 0; k < scenario_.connections.size(); ++k) {
+      const Connection& one = scenario_.connections[k].connection;
+      if (const Port* port = parts_.output(one.from); is_free(k) && port && port->derivatives == 0)
+        text += fmt::format("\"connections[{}].reconstruction\" = \"lagrange3\"\n", one.to);
     }
     return text;
   }
@@ -191,18 +210,26 @@ best = 1
   }
 
   const scenario::Scenario& scenario_;
+  const Varied varied_;
   scenario::Parts parts_;
+  std::vector<std::string> schedules_ = {"slowest-first", "fastest-first", "staggered", "parallel"};
+  bool varies_steps_ = true;
   std::vector<JudgedOutput> judged_;
 };
 
 }  // namespace
 
-std::string standing_study(const scenario::Scenario& scenario, const Builtins& builtins) {
-  return Writer(scenario, builtins).text();
+bool states(const scenario::Scenario& scenario, const std::string& path) {
+  return nlohmann::json::parse(scenario.values).contains(nlohmann::json::json_pointer(path));
 }
 
-std::vector<std::string> free_connections(const scenario::Scenario& scenario, const Builtins& builtins) {
-  return Writer(scenario, builtins).free_connections();
+std::string standing_study(const scenario::Scenario& scenario, const Builtins& builtins, Varied varied) {
+  return Writer(scenario, builtins, varied).text();
+}
+
+std::vector<std::string> free_connections(const scenario::Scenario& scenario, const Builtins& builtins,
+                                          Varied varied) {
+  return Writer(scenario, builtins, varied).free_connections();
 }
 
 }  // namespace tandem::study

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tandem/scenario/scenario.hpp"
+#include "tandem/study/standing.hpp"
 #include "tandem/transports/open.hpp"
 
 namespace tandem::advice {
@@ -30,12 +31,13 @@ struct Ranking {
 /// From the table `schemes` of the standing study.
 Ranking ranking(const std::filesystem::path& table);
 
-/// The scenario with a choice. overrides: of the file.
-scenario::Scenario chosen(const Choice& choice, const scenario::Scenario& scenario,
-                          const std::vector<std::string>& overrides, const Builtins& builtins);
-/// The lines that the choice puts into a scenario, as TOML.
-std::string lines(const Choice& choice, const scenario::Scenario& scenario,
-                  const std::vector<std::string>& overrides, const Builtins& builtins);
+/// What a choice puts into a scenario, as overrides: schedule, reconstructions, and where they are scaled the
+/// communication step and the parameters of own steps. varied: as of the study that it is of.
+std::vector<std::string> taken(const Choice& choice, const scenario::Scenario& scenario,
+                               const Builtins& builtins, study::Varied varied);
+/// The same as lines of TOML.
+std::string lines(const Choice& choice, const scenario::Scenario& scenario, const Builtins& builtins,
+                  study::Varied varied);
 /// Why, in words: how often the fastest mode is sampled a cycle, and what the scheme makes of its amplitude over the run.
 /// Nothing where the map of a super-step does not tell (stability/super_step.hpp).
 std::string reason(const scenario::Scenario& chosen, const Builtins& builtins);

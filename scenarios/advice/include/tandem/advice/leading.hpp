@@ -12,4 +12,8 @@ namespace tandem::advice {
 /// - the order in which subsystems with events lead their readers.
 std::vector<std::string> on_leading(const Coordinator& run);
 
+/// coordination.order in which subsystems with events lead those without that read them, in the schedule of the run; nothing
+/// where they do, or where nobody leads.
+std::vector<std::string> better_order(const Coordinator& run);
+
 }  // namespace tandem::advice

@@ -34,8 +34,10 @@ class Models {
   /// things hold. It is linear. The model leaves at most `most_residual` of its responses. Alone, with inputs that stay,
   /// both go alike to the end of the run, to `most_apart` of each value's peak. No model have what is sampled, has
   /// events, varies its steps or can't start again, and what no such model tells. This must outlive what they make.
+  /// Each source takes one more parameter, step_word: an own step of the model, in place of the subsystem's [s].
   Builtins replacing(Builtins all);
   static constexpr double most_residual = 1e-7, most_apart = 1e-4;
+  static constexpr const char* step_word = "model_step";
 
   /// Of each source with each set of parameters, in the order of their names.
   std::vector<Stand> stands() const;
@@ -44,7 +46,7 @@ class Models {
   struct Entry;
   class Modelled;
   Source replacing(Source source);
-  Entry& entry(const std::string& key, const std::string& source);
+  Entry& entry(const std::string& key, const std::string& source, double step);
   void refuse_without(const Stand& stand) const;
 
   const Without without_;

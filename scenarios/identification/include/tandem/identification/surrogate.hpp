@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <memory>
+#include <optional>
 
 #include "tandem/identification/linear_model.hpp"
 #include "tandem/subsystem.hpp"
@@ -12,5 +13,8 @@ namespace tandem::identification {
 /// it goes by the motion in continuous time that comes to the same whole steps; where there is none, a step that is cut is
 /// Error(not_supported).
 std::unique_ptr<Subsystem> make_surrogate(LinearModel model, const SubsystemInfo& of);
+
+/// The model with another step: the same motion. Nothing where no step of it can be cut (PartSteps).
+std::optional<LinearModel> with_step(const LinearModel& model, double step);
 
 }  // namespace tandem::identification

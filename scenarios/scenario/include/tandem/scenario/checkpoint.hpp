@@ -22,6 +22,9 @@ class Checkpoint {
   /// Error(input_output) with the path, and what a subsystem throws.
   void write(const std::filesystem::path& file);
 
+  /// What coordination.scheme = "auto" took for the run that wrote a file. Throws Error as resume does.
+  static std::vector<std::string> taken(const std::filesystem::path& file);
+
   /// After Assembly::initialize, in place of the first samples: the run stands where the file was written.
   /// Throws Error with the path for a file that is not there, is none, is of another format version,
   /// truncated, damaged, or of another run, with the first difference.

@@ -117,9 +117,11 @@ struct Scenario {
   std::vector<ConnectionEntry> connections;
   std::vector<LinkEntry> links;  ///< besides those that are found by their units
   Coordination coordination;
-  double start = 0.0, stop = 0.0;  ///< [s]
-  Recording recording;             ///< without its directory
-  bool indicators = true;          ///< how far the coupling is off is recorded
+  bool chooses = false;  ///< coordination.scheme is auto: what is left out has to be taken before it runs
+  std::optional<Reconstruction> otherwise;  ///< of connections that have none and are not of held outputs
+  double start = 0.0, stop = 0.0;           ///< [s]
+  Recording recording;                      ///< without its directory
+  bool indicators = true;                   ///< how far the coupling is off is recorded
   std::optional<ReferenceEntry> reference;
   std::optional<JudgeEntry> judge;
   std::optional<LadderEntry> ladder;
@@ -127,6 +129,7 @@ struct Scenario {
   std::vector<std::string> plots;  ///< outputs that `tandem view` plots at first
 
   std::vector<std::string> overrides;  ///< "KEY=VALUE"
+  std::vector<std::string> taken;      ///< likewise, by coordination.scheme = "auto"
   std::string values;                  ///< the file with the overrides in it, as JSON
   /// Of single keys by their path, "coordination.order"; absent: the file.
   std::map<std::string, Place> places;
@@ -144,5 +147,12 @@ std::string kind_alone(const std::filesystem::path& file);
 /// Reads a scenario with the overrides of the command line. Throws Error with file, line, the value found and
 /// what is allowed.
 Scenario read(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
+/// A scenario that chooses, with usual values for what it leaves out: it runs.
+Scenario with_usual(Scenario scenario);
+
+/// The scenario with what coordination.scheme = "auto" has taken. Throws Error for an override of
+/// another key than those of a scheme.
+Scenario with_taken(const Scenario& scenario, std::vector<std::string> taken);
 
 }  // namespace tandem::scenario

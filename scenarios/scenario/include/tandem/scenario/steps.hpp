@@ -11,4 +11,10 @@ namespace tandem::scenario {
 /// Throws Error for a subsystem of which none does.
 void scale_steps(Scenario& scenario, const Builtins& builtins, double factor);
 
+/// Whether that can be.
+bool can_scale_steps(const Scenario& scenario, const Builtins& builtins);
+
+/// Whether the scenario gives its communication step, or a parameter that makes an own step. Throws Error as scale_steps.
+bool states_steps(const Scenario& scenario, const Builtins& builtins);
+
 }  // namespace tandem::scenario

@@ -9,16 +9,25 @@
 
 namespace tandem::study {
 
+/// What a standing study varies: all of schedule, reconstructions and steps, or what the scenario leaves out of these.
+enum class Varied { all, left_out };
+
 /// The study of a scenario that has none, as a text in the language of studies. It has every schedule with
 /// one reconstruction for all connections, and own steps halved, as they are and doubled; at most 96 rows.
 /// Held outputs keep their reconstruction. Its table is `schemes`, its reference fastest-first with steps of
 /// a sixteenth. Rows are judged by the scenario's [judge], else by every connected output, 1 % of its peak.
-/// Throws Error for a scenario that can't be opened, or has no connection.
-std::string standing_study(const scenario::Scenario& scenario, const Builtins& builtins);
+/// Of steps none is varied where the scenario states one. Throws Error for a scenario that can't be opened, has no
+/// connection, or leaves nothing out.
+std::string standing_study(const scenario::Scenario& scenario, const Builtins& builtins,
+                           Varied varied = Varied::all);
 
 /// The inputs, "slow.x1", whose connections the standing study gives any reconstruction: those of outputs that are not
 /// held, without a lag. Throws Error for a scenario that can't be opened.
-std::vector<std::string> free_connections(const scenario::Scenario& scenario, const Builtins& builtins);
+std::vector<std::string> free_connections(const scenario::Scenario& scenario, const Builtins& builtins,
+                                          Varied varied = Varied::all);
+
+/// Whether a scenario's file, or what was set, has a value at a path, "/coordination/order".
+bool states(const scenario::Scenario& scenario, const std::string& path);
 
 /// In words: which rows of its table `schemes` are within the tolerance, and which of these is cheapest
 /// (fewest exchanges, then fewest own steps).

@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "cli/adviser.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "cli/say.hpp"
+#include "cli/sweep_study.hpp"
+#include "tandem/advice/leading.hpp"
+#include "tandem/scenario/assembly.hpp"
+#include "tandem/sources/mechanism.hpp"
+
+namespace tandem::cli {
+
+using advice::Choice;
+
+std::string words(const Choice& choice) {
+  return fmt::format("{}, {}, steps x {}", choice.schedule, choice.reconstruction, choice.steps);
+}
+
+Adviser::Adviser(const scenario::Scenario& asked, std::filesystem::path folder, unsigned threads,
+                 const Context& context)
+    : varied_(asked.chooses ? study::Varied::left_out : study::Varied::all),
+      builtins_(without_matrices(context.builtins)),
+      scenario_(asked.chooses ? scenario::with_usual(asked) : asked),
+      folder_(std::move(folder)),
+      threads_(threads),
+      advised_(context),
+      overrides_(scenario_.overrides) {
+  advised_.builtins = models_.replacing(builtins_);
+  advised_.quiet = true;
+}
+
+std::vector<std::string> Adviser::look() {
+  scenario::Assembly assembly(scenario_, advised_.builtins);
+  assembly.initialize();
+  auto lines = of_models();
+  if (varied_ == study::Varied::left_out) set_order(assembly.coordinator());
+  if (order_.empty())
+    for (const std::string& line : advice::on_leading(assembly.coordinator())) lines.push_back(line);
+  return lines;
+}
+
+/// Of runs of the subsystems themselves the first part has to do.
+std::vector<std::string> Adviser::of_models() {
+  std::vector<std::string> lines;
+  bool shortens = false;
+  for (const identification::Stand& one : models_.stands()) {
+    lines.push_back(one.modelled
+                        ? fmt::format("{}: a linear model of order {}, which leaves {:.2g} of its responses",
+                                      one.source, one.order, one.residual)
+                        : fmt::format("{}: runs itself; {}", one.source, one.why));
+    shortens = shortens || !one.is_known();
+  }
+  if (!shortens) return lines;
+  constexpr double part = 0.15;
+  const double stop = scenario_.start + part * (scenario_.stop - scenario_.start);
+  overrides_.push_back(fmt::format("span.stop={}", stop));
+  lines.push_back(
+      fmt::format("so each scheme runs to {:.6g} s only, and errors are those of that time", stop));
+  return lines;
+}
+
+/// Where the schedule is stated and the order is not. Other schedules would have other orders.
+void Adviser::set_order(const Coordinator& run) {
+  if (!study::states(scenario_, "/coordination/schedule") || study::states(scenario_, "/coordination/order"))
+    return;
+  const auto order = advice::better_order(run);
+  if (order.empty()) return;
+  order_.push_back(fmt::format("coordination.order=[\"{}\"]", fmt::join(order, "\", \"")));
+  overrides_.push_back(order_.front());
+}
+
+void Adviser::predict() {
+  sweep_study({scenario_.file,
+               folder_,
+               overrides_,
+               {},
+               "",
+               threads_,
+               false,
+               false,
+               study::standing_study(scenario_, builtins_, varied_)},
+              advised_);
+  ranking_ = advice::ranking(folder_ / "schemes.csv");
+  if (ranking_.choices.empty())
+    throw RunFailed("no scheme came to an error; " + (folder_ / "schemes.csv").string() + " tells why");
+}
+
+Choice Adviser::chosen() const {
+  const auto within = ranking_.cheapest();
+  return scenario_.judge && within ? *within : ranking_.choices.front();
+}
+
+std::vector<std::string> Adviser::taken(const Choice& choice) const {
+  auto all = advice::taken(choice, scenario_, builtins_, varied_);
+  all.insert(all.end(), order_.begin(), order_.end());
+  return all;
+}
+
+std::string Adviser::lines(const Choice& choice) const {
+  return advice::lines(choice, scenario_, builtins_, varied_);
+}
+
+std::string Adviser::reason(const Choice& choice) const {
+  return advice::reason(scenario::with_taken(scenario_, taken(choice)), builtins_);
+}
+
+scenario::Scenario advised(const scenario::Scenario& asked, const std::filesystem::path& folder,
+                           const Context& context) {
+  Adviser adviser(asked, folder, std::max(1U, std::thread::hardware_concurrency()), context);
+  const auto lines = adviser.look();
+  adviser.predict();
+  const Choice choice = adviser.chosen();
+  if (!context.quiet) {
+    for (const std::string& line : lines) say("{}\n", line);
+    say("coordination.scheme = auto takes {}; its error is {:.3g} of the tolerance{}, by {}\n", words(choice),
+        choice.error, adviser.cheapest() ? "" : ", and no other is within it", (folder / "schemes.csv").string());
+  }
+  return scenario::with_taken(asked, adviser.taken(choice));
+}
+
+}  // namespace tandem::cli

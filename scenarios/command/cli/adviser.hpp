@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "tandem/advice/advice.hpp"
+#include "tandem/identification/models.hpp"
+
+namespace tandem::cli {
+
+/// Predicts error and cost of the schemes that a scenario may take, by its standing study with models in the places of its
+/// subsystems. Of a scenario that chooses (coordination.scheme = "auto") only what it leaves out is varied.
+class Adviser {
+ public:
+  /// folder: gets the study's table, schemes.csv.
+  Adviser(const scenario::Scenario& asked, std::filesystem::path folder, unsigned threads,
+          const Context& context);
+
+  /// Finds the models. What it says of them, and of who leads, line by line.
+  std::vector<std::string> look();
+  /// After look(). Throws RunFailed where no scheme comes to an error.
+  void predict();
+
+  const advice::Ranking& ranking() const { return ranking_; }
+  /// Within the tolerance.
+  std::optional<advice::Choice> cheapest() const { return ranking_.cheapest(); }
+  /// The cheapest within the tolerance of [judge]; where none is, or the scenario has no [judge], the best.
+  advice::Choice chosen() const;
+  std::vector<std::string> taken(const advice::Choice& choice) const;
+  /// What it puts into the scenario, as TOML.
+  std::string lines(const advice::Choice& choice) const;
+  /// Why, in words; empty where nothing is known.
+  std::string reason(const advice::Choice& choice) const;
+
+ private:
+  std::vector<std::string> of_models();
+  void set_order(const Coordinator& run);
+
+  study::Varied varied_;
+  Builtins builtins_;
+  scenario::Scenario scenario_;  ///< as it is stated
+  std::filesystem::path folder_;
+  unsigned threads_;
+  identification::Models models_;
+  Context advised_;
+  std::vector<std::string> order_;      ///< coordination.order, where it is taken
+  std::vector<std::string> overrides_;  ///< of the runs
+  advice::Ranking ranking_;
+};
+
+/// "fastest-first, hermite, steps x 1".
+std::string words(const advice::Choice& choice);
+
+/// A scenario that chooses, with what it takes. folder: as above.
+scenario::Scenario advised(const scenario::Scenario& asked, const std::filesystem::path& folder,
+                           const Context& context);
+
+}  // namespace tandem::cli
