@@ -41,9 +41,8 @@ void tell(const scenario::Scenario& scenario, const stability::Stability& all) {
   if (all.step.apart > 0.0)
     say("their ends meet but for {:.2g} of a step, which is taken for meeting\n", all.step.apart);
   for (const stability::Identified& one : all.step.identified)
-    say("{} keeps its states to itself: a linear model of order {} stands for it, which leaves {:.2g} of its "
-        "responses\n",
-        one.name, one.order, one.residual);
+    say("{} {}: a linear model of order {} stands for it, which leaves {:.2g} of its responses\n", one.name,
+        one.sampled ? "is sampled" : "keeps its states to itself", one.order, one.residual);
   if (!all.step.linear) say("note: subsystems are not linear; this is about the state at the start\n");
   say("spectral radius: {:.10g}\n\n", all.radius);
   if (!all.unknown.empty()) return say("modes: not known; {}\n", all.unknown);
@@ -62,8 +61,7 @@ void tell_largest(const scenario::Scenario& scenario, const Builtins& builtins) 
     const std::string whose =
         largest.whose == "communication step" ? largest.whose : "own step of " + largest.whose;
     if (largest.factor == 0.0)
-      say("\nlargest stable step: none, down to {} of the scenario's steps\n",
-          smallest_factor(largest.linear));
+      say("\nlargest stable step: none, down to {} of the scenario's steps\n", largest.smallest);
     else if (std::isinf(largest.factor))
       say("\nlargest stable step: any, up to {} times the scenario's steps\n", largest_factor);
     else

@@ -35,7 +35,7 @@ Seats seats(const Runs& runs, const MatrixXd& d) {
     const auto input = static_cast<Index>(k) / (all_places + 1),
                place = static_cast<Index>(k) % (all_places + 1);
     const double size = response.norm();
-    if (place == all_places - 1) response.col(0) -= d.col(input);
+    if (!runs.sampled && place == all_places - 1) response.col(0) -= d.col(input);
     add(std::move(response), static_cast<Index>(k), size);
   }
   add(runs.baseline.rightCols(length) - runs.baseline.leftCols(length), -1, runs.baseline.norm());
@@ -49,8 +49,7 @@ LinearModel empty(const Runs& runs, const Wanted& wanted) {
   model.values = wanted.values;
   model.linear = runs.linear;
   model.d.resize(values, inputs);
-  for (Index i = 0; i < inputs; ++i)
-    model.d.col(i) = runs.changes[static_cast<std::size_t>(i * (all_places + 1) + all_places)].col(0);
+  for (Index i = 0; i < inputs; ++i) model.d.col(i) = runs.at_once(i).col(0);
   model.y0 = runs.baseline.col(0);
   model.a.resize(0, 0), model.c.resize(values, 0), model.e.resize(0);
   model.b.resize(0, inputs * all_places), model.s.resize(0, inputs);
@@ -119,7 +118,8 @@ LinearModel identify(Subsystem& subsystem, const Wanted& wanted) {
     if (stays(before, now)) break;
     before = now;
   }
-  now.step = prober.step();
+  now.step = prober.probe().step(), now.offset = prober.probe().offset(),
+  now.before = prober.probe().before();
   return now;
 }
 

@@ -19,8 +19,7 @@ Probe::Probe(Subsystem& subsystem, const Wanted& wanted)
     : subsystem_(subsystem), wanted_(wanted), courses_(courses()) {
   const Abilities& can = subsystem.info().abilities;
   if (!can.restarts) refuse("can't start again");
-  if (can.sampled) refuse("is sampled");
-  start(1, nullptr);
+  is_sampled() ? static_cast<void>(instants(2, nullptr)) : static_cast<void>(start(1, nullptr));
 }
 
 void Probe::refuse(const std::string& what) const {
@@ -56,15 +55,45 @@ void Probe::advance(double until, const Change* change, Samples& y) {
     refuse(fmt::format("stops before {} s, at an event or its end", until));
 }
 
+Eigen::VectorXd Probe::wanted_of(std::span<const double> row) const {
+  Eigen::VectorXd values(static_cast<Eigen::Index>(wanted_.values.size()));
+  for (Eigen::Index k = 0; k < values.size(); ++k)
+    values[k] = row[static_cast<std::size_t>(wanted_.values[static_cast<std::size_t>(k)])];
+  return values;
+}
+
+/// What it gives at each; a change of its inputs is one at the first.
+Eigen::MatrixXd Probe::instants(std::int64_t count, const Change* change) {
+  constexpr double rounding = 1e-9;
+  const Samples first = start(1, change);
+  if (!change) before_ = wanted_of(first.values(0));
+  std::vector<double> u = wanted_.inputs, row(static_cast<std::size_t>(subsystem_.info().output_size()));
+  Eigen::MatrixXd values(static_cast<Eigen::Index>(wanted_.values.size()), count);
+  double t = wanted_.start + step_;  // start() found how far away the first one is
+  offset_ = step_;
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const bool is_changed = change && (change->place == throughout || (change->place == 0 && k == 0));
+    if (change)
+      u[static_cast<std::size_t>(change->input)] =
+          wanted_.inputs[static_cast<std::size_t>(change->input)] + (is_changed ? change->size : 0.0);
+    const double next = subsystem_.sample(t, SamplePart::both, u, row).next_time;
+    if (k > 0 && std::abs(next - t - step_) > rounding * step_)
+      refuse("acts at instants that are not equally far apart");
+    step_ = next - t, t = next;
+    values.col(k) = wanted_of(row);
+  }
+  if (!values.allFinite()) refuse("gives values that are not finite");
+  return values;
+}
+
 Eigen::MatrixXd Probe::run(std::int64_t steps, const Change* change) {
+  if (is_sampled()) return instants(steps + 1, change);
   Samples y = start(steps + 3, change);
   advance(wanted_.start + 1.25 * step_, change, y);
   advance(wanted_.start + (static_cast<double>(steps) + 0.25) * step_, nullptr, y);
   if (y.size() != steps + 1) refuse("takes own steps that vary");
   Eigen::MatrixXd values(static_cast<Eigen::Index>(wanted_.values.size()), steps + 1);
-  for (Eigen::Index k = 0; k <= steps; ++k)
-    for (Eigen::Index row = 0; row < values.rows(); ++row)
-      values(row, k) = y.values(k)[static_cast<std::size_t>(wanted_.values[static_cast<std::size_t>(row)])];
+  for (Eigen::Index k = 0; k <= steps; ++k) values.col(k) = wanted_of(y.values(k));
   if (!values.allFinite()) refuse("gives values that are not finite");
   return values;
 }

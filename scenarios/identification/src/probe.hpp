@@ -23,18 +23,25 @@ class Probe {
   Probe(Subsystem& subsystem, const Wanted& wanted);
 
   double step() const { return step_; }
+  bool is_sampled() const { return subsystem_.info().abilities.sampled; }
+  /// Of one that is sampled: its first instant after the start [s], and its values until then.
+  double offset() const { return offset_; }
+  const Eigen::VectorXd& before() const { return before_; }
   int inputs() const { return static_cast<int>(wanted_.inputs.size()); }
-  /// The wanted values, a column each for the start and so many own steps.
+  /// The wanted values, a column each for the start and so many own steps; of one that is sampled for its first instants.
   Eigen::MatrixXd run(std::int64_t steps, const Change* change = nullptr);
 
  private:
   [[noreturn]] void refuse(const std::string& what) const;
   Samples start(std::int64_t rows, const Change* change);
   void advance(double until, const Change* change, Samples& y);
+  Eigen::MatrixXd instants(std::int64_t count, const Change* change);
+  Eigen::VectorXd wanted_of(std::span<const double> row) const;
 
   Subsystem& subsystem_;
   const Wanted& wanted_;
-  double step_ = 0.0;
+  double step_ = 0.0, offset_ = 0.0;
+  Eigen::VectorXd before_;
   std::vector<double> memory_;
   Courses courses_;
 };

@@ -15,7 +15,7 @@ Prober::Prober(Subsystem& subsystem, const Wanted& wanted) : probe_(subsystem, w
 }
 
 Runs Prober::runs(std::int64_t steps) {
-  Runs all{probe_.run(steps), {}, is_linear_};
+  Runs all{probe_.run(steps), {}, is_linear_, probe_.is_sampled()};
   for (int input = 0; input < probe_.inputs(); ++input)
     for (int place = 0; place <= all_places; ++place)
       all.changes.push_back(response(input, place, steps, all.baseline));

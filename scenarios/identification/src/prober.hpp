@@ -11,7 +11,11 @@ namespace tandem::identification {
 struct Runs {
   Eigen::MatrixXd baseline;
   std::vector<Eigen::MatrixXd> changes;  ///< by input, then by place; the last place is the start
-  bool linear;
+  bool linear, sampled;
+  /// What an input changes at once.
+  const Eigen::MatrixXd& at_once(Eigen::Index input) const {
+    return changes[static_cast<std::size_t>(input * (all_places + 1) + (sampled ? 0 : all_places))];
+  }
 };
 
 /// Makes them. Where the subsystem is linear changes are large, else small.
@@ -20,7 +24,7 @@ class Prober {
   /// Throws as identify() does. Both must outlive it.
   Prober(Subsystem& subsystem, const Wanted& wanted);
 
-  double step() const { return probe_.step(); }
+  const Probe& probe() const { return probe_; }
   bool is_linear() const { return is_linear_; }
   Runs runs(std::int64_t steps);
 

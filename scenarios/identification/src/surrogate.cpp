@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "part_step.hpp"
+#include "sampled_surrogate.hpp"
 #include "tandem/error.hpp"
 #include "tandem/fixed_step.hpp"
 
@@ -150,6 +151,7 @@ std::optional<LinearModel> with_step(const LinearModel& model, double step) {
 }
 
 std::unique_ptr<Subsystem> make_surrogate(LinearModel model, const SubsystemInfo& of) {
+  if (of.abilities.sampled) return make_sampled_surrogate(std::move(model), of);
   return std::make_unique<FixedStep<SurrogateModel>>(SurrogateModel(std::move(model), of));
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "tandem/scenario/steps.hpp"
 #include "tandem/stability/modes.hpp"
@@ -19,9 +20,14 @@ bool is_stable(Scenario scenario, const Builtins& builtins, double rate, double 
   return is_stable(step, spectral_radius(step.map), rate);
 }
 
-double largest_factor_of(const Scenario& scenario, const Builtins& builtins, double rate, bool linear) {
+double smallest_factor(const SuperStep& step) {
+  const bool samples = std::find(step.sampled.begin(), step.sampled.end(), true) != step.sampled.end();
+  return samples ? 1.0 / 16.0 : step.linear ? 1e-3 : 1.0 / 32.0;
+}
+
+double largest_factor_of(const Scenario& scenario, const Builtins& builtins, double rate, double smallest) {
   constexpr double scan = 1.1, precision = 1e-6;
-  double good = smallest_factor(linear);
+  double good = smallest;
   if (!is_stable(scenario, builtins, rate, good)) return 0.0;
   double bad = good * scan;
   for (; is_stable(scenario, builtins, rate, bad); bad *= scan) {
@@ -45,10 +51,14 @@ std::size_t leader(const Scenario& scenario, const SuperStep& step) {
     });
     return static_cast<std::size_t>(it - all.begin());
   }
-  const auto& steps = step.steps;
-  return static_cast<std::size_t>((slowest ? std::min_element(steps.begin(), steps.end())
-                                           : std::max_element(steps.begin(), steps.end())) -
-                                  steps.begin());
+  std::optional<std::size_t> first;
+  for (std::size_t i = 0; i < step.steps.size(); ++i) {
+    const auto before = [&](std::size_t other) {
+      return slowest ? step.steps[i] < step.steps[other] : step.steps[i] > step.steps[other];
+    };
+    if (!step.sampled[i] && (!first || before(*first))) first = i;
+  }
+  return first.value_or(0);
 }
 
 }  // namespace
@@ -56,16 +66,18 @@ std::size_t leader(const Scenario& scenario, const SuperStep& step) {
 LargestStep largest_step(const Scenario& scenario, const Builtins& builtins) {
   const Stability here = stability(scenario, builtins);
   const SuperStep& step = here.step;
-  const double factor = largest_factor_of(scenario, builtins, here.rate, step.linear);
+  const double smallest = smallest_factor(step),
+               factor = largest_factor_of(scenario, builtins, here.rate, smallest);
   const auto length = [&](std::size_t i) { return step.period / static_cast<double>(step.steps[i]); };
   if (scenario.coordination.schedule == Schedule::Kind::parallel) {
     double largest = 0.0;
-    for (std::size_t i = 0; i < step.steps.size(); ++i) largest = std::max(largest, length(i));
-    return {step.linear, factor, "communication step",
+    for (std::size_t i = 0; i < step.steps.size(); ++i)
+      if (!step.sampled[i]) largest = std::max(largest, length(i));
+    return {factor, smallest, "communication step",
             scenario.coordination.communication_step.value_or(largest)};
   }
   const std::size_t first = leader(scenario, step);
-  return {step.linear, factor, scenario.subsystems[first].name, length(first)};
+  return {factor, smallest, scenario.subsystems[first].name, length(first)};
 }
 
 }  // namespace tandem::stability

@@ -30,8 +30,11 @@ Period period_of(std::int64_t n, double largest, const std::vector<double>& leng
 Period common_period(const std::vector<double>& lengths) {
   constexpr double near = 1e-3;
   const double largest = *std::max_element(lengths.begin(), lengths.end());
+  const double ratio = largest / *std::min_element(lengths.begin(), lengths.end());
+  const auto most =
+      std::clamp(static_cast<std::int64_t>(most_steps_of_all / ratio), std::int64_t{1}, most_steps);
   std::optional<Period> nearly, best;
-  for (std::int64_t n = 1; n <= most_steps; ++n) {
+  for (std::int64_t n = 1; n <= most; ++n) {
     Period period = period_of(n, largest, lengths);
     if (period.apart == 0.0) return period;
     if (!nearly && period.apart <= near) nearly = period;

@@ -26,6 +26,9 @@ class Starting final : public Subsystem {
   Clock advance(double t_limit, bool land, std::span<const Signal> u, Samples& y) override {
     return inner_.advance(t_limit, land, u, y);
   }
+  Clock sample(double t, SamplePart part, std::span<const double> u, std::span<double> y) override {
+    return inner_.sample(t, part, u, y);
+  }
 
  private:
   Subsystem& inner_;

@@ -72,6 +72,8 @@ SuperStep super_step(const scenario::Scenario& scenario, const Builtins& builtin
   Trial trial(scenario, builtins);
   SuperStep step;
   step.period = trial.period().length, step.steps = trial.period().steps, step.apart = trial.period().apart;
+  for (int i = 0; i < trial.topology().size(); ++i)
+    step.sampled.push_back(trial.topology().info(i).abilities.sampled);
   step.coordinates = trial.coordinates(), step.identified = trial.identified();
   step.linear = is_linear(trial);
   if (step.linear)

@@ -16,7 +16,6 @@ Trial::Trial(const scenario::Scenario& scenario, const Builtins& builtins)
   for (int i = 0; i < parts_.topology().size(); ++i) {
     const SubsystemInfo& info = parts_.topology().info(i);
     if (!info.abilities.restarts) refuse(i, "can't start again");
-    if (info.abilities.sampled) refuse(i, "is sampled, which the map of a super-step does not know");
   }
   begin();
 }

@@ -7,6 +7,7 @@
 #include "period.hpp"
 #include "seeded.hpp"
 #include "tandem/coordinator/coordinator.hpp"
+#include "tandem/identification/linear_model.hpp"
 #include "tandem/scenario/parts.hpp"
 #include "tandem/stability/super_step.hpp"
 
@@ -43,7 +44,11 @@ class Trial {
   [[noreturn]] void refuse(int instance, const std::string& what) const;
   void begin();
   void find_period();
+  bool is_sampled(int instance) const { return topology().info(instance).abilities.sampled; }
   void identify(int instance);
+  double identify_sampled(int instance);
+  identification::LinearModel model_of(int instance);
+  void put(int instance, identification::LinearModel model);
   void add_coordinates(int instance, const Coordinator& run);
   int samples_read(int instance) const;
   std::set<int> values_read(int instance) const;

@@ -21,12 +21,14 @@ void Trial::begin() {
   Coordinator run(topology, all, coordination_, {scenario_.start, scenario_.stop});
   run.initialize();
   for (int i = 0; i < topology.size(); ++i) {
-    own_steps_.push_back(run.own_step(i));
+    const SubsystemInfo& info = topology.info(i);
+    own_steps_.push_back(info.abilities.sampled ? info.sampling.period : run.own_step(i));
     inputs_.push_back(starting[static_cast<std::size_t>(i)].inputs());
   }
   find_period();
   std::int64_t before = 1;
   for (int i = 0; i < topology.size(); ++i) {
+    const double offset = is_sampled(i) ? identify_sampled(i) : 0.0;
     if (!subsystem(i).states()) identify(i);
     states_.push_back(*subsystem(i).states());
     ages_.push_back(samples_read(i));
@@ -34,7 +36,7 @@ void Trial::begin() {
     before = std::max(before, (ages_.back() + steps - 1) / steps);
     add_coordinates(i, run);
     const double past = period_.apart > 0.0 ? period_.length / static_cast<double>(steps) : own_step(i);
-    seeded_.push_back(std::make_unique<Seeded>(subsystem(i), scenario_.start, past));
+    seeded_.push_back(make_seeded(subsystem(i), scenario_.start, past, offset));
   }
   span_ = {scenario_.start - static_cast<double>(before) * period_.length, scenario_.start + period_.length};
   after(start_);  // so that each knows how many samples it gives up to the start
@@ -48,11 +50,25 @@ void Trial::find_period() {
 }
 
 /// One that keeps its states to itself gets a surrogate, and that its start.
-void Trial::identify(int instance) {
+void Trial::identify(int instance) { put(instance, model_of(instance)); }
+
+/// A sampled one always does, as its states are put between instants. From the start to its first instant, or to one that
+/// is whole periods earlier [s].
+double Trial::identify_sampled(int instance) {
+  constexpr double rounding = 1e-9;
+  auto model = model_of(instance);
+  model.offset = std::fmod(model.offset, model.step);
+  if (std::min(model.offset, model.step - model.offset) <= rounding * model.step) model.offset = 0.0;
+  const double offset = model.offset;
+  put(instance, std::move(model));
+  return offset;
+}
+
+identification::LinearModel Trial::model_of(int instance) {
   constexpr double most = 1e-4;
   const auto at = static_cast<std::size_t>(instance);
   const std::set<int> read = values_read(instance);
-  const auto model = identification::identify(
+  auto model = identification::identify(
       *parts_.subsystem(instance),
       {scenario_.start,
        inputs_[at],
@@ -62,17 +78,26 @@ void Trial::identify(int instance) {
     refuse(instance, fmt::format("keeps its states to itself, and no linear model tells its outputs: the "
                                  "best leaves {:.2g} of a response; allowed is {}",
                                  model.residual, most));
-  const std::string& name = topology().name(instance);
-  identified_.push_back({name, static_cast<int>(model.order()), model.residual, model.linear});
-  subsystems_[at] = surrogates_.emplace_back(make_surrogate(model, topology().info(instance))).get();
-  std::vector<double> row(static_cast<std::size_t>(topology().info(instance).row_size()));
-  Samples unused(row.data(), topology().info(instance).row_size(), 1);
+  return model;
+}
+
+void Trial::put(int instance, identification::LinearModel model) {
+  const auto at = static_cast<std::size_t>(instance);
+  const SubsystemInfo& info = topology().info(instance);
+  identified_.push_back({topology().name(instance), is_sampled(instance), static_cast<int>(model.order()),
+                         model.residual, model.linear});
+  subsystems_[at] = surrogates_.emplace_back(make_surrogate(std::move(model), info)).get();
+  std::vector<double> row(static_cast<std::size_t>(info.row_size()));
+  Samples unused(row.data(), info.row_size(), 1);
   subsystems_[at]->initialize(scenario_.start, scenario_.stop, inputs_[at], unused);
 }
 
-/// Past samples, the newest included, that a reader's segment or mean may be made of.
+/// Past samples, the newest included, that a reader's segment or mean may be made of. One that lands where sampled ones
+/// change has rows between those of its own steps.
 int Trial::samples_read(int instance) const {
-  int most = 1;
+  int most = 1, landings = 0;
+  for (int i = 0; i < topology().size(); ++i) landings += is_sampled(i) && !is_sampled(instance);
+  const double latency = topology().info(instance).sampling.latency;
   for (const int number : parts_.topology().lines_from(instance)) {
     const Line& line = parts_.topology().lines()[static_cast<std::size_t>(number)];
     double late =
@@ -80,9 +105,10 @@ int Trial::samples_read(int instance) const {
     if (line.lag == Lag::delay)
       late =
           coordination_.communication_step.value_or(*std::max_element(own_steps_.begin(), own_steps_.end()));
-    most = std::max(most, line.how.samples() + 1 + static_cast<int>(std::ceil(late / own_step(instance))));
+    most = std::max(
+        most, line.how.samples() + 1 + static_cast<int>(std::ceil((late + latency) / own_step(instance))));
   }
-  return most;
+  return most * (1 + landings);
 }
 
 void Trial::add_coordinates(int instance, const Coordinator& run) {

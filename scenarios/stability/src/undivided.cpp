@@ -40,6 +40,10 @@ Undivided undivided(const Trial& trial, bool is_linear) {
   Undivided all;
   LinearSide sum;
   for (int i = 0; i < trial.topology().size(); ++i) {
+    if (trial.topology().info(i).abilities.sampled)
+      throw Error(ErrorCode::not_supported,
+                  "subsystem '" + trial.topology().name(i) +
+                      "' is sampled, and the system undivided is known without such");
     const LinearSide one = linear_side(trial, i, is_linear);
     append(sum.g, one.g), append(sum.b, one.b), append(sum.c, one.c), append(sum.d, one.d);
     for (const StateName& state : trial.states(i))

@@ -21,10 +21,12 @@ struct Wanted {
 /// differences are the responses that A, B and C have to give; the run itself tells e and y0. Responses are made twice
 /// as long until order and residual stay, up to most_steps own steps.
 ///
+/// A sampled subsystem is asked for what it gives at its first instants. Inputs differ at the first of these.
+///
 /// Where the subsystem is not linear, changes are small and the model is that about the motion of the first run.
 ///
-/// Throws Error(not_supported) for a subsystem that can't start again, is sampled, has an event on the way, or takes
-/// own steps that vary.
+/// Throws Error(not_supported) for a subsystem that can't start again, has an event on the way, takes own steps that vary,
+/// or acts at instants that are not equally far apart.
 LinearModel identify(Subsystem& subsystem, const Wanted& wanted);
 /// Whether half a change of an input makes half the response over some own steps, to 1e-10. Throws as identify() does.
 bool is_linear(Subsystem& subsystem, const Wanted& wanted);

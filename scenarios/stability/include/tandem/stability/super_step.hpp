@@ -19,20 +19,23 @@ struct Coordinate {
   std::string name;  ///< "fast.x1", "fast.x1 2 samples ago"
 };
 
-/// A subsystem that keeps its states to itself, of which a linear model stands in the map (identification/identify.hpp).
+/// A subsystem that is sampled or keeps its states to itself, of which a linear model stands in the map
+/// (identification/identify.hpp).
 struct Identified {
   std::string name;
+  bool sampled;
   int order;        ///< states of the model
   double residual;  ///< what it leaves of responses
   bool linear;      ///< superposition holds
 };
 
-/// One super-step: the shortest time after which all own steps, and the communication step of `parallel`, end
-/// together again; of up to most_steps of the largest. Where there is none, the first after which they end within a
+/// One super-step: the shortest time after which all own steps, the communication step of `parallel`, and the periods of
+/// what is sampled, end together again; of up to most_steps of the largest. Where there is none, the first after which they end within a
 /// thousandth of a step, else that after which they end nearest together.
 struct SuperStep {
   double period = 0.0;              ///< T [s]
-  std::vector<std::int64_t> steps;  ///< own steps of each subsystem in it
+  std::vector<std::int64_t> steps;  ///< own steps, or instants, of each subsystem in it
+  std::vector<bool> sampled;        ///< of each subsystem
   double apart = 0.0;  ///< by how much their ends lie apart, at most, as a part of a step; 0: they meet
   std::vector<Coordinate> coordinates;
   std::vector<Identified> identified;
@@ -51,12 +54,14 @@ struct SuperStep {
 /// turn is made 1, a run of one super-step goes on from there, and what it comes to is a column. Where subsystems
 /// are not linear, columns are central differences about the state at the start.
 ///
-/// A subsystem that does not name its states (Subsystem::states) is replaced by a linear model of it.
+/// A subsystem that does not name its states (Subsystem::states) is replaced by a linear model of it, and so is one that is
+/// sampled. What stands after the instants at the begin goes to what stands after those at the end.
 ///
 /// Precondition: all subsystems restart. Throws Error(not_supported) that names the one that does not, of which no
 /// linear model is found, or that has an event within the super-step, and for differences that do not settle.
 SuperStep super_step(const scenario::Scenario& scenario, const Builtins& builtins);
 constexpr std::int64_t most_steps = 1000;
+constexpr double most_steps_of_all = 1e5;  ///< of the smallest, but for one of the largest
 
 /// The largest modulus of the map's eigenvalues: above 1 what a run carries grows without end.
 double spectral_radius(const Eigen::MatrixXd& map);
