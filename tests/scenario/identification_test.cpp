@@ -10,9 +10,10 @@
 #include "hidden.hpp"
 #include "long_run.hpp"
 #include "refusal.hpp"
-#include "tandem/identification/models.hpp"
+#include "scratch.hpp"
 #include "tandem/fixed_step.hpp"
 #include "tandem/identification/identify.hpp"
+#include "tandem/identification/models.hpp"
 #include "tandem/identification/surrogate.hpp"
 #include "tandem/stability/modes.hpp"
 
@@ -192,7 +193,46 @@ TEST(Identification, WhatCantBeFoundIsNamed) {
     return refuses(ErrorCode::not_supported, {of->info().name, why},
                    [&] { identify(*of, all_of(of->info(), inputs)); });
   };
-  EXPECT_TRUE(refused("diagram:" + scenes + "drive/controller.toml", {0.0}, "is sampled"));
+  const Scratch folder;
+  const auto file = folder.write("two.toml",
+                                 "[inputs]\nu = { unit = 'm' }\n[outputs]\ny = { unit = 'm' }\n[blocks]\n"
+                                 "a = { kind = 'sample', input = 'u', period = 0.1 }\nb = { kind = 'sample', "
+                                 "input = 'a', period = 0.15 }\n"
+                                 "y = { kind = 'sum', inputs = ['a', 'b'] }\n");
+  EXPECT_TRUE(refused("diagram:" + file.string(), {0.0}, "acts at instants that are not equally far apart"));
+}
+
+/// What a subsystem gives at 80 instants, on inputs by chance.
+std::vector<double> samples_of(Subsystem& subsystem, double u0) {
+  std::mt19937 random(3);
+  std::vector<double> all, row(static_cast<std::size_t>(subsystem.info().row_size()));
+  Samples first(row.data(), subsystem.info().row_size(), 1);
+  Clock clock = subsystem.initialize(0.0, 1e9, std::span(&u0, 1), first);
+  all.push_back(first.values(0)[0]);
+  for (int k = 0; k < 80; ++k) {
+    const double u = std::uniform_real_distribution(-5.0, 5.0)(random);
+    double y = 0.0;
+    clock = subsystem.sample(clock.next_time, SamplePart::both, std::span(&u, 1), std::span(&y, 1));
+    all.push_back(y), all.push_back(clock.next_time);
+  }
+  return all;
+}
+
+/// A diagram's first instant is a period late, and what it starts with depends on its input.
+TEST(Identification, AModelOfASampledOneGivesTheSameAtEachInstant) {
+  const std::string gains = "?kp=7&ki=87.5&set=10&T=2.5e-3";
+  for (const std::string& source : {"diagram:" + scenes + "drive/controller.toml",
+                                    "lib:" TANDEM_FILE_LIBRARIES "/drive_controller.so" + gains}) {
+    const auto real = open(source, sources());
+    const auto model = identify(*real, all_of(real->info(), {3.0}));
+    EXPECT_EQ(model.order(), 1) << source;
+    const auto surrogate = identification::make_surrogate(model, real->info());
+    EXPECT_EQ(surrogate->info().abilities.sampled, true);
+    const auto expected = samples_of(*real, 3.0), found = samples_of(*surrogate, 3.0);
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t k = 0; k < expected.size(); ++k)
+      EXPECT_NEAR(found[k], expected[k], 1e-9 * (1.0 + std::abs(expected[k]))) << source << ' ' << k;
+  }
 }
 
 }  // namespace

@@ -181,6 +181,17 @@ TEST(StabilityOfSamples, CoupledSidesWithAControllerGrowAsTheRadiusSays) {
   EXPECT_GT(checked, 20);
 }
 
+/// The same controller in C++ and as a diagram, which begins one period later and whose start depends on its input.
+TEST(StabilityOfSamples, TheDriveHasTheSameRadiusWithEitherController) {
+  const auto radius = [](const Settings& settings) {
+    return radius_of(stability::super_step(scene("drive/drive_libraries.toml", settings), sources()).map);
+  };
+  const double expected = radius({});
+  EXPECT_NEAR(radius({"subsystems.controller.source=diagram:controller.toml"}), expected, 1e-9);
+  EXPECT_LT(expected, 0.98);
+  EXPECT_GT(radius({"subsystems.controller.parameters.kp=120"}), 1.0);
+}
+
 TEST(StabilityOfSamples, WhatStandsForASampledOneIsTold) {
   const Scratch folder;
   const auto one = scene_of(folder, {0.1}, 0.0, "slowest-first", 5.0);

@@ -171,12 +171,6 @@ TEST(Stability, StepsThatNeverMeetAreTakenWhereTheyNearlyDo) {
   }
 }
 
-TEST(Stability, WhatIsSampledIsNamed) {
-  EXPECT_TRUE(test::refuses(ErrorCode::invalid_argument, {"subsystem 'controller'", "is sampled"}, [] {
-    stability::super_step(scene("drive/drive_mechanism.toml", {}), sources());
-  }));
-}
-
 TEST(Stability, LargestStepsAreThoseOfTheSearch) {
   const auto of = [](const std::string& file, const Settings& settings) {
     return stability::largest_step(scene(file, settings), sources());

@@ -96,7 +96,7 @@ LinearModel model_of(const Runs& runs, const Wanted& wanted) {
     else
       model.s.col(input) = start.before(x1);
   }
-  model.d -= model.c * model.s;
+  if (!runs.sampled) model.d -= model.c * model.s;
   return model;
 }
 

@@ -2,6 +2,7 @@
 #include "sampled_surrogate.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "tandem/sampled.hpp"
@@ -25,7 +26,11 @@ class SampledModel {
   double offset() const { return model_->offset; }
   double latency() const { return info_.sampling.latency; }
 
-  void start(double, std::span<const double>) { x_.setZero(); }
+  void start(double, std::span<const double> u0) {
+    x_.setZero();
+    for (Index i = 0; i < model_->inputs.size(); ++i)
+      if (!std::isnan(u0[at(i)])) x_ += model_->s.col(i) * (u0[at(i)] - model_->inputs[i]);
+  }
   void outputs(double* y) const { give(model_->before, y); }
   void outputs(double* y, std::span<const double> u) const {
     VectorXd values = model_->y0 + model_->c * x_;

@@ -21,7 +21,7 @@ struct Wanted {
 /// differences are the responses that A, B and C have to give; the run itself tells e and y0. Responses are made twice
 /// as long until order and residual stay, up to most_steps own steps.
 ///
-/// A sampled subsystem is asked for what it gives at its first instants. Inputs differ at the first of these.
+/// Of a sampled subsystem the responses are what it gives at its first instants. Inputs differ at the first of these.
 ///
 /// Where the subsystem is not linear, changes are small and the model is that about the motion of the first run.
 ///
