@@ -53,7 +53,7 @@ class Resumable {
     assembly.coordinator().observe(&both);
     assembly.initialize();
     for (int k = 0; k < rounds && assembly.coordinator().round(); ++k) recorder->between_rounds();
-    Checkpoint(scenario_, builtins_, assembly, *recorder, indicators.get()).write(file_);
+    Checkpoint(scenario_, builtins_, assembly, *recorder, {indicators.get(), nullptr}).write(file_);
     bytes_ = read_text(file_);
     ByteWriter coordinator;
     assembly.coordinator().save(coordinator);
@@ -81,7 +81,7 @@ class Resumable {
     const auto indicators = assembly.indicators();
     assembly.initialize();
     try {
-      Checkpoint(scenario_, builtins_, assembly, *recorder, indicators.get()).resume(file_);
+      Checkpoint(scenario_, builtins_, assembly, *recorder, {indicators.get(), nullptr}).resume(file_);
     } catch (const Error& error) {
       recorder.reset();
       EXPECT_TRUE(is_as_before()) << error.what();

@@ -46,6 +46,10 @@ void add_run(CLI::App& app, Context& context) {
   add_run_programs(*command, options->run_programs)->needs(dry);
   command->add_flag("--profile", options->profile,
                     "Take the seconds of each subsystem too (two clock readings a call)");
+  command->add_flag(
+      "--estimate", options->estimate,
+      "Also say how far the output of [judge] is off, by linear models that are found before the run: "
+      "record.indicators = \"estimate\"");
   command
       ->add_option(
           "--threads", options->threads,

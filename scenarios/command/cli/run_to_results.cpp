@@ -12,6 +12,7 @@
 #include "cli/looking.hpp"
 #include "cli/run_progress.hpp"
 #include "cli/say.hpp"
+#include "tandem/advice/expected.hpp"
 #include "tandem/library_file.hpp"
 #include "tandem/output/files.hpp"
 #include "tandem/scenario/checkpoint.hpp"
@@ -29,9 +30,16 @@ fs::path folder_of(const RunOptions& options) {
   return options.output.empty() ? fs::path("results") / options.file.stem() : options.output;
 }
 
+/// --estimate is a setting of the scenario like others.
+std::vector<std::string> overrides_of(const RunOptions& options) {
+  auto all = options.overrides;
+  if (options.estimate) all.emplace_back("record.indicators=estimate");
+  return all;
+}
+
 /// What it leaves to be taken is taken; of a run that is resumed it was.
 Scenario scenario_of(const RunOptions& options, const Context& context) {
-  Scenario scenario = scenario::read(options.file, options.overrides);
+  Scenario scenario = scenario::read(options.file, overrides_of(options));
   if (scenario.chooses)
     scenario = options.resume.empty()
                    ? advised(scenario, folder_of(options) / "advice", context)
@@ -42,6 +50,18 @@ Scenario scenario_of(const RunOptions& options, const Context& context) {
 scenario::RunSettings settings_of(const RunOptions& options) {
   return {folder_of(options), options.resume,  options.checkpoint_every,
           options.threads,    options.profile, !options.no_reference};
+}
+
+/// With what models say, where that is wanted.
+scenario::RunSettings settings_of(const RunOptions& options, const Scenario& scenario,
+                                  const Context& context) {
+  auto settings = settings_of(options);
+  if (scenario.indicators != scenario::Indication::estimate) return settings;
+  const InterruptGuard guard;
+  settings.expectation = advice::expected(scenario, without_matrices(context.builtins),
+                                          [] { return !InterruptGuard::interrupted(); });
+  if (!context.quiet) say("estimate: models and their run took {:.3g} s\n", settings.expectation->seconds);
+  return settings;
 }
 
 /// The folder of matrices, where it is not that of the results.
@@ -82,6 +102,7 @@ void tell(const Scenario& scenario, const scenario::Run& run, const RunEnd& end,
     for (const fs::path& file : run.files()) say("wrote {}\n", file.string());
     say("{}", end.report);
     if (!end.indicators.empty()) say("indicators: {}\n", end.indicators);
+    if (!end.estimate.empty()) say("estimate: {}\n", end.estimate);
   }
   if (!end.outside.empty())
     throw RunFailed(fmt::format("{}: the run came to its end, but not within its reference: {}",
@@ -93,7 +114,7 @@ void tell(const Scenario& scenario, const scenario::Run& run, const RunEnd& end,
 void run_to_results(const RunOptions& options, const Context& context) {
   const Scenario scenario = scenario_of(options, context);
   const auto kept = kept_of_matrices(options);
-  scenario::Run run(scenario, context.builtins, settings_of(options));
+  scenario::Run run(scenario, context.builtins, settings_of(options, scenario, context));
   LibraryCall::return_from_faults();
   run.start();
   const bool resumed = !options.resume.empty();
@@ -106,8 +127,9 @@ void run_to_results(const RunOptions& options, const Context& context) {
 
 void run_dry(const RunOptions& options, const Context& context) {
   const Builtins builtins = without_matrices(context.builtins);
-  const Scenario scenario = with_matrices(as_it_is_stated(scenario::read(options.file, options.overrides)),
-                                          options.matrices, context.builtins);
+  const Scenario scenario =
+      with_matrices(as_it_is_stated(scenario::read(options.file, overrides_of(options))), options.matrices,
+                    context.builtins);
   const fs::path folder = folder_of(options);
   if (options.run_programs || !scenario::names_code(scenario, builtins)) {
     tell_notes(scenario::Run::check(scenario, builtins, settings_of(options)));

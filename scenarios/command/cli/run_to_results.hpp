@@ -17,6 +17,7 @@ struct RunOptions {
   std::vector<std::string> overrides;
   int threads = 1;
   Matrices matrices;
+  bool estimate = false;
   bool dry = false, run_programs = false, profile = false, no_reference = false;
 };
 

@@ -93,6 +93,7 @@ std::vector<std::string> largest_indicators(const nlohmann::json& about, const f
   const auto part = [&](const char* key) { return all.value(key, nlohmann::json::object()); };
   add_largest(names, part("defects"), "largest", "peak_of_input", 2);
   add_largest(names, part("energies"), "made", "passed", 1);
+  add_largest(names, part("estimates"), "largest", "peak", 1);
   return names;
 }
 

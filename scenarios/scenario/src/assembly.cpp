@@ -51,7 +51,7 @@ std::unique_ptr<Indicators> Assembly::indicators() const {
   };
   for (const PowerLink& link : power_links(topology()))
     if (!taken(link.effort) && !taken(link.back)) links.push_back(link);
-  if (!scenario_.indicators) return nullptr;
+  if (scenario_.indicators == Indication::off) return nullptr;
   return std::make_unique<Indicators>(*coordinator_, links);
 }
 

@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "run_estimate.hpp"
 #include "tandem/bytes.hpp"
 #include "tandem/error.hpp"
 #include "tandem/input_file.hpp"
@@ -82,12 +83,12 @@ std::string value_at(const nlohmann::json& json, const nlohmann::json::json_poin
 }  // namespace
 
 Checkpoint::Checkpoint(const Scenario& scenario, const Builtins& builtins, Assembly& assembly,
-                       Recorder& recorder, Indicators* indicators)
+                       Recorder& recorder, Watching watching)
     : scenario_(scenario),
       builtins_(builtins),
       assembly_(assembly),
       recorder_(recorder),
-      indicators_(indicators) {}
+      watching_(watching) {}
 
 /// The scenario with what was set, and of each subsystem its ports and the file that it is read from. Where a
 /// subsystem lives does not matter if it is elsewhere: its address may be another one.
@@ -141,7 +142,8 @@ void Checkpoint::write(const fs::path& file) {
   to.put(std::uint64_t{0});
   to.put_text(identity());
   assembly_.coordinator().save(to);
-  if (indicators_) indicators_->save(to);
+  if (watching_.indicators) watching_.indicators->save(to);
+  if (watching_.estimate) watching_.estimate->save(to);
   recorder_.save(to);
   const auto payload = to.bytes().subspan(head_size);
   const std::uint64_t length = payload.size(), sum = checksum(payload);
@@ -166,7 +168,8 @@ void Checkpoint::resume(const fs::path& file) {
   ByteReader from(payload_of(std::as_bytes(std::span(text)), file), file.native(), "checkpoint");
   check_identity(from.take_text(longest_identity), file);
   assembly_.coordinator().restore(from);
-  if (indicators_) indicators_->resume(from);
+  if (watching_.indicators) watching_.indicators->resume(from);
+  if (watching_.estimate) watching_.estimate->resume(from);
   recorder_.resume(from);
 }
 

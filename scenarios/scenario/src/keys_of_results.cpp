@@ -50,8 +50,10 @@ void keys_of_results(KeyList& to) {
       .may("from", number, "The first time that is recorded. Without it: that of the start.", {.unit = "s"})
       .may("to", number, "The last one. Without it: that of the end.", {.unit = "s"})
       .may("indicators", word,
-           "How far the coupling is off, from what the run does anyway: indicators.csv (docs/indicators.md).",
-           {.otherwise = "raw", .words = {"raw", "off"}})
+           "How far the coupling is off: indicators.csv (docs/indicators.md). `raw`: from what the run does "
+           "anyway. "
+           "`estimate`: also how far the judged output is off, by linear models.",
+           {.otherwise = "raw", .words = {"raw", "off", "estimate"}})
       .may("animate", flag, "Mechanisms tell where their points are, for `tandem view`.",
            {.otherwise = "false"})
       .table("reference", "Results that those of a run are compared with.")

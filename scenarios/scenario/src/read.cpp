@@ -219,6 +219,11 @@ Scenario scenario_of(const Document& document, const std::vector<std::string>& o
   scenario.file = document.file();
   Reader reader(document, scenario);
   alone.empty() ? reader.read() : reader.read_alone(alone, overrides);
+  if (scenario.indicators == Indication::estimate && !scenario.judge)
+    refuse(scenario.place("record.indicators"),
+           "record.indicators is estimate, of the output that [judge] names, and there is no [judge]; "
+           "allowed are raw "
+           "and off");
   scenario.overrides = overrides;
   scenario.values = to_json(document.table()).dump(-1, ' ', false, Json::error_handler_t::replace);
   return scenario;

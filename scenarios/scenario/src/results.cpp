@@ -62,7 +62,8 @@ Json results_of(const Scenario& scenario, const Assembly& assembly, const Record
           {"scenario", scenario_of(scenario)}};
 }
 
-Json machine_figures(const Assembly& assembly, const RunEnd& end, bool profiled, double simulated) {
+Json machine_figures(const Assembly& assembly, const RunEnd& end, const RunSettings& settings,
+                     double simulated) {
   Json subsystems = Json::object();
   double inside = 0.0;
   for (int i = 0; i < assembly.topology().size(); ++i) {
@@ -70,7 +71,7 @@ Json machine_figures(const Assembly& assembly, const RunEnd& end, bool profiled,
     Json& figures = subsystems[assembly.topology().name(i)];
     figures = {{"steps", effort.steps}, {"exchanges", effort.exchanges}};
     if (effort.start_steps > 0) figures["steps_of_the_start"] = effort.start_steps;
-    if (profiled) figures["seconds"] = effort.seconds;
+    if (settings.profile) figures["seconds"] = effort.seconds;
     for (const Figure& figure : assembly.subsystem(i).figures())
       figures["integrator"][figure.name] = figure.count;
     inside += effort.seconds;
@@ -80,7 +81,8 @@ Json machine_figures(const Assembly& assembly, const RunEnd& end, bool profiled,
             {"seconds", end.seconds},
             {"real_time_factor", end.seconds > 0.0 ? Json(simulated / end.seconds) : Json()},
             {"subsystems", subsystems}};
-  if (profiled) json["coordinator"] = {{"seconds", end.seconds - inside}};
+  if (settings.expectation) json["seconds_of_the_estimate"] = settings.expectation->seconds;
+  if (settings.profile) json["coordinator"] = {{"seconds", end.seconds - inside}};
   return json;
 }
 

@@ -16,8 +16,8 @@ nlohmann::ordered_json results_of(const Scenario& scenario, const Assembly& asse
 
 /// Steps, exchanges, seconds and the real-time factor (simulated seconds in a second). Seconds of each
 /// subsystem and of the coordinator (with the recording) are there if the run was profiled.
-nlohmann::ordered_json machine_figures(const Assembly& assembly, const RunEnd& end, bool profiled,
-                                       double simulated);
+nlohmann::ordered_json machine_figures(const Assembly& assembly, const RunEnd& end,
+                                       const RunSettings& settings, double simulated);
 
 /// In place of what was there, whole, also after a power cut. Throws Error(input_output) with the path.
 void write_json(const std::filesystem::path& file, const nlohmann::ordered_json& json);

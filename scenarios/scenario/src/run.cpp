@@ -13,6 +13,7 @@
 #include "pace.hpp"
 #include "results.hpp"
 #include "run_checkpoints.hpp"
+#include "run_estimate.hpp"
 #include "run_indicators.hpp"
 #include "run_reference.hpp"
 #include "tandem/coordinator/observers.hpp"
@@ -48,8 +49,10 @@ class Run::Stages {
     recorder_ = assembly_->recorder(settings_.folder, [this] { begin(); });
     observers_.add(*recorder_);
     if ((indicators_ = assembly_->indicators())) observers_.add(*indicators_);
-    checkpoints_.emplace(Checkpoint(scenario_, builtins_, *assembly_, *recorder_, indicators_.get()),
-                         settings_.folder, settings_.checkpoint_every, scenario_.start);
+    if (scenario_.indicators == Indication::estimate) expect();
+    checkpoints_.emplace(
+        Checkpoint(scenario_, builtins_, *assembly_, *recorder_, {indicators_.get(), estimate_.get()}),
+        settings_.folder, settings_.checkpoint_every, scenario_.start);
     if (checkpoints_->wanted() || !settings_.resume.empty())
       located([this](const std::string& sentence) { return scenario_.place_named_in(sentence); },
               [this] { run().require_serializable(); });
@@ -79,8 +82,11 @@ class Run::Stages {
     simulate(listener);
     attempt([&] { recorder_->close(); });
     if (indicators_) {
-      attempt([&] { write_indicators(settings_.folder / "indicators.csv", *indicators_, time()); });
+      attempt([&] {
+        write_indicators(settings_.folder / "indicators.csv", *indicators_, estimate_.get(), time());
+      });
       end_.indicators = told_by(*indicators_);
+      if (estimate_) end_.estimate = estimate_->told();
     }
     if (reference_ && end_.status == "ok") {
       reference_->compare(settings_.folder);
@@ -113,6 +119,14 @@ class Run::Stages {
 
  private:
   Coordinator& run() { return assembly_->coordinator(); }
+
+  void expect() {
+    if (!settings_.expectation) settings_.expectation = {.why_not = "nobody said what is expected"};
+    const auto& [table, why_not, seconds] = *settings_.expectation;
+    if (!table) return void(end_.estimate = "none; " + why_not);
+    estimate_ = std::make_unique<Estimate>(assembly_->topology(), *scenario_.judge, *table, *indicators_);
+    observers_.add(*estimate_);
+  }
 
   /// Before any other file of the folder is opened.
   void begin() {
@@ -168,13 +182,15 @@ class Run::Stages {
   /// The status comes last: what it tells of is on the disk then.
   void write_machine_figures() {
     write_json(settings_.folder / "machine.json",
-               machine_figures(*assembly_, end_, settings_.profile, time() - began_at_));
+               machine_figures(*assembly_, end_, settings_, time() - began_at_));
     for (const fs::path& file : recorder_->files()) output::sync(file);
   }
 
   void write_results() {
     auto results = results_of(scenario_, *assembly_, *recorder_, end_);
-    if (indicators_) add_figures(*indicators_, results);
+    if (indicators_) add_figures(*indicators_, estimate_.get(), results);
+    if (scenario_.indicators == Indication::estimate && !estimate_)
+      results["indicators"]["no_estimate"] = settings_.expectation->why_not;
     if (reference_ && end_.status == "ok") results["reference"] = reference_->figures();
     attempt([&] { write_json(settings_.folder / "results.json", results); });
   }
@@ -187,6 +203,7 @@ class Run::Stages {
   std::optional<Assembly> assembly_;
   std::unique_ptr<Recorder> recorder_;
   std::unique_ptr<Indicators> indicators_;  ///< null: none are wanted
+  std::unique_ptr<Estimate> estimate_;      ///< null: there is none
   Observers observers_;
   std::optional<RunCheckpoints> checkpoints_;
   std::optional<RunReference> reference_;

@@ -33,28 +33,31 @@ std::string inner(const std::string& name) {
 
 }  // namespace
 
-void write_indicators(const std::filesystem::path& file, const Indicators& indicators, double time) {
+void write_indicators(const std::filesystem::path& file, const Indicators& indicators,
+                      const Estimate* estimate, double time) {
   std::string text = "time";
   for (const Connection& one : indicators.connections()) text += "," + one.name;
   for (const Link& one : indicators.links()) text += "," + one.name;
+  if (estimate) text += "," + estimate->name();
   text += "\n";
+  const auto add_largest = [&text](double value) {
+    text += ",";
+    if (!(value < 0.0)) fmt::format_to(std::back_inserter(text), "{}", value);
+  };
   std::vector<double> energies(indicators.links().size());
   const auto times = indicators.times();
   for (std::size_t k = 0; k < times.size() && (k == 0 || times[k - 1] < time); ++k) {
     fmt::format_to(std::back_inserter(text), "{}", std::min(times[k], time));
-    for (const Connection& one : indicators.connections())
-      if (one.windows[k] < 0.0)
-        text += ",";
-      else
-        fmt::format_to(std::back_inserter(text), ",{}", one.windows[k]);
+    for (const Connection& one : indicators.connections()) add_largest(one.windows[k]);
     for (std::size_t i = 0; i < energies.size(); ++i)
       fmt::format_to(std::back_inserter(text), ",{}", energies[i] += indicators.links()[i].windows[k]);
+    if (estimate) add_largest(k < estimate->windows().size() ? estimate->windows()[k] : -1.0);
     text += "\n";
   }
   output::replace_text(file, text);
 }
 
-void add_figures(const Indicators& indicators, Json& results) {
+void add_figures(const Indicators& indicators, const Estimate* estimate, Json& results) {
   Json &units = results["units"], defects = Json::object(), energies = Json::object();
   for (const Connection& one : indicators.connections()) {
     defects[one.name] = {{"largest", one.largest}, {"at", one.at}, {"peak_of_input", one.peak}};
@@ -65,6 +68,9 @@ void add_figures(const Indicators& indicators, Json& results) {
     units[one.name] = "J";
   }
   results["indicators"] = {{"defects", defects}, {"energies", energies}};
+  if (!estimate) return;
+  units[estimate->name()] = estimate->unit();
+  results["indicators"]["estimates"] = {{estimate->name(), estimate->figures()}};
 }
 
 std::string told_by(const Indicators& indicators) {

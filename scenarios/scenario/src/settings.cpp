@@ -94,7 +94,9 @@ RowRules row_rules(Section& section, const Scenario& of) {
 void read_record(Section& section, Scenario& to) {
   note_places(section, {"clock", "ports", "animate"}, to);
   to.animate = *section.flag("animate");
-  to.indicators = *section.text("indicators") != "off";
+  const std::string level = *section.text("indicators");
+  to.indicators = level == "off" ? Indication::off : level == "raw" ? Indication::raw : Indication::estimate;
+  if (to.indicators == Indication::estimate) note_places(section, {"indicators"}, to);
   const std::string clock = section.text("clock").value_or("");
   to.recording.own = clock == "own";
   if (!to.recording.own) to.recording.clock = clock;

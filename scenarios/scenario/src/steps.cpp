@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "tandem/scenario/assembly.hpp"
 
@@ -70,21 +71,29 @@ std::optional<Scenario> with_step(const Scenario& scenario, std::size_t which, c
 
 }  // namespace
 
-void scale_steps(Scenario& scenario, const Builtins& builtins, double factor) {
+void scale_each_step(Scenario& scenario, const Builtins& builtins,
+                     const std::function<double(double own, double shortest)>& factor) {
   const auto steps = own_steps(scenario, builtins);
-  if (auto& step = scenario.coordination.communication_step) *step *= factor;
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const double step : steps) shortest = std::fmin(shortest, step);
   for (std::size_t i = 0; i < steps.size(); ++i) {
     if (std::isnan(steps[i])) continue;
-    auto other = with_step(scenario, i, builtins, steps[i], steps[i] * factor);
+    const double by = factor(steps[i], shortest);
+    auto other = with_step(scenario, i, builtins, steps[i], steps[i] * by);
     if (!other)
       refuse(
           scenario.subsystems[i].place,
           fmt::format("subsystem '{}' has an own step of {} s, and no parameter of it is known to make it "
                       "{} s; allowed is "
                       "one whose value in the scenario is that of the own step, or one named steps_per_...",
-                      scenario.subsystems[i].name, steps[i], steps[i] * factor));
+                      scenario.subsystems[i].name, steps[i], steps[i] * by));
     scenario = std::move(*other);
   }
+}
+
+void scale_steps(Scenario& scenario, const Builtins& builtins, double factor) {
+  if (auto& step = scenario.coordination.communication_step) *step *= factor;
+  scale_each_step(scenario, builtins, [factor](double, double) { return factor; });
 }
 
 bool can_scale_steps(const Scenario& scenario, const Builtins& builtins) {

@@ -7,16 +7,24 @@
 
 namespace tandem::scenario {
 
+class Estimate;
+
 /// A run between two rounds as a file: 8 bytes "TANDEMCP", u32 format version, u64 length and u64 checksum of
-/// what follows: a text, what it is a checkpoint of (identity()), Coordinator::save, Indicators::save if there are any,
-/// Recorder::save.
+/// what follows. That is a text, what it is a checkpoint of (identity()); Coordinator::save; Indicators::save and
+/// Estimate::save, if there are any; Recorder::save.
 class Checkpoint {
  public:
-  static constexpr std::uint32_t format_version = 7;
+  static constexpr std::uint32_t format_version = 8;
 
-  /// All must outlive it. indicators: null for none.
+  /// Null for those that are not there.
+  struct Watching {
+    Indicators* indicators = nullptr;
+    Estimate* estimate = nullptr;
+  };
+
+  /// All must outlive it.
   Checkpoint(const Scenario& scenario, const Builtins& builtins, Assembly& assembly, Recorder& recorder,
-             Indicators* indicators);
+             Watching watching);
 
   /// With the recorded rows, down to the disk; an earlier file stays until the new one is whole. Throws
   /// Error(input_output) with the path, and what a subsystem throws.
@@ -38,7 +46,7 @@ class Checkpoint {
   const Builtins& builtins_;
   Assembly& assembly_;
   Recorder& recorder_;
-  Indicators* indicators_;
+  Watching watching_;
 };
 
 }  // namespace tandem::scenario

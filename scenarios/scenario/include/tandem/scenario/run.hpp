@@ -8,8 +8,16 @@
 #include <vector>
 
 #include "tandem/scenario/assembly.hpp"
+#include "tandem/text/time_table.hpp"
 
 namespace tandem::scenario {
+
+/// What the judged output is expected to be, for record.indicators = "estimate".
+struct Expectation {
+  std::optional<text::TimeTable> table = {};  ///< its column, and der(NAME) where it is known
+  std::string why_not = {};                   ///< there is none
+  double seconds = 0.0;                       ///< that it took
+};
 
 /// What the caller says of a run beside its scenario.
 struct RunSettings {
@@ -19,6 +27,7 @@ struct RunSettings {
   int threads = 1;                              ///< Coordination::threads.
   bool profile = false;                         ///< Coordination::profile.
   bool compares = true;                         ///< With the reference that the scenario names.
+  std::optional<Expectation> expectation = {};  ///< Needed by record.indicators = "estimate".
 };
 
 /// Who listens to a run: called between its rounds by the thread that runs.
@@ -34,6 +43,7 @@ struct RunEnd {
   double seconds = 0.0;                   ///< Of the stepping loop, with the recording.
   std::string report = {};                ///< Of the comparison with the reference; empty: there was none.
   std::string indicators = {};            ///< What they say, in a line; empty: there are none.
+  std::string estimate = {};              ///< Likewise, or why there is none; empty: none was wanted.
   std::vector<std::string> outside = {};  ///< What is not within the reference's tolerances, in sentences.
 };
 

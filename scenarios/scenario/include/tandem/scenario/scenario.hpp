@@ -109,6 +109,9 @@ struct LadderEntry {
   std::vector<LadderRung> rungs;
 };
 
+/// What a run tells of how far its coupling is off: what it does anyway, or also an estimate of the judged output's error.
+enum class Indication { off, raw, estimate };
+
 /// A scenario file as it was read: texts and numbers with their places, units and ports not yet looked at.
 struct Scenario {
   std::filesystem::path file;
@@ -121,7 +124,7 @@ struct Scenario {
   std::optional<Reconstruction> otherwise;  ///< of connections that have none and are not of held outputs
   double start = 0.0, stop = 0.0;           ///< [s]
   Recording recording;                      ///< without its directory
-  bool indicators = true;                   ///< how far the coupling is off is recorded
+  Indication indicators = Indication::raw;
   std::optional<ReferenceEntry> reference;
   std::optional<JudgeEntry> judge;
   std::optional<LadderEntry> ladder;

@@ -1,5 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <functional>
+
 #include "tandem/scenario/scenario.hpp"
 #include "tandem/transports/open.hpp"
 
@@ -10,6 +12,10 @@ namespace tandem::scenario {
 /// inverse of one that is named steps_per_...
 /// Throws Error for a subsystem of which none does.
 void scale_steps(Scenario& scenario, const Builtins& builtins, double factor);
+
+/// Likewise own steps alone, each by a factor: of it and the shortest of those that are not sampled [s].
+void scale_each_step(Scenario& scenario, const Builtins& builtins,
+                     const std::function<double(double own, double shortest)>& factor);
 
 /// Whether that can be.
 bool can_scale_steps(const Scenario& scenario, const Builtins& builtins);
