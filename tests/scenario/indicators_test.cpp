@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "command.hpp"
@@ -112,6 +113,43 @@ std::string refusal_of(const std::string& links) {
   const Said said = tandem(folder, {"validate", "s.toml"});
   EXPECT_EQ(said.status, 2) << said.out;
   return said.err;
+}
+
+/// The load ends no step at the instants, so the controller reads the line through its newest two rows. What its speed was
+/// there is the cubic of the rows beside it.
+TEST(RunIndicators, TheDefectOfASampledReaderIsWhatItsInputMissed) {
+  const Scratch folder;
+  const Said said =
+      tandem(folder, {"run", scenes + "drive/drive_libraries.toml", "--no-reference", "--output", "o",
+                      "--set", "subsystems.load.parameters.step=7e-4", "--set", "subsystems.load.land=never",
+                      "--set", "connections[controller.w].reconstruction=lagrange1", "--set",
+                      "record.clock=own", "--set", "record.derivatives=true"});
+  ASSERT_EQ(said.status, 0) << said.err;
+  const auto rows = text::TimeTable::read(folder.path() / "o/results.load.csv");
+  const auto column = [&](const std::string& name) -> const std::vector<double>& {
+    return rows.columns.at(
+        static_cast<std::size_t>(std::find(rows.names.begin(), rows.names.end(), name) - rows.names.begin()));
+  };
+  const auto &y = column("load.speed"), &slope = column("der(load.speed)"), &t = rows.times;
+  double largest = 0.0, at = 0.0;
+  std::size_t next = 0;
+  for (int k = 1; k < 240; ++k) {
+    const double instant = k * 2.5e-3;
+    while (t[next] <= instant + 1e-12) ++next;
+    if (next < 3) continue;
+    const double line =
+        y[next - 1] + (y[next - 1] - y[next - 2]) / (t[next - 1] - t[next - 2]) * (instant - t[next - 1]);
+    const double h = t[next] - t[next - 1], s = (instant - t[next - 1]) / h;
+    const double cubic = y[next - 1] * (1 + 2 * s) * (1 - s) * (1 - s) +
+                         h * slope[next - 1] * s * (1 - s) * (1 - s) + y[next] * s * s * (3 - 2 * s) +
+                         h * slope[next] * s * s * (s - 1);
+    if (std::abs(line - cubic) > largest) largest = std::abs(line - cubic), at = instant;
+  }
+  const auto told =
+      json_of(folder.path() / "o/results.json")["indicators"]["defects"]["defect(controller.w)"];
+  EXPECT_GT(largest, 0.05);
+  EXPECT_NEAR(told["largest"].get<double>(), largest, 1e-9 * largest);
+  EXPECT_NEAR(told["at"].get<double>(), at, 1e-12);
 }
 
 TEST(RunIndicators, LinksThatAreNoneAreRefused) {

@@ -29,7 +29,6 @@ void reconstruct(Scenario& scenario, const Builtins& builtins) {
 Scenario finer(Scenario scenario, const Builtins& builtins) {
   static constexpr double part = 1.0 / 16.0;
   scenario.coordination.schedule = Schedule::Kind::fastest_first;
-  scenario.indicators = scenario::Indication::off;
   reconstruct(scenario, builtins);
   scenario::scale_each_step(scenario, builtins,
                             [](double own, double shortest) { return std::min(part, shortest / own); });

@@ -60,6 +60,7 @@ scenario::RunSettings settings_of(const RunOptions& options, const Scenario& sce
   const InterruptGuard guard;
   settings.expectation = advice::expected(scenario, without_matrices(context.builtins),
                                           [] { return !InterruptGuard::interrupted(); });
+  if (InterruptGuard::interrupted()) throw RunFailed("interrupted before the run began");
   if (!context.quiet) say("estimate: models and their run took {:.3g} s\n", settings.expectation->seconds);
   return settings;
 }

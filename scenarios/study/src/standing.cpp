@@ -31,9 +31,6 @@ class Writer {
       throw Error(
           ErrorCode::invalid_argument,
           scenario.file.string() + " has no connection; allowed is a scenario with at least one, or a study");
-    find_judged();
-    varies_steps_ = scenario::can_scale_steps(scenario, builtins);
-    if (varied == Varied::left_out) find_stated(builtins);
   }
 
   /// Several connections may be added in one input.
@@ -46,7 +43,10 @@ class Writer {
     return all;
   }
 
-  std::string text() const {
+  std::string text(const Builtins& builtins) {
+    find_judged();
+    varies_steps_ = scenario::can_scale_steps(scenario_, builtins);
+    if (varied_ == Varied::left_out) leave_stated(builtins);
     return head() + reconstructions() +
            fmt::format(R"toml(
 [[tables.schemes.blocks]]
@@ -63,7 +63,7 @@ axes = [
 
  private:
   /// What is stated is not varied.
-  void find_stated(const Builtins& builtins) {
+  void leave_stated(const Builtins& builtins) {
     if (stated("/coordination/schedule"))
       schedules_ = {std::string(Schedule::name(scenario_.coordination.schedule))};
     varies_steps_ = varies_steps_ && !states_steps(scenario_, builtins);
@@ -224,7 +224,7 @@ bool states(const scenario::Scenario& scenario, const std::string& path) {
 }
 
 std::string standing_study(const scenario::Scenario& scenario, const Builtins& builtins, Varied varied) {
-  return Writer(scenario, builtins, varied).text();
+  return Writer(scenario, builtins, varied).text(builtins);
 }
 
 std::vector<std::string> free_connections(const scenario::Scenario& scenario, const Builtins& builtins,
