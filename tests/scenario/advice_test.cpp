@@ -10,6 +10,7 @@
 #include "long_run.hpp"
 #include "scratch.hpp"
 #include "tandem/identification/models.hpp"
+#include "tandem/scenario/taken.hpp"
 #include "tandem/study/standing.hpp"
 #include "tandem/study/sweep.hpp"
 

@@ -10,7 +10,7 @@
 #include "tandem/advice/advice.hpp"
 #include "tandem/charts/csv_table.hpp"
 #include "tandem/error.hpp"
-#include "tandem/scenario/scenario.hpp"
+#include "tandem/scenario/taken.hpp"
 
 namespace tandem::auto_scheme_tests {
 namespace {

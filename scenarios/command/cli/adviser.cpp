@@ -11,6 +11,7 @@
 #include "cli/sweep_study.hpp"
 #include "tandem/advice/leading.hpp"
 #include "tandem/scenario/assembly.hpp"
+#include "tandem/scenario/taken.hpp"
 #include "tandem/sources/mechanism.hpp"
 
 namespace tandem::cli {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "cli/say.hpp"
+#include "tandem/scenario/taken.hpp"
 #include "tandem/text/time_table.hpp"
 
 namespace tandem::cli {

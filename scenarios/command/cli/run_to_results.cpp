@@ -17,6 +17,7 @@
 #include "tandem/output/files.hpp"
 #include "tandem/scenario/checkpoint.hpp"
 #include "tandem/scenario/run.hpp"
+#include "tandem/scenario/taken.hpp"
 #include "tandem/sources/mechanism.hpp"
 
 namespace tandem::cli {

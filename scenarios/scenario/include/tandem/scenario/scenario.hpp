@@ -151,11 +151,4 @@ std::string kind_alone(const std::filesystem::path& file);
 /// what is allowed.
 Scenario read(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
-/// A scenario that chooses, with usual values for what it leaves out: it runs.
-Scenario with_usual(Scenario scenario);
-
-/// The scenario with what coordination.scheme = "auto" has taken. Throws Error for an override of
-/// another key than those of a scheme.
-Scenario with_taken(const Scenario& scenario, std::vector<std::string> taken);
-
 }  // namespace tandem::scenario
