@@ -19,7 +19,10 @@ Probe::Probe(Subsystem& subsystem, const Wanted& wanted)
     : subsystem_(subsystem), wanted_(wanted), courses_(courses()) {
   const Abilities& can = subsystem.info().abilities;
   if (!can.restarts) refuse("can't start again");
-  is_sampled() ? static_cast<void>(instants(2, nullptr)) : static_cast<void>(start(1, nullptr));
+  if (is_sampled())
+    instants(2, nullptr);
+  else
+    start(1, nullptr);
 }
 
 void Probe::refuse(const std::string& what) const {
