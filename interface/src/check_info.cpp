@@ -25,11 +25,12 @@ void check_unique(const std::string& name, const std::vector<Port>& ports) {
 
 void check_port(const std::string& name, const Port& port) {
   if (port.name.empty() || port.name.find_first_of("[] \t\n\",") != std::string::npos || port.size < 1 ||
-      port.derivatives < 0 || port.derivatives > 3)
+      port.derivatives < 0 || port.derivatives > 3 ||
+      (!port.starts.empty() && std::ssize(port.starts) != port.size))
     refuse(name, "port '" + port.name + "' has size " + std::to_string(port.size) + " and " +
                      std::to_string(port.derivatives) +
                      " derivatives; allowed are a name without [ ] , \" and blanks, a size from 1, 0 to 3 "
-                     "derivatives");
+                     "derivatives, and as many start values as it has scalars");
 }
 
 void check_ports(const std::string& name, const std::vector<Port>& ports) {

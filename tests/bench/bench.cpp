@@ -132,6 +132,12 @@ const std::vector<Benchmark>& all() {
      "round trips of an advance over each transport, and large vectors, beside the same bytes without tandem",
      transports,
      {{"median_us", "of 4000, in turns with the same bytes by the system's or ZeroMQ's own calls"}}},
+#if TANDEM_HAS_FMI
+    {"fmu",
+     "a step of an FMU whose step takes 1 us, beside the same calls made directly",
+     one(fmu),
+     {{"ns_tandem", "the median of 4000, in turns"}}},
+#endif
     {"engine_linkage",
      "30 s of the engine-linkage scene with one side in another process or in a shared library, beside both "
      "in "

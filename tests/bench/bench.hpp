@@ -72,6 +72,7 @@ Table integrators();
 Table function_evaluation();
 Table engine_models();
 std::vector<Table> transports(const Tick& tick);
+Table fmu();
 Table engine_linkage_elsewhere(const Tick& tick);
 std::vector<Table> against_simbody(const Tick& tick);  ///< only with Simbody
 

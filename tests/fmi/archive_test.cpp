@@ -6,6 +6,7 @@
 
 #include "refusal.hpp"
 #include "scratch.hpp"
+#include "tandem/fmi/temporary_folder.hpp"
 #include "zip_file.hpp"
 
 namespace tandem::test {

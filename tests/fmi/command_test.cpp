@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <filesystem>
+
 namespace tandem::test {
 namespace {
 
@@ -28,6 +31,28 @@ TEST(FmuCommand, RunsAScenario) {
   EXPECT_TRUE(contains(read_text(folder.path() / "r/results.csv"), "one.x,one.v,one.F,two.x"));
 }
 
+/// Names as they stand in the FMU.
+TEST(FmuCommand, ParametersMayStandInTablesAndLists) {
+  const Scratch folder;
+  folder.write("s.toml", "[constants]\nstart = 3\n[subsystems.space]\nsource = \"fmu:" + fmus +
+                             "/space3.fmu\"\nparameters.step = 0.01\nparameters.outputs = [\"x\"]\n"
+                             "parameters.set = { A = [0, 1, -1, 0], x0 = [\"$start\", 0] }\n"
+                             "inputs.u = 0\n[span]\nstop = 0.01\n");
+  const Said said = tandem(folder, {"--quiet", "run", "s.toml", "--output", "r"});
+  ASSERT_EQ(said.status, 0) << said.err;
+  EXPECT_TRUE(contains(read_text(folder.path() / "r/results.csv"),
+                       "space.x[0],space.x[1],space.y[0],space.y[1]\n0,3,0,6,0\n"))
+      << read_text(folder.path() / "r/results.csv");
+  const Said twice =
+      tandem(folder, {"validate", "s.toml", "--set", "subsystems.space.parameters.\"set.x0\"=1 2"});
+  EXPECT_EQ(twice.status, 2);
+  EXPECT_TRUE(contains(twice.err, "parameter 'set.x0' is given twice")) << twice.err;
+  const Said wrong =
+      tandem(folder, {"validate", "s.toml", "--set", "subsystems.space.parameters.outputs=[[1]]"});
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_TRUE(contains(wrong.err, "outputs")) << wrong.err;
+}
+
 TEST(FmuCommand, InAProcessOfItsOwnItHasTheSameResults) {
   const Scratch folder;
   folder.write("s.toml", two_masses()), folder.write("i.toml", two_masses("isolate = true\n"));
@@ -35,6 +60,22 @@ TEST(FmuCommand, InAProcessOfItsOwnItHasTheSameResults) {
   const Said said = tandem(folder, {"--quiet", "run", "i.toml", "--output", "i"});
   ASSERT_EQ(said.status, 0) << said.err;
   EXPECT_EQ(read_text(folder.path() / "s/results.csv"), read_text(folder.path() / "i/results.csv"));
+}
+
+/// This program has a CVODE, too, and it is loaded already.
+TEST(FmuCommand, AnFmuUsesTheCvodeThatItBrings) {
+  if (!std::filesystem::exists(fmus + "/cvode.fmu")) GTEST_SKIP() << "the archives of SUNDIALS are absent";
+  const Scratch folder;
+  folder.write("s.toml", "[subsystems.decay]\nsource = \"fmu:" + fmus +
+                             "/cvode.fmu\"\n[subsystems.mass]\nsource = \"fmu:" + fmus +
+                             "/mass.fmu\"\n[[connections]]\nfrom = \"decay.x\"\nto = \"mass.u\"\n"
+                             "reconstruction = \"lagrange1\"\n[span]\nstop = 1\n");
+  const Said said = tandem(folder, {"--quiet", "run", "s.toml", "--output", "r"});
+  ASSERT_EQ(said.status, 0) << said.err;
+  const std::string rows = read_text(folder.path() / "r/results.csv");
+  const auto last = rows.rfind("\n1,");
+  ASSERT_NE(last, std::string::npos);
+  EXPECT_NEAR(std::stod(rows.substr(last + 3)), std::exp(-1.0), 1e-8);
 }
 
 TEST(FmuCommand, ValidateReadsItsPortsAndRunsNothing) {

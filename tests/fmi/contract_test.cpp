@@ -28,6 +28,7 @@ TEST(FmuContract, ModelExchangeKeepsIt) {
   expect_nothing_wrong("decay?type=me", {});
   expect_nothing_wrong("mass?type=me", {std::nan("")});
   expect_nothing_wrong("ball", {});
+  expect_nothing_wrong("stair", {});
   expect_nothing_wrong("van_der_pol?type=me", {});
   expect_nothing_wrong("types?type=me&step=0.001", {0.0, 0.0, 1.0, 0.0, 1.0});
 }

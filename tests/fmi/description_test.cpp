@@ -46,13 +46,13 @@ TEST(FmuDescription, GivesWhatIsWritten) {
   EXPECT_EQ(x.unit, "rad/s");
   EXPECT_EQ(x.min, -3.0);
   EXPECT_EQ(x.nominal, 100.0);
-  EXPECT_EQ(x.start_value, 1.5);
+  EXPECT_EQ(x.start_values, std::vector<double>{1.5});
   EXPECT_EQ(x.variability, Variability::continuous);
   EXPECT_EQ(dx.derivative_of, 0);
   EXPECT_EQ(dx.unit, "N m/kg^2");
   EXPECT_EQ(n.variability, Variability::discrete);
   EXPECT_EQ(n.unit, "");
-  EXPECT_EQ(b.start_value, 1.0);
+  EXPECT_EQ(b.start_values, std::vector<double>{1.0});
   EXPECT_EQ(d.outputs[0].of, (std::vector<int>{0, 2}));
   EXPECT_TRUE(d.derivatives[0].of_all);
 }

@@ -26,8 +26,8 @@ Eigen::Vector4d exact() {
   return over * Eigen::Vector4d(1.0, 0.0, 1.0, 0.0);
 }
 
-double error_at(const std::string& how, double h) {
-  const std::string step = "mass?" + how + "&step=" + std::to_string(h);
+double error_at(const std::string& fmu, const std::string& how, double h) {
+  const std::string step = fmu + "?" + how + "&step=" + std::to_string(h);
   const auto one = open_fmu(step + first), other = open_fmu(step + second);
   RunBench bench;
   bench.add("one", *one).add("other", *other);
@@ -39,8 +39,8 @@ double error_at(const std::string& how, double h) {
 }
 
 /// Observed between the steps 0.05 and 0.0125 s.
-double order_of(const std::string& how) {
-  return std::log2(error_at(how, 0.05) / error_at(how, 0.0125)) / 2.0;
+double order_of(const std::string& how, const std::string& fmu = "mass") {
+  return std::log2(error_at(fmu, how, 0.05) / error_at(fmu, how, 0.0125)) / 2.0;
 }
 
 TEST(FmuOrders, InputsHeldAtTheLeftEndAreOfOrder1) { EXPECT_NEAR(order_of("type=cs&inputs=left"), 1.0, 0.2); }
@@ -54,6 +54,14 @@ TEST(FmuOrders, FirstDerivativesOfInputsAreOfOrder2) {
 }
 TEST(FmuOrders, SecondDerivativesOfInputsAreOfOrder3) {
   EXPECT_NEAR(order_of("type=cs&inputs=derivatives&order=2"), 3.0, 0.2);
+}
+TEST(FmuOrders, OfVersion3AreThoseOf2) {
+  EXPECT_NEAR(order_of("type=cs&inputs=left", "mass3"), 1.0, 0.2);
+  EXPECT_NEAR(order_of("type=cs&inputs=mean", "mass3"), 2.0, 0.2);
+  EXPECT_NEAR(order_of("type=me", "mass3"), 4.0, 0.2);
+}
+TEST(FmuOrders, InputsThatAreAskedForAtEachStageAreOfOrder4) {
+  EXPECT_NEAR(order_of("type=cs&inputs=intermediate", "mass3"), 4.0, 0.2);
 }
 TEST(FmuOrders, ModelExchangeIsOfOrder4) { EXPECT_NEAR(order_of("type=me"), 4.0, 0.2); }
 

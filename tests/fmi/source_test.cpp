@@ -118,6 +118,42 @@ TEST(FmuSource, LeavesNothingBehind) {
   EXPECT_TRUE(fs::is_empty(temporary.path()));
 }
 
+/// Folders of processes that were killed go, and those in use stay.
+TEST(FmuSource, RemovesWhatAKilledProcessHasLeft) {
+  const Scratch temporary;
+  ::setenv("TMPDIR", temporary.path().c_str(), 1);
+  const auto long_ago = fs::file_time_type::clock::now() - std::chrono::hours(1);
+  const auto count = [&] { return std::distance(fs::directory_iterator(temporary.path()), {}); };
+  const fs::path left = temporary.path() / "tandem_fmu_left", young = temporary.path() / "tandem_fmu_young";
+  fs::create_directories(left / "resources"), fs::create_directories(young);
+  fs::last_write_time(left, long_ago);
+  {
+    const auto one = open_fmu("decay");
+    EXPECT_FALSE(fs::exists(left));
+    EXPECT_TRUE(fs::exists(young));
+    for (const auto& entry : fs::directory_iterator(temporary.path()))
+      fs::last_write_time(entry.path(), long_ago);
+    const auto other = open_fmu("decay");
+    EXPECT_EQ(count(), 2);
+    EXPECT_EQ(FmuRun(*one, 1.0).rows, FmuRun(*other, 1.0).rows);
+  }
+  ::unsetenv("TMPDIR");
+  EXPECT_EQ(count(), 0);
+}
+
+TEST(FmuSource, ThatMayBeThereOnceIsRefusedTwice) {
+  const Scratch scratch;
+  const std::string once = changed(
+      scratch, describing,
+      description_with("<CoSimulation ", "<CoSimulation canBeInstantiatedOnlyOncePerProcess=\"true\" "));
+  auto one = open(once, fmu_sources());
+  EXPECT_TRUE(refuses(ErrorCode::not_supported, {"once in a process", "isolate"},
+                      [&] { open(once, fmu_sources()); }));
+  EXPECT_NO_THROW(FmuRun(*one, 1.0));
+  one.reset();
+  EXPECT_NO_THROW(open(once, fmu_sources()));
+}
+
 /// Instances do not share what they are.
 TEST(FmuSource, MayHaveSeveralInstances) {
   const auto slow = open_fmu("decay"), fast = open_fmu("decay?set.k=5");

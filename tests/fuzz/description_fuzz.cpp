@@ -11,10 +11,11 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     using namespace tandem::fmi;
-    const Description d = read_description(std::string(reinterpret_cast<const char*>(data), size), "fuzz");
+    Description d = read_description(std::string(reinterpret_cast<const char*>(data), size), "fuzz");
     tandem::Parameters p;
     p.set("step", 0.1);
-    tandem::check_info("fuzz", ports_of(d, take_settings(d, p)).info);
+    const Settings settings = take_settings(d, p);
+    tandem::check_info("fuzz", ports_of(d, settings).info);
   } catch (const tandem::Error&) {  // what has to come of a text that is not right
   }
   return 0;

@@ -47,7 +47,8 @@ void Instance::make_signals(const std::vector<double>& inputs) {
               " values of inputs are given; allowed is one for each of " +
               whole(static_cast<std::int64_t>(count)));
   for (std::size_t k = 0; k < count; ++k) {
-    const double start = scalar_at(info.inputs, static_cast<int>(k)).port->start;
+    const Scalar scalar = scalar_at(info.inputs, static_cast<int>(k));
+    const double start = scalar.port->start_of(scalar.element);
     const double usual = std::isfinite(start) ? start : 1.0 + 0.25 * static_cast<double>(k);
     const double a = inputs.empty() || std::isnan(inputs[k]) ? usual : inputs[k], t = t_start_;
     pieces_.push_back({{t + 0.13, t, {a, 0.5, -1.0, 0.0}},
@@ -75,6 +76,8 @@ Clock Instance::call_once(double t_limit, bool land, std::int64_t room) {
 }
 
 void Instance::advance(double t_limit, bool land, std::int64_t room) {
+  if (clock.stop == Stop::finished)
+    throw LeftOut("it says that it is finished at t = " + number_text(clock.time) + " s");
   for (int calls = 0; call_once(t_limit, land, room).stop == Stop::event && can().events; ++calls)
     require(calls < most_calls, "it stops at an event at t = " + number_text(clock.time) +
                                     " s, as in each of " + std::to_string(most_calls) + " calls before");
@@ -87,8 +90,6 @@ void Instance::go_to(double t_limit, bool land, std::int64_t room) {
     require(calls < most_calls, "it stands at t = " + number_text(clock.time) + " s after " +
                                     std::to_string(most_calls) + " calls of advance up to " +
                                     number_text(t_limit) + " s; allowed are as many as there are steps");
-    if (clock.stop == Stop::finished)
-      throw LeftOut("it says that it is finished at t = " + number_text(clock.time) + " s");
     advance(t_limit, land, room);
   }
 }

@@ -20,6 +20,13 @@ struct Port {
   double start = std::numeric_limits<double>::quiet_NaN();
   bool held = false;  ///< of an output: constant from each of its samples, that instant included, to the next
   double nominal = 1.0;  ///< of an output: its usual magnitude, in its unit; above 0
+  /// Of an array input whose scalars start differently: each one's, in place of start. It does not go over a
+  /// wire or the C table, where start alone is known.
+  std::vector<double> starts = {};
+
+  double start_of(int element) const {
+    return starts.empty() ? start : starts[static_cast<std::size_t>(element)];
+  }
 };
 
 /// Which port a scalar of the flattened numbering belongs to.

@@ -32,7 +32,7 @@ int Topology::add(const std::string& name, const SubsystemInfo& info) {
   instance.driven.resize(inputs);
   instance.to.resize(inputs);
   for (const Port& port : info.inputs)
-    instance.start.insert(instance.start.end(), static_cast<std::size_t>(port.size), port.start);
+    for (int element = 0; element < port.size; ++element) instance.start.push_back(port.start_of(element));
   instances_.push_back(std::move(instance));
   return numbers_[name] = size() - 1;
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <functional>
 
 #include "tandem/error.hpp"
@@ -74,6 +75,7 @@ static std::string marked(const Key& key) {
                                           "true or false",
                                           "an array of texts",
                                           "a number, true, false or a text",
+                                          "a number, true, false, a text, an array or a table of these",
                                           "a number, or an array of numbers",
                                           "an array of numbers",
                                           "a number, or an array of arrays of numbers",
@@ -87,6 +89,7 @@ static std::string marked(const Key& key) {
                                           "an array of tables",
                                           "a table with what a file has",
                                           ""};
+  static_assert(std::size(names) == static_cast<std::size_t>(Key::Type::any) + 1);
   std::string all = names[static_cast<std::size_t>(key.type)];
   if (key.type == Key::Type::word) all = words_of(key);
   if (!key.unit.empty()) all += " [" + key.unit + "]";

@@ -89,6 +89,8 @@ class Schema {
         return array(text);
       case Type::value:
         return {{"type", {"number", "boolean", "string"}}};
+      case Type::values:
+        return {{"type", {"number", "boolean", "string", "array", "object"}}};
       case Type::numbers:
         return any_of({number(), array(number())});
       case Type::vector:

@@ -45,7 +45,7 @@ void of_file(KeyList& to) {
           "one and `\"$(EXPRESSION)\"` for an expression of them.")
       .may("NAME", number, "The number.")
       .table("parameters", "Parameters that every subsystem gets, before its own.")
-      .may("NAME", value, "As the source of each subsystem knows it.")
+      .may("NAME", values, "As the source of each subsystem knows it.")
       .table("subsystems", "The subsystems, a table for each.", true);
 }
 
@@ -73,7 +73,11 @@ void of_subsystems(KeyList& to) {
            {.otherwise = "automatic", .words = {"automatic", "always", "never"}})
       .table("subsystems.NAME.parameters",
              "Its parameters: settings of its source and parameters of its model.")
-      .may("NAME", value, "`tandem info SOURCE` tells which there are.")
+      .may(
+          "NAME", values,
+          "`tandem info SOURCE` tells which there are. A table `set = { k = 3 }` stands for `\"set.k\" = 3`, "
+          "a list of names `outputs = [\"x\"]` for `\"outputs.x\" = true`, a list of numbers for the text of "
+          "them with blanks between.")
       .table("subsystems.NAME.inputs",
              "What its inputs are, by port, or by element of one, `\"u[0]\"`, in the units of the ports. "
              "Without "

@@ -7,6 +7,7 @@
 
 #include "read_constants.hpp"
 #include "read_link.hpp"
+#include "read_parameters.hpp"
 #include "settings.hpp"
 #include "tandem/input_file.hpp"
 #include "tandem/scenario/keys.hpp"
@@ -91,26 +92,9 @@ class Reader {
     }
   }
 
-  /// constants: what texts that begin with $ stand for; null: they are texts.
   std::vector<Parameter> parameters(const toml::table& table, const std::string& path,
                                     const text::Values* constants, const std::string& but = "") const {
-    std::vector<Parameter> all;
-    for (const auto& [key, node] : in_file_order(table)) {
-      if (key == but) continue;
-      const Place place = document_.place(*node);
-      if (constants && text::Values::refers(*node))
-        all.push_back({key, constants->number(document_, *node, path + "." + key), place});
-      else if (const auto* text = node->as_string())
-        all.push_back({key, text->get(), place});
-      else if (const auto* flag = node->as_boolean())
-        all.push_back({key, flag->get(), place});
-      else if (node->is_number())
-        all.push_back({key, number_of(document_, *node, path + "." + key), place});
-      else
-        refuse(place,
-               path + "." + key + " is " + described(*node) + "; allowed is a number, true, false or a text");
-    }
-    return all;
+    return read_parameters(document_, table, path, constants, but);
   }
 
   void read_subsystems(Section& root) {

@@ -6,7 +6,7 @@
 #include "fmu.h"
 
 enum { t, h, v, dv, e, g };
-const fmu_model model = {"ball-1", 2, 1, {h, v}, {v, dv}, 0.01, 1};
+const fmu_model model = {"ball-1", 2, 1, {h, v}, {v, dv}, 0.01, 1, 0};
 
 void set_start(fmu_values* m) {
   m->v[h] = 1, m->v[v] = 0, m->v[e] = 0.7, m->v[g] = -9.81, m->next_event = INFINITY;

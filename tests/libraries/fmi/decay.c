@@ -5,7 +5,7 @@
 #include "fmu.h"
 
 enum { t, x, dx, k };
-const fmu_model model = {"decay-1", 1, 0, {x}, {dx}, 0.1, 1};
+const fmu_model model = {"decay-1", 1, 0, {x}, {dx}, 0.1, 1, 0};
 
 void set_start(fmu_values* m) { m->v[x] = 1, m->v[k] = 1, m->next_event = INFINITY; }
 void compute(fmu_values* m) { m->v[dx] = -m->v[k] * m->v[x]; }

@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "fmi2.h"
+
 #define EXPORT __attribute__((visibility("default")))
 
 typedef struct {
@@ -202,46 +204,15 @@ EXPORT fmi2Status fmi2SetRealInputDerivatives(fmi2Component c, const fmi2ValueRe
   return fmi2OK;
 }
 
-/* At `dt` after the step's begin, where inputs were `begin`. */
-static void rates_at(fmu_values* m, const double* begin, double t, double dt, double* dx) {
-  int k;
-  for (k = 0; k < most_reals; ++k)
-    if (m->input_rates[k][0] != 0 || m->input_rates[k][1] != 0)
-      m->v[k] = begin[k] + dt * (m->input_rates[k][0] + 0.5 * dt * m->input_rates[k][1]);
-  m->v[0] = t + dt;
-  compute(m);
-  for (k = 0; k < model.states; ++k) dx[k] = m->v[model.rate[k]];
-}
-
-static void step(fmu_values* m, double t, double h) {
-  static const double at[] = {0, 0.5, 0.5, 1};
-  double begin[most_reals], k[4][most_states], x[most_states];
-  int stage, i;
-  memcpy(begin, m->v, sizeof begin);
-  for (i = 0; i < model.states; ++i) x[i] = m->v[model.state[i]];
-  for (stage = 0; stage < model.stages; ++stage) {
-    for (i = 0; i < model.states; ++i)
-      m->v[model.state[i]] = x[i] + (stage > 0 ? at[stage] * h * k[stage - 1][i] : 0);
-    rates_at(m, begin, t, at[stage] * h, k[stage]);
-  }
-  for (i = 0; i < model.states; ++i)
-    m->v[model.state[i]] =
-        x[i] + (model.stages == 1 ? h * k[0][i] : h / 6 * (k[0][i] + 2 * k[1][i] + 2 * k[2][i] + k[3][i]));
-  for (i = 0; i < most_reals; ++i)
-    if (m->input_rates[i][0] != 0 || m->input_rates[i][1] != 0) m->v[i] = begin[i];
-  m->v[0] = t + h;
-  compute(m);
-}
-
 EXPORT fmi2Status fmi2DoStep(fmi2Component c, fmi2Real t, fmi2Real h, fmi2Boolean never_back) {
   instance* const m = c;
   (void)never_back;
   if (t + h > m->stop + 1e-9) return fail(m, fmi2Error, "the step ends beyond the stop time", 0);
   if (model.fixed_step == 0) {
-    step(&m->values, t, h);
+    take_step(&m->values, t, h, NULL, NULL);
   } else {
     while (m->start + (m->steps_taken + 1) * model.fixed_step <= t + h + 1e-9) {
-      step(&m->values, m->start + m->steps_taken * model.fixed_step, model.fixed_step);
+      take_step(&m->values, m->start + m->steps_taken * model.fixed_step, model.fixed_step, NULL, NULL);
       ++m->steps_taken;
     }
   }

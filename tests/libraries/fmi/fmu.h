@@ -1,10 +1,9 @@
 /* Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause */
-/* A small FMU of FMI 2.0, of both kinds. A model has real variables v[], whole ones w[] (integers, booleans,
- * enumerations), and the functions below. Co-Simulation takes whole own steps of `fixed_step` by Euler's or
- * the classical Runge-Kutta method. Variable 0 is time. */
+/* A small FMU of both kinds: fmu.c makes it one of FMI 2.0, fmu3.c of 3.0. A model has real variables v[],
+ * whole ones w[] (integers, booleans, enumerations), and the functions below. Co-Simulation takes whole own
+ * steps of `fixed_step` by Euler's or the classical Runge-Kutta method. Variable 0 is time. */
 #ifndef TANDEM_TEST_FMU_H
 #define TANDEM_TEST_FMU_H
-#include "fmi2.h"
 
 enum { most_reals = 16, most_wholes = 8, most_states = 4, most_indicators = 2 };
 
@@ -24,6 +23,8 @@ typedef struct {
   int state[most_states], rate[most_states]; /* variables */
   double fixed_step;                         /* of Co-Simulation; 0: steps are taken as they are asked for */
   int stages;                                /* of its method: 1 or 4 */
+  int (*size)(const fmu_values*, unsigned reference); /* of arrays in 3.0, of which the size of states is one;
+                                                         null: all is scalar */
 } fmu_model;
 
 extern const fmu_model model;
@@ -33,5 +34,8 @@ void compute(fmu_values* m);
 void read_indicators(const fmu_values* m, double* z);
 /* What happens at an event. Whether states have other values. */
 int act(fmu_values* m);
+
+/* Of Co-Simulation, from t on. at_stage(of, t): before rates are computed; null: none. */
+void take_step(fmu_values* m, double t, double h, void (*at_stage)(void* of, double t), void* of);
 
 #endif

@@ -6,7 +6,7 @@
 #include "fmu.h"
 
 enum { t, x, v, a, u, force, mass, k, s, d };
-const fmu_model model = {"mass-1", 2, 0, {x, v}, {v, a}, 0, 4};
+const fmu_model model = {"mass-1", 2, 0, {x, v}, {v, a}, 0, 4, 0};
 
 void set_start(fmu_values* m) {
   m->v[mass] = 1, m->v[k] = 1, m->v[s] = 1, m->v[x] = 1, m->next_event = INFINITY;

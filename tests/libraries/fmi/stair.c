@@ -6,7 +6,7 @@
 
 enum { t };
 enum { count, last };
-const fmu_model model = {"stair-1", 0, 0, {0}, {0}, 0, 1};
+const fmu_model model = {"stair-1", 0, 0, {0}, {0}, 0, 1, 0};
 
 void set_start(fmu_values* m) { m->w[last] = 4, m->next_event = 1; }
 void compute(fmu_values* m) { (void)m; }

@@ -5,7 +5,7 @@
 #include "fmu.h"
 
 enum { own };
-const fmu_model model = {"symbols-1", 0, 0, {0}, {0}, 0, 1};
+const fmu_model model = {"symbols-1", 0, 0, {0}, {0}, 0, 1, 0};
 
 const char* zlibVersion(void); /* symbols_own.c */
 

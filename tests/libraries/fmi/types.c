@@ -7,7 +7,7 @@
 
 enum { t, real_in, discrete_in, real_out, discrete_out };
 enum { whole_in, flag_in, choice_in, whole_out, flag_out, choice_out, events, length };
-const fmu_model model = {"types-1", 0, 0, {0}, {0}, 0, 1};
+const fmu_model model = {"types-1", 0, 0, {0}, {0}, 0, 1, 0};
 
 void set_start(fmu_values* m) { m->w[choice_in] = 1, m->next_event = INFINITY; }
 void compute(fmu_values* m) {

@@ -5,7 +5,7 @@
 #include "fmu.h"
 
 enum { t, x, v, dv, mu };
-const fmu_model model = {"van_der_pol-1", 2, 0, {x, v}, {v, dv}, 0, 4};
+const fmu_model model = {"van_der_pol-1", 2, 0, {x, v}, {v, dv}, 0, 4, 0};
 
 void set_start(fmu_values* m) { m->v[x] = 2, m->v[mu] = 1, m->next_event = INFINITY; }
 void compute(fmu_values* m) { m->v[dv] = m->v[mu] * (1 - m->v[x] * m->v[x]) * m->v[v] - m->v[x]; }

@@ -154,16 +154,4 @@ void Archive::unpack(std::string_view folder, const fs::path& to) {
   }
 }
 
-TemporaryFolder::TemporaryFolder() {
-  std::string name = (fs::temp_directory_path() / "tandem_fmu_XXXXXX").string();
-  if (!::mkdtemp(name.data()))
-    throw Error(ErrorCode::input_output, "no folder can be made in " + fs::temp_directory_path().string());
-  path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
 }  // namespace tandem::fmi

@@ -3,14 +3,18 @@
 
 #include <algorithm>
 #include <cctype>
-#include <set>
+#include <limits>
+#include <map>
 
+#include "tandem/error.hpp"
 #include "tandem/printable.hpp"
 #include "variables.hpp"
 #include "xml.hpp"
 
 namespace tandem::fmi {
 namespace {
+
+constexpr std::uint64_t most_scalars = std::uint64_t{1} << 20;  // of an array
 
 /// It becomes part of a file's name, so nothing that leads elsewhere.
 std::string model_identifier(const Xml& xml, pugi::xml_node of) {
@@ -21,63 +25,118 @@ std::string model_identifier(const Xml& xml, pugi::xml_node of) {
   return name;
 }
 
-std::optional<Offer> offer(const Xml& xml, pugi::xml_node of) {
+std::optional<Offer> offer(const Xml& xml, pugi::xml_node of, Version version) {
   if (!of) return std::nullopt;
+  const bool two = version == Version::two;
   Offer o;
   o.model = model_identifier(xml, of);
   o.needs_tool = xml.flag(of, "needsExecutionTool");
   o.once_per_process = xml.flag(of, "canBeInstantiatedOnlyOncePerProcess");
-  o.keeps_state = xml.flag(of, "canGetAndSetFMUstate");
-  o.serializes_state = o.keeps_state && xml.flag(of, "canSerializeFMUstate");
-  o.interpolates_inputs = xml.flag(of, "canInterpolateInputs");
-  o.needs_no_completed_steps = xml.flag(of, "completedIntegratorStepNotNeeded");
+  o.keeps_state = xml.flag(of, two ? "canGetAndSetFMUstate" : "canGetAndSetFMUState");
+  o.serializes_state = o.keeps_state && xml.flag(of, two ? "canSerializeFMUstate" : "canSerializeFMUState");
+  o.interpolates_inputs = two && xml.flag(of, "canInterpolateInputs");
+  o.needs_no_completed_steps =
+      two ? xml.flag(of, "completedIntegratorStepNotNeeded") : !xml.flag(of, "needsCompletedIntegratorStep");
+  if (two) return o;
+  o.varies_steps = xml.flag(of, "canHandleVariableCommunicationStepSize");
+  o.returns_early = xml.flag(of, "mightReturnEarlyFromDoStep");
+  o.has_events = xml.flag(of, "hasEventMode");
+  o.asks_for_inputs = xml.flag(of, "providesIntermediateUpdate");
+  o.fixed_step = xml.number(of, "fixedInternalStepSize");
   return o;
 }
 
-/// Variables are counted from 1 in the text and from 0 here.
-std::vector<Unknown> unknowns(const Xml& xml, pugi::xml_node list, int variables) {
-  std::vector<Unknown> all;
-  for (const pugi::xml_node node : list.children("Unknown")) {
-    const auto index = xml.whole(node, "index", 1, variables);
-    if (!index) xml.wrong(node, "index", "the number of a variable");
-    Unknown unknown{static_cast<int>(*index) - 1};
-    const auto of = xml.list(node, "dependencies", 1, variables);
-    unknown.of_all = !of;
-    for (const int one : of.value_or(std::vector<int>())) unknown.of.push_back(one - 1);
-    all.push_back(std::move(unknown));
+/// Reads of which variables others follow: in 2.0 by number, counted from 1; in 3.0 by reference.
+class StructureReader {
+ public:
+  StructureReader(const Xml& xml, Description& d) : xml_(xml), d_(d) {
+    if (d.version == Version::three)
+      for (int k = 0; k < std::ssize(d.variables); ++k) places_.try_emplace(d.at(k).reference, k);
+    else
+      for (int k = 0; k < std::ssize(d.variables); ++k) places_.emplace(k + 1, k);
   }
-  return all;
-}
 
-void read_structure(const Xml& xml, pugi::xml_node structure, Description& d) {
-  const auto variables = static_cast<int>(d.variables.size());
-  d.outputs = unknowns(xml, structure.child("Outputs"), variables);
-  d.derivatives = unknowns(xml, structure.child("Derivatives"), variables);
-  for (const Unknown& state : d.derivatives)
-    if (const Variable& v = d.variables[static_cast<std::size_t>(state.variable)];
-        v.type != Type::real || v.derivative_of < 0)
-      xml.refuse(structure,
-                 "variable '" + printable(v.name, 200) +
-                     "' is listed as the derivative of a state; allowed is one whose <Real> has the "
-                     "attribute derivative");
+  void read(pugi::xml_node structure) {
+    const bool two = d_.version == Version::two;
+    d_.outputs = two ? unknowns(structure.child("Outputs"), "Unknown") : unknowns(structure, "Output");
+    d_.derivatives = two ? unknowns(structure.child("Derivatives"), "Unknown")
+                         : unknowns(structure, "ContinuousStateDerivative");
+    for (const Unknown& one : unknowns(structure, "EventIndicator")) d_.indicators.push_back(one.variable);
+    for (const Unknown& state : d_.derivatives)
+      if (const Variable& v = d_.at(state.variable); v.type != Type::float64 || v.derivative_of < 0)
+        xml_.refuse(structure,
+                    "variable '" + printable(v.name, 200) +
+                        "' is listed as the derivative of a state; allowed is a real one that has the "
+                        "attribute derivative");
+  }
+
+ private:
+  std::vector<Unknown> unknowns(pugi::xml_node list, const char* element) const {
+    std::vector<Unknown> all;
+    const char* const name = d_.version == Version::two ? "index" : "valueReference";
+    for (const pugi::xml_node node : list.children(element)) {
+      const auto of = xml_.list(node, "dependencies", 0, most());
+      Unknown unknown{variable(node, name, xml_.whole(node, name, 0, most())), !of};
+      for (const std::int64_t one : of.value_or(std::vector<std::int64_t>()))
+        unknown.of.push_back(variable(node, "dependencies", one));
+      all.push_back(std::move(unknown));
+    }
+    return all;
+  }
+
+  static constexpr std::int64_t most() { return std::numeric_limits<std::uint32_t>::max(); }
+
+  int variable(pugi::xml_node node, const char* attribute, std::optional<std::int64_t> number) const {
+    const auto it = number ? places_.find(*number) : places_.end();
+    if (it != places_.end()) return it->second;
+    xml_.wrong(node, attribute,
+               d_.version == Version::two
+                   ? "the number of a variable, from 1 to " + std::to_string(places_.size())
+                   : "the valueReference of a variable");
+  }
+
+  const Xml& xml_;
+  Description& d_;
+  std::map<std::int64_t, int> places_;
+};
+
+Version version_of(const Xml& xml, pugi::xml_node root) {
+  const std::string text = xml.text(root, "fmiVersion").value_or("");
+  if (text == "2.0") return Version::two;
+  if (text.starts_with("3.")) return Version::three;
+  xml.wrong(root, "fmiVersion", "2.0 or 3.0");
 }
 
 void read_head(const Xml& xml, pugi::xml_node root, Description& d) {
-  if (const auto version = xml.text(root, "fmiVersion"); version != "2.0")
-    xml.wrong(root, "fmiVersion", "2.0");
+  d.version = version_of(xml, root);
   d.name = xml.needed_text(root, "modelName");
-  d.guid = xml.text(root, "guid").value_or("");
+  d.guid = xml.text(root, d.version == Version::two ? "guid" : "instantiationToken").value_or("");
   d.tool = xml.text(root, "generationTool").value_or("");
   d.text = xml.text(root, "description").value_or("");
-  constexpr int most_indicators = 1 << 24;
   d.event_indicators =
-      static_cast<int>(xml.whole(root, "numberOfEventIndicators", 0, most_indicators).value_or(0));
-  d.co_simulation = offer(xml, root.child("CoSimulation"));
-  d.model_exchange = offer(xml, root.child("ModelExchange"));
+      static_cast<int>(xml.whole(root, "numberOfEventIndicators", 0, most_scalars).value_or(0));
+  d.co_simulation = offer(xml, root.child("CoSimulation"), d.version);
+  d.model_exchange = offer(xml, root.child("ModelExchange"), d.version);
   if (!d.co_simulation && !d.model_exchange)
     xml.refuse(root, "the FMU offers neither Co-Simulation nor Model Exchange");
   const pugi::xml_node experiment = root.child("DefaultExperiment");
   d.experiment = {xml.number(experiment, "stepSize"), xml.number(experiment, "tolerance")};
+}
+
+int size_of(const Variable& v, const Description& d) {
+  std::uint64_t size = 1;
+  for (const Dimension& one : v.dimensions) {
+    const Variable* by = one.variable < 0 ? nullptr : &d.at(one.variable);
+    const bool known = !by || (by->start_values.size() == 1 && by->start_values[0] >= 0.0);
+    size *= known
+                ? std::min(by ? static_cast<std::uint64_t>(by->start_values[0]) : one.size, most_scalars + 1)
+                : most_scalars + 1;
+    if (size > most_scalars)
+      throw Error(ErrorCode::invalid_argument, "the FMU's array '" + printable(v.name, 200) +
+                                                   "' has a size that is not known, or more than " +
+                                                   std::to_string(most_scalars) + " elements");
+  }
+  return static_cast<int>(size);
 }
 
 }  // namespace
@@ -87,9 +146,27 @@ Description read_description(const std::string& text, const std::string& file) {
   const pugi::xml_node root = xml.root("fmiModelDescription");
   Description d;
   read_head(xml, root, d);
-  d.variables = read_variables(xml, root);
-  read_structure(xml, root.child("ModelStructure"), d);
+  d.variables = read_variables(xml, root, d.version);
+  StructureReader(xml, d).read(root.child("ModelStructure"));
+  set_sizes(d);
   return d;
+}
+
+void set_sizes(Description& d) {
+  std::uint64_t all = 0;
+  for (Variable& v : d.variables) all += static_cast<std::uint64_t>(v.size = size_of(v, d));
+  if (constexpr std::uint64_t most = std::uint64_t{1} << 26; all > most)
+    throw Error(ErrorCode::invalid_argument, "the FMU's variables have " + std::to_string(all) +
+                                                 " elements; allowed are " + std::to_string(most));
+  if (d.version == Version::two) return;
+  d.event_indicators = 0;
+  for (const int one : d.indicators) d.event_indicators += d.at(one).size;
+}
+
+int Description::state_size() const {
+  int size = 0;
+  for (const Unknown& rate : derivatives) size += at(rate.variable).size;
+  return size;
 }
 
 /// "N.m/rad", "m/s2" as "N m/rad", "m/s^2".

@@ -9,16 +9,15 @@ namespace tandem::fmi {
 
 Equations::Equations(const std::shared_ptr<Instance>& instance)
     : running_(instance),
-      x_(instance->fmu().description.derivatives.size()),
+      x_(static_cast<std::size_t>(instance->fmu().description.state_size())),
       indicators_(static_cast<std::size_t>(instance->fmu().description.event_indicators)),
-      inputs_(running_.info().inputs.size()),
+      inputs_(static_cast<std::size_t>(running_.info().input_size())),
       above_(indicators_.size()) {}
 
 void Equations::start(double t, std::span<const double> u0) {
   finished_ = false;
   running_.initialize(t, std::nullopt, u0);
-  for (std::size_t k = 0; k < inputs_.size(); ++k)
-    inputs_[k] = std::isnan(u0[k]) ? running_.info().inputs[k].start : u0[k];
+  put_start(running_.info().inputs, u0, inputs_);
   settle(t);
 }
 
@@ -28,9 +27,9 @@ std::optional<std::vector<StateName>> Equations::names() const {
   if (d.event_indicators > 0 || std::any_of(d.variables.begin(), d.variables.end(), is_discrete)) return {};
   std::vector<StateName> all;
   for (const Unknown& rate : d.derivatives) {
-    const Variable& v = d.variables[static_cast<std::size_t>(rate.variable)];
-    const Variable& state = d.variables[static_cast<std::size_t>(v.derivative_of)];
-    all.push_back({state.name, state.unit});
+    const Variable& state = d.at(d.at(rate.variable).derivative_of);
+    const Port port{state.name, state.unit, state.size};
+    for (int k = 0; k < state.size; ++k) all.push_back({Scalar{&port, k}.name(), state.unit});
   }
   return all;
 }
@@ -38,8 +37,7 @@ std::optional<std::vector<StateName>> Equations::names() const {
 void Equations::put(std::span<const double> x) {
   running_.resume();
   std::copy(x.begin(), x.end(), x_.begin());
-  if (!x_.empty())
-    instance().call(&Functions::SetContinuousStates, "fmi2SetContinuousStates", x_.data(), x_.size());
+  if (!x_.empty()) instance().set_states(x_);
 }
 
 void Equations::resume(std::span<const Signal> u) {
@@ -48,38 +46,19 @@ void Equations::resume(std::span<const Signal> u) {
   running_.know_inputs();
 }
 
-bool Equations::take_continuous(double t) {
-  bool differ = false;
-  for (const Seat& seat : running_.fmu().ports.continuous) {
-    double& now = inputs_[static_cast<std::size_t>(seat.place)];
-    const double value = u_[static_cast<std::size_t>(seat.place)].value(t);
-    differ = differ || value != now;
-    now = value;
-  }
-  return differ;
-}
-
 bool Equations::discrete_inputs_changed(double t) {
-  bool differ = false;
-  for (const Seat& seat : running_.fmu().ports.discrete) {
-    double& now = inputs_[static_cast<std::size_t>(seat.place)];
-    const double value = u_[static_cast<std::size_t>(seat.place)].value(t);
-    differ = differ || value != now;
-    now = value;
-  }
-  return differ;
+  return take(running_.fmu().ports.discrete, u_, t, inputs_);
 }
 
 void Equations::go_to(double t) {
-  instance().call(&Functions::SetTime, "fmi2SetTime", t);
-  if (!x_.empty())
-    instance().call(&Functions::SetContinuousStates, "fmi2SetContinuousStates", x_.data(), x_.size());
-  take_continuous(t);
+  instance().set_time(t);
+  if (!x_.empty()) instance().set_states(x_);
+  take(running_.fmu().ports.continuous, u_, t, inputs_);
   running_.set_continuous(inputs_.data(), t);
 }
 
 void Equations::read_rates(double* dx) {
-  if (!x_.empty()) instance().call(&Functions::GetDerivatives, "fmi2GetDerivatives", dx, x_.size());
+  if (!x_.empty()) instance().get_rates(dx, x_.size());
 }
 
 void Equations::evaluate(double t) {
@@ -88,7 +67,7 @@ void Equations::evaluate(double t) {
 }
 
 void Equations::evaluate_again(double t) {
-  if (!take_continuous(t)) return;
+  if (!take(running_.fmu().ports.continuous, u_, t, inputs_)) return;
   running_.set_continuous(inputs_.data(), t);
   read_indicators();
 }
@@ -100,37 +79,25 @@ int Equations::changed() const {
 }
 
 bool Equations::end_step() {
-  fmi2Boolean event = fmi2False, end = fmi2False;
   if (running_.fmu().description.model_exchange->needs_no_completed_steps) return false;
-  const fmi2Boolean never_back = running_.keeps_state() ? fmi2False : fmi2True;
-  instance().call(&Functions::CompletedIntegratorStep, "fmi2CompletedIntegratorStep", never_back, &event,
-                  &end);
-  finished_ = finished_ || end != fmi2False;
-  return event != fmi2False;
+  const Completed completed = instance().complete_step(!running_.keeps_state());
+  finished_ = finished_ || completed.ended;
+  return completed.event;
 }
 
 void Equations::happen(double t) {
-  instance().call(&Functions::EnterEventMode, "fmi2EnterEventMode");
+  instance().enter_events();
   running_.set_discrete(inputs_.data(), t);
   settle(t);
 }
 
 /// From event mode, or the end of initialization, to continuous time.
 void Equations::settle(double t) {
-  constexpr int most_rounds = 100;
-  fmi2EventInfo info{};
-  info.newDiscreteStatesNeeded = fmi2True;
-  for (int round = 0; info.newDiscreteStatesNeeded != fmi2False; ++round) {
-    if (round == most_rounds)
-      throw Error(ErrorCode::numerical, "the FMU's event at t = " + std::to_string(t) +
-                                            " s does not settle in 100 rounds of fmi2NewDiscreteStates");
-    instance().call(&Functions::NewDiscreteStates, "fmi2NewDiscreteStates", &info);
-    if (info.terminateSimulation != fmi2False) finished_ = true;
-    if (finished_) return;
-  }
-  const bool known = info.nextEventTimeDefined != fmi2False;
-  next_event_ = known ? info.nextEventTime : std::numeric_limits<double>::infinity();
-  instance().call(&Functions::EnterContinuousTimeMode, "fmi2EnterContinuousTimeMode");
+  const Updated updated = running_.settle(t);
+  finished_ = finished_ || updated.ended;
+  if (finished_) return;
+  next_event_ = updated.next_event;
+  instance().enter_continuous_time();
   read_states();
   read_indicators();
   std::transform(indicators_.begin(), indicators_.end(), above_.begin(),
@@ -138,14 +105,11 @@ void Equations::settle(double t) {
 }
 
 void Equations::read_states() {
-  if (!x_.empty())
-    instance().call(&Functions::GetContinuousStates, "fmi2GetContinuousStates", x_.data(), x_.size());
+  if (!x_.empty()) instance().get_states(x_);
 }
 
 void Equations::read_indicators() {
-  if (!indicators_.empty())
-    instance().call(&Functions::GetEventIndicators, "fmi2GetEventIndicators", indicators_.data(),
-                    indicators_.size());
+  if (!indicators_.empty()) instance().get_indicators(indicators_);
 }
 
 void Equations::write(ByteWriter& to) const {

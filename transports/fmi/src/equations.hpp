@@ -54,7 +54,6 @@ class Equations {
 
  private:
   void go_to(double t);
-  bool take_continuous(double t);
   void settle(double t);
   void read_states();
   void read_indicators();

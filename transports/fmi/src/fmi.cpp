@@ -19,7 +19,8 @@ const char* const description_name = "modelDescription.xml";
 
 std::string described(const Fmu& fmu) {
   const Description& d = fmu.description;
-  std::string text = fmt::format("FMI 2.0, {}", name_of(fmu.settings.kind));
+  std::string text =
+      fmt::format("FMI {}.0, {}", d.version == Version::two ? 2 : 3, name_of(fmu.settings.kind));
   if (d.co_simulation && d.model_exchange)
     text += fmt::format(
         " (it offers {}, too)",
@@ -42,7 +43,7 @@ std::string states_sentence(const Fmu& fmu) {
   return fmt::format(
       "{} continuous states, {} event indicators; its state can{} be had{}; it takes {} derivatives of "
       "inputs",
-      d.derivatives.size(), d.event_indicators, offer.keeps_state ? "" : "not",
+      d.state_size(), d.event_indicators, offer.keeps_state ? "" : "not",
       offer.serializes_state ? ", also as bytes" : "", offer.interpolates_inputs ? "" : "no");
 }
 
@@ -50,9 +51,12 @@ std::string states_sentence(const Fmu& fmu) {
 DeclaredParameters parameters_of(const Fmu& fmu) {
   DeclaredParameters all;
   for (const Variable& v : fmu.description.variables) {
-    if (v.causality != Causality::parameter) continue;
+    const bool is_parameter =
+        v.causality == Causality::parameter || v.causality == Causality::structural_parameter;
+    if (!is_parameter || (!is_number(v.type) && v.type != Type::text)) continue;
     DeclaredParameter p{"set." + v.name, {}, v.start.value_or(""), v.description};
-    if (v.type != Type::string && v.type != Type::boolean) p.unit = v.unit;
+    const bool has_unit = is_number(v.type) && v.type != Type::boolean && v.dimensions.empty();
+    if (has_unit) p.unit = v.unit;
     all.push_back(std::move(p));
   }
   return all;
@@ -72,6 +76,11 @@ void require_runnable(const Fmu& fmu) {
                 who +
                     " needs the tool that made it (needsExecutionTool); allowed is one "
                     "that brings all that it needs");
+  for (const Variable& v : fmu.description.variables)
+    if (v.type == Type::clock && v.causality == Causality::input)
+      throw Error(ErrorCode::not_supported,
+                  who + " has a clock, '" + printable(v.name, 200) +
+                      "', that its importer would have to tick; allowed is one without input clocks");
   if (!fmu.archive->has(library_of(fmu)))
     throw Error(ErrorCode::not_supported, who + " has no library for this platform, " + library_of(fmu) +
                                               "; there are those of " + fmu.archive->folders_in("binaries/"));
@@ -82,7 +91,7 @@ std::unique_ptr<Subsystem> make(const Address& address, Parameters& p, const Tel
   p.refuse_unused(address.name());
   require_runnable(fmu);
   const Kind kind = fmu.settings.kind;
-  auto instance = std::make_shared<Instance>(std::move(fmu), tell);
+  auto instance = Instance::make(std::move(fmu), tell);
   return kind == Kind::co_simulation ? make_co_simulation(std::move(instance))
                                      : make_model_exchange(std::move(instance));
 }
@@ -99,19 +108,21 @@ Fmu read_fmu(const std::filesystem::path& file, Parameters& parameters) {
   return fmu;
 }
 
-const char* platform() {
-#if defined(__linux__) && defined(__x86_64__)
-  return "linux64";
-#elif defined(__linux__) && defined(__i386__)
-  return "linux32";
+std::string platform(Version version) {
+#if defined(__x86_64__)
+  return version == Version::two ? "linux64" : "x86_64-linux";
+#elif defined(__i386__)
+  return version == Version::two ? "linux32" : "x86-linux";
+#elif defined(__aarch64__)
+  return version == Version::two ? "" : "aarch64-linux";
 #else
   return "";
 #endif
 }
 
 std::string library_of(const Fmu& fmu) {
-  return std::string("binaries/") + platform() + "/" + offer_of(fmu.description, fmu.settings.kind).model +
-         ".so";
+  return "binaries/" + platform(fmu.description.version) + "/" +
+         offer_of(fmu.description, fmu.settings.kind).model + ".so";
 }
 
 }  // namespace fmi

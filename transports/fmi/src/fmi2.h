@@ -43,62 +43,27 @@ typedef struct {
   fmi2Real nextEventTime;
 } fmi2EventInfo;
 
-/* FUNCTION(result, name, arguments) of every function: what both kinds have; what goes with an ability; what
- * one kind has. */
-#define TANDEM_FMI2_COMMON(FUNCTION)                                                                         \
-  FUNCTION(const char*, GetVersion, (void))                                                                  \
-  FUNCTION(fmi2Component, Instantiate,                                                                       \
-           (fmi2String name, fmi2Type, fmi2String guid, fmi2String resources, const fmi2CallbackFunctions*,  \
-            fmi2Boolean visible, fmi2Boolean logging))                                                       \
-  FUNCTION(void, FreeInstance, (fmi2Component))                                                              \
-  FUNCTION(fmi2Status, SetupExperiment,                                                                      \
-           (fmi2Component, fmi2Boolean tolerance_defined, fmi2Real tolerance, fmi2Real start,                \
-            fmi2Boolean stop_defined, fmi2Real stop))                                                        \
-  FUNCTION(fmi2Status, EnterInitializationMode, (fmi2Component))                                             \
-  FUNCTION(fmi2Status, ExitInitializationMode, (fmi2Component))                                              \
-  FUNCTION(fmi2Status, Terminate, (fmi2Component))                                                           \
-  FUNCTION(fmi2Status, Reset, (fmi2Component))                                                               \
-  FUNCTION(fmi2Status, GetReal, (fmi2Component, const fmi2ValueReference[], size_t, fmi2Real[]))             \
-  FUNCTION(fmi2Status, GetInteger, (fmi2Component, const fmi2ValueReference[], size_t, fmi2Integer[]))       \
-  FUNCTION(fmi2Status, GetBoolean, (fmi2Component, const fmi2ValueReference[], size_t, fmi2Boolean[]))       \
-  FUNCTION(fmi2Status, SetReal, (fmi2Component, const fmi2ValueReference[], size_t, const fmi2Real[]))       \
-  FUNCTION(fmi2Status, SetInteger, (fmi2Component, const fmi2ValueReference[], size_t, const fmi2Integer[])) \
-  FUNCTION(fmi2Status, SetBoolean, (fmi2Component, const fmi2ValueReference[], size_t, const fmi2Boolean[])) \
-  FUNCTION(fmi2Status, SetString, (fmi2Component, const fmi2ValueReference[], size_t, const fmi2String[]))
-
-#define TANDEM_FMI2_STATES(FUNCTION)                                \
-  FUNCTION(fmi2Status, GetFMUstate, (fmi2Component, fmi2FMUstate*)) \
-  FUNCTION(fmi2Status, SetFMUstate, (fmi2Component, fmi2FMUstate))  \
-  FUNCTION(fmi2Status, FreeFMUstate, (fmi2Component, fmi2FMUstate*))
-
-#define TANDEM_FMI2_BYTES(FUNCTION)                                                          \
-  FUNCTION(fmi2Status, SerializedFMUstateSize, (fmi2Component, fmi2FMUstate, size_t*))       \
-  FUNCTION(fmi2Status, SerializeFMUstate, (fmi2Component, fmi2FMUstate, fmi2Byte[], size_t)) \
-  FUNCTION(fmi2Status, DeSerializeFMUstate, (fmi2Component, const fmi2Byte[], size_t, fmi2FMUstate*))
-
-#define TANDEM_FMI2_MODEL_EXCHANGE(FUNCTION)                                             \
-  FUNCTION(fmi2Status, EnterEventMode, (fmi2Component))                                  \
-  FUNCTION(fmi2Status, NewDiscreteStates, (fmi2Component, fmi2EventInfo*))               \
-  FUNCTION(fmi2Status, EnterContinuousTimeMode, (fmi2Component))                         \
-  FUNCTION(fmi2Status, CompletedIntegratorStep,                                          \
-           (fmi2Component, fmi2Boolean no_return_before, fmi2Boolean * enter_event_mode, \
-            fmi2Boolean * terminate))                                                    \
-  FUNCTION(fmi2Status, SetTime, (fmi2Component, fmi2Real))                               \
-  FUNCTION(fmi2Status, SetContinuousStates, (fmi2Component, const fmi2Real[], size_t))   \
-  FUNCTION(fmi2Status, GetContinuousStates, (fmi2Component, fmi2Real[], size_t))         \
-  FUNCTION(fmi2Status, GetDerivatives, (fmi2Component, fmi2Real[], size_t))              \
-  FUNCTION(fmi2Status, GetEventIndicators, (fmi2Component, fmi2Real[], size_t))
-
-#define TANDEM_FMI2_INPUT_DERIVATIVES(FUNCTION) \
-  FUNCTION(                                     \
-      fmi2Status, SetRealInputDerivatives,      \
-      (fmi2Component, const fmi2ValueReference[], size_t, const fmi2Integer orders[], const fmi2Real[]))
-
-#define TANDEM_FMI2_CO_SIMULATION(FUNCTION)                                               \
-  FUNCTION(fmi2Status, DoStep,                                                            \
-           (fmi2Component, fmi2Real time, fmi2Real length, fmi2Boolean no_return_before)) \
-  FUNCTION(fmi2Status, GetRealStatus, (fmi2Component, fmi2StatusKind, fmi2Real*))         \
-  FUNCTION(fmi2Status, GetBooleanStatus, (fmi2Component, fmi2StatusKind, fmi2Boolean*))
+/* Functions of which version 3.0 has others, or none. */
+typedef fmi2Component fmi2InstantiateType(fmi2String name, fmi2Type, fmi2String guid, fmi2String resources,
+                                          const fmi2CallbackFunctions*, fmi2Boolean visible,
+                                          fmi2Boolean logging);
+typedef fmi2Status fmi2SetupExperimentType(fmi2Component, fmi2Boolean tolerance_defined, fmi2Real tolerance,
+                                           fmi2Real start, fmi2Boolean stop_defined, fmi2Real stop);
+typedef fmi2Status fmi2EnterInitializationModeType(fmi2Component);
+typedef fmi2Status fmi2GetRealType(fmi2Component, const fmi2ValueReference[], size_t, fmi2Real[]);
+typedef fmi2Status fmi2GetIntegerType(fmi2Component, const fmi2ValueReference[], size_t, fmi2Integer[]);
+typedef fmi2Status fmi2SetRealType(fmi2Component, const fmi2ValueReference[], size_t, const fmi2Real[]);
+typedef fmi2Status fmi2SetIntegerType(fmi2Component, const fmi2ValueReference[], size_t, const fmi2Integer[]);
+typedef fmi2Status fmi2SetStringType(fmi2Component, const fmi2ValueReference[], size_t, const fmi2String[]);
+typedef fmi2Status fmi2NewDiscreteStatesType(fmi2Component, fmi2EventInfo*);
+typedef fmi2Status fmi2CompletedIntegratorStepType(fmi2Component, fmi2Boolean no_return_before,
+                                                   fmi2Boolean* enter_event_mode, fmi2Boolean* terminate);
+typedef fmi2Status fmi2SetRealInputDerivativesType(fmi2Component, const fmi2ValueReference[], size_t,
+                                                   const fmi2Integer orders[], const fmi2Real[]);
+typedef fmi2Status fmi2DoStepType(fmi2Component, fmi2Real time, fmi2Real length,
+                                  fmi2Boolean no_return_before);
+typedef fmi2Status fmi2GetRealStatusType(fmi2Component, fmi2StatusKind, fmi2Real*);
+typedef fmi2Status fmi2GetBooleanStatusType(fmi2Component, fmi2StatusKind, fmi2Boolean*);
 
 #ifdef __cplusplus
 }

@@ -24,8 +24,8 @@ struct Fmu {
 /// Reads it. Throws Error that names the file.
 Fmu read_fmu(const std::filesystem::path& file, Parameters& parameters);
 
-/// The folder below binaries/ for this processor and system; empty where FMI 2.0 names none.
-const char* platform();
+/// The folder below binaries/ for this processor and Linux; empty where the version names none.
+std::string platform(Version version);
 /// The library's name in the archive.
 std::string library_of(const Fmu& fmu);
 

@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <cstdint>
 #include <vector>
 
 #include "instance.hpp"
@@ -10,9 +11,9 @@ namespace tandem::fmi {
 class Group {
  public:
   Group(const Description& description, const std::vector<Seat>& seats);
-  bool empty() const { return reals_.empty() && wholes_.empty() && flags_.empty(); }
+  bool empty() const { return parts_.empty(); }
 
-  /// values[place] of each becomes its value.
+  /// values[place] of each becomes its value. Error(numerical) for a whole number that is no double.
   void get(Instance& fmu, double* values);
   /// The other way round. A value that is no whole number where one is needed is rounded, which is told
   /// once for each variable; one out of the variable's range is Error(numerical) with the time t [s].
@@ -21,18 +22,12 @@ class Group {
  private:
   /// Of one type.
   struct Part {
-    std::vector<fmi2ValueReference> references;
+    Type type;
+    std::vector<std::uint32_t> references;
     std::vector<Seat> seats;
-    bool empty() const { return references.empty(); }
-    std::size_t size() const { return references.size(); }
+    std::vector<double> values;  ///< of all, one variable after the other
   };
-  void add(Part& part, const Variable& v, Seat seat);
-  void to_wholes(Instance& fmu, Part& part, const double* values, double t);
-  void from_wholes(const Part& part, double* values) const;
-
-  Part reals_, wholes_, flags_;
-  std::vector<double> real_values_;
-  std::vector<int> whole_values_;
+  std::vector<Part> parts_;
 };
 
 }  // namespace tandem::fmi

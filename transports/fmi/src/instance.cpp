@@ -1,8 +1,11 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "instance.hpp"
 
-#include <cstdlib>
-#include <cstring>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <mutex>
+#include <set>
 
 #include "tandem/error.hpp"
 #include "tandem/printable.hpp"
@@ -12,22 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A path as a URI: what is no plain character stands as %XX.
-std::string uri_of(const fs::path& path) {
-  constexpr std::string_view plain = "/-_.~", digits = "0123456789ABCDEF";
-  std::string uri = "file://";
-  for (const unsigned char c : path.string())
-    if (std::isalnum(c) || plain.find(static_cast<char>(c)) != std::string_view::npos)
-      uri += static_cast<char>(c);
-    else
-      uri += {'%', digits[c >> 4], digits[c & 15]};
-  return uri;
-}
-
-std::string word_of(fmi2Status status) {
-  static const char* const words[] = {"fmi2OK",    "fmi2Warning", "fmi2Discard",
-                                      "fmi2Error", "fmi2Fatal",   "fmi2Pending"};
-  return status >= fmi2OK && status <= fmi2Pending ? words[status] : "status " + std::to_string(status);
+std::string word_of(Status status) {
+  static const char* const words[] = {"OK", "Warning", "Discard", "Error", "Fatal", "Pending"};
+  return status <= Status::pending ? words[static_cast<std::size_t>(status)]
+                                   : "status " + std::to_string(static_cast<int>(status));
 }
 
 /// With its own symbols before those of this program: it may bring other versions of the same libraries.
@@ -39,129 +30,175 @@ boost::dll::shared_library load(const Fmu& fmu, const fs::path& from) {
 #endif
 }
 
+/// Tokens of FMUs that are there and may be so once.
+std::set<std::string>& present() {
+  static std::set<std::string> all;
+  return all;
+}
+std::mutex& guard_of_present() {
+  static std::mutex guard;
+  return guard;
+}
+
 }  // namespace
+
+Instance::Only::Only(const Fmu& fmu)
+    : token(offer_of(fmu.description, fmu.settings.kind).once_per_process ? fmu.description.guid : "") {
+  const std::lock_guard lock(guard_of_present());
+  if (!token.empty() && !present().insert(token).second)
+    throw Error(ErrorCode::not_supported,
+                "FMU '" + fmu.file.string() +
+                    "' may be there once in a process (canBeInstantiatedOnlyOncePerProcess), and is there "
+                    "already; 'isolate = true' gives another one a process of its own");
+}
+
+Instance::Only::~Only() {
+  const std::lock_guard lock(guard_of_present());
+  present().erase(token);
+}
+
+std::shared_ptr<Instance> Instance::make(Fmu fmu, Tell tell) {
+  const bool two = fmu.description.version == Version::two;
+  return two ? make_instance_of_2(std::move(fmu), std::move(tell))
+             : make_instance_of_3(std::move(fmu), std::move(tell));
+}
 
 Instance::Instance(Fmu fmu, Tell tell)
     : fmu_(std::move(fmu)),
+      only_(fmu_),
       name_("FMU '" + fmu_.file.string() + "'"),
-      log_(name_, fmu_.description, fmu_.settings.logs, std::move(tell)),
-      callbacks_{Log::write, std::calloc, std::free, nullptr, &log_} {
+      log_(name_, fmu_.description, fmu_.settings.logs, std::move(tell)) {
   const std::string library = library_of(fmu_);
   fmu_.archive->unpack(library.substr(0, library.rfind('/') + 1), folder_.path());
   fmu_.archive->unpack("resources/", folder_.path());
   fs::create_directories(folder_.path() / "resources");
-  resources_ = uri_of(folder_.path() / "resources");
+  resources_ = (folder_.path() / "resources").string();
   library_ = std::make_unique<LoadedLibrary>(load(fmu_, folder_.path() / library));
+}
+
+void Instance::open() {
+  find_common();
   find_functions();
   within([this] {
-    if (const char* version = functions_.GetVersion(); !version || std::strcmp(version, "2.0") != 0)
+    const char* const found = functions_.get_version.call();
+    if (!std::string_view(found ? found : "").starts_with(version()))
       throw Error(ErrorCode::invalid_argument, name_ + ": its library is of FMI version '" +
-                                                   printable(version ? version : "", 100) +
-                                                   "'; allowed is 2.0");
-    instantiate();
+                                                   printable(found ? found : "", 100) + "'; allowed is " +
+                                                   version());
+    make_instance();
   });
 }
 
-Instance::~Instance() {
+void Instance::close() noexcept {
   if (!component_ || fatal_ || LibraryCall::has_faulted()) return;
   const LibraryCall in_library(name_.c_str());
   free();
 }
 
 void Instance::free() noexcept {
-  if (std::exchange(running_, false)) functions_.Terminate(component_);
-  functions_.FreeInstance(std::exchange(component_, nullptr));
+  if (std::exchange(running_, false)) functions_.terminate.call(component_);
+  functions_.free_instance.call(std::exchange(component_, nullptr));
 }
 
-template <class Function>
-void Instance::find(Function*& function, const char* name) {
-  const auto& library = library_->get();
-  if (!library.has(name))
-    throw Error(ErrorCode::invalid_argument, name_ + ": its library has no function '" + name + "'");
-  function = &library.get<Function>(name);
-  check_function(reinterpret_cast<const void*>(function), name_, name);
+/// Names that differ: of 2.0, of 3.0.
+void Instance::find_common() {
+  const bool two = fmu_.description.version == Version::two;
+  const auto either = [two](const char* of_2, const char* of_3) { return std::string(two ? of_2 : of_3); };
+  Functions& f = functions_;
+  find(f.get_version, "GetVersion"), find(f.free_instance, "FreeInstance");
+  find(f.exit_initialization, "ExitInitializationMode");
+  find(f.terminate, "Terminate"), find(f.reset, "Reset");
+  if (offer().keeps_state) {
+    find(f.get_state, either("GetFMUstate", "GetFMUState"));
+    find(f.set_state, either("SetFMUstate", "SetFMUState"));
+    find(f.free_state, either("FreeFMUstate", "FreeFMUState"));
+  }
+  if (offer().serializes_state) {
+    find(f.state_size, either("SerializedFMUstateSize", "SerializedFMUStateSize"));
+    find(f.serialize, either("SerializeFMUstate", "SerializeFMUState"));
+    find(f.deserialize, either("DeSerializeFMUstate", "DeserializeFMUState"));
+  }
+  if (exchanges() || offer().has_events) find(f.enter_events, "EnterEventMode");
+  if (!exchanges()) return;
+  find(f.enter_continuous_time, "EnterContinuousTimeMode"), find(f.set_time, "SetTime");
+  find(f.set_states, "SetContinuousStates"), find(f.get_states, "GetContinuousStates");
+  find(f.get_rates, either("GetDerivatives", "GetContinuousStateDerivatives"));
+  find(f.get_indicators, "GetEventIndicators");
 }
 
-void Instance::find_functions() {
-  const Offer& offer = offer_of(fmu_.description, fmu_.settings.kind);
-#define TANDEM_FMI2_FIND(result, name, arguments) find(functions_.name, "fmi2" #name);
-  TANDEM_FMI2_COMMON(TANDEM_FMI2_FIND)
-  if (offer.keeps_state) {
-    TANDEM_FMI2_STATES(TANDEM_FMI2_FIND)
-  }
-  if (offer.serializes_state) {
-    TANDEM_FMI2_BYTES(TANDEM_FMI2_FIND)
-  }
-  if (offer.interpolates_inputs) {
-    TANDEM_FMI2_INPUT_DERIVATIVES(TANDEM_FMI2_FIND)
-  }
-  if (fmu_.settings.kind == Kind::model_exchange) {
-    TANDEM_FMI2_MODEL_EXCHANGE(TANDEM_FMI2_FIND)
-  } else {
-    TANDEM_FMI2_CO_SIMULATION(TANDEM_FMI2_FIND)
-  }
-#undef TANDEM_FMI2_FIND
-}
-
-void Instance::instantiate() {
-  const fmi2Type type = fmu_.settings.kind == Kind::co_simulation ? fmi2CoSimulation : fmi2ModelExchange;
-  component_ = functions_.Instantiate(fmu_.description.name.c_str(), type, fmu_.description.guid.c_str(),
-                                      resources_.c_str(), &callbacks_, fmi2False,
-                                      fmu_.settings.logs ? fmi2True : fmi2False);
+void Instance::make_instance() {
+  component_ = instantiate();
   fresh_ = true;
   if (component_) return;
   const std::string why = log_.take_last();
   throw Error(ErrorCode::invalid_argument,
-              name_ + " makes no instance (fmi2Instantiate)" + (why.empty() ? "" : ": " + why));
+              name_ + " makes no instance (" + prefix() + "Instantiate)" + (why.empty() ? "" : ": " + why));
 }
 
-void Instance::check(const char* name, fmi2Status status) {
-  if (status == fmi2OK || status == fmi2Warning) return;
-  if (status != fmi2Discard) running_ = false;
-  fatal_ = fatal_ || status == fmi2Fatal;
+void Instance::fail(const std::string& name, Status status) {
+  if (status != Status::discard) running_ = false;
+  fatal_ = fatal_ || status == Status::fatal;
   const std::string why = log_.take_last();
   throw Error(ErrorCode::numerical,
-              name_ + ": " + name + " gives " + word_of(status) + (why.empty() ? "" : ": " + why));
+              name_ + ": " + name + " gives " + prefix() + word_of(status) + (why.empty() ? "" : ": " + why));
 }
 
 void Instance::begin(double t_start, std::optional<double> t_stop) {
   if (!std::exchange(fresh_, false)) {
-    const bool reset = functions_.Reset(component_) <= fmi2Warning;
+    const bool reset = functions_.reset.call(component_) <= static_cast<int>(Status::warning);
     running_ = running_ && !reset;
-    if (!reset) free(), instantiate(), fresh_ = false;
+    if (!reset) free(), make_instance(), fresh_ = false;
   }
-  const auto& tolerance = fmu_.settings.tolerance;
-  call(&Functions::SetupExperiment, "fmi2SetupExperiment", tolerance ? fmi2True : fmi2False,
-       tolerance.value_or(0.0), t_start, t_stop ? fmi2True : fmi2False, t_stop.value_or(0.0));
+  set_up(t_start, t_stop);
   set_values();
-  call(&Functions::EnterInitializationMode, "fmi2EnterInitializationMode");
+  enter_initialization();
 }
 
 void Instance::end_initialization() {
-  call(&Functions::ExitInitializationMode, "fmi2ExitInitializationMode");
+  call(functions_.exit_initialization);
   running_ = true;
 }
 
+/// Those of structural parameters are set up.
 void Instance::set_values() {
   for (const Setting& s : fmu_.settings.values) {
-    const Variable& v = fmu_.description.variables[static_cast<std::size_t>(s.variable)];
-    const std::size_t one = 1;
-    const auto whole = static_cast<int>(s.number);
-    const char* const text = s.text.c_str();
-    switch (v.type) {
-      case Type::real:
-        call(&Functions::SetReal, "fmi2SetReal", &v.reference, one, &s.number);
-        break;
-      case Type::boolean:
-        call(&Functions::SetBoolean, "fmi2SetBoolean", &v.reference, one, &whole);
-        break;
-      case Type::string:
-        call(&Functions::SetString, "fmi2SetString", &v.reference, one, &text);
-        break;
-      default:
-        call(&Functions::SetInteger, "fmi2SetInteger", &v.reference, one, &whole);
-    }
+    const Variable& v = fmu_.description.at(s.variable);
+    if (v.causality == Causality::structural_parameter) continue;
+    if (v.type == Type::text)
+      set_text(v.reference, s.text);
+    else
+      set(v.type, {&v.reference, 1}, s.numbers);
   }
+}
+
+void* Instance::state() {
+  void* state = nullptr;
+  call(functions_.get_state, &state);
+  return state;
+}
+
+void* Instance::state_from(std::span<const std::byte> bytes) {
+  void* state = nullptr;
+  call(functions_.deserialize, reinterpret_cast<const char*>(bytes.data()), bytes.size(), &state);
+  return state;
+}
+
+std::vector<std::byte> Instance::bytes(void* state) {
+  std::size_t size = 0;
+  call(functions_.state_size, state, &size);
+  std::vector<std::byte> all(size);
+  call(functions_.serialize, state, reinterpret_cast<char*>(all.data()), size);
+  return all;
+}
+
+/// The difference is a good part of the step, where sums of rounded steps are far below a hundredth of it.
+void Instance::check_time(const OwnStep& s, double own) const {
+  if (std::abs(own - s.end) <= 0.01 * s.length) return;
+  throw Error(
+      ErrorCode::numerical,
+      fmt::format("the FMU says that it has taken the step from {} to {} s, but its own time is {} s; "
+                  "allowed is a step that it can take",
+                  s.begin, s.end, own));
 }
 
 }  // namespace tandem::fmi

@@ -3,38 +3,55 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "fmu.hpp"
+#include "functions.hpp"
 #include "loading.hpp"
+#include "tandem/fixed_step.hpp"
+#include "tandem/fmi/temporary_folder.hpp"
 #include "tandem/library_file.hpp"
 
 namespace tandem::fmi {
 
-/// The functions of an FMU's library; those that it says it has not are null.
-struct Functions {
-#define TANDEM_FMI2_POINTER(result, name, arguments) result(*name) arguments = nullptr;
-  TANDEM_FMI2_COMMON(TANDEM_FMI2_POINTER)
-  TANDEM_FMI2_STATES(TANDEM_FMI2_POINTER)
-  TANDEM_FMI2_BYTES(TANDEM_FMI2_POINTER)
-  TANDEM_FMI2_MODEL_EXCHANGE(TANDEM_FMI2_POINTER)
-  TANDEM_FMI2_CO_SIMULATION(TANDEM_FMI2_POINTER)
-  TANDEM_FMI2_INPUT_DERIVATIVES(TANDEM_FMI2_POINTER)
-#undef TANDEM_FMI2_POINTER
+/// What an FMU says after it has updated its discrete states.
+struct Updated {
+  bool again, ended;
+  double next_event;  ///< [s]; infinite if none is known
+};
+/// What an FMU says after a step of who integrates it.
+struct Completed {
+  bool event, ended;
+};
+/// What has come of a step of Co-Simulation.
+struct Taken {
+  double time;  ///< to which it has come [s]
+  bool event, ended;
 };
 
-/// A loaded FMU that runs: unpacked, its library loaded, one instance of it. All calls stand in within().
+/// Sets inputs within a step of Co-Simulation, at the times at which the FMU asks for them.
+class InputsWithin {
+ public:
+  virtual void set(double t) = 0;
+
+ protected:
+  ~InputsWithin() = default;
+};
+
+/// A loaded FMU that runs: unpacked, its library loaded, one instance of it. Calls of its functions stand in
+/// within(). One that answers with more than a warning is Error(numerical) with the FMU's own message.
 class Instance {
  public:
-  Instance(Fmu fmu, Tell tell);
-  ~Instance();
+  /// Of its version.
+  static std::shared_ptr<Instance> make(Fmu fmu, Tell tell);
+  virtual ~Instance() = default;
   Instance(const Instance&) = delete;
   Instance& operator=(const Instance&) = delete;
 
   const Fmu& fmu() const { return fmu_; }
-  const Log& log() const { return log_; }
-
+  Log& log() { return log_; }
   /// Whether nothing has been told of this variable yet; it has been from now on.
   bool tells_first_of(int variable) { return told_of_.insert(variable).second; }
 
@@ -43,44 +60,120 @@ class Instance {
   auto within(const Calls& calls) const {
     return LibraryCall(name_.c_str()).make(calls);
   }
-  /// call(&Functions::DoStep, "fmi2DoStep", t, h, fmi2True): throws Error(numerical) with the FMU's own
-  /// message for any status but OK and warning.
-  template <class Function, class... Arguments>
-  void call(Function Functions::*function, const char* name, Arguments... arguments) {
-    check(name, (functions_.*function)(component_, arguments...));
-  }
-  /// The same for who has a use for the status.
-  template <class Function, class... Arguments>
-  fmi2Status ask(Function Functions::*function, Arguments... arguments) const {
-    return (functions_.*function)(component_, arguments...);
-  }
-  void check(const char* name, fmi2Status status);
 
   /// Puts it back to before the start and into initialization mode, with the values of the settings.
   void begin(double t_start, std::optional<double> t_stop);
   void end_initialization();
 
+  using References = std::span<const std::uint32_t>;
+  /// Of variables of one type: their scalars, one variable after the other. Other types than text and binary.
+  virtual void get(Type type, References of, std::span<double> values) = 0;
+  /// The values are of the type already.
+  virtual void set(Type type, References of, std::span<const double> values) = 0;
+
+  /// States that the FMU keeps until they are released.
+  void* state();
+  void put_back(void* state) { call(functions_.set_state, state); }
+  void release(void* state) noexcept { functions_.free_state.call(component_, &state); }
+  std::vector<std::byte> bytes(void* state);
+  void* state_from(std::span<const std::byte> bytes);
+
+  void enter_events() { call(functions_.enter_events); }
+  virtual Updated update() = 0;
+
+  // Model Exchange.
+  void enter_continuous_time() { call(functions_.enter_continuous_time); }
+  virtual Completed complete_step(bool never_back) = 0;
+  void set_time(double t) { call(functions_.set_time, t); }
+  void set_states(std::span<const double> x) { call(functions_.set_states, x.data(), x.size()); }
+  void get_states(std::span<double> x) { call(functions_.get_states, x.data(), x.size()); }
+  void get_rates(double* dx, std::size_t size) { call(functions_.get_rates, dx, size); }
+  void get_indicators(std::span<double> z) { call(functions_.get_indicators, z.data(), z.size()); }
+
+  // Co-Simulation.
+  /// Of 2.0: derivatives of inputs at the begin of the next step.
+  virtual void set_input_derivatives(References of, std::span<const int> orders,
+                                     std::span<const double> values) = 0;
+  /// Of 3.0: out of event mode.
+  virtual void enter_steps() = 0;
+  /// One step, as far as the FMU goes. Error(numerical) for one that it says it has taken, and has not.
+  virtual Taken do_step(const OwnStep& s, bool never_back, InputsWithin& inputs) = 0;
+
+ protected:
+  Instance(Fmu fmu, Tell tell);
+  /// Out of the constructor of a version: finds the functions, makes an instance.
+  void open();
+  /// Out of its destructor.
+  void close() noexcept;
+
+  template <class Signature>
+  void find(Function<Signature>& function, const std::string& name);
+  template <class Signature, class... Arguments>
+  void call(const Function<Signature>& function, Arguments... arguments) {
+    check(function.name, function.call(component_, arguments...));
+  }
+  void check(const std::string& name, int status) {
+    if (status > static_cast<int>(Status::warning)) fail(name, static_cast<Status>(status));
+  }
+  [[noreturn]] void fail(const std::string& name, Status status);
+  /// `own`: the FMU's time after a step that it says it has taken.
+  void check_time(const OwnStep& s, double own) const;
+
+  bool exchanges() const { return fmu_.settings.kind == Kind::model_exchange; }
+  const Offer& offer() const { return offer_of(fmu_.description, fmu_.settings.kind); }
+  void* component() const { return component_; }
+  const std::string& resources() const { return resources_; }
+
+  /// "fmi2", "fmi3", and what the library's version begins with.
+  virtual const char* prefix() const = 0;
+  virtual const char* version() const = 0;
+  virtual void find_functions() = 0;
+  virtual void* instantiate() = 0;
+  virtual void set_up(double t_start, std::optional<double> t_stop) = 0;
+  virtual void set_text(std::uint32_t reference, const std::string& text) = 0;
+  virtual void enter_initialization() = 0;
+
  private:
-  void find_functions();
-  template <class Function>
-  void find(Function*& function, const char* name);
-  void instantiate();
+  void find_common();
+  void make_instance();
   void free() noexcept;
   void set_values();
 
+  /// An FMU that may be there once in a process, while it is.
+  struct Only {
+    explicit Only(const Fmu& fmu);
+    ~Only();
+    Only(const Only&) = delete;
+    Only& operator=(const Only&) = delete;
+    std::string token;  ///< empty: it may be there more often
+  };
+
   Fmu fmu_;
+  Only only_;
   std::string name_;
   Log log_;
   TemporaryFolder folder_;
   std::string resources_;
   std::unique_ptr<LoadedLibrary> library_;
   Functions functions_;
-  fmi2CallbackFunctions callbacks_;
-  fmi2Component component_ = nullptr;
+  void* component_ = nullptr;
   std::set<int> told_of_;
   bool fresh_ = false;    ///< just instantiated
   bool running_ = false;  ///< initialized and not failed
   bool fatal_ = false;    ///< it may not be called any more
 };
+
+template <class Signature>
+void Instance::find(Function<Signature>& function, const std::string& name) {
+  function.name = prefix() + name;
+  const auto& library = library_->get();
+  if (!library.has(function.name))
+    throw Error(ErrorCode::invalid_argument, name_ + ": its library has no function '" + function.name + "'");
+  function.call = &library.get<Signature>(function.name);
+  check_function(reinterpret_cast<const void*>(function.call), name_, function.name);
+}
+
+std::shared_ptr<Instance> make_instance_of_2(Fmu fmu, Tell tell);
+std::shared_ptr<Instance> make_instance_of_3(Fmu fmu, Tell tell);
 
 }  // namespace tandem::fmi

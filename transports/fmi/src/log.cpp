@@ -1,15 +1,28 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "log.hpp"
 
-#include <array>
 #include <charconv>
-#include <cstdarg>
-#include <cstdio>
 #include <utility>
 
 #include "tandem/printable.hpp"
 
 namespace tandem::fmi {
+namespace {
+
+char letter_of(Type type) {
+  switch (type) {
+    case Type::float64:
+      return 'r';
+    case Type::boolean:
+      return 'b';
+    case Type::text:
+      return 's';
+    default:
+      return 'i';
+  }
+}
+
+}  // namespace
 
 Log::Log(std::string name, const Description& description, bool all, Tell tell)
     : name_(std::move(name)), description_(description), all_(all), tell_(std::move(tell)) {}
@@ -20,26 +33,14 @@ void Log::tell(const std::string& sentence) const {
 
 std::string Log::take_last() { return std::exchange(last_, {}); }
 
-void Log::write(fmi2ComponentEnvironment log, fmi2String, fmi2Status status, fmi2String, fmi2String message,
-                ...) {
-  if (!log || !message) return;
-  std::array<char, 4096> text{};
-  std::va_list values;
-  va_start(values, message);
-  std::vsnprintf(text.data(), text.size(), message, values);
-  va_end(values);
-  static_cast<Log*>(log)->add(status, text.data());
-}
-
-void Log::add(fmi2Status status, const std::string& message) {
-  const std::string text = printable(with_names(message));
-  if (status >= fmi2Discard) last_ = text;
+void Log::add(Status status, const std::string& message) {
+  const std::string text = printable(description_.version == Version::two ? with_names(message) : message);
+  if (status >= Status::discard) last_ = text;
   if (all_) tell("it says: " + text);
 }
 
-/// "#r123#" is the real variable with the reference 123, "##" is "#".
+/// In 2.0 "#r123#" is the real variable with the reference 123, "##" is "#".
 std::string Log::with_names(const std::string& message) const {
-  static const std::string letters = "ribis";  // in the order of Type
   std::string text;
   for (std::size_t at = 0; at < message.size(); ++at) {
     const std::size_t end = message[at] == '#' ? message.find('#', at + 1) : std::string::npos;
@@ -52,8 +53,7 @@ std::string Log::with_names(const std::string& message) const {
     const bool number = end > at + 2 && std::from_chars(first, last, reference).ptr == last;
     std::string name = end == at + 1 ? "#" : message.substr(at, end - at + 1);
     for (const Variable& v : description_.variables)
-      if (number && v.reference == reference && letters[static_cast<std::size_t>(v.type)] == message[at + 1])
-        name = v.name;
+      if (number && v.reference == reference && letter_of(v.type) == message[at + 1]) name = v.name;
     text += name;
     at = end;
   }

@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-#include "fmi2.h"
+#include "functions.hpp"
 #include "tandem/fmi/description.hpp"
 
 namespace tandem::fmi {
@@ -20,12 +20,10 @@ class Log {
   /// The newest message of a call that went wrong, once; empty if there is none.
   std::string take_last();
 
-  /// fmi2CallbackFunctions::logger; `log` is one of these.
-  static void write(fmi2ComponentEnvironment log, fmi2String instance, fmi2Status status, fmi2String category,
-                    fmi2String message, ...);
+  /// What the FMU says with a status.
+  void add(Status status, const std::string& message);
 
  private:
-  void add(fmi2Status status, const std::string& message);
   std::string with_names(const std::string& message) const;
 
   std::string name_;

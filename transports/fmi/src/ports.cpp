@@ -2,6 +2,7 @@
 #include "ports.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "tandem/error.hpp"
@@ -12,10 +13,11 @@ namespace tandem::fmi {
 namespace {
 
 constexpr int most_derivatives = 3;
+constexpr std::size_t most_pairs = std::size_t{1} << 24;
 
 class PortMaker {
  public:
-  PortMaker(const Description& d, const Settings& s) : d_(d), s_(s), input_of_(d.variables.size(), -1) {
+  PortMaker(const Description& d, const Settings& s) : d_(d), s_(s), input_of_(d.variables.size()) {
     for (int k = 0; k < std::ssize(d.variables); ++k)
       if (const int of = at(k).derivative_of; of >= 0) derivative_of_.try_emplace(number_of(of), k);
     for (const auto* list : {&d.outputs, &d.derivatives})
@@ -25,51 +27,60 @@ class PortMaker {
   Ports make() {
     ports_.info.name = d_.name;
     for (int k = 0; k < std::ssize(d_.variables); ++k)
-      if (at(k).type != Type::string) add(k);
+      if (is_number(at(k).type) && at(k).size > 0) add(k);
     if (outputs_.empty())
       throw Error(
           ErrorCode::invalid_argument,
           "the FMU '" + printable(d_.name, 200) + "' has no output that is a number; allowed is one or more");
     check_units();
     add_derivatives();
-    for (const auto& [variable, place] : ports_.row) add_follows(variable, place);
+    for (const Seat& seat : ports_.row) add_follows(seat);
     find_followed();
     set_abilities();
     return std::move(ports_);
   }
 
  private:
-  const Variable& at(int k) const { return d_.variables[static_cast<std::size_t>(k)]; }
+  const Variable& at(int k) const { return d_.at(k); }
   static bool is_continuous(const Variable& v) {
-    return v.type == Type::real && v.variability == Variability::continuous;
+    return is_real(v.type) && v.variability == Variability::continuous;
   }
 
   void add(int k) {
     const Variable& v = at(k);
     const bool input = v.causality == Causality::input;
-    if (!input && v.causality != Causality::output) return;
-    Port port{port_name(v.name), v.unit};
+    const bool wanted = std::find(s_.outputs.begin(), s_.outputs.end(), v.name) != s_.outputs.end();
+    if (!input && v.causality != Causality::output && !wanted) return;
+    Port port{port_name(v.name), v.unit, v.size};
     if (const auto it = s_.units.find(v.name); it != s_.units.end()) port.unit = it->second;
     if (input) return add_input(k, std::move(port));
     port.held = !is_continuous(v);
     port.nominal = v.nominal;
-    ports_.row.push_back({k, static_cast<int>(outputs_.size())});
+    ports_.row.push_back({k, output_size_, v.size});
+    output_size_ += v.size;
     outputs_.push_back(k);
     ports_.info.outputs.push_back(std::move(port));
   }
 
   void add_input(int k, Port port) {
-    const int place = static_cast<int>(ports_.info.inputs.size());
-    input_of_[static_cast<std::size_t>(k)] = place;
-    port.start = at(k).start_value;
+    const Variable& v = at(k);
+    const Seat seat{k, input_size_, v.size};
+    input_size_ += v.size;
+    input_of_[static_cast<std::size_t>(k)] = seat;
+    if (const auto& start = v.start_values; std::ssize(start) == v.size) {
+      const bool same = std::equal(start.begin() + 1, start.end(), start.begin());
+      same ? void(port.start = start[0]) : void(port.starts = start);
+    }
     ports_.info.inputs.push_back(std::move(port));
-    (is_continuous(at(k)) ? ports_.continuous : ports_.discrete).push_back({k, place});
+    (is_continuous(v) ? ports_.continuous : ports_.discrete).push_back(seat);
+    if (is_continuous(v) && v.intermediate) ports_.asked.push_back(seat);
   }
 
   void check_units() const {
     std::vector<std::string> names;
     for (const Variable& v : d_.variables)
       if (v.causality == Causality::input || v.causality == Causality::output) names.push_back(v.name);
+    names.insert(names.end(), s_.outputs.begin(), s_.outputs.end());
     for (const auto& [name, unit] : s_.units)
       if (std::find(names.begin(), names.end(), name) == names.end())
         throw Error(ErrorCode::invalid_argument,
@@ -78,7 +89,7 @@ class PortMaker {
 
   /// Variables of one type and reference are one number.
   using Number = std::pair<bool, std::uint32_t>;
-  Number number_of(int variable) const { return {at(variable).type == Type::real, at(variable).reference}; }
+  Number number_of(int variable) const { return {is_real(at(variable).type), at(variable).reference}; }
 
   /// -1 if there is none.
   int derivative_of(int variable) const {
@@ -92,14 +103,14 @@ class PortMaker {
   }
 
   void add_derivatives() {
-    const auto outputs = static_cast<int>(outputs_.size());
-    for (int k = 0; k < outputs; ++k) {
-      Port& port = ports_.info.outputs[static_cast<std::size_t>(k)];
-      int variable = outputs_[static_cast<std::size_t>(k)];
+    for (std::size_t k = 0; k < outputs_.size(); ++k) {
+      Port& port = ports_.info.outputs[k];
+      const Seat values = ports_.row[k];
+      int variable = outputs_[k];
       if (!is_continuous(at(variable))) continue;
       while (port.derivatives < most_derivatives && (variable = derivative_of(variable)) >= 0 &&
-             is_known(variable))
-        ports_.row.push_back({variable, ++port.derivatives * outputs + k});
+             is_known(variable) && at(variable).size == values.size)
+        ports_.row.push_back({variable, ++port.derivatives * output_size_ + values.place, values.size});
     }
   }
 
@@ -113,25 +124,34 @@ class PortMaker {
            });
   }
 
-  void add_follows(int variable, int place) {
-    const Unknown* u = structure_of(variable);
-    const auto add = [&](int input) {
-      ports_.follows.push_back({place, input});
-      if (place < static_cast<int>(outputs_.size())) ports_.info.feedthrough.push_back({place, input});
+  /// Each of an array follows each of another.
+  void add_follows(const Seat& seat) {
+    const Unknown* u = structure_of(seat.variable);
+    const auto add = [&](const Seat& input) {
+      if (ports_.follows.size() + std::size_t(seat.size) * std::size_t(input.size) > most_pairs)
+        throw Error(ErrorCode::invalid_argument,
+                    "the FMU '" + printable(d_.name, 200) + "' has more than " + std::to_string(most_pairs) +
+                        " pairs of an output and an input that it follows at once");
+      for (int place = seat.place; place < seat.end(); ++place)
+        for (int k = input.place; k < input.end(); ++k) {
+          ports_.follows.push_back({place, k});
+          if (place < output_size_) ports_.info.feedthrough.push_back({place, k});
+        }
     };
     if (u && !u->of_all) {
       for (const int one : u->of)
-        if (const int input = input_of_[static_cast<std::size_t>(one)]; input >= 0) add(input);
+        if (const auto& input = input_of_[static_cast<std::size_t>(one)]) add(*input);
     } else {
-      for (int input = 0; input < std::ssize(ports_.info.inputs); ++input) add(input);
+      for (const auto& input : input_of_)
+        if (input) add(*input);
     }
   }
 
   void find_followed() {
-    for (const Seat& seat : ports_.continuous)
-      if (std::any_of(ports_.info.feedthrough.begin(), ports_.info.feedthrough.end(),
-                      [&](const Feedthrough& f) { return f.input == seat.place; }))
-        ports_.followed.push_back(seat);
+    std::vector<char> followed(static_cast<std::size_t>(input_size_));
+    for (const Feedthrough& f : ports_.info.feedthrough) followed[static_cast<std::size_t>(f.input)] = 1;
+    for (const Seat& seat : ports_.continuous)  // all of an array, or none
+      if (followed[static_cast<std::size_t>(seat.place)]) ports_.followed.push_back(seat);
   }
 
   void set_abilities() {
@@ -140,14 +160,16 @@ class PortMaker {
     Abilities& a = ports_.info.abilities;
     a.restarts = true;
     a.lands = exchange || s_.lands;
-    a.events = exchange;
+    a.events = exchange || offer.has_events;
     a.saves_state = offer.keeps_state && (exchange || s_.trusts_state);
     a.serializes_state = a.saves_state && offer.serializes_state;
   }
 
   const Description& d_;
   const Settings& s_;
-  std::vector<int> input_of_, outputs_;
+  std::vector<std::optional<Seat>> input_of_;  ///< by variable
+  std::vector<int> outputs_;
+  int input_size_ = 0, output_size_ = 0;
   std::map<Number, int> derivative_of_;
   std::map<Number, const Unknown*> structure_of_;
   Ports ports_;

@@ -6,14 +6,44 @@
 #include <limits>
 
 namespace tandem::fmi {
+namespace {
+
+template <class Holds>
+bool all_of(const Seat& seat, const Holds& holds) {
+  for (int k = seat.place; k < seat.end(); ++k)
+    if (!holds(k)) return false;
+  return true;
+}
+
+}  // namespace
+
+bool take(const std::vector<Seat>& seats, std::span<const Signal> u, double t, std::vector<double>& values) {
+  bool differ = false;
+  for (const Seat& seat : seats)
+    for (int k = seat.place; k < seat.end(); ++k) {
+      double& now = values[static_cast<std::size_t>(k)];
+      const double value = u[static_cast<std::size_t>(k)].value(t);
+      differ = differ || value != now;
+      now = value;
+    }
+  return differ;
+}
+
+void put_start(const std::vector<Port>& inputs, std::span<const double> u0, std::vector<double>& values) {
+  std::size_t k = 0;
+  for (const Port& port : inputs)
+    for (int element = 0; element < port.size; ++element, ++k)
+      values[k] = std::isnan(u0[k]) ? port.start_of(element) : u0[k];
+}
 
 Running::Machine::Machine(std::shared_ptr<Instance> of)
     : instance(std::move(of)),
       continuous(instance->fmu().description, instance->fmu().ports.continuous),
       discrete(instance->fmu().description, instance->fmu().ports.discrete),
       followed(instance->fmu().description, instance->fmu().ports.followed),
+      asked(instance->fmu().description, instance->fmu().ports.asked),
       row(instance->fmu().description, instance->fmu().ports.row),
-      is_known(instance->fmu().ports.info.inputs.size()) {}
+      is_known(static_cast<std::size_t>(instance->fmu().ports.info.input_size())) {}
 
 Running::Running(std::shared_ptr<Instance> instance)
     : machine_(std::make_shared<Machine>(std::move(instance))) {}
@@ -42,10 +72,18 @@ void Running::set_known(std::span<const double> u0, double t) {
     machine_->is_known[k] = std::isnan(u0[k]) ? 0 : 1;
     hidden_ = hidden_ || std::isnan(u0[k]);
   }
+  const auto is_known = [this](int k) { return machine_->is_known[static_cast<std::size_t>(k)] != 0; };
   for (const auto* seats : {&fmu().ports.continuous, &fmu().ports.discrete})
     for (const Seat& seat : *seats)
-      if (machine_->is_known[static_cast<std::size_t>(seat.place)])
-        Group(fmu().description, {seat}).set(instance(), u0.data(), t);
+      if (all_of(seat, is_known)) Group(fmu().description, {seat}).set(instance(), u0.data(), t);
+}
+
+Updated Running::settle(double t) {
+  constexpr int most_rounds = 100;
+  for (int round = 0; round < most_rounds; ++round)
+    if (const Updated updated = instance().update(); updated.ended || !updated.again) return updated;
+  throw Error(ErrorCode::numerical, "the FMU's event at t = " + std::to_string(t) +
+                                        " s does not settle in 100 updates of its discrete states");
 }
 
 void Running::resume() {

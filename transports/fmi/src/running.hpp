@@ -11,6 +11,11 @@
 
 namespace tandem::fmi {
 
+/// values[place] of each becomes that of its signal at t. Whether some differ from before.
+bool take(const std::vector<Seat>& seats, std::span<const Signal> u, double t, std::vector<double>& values);
+/// By scalar u0 or, where it is not known, what the port says.
+void put_start(const std::vector<Port>& inputs, std::span<const double> u0, std::vector<double>& values);
+
 /// An FMU that is run, in either way: its ports, its start, its states. A copy is a state that is kept: it
 /// shares the instance.
 class Running {
@@ -37,8 +42,12 @@ class Running {
   void set_continuous(const double* values, double t) { machine_->continuous.set(instance(), values, t); }
   void set_discrete(const double* values, double t) { machine_->discrete.set(instance(), values, t); }
   void set_followed(const double* values, double t) { machine_->followed.set(instance(), values, t); }
+  void set_asked(const double* values, double t) { machine_->asked.set(instance(), values, t); }
   bool has_followed() const { return !machine_->followed.empty(); }
   void know_inputs() { hidden_ = false; }
+  /// In event mode: until its discrete states have settled, or it has ended. Error(numerical) after 100
+  /// rounds.
+  Updated settle(double t);
   void read_row(double* y) const;
 
   /// Of a state that is kept.
@@ -49,7 +58,7 @@ class Running {
   struct Machine {
     explicit Machine(std::shared_ptr<Instance> of);
     std::shared_ptr<Instance> instance;
-    Group continuous, discrete, followed, row;
+    Group continuous, discrete, followed, asked, row;
     std::vector<char> is_known;  ///< by input, at the start
   };
   void set_known(std::span<const double> u0, double t);

@@ -1,8 +1,13 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "settings.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <locale>
+#include <sstream>
 
 #include "tandem/error.hpp"
 #include "tandem/nearest.hpp"
@@ -24,8 +29,16 @@ Kind kind_of(const Description& d, Parameters& p) {
   return kind;
 }
 
+bool asks_for_inputs(const Description& d) {
+  return d.co_simulation->asks_for_inputs &&
+         std::any_of(d.variables.begin(), d.variables.end(), [](const Variable& v) {
+           return v.causality == Causality::input && v.intermediate && is_real(v.type);
+         });
+}
+
 Held held_of(const Description& d, Parameters& p) {
-  static const std::vector<std::string> words = {"mean", "left", "right", "middle", "derivatives"};
+  static const std::vector<std::string> words = {"mean",   "left",        "right",
+                                                 "middle", "derivatives", "intermediate"};
   const std::string word = p.text("inputs", words[0]);
   const auto it = std::find(words.begin(), words.end(), word);
   if (it == words.end()) refuse("parameter 'inputs' is '" + word + "'; allowed are " + listed(words));
@@ -33,15 +46,22 @@ Held held_of(const Description& d, Parameters& p) {
   if (held == Held::derivatives && !d.co_simulation->interpolates_inputs)
     refuse("parameter 'inputs' is derivatives, but the FMU '" + printable(d.name, 200) +
            "' does not take any (canInterpolateInputs); allowed are mean, left, right, middle");
+  if (held == Held::intermediate && !asks_for_inputs(d))
+    refuse("parameter 'inputs' is intermediate, but the FMU '" + printable(d.name, 200) +
+           "' has no input that it asks for within a step (providesIntermediateUpdate, and inputs with "
+           "intermediateUpdate); allowed are mean, left, right, middle");
   return held;
 }
 
-double step_of(const Description& d, Parameters& p) {
-  if (!p.has("step") && !d.experiment.step)
-    refuse("the FMU '" + printable(d.name, 200) +
-           "' names no step of its own (DefaultExperiment stepSize); give the parameter step, a number above "
-           "0 [s]");
-  return positive(p, "step", d.experiment.step.value_or(0.0));
+double step_of(const Description& d, Kind kind, Parameters& p) {
+  const auto inside = offer_of(d, kind).fixed_step;
+  const auto own = inside ? inside : d.experiment.step;
+  if (!p.has("step") && !own)
+    refuse(
+        "the FMU '" + printable(d.name, 200) +
+        "' names no step of its own (fixedInternalStepSize, DefaultExperiment stepSize); give the parameter "
+        "step, a number above 0 [s]");
+  return positive(p, "step", own.value_or(0.0));
 }
 
 /// Variables that may be given a value before the start, by name.
@@ -49,9 +69,10 @@ std::map<std::string, int> settable(const Description& d) {
   std::map<std::string, int> all;
   for (int k = 0; k < std::ssize(d.variables); ++k) {
     const Variable& v = d.variables[static_cast<std::size_t>(k)];
-    const bool allowed =
-        v.causality == Causality::parameter || (v.start && v.variability != Variability::constant);
-    if (allowed) all[v.name] = k;
+    const bool allowed = v.causality == Causality::parameter ||
+                         v.causality == Causality::structural_parameter ||
+                         (v.start && v.variability != Variability::constant);
+    if (allowed && (is_number(v.type) || v.type == Type::text)) all[v.name] = k;
   }
   return all;
 }
@@ -65,37 +86,74 @@ std::map<std::string, int> settable(const Description& d) {
          (near.empty() ? "" : "; did you mean '" + near + "'?"));
 }
 
-/// A number, or of a boolean true or false.
-double number_of(const Variable& v, const std::string& word, Parameters& p) {
-  const bool flag = v.type == Type::boolean;
-  const double value = flag ? (p.flag(word, false) ? 1.0 : 0.0) : p.number(word, 0.0);
-  if (v.type != Type::real && value != std::round(value))
-    refuse("parameter '" + word + "' is " + std::to_string(value) + "; allowed is a whole number");
+void check(const Variable& v, const std::string& word, double value) {
+  if (!is_real(v.type) && value != std::round(value))
+    refuse(fmt::format("parameter '{}' is {}; allowed is a whole number", word, value));
   if (!(value >= v.min && value <= v.max))
-    refuse("parameter '" + word + "' is " + std::to_string(value) + "; allowed is a number from " +
-           std::to_string(v.min) + " to " + std::to_string(v.max));
-  return value;
+    refuse(fmt::format("parameter '{}' is {}; allowed is a number from {} to {}", word, value, v.min, v.max));
 }
 
-std::vector<Setting> values_of(const Description& d, Parameters& p) {
+/// Of an array: numbers with blanks between.
+std::vector<double> elements_of(const Variable& v, const std::string& word, Parameters& p) {
+  std::istringstream text(p.text(word, ""));
+  text.imbue(std::locale::classic());
+  const std::vector<double> all{std::istream_iterator<double>(text), {}};
+  if (!text.eof() || std::ssize(all) != v.size)
+    refuse(fmt::format("parameter '{}' is '{}'; allowed are {} numbers with blanks between", word,
+                       printable(p.text(word, ""), 200), v.size));
+  return all;
+}
+
+/// Of a boolean true or false.
+std::vector<double> numbers_of(const Variable& v, const std::string& word, Parameters& p) {
+  const bool flag = v.type == Type::boolean;
+  const std::vector<double> all = !v.dimensions.empty() ? elements_of(v, word, p)
+                                  : flag                ? std::vector<double>{p.flag(word, false) ? 1.0 : 0.0}
+                                                        : std::vector<double>{p.number(word, 0.0)};
+  for (const double value : all) check(v, word, value);
+  return all;
+}
+
+int variable_of(const std::string& name, const std::map<std::string, int>& all) {
+  if (const auto it = all.find(name); it != all.end()) return it->second;
+  std::vector<std::string> known;
+  for (const auto& [one, variable] : all) known.push_back(one);
+  refuse_name("parameter set: variable", name, known);
+}
+
+/// Sizes of arrays first, as the others go by them.
+std::vector<Setting> values_of(Description& d, Parameters& p) {
   const auto all = settable(d);
   std::vector<Setting> values;
-  for (const std::string& name : p.names("set.")) {
-    const std::string word = "set." + name;
-    const auto it = all.find(name);
-    if (it == all.end()) {
-      std::vector<std::string> known;
-      for (const auto& [one, variable] : all) known.push_back(one);
-      refuse_name("parameter set: variable", name, known);
+  for (const bool sizes : {true, false}) {
+    for (const std::string& name : p.names("set.")) {
+      const std::string word = "set." + name;
+      const int variable = variable_of(name, all);
+      Variable& v = d.variables[static_cast<std::size_t>(variable)];
+      if ((v.causality == Causality::structural_parameter) != sizes) continue;
+      const bool text = v.type == Type::text;
+      if (text && p.from_client(word))
+        refuse("parameter '" + word +
+               "' is a text that comes from a client; only who serves the source may set it");
+      values.push_back({variable, {}, text ? p.text(word, "") : ""});
+      if (!text) values.back().numbers = numbers_of(v, word, p);
+      if (sizes) v.start_values = values.back().numbers;
     }
-    const Variable& v = d.variables[static_cast<std::size_t>(it->second)];
-    const bool text = v.type == Type::string;
-    if (text && p.from_client(word))
-      refuse("parameter '" + word +
-             "' is a text that comes from a client; only who serves the source may set it");
-    values.push_back({it->second, text ? 0.0 : number_of(v, word, p), text ? p.text(word, "") : ""});
+    if (sizes) set_sizes(d);
   }
   return values;
+}
+
+std::vector<std::string> outputs_of(const Description& d, Parameters& p) {
+  std::vector<std::string> all, known;
+  for (const Variable& v : d.variables)
+    if (is_number(v.type)) known.push_back(v.name);
+  for (const std::string& name : p.names("outputs.")) {
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      refuse_name("parameter outputs: variable", name, known);
+    if (p.flag("outputs." + name, false)) all.push_back(name);
+  }
+  return all;
 }
 
 std::map<std::string, std::string> units_of(Parameters& p) {
@@ -111,18 +169,19 @@ std::string name_of(Kind kind) { return kind == Kind::co_simulation ? "Co-Simula
 Words fmu_words() {
   return words_by(Setter::client, {"step", "set.*"}) +
          words_by(Setter::operator_only,
-                  {"type", "inputs", "order", "tolerance", "lands", "state", "log", "unit.*"});
+                  {"type", "inputs", "order", "tolerance", "lands", "state", "log", "unit.*", "outputs.*"});
 }
 
-Settings take_settings(const Description& d, Parameters& p) {
+Settings take_settings(Description& d, Parameters& p) {
   Settings s;
   s.kind = kind_of(d, p);
-  s.step = step_of(d, p);
+  s.step = step_of(d, s.kind, p);
   s.logs = p.flag("log", false);
   if (p.has("tolerance") || d.experiment.tolerance)
     s.tolerance = positive(p, "tolerance", d.experiment.tolerance.value_or(0.0));
   s.values = values_of(d, p);
   s.units = units_of(p);
+  s.outputs = outputs_of(d, p);
   if (s.kind == Kind::model_exchange) return s;
   s.held = held_of(d, p);
   if (s.held == Held::derivatives) {
@@ -132,7 +191,7 @@ Settings take_settings(const Description& d, Parameters& p) {
              "; allowed are 1 and 2, derivatives of the inputs");
     s.order = static_cast<int>(order);
   }
-  s.lands = p.flag("lands", false);
+  s.lands = p.flag("lands", d.co_simulation->varies_steps && !d.co_simulation->fixed_step);
   const std::string state = p.text("state", "off");
   if (state != "off" && state != "trust")
     refuse("parameter 'state' is '" + state +

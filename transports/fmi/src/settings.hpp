@@ -13,13 +13,13 @@ namespace tandem::fmi {
 enum class Kind { co_simulation, model_exchange };
 
 /// What an input of Co-Simulation is over a step.
-enum class Held { mean, left, right, middle, derivatives };
+enum class Held { mean, left, right, middle, derivatives, intermediate };
 
 /// A value for a variable before the start.
 struct Setting {
   int variable;
-  double number;     ///< of any type but string
-  std::string text;  ///< of a string
+  std::vector<double> numbers;  ///< by scalar, of any type but text
+  std::string text;
 };
 
 struct Settings {
@@ -31,13 +31,15 @@ struct Settings {
   std::optional<double> tolerance;
   std::vector<Setting> values;
   std::map<std::string, std::string> units;  ///< of ports, in place of what the description says
+  std::vector<std::string> outputs;          ///< variables that are outputs beside those that are said to be
 };
 
 /// Words of "fmu:".
 Words fmu_words();
 
-/// What the parameters and the description say. Throws Error(invalid_argument) for what the FMU has not.
-Settings take_settings(const Description& description, Parameters& parameters);
+/// What the parameters and the description say; arrays of the description have the sizes that they give.
+/// Throws Error(invalid_argument) for what the FMU has not.
+Settings take_settings(Description& description, Parameters& parameters);
 
 inline const Offer& offer_of(const Description& d, Kind kind) {
   return kind == Kind::co_simulation ? *d.co_simulation : *d.model_exchange;

@@ -5,33 +5,61 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "over_step.hpp"
 #include "tandem/error.hpp"
 
 namespace tandem::fmi {
 
-Slave::Slave(const std::shared_ptr<Instance>& instance) : running_(instance), values_(info().inputs.size()) {
-  const auto& variables = instance->fmu().description.variables;
-  for (int k = 0; k < std::ssize(variables); ++k)
-    if (const Variable& v = variables[static_cast<std::size_t>(k)];
-        v.causality == Causality::independent && v.type == Type::real)
-      own_time_ = k;
+namespace {
+constexpr double never = std::numeric_limits<double>::infinity();
+}
+
+Slave::Slave(const std::shared_ptr<Instance>& instance)
+    : running_(instance),
+      values_(static_cast<std::size_t>(info().input_size())),
+      before_(static_cast<std::size_t>(info().row_size() - Samples::header)),
+      after_(before_),
+      next_event_(never) {
   const Settings& settings = instance->fmu().settings;
   if (settings.held != Held::derivatives) return;
   for (int order = 1; order <= settings.order; ++order)
     for (const Seat& seat : instance->fmu().ports.continuous) {
-      references_.push_back(variables[static_cast<std::size_t>(seat.variable)].reference);
+      references_.push_back(instance->fmu().description.at(seat.variable).reference);
       orders_.push_back(order);
     }
   derivatives_.resize(references_.size());
 }
 
 void Slave::start(const TimeSpan& span, std::span<const double> u0) {
-  finished_ = false;
+  finished_ = due_ = false, next_event_ = never, standing_ = 0;
   const bool ends = std::isfinite(span.stop);
-  instance().within(
-      [&] { running_.initialize(span.start, ends ? std::optional(span.stop) : std::nullopt, u0); });
+  put_start(info().inputs, u0, values_);
+  instance().within([&] {
+    running_.initialize(span.start, ends ? std::optional(span.stop) : std::nullopt, u0);
+    if (has_events()) settle(span.start);
+  });
+}
+
+/// From event mode, or the end of initialization, to steps.
+void Slave::settle(double t) {
+  const Updated updated = running_.settle(t);
+  finished_ = finished_ || updated.ended;
+  next_event_ = updated.next_event;
+  due_ = false;
+  if (!finished_) instance().enter_steps();
+}
+
+bool Slave::happen(double t) {
+  running_.resume();
+  running_.know_inputs();
+  running_.read_row(before_.data());
+  instance().enter_events();
+  running_.set_discrete(values_.data(), t);
+  settle(t);
+  running_.read_row(after_.data());
+  return after_ != before_;
 }
 
 double Slave::over(const OwnStep& s, const Signal& u) const {
@@ -50,10 +78,11 @@ double Slave::over(const OwnStep& s, const Signal& u) const {
 void Slave::set_inputs(const OwnStep& s, std::span<const Signal> u) {
   const Ports& ports = running_.fmu().ports;
   for (const Seat& seat : ports.continuous)
-    values_[static_cast<std::size_t>(seat.place)] = over(s, u[static_cast<std::size_t>(seat.place)]);
-  for (const Seat& seat : ports.discrete)
-    values_[static_cast<std::size_t>(seat.place)] = u[static_cast<std::size_t>(seat.place)].value(s.begin);
+    for (int k = seat.place; k < seat.end(); ++k)
+      values_[static_cast<std::size_t>(k)] = over(s, u[static_cast<std::size_t>(k)]);
   running_.set_continuous(values_.data(), s.begin);
+  if (has_events()) return;
+  take(ports.discrete, u, s.begin, values_);
   running_.set_discrete(values_.data(), s.begin);
   if (!references_.empty()) set_derivatives(s.begin, u);
 }
@@ -65,58 +94,53 @@ void Slave::set_derivatives(double t, std::span<const Signal> u) {
       const Signal& signal = u[static_cast<std::size_t>(seat.place)];
       derivatives_[k++] = order == 1 ? signal.derivative(t) : signal.second_derivative(t);
     }
-  instance().call(&Functions::SetRealInputDerivatives, "fmi2SetRealInputDerivatives", references_.data(),
-                  references_.size(), orders_.data(), derivatives_.data());
+  instance().set_input_derivatives(references_, orders_, derivatives_);
 }
 
 double Slave::step(const OwnStep& s, std::span<const Signal> u) {
+  struct Within final : InputsWithin {
+    void set(double t) override {
+      take(of->running_.fmu().ports.asked, u, t, of->values_);
+      of->running_.set_asked(of->values_.data(), t);
+    }
+    Slave* of;
+    std::span<const Signal> u;
+  } within;
+  within.of = this, within.u = u;
   running_.resume();
   running_.know_inputs();
   set_inputs(s, u);
-  const fmi2Boolean never_back = keeps_state() ? fmi2False : fmi2True;
-  const fmi2Status status = instance().ask(&Functions::DoStep, s.begin, s.length, never_back);
-  if (status == fmi2Discard) return discarded(s);
-  instance().check("fmi2DoStep", status);
-  if (own_time_ >= 0) check_own_time(s);
-  if (!running_.has_followed()) return s.end;
-  for (const Seat& seat : running_.fmu().ports.followed)
-    values_[static_cast<std::size_t>(seat.place)] = u[static_cast<std::size_t>(seat.place)].value(s.end);
-  running_.set_followed(values_.data(), s.end);
-  return s.end;
+  const Taken taken = instance().do_step(s, !keeps_state(), within);
+  due_ = taken.event, finished_ = taken.ended;
+  check_progress(s, taken);
+  if (!running_.has_followed() || finished_) return taken.time;
+  take(running_.fmu().ports.followed, u, taken.time, values_);
+  running_.set_followed(values_.data(), taken.time);
+  return taken.time;
 }
 
-/// Of a step that it has not taken to its end: it is one that ends there, or an error.
-double Slave::discarded(const OwnStep& s) {
-  fmi2Boolean terminated = fmi2False;
-  double reached = s.begin;
-  const bool told = instance().ask(&Functions::GetBooleanStatus, fmi2Terminated, &terminated) <= fmi2Warning;
-  if (!told || terminated == fmi2False) instance().check("fmi2DoStep", fmi2Discard);
-  instance().call(&Functions::GetRealStatus, "fmi2GetRealStatus", fmi2LastSuccessfulTime, &reached);
-  finished_ = true;
-  return std::clamp(reached, s.begin, s.end);
-}
-
-/// One that says that it has taken a step, and has not: the difference is a good part of the step, where sums
-/// of rounded steps are far below a hundredth of it.
-void Slave::check_own_time(const OwnStep& s) {
-  const Variable& v = running_.fmu().description.variables[static_cast<std::size_t>(own_time_)];
-  double now = 0.0;
-  instance().call(&Functions::GetReal, "fmi2GetReal", &v.reference, std::size_t{1}, &now);
-  if (std::abs(now - s.end) <= 0.01 * s.length) return;
-  throw Error(
-      ErrorCode::numerical,
-      fmt::format("the FMU says that it has taken the step from {} to {} s, but its own time, '{}', is {} s; "
-                  "allowed is a step that it can take",
-                  s.begin, s.end, v.name, now));
+void Slave::check_progress(const OwnStep& s, const Taken& taken) {
+  constexpr int most = 100;
+  standing_ = TimeTolerance(s.begin).before(s.begin, taken.time) || taken.ended ? 0 : standing_ + 1;
+  if (standing_ > most)
+    throw Error(
+        ErrorCode::numerical,
+        fmt::format("the FMU has returned {} times from a step at {} s without going on", most, s.begin));
 }
 
 void Slave::write(ByteWriter& to) const {
   running_.write(to);
+  to.put_list(values_);
+  to.put(next_event_);
+  to.put(std::uint8_t{due_});
   to.put(std::uint8_t{finished_});
 }
 
 void Slave::read(ByteReader& from) {
   running_.read(from);
+  from.take_list(values_);
+  next_event_ = from.take<double>();
+  due_ = from.take<std::uint8_t>() != 0;
   finished_ = from.take<std::uint8_t>() != 0;
 }
 

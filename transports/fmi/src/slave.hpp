@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <cmath>
 #include <memory>
 #include <span>
 #include <vector>
@@ -10,7 +11,8 @@
 namespace tandem::fmi {
 
 /// An FMU of Co-Simulation that takes steps, for SavedModels. All calls but those of start() stand in
-/// Instance::within().
+/// Instance::within(). One of 3.0 that has an event mode has events: at changes of its discrete inputs, at
+/// times that it tells before, and after steps of which it says so.
 class Slave {
  public:
   explicit Slave(const std::shared_ptr<Instance>& instance);
@@ -22,6 +24,17 @@ class Slave {
   Instance& instance() const { return running_.instance(); }
 
   void start(const TimeSpan& span, std::span<const double> u0);
+  /// Whether discrete inputs have other values at t, where it stands.
+  bool inputs_changed(double t, std::span<const Signal> u) {
+    return take(running_.fmu().ports.discrete, u, t, values_);
+  }
+  /// Whether the FMU has an event of its own there.
+  bool is_due(double t) const {
+    return due_ || (std::isfinite(next_event_) && !TimeTolerance(t).before(t, next_event_));
+  }
+  /// An event there. True: outputs have jumped.
+  bool happen(double t);
+  double next_event() const { return next_event_; }
   /// Takes a step as far as the FMU goes. Returns the time that it has come to.
   double step(const OwnStep& s, std::span<const Signal> u);
   void outputs(double* y) const { running_.read_row(y); }
@@ -29,19 +42,22 @@ class Slave {
   void read(ByteReader& from);
 
  private:
+  bool has_events() const { return running_.info().abilities.events; }
+  void settle(double t);
   void set_inputs(const OwnStep& s, std::span<const Signal> u);
   double over(const OwnStep& s, const Signal& u) const;
   void set_derivatives(double t, std::span<const Signal> u);
-  double discarded(const OwnStep& s);
-  void check_own_time(const OwnStep& s);
+  void check_progress(const OwnStep& s, const Taken& taken);
 
   Running running_;
-  std::vector<double> values_;
-  std::vector<fmi2ValueReference> references_;  ///< of continuous inputs, once for each order
-  std::vector<fmi2Integer> orders_;
+  std::vector<double> values_;             ///< of inputs
+  std::vector<double> before_, after_;     ///< rows around an event
+  std::vector<std::uint32_t> references_;  ///< of continuous inputs, once for each order
+  std::vector<int> orders_;
   std::vector<double> derivatives_;
-  int own_time_ = -1;  ///< the variable that is the FMU's time
-  bool finished_ = false;
+  double next_event_;
+  int standing_ = 0;  ///< steps in which the FMU did not go on
+  bool due_ = false, finished_ = false;
 };
 
 }  // namespace tandem::fmi

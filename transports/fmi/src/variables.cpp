@@ -3,88 +3,95 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <unordered_set>
 
 #include "tandem/printable.hpp"
+#include "words.hpp"
 
 namespace tandem::fmi {
 namespace {
 
-const std::map<std::string, Type> types = {{"Real", Type::real},
-                                           {"Integer", Type::integer},
-                                           {"Boolean", Type::boolean},
-                                           {"Enumeration", Type::enumeration},
-                                           {"String", Type::string}};
-const std::map<std::string, Causality> causalities = {
-    {"parameter", Causality::parameter}, {"calculatedParameter", Causality::calculated_parameter},
-    {"input", Causality::input},         {"output", Causality::output},
-    {"local", Causality::local},         {"independent", Causality::independent}};
-const std::map<std::string, Variability> variabilities = {{"constant", Variability::constant},
-                                                          {"fixed", Variability::fixed},
-                                                          {"tunable", Variability::tunable},
-                                                          {"discrete", Variability::discrete},
-                                                          {"continuous", Variability::continuous}};
-
 class VariableReader {
  public:
-  VariableReader(const Xml& xml, pugi::xml_node root) : xml_(xml) {
-    for (const pugi::xml_node type : root.child("TypeDefinitions").children("SimpleType"))
-      declared_[xml.needed_text(type, "name")] = type.first_child();
+  VariableReader(const Xml& xml, pugi::xml_node root, Version version)
+      : xml_(xml), version_(version), types_(types_of(version)) {
+    for (const pugi::xml_node type : root.child("TypeDefinitions"))
+      if (const pugi::xml_attribute name = type.attribute("name"))
+        declared_[name.value()] = version == Version::two ? type.first_child() : type;
   }
 
   std::vector<Variable> read(pugi::xml_node list) {
-    std::vector<Variable> all;
-    for (const pugi::xml_node node : list.children("ScalarVariable")) {
-      all.push_back(variable(node));
-      if (!names_.insert(all.back().name).second)
-        xml_.refuse(node, "variable '" + printable(all.back().name, 200) + "' is there twice");
+    for (const pugi::xml_node node : list) {
+      if (node.type() != pugi::node_element) continue;
+      add(node, variable(node));
+      for (const pugi::xml_node alias : node.children("Alias")) add_alias(node, alias);
     }
-    read_derivatives(list, all);
-    return all;
+    for (const auto& [variable, type] : type_nodes_) read_links(type, all_[variable]);
+    return std::move(all_);
   }
 
  private:
+  void add(pugi::xml_node node, Variable v) {
+    if (!names_.insert(v.name).second)
+      xml_.refuse(node, "variable '" + printable(v.name, 200) + "' is there twice");
+    by_reference_.try_emplace(v.reference, static_cast<int>(all_.size()));
+    type_nodes_.emplace_back(all_.size(), type_node(node));
+    all_.push_back(std::move(v));
+  }
+
+  /// Another name of the last, which is no port.
+  void add_alias(pugi::xml_node node, pugi::xml_node alias) {
+    Variable v = all_.back();
+    v.name = xml_.needed_text(alias, "name");
+    if (v.causality == Causality::input || v.causality == Causality::output) v.causality = Causality::local;
+    add(node, std::move(v));
+  }
+
   Variable variable(pugi::xml_node node) const {
+    const pugi::xml_node type = type_node(node);
     Variable v;
     v.name = xml_.needed_text(node, "name");
     v.description = xml_.text(node, "description").value_or("");
     const auto reference = xml_.whole(node, "valueReference", 0, std::numeric_limits<std::uint32_t>::max());
     if (!reference) xml_.wrong(node, "valueReference", "a whole number from 0");
     v.reference = static_cast<std::uint32_t>(*reference);
-    v.causality = xml_.word(node, "causality", causalities, Causality::local);
-    const pugi::xml_node type = type_node(node);
-    v.type = types.at(type.name());
-    const auto usual = v.type == Type::real ? Variability::continuous : Variability::discrete;
-    v.variability = xml_.word(node, "variability", variabilities, usual);
-    v.start = xml_.text(type, "start");
+    v.causality = xml_.word(node, "causality", causalities(), Causality::local);
+    v.type = types_.at(type.name());
+    const auto usual = is_real(v.type) ? Variability::continuous : Variability::discrete;
+    v.variability = xml_.word(node, "variability", variabilities(), usual);
+    v.intermediate = xml_.flag(node, "intermediateUpdate");
+    const pugi::xml_node text = type.child("Start");  // of a text in 3.0
+    v.start = text ? xml_.text(text, "value") : xml_.text(type, "start");
     read_type(type, v);
     return v;
   }
 
+  /// In 2.0 within the variable, in 3.0 itself.
   pugi::xml_node type_node(pugi::xml_node variable) const {
+    if (types_.count(variable.name()) != 0) return variable;
     for (const pugi::xml_node child : variable.children())
-      if (types.count(child.name()) != 0) return child;
-    xml_.refuse(variable,
-                "variable '" + printable(variable.attribute("name").value(), 200) +
-                    "' has no type; allowed are <Real>, <Integer>, <Boolean>, <String>, <Enumeration>");
+      if (types_.count(child.name()) != 0) return child;
+    xml_.refuse(variable, "variable '" + printable(variable.attribute("name").value(), 200) +
+                              "' has no type; allowed are " + listed_types(types_));
   }
 
   /// What the variable does not say its declared type may.
   void read_type(pugi::xml_node type, Variable& v) const {
     const auto name = xml_.text(type, "declaredType");
     const auto found = name ? declared_.find(*name) : declared_.end();
-    if (name && found == declared_.end()) xml_.wrong(type, "declaredType", "the name of a <SimpleType>");
+    if (name && found == declared_.end()) xml_.wrong(type, "declaredType", "the name of a type definition");
     const pugi::xml_node declared = name ? found->second : pugi::xml_node();
     const auto number = [&](const char* attribute, double otherwise) {
       const auto own = xml_.number(type, attribute);
       return (own ? own : xml_.number(declared, attribute)).value_or(otherwise);
     };
-    v.min = number("min", v.type == Type::boolean ? 0.0 : v.min);
-    v.max = number("max", v.type == Type::boolean ? 1.0 : v.max);
+    const bool is_int = version_ == Version::two && v.type == Type::enumeration;
+    const Range range = range_of(is_int ? Type::int32 : v.type);
+    v.min = std::max(number("min", range.least), range.least);
+    v.max = std::min(number("max", range.most), range.most);
     read_start(type, v);
     if (v.type == Type::enumeration) read_items(declared, v);
-    if (v.type != Type::real) return;
+    if (!is_real(v.type)) return;
     const auto unit = xml_.text(type, "unit");
     v.unit = unit_of_fmi((unit ? unit : xml_.text(declared, "unit")).value_or(""));
     v.nominal = std::abs(number("nominal", 1.0));
@@ -92,9 +99,11 @@ class VariableReader {
   }
 
   void read_start(pugi::xml_node type, Variable& v) const {
-    if (!v.start || v.type == Type::string) return;
-    v.start_value =
-        v.type == Type::boolean ? (xml_.flag(type, "start") ? 1.0 : 0.0) : *xml_.number(type, "start");
+    if (!v.start || !is_number(v.type)) return;
+    if (v.type != Type::boolean)
+      v.start_values = xml_.numbers(type, "start").value_or(std::vector<double>());
+    else
+      for (const bool one : xml_.flags(type, "start")) v.start_values.push_back(one ? 1.0 : 0.0);
   }
 
   void read_items(pugi::xml_node declared, Variable& v) const {
@@ -106,25 +115,39 @@ class VariableReader {
     v.min = std::max(v.min, least), v.max = std::min(v.max, most);
   }
 
-  /// They name variables that may come later.
-  void read_derivatives(pugi::xml_node list, std::vector<Variable>& all) const {
-    std::size_t k = 0;
-    for (const pugi::xml_node node : list.children("ScalarVariable")) {
-      const auto of = xml_.whole(node.child("Real"), "derivative", 1, std::ssize(all));
-      if (of) all[k].derivative_of = static_cast<int>(*of) - 1;
-      ++k;
+  /// They lead to variables that may come later: in 2.0 by number, in 3.0 by reference.
+  void read_links(pugi::xml_node type, Variable& v) const {
+    if (type.attribute("derivative")) v.derivative_of = linked(type, "derivative");
+    for (const pugi::xml_node node : type.children("Dimension")) {
+      constexpr std::int64_t most = std::int64_t{1} << 31;
+      Dimension one{static_cast<std::uint64_t>(xml_.whole(node, "start", 0, most).value_or(0))};
+      if (node.attribute("valueReference")) one.variable = linked(node, "valueReference");
+      v.dimensions.push_back(one);
     }
   }
 
+  int linked(pugi::xml_node node, const char* name) const {
+    if (version_ == Version::two) return static_cast<int>(*xml_.whole(node, name, 1, std::ssize(all_))) - 1;
+    const auto reference = xml_.whole(node, name, 0, std::numeric_limits<std::uint32_t>::max());
+    const auto it = by_reference_.find(static_cast<std::uint32_t>(*reference));
+    if (it == by_reference_.end()) xml_.wrong(node, name, "the valueReference of a variable");
+    return it->second;
+  }
+
   const Xml& xml_;
+  Version version_;
+  const std::map<std::string, Type>& types_;
   std::map<std::string, pugi::xml_node> declared_;
   std::unordered_set<std::string> names_;
+  std::map<std::uint32_t, int> by_reference_;
+  std::vector<std::pair<std::size_t, pugi::xml_node>> type_nodes_;
+  std::vector<Variable> all_;
 };
 
 }  // namespace
 
-std::vector<Variable> read_variables(const Xml& xml, pugi::xml_node root) {
-  return VariableReader(xml, root).read(root.child("ModelVariables"));
+std::vector<Variable> read_variables(const Xml& xml, pugi::xml_node root, Version version) {
+  return VariableReader(xml, root, version).read(root.child("ModelVariables"));
 }
 
 }  // namespace tandem::fmi

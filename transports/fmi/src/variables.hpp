@@ -8,6 +8,6 @@
 namespace tandem::fmi {
 
 /// The variables below the root of a description, in their order.
-std::vector<Variable> read_variables(const Xml& xml, pugi::xml_node root);
+std::vector<Variable> read_variables(const Xml& xml, pugi::xml_node root, Version version);
 
 }  // namespace tandem::fmi

@@ -18,6 +18,22 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
 }
 
+std::vector<std::string_view> words(std::string_view text) {
+  std::vector<std::string_view> all;
+  for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
+    const auto end = std::min(text.find_first_of(blanks), text.size());
+    all.push_back(text.substr(0, end));
+    text.remove_prefix(end);
+  }
+  return all;
+}
+
+const std::map<std::string, bool>& flag_words() {
+  static const std::map<std::string, bool> all = {
+      {"true", true}, {"1", true}, {"false", false}, {"0", false}};
+  return all;
+}
+
 /// The whole of a text as a number. A plus before it is allowed by XML.
 template <class Number>
 std::optional<Number> number_of(std::string_view text) {
@@ -93,22 +109,42 @@ std::optional<std::int64_t> Xml::whole(pugi::xml_node of, const char* name, std:
 }
 
 bool Xml::flag(pugi::xml_node of, const char* name) const {
-  return word<bool>(of, name, {{"true", true}, {"1", true}, {"false", false}, {"0", false}}, false);
+  return word<bool>(of, name, flag_words(), false);
 }
 
-std::optional<std::vector<int>> Xml::list(pugi::xml_node of, const char* name, int least, int most) const {
+std::optional<std::vector<double>> Xml::numbers(pugi::xml_node of, const char* name) const {
   const auto found = of.attribute(name);
   if (!found) return std::nullopt;
-  std::vector<int> all;
-  std::string_view rest = trimmed(found.value());
-  while (!rest.empty()) {
-    const auto end = std::min(rest.find_first_of(blanks), rest.size());
-    const auto value = number_of<int>(rest.substr(0, end));
+  std::vector<double> all;
+  for (const std::string_view word : words(found.value())) {
+    const auto value = number_of<double>(word);
+    if (!value) wrong(of, name, "numbers with blanks between");
+    all.push_back(*value);
+  }
+  return all;
+}
+
+std::vector<bool> Xml::flags(pugi::xml_node of, const char* name) const {
+  std::vector<bool> all;
+  for (const std::string_view word : words(of.attribute(name).value())) {
+    const auto it = flag_words().find(std::string(word));
+    if (it == flag_words().end()) wrong(of, name, "0, 1, false, true, with blanks between");
+    all.push_back(it->second);
+  }
+  return all;
+}
+
+std::optional<std::vector<std::int64_t>> Xml::list(pugi::xml_node of, const char* name, std::int64_t least,
+                                                   std::int64_t most) const {
+  const auto found = of.attribute(name);
+  if (!found) return std::nullopt;
+  std::vector<std::int64_t> all;
+  for (const std::string_view word : words(found.value())) {
+    const auto value = number_of<std::int64_t>(word);
     if (!value || *value < least || *value > most)
       wrong(of, name,
             "a list of whole numbers from " + std::to_string(least) + " to " + std::to_string(most));
     all.push_back(*value);
-    rest = trimmed(rest.substr(end));
   }
   return all;
 }

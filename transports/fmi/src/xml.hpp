@@ -26,8 +26,12 @@ class Xml {
   std::optional<std::int64_t> whole(pugi::xml_node of, const char* name, std::int64_t least,
                                     std::int64_t most) const;
   bool flag(pugi::xml_node of, const char* name) const;  ///< false where it is not there
-  /// Whole numbers with blanks between.
-  std::optional<std::vector<int>> list(pugi::xml_node of, const char* name, int least, int most) const;
+  /// Numbers with blanks between.
+  std::optional<std::vector<double>> numbers(pugi::xml_node of, const char* name) const;
+  std::vector<bool> flags(pugi::xml_node of, const char* name) const;
+  /// Whole numbers.
+  std::optional<std::vector<std::int64_t>> list(pugi::xml_node of, const char* name, std::int64_t least,
+                                                std::int64_t most) const;
   /// One of some words.
   template <class Meaning>
   Meaning word(pugi::xml_node of, const char* name, const std::map<std::string, Meaning>& words,

@@ -18,6 +18,7 @@ struct Key {
     flag,
     texts,
     value,    ///< A number, a flag or a text.
+    values,   ///< One of these, an array of numbers or of texts, or a table of all that.
     numbers,  ///< A number, or an array of them.
     vector,   ///< An array of numbers.
     matrix,   ///< A number, or an array of arrays of them.

@@ -55,17 +55,4 @@ class Archive {
   std::uint64_t written_ = 0;
 };
 
-/// A folder of its own, which only this user may enter, and which goes with its owner.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
 }  // namespace tandem::fmi

@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/fmi/temporary_folder.hpp"
+
+#include <fcntl.h>
+#include <stdlib.h>  // mkdtemp
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <string>
+
+#include "tandem/error.hpp"
+
+namespace tandem::fmi {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string prefix = "tandem_fmu_";
+
+/// -1 if it can't be opened.
+int open_folder(const fs::path& folder) {
+  return ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+}
+
+/// It is this user's, old enough that whoever made it has its lock, and nobody has.
+bool is_left_over(int folder) {
+  struct stat about {};
+  constexpr auto young = std::chrono::minutes(1);
+  const auto before = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now() - young);
+  return ::fstat(folder, &about) == 0 && about.st_uid == ::geteuid() && about.st_mtime < before &&
+         ::flock(folder, LOCK_EX | LOCK_NB) == 0;
+}
+
+void remove_left_over(const fs::path& among) {
+  std::error_code ignored;
+  for (const fs::directory_entry& one : fs::directory_iterator(among, ignored)) {
+    if (!one.path().filename().string().starts_with(prefix)) continue;
+    const int folder = open_folder(one.path());
+    if (folder < 0) continue;
+    if (is_left_over(folder)) fs::remove_all(one.path(), ignored);
+    ::close(folder);
+  }
+}
+
+}  // namespace
+
+TemporaryFolder::TemporaryFolder() {
+  const fs::path among = fs::temp_directory_path();
+  remove_left_over(among);
+  std::string name = (among / (prefix + "XXXXXX")).string();
+  if (!::mkdtemp(name.data()))
+    throw Error(ErrorCode::input_output, "no folder can be made in " + among.string());
+  path_ = name;
+  lock_ = open_folder(path_);
+  ::flock(lock_, LOCK_EX);  // the system gives it back when this process ends
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+  if (lock_ >= 0) ::close(lock_);
+}
+
+}  // namespace tandem::fmi
