@@ -42,6 +42,24 @@ TEST(FmuSource, IsReadWithoutARunOfIt) {
   EXPECT_EQ(look->parameters[0].otherwise, "1");
 }
 
+TEST(FmuSource, InfoTellsWhatItsLibraryLacks) {
+  const Scratch scratch;
+  const auto sentence = [](const std::string& source) {
+    return look_at(source, fmu_sources(), {})->sentences.at(1);
+  };
+  EXPECT_EQ(sentence(fmu_uri("decay")), "library: " + library);
+  EXPECT_EQ(sentence(fmu_uri("mass3?type=me")), "library: binaries/x86_64-linux/mass3.so");
+  const std::string none = " is no shared library for this processor, so it can't be run here";
+  EXPECT_EQ(sentence(changed(scratch, library, "a text")), "library: " + library + none);
+  std::string bytes = fmi::Archive(TANDEM_FMUS "/decay.fmu").text(library, 1U << 24);
+  std::string other = bytes;
+  other[18] = 40;  // of an ARM processor
+  EXPECT_EQ(sentence(changed(scratch, library, other)), "library: " + library + none);
+  for (std::size_t at = 0; (at = bytes.find("fmi2DoStep", at)) != std::string::npos; ++at) bytes[at] = 'F';
+  EXPECT_EQ(sentence(changed(scratch, library, bytes)),
+            "library: " + library + " has no function fmi2DoStep, so it can't be run here");
+}
+
 TEST(FmuSource, FeedthroughIsThatOfTheModelStructure) {
   const auto info = look_at(fmu_uri("mass"), fmu_sources(), {})->info;
   ASSERT_EQ(info.feedthrough.size(), 1U);

@@ -6,6 +6,7 @@
 #include "co_simulation.hpp"
 #include "fmu.hpp"
 #include "instance.hpp"
+#include "library_look.hpp"
 #include "model_exchange.hpp"
 #include "tandem/error.hpp"
 #include "tandem/printable.hpp"
@@ -28,13 +29,6 @@ std::string described(const Fmu& fmu) {
   if (!d.tool.empty()) text += "; made by " + printable(d.tool, 200);
   if (!d.text.empty()) text += "; " + printable(d.text, 500);
   return text;
-}
-
-std::string library_sentence(const Fmu& fmu) {
-  const std::string library = library_of(fmu);
-  if (fmu.archive->has(library)) return "library: " + library;
-  return fmt::format("library: {} is not there, so it can't be run here; there are those of {}", library,
-                     fmu.archive->folders_in("binaries/"));
 }
 
 std::string states_sentence(const Fmu& fmu) {

@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <mutex>
-#include <set>
 
 #include "tandem/error.hpp"
 #include "tandem/printable.hpp"
@@ -30,32 +28,7 @@ boost::dll::shared_library load(const Fmu& fmu, const fs::path& from) {
 #endif
 }
 
-/// Tokens of FMUs that are there and may be so once.
-std::set<std::string>& present() {
-  static std::set<std::string> all;
-  return all;
-}
-std::mutex& guard_of_present() {
-  static std::mutex guard;
-  return guard;
-}
-
 }  // namespace
-
-Instance::Only::Only(const Fmu& fmu)
-    : token(offer_of(fmu.description, fmu.settings.kind).once_per_process ? fmu.description.guid : "") {
-  const std::lock_guard lock(guard_of_present());
-  if (!token.empty() && !present().insert(token).second)
-    throw Error(ErrorCode::not_supported,
-                "FMU '" + fmu.file.string() +
-                    "' may be there once in a process (canBeInstantiatedOnlyOncePerProcess), and is there "
-                    "already; 'isolate = true' gives another one a process of its own");
-}
-
-Instance::Only::~Only() {
-  const std::lock_guard lock(guard_of_present());
-  present().erase(token);
-}
 
 std::shared_ptr<Instance> Instance::make(Fmu fmu, Tell tell) {
   const bool two = fmu.description.version == Version::two;

@@ -10,6 +10,7 @@
 #include "fmu.hpp"
 #include "functions.hpp"
 #include "loading.hpp"
+#include "only_once.hpp"
 #include "tandem/fixed_step.hpp"
 #include "tandem/fmi/temporary_folder.hpp"
 #include "tandem/library_file.hpp"
@@ -139,17 +140,8 @@ class Instance {
   void free() noexcept;
   void set_values();
 
-  /// An FMU that may be there once in a process, while it is.
-  struct Only {
-    explicit Only(const Fmu& fmu);
-    ~Only();
-    Only(const Only&) = delete;
-    Only& operator=(const Only&) = delete;
-    std::string token;  ///< empty: it may be there more often
-  };
-
   Fmu fmu_;
-  Only only_;
+  OnlyOnce only_;
   std::string name_;
   Log log_;
   TemporaryFolder folder_;
