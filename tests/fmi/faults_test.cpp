@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+#include <stdlib.h>  // setenv
+
+#include <algorithm>
+#include <filesystem>
+
+#include "command.hpp"
+
+namespace tandem::test {
+namespace {
+
+/// A run of the FMU `faulty` and of one that reads it, with temporary files in a folder of its own; `isolation`: lines of the subsystem.
+struct FaultyRun {
+  explicit FaultyRun(int how, const std::string& isolation = "") {
+    folder.write("s.toml", "[subsystems.one]\nsource = \"fmu:" TANDEM_FMUS "/faulty.fmu\"\n" + isolation +
+                               "parameters.set = { how = " + std::to_string(how) +
+                               " }\n[subsystems.two]\nsource = \"fmu:" TANDEM_FMUS
+                               "/mass.fmu?step=0.1\"\n[[connections]]\nfrom = \"one.x\"\nto = \"two.u\"\n"
+                               "reconstruction = \"lagrange1\"\n[span]\nstop = 1\n");
+    std::filesystem::create_directories(folder.path() / "temporary");
+    ::setenv("TMPDIR", (folder.path() / "temporary").c_str(), 1);
+    said = tandem(folder, {"--quiet", "run", "s.toml", "--output", "r"});
+    ::unsetenv("TMPDIR");
+  }
+  /// Those before the fault.
+  bool keeps_rows() const { return contains(read_text(folder.path() / "r/results.csv"), "\n0.4,0.656"); }
+
+  /// Sentences; the second is that of who waited for an isolated FMU.
+  bool says_no_more_than(int sentences) const {
+    return std::count(said.err.begin(), said.err.end(), '\n') <= sentences;
+  }
+
+  Scratch folder;
+  Said said;
+};
+
+const std::string isolated = "isolate = true\nparameters.deadline = 0.5\n";
+
+TEST(FmuFaults, AFaultIsOneSentenceAndTheRowsAreKept) {
+  for (const std::string isolation : {"", "isolate = true\n"}) {
+    const FaultyRun run(1, isolation);
+    EXPECT_NE(run.said.status, 0);
+    EXPECT_TRUE(contains(run.said.err, "reached for memory that is not there")) << run.said.err;
+    EXPECT_TRUE(run.says_no_more_than(isolation.empty() ? 1 : 2));
+    EXPECT_TRUE(run.keeps_rows()) << isolation << run.said.err;
+  }
+}
+
+TEST(FmuFaults, AStepWithoutEndEndsTheRunWhereTheFmuIsIsolated) {
+  const FaultyRun run(2, isolated);
+  EXPECT_NE(run.said.status, 0);
+  EXPECT_TRUE(contains(run.said.err, "0.5 s")) << run.said.err;
+  EXPECT_TRUE(run.keeps_rows());
+}
+
+/// In this process it ends before rows are written.
+TEST(FmuFaults, AnExitIsOneSentence) {
+  for (const std::string isolation : {"", "isolate = true\n"}) {
+    const FaultyRun run(4, isolation);
+    EXPECT_NE(run.said.status, 0);
+    EXPECT_TRUE(contains(run.said.err, "ended the program in the middle of a call")) << run.said.err;
+    EXPECT_TRUE(run.says_no_more_than(isolation.empty() ? 1 : 2));
+    EXPECT_EQ(run.keeps_rows(), !isolation.empty()) << run.said.err;
+  }
+}
+
+TEST(FmuFaults, WhatItPrintsHarmsNothing) {
+  for (const std::string isolation : {"", "isolate = true\n"}) {
+    const FaultyRun run(3, isolation);
+    EXPECT_EQ(run.said.status, 0) << run.said.err;
+    EXPECT_TRUE(run.keeps_rows());
+  }
+}
+
+/// The system has no room for the library.
+TEST(FmuFaults, AFullDiskWhileItIsUnpackedIsOneSentenceAndNothingIsLeft) {
+  const Scratch folder;
+  folder.write("s.toml", "[subsystems.one]\nsource = \"fmu:" TANDEM_FMUS "/faulty.fmu\"\n[span]\nstop = 1\n");
+  std::filesystem::create_directories(folder.path() / "temporary");
+  const std::string line = "cd " + shell_quoted(folder.path().string()) +
+                           " && ulimit -f 8 && trap '' XFSZ && TMPDIR=temporary '" TANDEM_COMMAND
+                           "' --quiet run s.toml --output r > out.txt 2> err.txt";
+  const int status = std::system(line.c_str());
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) != 0);
+  const std::string said = read_text(folder.path() / "err.txt");
+  EXPECT_TRUE(contains(said, "faulty.so")) << said;
+  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path() / "temporary"));
+}
+
+}  // namespace
+}  // namespace tandem::test

@@ -1,0 +1,26 @@
+/* Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause */
+/* x' = -x, and from 0.5 s on what `how` says: 1 a fault, 2 a step without end, 3 words on stdout, 4 an exit. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "fmu.h"
+
+enum { t, x, dx };
+enum { how };
+const fmu_model model = {"faulty-1", 1, 0, {x}, {dx}, 0, 1, 0};
+
+void set_start(fmu_values* m) { m->v[x] = 1, m->next_event = INFINITY; }
+void compute(fmu_values* m) {
+  m->v[dx] = -m->v[x];
+  if (m->v[t] < 0.5) return;
+  if (m->w[how] == 1) *(volatile int*)NULL = 1;
+  while (m->w[how] == 2) m->w[how] = m->w[how] == 2 ? 2 : 0;
+  if (m->w[how] == 3) puts("a word of the FMU");
+  if (m->w[how] == 4) exit(0);
+}
+void read_indicators(const fmu_values* m, double* z) { (void)m, (void)z; }
+int act(fmu_values* m) {
+  (void)m;
+  return 0;
+}
