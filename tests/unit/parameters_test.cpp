@@ -35,6 +35,30 @@ TEST(Parameters, ReadNumbersAndFlagsFromTextsOfAUri) {
   EXPECT_FALSE(p.flag("off", true));
 }
 
+/// As names and texts of FMUs may be.
+TEST(Parameters, MayHoldTheSignsThatPairsAreMadeOf) {
+  Parameters p;
+  p.read("set.a%26b%3D1=x%2526%26&set.c=50%&set.d=%2", "URI");
+  EXPECT_EQ(p.names("set."), (std::vector<std::string>{"a&b=1", "c", "d"}));
+  EXPECT_EQ(p.text("set.a&b=1", ""), "x%26&");
+  EXPECT_EQ(p.text("set.c", ""), "50%");
+  EXPECT_EQ(p.text("set.d", ""), "%2");
+}
+
+/// Others read them in their own languages, and would read something else.
+TEST(Parameters, ThatGoElsewhereHoldNoneOfThese) {
+  for (const auto& [name, text] : std::vector<std::pair<std::string, std::string>>{
+           {"a", "x&y"}, {"a", "%26"}, {"a%3D", "x"}, {"a=b", "x"}, {"a&", "x"}}) {
+    Parameters p;
+    p.set(name, text);
+    EXPECT_TRUE(
+        refuses(ErrorCode::invalid_argument, {"'" + name + "'", "'" + text + "'"}, [&] { p.rest(); }));
+  }
+  Parameters p;
+  p.set("a", "50% = %2");
+  EXPECT_EQ(p.rest(), "a=50% = %2");
+}
+
 TEST(Parameters, RefuseAnotherType) {
   Parameters p;
   p.set("h", std::string("1.5x"));

@@ -27,6 +27,30 @@ std::string text_of(const Parameters::Value& value) {
   return {digits, std::to_chars(digits, digits + sizeof digits, std::get<double>(value)).ptr};
 }
 
+/// What stands for a sign that pairs are made of.
+struct Escape {
+  const char* text;
+  char sign;
+};
+constexpr Escape escapes[] = {{"%26", '&'}, {"%3D", '='}, {"%25", '%'}};
+
+std::string unescaped(const std::string& text) {
+  std::string plain;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const auto* const found = std::find_if(std::begin(escapes), std::end(escapes), [&](const Escape& one) {
+      return text.compare(at, 3, one.text) == 0;
+    });
+    plain += found == std::end(escapes) ? text[at] : found->sign;
+    if (found != std::end(escapes)) at += 2;
+  }
+  return plain;
+}
+
+/// Whether it reads back as the same without any.
+bool is_plain(const std::string& text, const char* signs) {
+  return text.find_first_of(signs) == std::string::npos && unescaped(text) == text;
+}
+
 [[noreturn]] void refuse(const std::string& name, double value, const std::string& allowed) {
   throw Error(ErrorCode::invalid_argument,
               "parameter '" + name + "' is " + text_of(value) + "; allowed is a number " + allowed);
@@ -82,10 +106,10 @@ void Parameters::read(const std::string& pairs, const std::string& owner, Setter
     const auto equals = pair.find('=');
     if (equals == std::string::npos || equals == 0)
       throw Error(ErrorCode::invalid_argument, owner + " has '" + pair + "' where key=value is allowed");
-    if (has(pair.substr(0, equals)))
-      throw Error(ErrorCode::invalid_argument, owner + " gives '" + pair.substr(0, equals) + "' twice");
-    set(pair.substr(0, equals), pair.substr(equals + 1));
-    if (by == Setter::client) from_client_.insert(pair.substr(0, equals));
+    const std::string name = unescaped(pair.substr(0, equals));
+    if (has(name)) throw Error(ErrorCode::invalid_argument, owner + " gives '" + name + "' twice");
+    set(name, unescaped(pair.substr(equals + 1)));
+    if (by == Setter::client) from_client_.insert(name);
   }
 }
 
@@ -100,9 +124,12 @@ std::string Parameters::rest() {
   for (const auto& [name, value] : values_) {
     if (!asked_.insert(name).second) continue;
     const std::string text = text_of(value);
-    if (text.find('&') != std::string::npos)
-      throw Error(ErrorCode::invalid_argument,
-                  "parameter '" + name + "' is the text '" + text + "'; a text without '&' is allowed here");
+    if (!is_plain(text, "&") || !is_plain(name, "&="))
+      throw Error(
+          ErrorCode::invalid_argument,
+          "parameter '" + name + "' is the text '" + text +
+              "'; a name without '&' and '=', a text without '&', and both without %25, %26 and %3D are "
+              "allowed here");
     pairs += (pairs.empty() ? "" : "&") + name + "=" + text;
   }
   return pairs;

@@ -52,13 +52,13 @@ class Parameters {
   /// Numbers whose names begin with `prefix`, by what follows it.
   std::map<std::string, double> numbers(const std::string& prefix);
 
-  /// Adds what "key=value&key=value" says, as texts. Throws Error beginning with `owner` for what is no pair
+  /// Adds what "key=value&key=value" says, as texts; %26, %3D and %25 stand for &, = and %. Throws Error beginning with `owner` for what is no pair
   /// and for a key that is there already. by: whose words they are.
   void read(const std::string& pairs, const std::string& owner, Setter by = Setter::operator_only);
   /// All of them, as "key=value&key=value"; numbers are written so that they read back as the same.
   std::string written() const;
   /// What nobody asked for, as "key=value&key=value"; it counts as asked for from now on. Numbers are written
-  /// so that they read back as the same. Throws Error for a text that holds '&'.
+  /// so that they read back as the same. Throws Error for a name or a text that would not.
   std::string rest();
 
   /// Throws Error that names a value nobody asked for, and the names that somebody asked for.
