@@ -45,6 +45,7 @@ TEST(FmuDescription3, GivesWhatIsWritten) {
   EXPECT_EQ(d.co_simulation->fixed_step, 0.1);
   ASSERT_EQ(d.variables.size(), 8U);
   EXPECT_EQ(d.at(0).reference, 4000000000U);
+  EXPECT_EQ(d.at(0).variability, Variability::fixed);  // as of every parameter
   EXPECT_EQ(d.at(1).unit, "rad/s");
   EXPECT_EQ(d.at(1).max, 100.0);
   EXPECT_EQ(d.at(2).name, "speed");
@@ -78,6 +79,13 @@ TEST(FmuDescription3, WhatIsWrongIsNamedWithItsLine) {
            {"start=\"3\"/>", "start=\"1e6\"/>", {"'u'", "more than 1048576"}},
            {"start=\"3\"/>", "start=\"-3\"/>", {"'u'", "size that is not known"}},
            {"<Alias name=\"speed\"/>", "<Alias name=\"n\"/>", {"'n' is there twice"}},
+           {"<Output valueReference=\"7\"",
+            "<Output valueReference=\"7\"/><Output valueReference=\"7\"",
+            {"m.fmu:17", "'x' is listed twice"}},
+           {"derivative=\"7\"", "derivative=\"9\"", {"'der(x)' has 1 elements and its state 6"}},
+           {"start=\"3\"/>", "start=\"2.5\"/>", {"'u'", "size that is not known"}},
+           {"start=\"3\"/>", "start=\"1e300\"/>", {"'u'", "size that is not known"}},
+           {"3.0.1", "3.0-beta.5", {"'3.0-beta.5'"}},
            {"true false", "true no", {"m.fmu:12", "'true no'", "0, 1, false, true"}},
            {"1 2 3 4 5 6", "1 2 three", {"m.fmu:10", "numbers with blanks between"}},
            {"<Int8 ", "<Int7 ", {"m.fmu:14", "'i' has no type", "<Int8>"}},

@@ -83,7 +83,7 @@ TEST(FmuOf3, EachBounceOfModelExchangeIsWhereItIsInClosedForm) {
 TEST(FmuOf3, TheStairRisesAtItsTimesAndEndsTheRun) {
   for (const std::string type : {"cs", "me"}) {
     const auto fmu = open_fmu("stair3?step=0.3&type=" + type);
-    const FmuRun run(*fmu, 10.0);
+    const FmuRun run(*fmu, 10.0, {0.0});
     EXPECT_EQ(run.clock.stop, Stop::finished);
     EXPECT_EQ(run.clock.time, 4.0);
     int jumps = 0;
@@ -96,6 +96,25 @@ TEST(FmuOf3, TheStairRisesAtItsTimesAndEndsTheRun) {
   }
 }
 
+/// Not those that they had in the mean over the step before.
+TEST(FmuOf3, InputsAreThoseOfTheTimeAtAnEvent) {
+  for (const std::string type : {"cs", "me"}) {
+    const auto fmu = open_fmu("stair3?step=0.3&type=" + type);
+    std::vector<double> memory(200);
+    const double u0 = 0.0;
+    Samples first(memory.data(), fmu->info().row_size(), 1);
+    fmu->initialize(0.0, 10.0, {&u0, 1}, first);
+    const Segment ramp{10.0, 0.0, {0.0, 1.0}};
+    const Signal u(&ramp, 1, 1);
+    for (const double time : {1.0, 2.0, 3.0}) {
+      Samples y(memory.data(), fmu->info().row_size(), 20);
+      EXPECT_EQ(fmu->advance(10.0, false, {&u, 1}, y).stop, Stop::event);
+      EXPECT_EQ(y.time(y.size() - 1), time);
+      EXPECT_EQ(y.values(y.size() - 1)[1], time) << type;
+    }
+  }
+}
+
 TEST(FmuOf3, EveryTypeGoesThrough) {
   for (const std::string type : {"cs", "me"}) {
     const auto fmu = open_fmu("types3?step=0.5&set.text=four&type=" + type);
@@ -103,6 +122,16 @@ TEST(FmuOf3, EveryTypeGoesThrough) {
     const std::vector<double> expected = {1.0, 0.0, 0.1F, 1.5, -3.0, 1.0, 2.0, 1.0, 4.0};
     EXPECT_EQ(rows.back(), expected) << type;
   }
+}
+
+/// Of an input that nobody drives.
+TEST(FmuOf3, AStartValueThatIsSetIsThatOfThePort) {
+  const auto info = [](const std::string& name) { return look_at(fmu_uri(name), fmu_sources(), {})->info; };
+  EXPECT_EQ(info("mass3?set.u=0.25").inputs[0].start, 0.25);
+  EXPECT_EQ(info("space3?set.u=3 3").inputs[0].start, 3.0);
+  const Port differs = info("space3?set.u=1 2").inputs[0];
+  EXPECT_EQ(differs.starts, (std::vector<double>{1.0, 2.0}));
+  EXPECT_TRUE(std::isnan(differs.start));
 }
 
 TEST(FmuOf3, AValueOutOfRangeEndsTheRun) {
@@ -140,6 +169,24 @@ TEST(FmuOf3, ADiscreteInputThatJumpsMakesAnEventOfCoSimulation) {
   EXPECT_EQ(y.values(1)[2], 4.0);
 }
 
+/// Of two inputs the FMU asks for u within a step, and not for f.
+TEST(FmuOf3, AnInputThatIsNotAskedForWithinAStepHasItsMean) {
+  const auto end = [](const std::string& inputs, double slope) {
+    const auto fmu = open_fmu("mass3?type=cs&step=0.1&inputs=" + inputs);
+    std::vector<double> memory(200);
+    const double u0[] = {0.5, 0.0};
+    Samples first(memory.data(), fmu->info().row_size(), 1);
+    fmu->initialize(0.0, 1.0, u0, first);
+    const Segment u{1.0, 0.0, {0.5, slope}}, f{1.0, 0.0, {0.0, 1.0}};
+    const std::vector<Signal> signals = {{&u, 1, 1}, {&f, 1, 1}};
+    Samples y(memory.data(), fmu->info().row_size(), 20);
+    fmu->advance(1.0, false, signals, y);
+    return y.values(y.size() - 1)[0];
+  };
+  EXPECT_NEAR(end("intermediate", 0.0), end("mean", 0.0), 1e-15);
+  EXPECT_GT(std::abs(end("intermediate", 1.0) - end("mean", 1.0)), 1e-6);
+}
+
 /// x' = A x + u by steps of RK4 in both kinds; sizes are set by name.
 TEST(FmuOf3, ArraysHaveTheSizesThatAreSet) {
   for (const std::string type : {"cs", "me"}) {
@@ -158,6 +205,8 @@ TEST(FmuOf3, ArraysHaveTheSizesThatAreSet) {
   }
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'set.A' is '1 2'", "4 numbers"},
                       [] { open_fmu("space3?set.A=1 2"); }));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'set.x0' is '1 -'", "2 numbers"},
+                      [] { open_fmu("space3?set.x0=1 -"); }));
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'set.n' is 3", "from 1 to 2"},
                       [] { open_fmu("space3?set.n=3"); }));
 }
@@ -168,12 +217,12 @@ TEST(FmuOf3, KeepsTheContract) {
            {"decay3", {}},
            {"decay3?state=trust", {}},
            {"decay3?type=me&step=0.1", {}},
-           {"mass3?type=cs&state=trust", {unknown}},
-           {"mass3?type=cs&inputs=intermediate", {unknown}},
-           {"mass3?type=me", {unknown}},
+           {"mass3?type=cs&state=trust", {unknown, unknown}},
+           {"mass3?type=cs&inputs=intermediate", {unknown, unknown}},
+           {"mass3?type=me", {unknown, unknown}},
            {"ball3?type=cs&state=trust", {}},
            {"ball3?type=me&step=0.01", {}},
-           {"stair3?type=cs", {}},
+           {"stair3?type=cs", {unknown}},
            {"space3?type=cs", {unknown, unknown}},
            {"space3?type=me", {unknown, unknown}},
            {"types3?type=cs&step=0.001", {0.0, 0.0, 1.0, 0.0, 1.0}},

@@ -53,6 +53,8 @@ class ParameterReader {
         add({key + "." + name->get(), true, document_.place(node)});
       else
         numbers += fmt::format("{}{}", numbers.empty() ? "" : " ", number(node, path));
+    if (list.empty())
+      text::refuse(document_.place(list), path + " is an empty list; allowed is one with names or numbers");
     if (!numbers.empty()) add({key, numbers, document_.place(list)});
   }
 

@@ -40,7 +40,7 @@ static instance* make(fmi3String token, fmi3String resources, fmi3InstanceEnviro
   instance* const m = calloc(1, sizeof(instance));
   if (!m) return NULL;
   m->environment = environment, m->log = log;
-  if (strcmp(token, model.guid) != 0 || resources[strlen(resources) - 1] != '/') {
+  if (strcmp(token, model.guid) != 0 || (resources && resources[strlen(resources) - 1] != '/')) {
     fail(m, "the token or the folder of resources is wrong");
     free(m);
     return NULL;

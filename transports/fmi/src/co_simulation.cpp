@@ -1,6 +1,9 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "co_simulation.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "slave.hpp"
 #include "tandem/fixed_step.hpp"
 #include "tandem/saved_models.hpp"
@@ -22,6 +25,7 @@ class CoSimulation final : public SavedModels<Slave, GridPlace> {
 
   Clock advance(double t_limit, bool land, std::span<const Signal> u, Samples& y) override {
     jumps_.begin(u, place_.time());
+    bool jumped = have_jumped(u);
     while (!model_.finished()) {
       if (y.room() <= (info_.abilities.events ? 1 : 0)) return place_.clock(Stop::samples_full);
       OwnStep s{place_.time(), place_.next(), place_.length()};
@@ -29,34 +33,44 @@ class CoSimulation final : public SavedModels<Slave, GridPlace> {
         if (!land || !place_.cuts(t_limit)) return place_.clock();
         s.end = t_limit, s.length = t_limit - s.begin;
       }
-      pass_jumps(s);
-      if (happens(y, [&](double t) { return model_.inputs_changed(t, jumps_.inputs()); })) return stop();
+      jumped = pass_jumps(s) || jumped;
+      const bool changed = model_.inputs_changed(s.begin, jumps_.inputs());
+      if (happens(std::exchange(jumped, false) || changed || model_.is_due(s.begin), y)) return stop();
       if (model_.finished()) break;
       take(s, y);
-      if (happens(y, [&](double t) { return model_.is_due(t); })) return stop();
+      if (happens(model_.is_due(place_.time()), y)) return stop();
     }
     return place_.clock(Stop::finished);
   }
 
  private:
-  void pass_jumps(const OwnStep& s) {
-    while (jumps_.next() < s.end && !place_.tolerance().before(s.begin, jumps_.next())) jumps_.pass();
+  bool have_jumped(std::span<const Signal> u) const {
+    return std::any_of(u.begin(), u.end(), [this](const Signal& input) {
+      return input.jumps_at(place_.time(), place_.tolerance());
+    });
   }
 
-  /// An event where it stands, if is_due(t) says so. True: outputs have jumped, and have a second row.
-  template <class IsDue>
-  bool happens(Samples& y, const IsDue& is_due) {
-    if (!info_.abilities.events || model_.finished()) return false;
-    const double t = place_.time();
-    const bool jumped = model_.instance().within([&] { return is_due(t) && model_.happen(t); });
+  /// Whether there are any.
+  bool pass_jumps(const OwnStep& s) {
+    bool any = false;
+    for (; jumps_.next() < s.end && !place_.tolerance().before(s.begin, jumps_.next()); any = true)
+      jumps_.pass();
+    return any;
+  }
+
+  /// An event where it stands, if one is due. True: outputs have jumped, and have a second row.
+  bool happens(bool is_due, Samples& y) {
+    if (!is_due || !info_.abilities.events || model_.finished()) return false;
+    const bool jumped =
+        model_.instance().within([&] { return model_.happen(place_.time(), jumps_.inputs()); });
     if (jumped) append(y, true);
     return jumped;
   }
   Clock stop() const { return place_.clock(model_.finished() ? Stop::finished : Stop::event); }
 
   void take(OwnStep s, Samples& y) {
-    if (const double event = model_.next_event(); info_.abilities.lands && event < s.end)
-      s.end = event, s.length = event - s.begin;
+    if (const double end = info_.abilities.lands ? model_.end_of(s) : s.end; end != s.end)
+      s.end = end, s.length = end - s.begin;
     const double t = model_.instance().within([&] { return model_.step(s, jumps_.inputs()); });
     if (!place_.tolerance().before(s.begin, t)) return;
     place_.fits(t) ? place_.step() : place_.cut(t);

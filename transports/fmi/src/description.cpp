@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <limits>
 
 #include "structure.hpp"
@@ -49,7 +50,8 @@ std::optional<Offer> offer(const Xml& xml, pugi::xml_node of, Version version) {
 Version version_of(const Xml& xml, pugi::xml_node root) {
   const std::string text = xml.text(root, "fmiVersion").value_or("");
   if (text == "2.0") return Version::two;
-  if (text.starts_with("3.")) return Version::three;
+  const bool numbers = text.find_first_not_of("0123456789.") == std::string::npos;  // none before it was done
+  if (text.starts_with("3.") && numbers) return Version::three;
   xml.wrong(root, "fmiVersion", "2.0 or 3.0");
 }
 
@@ -69,20 +71,33 @@ void read_head(const Xml& xml, pugi::xml_node root, Description& d) {
   d.experiment = {xml.number(experiment, "stepSize"), xml.number(experiment, "tolerance")};
 }
 
+/// Of a dimension; more than are allowed where it is not known.
+std::uint64_t extent(const Dimension& one, const Description& d) {
+  if (one.variable < 0) return std::min(one.size, most_scalars + 1);
+  const std::vector<double>& start = d.at(one.variable).start_values;
+  const bool known = start.size() == 1 && start[0] >= 0.0 && start[0] <= static_cast<double>(most_scalars) &&
+                     start[0] == std::floor(start[0]);
+  return known ? static_cast<std::uint64_t>(start[0]) : most_scalars + 1;
+}
+
 int size_of(const Variable& v, const Description& d) {
   std::uint64_t size = 1;
-  for (const Dimension& one : v.dimensions) {
-    const Variable* by = one.variable < 0 ? nullptr : &d.at(one.variable);
-    const bool known = !by || (by->start_values.size() == 1 && by->start_values[0] >= 0.0);
-    size *= known
-                ? std::min(by ? static_cast<std::uint64_t>(by->start_values[0]) : one.size, most_scalars + 1)
-                : most_scalars + 1;
-    if (size > most_scalars)
+  for (const Dimension& one : v.dimensions)
+    if ((size *= extent(one, d)) > most_scalars)
       throw Error(ErrorCode::invalid_argument, "the FMU's array '" + printable(v.name, 200) +
                                                    "' has a size that is not known, or more than " +
                                                    std::to_string(most_scalars) + " elements");
-  }
   return static_cast<int>(size);
+}
+
+void check_states(const Description& d) {
+  for (const Unknown& rate : d.derivatives) {
+    const Variable &v = d.at(rate.variable), &state = d.at(v.derivative_of);
+    if (v.size != state.size)
+      throw Error(ErrorCode::invalid_argument, "the FMU's derivative '" + printable(v.name, 200) + "' has " +
+                                                   std::to_string(v.size) + " elements and its state " +
+                                                   std::to_string(state.size) + "; allowed are as many");
+  }
 }
 
 }  // namespace
@@ -104,6 +119,7 @@ void set_sizes(Description& d) {
   if (constexpr std::uint64_t most = std::uint64_t{1} << 26; all > most)
     throw Error(ErrorCode::invalid_argument, "the FMU's variables have " + std::to_string(all) +
                                                  " elements; allowed are " + std::to_string(most));
+  check_states(d);
   if (d.version == Version::two) return;
   d.event_indicators = 0;
   for (const int one : d.indicators) d.event_indicators += d.at(one).size;

@@ -85,7 +85,10 @@ bool Equations::end_step() {
   return completed.event;
 }
 
+/// The FMU may not look at its event before its time, which t is but for rounding.
 void Equations::happen(double t) {
+  if (next_event_ > t && std::isfinite(next_event_) && !TimeTolerance(t).before(t, next_event_))
+    instance().set_time(next_event_);
   instance().enter_events();
   running_.set_discrete(inputs_.data(), t);
   settle(t);

@@ -71,6 +71,7 @@ void Instance::close() noexcept {
 void Instance::free() noexcept {
   if (std::exchange(running_, false)) functions_.terminate.call(component_);
   functions_.free_instance.call(std::exchange(component_, nullptr));
+  ++made_;
 }
 
 /// Names that differ: of 2.0, of 3.0.
@@ -101,7 +102,7 @@ void Instance::find_common() {
 
 void Instance::make_instance() {
   component_ = instantiate();
-  fresh_ = true;
+  fresh_ = component_ != nullptr;
   if (component_) return;
   const std::string why = log_.take_last();
   throw Error(ErrorCode::invalid_argument,
@@ -117,6 +118,8 @@ void Instance::fail(const std::string& name, Status status) {
 }
 
 void Instance::begin(double t_start, std::optional<double> t_stop) {
+  if (fatal_ || !component_)
+    throw Error(ErrorCode::numerical, name_ + " has failed for good, and can't be started again");
   if (!std::exchange(fresh_, false)) {
     const bool reset = functions_.reset.call(component_) <= static_cast<int>(Status::warning);
     running_ = running_ && !reset;
@@ -142,6 +145,10 @@ void Instance::set_values() {
     else
       set(v.type, {&v.reference, 1}, s.numbers);
   }
+}
+
+void Instance::release(void* state, int made) noexcept {
+  if (made == made_ && component_ && !fatal_) functions_.free_state.call(component_, &state);
 }
 
 void* Instance::state() {

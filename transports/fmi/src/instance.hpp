@@ -75,7 +75,9 @@ class Instance {
   /// States that the FMU keeps until they are released.
   void* state();
   void put_back(void* state) { call(functions_.set_state, state); }
-  void release(void* state) noexcept { functions_.free_state.call(component_, &state); }
+  /// made: which of the instances that were made gave it; one that is freed has freed it.
+  void release(void* state, int made) noexcept;
+  int made() const { return made_; }
   std::vector<std::byte> bytes(void* state);
   void* state_from(std::span<const std::byte> bytes);
 
@@ -150,6 +152,7 @@ class Instance {
   Functions functions_;
   void* component_ = nullptr;
   std::set<int> told_of_;
+  int made_ = 0;          ///< instances before this one
   bool fresh_ = false;    ///< just instantiated
   bool running_ = false;  ///< initialized and not failed
   bool fatal_ = false;    ///< it may not be called any more

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <limits>
 
 #include "access_of_3.hpp"
@@ -92,16 +93,15 @@ void InstanceOf3::find_functions() {
 
 void* InstanceOf3::instantiate() {
   const Description& d = fmu().description;
-  const std::string folder = resources() + "/";
+  const std::string path = resources() + "/";
+  const char* const folder = std::filesystem::is_empty(path) ? nullptr : path.c_str();
   const bool logs = fmu().settings.logs;
   if (exchanges())
-    return instantiate_exchange_.call(d.name.c_str(), d.guid.c_str(), folder.c_str(), false, logs, this,
-                                      write_log);
+    return instantiate_exchange_.call(d.name.c_str(), d.guid.c_str(), folder, false, logs, this, write_log);
   const bool asked = fmu().settings.held == Held::intermediate;
-  return instantiate_steps_.call(d.name.c_str(), d.guid.c_str(), folder.c_str(), false, logs,
-                                 offer().has_events, offer().has_events && offer().returns_early,
-                                 asked_.data(), asked ? asked_.size() : 0, this, write_log,
-                                 asked ? within_step : nullptr);
+  return instantiate_steps_.call(d.name.c_str(), d.guid.c_str(), folder, false, logs, offer().has_events,
+                                 offer().has_events && offer().returns_early, asked ? asked_.data() : nullptr,
+                                 asked ? asked_.size() : 0, this, write_log, asked ? within_step : nullptr);
 }
 
 void InstanceOf3::set_up(double t_start, std::optional<double> t_stop) {

@@ -4,9 +4,11 @@
 namespace tandem::fmi {
 
 KeptState::KeptState(const std::shared_ptr<Instance>& of, void* state)
-    : state_(state, [of](void* kept) {
-        if (!LibraryCall::has_faulted()) of->within([&] { of->release(kept); });
-      }) {}
+    : state_(state,
+             [of, made = of->made()](void* kept) {
+               if (!LibraryCall::has_faulted()) of->within([&] { of->release(kept, made); });
+             }),
+      made_(of->made()) {}
 
 KeptState KeptState::of(const std::shared_ptr<Instance>& instance) {
   return {instance, instance->within([&] { return instance->state(); })};
@@ -17,6 +19,8 @@ KeptState KeptState::from(const std::shared_ptr<Instance>& instance, std::span<c
 }
 
 void KeptState::put_back(Instance& to) const {
+  if (made_ != to.made())
+    throw Error(ErrorCode::numerical, "the FMU has been made anew since its state was kept");
   to.within([&] { to.put_back(state_.get()); });
 }
 

@@ -23,6 +23,7 @@ class KeptState {
  private:
   KeptState(const std::shared_ptr<Instance>& of, void* state);
   std::shared_ptr<void> state_;
+  int made_ = 0;  ///< Instance::made() of who gave it
 };
 
 }  // namespace tandem::fmi

@@ -10,7 +10,7 @@
 namespace tandem::fmi {
 namespace {
 
-constexpr std::uint64_t longest_library = std::uint64_t{1} << 28;  // bytes
+constexpr std::uint64_t longest_library = std::uint64_t{1} << 30;  // bytes
 
 #if defined(__x86_64__)
 constexpr Elf64_Half machine = EM_X86_64;

@@ -33,10 +33,11 @@ void Log::tell(const std::string& sentence) const {
 
 std::string Log::take_last() { return std::exchange(last_, {}); }
 
-void Log::add(Status status, const std::string& message) {
+void Log::add(Status status, const char* message) noexcept try {
   const std::string text = printable(description_.version == Version::two ? with_names(message) : message);
   if (status >= Status::discard) last_ = text;
   if (all_) tell("it says: " + text);
+} catch (...) {
 }
 
 /// In 2.0 "#r123#" is the real variable with the reference 123, "##" is "#".

@@ -20,8 +20,8 @@ class Log {
   /// The newest message of a call that went wrong, once; empty if there is none.
   std::string take_last();
 
-  /// What the FMU says with a status.
-  void add(Status status, const std::string& message);
+  /// What the FMU says with a status. Nothing is thrown through the FMU: what fails is not told.
+  void add(Status status, const char* message) noexcept;
 
  private:
   std::string with_names(const std::string& message) const;

@@ -117,14 +117,14 @@ bool ExchangedModel::move(OwnStep& s) {
   }
 }
 
-/// Continuous inputs that jump are seen by indicators, and by outputs at once.
+/// A jump of an input, of whichever kind, is an event.
 bool ExchangedModel::jump(double t, std::span<const Signal> u) {
   return fmu().within([&] {
     equations_.resume(u);
     equations_.running().read_row(left_.data());
-    const bool discrete = equations_.discrete_inputs_changed(t);
+    equations_.discrete_inputs_changed(t);
     equations_.evaluate_again(t);
-    if (discrete || equations_.changed() >= 0) event(t);
+    event(t);
     return has_jumped();
   });
 }

@@ -27,7 +27,7 @@ class PortMaker {
   Ports make() {
     ports_.info.name = d_.name;
     for (int k = 0; k < std::ssize(d_.variables); ++k)
-      if (is_number(at(k).type) && at(k).size > 0) add(k);
+      if (is_number(at(k).type) && at(k).size > 0 && !at(k).clocked) add(k);
     if (outputs_.empty())
       throw Error(
           ErrorCode::invalid_argument,
@@ -67,13 +67,25 @@ class PortMaker {
     const Seat seat{k, input_size_, v.size};
     input_size_ += v.size;
     input_of_[static_cast<std::size_t>(k)] = seat;
-    if (const auto& start = v.start_values; std::ssize(start) == v.size) {
-      const bool same = std::equal(start.begin() + 1, start.end(), start.begin());
-      same ? void(port.start = start[0]) : void(port.starts = start);
-    }
+    inputs_.push_back(seat);
+    put_start(v.size, start_of(k), port);
     ports_.info.inputs.push_back(std::move(port));
     (is_continuous(v) ? ports_.continuous : ports_.discrete).push_back(seat);
     if (is_continuous(v) && v.intermediate) ports_.asked.push_back(seat);
+  }
+
+  /// As it is set, else as the FMU says.
+  const std::vector<double>& start_of(int k) const {
+    for (const Setting& one : s_.values)
+      if (one.variable == k) return one.numbers;
+    return at(k).start_values;
+  }
+
+  /// One number is that of all.
+  static void put_start(int size, const std::vector<double>& start, Port& port) {
+    if (start.empty() || (start.size() > 1 && std::ssize(start) != size)) return;
+    const bool same = std::equal(start.begin() + 1, start.end(), start.begin());
+    same ? void(port.start = start[0]) : void(port.starts = start);
   }
 
   void check_units() const {
@@ -88,8 +100,11 @@ class PortMaker {
   }
 
   /// Variables of one type and reference are one number.
-  using Number = std::pair<bool, std::uint32_t>;
-  Number number_of(int variable) const { return {is_real(at(variable).type), at(variable).reference}; }
+  using Number = std::pair<int, std::uint32_t>;
+  Number number_of(int variable) const {
+    const Type type = at(variable).type;
+    return {is_real(type) ? 0 : type == Type::boolean ? 1 : 2, at(variable).reference};
+  }
 
   /// -1 if there is none.
   int derivative_of(int variable) const {
@@ -142,8 +157,7 @@ class PortMaker {
       for (const int one : u->of)
         if (const auto& input = input_of_[static_cast<std::size_t>(one)]) add(*input);
     } else {
-      for (const auto& input : input_of_)
-        if (input) add(*input);
+      for (const Seat& input : inputs_) add(input);
     }
   }
 
@@ -168,6 +182,7 @@ class PortMaker {
   const Description& d_;
   const Settings& s_;
   std::vector<std::optional<Seat>> input_of_;  ///< by variable
+  std::vector<Seat> inputs_;
   std::vector<int> outputs_;
   int input_size_ = 0, output_size_ = 0;
   std::map<Number, int> derivative_of_;

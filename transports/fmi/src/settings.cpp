@@ -26,7 +26,8 @@ Kind kind_of(const Description& d, Parameters& p) {
 bool asks_for_inputs(const Description& d) {
   return d.co_simulation->asks_for_inputs &&
          std::any_of(d.variables.begin(), d.variables.end(), [](const Variable& v) {
-           return v.causality == Causality::input && v.intermediate && is_real(v.type);
+           return v.causality == Causality::input && v.intermediate && is_real(v.type) &&
+                  v.variability == Variability::continuous;
          });
 }
 
@@ -61,7 +62,7 @@ double step_of(const Description& d, Kind kind, Parameters& p) {
 std::vector<std::string> outputs_of(const Description& d, Parameters& p) {
   std::vector<std::string> all, known;
   for (const Variable& v : d.variables)
-    if (is_number(v.type)) known.push_back(v.name);
+    if (is_number(v.type) && v.causality != Causality::input && !v.clocked) known.push_back(v.name);
   for (const std::string& name : p.names("outputs.")) {
     if (std::find(known.begin(), known.end(), name) == known.end())
       refuse_name("parameter outputs: variable", name, known);

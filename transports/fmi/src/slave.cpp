@@ -21,7 +21,8 @@ Slave::Slave(const std::shared_ptr<Instance>& instance)
       values_(static_cast<std::size_t>(info().input_size())),
       before_(static_cast<std::size_t>(info().row_size() - Samples::header)),
       after_(before_),
-      next_event_(never) {
+      next_event_(never),
+      stop_(never) {
   const Settings& settings = instance->fmu().settings;
   if (settings.held != Held::derivatives) return;
   for (int order = 1; order <= settings.order; ++order)
@@ -35,6 +36,7 @@ Slave::Slave(const std::shared_ptr<Instance>& instance)
 void Slave::start(const TimeSpan& span, std::span<const double> u0) {
   finished_ = due_ = false, next_event_ = never, standing_ = 0;
   const bool ends = std::isfinite(span.stop);
+  stop_ = ends ? span.stop : never;
   put_start(info().inputs, u0, values_);
   instance().within([&] {
     running_.initialize(span.start, ends ? std::optional(span.stop) : std::nullopt, u0);
@@ -51,11 +53,21 @@ void Slave::settle(double t) {
   if (!finished_) instance().enter_steps();
 }
 
-bool Slave::happen(double t) {
+double Slave::end_of(const OwnStep& s) const {
+  const TimeTolerance tolerance(s.begin);
+  const bool within = std::isfinite(next_event_) && tolerance.before(s.begin, next_event_) &&
+                      !tolerance.before(s.end, next_event_);
+  return within ? std::min(next_event_, std::max(stop_, s.end)) : s.end;
+}
+
+bool Slave::happen(double t, std::span<const Signal> u) {
   running_.resume();
   running_.know_inputs();
   running_.read_row(before_.data());
   instance().enter_events();
+  for (const auto* seats : {&running_.fmu().ports.continuous, &running_.fmu().ports.discrete})
+    take(*seats, u, t, values_);
+  running_.set_continuous(values_.data(), t);
   running_.set_discrete(values_.data(), t);
   settle(t);
   running_.read_row(after_.data());
@@ -65,6 +77,7 @@ bool Slave::happen(double t) {
 double Slave::over(const OwnStep& s, const Signal& u) const {
   switch (running_.fmu().settings.held) {
     case Held::mean:
+    case Held::intermediate:  // of those that the FMU does not ask for
       return mean_over(u, s);
     case Held::right:
       return u.value(s.end);
@@ -80,6 +93,7 @@ void Slave::set_inputs(const OwnStep& s, std::span<const Signal> u) {
   for (const Seat& seat : ports.continuous)
     for (int k = seat.place; k < seat.end(); ++k)
       values_[static_cast<std::size_t>(k)] = over(s, u[static_cast<std::size_t>(k)]);
+  if (running_.fmu().settings.held == Held::intermediate) take(ports.asked, u, s.begin, values_);
   running_.set_continuous(values_.data(), s.begin);
   if (has_events()) return;
   take(ports.discrete, u, s.begin, values_);

@@ -32,9 +32,11 @@ class Slave {
   bool is_due(double t) const {
     return due_ || (std::isfinite(next_event_) && !TimeTolerance(t).before(t, next_event_));
   }
-  /// An event there. True: outputs have jumped.
-  bool happen(double t);
-  double next_event() const { return next_event_; }
+  /// An event there, with all inputs as they are at t. True: outputs have jumped.
+  bool happen(double t, std::span<const Signal> u);
+  /// Where a step from s.begin is to end, which may end earlier than s does: at an event that is known before,
+  /// also one that is later by rounding alone.
+  double end_of(const OwnStep& s) const;
   /// Takes a step as far as the FMU goes. Returns the time that it has come to.
   double step(const OwnStep& s, std::span<const Signal> u);
   void outputs(double* y) const { running_.read_row(y); }
@@ -55,7 +57,7 @@ class Slave {
   std::vector<std::uint32_t> references_;  ///< of continuous inputs, once for each order
   std::vector<int> orders_;
   std::vector<double> derivatives_;
-  double next_event_;
+  double next_event_, stop_;
   int standing_ = 0;  ///< steps in which the FMU did not go on
   bool due_ = false, finished_ = false;
 };

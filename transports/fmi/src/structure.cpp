@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <map>
+#include <set>
 
 #include "tandem/printable.hpp"
 
@@ -36,10 +37,13 @@ class StructureReader {
  private:
   std::vector<Unknown> unknowns(pugi::xml_node list, const char* element) const {
     std::vector<Unknown> all;
+    std::set<int> seen;
     const char* const name = d_.version == Version::two ? "index" : "valueReference";
     for (const pugi::xml_node node : list.children(element)) {
       const auto of = xml_.list(node, "dependencies", 0, most());
       Unknown unknown{variable(node, name, xml_.whole(node, name, 0, most())), !of};
+      if (!seen.insert(unknown.variable).second)
+        xml_.refuse(node, "variable '" + printable(d_.at(unknown.variable).name, 200) + "' is listed twice");
       for (const std::int64_t one : of.value_or(std::vector<std::int64_t>()))
         unknown.of.push_back(variable(node, "dependencies", one));
       all.push_back(std::move(unknown));

@@ -3,9 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
-#include <iterator>
-#include <locale>
 #include <sstream>
 
 #include "tandem/error.hpp"
@@ -23,7 +22,8 @@ std::map<std::string, int> settable(const Description& d) {
     const bool allowed = v.causality == Causality::parameter ||
                          v.causality == Causality::structural_parameter ||
                          (v.start && v.variability != Variability::constant);
-    if (allowed && (is_number(v.type) || v.type == Type::text)) all[v.name] = k;
+    const bool text = v.type == Type::text && v.dimensions.empty();
+    if (allowed && (is_number(v.type) || text)) all[v.name] = k;
   }
   return all;
 }
@@ -37,12 +37,18 @@ void check(const Variable& v, const std::string& word, double value) {
 
 /// Of an array: numbers with blanks between.
 std::vector<double> elements_of(const Variable& v, const std::string& word, Parameters& p) {
-  std::istringstream text(p.text(word, ""));
-  text.imbue(std::locale::classic());
-  const std::vector<double> all{std::istream_iterator<double>(text), {}};
-  if (!text.eof() || std::ssize(all) != v.size)
+  const std::string text = p.text(word, "");
+  std::istringstream words(text);
+  std::vector<double> all;
+  for (std::string one; words >> one;) {
+    double value = 0.0;
+    const auto [end, code] = std::from_chars(one.data(), one.data() + one.size(), value);
+    if (code != std::errc{} || end != one.data() + one.size()) break;
+    all.push_back(value);
+  }
+  if (!words.eof() || std::ssize(all) != v.size)
     refuse(fmt::format("parameter '{}' is '{}'; allowed are {} numbers with blanks between", word,
-                       printable(p.text(word, ""), 200), v.size));
+                       printable(text, 200), v.size));
   return all;
 }
 

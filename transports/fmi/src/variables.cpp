@@ -23,8 +23,10 @@ class VariableReader {
   std::vector<Variable> read(pugi::xml_node list) {
     for (const pugi::xml_node node : list) {
       if (node.type() != pugi::node_element) continue;
+      const std::size_t place = all_.size();
       add(node, variable(node));
-      for (const pugi::xml_node alias : node.children("Alias")) add_alias(node, alias);
+      if (version_ == Version::three)
+        for (const pugi::xml_node alias : node.children("Alias")) add_alias(node, alias, all_[place]);
     }
     for (const auto& [variable, type] : type_nodes_) read_links(type, all_[variable]);
     return std::move(all_);
@@ -39,15 +41,16 @@ class VariableReader {
     all_.push_back(std::move(v));
   }
 
-  /// Another name of the last, which is no port.
-  void add_alias(pugi::xml_node node, pugi::xml_node alias) {
-    Variable v = all_.back();
+  /// Another name, which is no port and is not set.
+  void add_alias(pugi::xml_node node, pugi::xml_node alias, const Variable& of) {
+    Variable v;
     v.name = xml_.needed_text(alias, "name");
-    if (v.causality == Causality::input || v.causality == Causality::output) v.causality = Causality::local;
+    v.reference = of.reference, v.type = of.type, v.variability = of.variability;
+    v.unit = of.unit, v.nominal = of.nominal, v.min = of.min, v.max = of.max, v.clocked = of.clocked;
     add(node, std::move(v));
   }
 
-  Variable variable(pugi::xml_node node) const {
+  Variable variable(pugi::xml_node node) {
     const pugi::xml_node type = type_node(node);
     Variable v;
     v.name = xml_.needed_text(node, "name");
@@ -57,13 +60,21 @@ class VariableReader {
     v.reference = static_cast<std::uint32_t>(*reference);
     v.causality = xml_.word(node, "causality", causalities(), Causality::local);
     v.type = types_.at(type.name());
-    const auto usual = is_real(v.type) ? Variability::continuous : Variability::discrete;
-    v.variability = xml_.word(node, "variability", variabilities(), usual);
+    v.variability = xml_.word(node, "variability", variabilities(), usual_variability(v));
+    v.clocked = node.attribute("clocks");
     v.intermediate = xml_.flag(node, "intermediateUpdate");
     const pugi::xml_node text = type.child("Start");  // of a text in 3.0
     v.start = text ? xml_.text(text, "value") : xml_.text(type, "start");
     read_type(type, v);
     return v;
+  }
+
+  static Variability usual_variability(const Variable& v) {
+    using enum Causality;
+    if (v.causality == parameter || v.causality == calculated_parameter ||
+        v.causality == structural_parameter)
+      return Variability::fixed;
+    return is_real(v.type) ? Variability::continuous : Variability::discrete;
   }
 
   /// In 2.0 within the variable, in 3.0 itself.
@@ -76,7 +87,7 @@ class VariableReader {
   }
 
   /// What the variable does not say its declared type may.
-  void read_type(pugi::xml_node type, Variable& v) const {
+  void read_type(pugi::xml_node type, Variable& v) {
     const auto name = xml_.text(type, "declaredType");
     const auto found = name ? declared_.find(*name) : declared_.end();
     if (name && found == declared_.end()) xml_.wrong(type, "declaredType", "the name of a type definition");
@@ -106,12 +117,16 @@ class VariableReader {
       for (const bool one : xml_.flags(type, "start")) v.start_values.push_back(one ? 1.0 : 0.0);
   }
 
-  void read_items(pugi::xml_node declared, Variable& v) const {
-    double least = std::numeric_limits<double>::infinity(), most = -least;
-    for (const pugi::xml_node item : declared.children("Item"))
-      if (const auto value = xml_.number(item, "value"))
-        least = std::min(least, *value), most = std::max(most, *value);
-    if (least > most) return;
+  void read_items(pugi::xml_node declared, Variable& v) {
+    const auto [it, is_new] = items_.try_emplace(declared.offset_debug(), range_of(Type::float64));
+    auto& [least, most] = it->second;
+    if (is_new) {
+      double first = std::numeric_limits<double>::infinity(), last = -first;
+      for (const pugi::xml_node item : declared.children("Item"))
+        if (const auto value = xml_.number(item, "value"))
+          first = std::min(first, *value), last = std::max(last, *value);
+      if (first <= last) least = first, most = last;
+    }
     v.min = std::max(v.min, least), v.max = std::min(v.max, most);
   }
 
@@ -140,6 +155,7 @@ class VariableReader {
   std::map<std::string, pugi::xml_node> declared_;
   std::unordered_set<std::string> names_;
   std::map<std::uint32_t, int> by_reference_;
+  std::map<std::ptrdiff_t, Range> items_;  ///< of enumerations, by the place of their type
   std::vector<std::pair<std::size_t, pugi::xml_node>> type_nodes_;
   std::vector<Variable> all_;
 };

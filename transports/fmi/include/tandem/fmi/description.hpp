@@ -65,6 +65,7 @@ struct Variable {
   double nominal = 1.0;
   int derivative_of = -1;     ///< the variable whose time derivative it is
   bool intermediate = false;  ///< an input of Co-Simulation that may be set within a step
+  bool clocked = false;       ///< has a value where a clock of the FMU ticks
 };
 
 /// Of which variables an unknown follows at once.
@@ -107,7 +108,7 @@ struct Description {
 };
 
 /// Sizes of arrays from the start values of structural parameters, and with them how many event indicators
-/// there are. Throws Error for an array of more than 2^20 scalars, and for 2^26 in all.
+/// there are. Throws Error for an array of more than 2^20 scalars, for 2^26 in all, and for a derivative of another size than its state.
 void set_sizes(Description& description);
 
 /// Reads the text of a modelDescription.xml. Nothing that it names is looked for. `file`: how errors call it.
