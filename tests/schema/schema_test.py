@@ -163,9 +163,11 @@ bad = [
     with_("judge", {"quantity": "slow.x2", "tolerance": 0}),
     with_("subsystems", "fast", "inputs", {"x2": "1"}),
     with_("subsystems", "fast", "land", "sometimes"),
-    with_("parameters", "frequency_ratio", [1.0]),
+    with_("parameters", "frequency_ratio", [[1.0]]),
+    with_("subsystems", "fast", "parameters", {"set": []}),
 ]
 for document in bad:
     assert refused(document), f"passes: {document}"
 assert not refused(with_("connections", 0, "reconstruction", "least_squares2_16"))
+assert not refused(with_("subsystems", "fast", "parameters", {"set": {"A": [1, 0.5], "k": 3}, "outputs": ["x"]}))
 print(f"{len(files)} files pass, {len(bad) + len(changes)} bad ones do not")

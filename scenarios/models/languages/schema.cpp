@@ -90,7 +90,8 @@ class Schema {
       case Type::value:
         return {{"type", {"number", "boolean", "string"}}};
       case Type::values:
-        return {{"type", {"number", "boolean", "string", "array", "object"}}};
+        return any_of({{{"type", {"number", "boolean", "string", "object"}}},
+                       {{"type", "array"}, {"minItems", 1}, {"items", name}}});
       case Type::numbers:
         return any_of({number(), array(number())});
       case Type::vector:
