@@ -23,6 +23,21 @@ inline std::unique_ptr<Subsystem> open_fmu(const std::string& name) {
   return open(fmu_uri(name), fmu_sources());
 }
 
+/// Inputs that are constant but for one, which jumps at `time` to `value`.
+struct JumpingInputs {
+  JumpingInputs(const std::vector<double>& u0, std::size_t which, double time, double value, double t_stop) {
+    for (const double u : u0) pieces.push_back({{t_stop, 0.0, {u}}});
+    pieces[which] = {{time, 0.0, {u0[which]}}, {t_stop, time, {value}}};
+    mark_jump(pieces[which][1], true);
+    for (const auto& p : pieces) signals.emplace_back(p.data(), static_cast<std::int32_t>(p.size()), 0);
+  }
+  JumpingInputs(const JumpingInputs&) = delete;
+  JumpingInputs& operator=(const JumpingInputs&) = delete;
+
+  std::vector<std::vector<Segment>> pieces;
+  std::vector<Signal> signals;
+};
+
 /// A run of one FMU on constant inputs; its rows from the start on: time, jump flag, outputs.
 struct FmuRun {
   std::vector<std::vector<double>> rows;

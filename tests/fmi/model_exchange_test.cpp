@@ -76,14 +76,9 @@ TEST(FmuModelExchange, ADiscreteInputThatJumpsMakesAnEvent) {
   const std::vector<double> u0 = {0.0, 0.0, 0.0, 0.0, 1.0};
   Samples first(memory.data(), stride, 1);
   fmu->initialize(0.0, 2.0, u0, first);
-  std::vector<std::vector<Segment>> pieces;
-  for (const double value : u0) pieces.push_back({{2.0, 0.0, {value}}});
-  pieces[2] = {{0.75, 0.0, {0.0}}, {2.0, 0.75, {4.0}}};
-  mark_jump(pieces[2][1], true);
-  std::vector<Signal> u;
-  for (const auto& p : pieces) u.emplace_back(p.data(), static_cast<std::int32_t>(p.size()), 0);
+  const JumpingInputs inputs(u0, 2, 0.75, 4.0, 2.0);
   Samples y(memory.data(), stride, 10);
-  const Clock clock = fmu->advance(2.0, false, u, y);
+  const Clock clock = fmu->advance(2.0, false, inputs.signals, y);
   EXPECT_EQ(clock.stop, Stop::event);
   ASSERT_EQ(y.size(), 3);
   EXPECT_EQ(y.time(1), 0.75);
