@@ -6,7 +6,12 @@
 namespace tandem::fmi {
 
 /// Of a call, by the numbers of both versions.
-enum class Status { ok, warning, discard, error, fatal, pending };
+enum class Status : unsigned { ok, warning, discard, error, fatal, pending };
+
+/// Of a number that an FMU gives, which may be any.
+inline bool is_good(int status) {
+  return static_cast<unsigned>(status) <= static_cast<unsigned>(Status::warning);
+}
 
 /// A function of an FMU's library, with its whole name; null where the FMU says that it has it not.
 template <class Signature>

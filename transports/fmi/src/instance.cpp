@@ -121,7 +121,7 @@ void Instance::begin(double t_start, std::optional<double> t_stop) {
   if (fatal_ || !component_)
     throw Error(ErrorCode::numerical, name_ + " has failed for good, and can't be started again");
   if (!std::exchange(fresh_, false)) {
-    const bool reset = functions_.reset.call(component_) <= static_cast<int>(Status::warning);
+    const bool reset = is_good(functions_.reset.call(component_));
     running_ = running_ && !reset;
     if (!reset) free(), make_instance(), fresh_ = false;
   }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "answers.hpp"
 #include "fmu.hpp"
 #include "functions.hpp"
 #include "loading.hpp"
@@ -16,30 +17,6 @@
 #include "tandem/library_file.hpp"
 
 namespace tandem::fmi {
-
-/// What an FMU says after it has updated its discrete states.
-struct Updated {
-  bool again, ended;
-  double next_event;  ///< [s]; infinite if none is known
-};
-/// What an FMU says after a step of who integrates it.
-struct Completed {
-  bool event, ended;
-};
-/// What has come of a step of Co-Simulation.
-struct Taken {
-  double time;  ///< to which it has come [s]
-  bool event, ended;
-};
-
-/// Sets inputs within a step of Co-Simulation, at the times at which the FMU asks for them.
-class InputsWithin {
- public:
-  virtual void set(double t) = 0;
-
- protected:
-  ~InputsWithin() = default;
-};
 
 /// A loaded FMU that runs: unpacked, its library loaded, one instance of it. Calls of its functions stand in
 /// within(). One that answers with more than a warning is Error(numerical) with the FMU's own message.
@@ -116,7 +93,7 @@ class Instance {
     check(function.name, function.call(component_, arguments...));
   }
   void check(const std::string& name, int status) {
-    if (status > static_cast<int>(Status::warning)) fail(name, static_cast<Status>(status));
+    if (!is_good(status)) fail(name, static_cast<Status>(status));
   }
   [[noreturn]] void fail(const std::string& name, Status status);
   /// `own`: the FMU's time after a step that it says it has taken.
@@ -126,7 +103,6 @@ class Instance {
   const Offer& offer() const { return offer_of(fmu_.description, fmu_.settings.kind); }
   void* component() const { return component_; }
   const std::string& resources() const { return resources_; }
-
   /// "fmi2", "fmi3", and what the library's version begins with.
   virtual const char* prefix() const = 0;
   virtual const char* version() const = 0;
