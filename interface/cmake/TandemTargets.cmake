@@ -7,12 +7,13 @@ include(GNUInstallDirs)
 # "text" + std::string before GCC 13 (GCC bug 105651).
 # No contraction to fused multiply-add, or results differ between processors. (-O3 is CMake's own for Release.)
 # Where several sources make one translation unit, a local name may well be that of a constant of another of them.
-# Functions of a library call each other directly though the code is position independent.
+# Functions of a library call each other directly though the code is position independent. Each has a section of its own, so
+# that the library of an FMU has only those that it needs.
 add_library(tandem_build_flags INTERFACE)
 target_compile_options(tandem_build_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion -Wshadow
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>
-  $<$<BOOL:${CMAKE_UNITY_BUILD}>:-Wno-shadow> $<$<BOOL:${TANDEM_WERROR}>:-Werror> -ffp-contract=off -fno-semantic-interposition)
+  $<$<BOOL:${CMAKE_UNITY_BUILD}>:-Wno-shadow> $<$<BOOL:${TANDEM_WERROR}>:-Werror> -ffp-contract=off -fno-semantic-interposition -ffunction-sections)
 if(TANDEM_SANITIZE)
   target_compile_options(tandem_build_flags INTERFACE
     -fsanitize=${TANDEM_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "tandem/error.hpp"
+#include "tandem/files_read.hpp"
 
 namespace tandem {
 namespace {
@@ -41,6 +42,7 @@ InputFile::InputFile(std::filesystem::path file, std::string what)
   if (::fstat(number_, &status) == 0 && S_ISREG(status.st_mode)) {
     size_ = static_cast<std::uint64_t>(status.st_size);
     rights_of_others_ = status.st_mode & (S_IRWXG | S_IRWXO);
+    FilesRead::note(file_);
     return;
   }
   ::close(number_);

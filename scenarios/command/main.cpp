@@ -121,6 +121,7 @@ int run(int argc, char** argv) {
   tandem::cli::add_bench(app, context);
   tandem::cli::add_view(app, context);
   tandem::cli::add_ladder(app, context);
+  tandem::cli::add_export(app, context);
   tandem::cli::add_help(app, context);
   tandem::cli::add_schema(app, context);
   try {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <new>
 
-#include "solvers/blas_threads.hpp"
+#include "blas_threads.hpp"
 #include "thesis_solvers/thesis_solvers.hpp"
 
 namespace tandem::test {

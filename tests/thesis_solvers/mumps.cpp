@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "solvers/blas_threads.hpp"
+#include "blas_threads.hpp"
 #include "tandem/error.hpp"
 #include "thesis_solvers/thesis_solvers.hpp"
 

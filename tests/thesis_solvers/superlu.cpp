@@ -7,7 +7,7 @@
 #include <new>
 #include <vector>
 
-#include "solvers/blas_threads.hpp"
+#include "blas_threads.hpp"
 #include "thesis_solvers/thesis_solvers.hpp"
 
 namespace tandem::test {

@@ -24,7 +24,7 @@ FileValue given_or(const std::string& name, FileValue value, const GivenValues& 
 void read_word(FileParameter& parameter, const GivenValues& given, Section& section) {
   const std::string own = *section.text("value");
   parameter.value = given_or(parameter.name, own, given, section);
-  const auto words = section.texts("allowed");
+  const auto& words = parameter.allowed = section.texts("allowed");
   const auto& word = std::get<std::string>(parameter.value);
   const bool is_listed = std::find(words.begin(), words.end(), word) != words.end();
   if (!words.empty() && !is_listed)

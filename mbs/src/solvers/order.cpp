@@ -2,9 +2,6 @@
 #include "order.hpp"
 
 #include <amd.h>
-#ifdef TANDEM_HAS_METIS
-#include <metis.h>
-#endif
 
 #include <algorithm>
 #include <boost/graph/adjacency_list.hpp>
@@ -51,26 +48,6 @@ std::vector<int> minimum_degree_order(const Pattern& pattern) {
                 nullptr) < AMD_OK)
     throw std::bad_alloc();
   return order;
-}
-
-std::vector<int> dissection_order([[maybe_unused]] const Pattern& pattern) {
-#ifdef TANDEM_HAS_METIS
-  static_assert(sizeof(idx_t) == sizeof(int));
-  idx_t columns = pattern.columns();
-  std::vector<int> starts = {0}, neighbours;  // METIS wants no diagonal
-  for (int c = 0; c < columns; ++c) {
-    for (int k = pattern.starts()[c]; k < pattern.starts()[c + 1]; ++k)
-      if (pattern.indices()[k] != c) neighbours.push_back(pattern.indices()[k]);
-    starts.push_back(static_cast<int>(neighbours.size()));
-  }
-  std::vector<int> order(static_cast<std::size_t>(columns)), place(order.size());
-  if (neighbours.empty() || METIS_NodeND(&columns, starts.data(), neighbours.data(), nullptr, nullptr,
-                                         order.data(), place.data()) != METIS_OK)
-    return {};
-  return order;
-#else
-  return {};
-#endif
 }
 
 }  // namespace tandem::mbs::solvers

@@ -39,6 +39,7 @@ void add_serve(CLI::App& app, Context& context);
 void add_bench(CLI::App& app, Context& context);
 void add_view(CLI::App& app, Context& context);
 void add_ladder(CLI::App& app, Context& context);
+void add_export(CLI::App& app, Context& context);
 void add_help(CLI::App& app, Context& context);
 void add_schema(CLI::App& app, Context& context);
 

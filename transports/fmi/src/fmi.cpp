@@ -9,6 +9,7 @@
 #include "library_look.hpp"
 #include "model_exchange.hpp"
 #include "tandem/error.hpp"
+#include "tandem/fmi/platform.hpp"
 #include "tandem/printable.hpp"
 
 namespace tandem {
@@ -35,10 +36,10 @@ std::string states_sentence(const Fmu& fmu) {
   const Description& d = fmu.description;
   const Offer& offer = offer_of(d, fmu.settings.kind);
   return fmt::format(
-      "{} continuous states, {} event indicators; its state can{} be had{}; it takes {} derivatives of "
+      "{} continuous states, {} event indicators; its state can{} be had{}; it takes{} derivatives of "
       "inputs",
       d.state_size(), d.event_indicators, offer.keeps_state ? "" : "not",
-      offer.serializes_state ? ", also as bytes" : "", offer.interpolates_inputs ? "" : "no");
+      offer.serializes_state ? ", also as bytes" : "", offer.interpolates_inputs ? "" : " no");
 }
 
 /// As far as they can be declared.
@@ -102,20 +103,8 @@ Fmu read_fmu(const std::filesystem::path& file, Parameters& parameters) {
   return fmu;
 }
 
-std::string platform(Version version) {
-#if defined(__x86_64__)
-  return version == Version::two ? "linux64" : "x86_64-linux";
-#elif defined(__i386__)
-  return version == Version::two ? "linux32" : "x86-linux";
-#elif defined(__aarch64__)
-  return version == Version::two ? "" : "aarch64-linux";
-#else
-  return "";
-#endif
-}
-
 std::string library_of(const Fmu& fmu) {
-  return "binaries/" + platform(fmu.description.version) + "/" +
+  return binaries_of_this_platform(fmu.description.version) +
          offer_of(fmu.description, fmu.settings.kind).model + ".so";
 }
 

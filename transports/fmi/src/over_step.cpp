@@ -40,4 +40,12 @@ double mean_over(const Signal& signal, const OwnStep& s) {
   return sum / (s.end - s.begin);
 }
 
+Signal from_begin(const Signal& signal, const OwnStep& s) {
+  const TimeTolerance tolerance(s.begin);
+  const auto pieces = signal.segments();
+  std::size_t k = 0;
+  while (k + 1 < pieces.size() && !tolerance.before(s.begin, pieces[k].end)) ++k;
+  return {&pieces[k], static_cast<std::int32_t>(pieces.size() - k), signal.degree()};
+}
+
 }  // namespace tandem::fmi

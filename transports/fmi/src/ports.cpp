@@ -129,11 +129,12 @@ class PortMaker {
     }
   }
 
-  /// After a step of Co-Simulation a derivative that follows an input at once is that of the input over the
-  /// step.
+  /// After a step of Co-Simulation a derivative that follows an input at once is that of what the FMU takes the
+  /// input for at the step's end.
   bool is_known(int variable) const {
     if (s_.kind == Kind::model_exchange) return true;
     const Unknown* u = structure_of(variable);
+    if (u && s_.held == Held::derivatives) return true;
     return u && !u->of_all && std::all_of(u->of.begin(), u->of.end(), [this](int one) {
              return at(one).causality != Causality::input;
            });

@@ -98,15 +98,15 @@ void Slave::set_inputs(const OwnStep& s, std::span<const Signal> u) {
   if (has_events()) return;
   take(ports.discrete, u, s.begin, values_);
   running_.set_discrete(values_.data(), s.begin);
-  if (!references_.empty()) set_derivatives(s.begin, u);
+  if (!references_.empty()) set_derivatives(s, u);
 }
 
-void Slave::set_derivatives(double t, std::span<const Signal> u) {
+void Slave::set_derivatives(const OwnStep& s, std::span<const Signal> u) {
   std::size_t k = 0;
   for (int order = 1; order <= running_.fmu().settings.order; ++order)
     for (const Seat& seat : running_.fmu().ports.continuous) {
-      const Signal& signal = u[static_cast<std::size_t>(seat.place)];
-      derivatives_[k++] = order == 1 ? signal.derivative(t) : signal.second_derivative(t);
+      const Signal signal = from_begin(u[static_cast<std::size_t>(seat.place)], s);
+      derivatives_[k++] = order == 1 ? signal.derivative(s.begin) : signal.second_derivative(s.begin);
     }
   instance().set_input_derivatives(references_, orders_, derivatives_);
 }

@@ -48,7 +48,7 @@ class Slave {
   void settle(double t);
   void set_inputs(const OwnStep& s, std::span<const Signal> u);
   double over(const OwnStep& s, const Signal& u) const;
-  void set_derivatives(double t, std::span<const Signal> u);
+  void set_derivatives(const OwnStep& s, std::span<const Signal> u);
   void check_progress(const OwnStep& s, const Taken& taken);
 
   Running running_;

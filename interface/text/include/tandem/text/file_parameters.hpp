@@ -19,7 +19,8 @@ struct FileParameter {
   std::string name, unit;  ///< a word has no unit
   FileValue value;
   Place place;
-  bool allowed_word = false;  ///< the word of the file, or one that it allows by a list
+  bool allowed_word = false;              ///< the word of the file, or one that it allows by a list
+  std::vector<std::string> allowed = {};  ///< that list, of a word
 };
 
 /// The table [parameters] of a file: NAME = { value = NUMBER, unit = "kg" }, where the number may be an

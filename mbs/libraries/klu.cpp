@@ -5,7 +5,7 @@
 #include <new>
 
 #include "check_memory.hpp"
-#include "solvers.hpp"
+#include "library_solvers.hpp"
 
 namespace tandem::mbs::solvers {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "blas_threads.hpp"
 #include "lapack.hpp"
-#include "solvers.hpp"
+#include "library_solvers.hpp"
 
 namespace tandem::mbs::solvers {
 namespace {

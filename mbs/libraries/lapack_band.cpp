@@ -4,8 +4,8 @@
 
 #include "blas_threads.hpp"
 #include "lapack.hpp"
-#include "order.hpp"
-#include "solvers.hpp"
+#include "solvers/order.hpp"
+#include "library_solvers.hpp"
 
 namespace tandem::mbs::solvers {
 namespace {

@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#if TANDEM_HAS_FMI
+#include "tandem/export/export.hpp"
+#endif
+
+#include <memory>
+
+#include "cli/commands.hpp"
+#include "cli/say.hpp"
+#include "sources/this_program.hpp"
+#include "tandem/error.hpp"
+
+namespace tandem::cli {
+namespace {
+
+struct ExportOptions {
+  std::string source, file;
+  std::vector<std::string> overrides;
+  int version = 2;
+};
+
+#if TANDEM_HAS_FMI
+void export_to(const ExportOptions& options, const Context& context) {
+  const auto library = std::filesystem::path(this_program()).parent_path() / TANDEM_FMU_FOLDER;
+  const auto version = options.version == 2 ? fmi::Version::two : fmi::Version::three;
+  for (const std::string& line : exported::export_fmu(
+           {options.source, options.overrides, options.file, version, library.lexically_normal()},
+           context.builtins))
+    say("{}\n", line);
+}
+#else
+void export_to(const ExportOptions&, const Context&) {
+  throw Error(
+      ErrorCode::not_supported,
+      "this build has no FMUs, as pugixml or minizip was absent (packages libpugixml-dev, libminizip-dev)");
+}
+#endif
+
+constexpr const char* about_fmus = R"(
+The FMU is for Co-Simulation and needs nothing of tandem where it runs. It has the inputs, outputs and parameters of
+the source; the table [run] of a file gives its step, settings and start values (docs/fmi.md).
+Exit status: 0, or 2 for what can't be exported.)";
+
+}  // namespace
+
+void add_export(CLI::App& app, Context& context) {
+  auto* command = app.add_subcommand("export", "Make an FMU of a mechanism or a diagram");
+  auto options = std::make_shared<ExportOptions>();
+  command
+      ->add_option(
+          "source", options->source,
+          "The file of a mechanism or a diagram, or mechanism:FILE?KEY=VALUE, diagram:FILE?KEY=VALUE")
+      ->required()
+      ->type_name("SOURCE");
+  command->add_option("fmu", options->file, "The FMU to be written")->required()->type_name("FILE");
+  command->add_option("--fmi", options->version, "Version of FMI: 2 or 3")
+      ->check(CLI::IsMember({2, 3}))
+      ->capture_default_str();
+  command->add_option("--set", options->overrides, "Set a value of the file (repeatable)")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->take_all();
+  command->footer(about_fmus);
+  command->callback([options, &context] { export_to(*options, context); });
+}
+
+}  // namespace tandem::cli

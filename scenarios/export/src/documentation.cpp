@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <pugixml.hpp>
+#include <sstream>
+
+#include "model_description.hpp"
+
+namespace tandem::exported {
+namespace {
+
+using Kind = Variable::Kind;
+using pugi::xml_node;
+
+void add(xml_node to, const char* tag, const std::string& text) {
+  to.append_child(tag).append_child(pugi::node_pcdata).set_value(text.c_str());
+}
+
+std::string role(const Variable& v) {
+  switch (v.kind) {
+    case Kind::time:
+      return "time";
+    case Kind::input:
+      return fmt::format("input, {} at the start", v.start);
+    case Kind::output:
+      return v.held ? "output, constant between its instants" : "output";
+    case Kind::derivative:
+      return "time derivative of an output";
+    case Kind::number:
+      return fmt::format("parameter, {} unless it is set", v.start);
+    case Kind::word:
+      return "parameter, '" + v.word + "' unless it is set";
+    default:
+      return "parameter: true: an input goes on along its last two values";
+  }
+}
+
+void add_variables(xml_node body, const Unit& unit) {
+  xml_node table = body.append_child("table"), head = table.append_child("tr");
+  for (const char* title : {"variable", "unit", "what it is"}) add(head, "th", title);
+  for (const Variable& v : unit.variables()) {
+    xml_node row = table.append_child("tr");
+    for (const std::string& cell : {v.name, v.unit, role(v)}) add(row, "td", cell);
+  }
+}
+
+constexpr const char* sentences[] = {
+    "Without further help an input is held over a communication step, and a loop of such FMUs is of the "
+    "first "
+    "order in the step. Derivatives of inputs (fmi2SetRealInputDerivatives, orders 1 to 5) raise the order. "
+    "They "
+    "hold for one step. Where the importer has none, the parameter extrapolate draws a line through the last "
+    "two "
+    "values.",
+    "Outputs are those of the end of the last step, with the inputs of that step. An input that is set later "
+    "counts "
+    "from the next step on.",
+    "Parameters are set before the start. A communication step may have any length; own steps are cut to end "
+    "with "
+    "it."};
+
+}  // namespace
+
+std::string documentation(const Unit& unit, const Facts& facts) {
+  pugi::xml_document document;
+  document.append_child(pugi::node_doctype).set_value("html");
+  xml_node html = document.append_child("html"), head = html.append_child("head");
+  head.append_child("meta").append_attribute("charset").set_value("utf-8");
+  add(head, "title", facts.name);
+  add(head, "style",
+      "body { font-family: sans-serif; max-width: 50em; margin: 2em } td, th { padding: 0.2em 0.8em; "
+      "text-align: left }");
+  xml_node body = html.append_child("body");
+  add(body, "h1", facts.name);
+  if (!facts.description.empty()) add(body, "p", facts.description);
+  add(body, "p",
+      fmt::format("An FMU for Co-Simulation, made by {} from {}. Its {} is {} s.", facts.tool,
+                  unit.manifest().source, unit.info().abilities.sampled ? "sampling period" : "own step",
+                  facts.step));
+  add_variables(body, unit);
+  for (const char* sentence : sentences) add(body, "p", sentence);
+  std::ostringstream out;
+  document.save(out, "  ", pugi::format_default | pugi::format_no_declaration);
+  return out.str();
+}
+
+}  // namespace tandem::exported

@@ -1,0 +1,154 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/export/export.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+
+#include "model_description.hpp"
+#include "origin.hpp"
+#include "tandem/bytes.hpp"
+#include "tandem/error.hpp"
+#include "tandem/files_read.hpp"
+#include "tandem/fmi/platform.hpp"
+#include "tandem/fmi/temporary_folder.hpp"
+#include "tandem/input_file.hpp"
+#include "tandem/output/files.hpp"
+#include "tandem/output/provenance.hpp"
+#include "zip.hpp"
+
+namespace tandem::exported {
+namespace {
+
+namespace fs = std::filesystem;
+using Contents = std::map<std::string, std::string>;  ///< of the FMU, by name
+
+constexpr std::uint64_t most_bytes = std::uint64_t{1} << 30;
+const std::string resources = "resources/", files = "files/";
+
+/// The folder that all of them lie in.
+fs::path common_folder(const std::vector<fs::path>& all) {
+  fs::path folder = all.at(0).parent_path();
+  const auto holds = [&](const fs::path& file) {
+    return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
+  };
+  while (!std::all_of(all.begin(), all.end(), holds)) folder = folder.parent_path();
+  return folder;
+}
+
+std::string token_of(const Contents& contents) {
+  std::uint64_t sums[] = {empty_checksum, ~empty_checksum};
+  for (std::uint64_t& sum : sums)
+    for (const auto& [name, text] : contents)
+      for (const std::string& part : {name, text})
+        sum = checksum(std::as_bytes(std::span(part.data(), part.size() + 1)), sum);
+  return fmt::format("{:016x}{:016x}", sums[0], sums[1]);
+}
+
+/// What it runs: the files as they lie to each other, and the manifest.
+Contents resources_of(const Origin& origin, const Builtins& here) {
+  const auto all = files_of(origin, here);
+  const fs::path folder = common_folder(all);
+  Contents contents;
+  for (const fs::path& file : all)
+    contents[resources + files + file.lexically_relative(folder).generic_string()] =
+        read_file(file, most_bytes);
+  const fs::path own = fs::absolute(origin.file).lexically_normal().lexically_relative(folder);
+  Manifest manifest{"", origin.scheme + ":" + files + own.generic_string(), origin.overrides,
+                    origin.parameters, origin.starts};
+  contents[resources + manifest_name] = written(manifest);
+  manifest.token = token_of(contents);
+  contents[resources + manifest_name] = written(manifest);
+  return contents;
+}
+
+void write_below(const fs::path& folder, const Contents& contents) {
+  for (const auto& [name, text] : contents) {
+    output::make_folder((folder / name).parent_path());
+    output::write_text(folder / name, text);
+  }
+}
+
+/// All that it reads is in the FMU.
+void check_reads(const FilesRead& read, const fs::path& folder) {
+  for (const fs::path& file : read.files())
+    if (!file.lexically_normal().string().starts_with(folder.string() + "/"))
+      throw Error(
+          ErrorCode::invalid_argument,
+          "file '" + file.string() +
+              "' is named from the root, and is not there where the FMU will be; allowed are files that "
+              "are named beside the file that names them");
+}
+
+void check_outputs(const SubsystemInfo& info) {
+  if (info.outputs.empty())
+    throw Error(
+        ErrorCode::invalid_argument,
+        "'" + info.name +
+            "' has no output, so an FMU of it is of no use; allowed is one or more, of a mechanism also by "
+            "animate = true, which gives the coordinates of its points");
+}
+
+Contents library_files(const ExportSettings& settings, const std::string& identifier) {
+  const std::string folder = fmi::binaries_of_this_platform(settings.version);
+  constexpr const char* own = "tandem_fmu.so";
+  if (!fs::exists(settings.library / own))
+    throw Error(ErrorCode::input_output,
+                "the library that an FMU brings, " + (settings.library / own).string() + ", is not there");
+  Contents contents;
+  for (const auto& entry : fs::directory_iterator(settings.library)) {
+    const std::string name = entry.path().filename().string();
+    const bool licences = entry.path().extension() == ".txt";
+    contents[licences ? "documentation/licenses/license.txt"
+                      : folder + (name == own ? identifier + ".so" : name)] =
+        read_file(entry.path(), most_bytes);
+  }
+  return contents;
+}
+
+std::string size_of(const fs::path& file) {
+  return fmt::format("{:.2f} MB", static_cast<double>(fs::file_size(file)) * 1e-6);
+}
+
+std::vector<std::string> told(const Unit& unit, const Facts& facts, const ExportSettings& settings) {
+  const auto count = [&](auto wanted) {
+    return std::count_if(unit.variables().begin(), unit.variables().end(), wanted);
+  };
+  using Kind = Variable::Kind;
+  return {fmt::format("{}: FMI {}.0, Co-Simulation, {}", settings.file.string(),
+                      settings.version == fmi::Version::two ? 2 : 3, size_of(settings.file)),
+          fmt::format("{} inputs, {} outputs, {} parameters, {} {} s, its state can{} be had",
+                      unit.info().input_size(), unit.info().output_size(),
+                      count([](const Variable& v) { return v.kind == Kind::number || v.kind == Kind::word; }),
+                      unit.info().abilities.sampled ? "period" : "own step", facts.step,
+                      unit.info().abilities.serializes_state ? "" : "not")};
+}
+
+}  // namespace
+
+std::vector<std::string> export_fmu(const ExportSettings& settings, const Builtins& here) {
+  const Origin origin = read_origin(settings.source, settings.overrides);
+  Contents contents = resources_of(origin, here);
+  const fmi::TemporaryFolder folder;
+  write_below(folder.path(), contents);
+  const FilesRead read;
+  Unit unit(folder.path() / resources);
+  check_outputs(unit.info());
+  unit.set_span(origin.span ? origin.span->start : 0.0);
+  const Facts facts{identifier_of(settings.file.stem().string()),
+                    origin.name,
+                    origin.description,
+                    "tandem " + output::version(),
+                    origin.span,
+                    unit.own_step()};
+  check_reads(read, folder.path());
+  contents["modelDescription.xml"] = model_description(unit, facts, settings.version);
+  contents["documentation/index.html"] = documentation(unit, facts);
+  contents.merge(library_files(settings, facts.identifier));
+  write_zip(folder.path() / "fmu", contents);
+  output::replace_text(settings.file, read_file(folder.path() / "fmu", most_bytes));
+  return told(unit, facts, settings);
+}
+
+}  // namespace tandem::exported

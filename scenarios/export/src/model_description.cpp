@@ -1,0 +1,212 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "model_description.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <pugixml.hpp>
+#include <set>
+#include <sstream>
+
+namespace tandem::exported {
+namespace {
+
+using Kind = Variable::Kind;
+using pugi::xml_node;
+
+std::string number(double value) { return fmt::format("{}", value); }
+
+class Writer {
+ public:
+  Writer(const Unit& unit, const Facts& facts, fmi::Version version)
+      : unit_(unit), facts_(facts), two_(version == fmi::Version::two) {
+    for (std::size_t k = 0; k < unit.variables().size(); ++k) {
+      const Variable& v = unit.variables()[k];
+      if (v.kind == Kind::input) inputs_.push_back(k);
+      if (v.kind == Kind::output) outputs_.push_back(k);
+    }
+  }
+
+  std::string text() {
+    xml_node declaration = document_.append_child(pugi::node_declaration);
+    put(declaration, "version", "1.0");
+    put(declaration, "encoding", "UTF-8");
+    root_ = document_.append_child("fmiModelDescription");
+    write_head();
+    write_co_simulation();
+    write_units();
+    write_categories();
+    write_experiment();
+    xml_node variables = root_.append_child("ModelVariables");
+    for (std::size_t k = 0; k < unit_.variables().size(); ++k)
+      two_ ? write_two(variables, k) : write_three(variables, k);
+    write_structure(root_.append_child("ModelStructure"));
+    std::ostringstream out;
+    document_.save(out, "  ");
+    return out.str();
+  }
+
+ private:
+  static void put(xml_node to, const char* name, const std::string& value) {
+    to.append_attribute(name).set_value(value.c_str());
+  }
+
+  void write_head() {
+    put(root_, "fmiVersion", two_ ? "2.0" : "3.0");
+    put(root_, "modelName", facts_.name);
+    put(root_, two_ ? "guid" : "instantiationToken", unit_.manifest().token);
+    if (!facts_.description.empty()) put(root_, "description", facts_.description);
+    put(root_, "generationTool", facts_.tool);
+    put(root_, "variableNamingConvention", "flat");
+    if (two_) put(root_, "numberOfEventIndicators", "0");
+  }
+
+  void write_co_simulation() {
+    xml_node to = root_.append_child("CoSimulation");
+    const std::string keeps = unit_.info().abilities.serializes_state ? "true" : "false";
+    put(to, "modelIdentifier", facts_.identifier);
+    put(to, "canHandleVariableCommunicationStepSize", "true");
+    if (two_) put(to, "canInterpolateInputs", "true");
+    put(to, "maxOutputDerivativeOrder", std::to_string(least_derivatives()));
+    if (two_) put(to, "canNotUseMemoryManagementFunctions", "true");
+    put(to, two_ ? "canGetAndSetFMUstate" : "canGetAndSetFMUState", keeps);
+    put(to, two_ ? "canSerializeFMUstate" : "canSerializeFMUState", keeps);
+  }
+
+  /// The standard has one order for all outputs.
+  int least_derivatives() const {
+    int least = TANDEM_MAX_COEFFICIENTS;
+    for (const std::size_t k : outputs_) least = std::min(least, at(k).order);
+    return outputs_.empty() ? 0 : least;
+  }
+
+  void write_units() {
+    std::set<std::string> units;
+    for (const Variable& v : unit_.variables())
+      if (has_unit(v)) units.insert(fmi_unit(v.unit));
+    if (units.empty()) return;
+    xml_node to = root_.append_child("UnitDefinitions");
+    for (const std::string& name : units) put(to.append_child("Unit"), "name", name);
+  }
+
+  static bool has_unit(const Variable& v) { return !v.unit.empty(); }
+
+  void write_categories() {
+    xml_node to = root_.append_child("LogCategories");
+    for (const char* name : {"logStatusWarning", "logStatusError"})
+      put(to.append_child("Category"), "name", name);
+  }
+
+  void write_experiment() {
+    xml_node to = root_.append_child("DefaultExperiment");
+    if (facts_.span) {
+      put(to, "startTime", number(facts_.span->start));
+      put(to, "stopTime", number(facts_.span->stop));
+    }
+    put(to, "stepSize", number(facts_.step));
+  }
+
+  void write_role(xml_node to, const Variable& v) const {
+    const char* causality = "local";
+    const char* variability = v.held ? "discrete" : "continuous";
+    if (v.kind == Kind::time) causality = "independent";
+    if (v.kind == Kind::input) causality = "input";
+    if (v.kind == Kind::output) causality = "output";
+    if (v.kind >= Kind::number) causality = "parameter", variability = "fixed";
+    put(to, "causality", causality);
+    put(to, "variability", variability);
+    if (v.kind >= Kind::number) put(to, "initial", "exact");
+  }
+
+  void write_two(xml_node variables, std::size_t k) {
+    const Variable& v = at(k);
+    xml_node to = variables.append_child("ScalarVariable");
+    put(to, "name", v.name);
+    put(to, "valueReference", std::to_string(k));
+    write_role(to, v);
+    write_value(to.append_child(type_of(v)), k);
+  }
+
+  const char* type_of(const Variable& v) const {
+    if (v.kind == Kind::word) return "String";
+    return v.kind == Kind::extrapolate ? "Boolean" : two_ ? "Real" : "Float64";
+  }
+
+  void write_three(xml_node variables, std::size_t k) {
+    const Variable& v = at(k);
+    xml_node to = variables.append_child(type_of(v));
+    put(to, "name", v.name);
+    put(to, "valueReference", std::to_string(k));
+    write_role(to, v);
+    write_value(to, k);
+  }
+
+  void write_value(xml_node to, std::size_t k) {
+    const Variable& v = at(k);
+    if (has_unit(v)) put(to, "unit", fmi_unit(v.unit));
+    if (v.kind == Kind::input || v.kind == Kind::number) put(to, "start", number(v.start));
+    if (v.kind == Kind::extrapolate) put(to, "start", "false");
+    if (v.kind == Kind::word)
+      two_ ? put(to, "start", v.word) : put(to.append_child("Start"), "value", v.word);
+    if (v.kind == Kind::derivative) put(to, "derivative", reference(k - 1));
+  }
+
+  /// 2.0 counts variables from 1, 3.0 has value references.
+  std::string reference(std::size_t k) const { return std::to_string(two_ ? k + 1 : k); }
+
+  std::string dependencies(int output) const {
+    std::string list;
+    for (const Feedthrough& f : unit_.info().feedthrough)
+      if (f.output == output)
+        list += (list.empty() ? "" : " ") + reference(inputs_[static_cast<std::size_t>(f.input)]);
+    return list;
+  }
+
+  /// Of 2.0 the unknowns of a kind stand in a list, of 3.0 each in its own element.
+  void write_unknowns(xml_node to, const char* list, const char* element, const std::vector<Kind>& kinds) {
+    xml_node in;
+    for (std::size_t k = 0; k < unit_.variables().size(); ++k) {
+      if (std::find(kinds.begin(), kinds.end(), at(k).kind) == kinds.end()) continue;
+      if (!in) in = two_ ? to.append_child(list) : to;
+      xml_node one = in.append_child(two_ ? "Unknown" : element);
+      put(one, two_ ? "index" : "valueReference", reference(k));
+      if (element == std::string("Output")) put(one, "dependencies", dependencies(at(k).index));
+    }
+  }
+
+  void write_structure(xml_node to) {
+    write_unknowns(to, "Outputs", "Output", {Kind::output});
+    write_unknowns(to, "Derivatives", "ContinuousStateDerivative", {Kind::derivative});
+    write_unknowns(to, "InitialUnknowns", "InitialUnknown", {Kind::output, Kind::derivative});
+  }
+
+  const Variable& at(std::size_t k) const { return unit_.variables()[k]; }
+
+  const Unit& unit_;
+  const Facts& facts_;
+  bool two_;
+  std::vector<std::size_t> inputs_, outputs_;
+  pugi::xml_document document_;
+  xml_node root_;
+};
+
+}  // namespace
+
+std::string fmi_unit(const std::string& unit) {
+  std::string text = unit;
+  std::replace(text.begin(), text.end(), ' ', '.');
+  std::erase(text, '^');
+  return text;
+}
+
+std::string identifier_of(const std::string& text) {
+  std::string name;
+  for (const char c : text) name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+  return name.empty() || std::isdigit(static_cast<unsigned char>(name[0])) ? "_" + name : name;
+}
+
+std::string model_description(const Unit& unit, const Facts& facts, fmi::Version version) {
+  return Writer(unit, facts, version).text();
+}
+
+}  // namespace tandem::exported

@@ -1,0 +1,27 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tandem/transports/parameters.hpp"
+
+namespace tandem::exported {
+
+/// What an FMU runs, as its resources say: a file beside the files of the source.
+struct Manifest {
+  std::string token;                                    ///< guid (2.0), instantiationToken (3.0)
+  std::string source;                                   ///< "diagram:files/engine.toml"
+  std::vector<std::string> overrides = {};              ///< "KEY=VALUE" of its file
+  std::map<std::string, Parameters::Value> parameters;  ///< of the source, as it was exported with
+  std::map<std::string, double> starts = {};            ///< of inputs by name, in their units
+};
+
+inline constexpr const char* manifest_name = "tandem.toml";
+
+std::string written(const Manifest& manifest);
+/// Throws Error with file, line, the value found and what is allowed.
+Manifest read_manifest(const std::filesystem::path& file);
+
+}  // namespace tandem::exported

@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstring>
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "tandem/error.hpp"
+#include "tandem/exported/unit.hpp"
+
+namespace tandem::exported {
+
+/// An instance that an importer has: the unit, and who hears of it.
+struct Instance {
+  /// Takes (status by the numbers of both versions, sentence).
+  using Log = std::function<void(int, const std::string&)>;
+  static constexpr int warning = 1, error = 3;
+
+  Instance(const std::filesystem::path& resources, const std::string& token, Log to)
+      : log(std::move(to)), unit(resources, [this](const std::string& what) { log(warning, what); }) {
+    if (token != unit.manifest().token)
+      throw Error(ErrorCode::invalid_argument,
+                  "the description is that of another FMU than the library's: '" + token + "' in place of '" +
+                      unit.manifest().token + "'");
+  }
+  Instance(const Instance&) = delete;
+  Instance& operator=(const Instance&) = delete;
+
+  /// work(*this) with its errors as a status, told to the importer.
+  template <class Status, class Work>
+  Status guarded(const Work& work) noexcept {
+    try {
+      work(*this);
+      return Status{};
+    } catch (const std::exception& what) {
+      tell(what.what());
+    } catch (...) {
+      tell("an error that is not known");
+    }
+    return static_cast<Status>(error);
+  }
+  void tell(const char* sentence) const noexcept {
+    try {
+      log(error, sentence);
+    } catch (...) {
+      return;  // the status tells it
+    }
+  }
+
+  /// A text that stays until the next one of that variable is asked for.
+  const std::string& text(std::size_t reference) { return texts[reference] = unit.word(reference); }
+
+  // States that the importer keeps, each as a pointer.
+  using State = std::vector<std::byte>;
+  /// Into the one that is there already, if it is.
+  void keep(void*& state) {
+    State now = unit.state();
+    state ? void(*static_cast<State*>(state) = std::move(now)) : void(state = new State(std::move(now)));
+  }
+  static void keep(const void* bytes, std::size_t size, void*& state) {
+    const auto* first = static_cast<const std::byte*>(bytes);
+    state = new State(first, first + size);
+  }
+  static const State& kept(void* state) {
+    if (!state) throw Error(ErrorCode::invalid_argument, "there is no state");
+    return *static_cast<const State*>(state);
+  }
+  static void serialize(void* state, void* to, std::size_t size) {
+    if (size < kept(state).size())
+      throw Error(ErrorCode::invalid_argument,
+                  "the state does not fit into " + std::to_string(size) + " bytes");
+    std::memcpy(to, kept(state).data(), kept(state).size());
+  }
+  static void forget(void*& state) {
+    delete static_cast<State*>(state);
+    state = nullptr;
+  }
+
+  Log log;
+  Unit unit;
+  bool finished = false;
+  std::map<std::size_t, std::string> texts = {};
+};
+
+/// The instance behind a pointer of the importer's; null gives an error's status.
+template <class Status, class Work>
+Status with(void* instance, const Work& work) noexcept {
+  return instance ? static_cast<Instance*>(instance)->guarded<Status>(work)
+                  : static_cast<Status>(Instance::error);
+}
+
+/// Makes one; null, and told, if it can't be.
+inline Instance* made(const std::filesystem::path& resources, const char* token,
+                      const Instance::Log& log) noexcept {
+  try {
+    return new Instance(resources, token ? token : "", log);
+  } catch (const std::exception& what) {
+    log(Instance::error, what.what());
+  } catch (...) {
+    log(Instance::error, "an error that is not known");
+  }
+  return nullptr;
+}
+
+/// For each value reference the work with its place.
+template <class Work>
+void each(const unsigned* references, std::size_t count, const Work& work) {
+  for (std::size_t k = 0; k < count; ++k) work(std::size_t{references[k]}, k);
+}
+
+}  // namespace tandem::exported

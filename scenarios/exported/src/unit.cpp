@@ -1,0 +1,161 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/exported/unit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tandem/error.hpp"
+#include "tandem/sources/diagram.hpp"
+#include "tandem/sources/mechanism.hpp"
+#include "tandem/time_grid.hpp"
+
+namespace tandem::exported {
+namespace {
+
+using Kind = Variable::Kind;
+
+constexpr std::int64_t most_rows = 64;
+
+[[noreturn]] void refuse(const std::string& sentence) { throw Error(ErrorCode::invalid_argument, sentence); }
+
+/// Of the file that the manifest's source names: its parameters with their values.
+std::vector<text::FileParameter> file_parameters(const Manifest& m, const std::filesystem::path& resources) {
+  text::Document document(resources / m.source.substr(m.source.find(':') + 1));
+  document.set(m.overrides);
+  const auto given = text::given_values(
+      document, [&](const text::FileParameter& parameter) -> std::optional<text::FileValue> {
+        const auto it = m.parameters.find(parameter.name);
+        if (it == m.parameters.end()) return std::nullopt;
+        if (const auto* number = std::get_if<double>(&it->second)) return *number;
+        return std::get<std::string>(it->second);
+      });
+  return text::parameters_of(document, given);
+}
+
+}  // namespace
+
+Unit::Unit(std::filesystem::path resources, Tell tell)
+    : resources_(std::move(resources)),
+      manifest_(read_manifest(resources_ / manifest_name)),
+      builtins_{{}, {{"diagram", diagram_source({}, tell)}, {"mechanism", mechanism_source({}, tell)}}},
+      subsystem_(opened()),
+      info_(subsystem_->info()),
+      variables_(exported::variables(info_, start_values(), file_parameters(manifest_, resources_))),
+      inputs_(start_values()) {
+  rows_.resize(static_cast<std::size_t>(info_.row_size() * most_rows));
+}
+
+std::unique_ptr<Subsystem> Unit::opened() const {
+  Opening opening{{}, resources_, {}, manifest_.overrides};
+  for (const auto* values : {&manifest_.parameters, &changed_})
+    for (const auto& [name, value] : *values) opening.parameters.set(name, value);
+  return open(manifest_.source, builtins_, std::move(opening));
+}
+
+std::vector<double> Unit::start_values() const {
+  std::vector<double> values;
+  for (int k = 0; k < info_.input_size(); ++k) {
+    const Scalar scalar = scalar_at(info_.inputs, k);
+    const auto it = manifest_.starts.find(scalar.name());
+    const double own = scalar.port->start_of(scalar.element);
+    values.push_back(it != manifest_.starts.end() ? it->second : std::isnan(own) ? 0.0 : own);
+  }
+  return values;
+}
+
+const Variable& Unit::variable(std::size_t reference) const {
+  if (reference < variables_.size()) return variables_[reference];
+  refuse(fmt::format("there is no variable of value reference {}; allowed are 0 to {}", reference,
+                     variables_.size() - 1));
+}
+
+const Variable& Unit::of_kind(std::size_t reference, Kind kind, const char* wanted) const {
+  const Variable& v = variable(reference);
+  if (v.kind != kind) refuse(fmt::format("variable '{}' is no {}", v.name, wanted));
+  return v;
+}
+
+void Unit::set_span(double start, double stop) {
+  if (!std::isfinite(start) || std::isnan(stop) || stop <= start)
+    refuse(fmt::format("the start is at {} s, the stop at {} s; allowed is a stop after a finite start",
+                       start, stop));
+  start_ = time_ = start, stop_ = stop, fresh_ = false;
+}
+
+void Unit::set(std::size_t reference, double value) {
+  const Variable& v = variable(reference);
+  if (!std::isfinite(value))
+    refuse(fmt::format("variable '{}' at t = {} s is {}; allowed is a finite number", v.name, time_, value));
+  if (v.kind == Kind::number) return change(v, value);
+  inputs_.set(of_kind(reference, Kind::input, "input or parameter that is a number").index, value);
+  fresh_ = fresh_ && begun_;
+}
+
+void Unit::set(std::size_t reference, const std::string& word) {
+  change(of_kind(reference, Kind::word, "parameter that is a text"), word);
+}
+
+void Unit::set(std::size_t reference, bool flag) {
+  of_kind(reference, Kind::extrapolate, "Boolean");
+  inputs_.extrapolate(flag);
+}
+
+void Unit::change(const Variable& v, Parameters::Value value) {
+  if (begun_)
+    refuse(fmt::format("parameter '{}' is set at t = {} s; allowed is to set it before the start", v.name,
+                       time_));
+  changed_[v.parameter] = std::move(value);
+  subsystem_.reset();
+  fresh_ = false;
+}
+
+void Unit::set_derivative(std::size_t reference, int order, double value) {
+  const Variable& v = of_kind(reference, Kind::input, "input");
+  if (!std::isfinite(value))
+    refuse(fmt::format("derivative {} of '{}' at t = {} s is {}; allowed is a finite number", order, v.name,
+                       time_, value));
+  inputs_.set_derivative(v.index, order, value);
+}
+
+double Unit::number(std::size_t reference) {
+  const Variable& v = variable(reference);
+  const auto changed = changed_.find(v.parameter);
+  switch (v.kind) {
+    case Kind::time:
+      return time_;
+    case Kind::input:
+      return inputs_.value(v.index);
+    case Kind::output:
+      return start(), row_[static_cast<std::size_t>(v.index)];
+    case Kind::derivative:
+      return derivative(reference, v.order);
+    case Kind::number:
+      return changed == changed_.end() ? v.start : std::get<double>(changed->second);
+    default:
+      refuse(fmt::format("variable '{}' is no number", v.name));
+  }
+}
+
+std::string Unit::word(std::size_t reference) const {
+  const Variable& v = of_kind(reference, Kind::word, "parameter that is a text");
+  const auto changed = changed_.find(v.parameter);
+  return changed == changed_.end() ? v.word : std::get<std::string>(changed->second);
+}
+
+bool Unit::flag(std::size_t reference) const {
+  of_kind(reference, Kind::extrapolate, "Boolean");
+  return inputs_.extrapolates();
+}
+
+double Unit::derivative(std::size_t reference, int order) {
+  const Variable& v = variable(reference);
+  const bool known = v.kind == Kind::output || v.kind == Kind::derivative;
+  if (!known || order < 1 || order > scalar_at(info_.outputs, v.index).port->derivatives)
+    refuse(fmt::format("variable '{}' has no time derivative of order {}", v.name, order));
+  start();
+  return row_[static_cast<std::size_t>(order * info_.output_size() + v.index)];
+}
+
+}  // namespace tandem::exported

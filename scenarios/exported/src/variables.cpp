@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/exported/variables.hpp"
+
+#include <set>
+#include <utility>
+
+#include "tandem/error.hpp"
+
+namespace tandem::exported {
+namespace {
+
+using Kind = Variable::Kind;
+
+/// Variables whose names are distinct.
+class List {
+ public:
+  explicit List(const std::string& owner) : owner_(owner) { add({"time", Kind::time, "s"}); }
+
+  void add(Variable v, const std::string& otherwise = "") {
+    if (!names_.insert(v.name).second) {
+      v.name = otherwise + v.name;
+      if (otherwise.empty() || !names_.insert(v.name).second)
+        throw Error(ErrorCode::invalid_argument,
+                    "'" + owner_ + "' has several ports or parameters that an FMU would call '" + v.name +
+                        "'; allowed are names of their own");
+    }
+    all_.push_back(std::move(v));
+  }
+  const Variable& newest() const { return all_.back(); }
+  std::vector<Variable> take() { return std::move(all_); }
+
+ private:
+  const std::string& owner_;
+  std::vector<Variable> all_;
+  std::set<std::string> names_;
+};
+
+void add_inputs(const SubsystemInfo& info, const std::vector<double>& start, List& to) {
+  for (int k = 0; k < info.input_size(); ++k) {
+    const Scalar scalar = scalar_at(info.inputs, k);
+    Variable v{scalar.name(), Kind::input, scalar.port->unit, k};
+    v.start = start[static_cast<std::size_t>(k)];
+    to.add(std::move(v), "input.");
+  }
+}
+
+void add_outputs(const SubsystemInfo& info, List& to) {
+  for (int k = 0; k < info.output_size(); ++k) {
+    const Scalar scalar = scalar_at(info.outputs, k);
+    const Port& port = *scalar.port;
+    to.add({scalar.name(), Kind::output, port.unit, k, port.derivatives, port.held}, "output.");
+    for (int order = 1; order <= port.derivatives; ++order)
+      to.add({"der(" + to.newest().name + ")", Kind::derivative, "", k, order});
+  }
+}
+
+void add_parameter(const text::FileParameter& parameter, List& to) {
+  const auto* number = std::get_if<double>(&parameter.value);
+  Variable v{parameter.name, number ? Kind::number : Kind::word, parameter.unit};
+  v.parameter = parameter.name;
+  number ? void(v.start = *number) : void(v.word = std::get<std::string>(parameter.value));
+  to.add(std::move(v), "parameter.");
+}
+
+}  // namespace
+
+std::vector<Variable> variables(const SubsystemInfo& info, const std::vector<double>& start,
+                                const std::vector<text::FileParameter>& parameters) {
+  List list(info.name);
+  add_inputs(info, start, list);
+  add_outputs(info, list);
+  for (const text::FileParameter& parameter : parameters) add_parameter(parameter, list);
+  if (info.input_size() > 0) list.add({"extrapolate", Kind::extrapolate}, "parameter.");
+  return list.take();
+}
+
+}  // namespace tandem::exported

@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string>
+
+#include "fmus.hpp"
+#include "scratch.hpp"
+#include "tandem/export/export.hpp"
+#include "tandem/fmi/archive.hpp"
+#include "tandem/sources/diagram.hpp"
+#include "tandem/sources/mechanism.hpp"
+
+namespace tandem::test {
+
+inline Builtins file_sources() {
+  return {{}, {{"diagram", diagram_source()}, {"mechanism", mechanism_source()}}};
+}
+
+/// FMUs of texts of files, in a folder of their own.
+class Exports {
+ public:
+  /// kind: mechanism or diagram. Its file is NAME.toml, the FMU NAME.fmu.
+  std::filesystem::path fmu(const std::string& name, const std::string& text,
+                            fmi::Version version = fmi::Version::two) const {
+    return of(folder.write(name + ".toml", text).string(), name, version);
+  }
+  std::filesystem::path of(const std::string& source, const std::string& name = "x",
+                           fmi::Version version = fmi::Version::two) const {
+    const auto file = folder.path() / (name + ".fmu");
+    exported::export_fmu({source, {}, file, version, TANDEM_FMU_LIBRARY}, file_sources());
+    return file;
+  }
+  static std::unique_ptr<Subsystem> open(const std::filesystem::path& fmu, const std::string& parameters) {
+    return tandem::open("fmu:" + fmu.string() + "?" + parameters, fmu_sources());
+  }
+  /// The files of an FMU as an importer has them.
+  std::filesystem::path unpacked(const std::filesystem::path& fmu) const {
+    const auto to = folder.path() / fmu.stem();
+    fmi::Archive(fmu).unpack("resources/", to);
+    return to / "resources";
+  }
+
+  Scratch folder;
+};
+
+}  // namespace tandem::test

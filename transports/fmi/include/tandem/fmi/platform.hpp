@@ -1,0 +1,12 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string>
+
+#include "tandem/fmi/description.hpp"
+
+namespace tandem::fmi {
+
+/// The folder of an FMU's libraries for this platform: "binaries/linux64/".
+std::string binaries_of_this_platform(Version version);
+
+}  // namespace tandem::fmi
