@@ -21,6 +21,8 @@ FLOORS = {
     "sources": ("scenarios/sources",
                 ["interface", "text", "transports", "mbs", "functions", "mbs_subsystem", "engine", "engine_subsystem"]),
     "output": ("scenarios/output", ["interface"]),
+    "exported": ("scenarios/exported", ["interface", "text", "transports", "mbs", "sources"]),
+    "export": ("scenarios/export", ["interface", "text", "transports", "output", "sources", "exported", "scenario"]),
     "scenario": ("scenarios/scenario",
                  ["interface", "text", "transports", "output", "sources", "mbs_subsystem", "engine_subsystem"]),
     "charts": ("scenarios/charts", ["interface", "text", "output"]),
@@ -37,7 +39,7 @@ FLOORS = {
              ["interface", "text", "mbs", "sources", "output", "scenario", "models"]),
     "command": ("scenarios/command", None),  # all
 }
-LISTED = ["output", "scenario", "charts", "identification", "stability", "study", "advice", "models", "view", "command", "sources"]
+LISTED = ["output", "exported", "export", "scenario", "charts", "identification", "stability", "study", "advice", "models", "view", "command", "sources"]
 
 
 def floor_of(file):

@@ -37,6 +37,16 @@ std::span<const Signal> Inputs::over(double begin, double end) {
   return signals_;
 }
 
+std::span<const Signal> Inputs::jumped(double t) {
+  signals_.clear();
+  for (std::size_t k = 0; k < now_.size(); ++k) {
+    segments_[k] = {t, t, {now_[k]}};
+    mark_jump(segments_[k], true);
+    signals_.emplace_back(&segments_[k], 1, 0);
+  }
+  return signals_;
+}
+
 void Inputs::step_done(double begin) {
   before_ = now_;
   begin_before_ = begin;

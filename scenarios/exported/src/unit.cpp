@@ -16,8 +16,6 @@ namespace {
 
 using Kind = Variable::Kind;
 
-constexpr std::int64_t most_rows = 64;
-
 [[noreturn]] void refuse(const std::string& sentence) { throw Error(ErrorCode::invalid_argument, sentence); }
 
 /// Of the file that the manifest's source names: its parameters with their values.
@@ -44,6 +42,8 @@ Unit::Unit(std::filesystem::path resources, Tell tell)
       info_(subsystem_->info()),
       variables_(exported::variables(info_, start_values(), file_parameters(manifest_, resources_))),
       inputs_(start_values()) {
+  follows_.resize(static_cast<std::size_t>(info_.output_size()));
+  for (const Feedthrough& f : info_.feedthrough) follows_[static_cast<std::size_t>(f.output)] = true;
   rows_.resize(static_cast<std::size_t>(info_.row_size() * most_rows));
 }
 
@@ -91,6 +91,7 @@ void Unit::set(std::size_t reference, double value) {
   if (v.kind == Kind::number) return change(v, value);
   inputs_.set(of_kind(reference, Kind::input, "input or parameter that is a number").index, value);
   fresh_ = fresh_ && begun_;
+  inputs_set_ = true;
 }
 
 void Unit::set(std::size_t reference, const std::string& word) {
@@ -128,7 +129,8 @@ double Unit::number(std::size_t reference) {
     case Kind::input:
       return inputs_.value(v.index);
     case Kind::output:
-      return start(), row_[static_cast<std::size_t>(v.index)];
+      follow_inputs(v);
+      return row_[static_cast<std::size_t>(v.index)];
     case Kind::derivative:
       return derivative(reference, v.order);
     case Kind::number:
@@ -154,7 +156,7 @@ double Unit::derivative(std::size_t reference, int order) {
   const bool known = v.kind == Kind::output || v.kind == Kind::derivative;
   if (!known || order < 1 || order > scalar_at(info_.outputs, v.index).port->derivatives)
     refuse(fmt::format("variable '{}' has no time derivative of order {}", v.name, order));
-  start();
+  follow_inputs(v);
   return row_[static_cast<std::size_t>(order * info_.output_size() + v.index)];
 }
 

@@ -14,6 +14,7 @@ std::vector<std::byte> Unit::state() {
   for (const double t : {start_, stop_, time_}) to.put(t);
   inputs_.write(to);
   to.put(std::uint8_t{begun_});
+  to.put(std::uint8_t{inputs_set_});
   to.put(std::uint8_t{fresh_});
   if (fresh_) {
     to.put_list(at_start_);
@@ -60,7 +61,8 @@ void Unit::read(ByteReader& from) {
   const double start = from.take<double>(), stop = from.take<double>(), time = from.take<double>();
   Inputs inputs = inputs_;
   inputs.read(from);
-  const bool begun = from.take<std::uint8_t>() != 0, fresh = from.take<std::uint8_t>() != 0;
+  const bool begun = from.take<std::uint8_t>() != 0, set = from.take<std::uint8_t>() != 0,
+             fresh = from.take<std::uint8_t>() != 0;
   const auto at_start = fresh ? from.take_list() : at_start_;
   const bool alike =
       fresh_ && changed == changed_ && start == start_ && stop == stop_ && at_start == at_start_;
@@ -71,7 +73,7 @@ void Unit::read(ByteReader& from) {
     inputs_ = Inputs(at_start);
     this->start();
   }
-  inputs_ = std::move(inputs), time_ = time, fresh_ = fresh;
+  inputs_ = std::move(inputs), time_ = time, inputs_set_ = set, fresh_ = fresh;
   if (!fresh) return from.end();
   row_.resize(static_cast<std::size_t>(info_.row_size() - Samples::header));
   from.take_list(row_);

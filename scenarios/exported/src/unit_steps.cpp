@@ -28,6 +28,7 @@ void Unit::start() {
   at_start_ = inputs_.values();
   clock_ = subsystem_->initialize(start_, stop_, at_start_, y);
   take(y);
+  own_step_ = info_.abilities.sampled ? info_.sampling.period : clock_.next_time - clock_.time;
   if (info_.abilities.sampled && clock_.next_time <= start_)
     act(start_, SamplePart::outputs, inputs_.over(start_, start_));
   fresh_ = true;
@@ -40,10 +41,16 @@ void Unit::begin() {
   begun_ = true;
 }
 
-double Unit::own_step() {
-  if (info_.abilities.sampled) return info_.sampling.period;
+void Unit::follow_inputs(const Variable& v) {
   start();
-  return clock_.next_time - clock_.time;
+  if (!begun_ || !inputs_set_ || info_.abilities.sampled || !follows_[static_cast<std::size_t>(v.index)]) return;
+  advance(clock_.time, false, inputs_.jumped(clock_.time));
+  inputs_set_ = false;
+}
+
+double Unit::own_step() {
+  start();
+  return own_step_;
 }
 
 void Unit::take(const Samples& y) {
@@ -66,23 +73,32 @@ bool Unit::step(double t, double length) {
   const auto u = inputs_.over(t, end);
   const bool goes_on = info_.abilities.sampled ? run_instants(end, u) : run(end, u);
   inputs_.step_done(t);
+  inputs_set_ = false;
   time_ = goes_on ? end : clock_.time;
   return goes_on;
 }
 
+/// Importers add up their communication points. One that is off a node of the own steps by less than this is that
+/// node, so that no step is cut for a rounding.
+double Unit::slack() { return 1e-9 * own_step(); }
+
 bool Unit::run(double end, std::span<const Signal> u) {
+  advance(end + slack(), false, u);
+  if (clock_.stop != Stop::finished && clock_.time < end - slack()) advance(end, true, u);
+  return clock_.stop != Stop::finished;
+}
+
+void Unit::advance(double limit, bool land, std::span<const Signal> u) {
   do {
     Samples y(rows_.data(), info_.row_size(), most_rows);
-    clock_ = subsystem_->advance(end, true, u, y);
+    clock_ = subsystem_->advance(limit, land, u, y);
     take(y);
   } while (clock_.stop == Stop::samples_full || clock_.stop == Stop::event);
-  return clock_.stop != Stop::finished;
 }
 
 /// Those after the begin, up to and with the end: what it gives there is told there, as in a run of tandem.
 bool Unit::run_instants(double end, std::span<const Signal> u) {
-  const TimeTolerance tolerance(start_);
-  while (clock_.stop != Stop::finished && !tolerance.before(end, clock_.next_time))
+  while (clock_.stop != Stop::finished && clock_.next_time <= end + slack())
     act(clock_.next_time, SamplePart::both, u);
   return clock_.stop != Stop::finished;
 }
@@ -96,7 +112,7 @@ void Unit::reset() {
   changed_.clear();
   subsystem_.reset();
   inputs_ = Inputs(start_values());
-  fresh_ = begun_ = false;
+  fresh_ = begun_ = inputs_set_ = false;
   set_span(0.0);
 }
 

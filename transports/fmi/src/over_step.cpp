@@ -29,6 +29,7 @@ double integral(const Segment& piece, double from, double to) {
 double mean_over(const Signal& signal, const OwnStep& s) {
   const TimeTolerance tolerance(s.begin);
   const auto pieces = signal.segments();
+  if (signal.degree() == 0 && pieces.size() == 1) return pieces[0].c[0];  // to the last digit
   double sum = 0.0, from = s.begin;
   for (std::size_t k = 0; k < pieces.size() && from < s.end; ++k) {
     const bool last = k + 1 == pieces.size() || !tolerance.before(pieces[k].end, s.end);

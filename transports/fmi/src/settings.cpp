@@ -77,6 +77,17 @@ std::map<std::string, std::string> units_of(Parameters& p) {
   return units;
 }
 
+/// How many derivatives of inputs are given: of a study that tries several ways, 0 where there are none.
+int order_of(Held held, Parameters& p) {
+  const bool gives = held == Held::derivatives;
+  const double order = p.number("order", gives ? 1.0 : 0.0);
+  if (gives ? order != 1.0 && order != 2.0 : order != 0.0)
+    refuse("parameter 'order' is " + std::to_string(order) +
+           (gives ? "; allowed are 1 and 2, derivatives of the inputs"
+                  : " without inputs=derivatives; allowed is 0, or to leave it out"));
+  return static_cast<int>(order);
+}
+
 }  // namespace
 
 std::string name_of(Kind kind) { return kind == Kind::co_simulation ? "Co-Simulation" : "Model Exchange"; }
@@ -99,13 +110,7 @@ Settings take_settings(Description& d, Parameters& p) {
   s.outputs = outputs_of(d, p);
   if (s.kind == Kind::model_exchange) return s;
   s.held = held_of(d, p);
-  if (s.held == Held::derivatives) {
-    const double order = p.number("order", 1.0);
-    if (order != 1.0 && order != 2.0)
-      refuse("parameter 'order' is " + std::to_string(order) +
-             "; allowed are 1 and 2, derivatives of the inputs");
-    s.order = static_cast<int>(order);
-  }
+  s.order = order_of(s.held, p);
   s.lands = p.flag("lands", d.co_simulation->varies_steps && !d.co_simulation->fixed_step);
   const std::string state = p.text("state", "off");
   if (state != "off" && state != "trust")

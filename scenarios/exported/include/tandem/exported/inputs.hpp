@@ -30,6 +30,8 @@ class Inputs {
   std::span<const Signal> over(double begin, double end);
   /// That step is done.
   void step_done(double begin);
+  /// As they are at t [s], to which they have jumped; valid until the next call.
+  std::span<const Signal> jumped(double t);
 
   void write(ByteWriter& to) const;
   void read(ByteReader& from);

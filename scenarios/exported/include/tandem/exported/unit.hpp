@@ -44,8 +44,8 @@ class Unit {
   /// Of an input, for the next step.
   void set_derivative(std::size_t reference, int order, double value);
 
-  /// An output is that of the start or of the last step's end, however inputs were set since then; before the
-  /// first step it follows them.
+  /// An output is that of the last step's end. One that follows inputs at once follows those that were set since
+  /// then, as by a jump; before the first step each does.
   double number(std::size_t reference);
   std::string word(std::size_t reference) const;
   bool flag(std::size_t reference) const;
@@ -68,13 +68,17 @@ class Unit {
   void restore(std::span<const std::byte> bytes);
 
  private:
+  static constexpr std::int64_t most_rows = 64;  ///< of a call
   const Variable& of_kind(std::size_t reference, Variable::Kind kind, const char* wanted) const;
   void change(const Variable& v, Parameters::Value value);
   std::unique_ptr<Subsystem> opened() const;
   std::vector<double> start_values() const;
   void start();
+  void follow_inputs(const Variable& v);
   void take(const Samples& y);
+  double slack();
   bool run(double end, std::span<const Signal> u);
+  void advance(double limit, bool land, std::span<const Signal> u);
   bool run_instants(double end, std::span<const Signal> u);
   void act(double t, SamplePart part, std::span<const Signal> u);
   void write_changed(ByteWriter& to) const;
@@ -92,7 +96,9 @@ class Unit {
   std::vector<double> at_start_;  ///< the inputs that it was started with
   bool fresh_ = false;            ///< it is started with all as it is
   bool begun_ = false;            ///< parameters stay
-  double start_ = 0.0, stop_ = std::numeric_limits<double>::infinity(), time_ = 0.0;
+  bool inputs_set_ = false;     ///< since the last step
+  std::vector<bool> follows_;   ///< by output: some input at once
+  double own_step_ = 0.0, start_ = 0.0, stop_ = std::numeric_limits<double>::infinity(), time_ = 0.0;
   Clock clock_{};
   std::vector<double> rows_, row_;  ///< room for a call, the newest
 };
