@@ -103,6 +103,27 @@ TEST_F(ExportOrders, CoupledWithDerivativesOfInputsTheyErrAsTheirSourcesDo) {
     }
 }
 
+/// The output of the controller follows its input at once: that of the mean would be off in the first order.
+TEST(ExportedDrive, TakesMeansInOrder2ThoughAnOutputFollowsItsInputAtOnce) {
+  const Exports exports;
+  const std::string folder = TANDEM_SOURCE_DIR "/scenarios/fmi/", ours = exports.folder.path().string() + "/";
+  for (const char* name : {"controller", "drive_train"}) exports.of(folder + name + ".toml", name);
+  const auto speed = [&](const std::string& sources, const std::string& ending, double h,
+                         const std::string& how) {
+    const std::string step = ending + "?step=" + std::to_string(h);
+    const Builtins builtins = ending == ".fmu" ? fmu_sources() : file_sources();
+    const auto one = open(sources + "controller" + step, builtins),
+               other = open(sources + "drive_train" + step, builtins);
+    RunBench bench;
+    bench.add("one", *one).add("other", *other);
+    bench.connect("one.torque", "other.torque", how).connect("other.w1", "one.w", how);
+    return bench.run(1.0).rows(1).back()[3];
+  };
+  const double right = speed("diagram:" + folder, ".toml", 1e-4, "lagrange3");
+  const auto error = [&](double h) { return std::abs(speed("fmu:" + ours, ".fmu", h, "lagrange1") - right); };
+  EXPECT_NEAR(std::log2(error(1e-3) / error(2.5e-4)) / 2.0, 2.0, 0.2);
+}
+
 /// u = 1 + t + t^2 + .. to the degree of the derivatives that are given, from rest: x is a polynomial of two
 /// degrees more.
 TEST_F(ExportOrders, DerivativesOfInputsAreTakenToOrder5) {

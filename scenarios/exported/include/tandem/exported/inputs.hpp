@@ -8,9 +8,9 @@
 
 namespace tandem::exported {
 
-/// The inputs of an FMU as functions of time: the value that was set at the begin of a step goes on by the
-/// derivatives that were set with it, else along a line through the value at the begin of the step before if
-/// that is wanted, else it is held.
+/// The inputs of an FMU as functions of time. The value that was set at the begin of a step goes on by the
+/// derivatives that were set with it. Without them it is held, or goes on along a line through the value at the
+/// begin of the step before.
 class Inputs {
  public:
   static constexpr int highest_order = TANDEM_MAX_COEFFICIENTS - 1;
