@@ -9,7 +9,7 @@ FilesRead::FilesRead() : before_(newest) { newest = this; }
 FilesRead::~FilesRead() { newest = before_; }
 
 void FilesRead::note(const std::filesystem::path& file) {
-  if (newest) newest->files_.insert(std::filesystem::absolute(file).lexically_normal());
+  if (newest) newest->files_.insert(std::filesystem::absolute(file));
 }
 
 }  // namespace tandem

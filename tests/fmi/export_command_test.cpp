@@ -46,7 +46,6 @@ TEST(ExportCommand, RefusesInOneSentence) {
   const Scratch folder;
   folder.write("d.toml", simple);
   folder.write("empty.toml", "");
-  std::filesystem::create_directory(folder.path() / "is_a_folder");
   const auto refused = [&](const std::vector<std::string>& words, const std::string& sentence) {
     const Said said = tandem(folder, words);
     EXPECT_EQ(said.status, 2) << said.err;
@@ -55,7 +54,9 @@ TEST(ExportCommand, RefusesInOneSentence) {
   refused({"export", "d.toml", "d.fmu", "--fmi", "1"}, "--fmi");
   refused({"export", "nothing.toml", "d.fmu"}, "nothing.toml' is not there");
   refused({"export", "empty.toml", "d.fmu"}, "empty.toml is a scenario");
-  refused({"export", "d.toml", "is_a_folder"}, "is_a_folder");
+  std::filesystem::create_directory(folder.path() / "folder.fmu");
+  refused({"export", "d.toml", "folder.fmu"}, "folder.fmu");
+  refused({"export", "d.toml", "d.toml"}, "ends in .fmu");
   refused({"export", "d.toml", "no/such/folder/d.fmu"}, "no/such/folder/d.fmu");
   refused({"export", "diagram:d.toml?stp=1", "d.fmu"}, "'stp'");
   refused({"export", "builtin:kart", "d.fmu"}, "does not go along");

@@ -97,9 +97,9 @@ TEST_F(ExportOrders, CoupledWithDerivativesOfInputsTheyErrAsTheirSourcesDo) {
     for (const char* degree : {"1", "2"}) {
       const std::string how = std::string("lagrange") + degree;
       const double sources = error_of_sources(h, how);
-      const double exports = error_of_exports(h, how, std::string("derivatives&order=") + degree);
-      EXPECT_LT(exports, 1.1 * sources) << how << " " << h;
-      EXPECT_GT(exports, 0.9 * sources) << how << " " << h;
+      const double found = error_of_exports(h, how, std::string("derivatives&order=") + degree);
+      EXPECT_LT(found, 1.1 * sources) << how << " " << h;
+      EXPECT_GT(found, 0.9 * sources) << how << " " << h;
     }
 }
 

@@ -160,6 +160,62 @@ TEST(Export, RefusesWhatCanNotGoAlong) {
                       [&] { exports.of("diagram:nothing.toml"); }));
 }
 
+TEST(Export, TakesParametersOfTheUriAsThoseOfTheFile) {
+  const Exports exports;
+  const auto file = exports.folder.write("mass.toml", lagging_mass);
+  const auto fmu = exports.of("diagram:" + file.string() + "?T=1&step=0.125");
+  EXPECT_NEAR(v_at_the_end(fmu, ""), 12.0 * (1.0 - std::exp(-2.0)), 1e-4);
+  EXPECT_NEAR(v_at_the_end(fmu, "&set.T=2"), 24.0 * (1.0 - std::exp(-1.0)), 1e-4);
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"matrices", "writes no files"}, [&] {
+    exports.of("mechanism:" TANDEM_SOURCE_DIR
+               "/scenarios/mechanisms/slider_crank/slider_crank.toml?matrices=x");
+  }));
+}
+
+TEST(Export, RefusesWordsThatMakeItAnotherFmu) {
+  const Exports exports;
+  exports.folder.write(
+      "a.toml", "[blocks]\nx = { kind = 'lag', input = 1, time = 1 }\n[outputs]\nx = { unit = '1' }\n");
+  exports.folder.write(
+      "b.toml", "[blocks]\nx = { kind = 'gain', input = 2 , gain = 1 }\n[outputs]\nx = { unit = '1' }\n");
+  const std::string text =
+      "[parameters]\nfile = { value = 'a.toml', allowed = ['a.toml', 'b.toml'] }\n[blocks]\n"
+      "m = { kind = 'diagram', file = '$file' }\n[outputs]\nx = { unit = '1', from = 'm.x' }\n[run]\nstep = "
+      "0.1\n";
+  EXPECT_TRUE(
+      refuses(ErrorCode::invalid_argument, {"other ports", "derivatives"}, [&] { exports.fmu("x", text); }));
+  const Scratch elsewhere;
+  const std::string far = elsewhere.write("c.toml", read_text(exports.folder.path() / "a.toml")).string();
+  std::string other = text;
+  other.replace(other.find("'b.toml'"), 8, "'" + far + "'");
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"c.toml", "named from the root"},
+                      [&] { exports.fmu("x", other); }));
+}
+
+/// The command has it; an FMU has not.
+TEST(Export, RefusesASolverOfALibrary) {
+  const Exports exports;
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"klu", "eigen_dense, prepared, band"}, [&] {
+    exports.of("mechanism:" TANDEM_SOURCE_DIR
+               "/scenarios/mechanisms/slider_crank/slider_crank.toml?animate=true&solver=klu");
+  }));
+  EXPECT_FALSE(std::filesystem::exists(exports.folder.path() / "x.fmu"));
+}
+
+/// ".." behind a link is what the system takes it for.
+TEST(Export, TakesAlongWhatIsNamedByWayOfALink) {
+  const Exports exports;
+  const auto folder = exports.folder.path();
+  std::filesystem::create_directories(folder / "there/models");
+  exports.folder.write("there/one.csv", "time,a\n0,3\n9,3\n");
+  exports.folder.write("there/models/m.toml",
+                       "[blocks]\na = { kind = 'csv', column = 'a', file = '../one.csv' }\n[outputs]\n"
+                       "a = { unit = '1' }\n[run]\nstep = 0.5\n");
+  std::filesystem::create_directory_symlink(folder / "there/models", folder / "link");
+  const auto fmu = exports.of((folder / "link/m.toml").string());
+  EXPECT_EQ(FmuRun(*Exports::open(fmu, "step=0.5"), 1.0).rows.back()[2], 3.0);
+}
+
 /// Files that any word of a list names go along, and lie to each other as they did.
 TEST(Export, TakesAlongWhatFilesName) {
   const Exports exports;

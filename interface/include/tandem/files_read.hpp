@@ -13,7 +13,7 @@ class FilesRead {
   FilesRead(const FilesRead&) = delete;
   FilesRead& operator=(const FilesRead&) = delete;
 
-  /// Absolute, without "." and "..", in order.
+  /// Absolute, as they were named otherwise.
   const std::set<std::filesystem::path>& files() const { return files_; }
 
   /// Of InputFile: notes one.

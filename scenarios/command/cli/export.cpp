@@ -1,5 +1,5 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-#if TANDEM_HAS_FMI
+#if TANDEM_HAS_EXPORT
 #include "tandem/export/export.hpp"
 #endif
 
@@ -19,7 +19,7 @@ struct ExportOptions {
   int version = 2;
 };
 
-#if TANDEM_HAS_FMI
+#if TANDEM_HAS_EXPORT
 void export_to(const ExportOptions& options, const Context& context) {
   const auto library = std::filesystem::path(this_program()).parent_path() / TANDEM_FMU_FOLDER;
   const auto version = options.version == 2 ? fmi::Version::two : fmi::Version::three;
@@ -32,7 +32,8 @@ void export_to(const ExportOptions& options, const Context& context) {
 void export_to(const ExportOptions&, const Context&) {
   throw Error(
       ErrorCode::not_supported,
-      "this build has no FMUs, as pugixml or minizip was absent (packages libpugixml-dev, libminizip-dev)");
+      "this build exports no FMUs, as a package was absent (libpugixml-dev, libminizip-dev, archives of "
+      "libsundials-dev); configuring it says which");
 }
 #endif
 

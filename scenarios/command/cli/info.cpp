@@ -96,7 +96,8 @@ void print_not_opened(const std::string& name, const Look* look, const std::vect
   print_inputs(look->info, start);
   print_outputs(look->info);
   print_abilities(look->info.abilities);
-  say("  own step: {:.6g} s\n", look->own_step);
+  look->own_step > 0.0 ? say("  own step: {:.6g} s\n", look->own_step)
+                       : say("  own step: none; the parameter step has to be given\n");
 }
 
 void print_words(const Source& source) {

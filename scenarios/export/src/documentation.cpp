@@ -44,24 +44,31 @@ void add_variables(xml_node body, const Unit& unit) {
   }
 }
 
-constexpr const char* sentences[] = {
-    "Without further help an input is held over a communication step, and a loop of such FMUs is of the "
-    "first "
-    "order in the step. Derivatives of inputs (fmi2SetRealInputDerivatives, orders 1 to 5) raise the order. "
-    "They "
-    "hold for one step. Where the importer has none, the parameter extrapolate draws a line through the last "
-    "two "
-    "values.",
-    "Outputs are those of the end of the last step, with the inputs of that step. An input that is set later "
-    "counts "
-    "from the next step on.",
-    "Parameters are set before the start. A communication step may have any length; own steps are cut to end "
-    "with "
-    "it."};
+void add_sentences(xml_node body, const Unit& unit, fmi::Version version) {
+  if (unit.info().input_size() > 0) {
+    add(body, "p",
+        "An input is held over a communication step, and a loop of such FMUs is of the first order in the "
+        "step. The "
+        "parameter extrapolate, set to true, draws a line through the last two values, which is of the "
+        "second order.");
+    if (version == fmi::Version::two)
+      add(body, "p",
+          "Derivatives of inputs (fmi2SetRealInputDerivatives, orders 1 to 5) go before that. They hold for "
+          "one step.");
+  }
+  add(body, "p",
+      "Outputs are those of the end of the last step. An output that follows inputs at once follows those "
+      "that are set "
+      "then, as by a jump.");
+  add(body, "p",
+      unit.info().abilities.sampled
+          ? "It acts at its instants after the begin of a communication step, up to and with the end."
+          : "A communication step may have any length; own steps are cut to end with it.");
+}
 
 }  // namespace
 
-std::string documentation(const Unit& unit, const Facts& facts) {
+std::string documentation(const Unit& unit, const Facts& facts, fmi::Version version) {
   pugi::xml_document document;
   document.append_child(pugi::node_doctype).set_value("html");
   xml_node html = document.append_child("html"), head = html.append_child("head");
@@ -78,7 +85,7 @@ std::string documentation(const Unit& unit, const Facts& facts) {
                   unit.manifest().source, unit.info().abilities.sampled ? "sampling period" : "own step",
                   facts.step));
   add_variables(body, unit);
-  for (const char* sentence : sentences) add(body, "p", sentence);
+  add_sentences(body, unit, version);
   std::ostringstream out;
   document.save(out, "  ", pugi::format_default | pugi::format_no_declaration);
   return out.str();

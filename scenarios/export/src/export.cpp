@@ -11,11 +11,13 @@
 #include "tandem/bytes.hpp"
 #include "tandem/error.hpp"
 #include "tandem/files_read.hpp"
+#include "tandem/fmi/fmi.hpp"
 #include "tandem/fmi/platform.hpp"
 #include "tandem/fmi/temporary_folder.hpp"
 #include "tandem/input_file.hpp"
 #include "tandem/output/files.hpp"
 #include "tandem/output/provenance.hpp"
+#include "tandem/printable.hpp"
 #include "zip.hpp"
 
 namespace tandem::exported {
@@ -25,6 +27,7 @@ namespace fs = std::filesystem;
 using Contents = std::map<std::string, std::string>;  ///< of the FMU, by name
 
 constexpr std::uint64_t most_bytes = std::uint64_t{1} << 30;
+constexpr std::size_t longest_text = 4000;
 const std::string resources = "resources/", files = "files/";
 
 /// The folder that all of them lie in.
@@ -49,11 +52,13 @@ std::string token_of(const Contents& contents) {
 /// What it runs: the files as they lie to each other, and the manifest.
 Contents resources_of(const Origin& origin, const Builtins& here) {
   const auto all = files_of(origin, here);
-  const fs::path folder = common_folder(all);
+  std::vector<fs::path> places;  // with ".." as it is written: links are not looked at
+  for (const fs::path& file : all) places.push_back(file.lexically_normal());
+  const fs::path folder = common_folder(places);
   Contents contents;
-  for (const fs::path& file : all)
-    contents[resources + files + file.lexically_relative(folder).generic_string()] =
-        read_file(file, most_bytes);
+  for (std::size_t k = 0; k < all.size(); ++k)
+    contents[resources + files + places[k].lexically_relative(folder).generic_string()] =
+        read_file(all[k], most_bytes);
   const fs::path own = fs::absolute(origin.file).lexically_normal().lexically_relative(folder);
   Manifest manifest{"", origin.scheme + ":" + files + own.generic_string(), origin.overrides,
                     origin.parameters, origin.starts};
@@ -71,9 +76,10 @@ void write_below(const fs::path& folder, const Contents& contents) {
 }
 
 /// All that it reads is in the FMU.
-void check_reads(const FilesRead& read, const fs::path& folder) {
+void check_reads(const FilesRead& read, const fs::path& unpacked) {
+  const std::string folder = fs::absolute(unpacked).lexically_normal().string() + "/";
   for (const fs::path& file : read.files())
-    if (!file.lexically_normal().string().starts_with(folder.string() + "/"))
+    if (!file.lexically_normal().string().starts_with(folder))
       throw Error(
           ErrorCode::invalid_argument,
           "file '" + file.string() +
@@ -88,6 +94,38 @@ void check_outputs(const SubsystemInfo& info) {
         "'" + info.name +
             "' has no output, so an FMU of it is of no use; allowed is one or more, of a mechanism also by "
             "animate = true, which gives the coordinates of its points");
+}
+
+void check_target(const ExportSettings& settings) {
+  const auto refuse = [](const std::string& what) { throw Error(ErrorCode::invalid_argument, what); };
+  if (settings.file.extension() != ".fmu")
+    refuse("the file to be written is '" + settings.file.string() + "'; allowed is a name that ends in .fmu");
+  if (fmi::binaries_of_this_platform(settings.version).empty())
+    refuse("this version of FMI has no name for this platform; allowed is another version");
+}
+
+/// Whatever word a parameter is set to by a list of its file. The start refuses what changes the ports.
+void start_with_each_word(Unit& unit) {
+  for (std::size_t k = 0; k < unit.variables().size(); ++k)
+    for (const std::string& word : unit.allowed_words(k)) {
+      unit.reset();
+      unit.set(k, word);
+      unit.own_step();
+    }
+  unit.reset();
+}
+
+/// As an importer does: its library is loaded from it and started.
+void try_out(const fs::path& fmu, const Facts& facts) {
+  Builtins sources;
+  add_fmi(sources);
+  const auto subsystem = open(fmt::format("fmu:{}?step={}", fmu.string(), facts.step), sources);
+  std::vector<double> u, row(static_cast<std::size_t>(subsystem->info().row_size()));
+  for (int k = 0; k < subsystem->info().input_size(); ++k)
+    u.push_back(scalar_at(subsystem->info().inputs, k).port->start);
+  Samples y(row.data(), subsystem->info().row_size(), 1);
+  const double start = facts.span ? facts.span->start : 0.0;
+  subsystem->initialize(start, start + 2.0 * facts.step, u, y);
 }
 
 Contents library_files(const ExportSettings& settings, const std::string& identifier) {
@@ -128,6 +166,7 @@ std::vector<std::string> told(const Unit& unit, const Facts& facts, const Export
 }  // namespace
 
 std::vector<std::string> export_fmu(const ExportSettings& settings, const Builtins& here) {
+  check_target(settings);
   const Origin origin = read_origin(settings.source, settings.overrides);
   Contents contents = resources_of(origin, here);
   const fmi::TemporaryFolder folder;
@@ -137,17 +176,20 @@ std::vector<std::string> export_fmu(const ExportSettings& settings, const Builti
   check_outputs(unit.info());
   unit.set_span(origin.span ? origin.span->start : 0.0);
   const Facts facts{identifier_of(settings.file.stem().string()),
-                    origin.name,
-                    origin.description,
+                    printable(origin.name, longest_text),
+                    printable(origin.description, longest_text),
                     "tandem " + output::version(),
                     origin.span,
                     unit.own_step()};
+  start_with_each_word(unit);
   check_reads(read, folder.path());
   contents["modelDescription.xml"] = model_description(unit, facts, settings.version);
-  contents["documentation/index.html"] = documentation(unit, facts);
+  contents["documentation/index.html"] = documentation(unit, facts, settings.version);
   contents.merge(library_files(settings, facts.identifier));
-  write_zip(folder.path() / "fmu", contents);
-  output::replace_text(settings.file, read_file(folder.path() / "fmu", most_bytes));
+  const fs::path made = folder.path() / "made.fmu";
+  write_zip(made, contents);
+  try_out(made, facts);
+  output::replace_text(settings.file, read_file(made, most_bytes));
   return told(unit, facts, settings);
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <pugixml.hpp>
 #include <set>
 #include <sstream>

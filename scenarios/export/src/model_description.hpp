@@ -25,7 +25,7 @@ std::string model_description(const Unit& unit, const Facts& facts, fmi::Version
 std::string fmi_unit(const std::string& unit);
 
 /// A page that says what the FMU is and lists its variables.
-std::string documentation(const Unit& unit, const Facts& facts);
+std::string documentation(const Unit& unit, const Facts& facts, fmi::Version version);
 
 /// The name of a C library made of any text.
 std::string identifier_of(const std::string& text);

@@ -44,9 +44,12 @@ void take_file(Origin& to) {
   document.set(to.overrides);
   to.name = document.table()["name"].value_or(to.file.stem().string());
   to.description = document.table()["description"].value_or(std::string());
-  if (!document.table()["run"]["stop"]) return;
-  const scenario::Scenario alone = scenario::read(to.file, to.overrides);
-  to.span = TimeSpan{alone.start, alone.stop};
+  const auto run = document.table()["run"];
+  if (!run) return;
+  std::vector<std::string> overrides = to.overrides;
+  if (!run["stop"]) overrides.push_back("run.stop=1e9");  // of a run; it belongs to no FMU
+  const scenario::Scenario alone = scenario::read(to.file, overrides);
+  if (run["stop"]) to.span = TimeSpan{alone.start, alone.stop};
   for (const scenario::Parameter& p : alone.subsystems.at(0).parameters) to.parameters[p.name] = p.value;
   for (const scenario::InputEntry& input : alone.subsystems.at(0).inputs)
     to.starts[input.port] = input.at(alone.start);
@@ -70,7 +73,7 @@ void open_with_each_word(const Origin& origin) {
 
 Opening Origin::opening() const {
   Opening opening{{}, {}, {}, overrides};
-  for (const auto& [name, value] : parameters) opening.parameters.set(name, value);
+  for (const auto& [key, value] : parameters) opening.parameters.set(key, value);
   return opening;
 }
 
@@ -82,6 +85,9 @@ Origin read_origin(const std::string& source, const std::vector<std::string>& ov
   if (const auto question = source.find('?'); question != std::string::npos && origin.file != source)
     given.read(source.substr(question + 1), source);
   for (const std::string& name : given.names("")) origin.parameters[name] = given.text(name, "");
+  if (origin.parameters.contains("matrices"))
+    throw Error(ErrorCode::invalid_argument,
+                source + ": 'matrices' names a folder of this machine; an FMU writes no files");
   return origin;
 }
 
@@ -89,13 +95,13 @@ std::vector<fs::path> files_of(const Origin& origin, const Builtins& here) {
   const FilesRead read;
   try {
     open(origin.uri(), plain_sources(), origin.opening());
-    open_with_each_word(origin);
   } catch (const Error& error) {
     open(origin.uri(), here, origin.opening());
     throw Error(error.code(), std::string(error.what()) +
                                   ". This program has it, written in C++; an FMU has what the pages of "
                                   "mechanisms and diagrams list");
   }
+  open_with_each_word(origin);
   return {read.files().begin(), read.files().end()};
 }
 

@@ -27,11 +27,11 @@ void each(References references, size_t count, const Work& work) {
   throw tandem::Error(tandem::ErrorCode::not_supported, sentence);
 }
 
-/// The folder of "file:///a/b%20c", "file:/a" or a path.
+/// The folder of "file:///a/b%20c", "file://host/a" or "file:/a"; what is no URI is a path.
 std::filesystem::path folder_of(std::string uri) {
-  if (uri.starts_with("file://")) uri.erase(0, 7);
-  if (uri.starts_with("file:")) uri.erase(0, 5);
-  if (!uri.starts_with('/') && uri.find('/') != std::string::npos) uri.erase(0, uri.find('/'));  // a host
+  if (!uri.starts_with("file:")) return uri;
+  uri.erase(0, std::strlen("file:"));
+  if (uri.starts_with("//")) uri.erase(0, uri.find('/', 2));
   std::string path;
   for (std::size_t k = 0; k < uri.size(); ++k)
     if (uri[k] == '%' && k + 2 < uri.size())
@@ -42,7 +42,9 @@ std::filesystem::path folder_of(std::string uri) {
 }
 
 fmi2Status refuse_call(fmi2Component c, const char* name) {
-  return with(c, [name](Instance&) { refuse(std::string(name) + " is for what this FMU is not"); });
+  return with(c, [name](Instance&) {
+    refuse(std::string(name) + " is called; this FMU is for Co-Simulation and has no such thing");
+  });
 }
 
 Instance::Log log_of(const fmi2CallbackFunctions* callbacks, const char* name) {
@@ -69,7 +71,7 @@ TANDEM_FMI fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2Str
                                          fmi2Boolean, fmi2Boolean) {
   const auto log = log_of(callbacks, name);
   if (type != fmi2CoSimulation || !resources)
-    return log(Instance::error, "this FMU is for Co-Simulation, and has resources"), nullptr;
+    return log(Instance::error, "allowed are fmi2CoSimulation, and a folder of resources"), nullptr;
   try {
     return tandem::exported::made(folder_of(resources), guid, log);
   } catch (const std::exception& what) {
@@ -135,12 +137,8 @@ TANDEM_FMI fmi2Status fmi2GetRealOutputDerivatives(fmi2Component c, References v
   });
 }
 
-/// One that has come to its end says so by fmi2Discard, and fmi2GetBooleanStatus tells why.
 TANDEM_FMI fmi2Status fmi2DoStep(fmi2Component c, fmi2Real time, fmi2Real length, fmi2Boolean) {
-  bool goes_on = true;
-  const fmi2Status status =
-      with(c, [&](Instance& i) { i.finished = !(goes_on = i.unit.step(time, length)); });
-  return goes_on ? status : fmi2Discard;
+  return with(c, [=](Instance& i) { i.unit.step(time, length); });
 }
 TANDEM_FMI fmi2Status fmi2CancelStep(fmi2Component c) { return refuse_call(c, "fmi2CancelStep"); }
 TANDEM_FMI fmi2Status fmi2GetStatus(fmi2Component c, fmi2StatusKind, fmi2Status*) {
@@ -155,7 +153,7 @@ TANDEM_FMI fmi2Status fmi2GetIntegerStatus(fmi2Component, fmi2StatusKind, fmi2In
 }
 TANDEM_FMI fmi2Status fmi2GetBooleanStatus(fmi2Component c, fmi2StatusKind kind, fmi2Boolean* to) {
   if (kind != fmi2Terminated) return fmi2Discard;
-  return with(c, [=](Instance& i) { *to = i.finished; });
+  return with(c, [=](Instance&) { *to = fmi2False; });
 }
 TANDEM_FMI fmi2Status fmi2GetStringStatus(fmi2Component, fmi2StatusKind, fmi2String*) { return fmi2Discard; }
 

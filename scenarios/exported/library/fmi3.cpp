@@ -21,10 +21,29 @@ void each(References references, size_t count, const Work& work) {
   tandem::exported::each(references, count, work);
 }
 
+constexpr const char* only_co_simulation = "this FMU is for Co-Simulation";
+
+Instance::Log log_of(fmi3InstanceEnvironment environment, fmi3LogMessageCallback logger) {
+  return [environment, logger](int status, const std::string& text) {
+    if (logger)
+      logger(environment, static_cast<fmi3Status>(status),
+             status == Instance::warning ? "logStatusWarning" : "logStatusError", text.c_str());
+  };
+}
+
+/// Each of its variables is one value.
+void check_count(size_t variables, size_t values) {
+  if (variables != values)
+    throw tandem::Error(tandem::ErrorCode::invalid_argument, std::to_string(values) + " values belong to " +
+                                                                 std::to_string(variables) +
+                                                                 " variables; allowed is one for each");
+}
+
 fmi3Status refuse_call(fmi3Instance c, const char* name) {
   return with(c, [name](Instance&) {
-    throw tandem::Error(tandem::ErrorCode::not_supported,
-                        std::string(name) + " is for what this FMU has not");
+    throw tandem::Error(
+        tandem::ErrorCode::not_supported,
+        std::string(name) + " is called; this FMU is for Co-Simulation and has no such thing");
   });
 }
 
@@ -34,9 +53,13 @@ fmi3Status refuse_call(fmi3Instance c, const char* name) {
 #define TANDEM_REFUSED(name, ...) \
   TANDEM_FMI fmi3Status name(fmi3Instance c __VA_OPT__(, ) __VA_ARGS__) { return refuse_call(c, #name); }
 /// Access to a type that none of its variables has.
-#define TANDEM_NO_VALUES(type, ...)                              \
-  TANDEM_REFUSED(fmi3Get##type, References, size_t, __VA_ARGS__) \
-  TANDEM_REFUSED(fmi3Set##type, References, size_t, const __VA_ARGS__)
+#define TANDEM_NO_VALUES(type, ...)                                                              \
+  TANDEM_FMI fmi3Status fmi3Get##type(fmi3Instance c, References, size_t n, __VA_ARGS__) {       \
+    return n == 0 ? fmi3OK : refuse_call(c, "fmi3Get" #type);                                    \
+  }                                                                                              \
+  TANDEM_FMI fmi3Status fmi3Set##type(fmi3Instance c, References, size_t n, const __VA_ARGS__) { \
+    return n == 0 ? fmi3OK : refuse_call(c, "fmi3Set" #type);                                    \
+  }
 
 TANDEM_FMI const char* fmi3GetVersion() { return "3.0"; }
 /// Errors and warnings are told always, there is nothing else.
@@ -47,22 +70,21 @@ TANDEM_FMI fmi3Instance fmi3InstantiateCoSimulation(fmi3String, fmi3String token
                                                     fmi3InstanceEnvironment environment,
                                                     fmi3LogMessageCallback logger,
                                                     fmi3IntermediateUpdateCallback) {
-  const Instance::Log log = [environment, logger](int status, const std::string& text) {
-    if (logger)
-      logger(environment, static_cast<fmi3Status>(status),
-             status == Instance::warning ? "logStatusWarning" : "logStatusError", text.c_str());
-  };
-  return tandem::exported::made(resources ? resources : "", token, log);
+  const auto log = log_of(environment, logger);
+  if (!resources) return log(Instance::error, "resourcePath is not given; this FMU has resources"), nullptr;
+  return tandem::exported::made(resources, token, log);
 }
 TANDEM_FMI fmi3Instance fmi3InstantiateModelExchange(fmi3String, fmi3String, fmi3String, bool, bool,
-                                                     fmi3InstanceEnvironment, fmi3LogMessageCallback) {
-  return nullptr;
+                                                     fmi3InstanceEnvironment environment,
+                                                     fmi3LogMessageCallback logger) {
+  return log_of(environment, logger)(Instance::error, only_co_simulation), nullptr;
 }
 TANDEM_FMI fmi3Instance fmi3InstantiateScheduledExecution(fmi3String, fmi3String, fmi3String, bool, bool,
-                                                          fmi3InstanceEnvironment, fmi3LogMessageCallback,
+                                                          fmi3InstanceEnvironment environment,
+                                                          fmi3LogMessageCallback logger,
                                                           void (*)(fmi3InstanceEnvironment), void (*)(),
                                                           void (*)()) {
-  return nullptr;
+  return log_of(environment, logger)(Instance::error, only_co_simulation), nullptr;
 }
 TANDEM_FMI void fmi3FreeInstance(fmi3Instance c) { delete static_cast<Instance*>(c); }
 
@@ -86,23 +108,42 @@ TANDEM_FMI fmi3Status fmi3Reset(fmi3Instance c) {
   return with(c, [](Instance& i) { i.unit.reset(); });
 }
 
-TANDEM_FMI fmi3Status fmi3GetFloat64(fmi3Instance c, References v, size_t n, double to[], size_t) {
-  return with(c, [=](Instance& i) { each(v, n, [&](auto ref, auto k) { to[k] = i.unit.number(ref); }); });
-}
-TANDEM_FMI fmi3Status fmi3SetFloat64(fmi3Instance c, References v, size_t n, const double from[], size_t) {
-  return with(c, [=](Instance& i) { each(v, n, [&](auto ref, auto k) { i.unit.set(ref, from[k]); }); });
-}
-TANDEM_FMI fmi3Status fmi3GetBoolean(fmi3Instance c, References v, size_t n, bool to[], size_t) {
-  return with(c, [=](Instance& i) { each(v, n, [&](auto ref, auto k) { to[k] = i.unit.flag(ref); }); });
-}
-TANDEM_FMI fmi3Status fmi3SetBoolean(fmi3Instance c, References v, size_t n, const bool from[], size_t) {
-  return with(c, [=](Instance& i) { each(v, n, [&](auto ref, auto k) { i.unit.set(ref, from[k]); }); });
-}
-TANDEM_FMI fmi3Status fmi3GetString(fmi3Instance c, References v, size_t n, fmi3String to[], size_t) {
-  return with(c, [=](Instance& i) { each(v, n, [&](auto ref, auto k) { to[k] = i.text(ref).c_str(); }); });
-}
-TANDEM_FMI fmi3Status fmi3SetString(fmi3Instance c, References v, size_t n, const fmi3String from[], size_t) {
+TANDEM_FMI fmi3Status fmi3GetFloat64(fmi3Instance c, References v, size_t n, double to[], size_t values) {
   return with(c, [=](Instance& i) {
+    check_count(n, values);
+    each(v, n, [&](auto ref, auto k) { to[k] = i.unit.number(ref); });
+  });
+}
+TANDEM_FMI fmi3Status fmi3SetFloat64(fmi3Instance c, References v, size_t n, const double from[],
+                                     size_t values) {
+  return with(c, [=](Instance& i) {
+    check_count(n, values);
+    each(v, n, [&](auto ref, auto k) { i.unit.set(ref, from[k]); });
+  });
+}
+TANDEM_FMI fmi3Status fmi3GetBoolean(fmi3Instance c, References v, size_t n, bool to[], size_t values) {
+  return with(c, [=](Instance& i) {
+    check_count(n, values);
+    each(v, n, [&](auto ref, auto k) { to[k] = i.unit.flag(ref); });
+  });
+}
+TANDEM_FMI fmi3Status fmi3SetBoolean(fmi3Instance c, References v, size_t n, const bool from[],
+                                     size_t values) {
+  return with(c, [=](Instance& i) {
+    check_count(n, values);
+    each(v, n, [&](auto ref, auto k) { i.unit.set(ref, from[k]); });
+  });
+}
+TANDEM_FMI fmi3Status fmi3GetString(fmi3Instance c, References v, size_t n, fmi3String to[], size_t values) {
+  return with(c, [=](Instance& i) {
+    check_count(n, values);
+    each(v, n, [&](auto ref, auto k) { to[k] = i.text(ref).c_str(); });
+  });
+}
+TANDEM_FMI fmi3Status fmi3SetString(fmi3Instance c, References v, size_t n, const fmi3String from[],
+                                    size_t values) {
+  return with(c, [=](Instance& i) {
+    check_count(n, values);
     each(v, n, [&](auto ref, auto k) { i.unit.set(ref, std::string(from[k] ? from[k] : "")); });
   });
 }
@@ -131,8 +172,8 @@ TANDEM_FMI fmi3Status fmi3EnterStepMode(fmi3Instance c) {
 }
 TANDEM_FMI fmi3Status fmi3DoStep(fmi3Instance c, double time, double length, bool, bool* event_needed,
                                  bool* terminate, bool* early_return, double* reached) {
-  *event_needed = *early_return = false;
-  const fmi3Status status = with(c, [=](Instance& i) { *terminate = !i.unit.step(time, length); });
+  *event_needed = *early_return = *terminate = false;
+  const fmi3Status status = with(c, [=](Instance& i) { i.unit.step(time, length); });
   if (c) *reached = static_cast<Instance*>(c)->unit.time();
   return status;
 }

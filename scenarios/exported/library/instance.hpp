@@ -20,9 +20,9 @@ struct Instance {
   Instance(const std::filesystem::path& resources, const std::string& token, Log to)
       : log(std::move(to)), unit(resources, [this](const std::string& what) { log(warning, what); }) {
     if (token != unit.manifest().token)
-      throw Error(ErrorCode::invalid_argument,
-                  "the description is that of another FMU than the library's: '" + token + "' in place of '" +
-                      unit.manifest().token + "'");
+      throw Error(ErrorCode::invalid_argument, "guid or instantiationToken is '" + token +
+                                                   "'; allowed is that of this FMU, '" +
+                                                   unit.manifest().token + "'");
   }
   Instance(const Instance&) = delete;
   Instance& operator=(const Instance&) = delete;
@@ -79,7 +79,6 @@ struct Instance {
 
   Log log;
   Unit unit;
-  bool finished = false;
   std::map<std::size_t, std::string> texts = {};
 };
 

@@ -8,7 +8,9 @@
 
 #include "tandem/error.hpp"
 #include "tandem/sources/diagram.hpp"
+#include "tandem/sources/file_parameters.hpp"
 #include "tandem/sources/mechanism.hpp"
+#include "tandem/sources/run_table.hpp"
 #include "tandem/time_grid.hpp"
 
 namespace tandem::exported {
@@ -18,32 +20,34 @@ using Kind = Variable::Kind;
 
 [[noreturn]] void refuse(const std::string& sentence) { throw Error(ErrorCode::invalid_argument, sentence); }
 
-/// Of the file that the manifest's source names: its parameters with their values.
-std::vector<text::FileParameter> file_parameters(const Manifest& m, const std::filesystem::path& resources) {
-  text::Document document(resources / m.source.substr(m.source.find(':') + 1));
-  document.set(m.overrides);
-  const auto given = text::given_values(
-      document, [&](const text::FileParameter& parameter) -> std::optional<text::FileValue> {
-        const auto it = m.parameters.find(parameter.name);
-        if (it == m.parameters.end()) return std::nullopt;
-        if (const auto* number = std::get_if<double>(&it->second)) return *number;
-        return std::get<std::string>(it->second);
-      });
-  return text::parameters_of(document, given);
+/// What a unit is made for does not change with its parameters.
+bool alike(const SubsystemInfo& a, const SubsystemInfo& b) {
+  const auto same_ports = [](const std::vector<Port>& one, const std::vector<Port>& other) {
+    return std::equal(one.begin(), one.end(), other.begin(), other.end(), [](const Port& p, const Port& q) {
+      return p.name == q.name && p.size == q.size && p.derivatives == q.derivatives && p.held == q.held;
+    });
+  };
+  const auto same_pair = [](const Feedthrough& f, const Feedthrough& g) {
+    return f.output == g.output && f.input == g.input;
+  };
+  return same_ports(a.inputs, b.inputs) && same_ports(a.outputs, b.outputs) &&
+         std::equal(a.feedthrough.begin(), a.feedthrough.end(), b.feedthrough.begin(), b.feedthrough.end(),
+                    same_pair) &&
+         a.abilities.sampled == b.abilities.sampled &&
+         a.abilities.serializes_state == b.abilities.serializes_state;
 }
 
 }  // namespace
 
-Unit::Unit(std::filesystem::path resources, Tell tell)
-    : resources_(std::move(resources)),
+Unit::Unit(const std::filesystem::path& resources, const Tell& tell)
+    : resources_(std::filesystem::absolute(resources)),
       manifest_(read_manifest(resources_ / manifest_name)),
       builtins_{{}, {{"diagram", diagram_source({}, tell)}, {"mechanism", mechanism_source({}, tell)}}},
       subsystem_(opened()),
       info_(subsystem_->info()),
-      variables_(exported::variables(info_, start_values(), file_parameters(manifest_, resources_))),
-      inputs_(start_values()) {
-  follows_.resize(static_cast<std::size_t>(info_.output_size()));
-  for (const Feedthrough& f : info_.feedthrough) follows_[static_cast<std::size_t>(f.output)] = true;
+      variables_(exported::variables(info_, start_values(), file_parameters())),
+      inputs_(start_values()),
+      parameters_(file_parameters()) {
   rows_.resize(static_cast<std::size_t>(info_.row_size() * most_rows));
 }
 
@@ -52,6 +56,27 @@ std::unique_ptr<Subsystem> Unit::opened() const {
   for (const auto* values : {&manifest_.parameters, &changed_})
     for (const auto& [name, value] : *values) opening.parameters.set(name, value);
   return open(manifest_.source, builtins_, std::move(opening));
+}
+
+void Unit::reopen() {
+  auto subsystem = opened();
+  if (!alike(subsystem->info(), info_))
+    refuse("'" + info_.name +
+           "' has other ports, or gives other derivatives of outputs, with these parameters than with those "
+           "that "
+           "it was exported with; allowed is another export");
+  subsystem_ = std::move(subsystem);
+}
+
+/// Of the source's file, with their values as they are.
+std::vector<text::FileParameter> Unit::file_parameters() const {
+  text::Document document(resources_ / manifest_.source.substr(manifest_.source.find(':') + 1));
+  document.set(manifest_.overrides);
+  Parameters given;
+  for (const auto* values : {&manifest_.parameters, &changed_})
+    for (const auto& [name, value] : *values) given.set(name, value);
+  take_run_table(document, given);
+  return text::parameters_of(document, take_file_parameters(document, {}, given));
 }
 
 std::vector<double> Unit::start_values() const {
@@ -77,11 +102,18 @@ const Variable& Unit::of_kind(std::size_t reference, Kind kind, const char* want
   return v;
 }
 
+std::vector<std::string> Unit::allowed_words(std::size_t reference) const {
+  const Variable& v = variable(reference);
+  if (v.kind != Kind::word) return {};
+  return parameters_[static_cast<std::size_t>(v.index)].allowed;
+}
+
 void Unit::set_span(double start, double stop) {
+  if (begun_) throw Error(ErrorCode::wrong_state, "start and stop are given after the start was made");
   if (!std::isfinite(start) || std::isnan(stop) || stop <= start)
     refuse(fmt::format("the start is at {} s, the stop at {} s; allowed is a stop after a finite start",
                        start, stop));
-  start_ = time_ = start, stop_ = stop, fresh_ = false;
+  start_ = time_ = place_ = start, stop_ = stop, fresh_ = false;
 }
 
 void Unit::set(std::size_t reference, double value) {
@@ -99,15 +131,21 @@ void Unit::set(std::size_t reference, const std::string& word) {
 }
 
 void Unit::set(std::size_t reference, bool flag) {
-  of_kind(reference, Kind::extrapolate, "Boolean");
+  const Variable& v = of_kind(reference, Kind::extrapolate, "Boolean");
+  check_not_begun(v);
   inputs_.extrapolate(flag);
 }
 
-void Unit::change(const Variable& v, Parameters::Value value) {
+void Unit::check_not_begun(const Variable& v) const {
   if (begun_)
     refuse(fmt::format("parameter '{}' is set at t = {} s; allowed is to set it before the start", v.name,
                        time_));
+}
+
+void Unit::change(const Variable& v, Parameters::Value value) {
+  check_not_begun(v);
   changed_[v.parameter] = std::move(value);
+  parameters_ = file_parameters();
   subsystem_.reset();
   fresh_ = false;
 }
@@ -122,19 +160,18 @@ void Unit::set_derivative(std::size_t reference, int order, double value) {
 
 double Unit::number(std::size_t reference) {
   const Variable& v = variable(reference);
-  const auto changed = changed_.find(v.parameter);
   switch (v.kind) {
     case Kind::time:
       return time_;
     case Kind::input:
       return inputs_.value(v.index);
     case Kind::output:
-      follow_inputs(v);
+      follow_inputs();
       return row_[static_cast<std::size_t>(v.index)];
     case Kind::derivative:
       return derivative(reference, v.order);
     case Kind::number:
-      return changed == changed_.end() ? v.start : std::get<double>(changed->second);
+      return std::get<double>(parameters_[static_cast<std::size_t>(v.index)].value);
     default:
       refuse(fmt::format("variable '{}' is no number", v.name));
   }
@@ -142,8 +179,7 @@ double Unit::number(std::size_t reference) {
 
 std::string Unit::word(std::size_t reference) const {
   const Variable& v = of_kind(reference, Kind::word, "parameter that is a text");
-  const auto changed = changed_.find(v.parameter);
-  return changed == changed_.end() ? v.word : std::get<std::string>(changed->second);
+  return std::get<std::string>(parameters_[static_cast<std::size_t>(v.index)].value);
 }
 
 bool Unit::flag(std::size_t reference) const {
@@ -156,7 +192,7 @@ double Unit::derivative(std::size_t reference, int order) {
   const bool known = v.kind == Kind::output || v.kind == Kind::derivative;
   if (!known || order < 1 || order > scalar_at(info_.outputs, v.index).port->derivatives)
     refuse(fmt::format("variable '{}' has no time derivative of order {}", v.name, order));
-  follow_inputs(v);
+  follow_inputs();
   return row_[static_cast<std::size_t>(order * info_.output_size() + v.index)];
 }
 

@@ -11,7 +11,7 @@ std::vector<std::byte> Unit::state() {
   ByteWriter to;
   to.put_text(manifest_.token);
   write_changed(to);
-  for (const double t : {start_, stop_, time_}) to.put(t);
+  for (const double t : {start_, stop_, time_, place_}) to.put(t);
   inputs_.write(to);
   to.put(std::uint8_t{begun_});
   to.put(std::uint8_t{inputs_set_});
@@ -58,7 +58,8 @@ std::map<std::string, Parameters::Value> Unit::read_changed(ByteReader& from) co
 /// One that stands elsewhere, or was started otherwise, is started anew before it takes the state.
 void Unit::read(ByteReader& from) {
   const auto changed = read_changed(from);
-  const double start = from.take<double>(), stop = from.take<double>(), time = from.take<double>();
+  double start, stop, time, place;
+  for (double* t : {&start, &stop, &time, &place}) *t = from.take<double>();
   Inputs inputs = inputs_;
   inputs.read(from);
   const bool begun = from.take<std::uint8_t>() != 0, set = from.take<std::uint8_t>() != 0,
@@ -67,21 +68,30 @@ void Unit::read(ByteReader& from) {
   const bool alike =
       fresh_ && changed == changed_ && start == start_ && stop == stop_ && at_start == at_start_;
   if (changed != changed_) subsystem_.reset();
-  changed_ = changed, start_ = start, stop_ = stop, begun_ = begun;
+  fresh_ = false;  // until all is read
+  changed_ = changed, start_ = start, stop_ = stop;
+  parameters_ = file_parameters();
   if (fresh && !alike) {
-    fresh_ = false;
     inputs_ = Inputs(at_start);
     this->start();
+    fresh_ = false;
   }
-  inputs_ = std::move(inputs), time_ = time, inputs_set_ = set, fresh_ = fresh;
-  if (!fresh) return from.end();
-  row_.resize(static_cast<std::size_t>(info_.row_size() - Samples::header));
-  from.take_list(row_);
-  clock_.time = from.take<double>(), clock_.next_time = from.take<double>();
-  clock_.stop = static_cast<Stop>(from.take<std::int32_t>());
+  if (fresh) read_started(from);
+  from.end();
+  inputs_ = std::move(inputs);
+  time_ = time, place_ = place, begun_ = begun, inputs_set_ = set, fresh_ = fresh;
+}
+
+void Unit::read_started(ByteReader& from) {
+  std::vector<double> row(static_cast<std::size_t>(info_.row_size() - Samples::header));
+  from.take_list(row);
+  Clock clock{};
+  clock.time = from.take<double>(), clock.next_time = from.take<double>();
+  clock.stop = static_cast<Stop>(from.take<std::int32_t>());
   const StateId id = subsystem_->deserialize_state(from.take_bytes(from.left()));
   subsystem_->restore_state(id);
   subsystem_->release_state(id);
+  row_ = std::move(row), clock_ = clock;
 }
 
 }  // namespace tandem::exported

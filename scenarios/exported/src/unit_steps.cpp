@@ -23,12 +23,12 @@ std::vector<double> at(std::span<const Signal> u, double t) {
 /// yet.
 void Unit::start() {
   if (fresh_) return;
-  if (!subsystem_) subsystem_ = opened();
+  if (!subsystem_) reopen();
   Samples y(rows_.data(), info_.row_size(), most_rows);
   at_start_ = inputs_.values();
   clock_ = subsystem_->initialize(start_, stop_, at_start_, y);
   take(y);
-  own_step_ = info_.abilities.sampled ? info_.sampling.period : clock_.next_time - clock_.time;
+  own_step_ = info_.abilities.sampled ? subsystem_->info().sampling.period : clock_.next_time - clock_.time;
   if (info_.abilities.sampled && clock_.next_time <= start_)
     act(start_, SamplePart::outputs, inputs_.over(start_, start_));
   fresh_ = true;
@@ -41,9 +41,9 @@ void Unit::begin() {
   begun_ = true;
 }
 
-void Unit::follow_inputs(const Variable& v) {
+void Unit::follow_inputs() {
   start();
-  if (!begun_ || !inputs_set_ || info_.abilities.sampled || !follows_[static_cast<std::size_t>(v.index)]) return;
+  if (!begun_ || !inputs_set_ || info_.abilities.sampled || info_.feedthrough.empty()) return;
   advance(clock_.time, false, inputs_.jumped(clock_.time));
   inputs_set_ = false;
 }
@@ -59,33 +59,35 @@ void Unit::take(const Samples& y) {
   row_.assign(values.begin(), values.end());
 }
 
-bool Unit::step(double t, double length) {
-  const TimeTolerance tolerance(start_);
-  if (!(length > 0.0) || !std::isfinite(length))
-    throw Error(
-        ErrorCode::invalid_argument,
-        fmt::format("the step from t = {} s is {} s long; allowed is a finite number above 0", t, length));
-  if (tolerance.before(t, time_) || tolerance.before(time_, t) || std::isnan(t))
-    throw Error(ErrorCode::invalid_argument,
-                fmt::format("a step is wanted from t = {} s, but it stands at {} s", t, time_));
+void Unit::step(double t, double length) {
+  check_step(t, length);
   begin();
-  const double end = t + length;
-  const auto u = inputs_.over(t, end);
-  const bool goes_on = info_.abilities.sampled ? run_instants(end, u) : run(end, u);
-  inputs_.step_done(t);
+  const double begin = place_, end = place_ + length;
+  const auto u = inputs_.over(begin, end);
+  info_.abilities.sampled ? run_instants(end, u) : run(end, u);
+  place_ = std::abs(clock_.time - end) <= slack() ? clock_.time : end;
+  inputs_.step_done(begin);
   inputs_set_ = false;
-  time_ = goes_on ? end : clock_.time;
-  return goes_on;
+  time_ = t + length;
 }
 
-/// Importers add up their communication points. One that is off a node of the own steps by less than this is that
-/// node, so that no step is cut for a rounding.
-double Unit::slack() { return 1e-9 * own_step(); }
+void Unit::check_step(double t, double length) const {
+  const TimeTolerance tolerance(start_);
+  const auto refuse = [](const std::string& what) { throw Error(ErrorCode::invalid_argument, what); };
+  if (!(length > 0.0) || !std::isfinite(length))
+    refuse(fmt::format("the step from t = {} s is {} s long; allowed is a finite number above 0", t, length));
+  if (tolerance.before(t, time_) || tolerance.before(time_, t) || std::isnan(t))
+    refuse(fmt::format("a step is wanted from t = {} s, but it stands at {} s", t, time_));
+  if (constexpr double rounding = 1e-6; t + length > stop_ + rounding * length)
+    refuse(fmt::format("the step from t = {} s is {} s long, past the stop at {} s", t, length, stop_));
+}
 
-bool Unit::run(double end, std::span<const Signal> u) {
+/// A communication point that is off a node by less than this is that node.
+double Unit::slack() const { return 1e-9 * own_step_; }
+
+void Unit::run(double end, std::span<const Signal> u) {
   advance(end + slack(), false, u);
-  if (clock_.stop != Stop::finished && clock_.time < end - slack()) advance(end, true, u);
-  return clock_.stop != Stop::finished;
+  if (clock_.time < end - slack()) advance(end, true, u);
 }
 
 void Unit::advance(double limit, bool land, std::span<const Signal> u) {
@@ -97,10 +99,8 @@ void Unit::advance(double limit, bool land, std::span<const Signal> u) {
 }
 
 /// Those after the begin, up to and with the end: what it gives there is told there, as in a run of tandem.
-bool Unit::run_instants(double end, std::span<const Signal> u) {
-  while (clock_.stop != Stop::finished && clock_.next_time <= end + slack())
-    act(clock_.next_time, SamplePart::both, u);
-  return clock_.stop != Stop::finished;
+void Unit::run_instants(double end, std::span<const Signal> u) {
+  while (clock_.next_time <= end + slack()) act(clock_.next_time, SamplePart::both, u);
 }
 
 void Unit::act(double t, SamplePart part, std::span<const Signal> u) {
@@ -110,6 +110,7 @@ void Unit::act(double t, SamplePart part, std::span<const Signal> u) {
 
 void Unit::reset() {
   changed_.clear();
+  parameters_ = file_parameters();
   subsystem_.reset();
   inputs_ = Inputs(start_values());
   fresh_ = begun_ = inputs_set_ = false;

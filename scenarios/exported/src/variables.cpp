@@ -5,11 +5,14 @@
 #include <utility>
 
 #include "tandem/error.hpp"
+#include "tandem/printable.hpp"
 
 namespace tandem::exported {
 namespace {
 
 using Kind = Variable::Kind;
+
+constexpr std::size_t longest_shown = 200;
 
 /// Variables whose names are distinct.
 class List {
@@ -17,6 +20,10 @@ class List {
   explicit List(const std::string& owner) : owner_(owner) { add({"time", Kind::time, "s"}); }
 
   void add(Variable v, const std::string& otherwise = "") {
+    for (const std::string& text : {v.name, v.word})
+      if (printable(text, std::string::npos) != text)
+        throw Error(ErrorCode::invalid_argument, "'" + owner_ + "' has '" + printable(text, longest_shown) +
+                                                     "', a text that the description of an FMU can't have");
     if (!names_.insert(v.name).second) {
       v.name = otherwise + v.name;
       if (otherwise.empty() || !names_.insert(v.name).second)
@@ -54,9 +61,9 @@ void add_outputs(const SubsystemInfo& info, List& to) {
   }
 }
 
-void add_parameter(const text::FileParameter& parameter, List& to) {
+void add_parameter(const text::FileParameter& parameter, int index, List& to) {
   const auto* number = std::get_if<double>(&parameter.value);
-  Variable v{parameter.name, number ? Kind::number : Kind::word, parameter.unit};
+  Variable v{parameter.name, number ? Kind::number : Kind::word, parameter.unit, index};
   v.parameter = parameter.name;
   number ? void(v.start = *number) : void(v.word = std::get<std::string>(parameter.value));
   to.add(std::move(v), "parameter.");
@@ -69,7 +76,7 @@ std::vector<Variable> variables(const SubsystemInfo& info, const std::vector<dou
   List list(info.name);
   add_inputs(info, start, list);
   add_outputs(info, list);
-  for (const text::FileParameter& parameter : parameters) add_parameter(parameter, list);
+  for (std::size_t k = 0; k < parameters.size(); ++k) add_parameter(parameters[k], static_cast<int>(k), list);
   if (info.input_size() > 0) list.add({"extrapolate", Kind::extrapolate}, "parameter.");
   return list.take();
 }

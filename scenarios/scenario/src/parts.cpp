@@ -108,7 +108,13 @@ std::unique_ptr<Subsystem> Parts::opened(const SubsystemEntry& entry, const Buil
 /// Its address is shown as who decides whether it may be run has to see it.
 std::optional<Look> Parts::leave_out(const SubsystemEntry& entry, const Builtins& builtins) {
   auto look = with_opening(entry, builtins, scenario_.animate, [&](Opening opening) {
-    return look_at(entry.source, builtins, std::move(opening));
+    auto seen = look_at(entry.source, builtins, std::move(opening));
+    if (seen && seen->own_step == 0.0)
+      throw Error(ErrorCode::invalid_argument,
+                  "source '" + entry.address() +
+                      "' names no step of its own; give the parameter step, a number "
+                      "above 0 [s]");
+    return seen;
   });
   left_out_.push_back(entry.source_place.text() + ": subsystem '" + entry.name + "' is " +
                       (look ? "read and not run" : "left out") +

@@ -66,6 +66,11 @@ Look look(const Fmu& fmu) {
 
 void require_runnable(const Fmu& fmu) {
   const std::string who = "FMU '" + fmu.file.string() + "'";
+  if (fmu.settings.step == 0.0)
+    throw Error(ErrorCode::invalid_argument,
+                who +
+                    " names no step of its own (fixedInternalStepSize, DefaultExperiment stepSize); give the "
+                    "parameter step, a number above 0 [s]");
   if (offer_of(fmu.description, fmu.settings.kind).needs_tool)
     throw Error(ErrorCode::not_supported,
                 who +

@@ -2,8 +2,9 @@
 #include "tandem/fmi/platform.hpp"
 
 namespace tandem::fmi {
-
 namespace {
+
+/// Of 2.0 the standard names those of Intel processors alone.
 std::string folder_of(Version version) {
 #if defined(__x86_64__)
   return version == Version::two ? "linux64" : "x86_64-linux";
@@ -15,8 +16,12 @@ std::string folder_of(Version version) {
   return "";
 #endif
 }
+
 }  // namespace
 
-std::string binaries_of_this_platform(Version version) { return "binaries/" + folder_of(version) + "/"; }
+std::string binaries_of_this_platform(Version version) {
+  const std::string folder = folder_of(version);
+  return folder.empty() ? "" : "binaries/" + folder + "/";
+}
 
 }  // namespace tandem::fmi

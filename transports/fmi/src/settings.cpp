@@ -48,15 +48,11 @@ Held held_of(const Description& d, Parameters& p) {
   return held;
 }
 
+/// 0: it has none.
 double step_of(const Description& d, Kind kind, Parameters& p) {
   const auto inside = offer_of(d, kind).fixed_step;
   const auto own = inside ? inside : d.experiment.step;
-  if (!p.has("step") && !own)
-    refuse(
-        "the FMU '" + printable(d.name, 200) +
-        "' names no step of its own (fixedInternalStepSize, DefaultExperiment stepSize); give the parameter "
-        "step, a number above 0 [s]");
-  return positive(p, "step", own.value_or(0.0));
+  return p.has("step") || own ? positive(p, "step", own.value_or(0.0)) : 0.0;
 }
 
 std::vector<std::string> outputs_of(const Description& d, Parameters& p) {

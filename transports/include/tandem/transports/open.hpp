@@ -28,7 +28,7 @@ struct Address {
 struct Look {
   SubsystemInfo info;
   DeclaredParameters parameters = {};  ///< that its model takes
-  double own_step = 0.0;               ///< [s]
+  double own_step = 0.0;               ///< [s]; 0: it has none, and the parameter `step` has to be given
   std::vector<std::string> sentences = {};
 };
 

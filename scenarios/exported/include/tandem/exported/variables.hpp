@@ -23,7 +23,7 @@ struct Variable {
   std::string name;
   Kind kind;
   std::string unit = {};       ///< "": not said
-  int index = 0;               ///< of its scalar among inputs or outputs
+  int index = 0;               ///< of its scalar among inputs or outputs; of a parameter in the file
   int order = 0;               ///< of a derivative, or how many derivatives of an output there are
   bool held = false;           ///< of an output
   double start = 0.0;          ///< of an input and a number

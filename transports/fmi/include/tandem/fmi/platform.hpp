@@ -6,7 +6,8 @@
 
 namespace tandem::fmi {
 
-/// The folder of an FMU's libraries for this platform: "binaries/linux64/".
+/// The folder of an FMU's libraries for this platform: "binaries/linux64/"; empty: that version of the
+/// standard names none.
 std::string binaries_of_this_platform(Version version);
 
 }  // namespace tandem::fmi
