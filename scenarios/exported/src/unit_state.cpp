@@ -67,10 +67,13 @@ void Unit::read(ByteReader& from) {
   const auto at_start = fresh ? from.take_list() : at_start_;
   const bool alike =
       fresh_ && changed == changed_ && start == start_ && stop == stop_ && at_start == at_start_;
-  if (changed != changed_) subsystem_.reset();
   fresh_ = false;  // until all is read
-  changed_ = changed, start_ = start, stop_ = stop;
-  parameters_ = file_parameters();
+  if (changed != changed_) {
+    subsystem_.reset();
+    changed_ = changed;
+    parameters_ = file_parameters();
+  }
+  start_ = start, stop_ = stop;
   if (fresh && !alike) {
     inputs_ = Inputs(at_start);
     this->start();
