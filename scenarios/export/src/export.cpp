@@ -105,27 +105,26 @@ void check_target(const ExportSettings& settings) {
 }
 
 /// Whatever word a parameter is set to by a list of its file. The start refuses what changes the ports.
-void start_with_each_word(Unit& unit) {
+void start_with_each_word(Unit& unit, double t) {
   for (std::size_t k = 0; k < unit.variables().size(); ++k)
     for (const std::string& word : unit.allowed_words(k)) {
       unit.reset();
+      unit.set_span(t);
       unit.set(k, word);
       unit.own_step();
     }
-  unit.reset();
 }
 
 /// As an importer does: its library is loaded from it and started.
-void try_out(const fs::path& fmu, const Facts& facts) {
+void try_out(const fs::path& fmu, double start, double step) {
   Builtins sources;
   add_fmi(sources);
-  const auto subsystem = open(fmt::format("fmu:{}?step={}", fmu.string(), facts.step), sources);
+  const auto subsystem = open(fmt::format("fmu:{}?step={}", fmu.string(), step), sources);
   std::vector<double> u, row(static_cast<std::size_t>(subsystem->info().row_size()));
   for (int k = 0; k < subsystem->info().input_size(); ++k)
     u.push_back(scalar_at(subsystem->info().inputs, k).port->start);
   Samples y(row.data(), subsystem->info().row_size(), 1);
-  const double start = facts.span ? facts.span->start : 0.0;
-  subsystem->initialize(start, start + 2.0 * facts.step, u, y);
+  subsystem->initialize(start, start + 2.0 * step, u, y);
 }
 
 Contents library_files(const ExportSettings& settings, const std::string& identifier) {
@@ -174,21 +173,22 @@ std::vector<std::string> export_fmu(const ExportSettings& settings, const Builti
   const FilesRead read;
   Unit unit(folder.path() / resources);
   check_outputs(unit.info());
-  unit.set_span(origin.span ? origin.span->start : 0.0);
+  const double start = origin.span ? origin.span->start : 0.0;
+  unit.set_span(start);
   const Facts facts{identifier_of(settings.file.stem().string()),
                     printable(origin.name, longest_text),
                     printable(origin.description, longest_text),
                     "tandem " + output::version(),
                     origin.span,
                     unit.own_step()};
-  start_with_each_word(unit);
+  start_with_each_word(unit, start);
   check_reads(read, folder.path());
   contents["modelDescription.xml"] = model_description(unit, facts, settings.version);
   contents["documentation/index.html"] = documentation(unit, facts, settings.version);
   contents.merge(library_files(settings, facts.identifier));
   const fs::path made = folder.path() / "made.fmu";
   write_zip(made, contents);
-  try_out(made, facts);
+  try_out(made, start, facts.step);
   output::replace_text(settings.file, read_file(made, most_bytes));
   return told(unit, facts, settings);
 }

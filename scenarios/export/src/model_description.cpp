@@ -39,8 +39,7 @@ class Writer {
     write_categories();
     write_experiment();
     xml_node variables = root_.append_child("ModelVariables");
-    for (std::size_t k = 0; k < unit_.variables().size(); ++k)
-      two_ ? write_two(variables, k) : write_three(variables, k);
+    for (std::size_t k = 0; k < unit_.variables().size(); ++k) write_variable(variables, k);
     write_structure(root_.append_child("ModelStructure"));
     std::ostringstream out;
     document_.save(out, "  ");
@@ -119,27 +118,19 @@ class Writer {
     if (v.kind >= Kind::number) put(to, "initial", "exact");
   }
 
-  void write_two(xml_node variables, std::size_t k) {
-    const Variable& v = at(k);
-    xml_node to = variables.append_child("ScalarVariable");
-    put(to, "name", v.name);
-    put(to, "valueReference", std::to_string(k));
-    write_role(to, v);
-    write_value(to.append_child(type_of(v)), k);
-  }
-
   const char* type_of(const Variable& v) const {
     if (v.kind == Kind::word) return "String";
     return v.kind == Kind::extrapolate ? "Boolean" : two_ ? "Real" : "Float64";
   }
 
-  void write_three(xml_node variables, std::size_t k) {
+  /// Of 2.0 the type is an element of its own.
+  void write_variable(xml_node variables, std::size_t k) {
     const Variable& v = at(k);
-    xml_node to = variables.append_child(type_of(v));
+    xml_node to = variables.append_child(two_ ? "ScalarVariable" : type_of(v));
     put(to, "name", v.name);
     put(to, "valueReference", std::to_string(k));
     write_role(to, v);
-    write_value(to, k);
+    write_value(two_ ? to.append_child(type_of(v)) : to, k);
   }
 
   void write_value(xml_node to, std::size_t k) {

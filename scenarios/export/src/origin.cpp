@@ -29,10 +29,8 @@ const Builtins& plain_sources() {
 Origin named(const std::string& source) {
   const auto colon = source.find(':'), question = source.find('?');
   const std::string scheme = source.substr(0, colon);
-  if (colon != std::string::npos && plain_sources().schemes.contains(scheme)) {
-    Origin origin{scheme, source.substr(colon + 1, question - colon - 1), {}, {}};
-    return origin;
-  }
+  if (colon != std::string::npos && plain_sources().schemes.contains(scheme))
+    return {scheme, source.substr(colon + 1, question - colon - 1), {}, {}};
   if (colon != std::string::npos && !fs::exists(source)) refuse(source, "a source that does not go along");
   const std::string kind = scenario::kind_alone(source);
   if (kind.empty()) refuse(source, "a scenario");

@@ -28,8 +28,8 @@ struct Origin {
 /// - source, overrides: see ExportSettings.
 Origin read_origin(const std::string& source, const std::vector<std::string>& overrides);
 
-/// The files that the origin is made of, with each word that its file allows for a parameter, one at a time. Throws Error that names what only this
-/// program has.
+/// The files that the origin is made of, with each word that its file allows for a parameter, one at a time.
+/// Throws Error that names what only this program has.
 std::vector<std::filesystem::path> files_of(const Origin& origin, const Builtins& here);
 
 }  // namespace tandem::exported

@@ -18,9 +18,11 @@ template <class Work>
 fmi2Status with(fmi2Component c, const Work& work) {
   return tandem::exported::with<fmi2Status>(c, work);
 }
+/// work(instance, value reference, place) for each variable.
 template <class Work>
-void each(References references, size_t count, const Work& work) {
-  tandem::exported::each(references, count, work);
+fmi2Status access(fmi2Component c, References v, size_t count, const Work& work) {
+  return with(
+      c, [&](Instance& i) { tandem::exported::each(v, count, [&](auto ref, auto k) { work(i, ref, k); }); });
 }
 
 [[noreturn]] void refuse(const std::string& sentence) {
@@ -98,24 +100,23 @@ TANDEM_FMI fmi2Status fmi2Reset(fmi2Component c) {
 }
 
 TANDEM_FMI fmi2Status fmi2GetReal(fmi2Component c, References v, size_t n, fmi2Real to[]) {
-  return with(c, [=](Instance& i) { each(v, n, [&](auto ref, auto k) { to[k] = i.unit.number(ref); }); });
+  return access(c, v, n, [=](Instance& i, auto ref, auto k) { to[k] = i.unit.number(ref); });
 }
 TANDEM_FMI fmi2Status fmi2SetReal(fmi2Component c, References v, size_t n, const fmi2Real from[]) {
-  return with(c, [=](Instance& i) { each(v, n, [&](auto ref, auto k) { i.unit.set(ref, from[k]); }); });
+  return access(c, v, n, [=](Instance& i, auto ref, auto k) { i.unit.set(ref, from[k]); });
 }
 TANDEM_FMI fmi2Status fmi2GetBoolean(fmi2Component c, References v, size_t n, fmi2Boolean to[]) {
-  return with(c, [=](Instance& i) { each(v, n, [&](auto ref, auto k) { to[k] = i.unit.flag(ref); }); });
+  return access(c, v, n, [=](Instance& i, auto ref, auto k) { to[k] = i.unit.flag(ref); });
 }
 TANDEM_FMI fmi2Status fmi2SetBoolean(fmi2Component c, References v, size_t n, const fmi2Boolean from[]) {
-  return with(c, [=](Instance& i) { each(v, n, [&](auto ref, auto k) { i.unit.set(ref, from[k] != 0); }); });
+  return access(c, v, n, [=](Instance& i, auto ref, auto k) { i.unit.set(ref, from[k] != 0); });
 }
 TANDEM_FMI fmi2Status fmi2GetString(fmi2Component c, References v, size_t n, fmi2String to[]) {
-  return with(c, [=](Instance& i) { each(v, n, [&](auto ref, auto k) { to[k] = i.text(ref).c_str(); }); });
+  return access(c, v, n, [=](Instance& i, auto ref, auto k) { to[k] = i.text(ref).c_str(); });
 }
 TANDEM_FMI fmi2Status fmi2SetString(fmi2Component c, References v, size_t n, const fmi2String from[]) {
-  return with(c, [=](Instance& i) {
-    each(v, n, [&](auto ref, auto k) { i.unit.set(ref, std::string(from[k] ? from[k] : "")); });
-  });
+  return access(c, v, n,
+                [=](Instance& i, auto ref, auto k) { i.unit.set(ref, std::string(from[k] ? from[k] : "")); });
 }
 TANDEM_FMI fmi2Status fmi2GetInteger(fmi2Component c, References, size_t n, fmi2Integer[]) {
   return n == 0 ? fmi2OK : refuse_call(c, "fmi2GetInteger");
@@ -126,15 +127,12 @@ TANDEM_FMI fmi2Status fmi2SetInteger(fmi2Component c, References, size_t n, cons
 
 TANDEM_FMI fmi2Status fmi2SetRealInputDerivatives(fmi2Component c, References v, size_t n,
                                                   const fmi2Integer order[], const fmi2Real from[]) {
-  return with(c, [=](Instance& i) {
-    each(v, n, [&](auto ref, auto k) { i.unit.set_derivative(ref, order[k], from[k]); });
-  });
+  return access(c, v, n,
+                [=](Instance& i, auto ref, auto k) { i.unit.set_derivative(ref, order[k], from[k]); });
 }
 TANDEM_FMI fmi2Status fmi2GetRealOutputDerivatives(fmi2Component c, References v, size_t n,
                                                    const fmi2Integer order[], fmi2Real to[]) {
-  return with(c, [=](Instance& i) {
-    each(v, n, [&](auto ref, auto k) { to[k] = i.unit.derivative(ref, order[k]); });
-  });
+  return access(c, v, n, [=](Instance& i, auto ref, auto k) { to[k] = i.unit.derivative(ref, order[k]); });
 }
 
 TANDEM_FMI fmi2Status fmi2DoStep(fmi2Component c, fmi2Real time, fmi2Real length, fmi2Boolean) {

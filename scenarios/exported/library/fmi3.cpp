@@ -16,11 +16,6 @@ template <class Work>
 fmi3Status with(fmi3Instance c, const Work& work) {
   return tandem::exported::with<fmi3Status>(c, work);
 }
-template <class Work>
-void each(References references, size_t count, const Work& work) {
-  tandem::exported::each(references, count, work);
-}
-
 constexpr const char* only_co_simulation = "this FMU is for Co-Simulation";
 
 Instance::Log log_of(fmi3InstanceEnvironment environment, fmi3LogMessageCallback logger) {
@@ -31,12 +26,16 @@ Instance::Log log_of(fmi3InstanceEnvironment environment, fmi3LogMessageCallback
   };
 }
 
-/// Each of its variables is one value.
-void check_count(size_t variables, size_t values) {
-  if (variables != values)
-    throw tandem::Error(tandem::ErrorCode::invalid_argument, std::to_string(values) + " values belong to " +
-                                                                 std::to_string(variables) +
-                                                                 " variables; allowed is one for each");
+/// work(instance, value reference, place) for each variable, of which each is one value.
+template <class Work>
+fmi3Status access(fmi3Instance c, References v, size_t variables, size_t values, const Work& work) {
+  return with(c, [&](Instance& i) {
+    if (variables != values)
+      throw tandem::Error(tandem::ErrorCode::invalid_argument, std::to_string(values) + " values belong to " +
+                                                                   std::to_string(variables) +
+                                                                   " variables; allowed is one for each");
+    tandem::exported::each(v, variables, [&](auto ref, auto k) { work(i, ref, k); });
+  });
 }
 
 fmi3Status refuse_call(fmi3Instance c, const char* name) {
@@ -109,43 +108,26 @@ TANDEM_FMI fmi3Status fmi3Reset(fmi3Instance c) {
 }
 
 TANDEM_FMI fmi3Status fmi3GetFloat64(fmi3Instance c, References v, size_t n, double to[], size_t values) {
-  return with(c, [=](Instance& i) {
-    check_count(n, values);
-    each(v, n, [&](auto ref, auto k) { to[k] = i.unit.number(ref); });
-  });
+  return access(c, v, n, values, [=](Instance& i, auto ref, auto k) { to[k] = i.unit.number(ref); });
 }
 TANDEM_FMI fmi3Status fmi3SetFloat64(fmi3Instance c, References v, size_t n, const double from[],
                                      size_t values) {
-  return with(c, [=](Instance& i) {
-    check_count(n, values);
-    each(v, n, [&](auto ref, auto k) { i.unit.set(ref, from[k]); });
-  });
+  return access(c, v, n, values, [=](Instance& i, auto ref, auto k) { i.unit.set(ref, from[k]); });
 }
 TANDEM_FMI fmi3Status fmi3GetBoolean(fmi3Instance c, References v, size_t n, bool to[], size_t values) {
-  return with(c, [=](Instance& i) {
-    check_count(n, values);
-    each(v, n, [&](auto ref, auto k) { to[k] = i.unit.flag(ref); });
-  });
+  return access(c, v, n, values, [=](Instance& i, auto ref, auto k) { to[k] = i.unit.flag(ref); });
 }
 TANDEM_FMI fmi3Status fmi3SetBoolean(fmi3Instance c, References v, size_t n, const bool from[],
                                      size_t values) {
-  return with(c, [=](Instance& i) {
-    check_count(n, values);
-    each(v, n, [&](auto ref, auto k) { i.unit.set(ref, from[k]); });
-  });
+  return access(c, v, n, values, [=](Instance& i, auto ref, auto k) { i.unit.set(ref, from[k]); });
 }
 TANDEM_FMI fmi3Status fmi3GetString(fmi3Instance c, References v, size_t n, fmi3String to[], size_t values) {
-  return with(c, [=](Instance& i) {
-    check_count(n, values);
-    each(v, n, [&](auto ref, auto k) { to[k] = i.text(ref).c_str(); });
-  });
+  return access(c, v, n, values, [=](Instance& i, auto ref, auto k) { to[k] = i.text(ref).c_str(); });
 }
 TANDEM_FMI fmi3Status fmi3SetString(fmi3Instance c, References v, size_t n, const fmi3String from[],
                                     size_t values) {
-  return with(c, [=](Instance& i) {
-    check_count(n, values);
-    each(v, n, [&](auto ref, auto k) { i.unit.set(ref, std::string(from[k] ? from[k] : "")); });
-  });
+  return access(c, v, n, values,
+                [=](Instance& i, auto ref, auto k) { i.unit.set(ref, std::string(from[k] ? from[k] : "")); });
 }
 TANDEM_NO_VALUES(Float32, float[], size_t)
 TANDEM_NO_VALUES(Int8, int8_t[], size_t)
@@ -162,10 +144,9 @@ TANDEM_REFUSED(fmi3GetClock, References, size_t, bool[])
 TANDEM_REFUSED(fmi3SetClock, References, size_t, const bool[])
 
 TANDEM_FMI fmi3Status fmi3GetOutputDerivatives(fmi3Instance c, References v, size_t n, const int32_t order[],
-                                               double to[], size_t) {
-  return with(c, [=](Instance& i) {
-    each(v, n, [&](auto ref, auto k) { to[k] = i.unit.derivative(ref, order[k]); });
-  });
+                                               double to[], size_t values) {
+  return access(c, v, n, values,
+                [=](Instance& i, auto ref, auto k) { to[k] = i.unit.derivative(ref, order[k]); });
 }
 TANDEM_FMI fmi3Status fmi3EnterStepMode(fmi3Instance c) {
   return with(c, [](Instance&) {});

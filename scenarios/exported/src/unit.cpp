@@ -10,7 +10,6 @@
 #include "tandem/sources/diagram.hpp"
 #include "tandem/sources/file_parameters.hpp"
 #include "tandem/sources/mechanism.hpp"
-#include "tandem/sources/run_table.hpp"
 #include "tandem/time_grid.hpp"
 
 namespace tandem::exported {
@@ -75,7 +74,6 @@ std::vector<text::FileParameter> Unit::file_parameters() const {
   Parameters given;
   for (const auto* values : {&manifest_.parameters, &changed_})
     for (const auto& [name, value] : *values) given.set(name, value);
-  take_run_table(document, given);
   return text::parameters_of(document, take_file_parameters(document, {}, given));
 }
 
