@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "refusal.hpp"
+#include "tandem/fmi/unit_definitions.hpp"
 
 namespace tandem::test {
 namespace {
@@ -98,7 +100,30 @@ TEST(FmuDescription, UnitsAreWrittenAsTandemWritesThem) {
                                                         {"s-1", "s^-1"},
                                                         {"r/min", "rpm"},
                                                         {"m/s^2", "m/s^2"}})
-    EXPECT_EQ(unit_of_fmi(theirs), ours);
+    EXPECT_EQ(unit_in(theirs, {}), ours);
+}
+
+/// As an FMU defines it.
+std::string unit_of(const std::string& name, const std::string& base) {
+  const std::string text = "<Units><Unit name=\"" + name + "\"><BaseUnit " + base + "/></Unit></Units>";
+  const Xml xml(text, "units.xml");
+  return unit_in(name, read_units(xml, xml.root("Units")));
+}
+
+TEST(FmuDescription, UnitsMeanWhatTheirBaseUnitsSay) {
+  for (const auto& [name, base, ours] : std::vector<std::array<std::string, 3>>{
+           {"N.m", "kg='1' m='2' s='-2'", "N m"},
+           {"Nm", "kg='1' m='2' s='-2'", "N m"},
+           {"newton", "kg='1' m='1' s='-2'", "N"},
+           {"rev/min", "s='-1' rad='1' factor='0.104719755'", "rpm"},
+           {"rpm", "s='-1' factor='0.10471975511966'", "rpm"},
+           {"Celsius", "K='1' offset='273.15'", "degC"},
+           {"g", "m='1' s='-2' factor='9.80665'", "9.80665 m s^-2"},
+           {"N.s/m", "kg='1' s='-1'", "N s/m"},
+           {"Nms", "kg='1' m='2' s='-1'", "kg m^2 s^-1"},
+           {"degF", "K='1' factor='0.5555555555555556' offset='255.3722222222222'", "degF"}})
+    EXPECT_EQ(unit_of(name, base), ours);
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"kg", "whole number"}, [] { unit_of("x", "kg='0.5'"); }));
 }
 
 }  // namespace

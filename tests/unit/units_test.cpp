@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <random>
 #include <string>
 
 namespace tandem {
@@ -61,6 +62,37 @@ TEST(Units, RefuseOtherQuantitiesAndUnknownUnits) {
   EXPECT_FALSE(convert_unit("J", "N m"));
   EXPECT_FALSE(convert_unit("", "1"));
   EXPECT_FALSE(convert_unit("RPM", "rad/s")) << "case matters";
+}
+
+TEST(Units, ConvertProducts) {
+  expect_conversion(3.0, "kN m/deg", 3000.0 * 180.0 / std::numbers::pi, "N m/rad");
+  expect_conversion(2.0, "N s/m", 2.0, "kg/s");
+  expect_conversion(5.0, "kg mm^2", 5e-6, "kg.m2");
+  expect_conversion(1.0, "1/min", 1.0 / 60.0, "Hz");
+  expect_conversion(7.0, "W/(m^2 K)", 7.0, "W/m^2/degC");
+  expect_conversion(4.0, "0.001 kg", 4.0, "g");
+  EXPECT_FALSE(convert_unit("N m/rad", "N m")) << "an angle is a unit of its own";
+  EXPECT_FALSE(convert_unit("N m/rad", "N/m"));
+}
+
+TEST(Units, RefuseTextsThatAreNoProducts) {
+  for (const char* text : {"", "N  m", "N m/", "/s", "N^", "N^m", "(N", "N)", "m^100", "nan", "1e999 m",
+                           "-1 m", "m^1.5", "((((((((((m))))))))))"})
+    EXPECT_FALSE(base_unit(text)) << text;
+}
+
+/// Random products, in tandem's form and in that of FMI, mean the same; their own text reads back.
+TEST(Units, TextsOfProductsReadBack) {
+  std::mt19937 random(5);
+  std::uniform_int_distribution<int> power(-3, 3);
+  for (int trial = 0; trial < 2000; ++trial) {
+    BaseUnit unit{{}, trial % 3 == 0 ? 1.0 : 0.1 * trial + 1e-3};
+    for (int& exponent : unit.exponents) exponent = power(random);
+    const auto again = base_unit(unit_text(unit));
+    ASSERT_TRUE(again) << unit_text(unit);
+    EXPECT_EQ(again->exponents, unit.exponents) << unit_text(unit);
+    EXPECT_NEAR(again->factor, unit.factor, 1e-6 * unit.factor);
+  }
 }
 
 }  // namespace

@@ -9,6 +9,8 @@
 #include <set>
 #include <sstream>
 
+#include "tandem/coordinator/units.hpp"
+
 namespace tandem::exported {
 namespace {
 
@@ -83,10 +85,21 @@ class Writer {
   void write_units() {
     std::set<std::string> units;
     for (const Variable& v : unit_.variables())
-      if (has_unit(v)) units.insert(fmi_unit(v.unit));
+      if (has_unit(v)) units.insert(v.unit);
     if (units.empty()) return;
     xml_node to = root_.append_child("UnitDefinitions");
-    for (const std::string& name : units) put(to.append_child("Unit"), "name", name);
+    for (const std::string& unit : units) {
+      xml_node one = to.append_child("Unit");
+      put(one, "name", fmi_unit(unit));
+      if (const auto base = base_unit(unit)) write_base(one.append_child("BaseUnit"), *base);
+    }
+  }
+
+  static void write_base(xml_node to, const BaseUnit& base) {
+    for (std::size_t k = 0; k < base.names.size(); ++k)
+      if (base.exponents[k] != 0) put(to, base.names[k], std::to_string(base.exponents[k]));
+    if (base.factor != 1.0) put(to, "factor", number(base.factor));
+    if (base.offset != 0.0) put(to, "offset", number(base.offset));
   }
 
   static bool has_unit(const Variable& v) { return !v.unit.empty(); }

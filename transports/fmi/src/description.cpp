@@ -10,7 +10,7 @@
 #include "tandem/error.hpp"
 #include "tandem/printable.hpp"
 #include "variables.hpp"
-#include "xml.hpp"
+#include "tandem/fmi/xml.hpp"
 
 namespace tandem::fmi {
 namespace {
@@ -129,19 +129,6 @@ int Description::state_size() const {
   int size = 0;
   for (const Unknown& rate : derivatives) size += at(rate.variable).size;
   return size;
-}
-
-/// "N.m/rad", "m/s2" as "N m/rad", "m/s^2".
-std::string unit_of_fmi(const std::string& unit) {
-  if (unit == "r/min" || unit == "rev/min") return "rpm";
-  std::string text;
-  for (std::size_t k = 0; k < unit.size(); ++k) {
-    const auto at = [&](std::size_t i) { return i < unit.size() ? static_cast<unsigned char>(unit[i]) : 0; };
-    const bool power = std::isdigit(at(k)) || (at(k) == '-' && std::isdigit(at(k + 1)));
-    if (power && k > 0 && std::isalpha(at(k - 1))) text += '^';
-    text += unit[k] == '.' ? ' ' : unit[k];
-  }
-  return text;
 }
 
 }  // namespace tandem::fmi

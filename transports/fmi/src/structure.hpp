@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "tandem/fmi/description.hpp"
-#include "xml.hpp"
+#include "tandem/fmi/xml.hpp"
 
 namespace tandem::fmi {
 

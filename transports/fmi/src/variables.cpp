@@ -5,6 +5,7 @@
 #include <cmath>
 #include <unordered_set>
 
+#include "tandem/fmi/unit_definitions.hpp"
 #include "tandem/printable.hpp"
 #include "words.hpp"
 
@@ -18,6 +19,7 @@ class VariableReader {
     for (const pugi::xml_node type : root.child("TypeDefinitions"))
       if (const pugi::xml_attribute name = type.attribute("name"))
         declared_[name.value()] = version == Version::two ? type.first_child() : type;
+    units_ = read_units(xml, root.child("UnitDefinitions"));
   }
 
   std::vector<Variable> read(pugi::xml_node list) {
@@ -104,7 +106,7 @@ class VariableReader {
     if (v.type == Type::enumeration) read_items(declared, v);
     if (!is_real(v.type)) return;
     const auto unit = xml_.text(type, "unit");
-    v.unit = unit_of_fmi((unit ? unit : xml_.text(declared, "unit")).value_or(""));
+    v.unit = unit_in((unit ? unit : xml_.text(declared, "unit")).value_or(""), units_);
     v.nominal = std::abs(number("nominal", 1.0));
     if (!(v.nominal > 0.0) || !std::isfinite(v.nominal)) xml_.wrong(type, "nominal", "a number other than 0");
   }
@@ -153,6 +155,7 @@ class VariableReader {
   Version version_;
   const std::map<std::string, Type>& types_;
   std::map<std::string, pugi::xml_node> declared_;
+  std::map<std::string, std::string> units_;
   std::unordered_set<std::string> names_;
   std::map<std::uint32_t, int> by_reference_;
   std::map<std::ptrdiff_t, Range> items_;  ///< of enumerations, by the place of their type

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "tandem/fmi/description.hpp"
-#include "xml.hpp"
+#include "tandem/fmi/xml.hpp"
 
 namespace tandem::fmi {
 

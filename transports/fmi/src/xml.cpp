@@ -1,5 +1,5 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-#include "xml.hpp"
+#include "tandem/fmi/xml.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -45,6 +45,11 @@ std::optional<Number> number_of(std::string_view text) {
 }
 
 }  // namespace
+
+std::string_view local_name(pugi::xml_node node) {
+  const std::string_view name = node.name();
+  return name.substr(name.find(':') + 1);  // npos + 1 is 0
+}
 
 Xml::Xml(std::string_view text, std::string_view file) : text_(text), file_(file) {
   const auto result =

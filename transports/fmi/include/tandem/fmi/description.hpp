@@ -115,7 +115,4 @@ void set_sizes(Description& description);
 /// Throws Error(invalid_argument) with file, line, the value found and what is allowed.
 Description read_description(const std::string& text, const std::string& file);
 
-/// A unit of FMI as tandem writes it.
-std::string unit_of_fmi(const std::string& unit);
-
 }  // namespace tandem::fmi

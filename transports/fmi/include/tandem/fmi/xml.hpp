@@ -10,6 +10,9 @@
 
 namespace tandem::fmi {
 
+/// The name of an element without the prefix of its namespace: "Component" of <ssd:Component>.
+std::string_view local_name(pugi::xml_node node);
+
 /// The attributes of an XML text's elements, with errors that name file, line, element and attribute.
 class Xml {
  public:
