@@ -22,9 +22,10 @@ FLOORS = {
                 ["interface", "text", "transports", "mbs", "functions", "mbs_subsystem", "engine", "engine_subsystem"]),
     "output": ("scenarios/output", ["interface"]),
     "exported": ("scenarios/exported", ["interface", "text", "transports", "mbs", "sources"]),
+    "ssp": ("scenarios/ssp", ["interface", "text", "transports"]),
     "export": ("scenarios/export", ["interface", "text", "transports", "output", "sources", "exported", "scenario"]),
     "scenario": ("scenarios/scenario",
-                 ["interface", "text", "transports", "output", "sources", "mbs_subsystem", "engine_subsystem"]),
+                 ["interface", "text", "transports", "output", "sources", "ssp", "mbs_subsystem", "engine_subsystem"]),
     "charts": ("scenarios/charts", ["interface", "text", "output"]),
     "identification": ("scenarios/identification", ["interface", "transports"]),
     "stability": ("scenarios/stability", ["interface", "text", "transports", "scenario", "identification"]),
@@ -39,7 +40,7 @@ FLOORS = {
              ["interface", "text", "mbs", "sources", "output", "scenario", "models"]),
     "command": ("scenarios/command", None),  # all
 }
-LISTED = ["output", "exported", "export", "scenario", "charts", "identification", "stability", "study", "advice", "models", "view", "command", "sources"]
+LISTED = ["output", "ssp", "exported", "export", "scenario", "charts", "identification", "stability", "study", "advice", "models", "view", "command", "sources"]
 
 
 def floor_of(file):

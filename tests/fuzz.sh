@@ -35,7 +35,7 @@ report() {
 }
 
 status=0
-for target in server client table archive description mechanism diagram scenario study; do
+for target in server client table archive description system mechanism diagram scenario study; do
   [[ -x $folder/${target}_fuzz ]] || continue # of FMUs, without what they need
   mkdir -p "$folder/corpus/$target" "$folder/seeds/$target"
   echo "$target: $runs runs"

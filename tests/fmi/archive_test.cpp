@@ -75,7 +75,7 @@ TEST(FmuArchive, ABombIsRefusedBeforeItFillsTheDisk) {
   const Scratch scratch;
   const std::string zeros(600000, '\0');
   Archive archive(write_zip(scratch.path() / "a.fmu", {{"resources/1", zeros}, {"resources/2", zeros}}),
-                  1000000);
+                  "FMU", 1000000);
   EXPECT_TRUE(refuses(ErrorCode::input_output, {"unpacks to more than the 1000000 bytes"},
                       [&] { archive.unpack("resources/", scratch.path() / "out"); }));
 }

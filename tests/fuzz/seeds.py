@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 """seeds.py FOLDER: what the fuzzing starts from: the sessions of docs/wire_protocol.md, either side, whole and up to
-each of their messages; the project's own TOML files, each for the reader of its kind, with their words (FOLDER/words); and descriptions of FMUs, alone and packed."""
+each of their messages; the project's own TOML files, each for the reader of its kind, with their words (FOLDER/words); descriptions of FMUs, alone and packed, and a
+system of SSP."""
 
 import pathlib
 import re
@@ -49,6 +50,12 @@ def toml_files(folder):
     (folder / "words").write_text("".join(f'"{word}"\n' for word in sorted(words)), encoding="ascii")
 
 
+def systems(folder):
+    """What the tests of systems say of one, with all that a reader knows."""
+    (folder / "system").mkdir(parents=True, exist_ok=True)
+    (folder / "system" / "all.ssd").write_bytes((TREE / "tests" / "fmi" / "all.ssd").read_bytes())
+
+
 def fmus(folder):
     for target in ("archive", "description"):
         (folder / target).mkdir(parents=True, exist_ok=True)
@@ -63,6 +70,7 @@ def fmus(folder):
 
 def main(folder):
     toml_files(folder)
+    systems(folder)
     fmus(folder)
     for side, target in (("request", "server"), ("reply", "client")):
         place = folder / target

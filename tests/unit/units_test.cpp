@@ -71,13 +71,14 @@ TEST(Units, ConvertProducts) {
   expect_conversion(1.0, "1/min", 1.0 / 60.0, "Hz");
   expect_conversion(7.0, "W/(m^2 K)", 7.0, "W/m^2/degC");
   expect_conversion(4.0, "0.001 kg", 4.0, "g");
+  expect_conversion(50.0, "0.5 K + 255", 280.0, "K");
   EXPECT_FALSE(convert_unit("N m/rad", "N m")) << "an angle is a unit of its own";
   EXPECT_FALSE(convert_unit("N m/rad", "N/m"));
 }
 
 TEST(Units, RefuseTextsThatAreNoProducts) {
   for (const char* text : {"", "N  m", "N m/", "/s", "N^", "N^m", "(N", "N)", "m^100", "nan", "1e999 m",
-                           "-1 m", "m^1.5", "((((((((((m))))))))))"})
+                           "-1 m", "m^1.5", "m + ", "m + x", "m + 1 m", "((((((((((m))))))))))"})
     EXPECT_FALSE(base_unit(text)) << text;
 }
 
@@ -86,12 +87,13 @@ TEST(Units, TextsOfProductsReadBack) {
   std::mt19937 random(5);
   std::uniform_int_distribution<int> power(-3, 3);
   for (int trial = 0; trial < 2000; ++trial) {
-    BaseUnit unit{{}, trial % 3 == 0 ? 1.0 : 0.1 * trial + 1e-3};
+    BaseUnit unit{{}, trial % 3 == 0 ? 1.0 : 0.1 * trial + 1e-3, trial % 4 == 0 ? 0.5 * trial - 100.0 : 0.0};
     for (int& exponent : unit.exponents) exponent = power(random);
     const auto again = base_unit(unit_text(unit));
     ASSERT_TRUE(again) << unit_text(unit);
     EXPECT_EQ(again->exponents, unit.exponents) << unit_text(unit);
     EXPECT_NEAR(again->factor, unit.factor, 1e-6 * unit.factor);
+    EXPECT_NEAR(again->offset, unit.offset, 1e-6 * std::abs(unit.offset));
   }
 }
 

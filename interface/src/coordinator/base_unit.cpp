@@ -43,6 +43,8 @@ Exponents exponents_of(std::string_view quantity) {
 
 BaseUnit base_of(const KnownUnit& unit) { return {exponents_of(unit.quantity), unit.scale, unit.zero}; }
 
+constexpr std::string_view plus_offset = " + ";
+
 /// `to` times a power of `by`, whose zero does not count then.
 void multiply(BaseUnit& to, const BaseUnit& by, int power) {
   for (std::size_t k = 0; k < to.exponents.size(); ++k) to.exponents[k] += power * by.exponents[k];
@@ -135,13 +137,18 @@ bool are_same(const BaseUnit& a, const BaseUnit& b) {
 
 std::optional<BaseUnit> base_unit(std::string_view text) {
   if (const KnownUnit* known = known_unit(text)) return base_of(*known);
-  return ProductReader(text).read();
+  const auto plus = text.find(plus_offset);
+  auto unit = ProductReader(text.substr(0, plus)).read();
+  if (!unit || plus == std::string_view::npos) return unit;
+  text.remove_prefix(plus + plus_offset.size());
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), unit->offset);
+  const bool is_number = error == std::errc() && end == text.data() + text.size() && std::isfinite(unit->offset);
+  return is_number ? unit : std::nullopt;
 }
 
 std::string unit_text(const BaseUnit& unit) {
   for (const KnownUnit& known : known_units())
     if (are_same(base_of(known), unit)) return std::string(known.name);
-  if (unit.offset != 0.0) return "";
   std::string text = unit.factor == 1.0 ? "" : number_text(unit.factor);
   for (std::size_t k = 0; k < unit.exponents.size(); ++k) {
     const int power = unit.exponents[k];
@@ -149,7 +156,7 @@ std::string unit_text(const BaseUnit& unit) {
     text += (text.empty() ? "" : " ") + std::string(BaseUnit::names[k]);
     if (power != 1) text += "^" + std::to_string(power);
   }
-  return text;
+  return unit.offset == 0.0 ? text : text + std::string(plus_offset) + number_text(unit.offset);
 }
 
 std::string unit_text(std::string_view name, const BaseUnit& means) {

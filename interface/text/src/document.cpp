@@ -30,12 +30,13 @@ std::string not_toml(const toml::parse_error& error) {
 Document::Document(const std::filesystem::path& file)
     : Document(file.string(), read_file(file, longest_document)) {}
 
-Document::Document(std::string name, const std::string& text) : file_(std::move(name)) {
+Document::Document(std::string name, const std::string& text, std::vector<int> lines)
+    : file_(std::move(name)), lines_(std::move(lines)) {
   if (const int line = deeper_than(text, deepest_nesting); line > 0) refuse({file_, line}, too_deep);
   try {
     table_ = toml::parse(std::string_view(text), std::string_view(file_));
   } catch (const toml::parse_error& error) {
-    refuse({file_, static_cast<int>(error.source().begin.line)}, not_toml(error));
+    refuse({file_, line(error.source().begin)}, not_toml(error));
   }
 }
 
@@ -48,10 +49,14 @@ void Document::set(const std::string& path, const SetValue& value) {
   located(Place{file_, 0, set_prefix + override_of(path, value)}, [&] { text::set(table_, path, value); });
 }
 
+int Document::line(const toml::source_position& at) const {
+  return at.line > 0 && at.line <= lines_.size() ? lines_[at.line - 1] : static_cast<int>(at.line);
+}
+
 Place Document::place(const toml::node& node) const {
   const toml::source_region& source = node.source();
   if (source.path && source.path->starts_with(set_prefix)) return {file_, 0, *source.path};
-  return {file_, static_cast<int>(source.begin.line)};
+  return {file_, line(source.begin)};
 }
 
 std::vector<std::pair<std::string, const toml::node*>> in_file_order(const toml::table& table) {

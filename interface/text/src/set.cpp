@@ -56,15 +56,6 @@ Steps split(const std::string& path) {
   return steps;
 }
 
-std::string in_quotes(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    out += c;
-  }
-  return out + "\"";
-}
-
 /// One override: the path is walked from the root; what it ends at is replaced or added.
 class Override {
  public:
@@ -74,13 +65,8 @@ class Override {
       refuse_setting("'" + text + "' is not of the form KEY=VALUE");
     steps_ = split(text.substr(0, equals));
     value_ = text.substr(equals + 1);
-    if (steps_.size() > deepest_nesting || deeper_than("v = " + value_, deepest_nesting) > 0)
-      refuse_setting("'" + printable(text, 60) + "': " + too_deep);
-    try {
-      if (toml::parse(std::string_view("v = " + value_)).size() == 1) return;
-    } catch (const toml::parse_error&) {  // not TOML: a text
-    }
-    value_ = in_quotes(value_);
+    if (steps_.size() > deepest_nesting) refuse_setting("'" + printable(text, 60) + "': " + too_deep);
+    value_ = toml_value(value_);
   }
   Override(const std::string& path, const SetValue& value)
       : source_(set_prefix + override_of(path, value)), steps_(split(path)) {
@@ -89,7 +75,7 @@ class Override {
     else if (const auto* flag = std::get_if<bool>(&value))
       value_ = *flag ? "true" : "false";
     else
-      value_ = in_quotes(std::get<std::string>(value));
+      value_ = toml_text(std::get<std::string>(value));
   }
 
   void apply(toml::table& root) { at_table(root, 0); }
@@ -101,7 +87,7 @@ class Override {
     for (std::size_t i = first; i < steps_.size(); ++i) {
       if (steps_[i].bracket)
         refuse_setting("'" + written(i) + "' is not there, so it has no [" + steps_[i].text + "]");
-      key += (i > first ? "." : "") + in_quotes(steps_[i].text);
+      key += (i > first ? "." : "") + toml_text(steps_[i].text);
     }
     try {
       toml::table made = toml::parse(std::string_view(key + " = " + value_), std::string_view(source_));
@@ -218,6 +204,28 @@ class Override {
 };
 
 }  // namespace
+
+std::string toml_text(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text)
+    if (c == '"' || c == '\\')
+      out += {'\\', c};
+    else if (const auto byte = static_cast<unsigned char>(c); byte < 0x20 || byte == 0x7f)
+      out += fmt::format("\\u{:04x}", byte);
+    else
+      out += c;
+  return out + "\"";
+}
+
+std::string toml_value(const std::string& text) {
+  if (deeper_than("v = " + text, deepest_nesting) > 0)
+    refuse_setting("'" + printable(text, 60) + "': " + too_deep);
+  try {
+    if (toml::parse(std::string_view("v = " + text)).size() == 1) return text;
+  } catch (const toml::parse_error&) {  // a text, then
+  }
+  return toml_text(text);
+}
 
 std::string override_of(const std::string& path, const SetValue& value) {
   return path + "=" + std::visit([](const auto& one) { return fmt::format("{}", one); }, value);

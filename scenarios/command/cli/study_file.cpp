@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "cli/study_file.hpp"
 
+#include "tandem/scenario/file_text.hpp"
 #include "tandem/scenario/taken.hpp"
 #include "tandem/study/standing.hpp"
-#include "tandem/text/document.hpp"
 
 namespace tandem::cli {
 
@@ -21,7 +21,7 @@ fs::path results_of(const fs::path& file) {
 StudyFile read_study(const fs::path& file, const Builtins& builtins,
                      const std::vector<std::string>& overrides, std::uint64_t seed) {
   const fs::path folder = results_of(file);
-  const text::Document document(file);
+  const text::Document document = scenario::document_of(file);
   const bool standing = document.table().contains("subsystems") && !document.table().contains("study");
   if (!standing) return {study::read(file, seed), false, folder};
   const auto scenario = scenario::read(file, overrides);

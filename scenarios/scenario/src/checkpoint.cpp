@@ -13,6 +13,7 @@
 #include "tandem/output/json.hpp"
 #include "tandem/output/provenance.hpp"
 #include "tandem/printable.hpp"
+#include "tandem/scenario/file_text.hpp"
 
 namespace tandem::scenario {
 namespace {
@@ -28,14 +29,9 @@ constexpr std::uint32_t longest_identity = 1U << 28;  // bytes
   throw Error(ErrorCode::invalid_argument, fmt::format("checkpoint '{}' {}", file.string(), why));
 }
 
-/// Of any length: it is what was written, or a checksum is made of it.
-std::string contents(const fs::path& file, const std::string& what = "file") {
-  return read_file(file, std::numeric_limits<std::uint64_t>::max(), what);
-}
-
 std::string checkpoint_at(const fs::path& file) {
   if (!fs::exists(file)) refuse_file(file, "is not there");
-  return contents(file, "checkpoint");
+  return read_file(file, std::numeric_limits<std::uint64_t>::max(), "checkpoint");
 }
 
 /// What follows the head, after all checks of the file itself.
@@ -112,7 +108,7 @@ std::string Checkpoint::identity() const {
     }
     if (elsewhere || kind == "builtin") continue;
     const std::string text =
-        contents(fs::path(entry.place.file).parent_path() / source.substr(kind.size() + 1));
+        source_contents(fs::path(entry.place.file).parent_path() / source.substr(kind.size() + 1));
     one["checksum of its file"] = fmt::format("{:016x}", checksum(std::as_bytes(std::span(text))));
   }
   return all.dump();

@@ -9,10 +9,9 @@
 #include "read_link.hpp"
 #include "read_parameters.hpp"
 #include "settings.hpp"
-#include "tandem/input_file.hpp"
+#include "tandem/scenario/file_text.hpp"
 #include "tandem/scenario/keys.hpp"
 #include "tandem/scenario/scenario_file.hpp"
-#include "tandem/text/nesting.hpp"
 #include "tandem/text/section.hpp"
 #include "tandem/text/series.hpp"
 #include "to_json.hpp"
@@ -193,7 +192,7 @@ std::string kind_of(const toml::table& table) {
 
 }  // namespace
 
-std::string kind_alone(const std::filesystem::path& file) { return kind_of(Document(file).table()); }
+std::string kind_alone(const std::filesystem::path& file) { return kind_of(document_of(file).table()); }
 
 namespace {
 
@@ -225,7 +224,7 @@ class ScenarioFile::Parsed {
  public:
   Parsed(std::filesystem::path file, std::vector<std::string> overrides)
       : file_(std::move(file)),
-        text_(read_file(file_, text::longest_document)),
+        text_(file_text(file_)),
         overrides_(std::move(overrides)) {
     document({});
   }
@@ -238,7 +237,9 @@ class ScenarioFile::Parsed {
       of_keys.set(setting.key, setting.value);
       overrides.push_back(text::override_of(setting.key, setting.value));
     }
-    return scenario_of(of_keys, overrides);
+    Scenario scenario = scenario_of(of_keys, overrides);
+    scenario.remarks = text_.remarks;
+    return scenario;
   }
 
  private:
@@ -247,13 +248,13 @@ class ScenarioFile::Parsed {
     for (const Setting& setting : settings) keys.push_back(setting.key);
     const auto it = documents_.find(keys);
     if (it != documents_.end()) return it->second;
-    Document made(file_.string(), text_);
+    Document made(file_.string(), text_.text, text_.lines);
     made.set(overrides_);
     return documents_.emplace(std::move(keys), std::move(made)).first->second;
   }
 
   std::filesystem::path file_;
-  std::string text_;
+  FileText text_;
   std::vector<std::string> overrides_;
   std::mutex mutex_;
   std::map<std::vector<std::string>, Document> documents_;  ///< by the keys that are set

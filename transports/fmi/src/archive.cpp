@@ -47,9 +47,10 @@ std::string quoted(const std::string& name) { return "'" + printable(name, 200) 
 
 void Archive::Close::operator()(void* zip) const { unzClose(zip); }
 
-Archive::Archive(fs::path file, std::uint64_t most_bytes) : file_(std::move(file)), most_bytes_(most_bytes) {
-  const InputFile regular(file_, "FMU");  // refuses what is no regular file
-  zip_.reset(unzOpen64(file_.c_str()));
+Archive::Archive(fs::path file, std::string what, std::uint64_t most_bytes)
+    : file_(std::move(file)), what_(std::move(what)), most_bytes_(most_bytes), packed_(file_) {
+  const InputFile regular(packed_.on_disk(), what_);  // refuses what is no regular file
+  zip_.reset(unzOpen64(packed_.on_disk().c_str()));
   if (!zip_) refuse("is no zip archive, or is not whole");
   list();
 }
@@ -57,7 +58,7 @@ Archive::Archive(fs::path file, std::uint64_t most_bytes) : file_(std::move(file
 Archive::~Archive() = default;
 
 void Archive::refuse(const std::string& why) const {
-  throw Error(ErrorCode::input_output, "FMU '" + file_.string() + "' " + why);
+  throw Error(ErrorCode::input_output, what_ + " '" + file_.string() + "' " + why);
 }
 
 std::string Archive::listed_name() const {
@@ -98,6 +99,14 @@ std::string Archive::folders_in(std::string_view folder) const {
       found.insert(printable(name.substr(folder.size(), end - folder.size()), 100));
   }
   return tandem::listed({found.begin(), found.end()});
+}
+
+std::string Archive::file_in(const std::string& name) const {
+  for (std::size_t end = 0; end < name.size(); ++end) {
+    end = std::min(name.find('/', end), name.size());
+    if (has(name.substr(0, end))) return name.substr(0, end);
+  }
+  return "";
 }
 
 /// take(bytes) for each block of the file's content.

@@ -16,9 +16,6 @@ namespace tandem {
 namespace fmi {
 namespace {
 
-constexpr std::uint64_t longest_description = std::uint64_t{1} << 26;
-const char* const description_name = "modelDescription.xml";
-
 std::string described(const Fmu& fmu) {
   const Description& d = fmu.description;
   std::string text =
@@ -100,9 +97,7 @@ std::unique_ptr<Subsystem> make(const Address& address, Parameters& p, const Tel
 
 Fmu read_fmu(const std::filesystem::path& file, Parameters& parameters) {
   Fmu fmu{file, std::make_unique<Archive>(file), {}, {}, {}};
-  if (!fmu.archive->has(description_name)) fmu.archive->refuse(std::string("holds no ") + description_name);
-  fmu.description = read_description(fmu.archive->text(description_name, longest_description),
-                                     file.string() + ": " + description_name);
+  fmu.description = description_of(*fmu.archive, file);
   fmu.settings = take_settings(fmu.description, parameters);
   fmu.ports = ports_of(fmu.description, fmu.settings);
   return fmu;

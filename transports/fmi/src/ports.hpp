@@ -32,7 +32,4 @@ struct Ports {
 /// Throws Error(invalid_argument) for an FMU without outputs, and a unit for a port that is not there.
 Ports ports_of(const Description& description, const Settings& settings);
 
-/// A variable's name as that of a port, which has no [ ] , " and blanks: "a[1,2]" is "a(1;2)".
-std::string port_name(const std::string& variable);
-
 }  // namespace tandem::fmi

@@ -41,7 +41,7 @@ std::map<std::string, std::string> read_units(const Xml& xml, pugi::xml_node def
     std::string text = in_our_form(name);
     for (const pugi::xml_node child : unit)
       if (local_name(child) == "BaseUnit") text = unit_text(text, read_base(xml, child));
-    units[name] = text.empty() ? name : text;
+    units[name] = text;
   }
   return units;
 }

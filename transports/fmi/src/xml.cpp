@@ -51,6 +51,19 @@ std::string_view local_name(pugi::xml_node node) {
   return name.substr(name.find(':') + 1);  // npos + 1 is 0
 }
 
+std::vector<pugi::xml_node> children(pugi::xml_node of, std::string_view name) {
+  std::vector<pugi::xml_node> all;
+  for (const pugi::xml_node node : of)
+    if (local_name(node) == name) all.push_back(node);
+  return all;
+}
+
+pugi::xml_node child(pugi::xml_node of, std::string_view name) {
+  for (const pugi::xml_node node : of)
+    if (local_name(node) == name) return node;
+  return {};
+}
+
 Xml::Xml(std::string_view text, std::string_view file) : text_(text), file_(file) {
   const auto result =
       document_.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_doctype);
@@ -61,16 +74,23 @@ Xml::Xml(std::string_view text, std::string_view file) : text_(text), file_(file
     if (node.type() == pugi::node_doctype) refuse(node, "a document type stands here; allowed is none");
 }
 
-pugi::xml_node Xml::root(const char* name) const {
+pugi::xml_node Xml::root(std::string_view name) const {
   const pugi::xml_node node = document_.document_element();
-  if (node.name() != std::string_view(name))
-    refuse(node, "the document is <" + printable(node.name(), 100) + ">; allowed is <" + name + ">");
+  if (local_name(node) != name)
+    refuse(node,
+           "the document is <" + printable(node.name(), 100) + ">; allowed is <" + std::string(name) + ">");
   return node;
 }
 
-std::string Xml::place(std::ptrdiff_t offset) const {
+int Xml::line(std::ptrdiff_t offset) const {
   const auto end = text_.begin() + std::clamp<std::ptrdiff_t>(offset, 0, std::ssize(text_));
-  return std::string(file_) + ":" + std::to_string(1 + std::count(text_.begin(), end, '\n'));
+  return static_cast<int>(1 + std::count(text_.begin(), end, '\n'));
+}
+
+int Xml::line(pugi::xml_node of) const { return line(of.offset_debug()); }
+
+std::string Xml::place(std::ptrdiff_t offset) const {
+  return std::string(file_) + ":" + std::to_string(line(offset));
 }
 
 void Xml::refuse(pugi::xml_node at, const std::string& sentence) const {

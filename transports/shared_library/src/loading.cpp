@@ -16,7 +16,7 @@ void require_library(const std::filesystem::path& file) {
 boost::dll::shared_library load_library(const std::filesystem::path& file, const std::filesystem::path& from,
                                         boost::dll::load_mode::type how) {
   namespace load_mode = boost::dll::load_mode;
-  require_library(file);
+  require_library(from);
   check_library_file(from, "library");
   LibraryCall::guard_exit();
   const std::string name = library_named(file);

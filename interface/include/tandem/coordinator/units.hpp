@@ -21,20 +21,21 @@ struct BaseUnit {
 };
 
 /// Of a unit that tandem knows (rpm, N m, degC, ...) or that is a product, a quotient or a power of such ones:
-/// "N m/rad", "kg m^2", "1/(s K)", also as FMI writes it, "kg.m2". Nothing for any other text.
+/// "N m/rad", "kg m^2", "1/(s K)", also as FMI writes it, "kg.m2"; with an offset in base units, "0.5 K + 255".
+/// Nothing for any other text.
 std::optional<BaseUnit> base_unit(std::string_view text);
 
-/// The text of a unit that tandem knows, the first of its table, else of a product: "0.001 kg m^2 s^-2". Of an
-/// offset only what tandem knows has a text; else it is empty.
+/// The text of a unit that tandem knows, the first of its table, else of a product: "0.001 kg m^2 s^-2",
+/// "0.5 K + 255".
 std::string unit_text(const BaseUnit& unit);
 
 /// How tandem writes a unit that a file calls `name` and defines by base units: as it is called if that text
 /// means the same here, angles left aside, else by the base units.
 std::string unit_text(std::string_view name, const BaseUnit& means);
 
-/// The conversion between two units of the same quantity that tandem knows (rpm and rad/s, deg and rad, bar
-/// and Pa, ...), or that have the same base units; nothing if one is unknown or they measure different
-/// quantities. Equal texts always convert, with factor 1.
+/// The conversion between two units of one quantity that tandem knows (rpm and rad/s, bar and Pa, ...), or of
+/// equal base units. Nothing if one is unknown, or they measure different quantities. Equal texts always
+/// convert, with factor 1.
 std::optional<UnitConversion> convert_unit(std::string_view from, std::string_view to);
 
 /// An effort times what it acts along.

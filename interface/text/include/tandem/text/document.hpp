@@ -18,8 +18,8 @@ class Document {
   /// Throws Error for a file that can't be read, and with file, line and column, and none of its text, for
   /// one that is not TOML.
   explicit Document(const std::filesystem::path& file);
-  /// Of a text; `name` is what errors call it.
-  Document(std::string name, const std::string& text);
+  /// Of a text; `name` is what errors call it. lines: what errors call its lines, if that is not their number.
+  Document(std::string name, const std::string& text, std::vector<int> lines = {});
 
   /// Puts overrides of the command line in, "KEY=VALUE" (set.hpp). Throws Error that names the one that can't
   /// be.
@@ -32,7 +32,10 @@ class Document {
   Place place(const toml::node& node) const;
 
  private:
+  int line(const toml::source_position& at) const;
+
   std::string file_;
+  std::vector<int> lines_;
   toml::table table_;
 };
 

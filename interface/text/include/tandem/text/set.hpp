@@ -17,6 +17,11 @@ namespace tandem::text {
 /// command, and the other way round. Throws Error that names what is there.
 void set(toml::table& file, const std::string& override_text);
 
+/// What stands for a text as TOML: "2.5" and "[1, 2]" for themselves, "fast" in quotes.
+std::string toml_value(const std::string& text);
+/// A text in quotes, whatever it holds.
+std::string toml_text(const std::string& text);
+
 /// The same with a value of its own: a number as the double that it is, a text as a text.
 void set(toml::table& file, const std::string& path, const SetValue& value);
 

@@ -133,6 +133,7 @@ struct Scenario {
 
   std::vector<std::string> overrides;  ///< "KEY=VALUE"
   std::vector<std::string> taken;      ///< likewise, by coordination.scheme = "auto"
+  std::vector<std::string> remarks;    ///< of a system of SSP what its user should know
   std::string values;                  ///< the file with the overrides in it, as JSON
   /// Of single keys by their path, "coordination.order"; absent: the file.
   std::map<std::string, Place> places;

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "tandem/fmi/packed_file.hpp"
+
 namespace tandem::fmi {
 
 /// A zip file that a stranger may have made. All is read from the file itself, nothing is believed.
@@ -15,12 +17,14 @@ namespace tandem::fmi {
 /// - what is encrypted;
 /// - too many files, more bytes than allowed;
 /// - bytes that are not the bytes that were packed.
+/// It may lie in another (PackedFile).
 class Archive {
  public:
   static constexpr std::uint64_t most_files = 65536;
 
-  /// most_bytes: that may be unpacked.
-  explicit Archive(std::filesystem::path file, std::uint64_t most_bytes = std::uint64_t{1} << 30);
+  /// what: how errors call it. most_bytes: that may be unpacked.
+  explicit Archive(std::filesystem::path file, std::string what = "FMU",
+                   std::uint64_t most_bytes = std::uint64_t{1} << 30);
   ~Archive();
   Archive(const Archive&) = delete;
   Archive& operator=(const Archive&) = delete;
@@ -30,6 +34,8 @@ class Archive {
   std::string folders_in(std::string_view folder) const;
   /// A file as a text of at most `most` bytes.
   std::string text(const std::string& name, std::uint64_t most) const;
+  /// The first part of `name` that is a file here: "a.fmu" of "a.fmu/x.xml". Empty: none is.
+  std::string file_in(const std::string& name) const;
   /// Writes the files whose names begin with `folder` to the same names below `to`. All calls together write
   /// at most most_bytes.
   void unpack(std::string_view folder, const std::filesystem::path& to);
@@ -49,7 +55,9 @@ class Archive {
   void read(const std::string& name, const Take& take) const;
 
   std::filesystem::path file_;
+  std::string what_;
   std::uint64_t most_bytes_;
+  PackedFile packed_;
   std::unique_ptr<void, Close> zip_;
   std::map<std::string, Place> places_;
   std::uint64_t written_ = 0;

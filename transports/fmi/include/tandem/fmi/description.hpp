@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "tandem/fmi/archive.hpp"
+
 namespace tandem::fmi {
 
 // What an FMU says of itself (modelDescription.xml), by the words of the standard: Functional Mock-up
@@ -114,5 +116,10 @@ void set_sizes(Description& description);
 /// Reads the text of a modelDescription.xml. Nothing that it names is looked for. `file`: how errors call it.
 /// Throws Error(invalid_argument) with file, line, the value found and what is allowed.
 Description read_description(const std::string& text, const std::string& file);
+/// That of an FMU.
+Description description_of(const Archive& archive, const std::filesystem::path& file);
+
+/// A variable's name as that of a port, which has no [ ] , " and blanks: "a[1,2]" is "a(1;2)".
+std::string port_name(const std::string& variable);
 
 }  // namespace tandem::fmi

@@ -12,6 +12,9 @@ namespace tandem::fmi {
 
 /// The name of an element without the prefix of its namespace: "Component" of <ssd:Component>.
 std::string_view local_name(pugi::xml_node node);
+/// The elements of that name in another, and the first of them; null: there is none.
+std::vector<pugi::xml_node> children(pugi::xml_node of, std::string_view name);
+pugi::xml_node child(pugi::xml_node of, std::string_view name);
 
 /// The attributes of an XML text's elements, with errors that name file, line, element and attribute.
 class Xml {
@@ -20,7 +23,9 @@ class Xml {
   /// Views both, which outlive it.
   Xml(std::string_view text, std::string_view file);
 
-  pugi::xml_node root(const char* name) const;
+  pugi::xml_node root(std::string_view name) const;
+  /// The line in which an element begins.
+  int line(pugi::xml_node of) const;
 
   std::optional<std::string> text(pugi::xml_node of, const char* name) const;
   std::string needed_text(pugi::xml_node of, const char* name) const;
@@ -52,6 +57,7 @@ class Xml {
   [[noreturn]] void refuse(pugi::xml_node at, const std::string& sentence) const;
 
  private:
+  int line(std::ptrdiff_t offset) const;
   std::string place(std::ptrdiff_t offset) const;
 
   std::string_view text_, file_;

@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tandem/text/document.hpp"
+
+namespace tandem::scenario {
+
+/// A scenario file, or a system of the standard SSP (*.ssp, *.ssd) in the language of scenarios.
+struct FileText {
+  std::string text;
+  std::vector<int> lines = {};            ///< see text::Document
+  std::vector<std::string> remarks = {};  ///< what a user should know of a system
+};
+
+/// Throws Error for a file that can't be read, for a system that is not valid, and for any where the build has
+/// no FMUs.
+FileText file_text(const std::filesystem::path& file);
+text::Document document_of(const std::filesystem::path& file);
+
+/// The bytes of a source's file, which may lie in an archive.
+std::string source_contents(const std::filesystem::path& file);
+
+}  // namespace tandem::scenario

@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "document.hpp"
+
+#include <charconv>
+#include <utility>
+
+#include "tandem/fmi/packed_file.hpp"
+#include "tandem/input_file.hpp"
+#include "tandem/ssp/ssp.hpp"
+
+namespace tandem::ssp {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t longest = std::uint64_t{1} << 26;
+constexpr std::string_view annotation_type = "org.tandem.coordination";
+
+std::string read(const fs::path& file) { return read_file(fmi::PackedFile(file).on_disk(), longest); }
+
+/// "My%20motor.fmu" as "My motor.fmu"; empty for what is no such text.
+std::string decoded(std::string_view uri) {
+  std::string text;
+  for (std::size_t k = 0; k < uri.size(); ++k) {
+    if (uri[k] != '%') {
+      text += uri[k];
+      continue;
+    }
+    unsigned byte = 0;
+    const auto digits = uri.substr(k + 1, 2);
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), byte, 16);
+    if (error != std::errc() || digits.size() < 2 || end != digits.data() + 2 || byte < 0x20) return "";
+    text += static_cast<char>(byte);
+    k += 2;
+  }
+  return text;
+}
+
+}  // namespace
+
+bool is_system(const fs::path& file) { return file.extension() == ".ssp" || file.extension() == ".ssd"; }
+
+fs::path description_in(const fs::path& file) {
+  return file.extension() == ".ssp" ? file / "SystemStructure.ssd" : file;
+}
+
+Definitions read_definitions(const fmi::Xml& xml, xml_node of) {
+  Definitions to{fmi::read_units(xml, fmi::child(of, "Units")), {}};
+  for (const xml_node one : fmi::children(fmi::child(of, "Enumerations"), "Enumeration"))
+    for (const xml_node item : fmi::children(one, "Item"))
+      to.enumerations[xml.text(one, "name").value_or("")][xml.needed_text(item, "name")] =
+          xml.number(item, "value").value_or(0.0);
+  return to;
+}
+
+Document::Document(fs::path path, std::string_view name)
+    : file(std::move(path)), text(read(file)), shown(file.string()), xml(text, shown), root(xml.root(name)) {
+  const std::string version = xml.needed_text(root, "version");
+  if (!version.starts_with("1.") && !version.starts_with("2.")) xml.wrong(root, "version", "1.0 or 2.0");
+  defined = read_definitions(xml, root);
+}
+
+fs::path Document::beside(xml_node of, const char* attribute) const {
+  const std::string path = decoded(xml.needed_text(of, attribute));
+  if (path.empty() || path.front() == '/' || path.find_first_of("?#%\\:") != std::string::npos)
+    xml.wrong(of, attribute, "the relative path of a file in this system, without ? # % \\ and :");
+  const fs::path folder = file.parent_path();
+  const bool packed = !folder.empty() && !fs::is_directory(folder);
+  if (packed && fs::path(path).lexically_normal().generic_string().starts_with(".."))
+    xml.wrong(of, attribute, "the path of a file in this archive");
+  return (folder / path).lexically_normal();
+}
+
+std::map<std::string, std::string> own_annotation(const Document& document, xml_node of) {
+  std::map<std::string, std::string> all;
+  for (const xml_node one : fmi::children(fmi::child(of, "Annotations"), "Annotation")) {
+    if (one.attribute("type").value() != annotation_type) continue;
+    const xml_node content = one.first_child();
+    for (const pugi::xml_attribute attribute : content.attributes())
+      if (const std::string_view name = attribute.name(); !name.starts_with("xmlns"))
+        all[std::string(name)] = attribute.value();
+    if (all.empty()) document.xml.refuse(one, "the annotation holds no element with attributes");
+  }
+  return all;
+}
+
+}  // namespace tandem::ssp
