@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #if TANDEM_HAS_EXPORT
 #include "tandem/export/export.hpp"
+
+#include "tandem/export/system.hpp"
 #endif
 
 #include <memory>
@@ -20,13 +22,18 @@ struct ExportOptions {
 };
 
 #if TANDEM_HAS_EXPORT
-void export_to(const ExportOptions& options, const Context& context) {
-  const auto library = std::filesystem::path(this_program()).parent_path() / TANDEM_FMU_FOLDER;
+std::vector<std::string> exported_to(const ExportOptions& options, const Builtins& here) {
+  const std::filesystem::path file = options.file;
+  const auto library =
+      (std::filesystem::path(this_program()).parent_path() / TANDEM_FMU_FOLDER).lexically_normal();
   const auto version = options.version == 2 ? fmi::Version::two : fmi::Version::three;
-  for (const std::string& line : exported::export_fmu(
-           {options.source, options.overrides, options.file, version, library.lexically_normal()},
-           context.builtins))
-    say("{}\n", line);
+  if (file.extension() == ".ssp")
+    return exported::export_system({options.source, options.overrides, file, version, library}, here);
+  return exported::export_fmu({options.source, options.overrides, file, version, library}, here);
+}
+
+void export_to(const ExportOptions& options, const Context& context) {
+  for (const std::string& line : exported_to(options, context.builtins)) say("{}\n", line);
 }
 #else
 void export_to(const ExportOptions&, const Context&) {
@@ -38,22 +45,27 @@ void export_to(const ExportOptions&, const Context&) {
 #endif
 
 constexpr const char* about_fmus = R"(
-The FMU is for Co-Simulation and needs nothing of tandem where it runs. It has the inputs, outputs and parameters of
+A scenario becomes a system of SSP, FILE.ssp: mechanisms and diagrams as FMUs in it, FMUs as they are (docs/ssp.md).
+
+An FMU is for Co-Simulation and needs nothing of tandem where it runs. It has the inputs, outputs and parameters of
 the source; the table [run] of a file gives its step, settings and start values (docs/fmi.md).
 Exit status: 0, or 2 for what can't be exported.)";
 
 }  // namespace
 
 void add_export(CLI::App& app, Context& context) {
-  auto* command = app.add_subcommand("export", "Make an FMU of a mechanism or a diagram");
+  auto* command = app.add_subcommand(
+      "export", "Make an FMU of a mechanism or a diagram, or a system of SSP of a scenario");
   auto options = std::make_shared<ExportOptions>();
   command
-      ->add_option(
-          "source", options->source,
-          "The file of a mechanism or a diagram, or mechanism:FILE?KEY=VALUE, diagram:FILE?KEY=VALUE")
+      ->add_option("source", options->source,
+                   "The file of a mechanism, a diagram or a scenario, or mechanism:FILE?KEY=VALUE, "
+                   "diagram:FILE?KEY=VALUE")
       ->required()
       ->type_name("SOURCE");
-  command->add_option("fmu", options->file, "The FMU to be written")->required()->type_name("FILE");
+  command->add_option("file", options->file, "The FMU to be written, FILE.fmu, or the system, FILE.ssp")
+      ->required()
+      ->type_name("FILE");
   command->add_option("--fmi", options->version, "Version of FMI: 2 or 3")
       ->check(CLI::IsMember({2, 3}))
       ->capture_default_str();

@@ -99,7 +99,8 @@ void check_outputs(const SubsystemInfo& info) {
 void check_target(const ExportSettings& settings) {
   const auto refuse = [](const std::string& what) { throw Error(ErrorCode::invalid_argument, what); };
   if (settings.file.extension() != ".fmu")
-    refuse("the file to be written is '" + settings.file.string() + "'; allowed is a name that ends in .fmu");
+    refuse("the file to be written is '" + settings.file.string() +
+           "'; allowed is a name that ends in .fmu, or in .ssp for a scenario");
   if (fmi::binaries_of_this_platform(settings.version).empty())
     refuse("this version of FMI has no name for this platform; allowed is another version");
 }
@@ -166,7 +167,7 @@ std::vector<std::string> told(const Unit& unit, const Facts& facts, const Export
 
 std::vector<std::string> export_fmu(const ExportSettings& settings, const Builtins& here) {
   check_target(settings);
-  const Origin origin = read_origin(settings.source, settings.overrides);
+  const Origin origin = read_origin(settings);
   Contents contents = resources_of(origin, here);
   const fmi::TemporaryFolder folder;
   write_below(folder.path(), contents);

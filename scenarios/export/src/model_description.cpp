@@ -95,13 +95,6 @@ class Writer {
     }
   }
 
-  static void write_base(xml_node to, const BaseUnit& base) {
-    for (std::size_t k = 0; k < base.names.size(); ++k)
-      if (base.exponents[k] != 0) put(to, base.names[k], std::to_string(base.exponents[k]));
-    if (base.factor != 1.0) put(to, "factor", number(base.factor));
-    if (base.offset != 0.0) put(to, "offset", number(base.offset));
-  }
-
   static bool has_unit(const Variable& v) { return !v.unit.empty(); }
 
   void write_categories() {
@@ -202,6 +195,16 @@ std::string fmi_unit(const std::string& unit) {
   std::replace(text.begin(), text.end(), ' ', '.');
   std::erase(text, '^');
   return text;
+}
+
+void write_base(xml_node to, const BaseUnit& base) {
+  const auto put = [&](const char* name, const std::string& value) {
+    to.append_attribute(name).set_value(value.c_str());
+  };
+  for (std::size_t k = 0; k < base.names.size(); ++k)
+    if (base.exponents[k] != 0) put(base.names[k], std::to_string(base.exponents[k]));
+  if (base.factor != 1.0) put("factor", number(base.factor));
+  if (base.offset != 0.0) put("offset", number(base.offset));
 }
 
 std::string identifier_of(const std::string& text) {

@@ -1,8 +1,10 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <optional>
+#include <pugixml.hpp>
 #include <string>
 
+#include "tandem/coordinator/units.hpp"
 #include "tandem/exported/unit.hpp"
 #include "tandem/fmi/description.hpp"
 #include "tandem/time_grid.hpp"
@@ -23,6 +25,8 @@ std::string model_description(const Unit& unit, const Facts& facts, fmi::Version
 
 /// A unit of tandem as FMI tools write it: "kg.m2" of "kg m^2".
 std::string fmi_unit(const std::string& unit);
+/// The attributes of the element BaseUnit of FMI and SSP.
+void write_base(pugi::xml_node to, const BaseUnit& base);
 
 /// A page that says what the FMU is and lists its variables.
 std::string documentation(const Unit& unit, const Facts& facts, fmi::Version version);

@@ -33,15 +33,12 @@ Origin named(const std::string& source) {
     return {scheme, source.substr(colon + 1, question - colon - 1), {}, {}};
   if (colon != std::string::npos && !fs::exists(source)) refuse(source, "a source that does not go along");
   const std::string kind = scenario::kind_alone(source);
-  if (kind.empty()) refuse(source, "a scenario");
+  if (kind.empty()) refuse(source, "a scenario, which becomes FILE.ssp");
   return {kind, source, {}, {}};
 }
 
-void take_file(Origin& to) {
-  text::Document document(to.file);
-  document.set(to.overrides);
-  to.name = document.table()["name"].value_or(to.file.stem().string());
-  to.description = document.table()["description"].value_or(std::string());
+/// The table [run].
+void take_run(const text::Document& document, Origin& to) {
   const auto run = document.table()["run"];
   if (!run) return;
   std::vector<std::string> overrides = to.overrides;
@@ -51,6 +48,15 @@ void take_file(Origin& to) {
   for (const scenario::Parameter& p : alone.subsystems.at(0).parameters) to.parameters[p.name] = p.value;
   for (const scenario::InputEntry& input : alone.subsystems.at(0).inputs)
     to.starts[input.port] = input.at(alone.start);
+}
+
+void take_file(const std::optional<Member>& member, Origin& to) {
+  text::Document document(to.file);
+  document.set(to.overrides);
+  to.name = document.table()["name"].value_or(to.file.stem().string());
+  to.description = document.table()["description"].value_or(std::string());
+  if (!member) return take_run(document, to);
+  to.parameters = member->parameters, to.starts = member->starts, to.span = member->span;
 }
 
 void open_with(const Origin& origin, const std::string& name, const std::string& word) {
@@ -75,10 +81,11 @@ Opening Origin::opening() const {
   return opening;
 }
 
-Origin read_origin(const std::string& source, const std::vector<std::string>& overrides) {
+Origin read_origin(const ExportSettings& settings) {
+  const std::string& source = settings.source;
   Origin origin = named(source);
-  origin.overrides = overrides;
-  take_file(origin);
+  origin.overrides = settings.overrides;
+  take_file(settings.member, origin);
   Parameters given;
   if (const auto question = source.find('?'); question != std::string::npos && origin.file != source)
     given.read(source.substr(question + 1), source);

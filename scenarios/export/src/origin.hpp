@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tandem/export/export.hpp"
 #include "tandem/time_grid.hpp"
 #include "tandem/transports/open.hpp"
 
@@ -25,8 +26,8 @@ struct Origin {
   Opening opening() const;
 };
 
-/// - source, overrides: see ExportSettings.
-Origin read_origin(const std::string& source, const std::vector<std::string>& overrides);
+/// Of the file that the settings name, as they say.
+Origin read_origin(const ExportSettings& settings);
 
 /// The files that the origin is made of, with each word that its file allows for a parameter, one at a time.
 /// Throws Error that names what only this program has.

@@ -29,12 +29,12 @@ double integral(const Segment& piece, double from, double to) {
 double mean_over(const Signal& signal, const OwnStep& s) {
   const TimeTolerance tolerance(s.begin);
   const auto pieces = signal.segments();
-  if (signal.degree() == 0 && pieces.size() == 1) return pieces[0].c[0];  // to the last digit
   double sum = 0.0, from = s.begin;
   for (std::size_t k = 0; k < pieces.size() && from < s.end; ++k) {
     const bool last = k + 1 == pieces.size() || !tolerance.before(pieces[k].end, s.end);
     const double to = last ? s.end : pieces[k].end;
     if (!last && !tolerance.before(from, to)) continue;
+    if (signal.degree() == 0 && last && from == s.begin) return pieces[k].c[0];  // to the last digit
     sum += integral(pieces[k], from, to);
     from = to;
   }

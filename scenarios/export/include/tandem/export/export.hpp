@@ -1,13 +1,23 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <filesystem>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "tandem/fmi/description.hpp"
+#include "tandem/time_grid.hpp"
 #include "tandem/transports/open.hpp"
 
 namespace tandem::exported {
+
+/// What a scenario gives one of its subsystems, in place of the table [run] of its file.
+struct Member {
+  std::map<std::string, Parameters::Value> parameters;
+  std::map<std::string, double> starts;  ///< its inputs at the start
+  TimeSpan span;
+};
 
 struct ExportSettings {
   /// The file of a mechanism or a diagram, or "mechanism:FILE?KEY=VALUE&..", "diagram:FILE?..".
@@ -17,6 +27,7 @@ struct ExportSettings {
   fmi::Version version = fmi::Version::two;
   /// The folder of the library that FMUs bring (the target tandem_fmu).
   std::filesystem::path library;
+  std::optional<Member> member = {};
 };
 
 /// Writes an FMU for Co-Simulation that needs nothing else: the library, the source's files and all that they

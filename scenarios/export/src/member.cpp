@@ -1,0 +1,149 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "member.hpp"
+
+#include <fmt/format.h>
+
+#include "tandem/error.hpp"
+#include "tandem/export/export.hpp"
+#include "tandem/scenario/file_text.hpp"
+#include "tandem/text/set.hpp"
+
+namespace tandem::exported {
+namespace {
+
+namespace fs = std::filesystem;
+using scenario::SubsystemEntry;
+
+class MemberMaker {
+ public:
+  MemberMaker(const SubsystemEntry& entry, const SubsystemInfo& info, const SystemSettings& settings)
+      : entry_(entry), info_(info), settings_(settings), to_{entry.name, {}, {}} {}
+
+  SystemMember make(const TimeSpan& span, const fs::path& folder, const Builtins& here) {
+    const std::string scheme = entry_.source.substr(0, entry_.source.find(':'));
+    if (entry_.isolated) to_.annotation["isolate"] = "true";
+    if (scheme == "fmu") return take_fmu(span.start), std::move(to_);
+    if (scheme != "mechanism" && scheme != "diagram")
+      scenario::refuse(
+          entry_.source_place,
+          fmt::format("subsystem '{}' is {}, which does not go along; allowed are mechanism:FILE, "
+                      "diagram:FILE and fmu:FILE",
+                      entry_.name, entry_.address()));
+    export_source(scheme, span, folder, here);
+    return std::move(to_);
+  }
+
+ private:
+  fs::path place(const std::string& scheme) const {
+    const std::string file = entry_.source.substr(scheme.size() + 1);
+    return fs::path(entry_.place.file).parent_path() / file.substr(0, file.find('?'));
+  }
+
+  /// Those of the scenario, and of the URI.
+  std::map<std::string, Parameters::Value> parameters() const {
+    std::map<std::string, Parameters::Value> all;
+    for (const scenario::Parameter& p : entry_.parameters) all[p.name] = p.value;
+    Parameters of_uri;
+    if (const auto question = entry_.source.find('?'); question != std::string::npos)
+      of_uri.read(entry_.source.substr(question + 1), entry_.source);
+    for (const std::string& name : of_uri.names("")) all[name] = of_uri.text(name, "");
+    return all;
+  }
+
+  std::map<std::string, double> starts(double t) const {
+    std::map<std::string, double> all;
+    for (const scenario::InputEntry& input : entry_.inputs)
+      if (std::holds_alternative<double>(input.value))
+        all[input.port] = input.at(t);
+      else
+        scenario::refuse(input.place,
+                         fmt::format("input {}.{} is given over time, which a system has no words "
+                                     "for; allowed is a number",
+                                     entry_.name, input.port));
+    return all;
+  }
+
+  void export_source(const std::string& scheme, const TimeSpan& span, const fs::path& folder,
+                     const Builtins& here) {
+    ExportSettings one{scheme + ":" + place(scheme).string(),
+                       {},
+                       folder / (entry_.name + ".fmu"),
+                       settings_.version,
+                       settings_.library};
+    one.member = Member{parameters(), starts(span.start), span};
+    scenario::located(entry_.source_place, [&] { export_fmu(one, here); });
+    take(one.file);
+    to_.source = &info_;
+    to_.annotation["lands"] = info_.abilities.lands ? "true" : "false";
+  }
+
+  void take(const fs::path& file) {
+    to_.fmu = scenario::source_contents(file);
+    to_.description = fmi::description_of(fmi::Archive(file), file);
+  }
+
+  void take_fmu(double start) {
+    take(place("fmu"));
+    std::string outputs;
+    for (const auto& [name, value] : parameters()) {
+      const std::string text = std::visit([](const auto& one) { return fmt::format("{}", one); }, value);
+      if (name.starts_with("set."))
+        to_.values[name.substr(4)] = text;
+      else if (name.starts_with("unit."))
+        to_.units[name.substr(5)] = text;
+      else if (name.starts_with("outputs."))
+        outputs += (outputs.empty() ? "" : ", ") + text::toml_text(name.substr(8));
+      else
+        to_.annotation[name] = text;
+    }
+    if (!outputs.empty()) to_.annotation["outputs"] = "[" + outputs + "]";
+    for (const auto& [port, value] : starts(start))
+      to_.values[to_.variables(port, false).front()] = fmt::format("{}", value);
+  }
+
+  const SubsystemEntry& entry_;
+  const SubsystemInfo& info_;
+  const SystemSettings& settings_;
+  SystemMember to_;
+};
+
+/// The places of a port's scalars, or of one, among all; empty: there is no such port.
+std::vector<int> places(const std::vector<Port>& ports, const std::string& name) {
+  std::vector<int> all;
+  int first = 0;
+  for (const Port& port : ports) {
+    for (int element = 0; element < port.size; ++element)
+      if (port.name == name || Scalar{&port, element}.name() == name) all.push_back(first + element);
+    first += port.size;
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<std::string> SystemMember::variables(const std::string& port, bool output) const {
+  std::vector<std::string> all;
+  const auto wanted = output ? fmi::Causality::output : fmi::Causality::input;
+  if (!source) {
+    for (const fmi::Variable& v : description.variables)
+      if (fmi::port_name(v.name) == port) return {v.name};
+    throw Error(
+        ErrorCode::invalid_argument,
+        fmt::format("'{}.{}' is an element of an array of an FMU; allowed are whole arrays", name, port));
+  }
+  for (const fmi::Variable& v : description.variables)
+    if (v.causality == wanted) all.push_back(v.name);
+  std::vector<std::string> found;
+  for (const int k : places(output ? source->outputs : source->inputs, port))
+    found.push_back(all.at(static_cast<std::size_t>(k)));
+  return found;
+}
+
+SystemMember member_of(const scenario::Scenario& scenario, const scenario::Parts& parts, int k,
+                       const SystemSettings& settings, const fs::path& folder, const Builtins& here) {
+  const SubsystemEntry& entry = scenario.subsystems.at(static_cast<std::size_t>(k));
+  return MemberMaker(entry, parts.topology().info(k), settings)
+      .make({scenario.start, scenario.stop}, folder, here);
+}
+
+}  // namespace tandem::exported

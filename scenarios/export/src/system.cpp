@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/export/system.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "system_description.hpp"
+#include "tandem/error.hpp"
+#include "tandem/fmi/temporary_folder.hpp"
+#include "tandem/input_file.hpp"
+#include "tandem/output/files.hpp"
+#include "tandem/output/provenance.hpp"
+#include "zip.hpp"
+
+namespace tandem::exported {
+namespace {
+
+constexpr std::uint64_t largest_system = std::uint64_t{1} << 30;
+
+/// A polynomial goes into an FMU of 2.0 as derivatives; more than two of them tandem does not give.
+void give_derivatives(SystemMember& member, const scenario::Scenario& scenario, fmi::Version version,
+                      std::vector<std::string>& told) {
+  if (!member.source || version != fmi::Version::two) return;
+  int degree = 0;
+  for (const scenario::ConnectionEntry& entry : scenario.connections)
+    if (entry.connection.how && entry.connection.to.starts_with(member.name + "."))
+      degree = std::max(degree, entry.connection.how->polynomial_degree());
+  if (degree == 0) return;
+  const int order = std::min(degree, 2);
+  member.annotation["inputs"] = "derivatives", member.annotation["order"] = std::to_string(order);
+  if (order < degree)
+    told.push_back(fmt::format("{}: inputs of degree {} are given by derivatives of order {}", member.name,
+                               degree, order));
+}
+
+/// As its user will.
+void read_back(const std::filesystem::path& system, const Builtins& here) {
+  const scenario::Scenario again = scenario::read(system);
+  const scenario::Parts parts(again, here, scenario::Code::leave_out);
+}
+
+}  // namespace
+
+std::vector<std::string> export_system(const SystemSettings& settings, const Builtins& here) {
+  const scenario::Scenario scenario = scenario::read(settings.scenario, settings.overrides);
+  const scenario::Parts parts(scenario, here, scenario::Code::leave_out);
+  const fmi::TemporaryFolder folder;
+  std::vector<std::string> told;
+  std::vector<SystemMember> members;
+  std::map<std::string, std::string> contents;
+  for (int k = 0; k < parts.topology().size(); ++k) {
+    members.push_back(member_of(scenario, parts, k, settings, folder.path(), here));
+    SystemMember& member = members.back();
+    give_derivatives(member, scenario, settings.version, told);
+    contents["resources/" + member.name + ".fmu"] = std::move(member.fmu);
+  }
+  contents["SystemStructure.ssd"] = system_description(scenario, members, "tandem " + output::version());
+  const auto made = folder.path() / settings.file.filename();
+  write_zip(made, contents);
+  read_back(made, here);
+  output::replace_text(settings.file, read_file(made, largest_system));
+  told.insert(told.begin(), fmt::format("{}: SSP 1.0, {} components, {} connections, {:.2f} MB",
+                                        settings.file.string(), members.size(), scenario.connections.size(),
+                                        static_cast<double>(std::filesystem::file_size(made)) * 1e-6));
+  return told;
+}
+
+}  // namespace tandem::exported

@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// tandem export SCENARIO FILE.ssp: scenarios as systems of SSP, and back.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "command.hpp"
+
+namespace tandem::test {
+namespace {
+
+/// T x' = u + w - x from x = start. The step of its table [run] is not that of a scenario.
+std::string lag_diagram(const std::string& in, const std::string& out) {
+  return "[parameters]\nT = { value = 0.3, unit = 's' }\nstart = { value = 0.2, unit = '1' }\n[inputs]\nu = "
+         "{ unit = '" +
+         in + "' }\nw = { unit = '" + in +
+         "' }\n[blocks]\nrate = { kind = 'sum', inputs = ['u', 'w', 'state'], gains = ['$(1 / T)', '$(1 / "
+         "T)', "
+         "'$(-1 / T)'] }\nstate = { kind = 'integrator', input = 'rate', initial = '$start' }\n"
+         "x = { kind = 'gain', input = 'state', gain = 1 }\n[outputs]\nx = { unit = '" +
+         out + "' }\n[run]\nstep = 0.9\nstop = 1\nintegrator = 'erkstep_fixed'\n";
+}
+
+std::string run_and_read(const Scratch& folder, const std::string& file, const std::string& results) {
+  const Said said = tandem(folder, {"--quiet", "run", file, "--output", results});
+  EXPECT_EQ(said.status, 0) << said.err;
+  return read_text(folder.path() / results / "results.csv");
+}
+
+Said exported(const Scratch& folder, const std::string& text, const std::string& version = "2") {
+  folder.write("s.toml", text);
+  return tandem(folder, {"export", "s.toml", "s.ssp", "--fmi", version});
+}
+
+/// A ring of lags whose steps fit into each other, coupled by held values.
+std::string random_ring(const Scratch& folder, std::mt19937& random) {
+  const auto pick = [&](int most) { return std::uniform_int_distribution<int>(0, most)(random); };
+  const std::vector<std::string> schedules = {"slowest-first", "fastest-first", "parallel"};
+  const int count = 2 + pick(2);
+  const bool equal = pick(1) == 0;  // steps
+  std::string text = "[coordination]\nschedule = \"" +
+                     schedules[static_cast<std::size_t>(pick(equal ? 2 : 1))] +
+                     "\"\n[span]\nstart = 0.5\nstop = 2.5\n";
+  for (int k = 0; k < count; ++k) {
+    const std::string name = "m" + std::to_string(k), units[] = {"m", "mm", "km"};
+    folder.write(name + ".toml", lag_diagram(units[pick(2)], units[pick(2)]));
+    text += "[subsystems." + name + "]\nsource = \"diagram:" + name +
+            ".toml?T=" + std::to_string(1 + pick(3)) +
+            "\"\nparameters = { step = " + (equal || pick(1) == 0 ? "0.0625" : "0.03125") +
+            ", start = " + std::to_string(pick(4)) + " }\ninputs = { w = " + std::to_string(pick(3)) + " }\n";
+  }
+  for (int k = 0; k < count; ++k)
+    text += "[[connections]]\nfrom = \"m" + std::to_string(k) + ".x\"\nto = \"m" +
+            std::to_string((k + 1) % count) + ".u\"\n" + (k == 0 && equal ? "memory = true\n" : "") +
+            "reconstruction = \"" + (equal ? "lagrange0" : "matched_hold") +
+            "\"\ngain = " + std::to_string(0.25 * pick(4)) + "\noffset = " + std::to_string(pick(2)) +
+            "\nconvert = true\n";
+  return text;
+}
+
+TEST(SystemExport, RandomRingsOfHeldValuesComeBackWithTheirBits) {
+  std::mt19937 random(20261127);
+  for (int trial = 0; trial < 8; ++trial) {
+    const Scratch folder;
+    const std::string text = random_ring(folder, random);
+    SCOPED_TRACE(text);
+    const Said said = exported(folder, text, trial % 2 == 0 ? "2" : "3");
+    ASSERT_EQ(said.status, 0) << said.err;
+    EXPECT_EQ(run_and_read(folder, "s.ssp", "back"), run_and_read(folder, "s.toml", "there"));
+  }
+}
+
+const std::string two_lags =
+    "[subsystems.a]\nsource = \"diagram:lag.toml\"\nparameters.step = 0.01\ninputs.w = 1\n"
+    "[subsystems.b]\nsource = \"diagram:lag.toml\"\nparameters = { step = 0.01, T = 0.1 }\ninputs.w = 0\n"
+    "[[connections]]\nfrom = \"a.x\"\nto = \"b.u\"\nreconstruction = \"lagrange3\"\n"
+    "[[connections]]\nfrom = \"b.x\"\nto = \"a.u\"\nreconstruction = \"lagrange2\"\n[span]\nstop = 1\n";
+
+TEST(SystemExport, TellsWhatDegreesBecomeAndIsTheSameAgain) {
+  const Scratch folder;
+  folder.write("lag.toml", lag_diagram("m", "m"));
+  const Said said = exported(folder, two_lags);
+  ASSERT_EQ(said.status, 0) << said.err;
+  EXPECT_TRUE(contains(said.out, "s.ssp: SSP 1.0, 2 components, 2 connections")) << said.out;
+  EXPECT_TRUE(contains(said.out, "b: inputs of degree 3 are given by derivatives of order 2")) << said.out;
+  EXPECT_FALSE(contains(said.out, "a: inputs")) << said.out;
+  ASSERT_EQ(tandem(folder, {"export", "s.ssp", "again.ssp"}).status, 0);
+  EXPECT_EQ(read_text(folder.path() / "s.ssp"), read_text(folder.path() / "again.ssp"));
+}
+
+/// Degree 2 is what derivatives give: rounding alone is left.
+TEST(SystemExport, ComesBackAsExactAsItsSource) {
+  const Scratch folder;
+  folder.write("lag.toml", lag_diagram("m", "m"));
+  std::string text = two_lags;
+  text.replace(text.find("lagrange3"), 9, "lagrange1");
+  ASSERT_EQ(exported(folder, text).status, 0);
+  run_and_read(folder, "s.ssp", "back"), run_and_read(folder, "s.toml", "there");
+  const Said said = tandem(folder, {"compare", "there", "back", "--tolerance", "1e-13"});
+  EXPECT_EQ(said.status, 0) << said.out << said.err;
+}
+
+TEST(SystemExport, WhatHasNoWordsIsNamed) {
+  const Scratch folder;
+  folder.write("lag.toml", lag_diagram("m", "m"));
+  const std::string
+      a = "[subsystems.a]\nsource = \"diagram:lag.toml\"\nparameters.step = 0.01\ninputs.w = 1\n",
+      b = "[subsystems.b]\nsource = \"diagram:lag.toml\"\nparameters.step = 0.01\n",
+      to_b = "[[connections]]\nfrom = \"a.x\"\nto = \"b.u\"\nreconstruction = \"lagrange1\"\n",
+      end = "[span]\nstop = 1\n";
+  const std::vector<std::pair<std::string, std::vector<std::string>>> cases = {
+      {a + "inputs.u = 0\n[subsystems.p]\ncommand = [\"x\"]\n" + end,
+       {"'p' is command", "does not go along"}},
+      {a + "inputs.u = { times = [0, 1], values = [0, 1] }\n" + end, {"a.u is given over time"}},
+      {a + "inputs.u = 0\n" + b + "inputs.w = 0\n" + to_b + "add = true\n" + to_b + "add = true\ngain = 2\n" +
+           end,
+       {"from a.x to b.u", "adds to others"}}};
+  for (const auto& [text, sentences] : cases) {
+    const Said said = exported(folder, text);
+    EXPECT_EQ(said.status, 2) << text;
+    for (const std::string& sentence : sentences) EXPECT_TRUE(contains(said.err, sentence)) << said.err;
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "s.ssp"));
+  }
+  const Said none = tandem(folder, {"export", "s.toml", "s.zip"});
+  EXPECT_EQ(none.status, 2);
+  EXPECT_TRUE(contains(none.err, "ends in .fmu, or in .ssp")) << none.err;
+}
+
+}  // namespace
+}  // namespace tandem::test
