@@ -113,7 +113,7 @@ std::string unit_of(const std::string& name, const std::string& base) {
 TEST(FmuDescription, UnitsMeanWhatTheirBaseUnitsSay) {
   for (const auto& [name, base, ours] : std::vector<std::array<std::string, 3>>{
            {"N.m", "kg='1' m='2' s='-2'", "N m"},
-           {"Nm", "kg='1' m='2' s='-2'", "N m"},
+           {"Nm", "kg='1' m='2' s='-2'", "kg m^2 s^-2"},
            {"newton", "kg='1' m='1' s='-2'", "N"},
            {"rev/min", "s='-1' rad='1' factor='0.104719755'", "rpm"},
            {"rpm", "s='-1' factor='0.10471975511966'", "rpm"},

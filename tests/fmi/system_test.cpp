@@ -2,6 +2,7 @@
 // Systems of the standard SSP, read as scenarios.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
@@ -34,6 +35,11 @@ std::string given(const Scenario& s, std::size_t subsystem, const std::string& n
           },
           p.value);
   return "";
+}
+
+bool is_given(const Scenario& s, std::size_t subsystem, const std::string& name) {
+  const auto& all = s.subsystems.at(subsystem).parameters;
+  return std::any_of(all.begin(), all.end(), [&](const scenario::Parameter& p) { return p.name == name; });
 }
 
 const std::string pair_of_masses =
@@ -301,16 +307,93 @@ TEST(System, OtherSystemsLieInIt) {
   EXPECT_EQ(s.connections[0].connection.to, "a_m.u");
 }
 
+/// Of a variable that the FMU does not call an output, too.
+TEST(System, UnitsOfConnectorsHold) {
+  const Scratch folder;
+  const std::string system =
+      "<ssd:Elements>" + component("a", "mass", connectors({{"local", "a", "mm"}, {"output", "v", "mm"}})) +
+      component("b", "mass", connectors({{"input", "u", "m"}})) + "</ssd:Elements><ssd:Connections>" +
+      ssd_connection("a.a", "b.u") + "</ssd:Connections>";
+  const Scenario s = read_system(folder, ssd(system));
+  EXPECT_EQ(given(s, 0, "unit.a"), "mm");
+  EXPECT_EQ(given(s, 0, "unit.v"), "mm");
+  EXPECT_EQ(given(s, 0, "outputs.a"), "1");
+  EXPECT_TRUE(s.connections[0].connection.convert);
+  ASSERT_EQ(s.remarks.size(), 3U);
+  EXPECT_NE(s.remarks[0].find("'a.a' has the unit 'mm' of the system; its FMU says 'm/s^2'"),
+            std::string::npos)
+      << s.remarks[0];
+}
+
+TEST(System, SeveralContainersOfBindingsAreRead) {
+  const Scratch folder;
+  const Scenario s = read_system(
+      folder, ssd("<ssd:Elements>" + component("a", "mass", bindings({{"k", "2"}}) + bindings({{"d", "3"}})) +
+                  "</ssd:Elements>"));
+  EXPECT_EQ(given(s, 0, "set.k"), "2.000000");
+  EXPECT_EQ(given(s, 0, "set.d"), "3.000000");
+}
+
+TEST(System, TextsThatBeginWithADollarStandForThemselves) {
+  const Scratch folder;
+  const std::string set =
+      parameter_set("<ssv:Parameter name=\"text\"><ssv:String value=\"$(1+1)\"/></ssv:Parameter>");
+  const Scenario s = read_system(
+      folder,
+      ssd("<ssd:Elements>" +
+              component("$a", "types3",
+                        "<ssd:ParameterBindings><ssd:ParameterBinding><ssd:ParameterValues>" + set +
+                            "</ssd:ParameterValues></ssd:ParameterBinding></ssd:ParameterBindings>") +
+              "</ssd:Elements>",
+          "", "$s"),
+      {"types3"});
+  EXPECT_EQ(s.name, "$s");
+  EXPECT_EQ(s.subsystems[0].name, "$a");
+  EXPECT_EQ(given(s, 0, "set.text"), "$(1+1)");
+}
+
+TEST(System, ManyPartsTakeLittleTimeAndTooManySystemsInEachOtherAreRefused) {
+  const Scratch folder;
+  std::string deep = component("a", "mass"), text;
+  for (int k = 0; k < 20000; ++k)
+    deep = "<ssd:System name=\"s\"><ssd:Elements>" + deep + "</ssd:Elements></ssd:System>";
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"more than 32 systems lie in each other"},
+                      [&] { read_system(folder, ssd("<ssd:Elements>" + deep + "</ssd:Elements>")); }));
+  std::vector<std::pair<std::string, std::string>> many;
+  for (int k = 0; k < 20000; ++k) many.emplace_back("x" + std::to_string(k), "1");
+  const Scenario s = read_system(
+      folder, ssd(bindings(many) + "<ssd:Elements>" + component("a", "mass") + "</ssd:Elements>"));
+  ASSERT_EQ(s.remarks.size(), 1U);
+  EXPECT_NE(s.remarks[0].find("20000 values"), std::string::npos);
+}
+
 TEST(System, UnitsThatAreNotKnownAreRemarked) {
   const Scratch folder;
-  const std::string system = "<ssd:Elements>" + component("a", "mass", connectors({{"output", "x", "[m]"}})) +
+  const std::string system = "<ssd:Elements><ssd:System name=\"i\">" + connectors({{"output", "c", "[m]"}}) +
+                             "<ssd:Elements>" + component("a", "mass") + "</ssd:Elements><ssd:Connections>" +
+                             ssd_connection("a.x", "c") + "</ssd:Connections></ssd:System>" +
                              component("b", "mass") + "</ssd:Elements><ssd:Connections>" +
-                             ssd_connection("a.x", "b.u") + "</ssd:Connections>";
+                             ssd_connection("i.c", "b.u", linear("2", "1")) + "</ssd:Connections>";
   const Scenario s = read_system(folder, ssd(system));
-  EXPECT_EQ(given(s, 1, "unit.u"), "");
-  EXPECT_FALSE(s.connections[0].connection.convert);
+  EXPECT_FALSE(is_given(s, 1, "unit.u")) << "from m to m in the end";
+  EXPECT_EQ(s.connections[0].connection.gain, 2.0);
   ASSERT_EQ(s.remarks.size(), 2U);
-  EXPECT_NE(s.remarks[1].find("[m]"), std::string::npos);
+  EXPECT_NE(s.remarks[1].find("[m]"), std::string::npos) << s.remarks[1];
+}
+
+/// Whether the component declares the connector or not.
+TEST(System, SuppressedConversionsTakeNumbersAsTheyAre) {
+  for (const std::string& declared : {connectors({{"input", "u", "m"}}), std::string()}) {
+    const Scratch folder;
+    const std::string system =
+        "<ssd:Elements>" + component("a", "mass", connectors({{"output", "x", "mm"}})) +
+        component("b", "mass", declared) + "</ssd:Elements><ssd:Connections>" +
+        ssd_connection("a.x", "b.u", "", "suppressUnitConversion=\"true\"") + "</ssd:Connections>";
+    const Scenario s = read_system(folder, ssd(system));
+    EXPECT_TRUE(is_given(s, 1, "unit.u"));
+    EXPECT_EQ(given(s, 1, "unit.u"), "");
+    EXPECT_FALSE(s.connections[0].connection.convert);
+  }
 }
 
 struct Fault {
@@ -351,7 +434,7 @@ TEST(System, WhatIsWrongIsNamed) {
       {with("<ssd:Component name=\"a\" source=\"\"/>"), {"attribute source"}},
       {with("<ssd:Component name=\"a\" type=\"text/x-modelica\" source=\"a.mo\"/>"), {"text/x-modelica"}},
       {with("<ssd:SignalDictionaryReference name=\"a\" dictionary=\"d\"/>"), {"SignalDictionaryReference"}},
-      {with(a + b, ssd_connection("a.x", "b.y")), {"connector 'b.y' is not there"}},
+      {with(a + b, ssd_connection("a.x", "b.y")), {"'b': connector 'y' is not there"}},
       {with(a + b, ssd_connection("a.x", "c.u")), {"element 'c' is not there"}},
       {with(a + b, ssd_connection("a.x", "b.x")), {"'a.x' and 'b.x', give values"}},
       {with(a + b, ssd_connection("a.u", "b.u")), {"take values"}},
@@ -361,7 +444,19 @@ TEST(System, WhatIsWrongIsNamed) {
       {with(a + b, ssd_connection("a.x", "b.u", "<ssc:IntegerMappingTransformation/>")), {"IntegerMapping"}},
       {with(a + b, ssd_connection("a.x", "b.u", annotated("gain=\"2\""))),
        {"attribute of a connection 'gain'"}},
-      {with(a + component("b", "mass", annotated("stp=\"2\""))), {""}},
+      {with(a + component("b", "mass", annotated("unit=\"m\""))), {"attribute 'unit'"}},
+      {with("<ssd:Component name=\"a\" source=\"resources/mass.fmu\" implementation=\"Any\"/>"), {"'Any'"}},
+      {with(component("a", "mass", connectors({{"in", "u", "m"}}))), {"attribute kind", "'in'"}},
+      {ssd("<ssd:Elements>" + a + "</ssd:Elements><ssd:Elements>" + b + "</ssd:Elements>"),
+       {"<ssd:Elements> is there twice"}},
+      {with(a + component("b", "mass",
+                          "<ssd:ParameterBindings><ssd:ParameterBinding><ssd:ParameterValues>" +
+                              parameter_set("<ssv:Parameter name=\"k\"><ssv:String/></ssv:Parameter>") +
+                              "</ssd:ParameterValues></ssd:ParameterBinding></ssd:ParameterBindings>")),
+       {"attribute value", "a text"}},
+      {with("<ssd:System name=\"i\">" + annotated("step=\"1\"") + "<ssd:Elements>" + a +
+            "</ssd:Elements></ssd:System>"),
+       {"a system has an annotation"}},
       {with(a + component("b", "mass", bindings({{"k", "x"}}))),
        {"attribute value", "'x'", "numbers with blanks"}},
       {ssd("<ssd:Elements>" + a + "</ssd:Elements>", annotated("schedul=\"x\"")), {"schedul"}},

@@ -45,10 +45,13 @@ BaseUnit base_of(const KnownUnit& unit) { return {exponents_of(unit.quantity), u
 
 constexpr std::string_view plus_offset = " + ";
 
-/// `to` times a power of `by`, whose zero does not count then.
-void multiply(BaseUnit& to, const BaseUnit& by, int power) {
-  for (std::size_t k = 0; k < to.exponents.size(); ++k) to.exponents[k] += power * by.exponents[k];
+/// `to` times a power of `by`, whose zero does not count then. False: that is beyond any unit.
+bool multiply(BaseUnit& to, const BaseUnit& by, int power) {
+  constexpr int most = 99;
+  for (std::size_t k = 0; k < to.exponents.size(); ++k)
+    if (std::abs(to.exponents[k] += power * by.exponents[k]) > most) return false;
   to.factor *= std::pow(by.factor, power);
+  return to.factor > 0.0 && std::isfinite(to.factor);
 }
 
 /// product = factor { [blank, '*' or '.'] factor | '/' factor }; factor = (number | name | '(' product ')')
@@ -70,7 +73,7 @@ class ProductReader {
       if (!one) return std::nullopt;
       const auto power = exponent();
       if (!power) return std::nullopt;
-      multiply(all, *one, sign * *power);
+      if (!multiply(all, *one, sign * *power)) return std::nullopt;
       if (left_.empty() || left_.front() == ')') return all;
       sign = left_.front() == '/' ? -1 : 1;
       if (std::string_view("/ *.").find(left_.front()) == std::string_view::npos) return std::nullopt;
@@ -133,6 +136,17 @@ bool are_same(const BaseUnit& a, const BaseUnit& b) {
   return a.exponents == b.exponents && is_near(a.factor, b.factor) && is_near(a.offset, b.offset);
 }
 
+/// The first of its quantity; null: there is none, or units of several quantities (N m, J) are the same.
+const KnownUnit* only_known(const BaseUnit& unit) {
+  const KnownUnit* found = nullptr;
+  for (const KnownUnit& known : known_units()) {
+    if (!are_same(base_of(known), unit)) continue;
+    if (found && found->quantity != known.quantity) return nullptr;
+    if (!found) found = &known;
+  }
+  return found;
+}
+
 }  // namespace
 
 std::optional<BaseUnit> base_unit(std::string_view text) {
@@ -147,8 +161,7 @@ std::optional<BaseUnit> base_unit(std::string_view text) {
 }
 
 std::string unit_text(const BaseUnit& unit) {
-  for (const KnownUnit& known : known_units())
-    if (are_same(base_of(known), unit)) return std::string(known.name);
+  if (const KnownUnit* known = only_known(unit)) return std::string(known->name);
   std::string text = unit.factor == 1.0 ? "" : number_text(unit.factor);
   for (std::size_t k = 0; k < unit.exponents.size(); ++k) {
     const int power = unit.exponents[k];

@@ -77,7 +77,8 @@ std::optional<std::string> Section::text(const std::string& key) {
 
 /// The text that a node is, or stands for.
 std::string Section::text_of(const toml::node& node, const std::string& key) const {
-  if (!values_ || !Values::refers(node)) return node.as_string()->get();
+  if (!values_) return node.as_string()->get();
+  if (!Values::refers(node)) return Values::literal(node.as_string()->get());
   const FileValue value = values_->value(document_, node, name(key));
   if (const auto* word = std::get_if<std::string>(&value)) return *word;
   wrong(key, "'" + node.as_string()->get() + "', a number", "a parameter with a text");

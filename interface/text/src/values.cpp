@@ -8,7 +8,7 @@ namespace tandem::text {
 
 bool Values::refers(const toml::node& node) {
   const auto* text = node.as_string();
-  return text && text->get().starts_with("$");
+  return text && text->get().starts_with("$") && !text->get().starts_with("$$");
 }
 
 FileValue Values::value(const Document& document, const toml::node& node, const std::string& what) const {

@@ -170,6 +170,7 @@ void print_scenario(const InfoOptions& options, const Context& context) {
     say("  {} -> {}  {}{}\n", c.from, c.to, c.how ? c.how->name() : "held", extras(c));
   }
   say("{}", in_part(scenario, parts));
+  for (const std::string& remark : scenario.remarks) say("note: {}\n", remark);
 }
 
 /// "builtin:NAME", "three_functions:FILE" and the like: letters, then a colon. "C:\..." is no source, nor is

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <pugixml.hpp>
-#include <set>
 #include <sstream>
 
 #include "tandem/coordinator/units.hpp"
@@ -83,14 +83,14 @@ class Writer {
   }
 
   void write_units() {
-    std::set<std::string> units;
+    std::map<std::string, std::string> units;  // two texts of tandem may be one of FMI
     for (const Variable& v : unit_.variables())
-      if (has_unit(v)) units.insert(v.unit);
+      if (has_unit(v)) units.try_emplace(fmi_unit(v.unit), v.unit);
     if (units.empty()) return;
     xml_node to = root_.append_child("UnitDefinitions");
-    for (const std::string& unit : units) {
+    for (const auto& [name, unit] : units) {
       xml_node one = to.append_child("Unit");
-      put(one, "name", fmi_unit(unit));
+      put(one, "name", name);
       if (const auto base = base_unit(unit)) write_base(one.append_child("BaseUnit"), *base);
     }
   }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <pugixml.hpp>
-#include <set>
 #include <sstream>
 
 #include "model_description.hpp"
@@ -121,7 +120,7 @@ class SystemWriter {
     const std::string& unit = other == member.units.end() ? v.unit : other->second;
     if (!fmi::is_real(v.type) || !base_unit(unit)) return;
     type.append_attribute("unit").set_value(fmi_unit(unit).c_str());
-    units_.insert(unit);
+    units_.try_emplace(fmi_unit(unit), unit);
   }
 
   void write_values(xml_node component, const SystemMember& member) {
@@ -196,8 +195,8 @@ class SystemWriter {
   void write_units(xml_node root) const {
     if (units_.empty()) return;
     xml_node to = add(root, "ssd:Units");
-    for (const std::string& unit : units_)
-      write_base(add(add(to, "ssc:Unit", {{"name", fmi_unit(unit)}}), "ssc:BaseUnit"), *base_unit(unit));
+    for (const auto& [name, unit] : units_)
+      write_base(add(add(to, "ssc:Unit", {{"name", name}}), "ssc:BaseUnit"), *base_unit(unit));
   }
 
   std::map<std::string, std::string> coordination() const {
@@ -215,7 +214,7 @@ class SystemWriter {
   const scenario::Scenario& scenario_;
   const std::vector<SystemMember>& members_;
   pugi::xml_document document_;
-  std::set<std::string> units_;  ///< that connectors have
+  std::map<std::string, std::string> units_;  ///< that connectors have, by their names in the file
 };
 
 }  // namespace

@@ -62,8 +62,7 @@ void Assembly::initialize() {
 }
 
 std::vector<std::string> Assembly::notes() const {
-  std::vector<std::string> all = scenario_.remarks;
-  all.insert(all.end(), coordinator_->notes().begin(), coordinator_->notes().end());
+  std::vector<std::string> all = coordinator_->notes();
   all.insert(all.end(), of_parts_.begin(), of_parts_.end());
   return all;
 }

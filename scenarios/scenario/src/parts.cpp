@@ -196,7 +196,7 @@ void Parts::add_notes_of_units(std::vector<std::string>& notes) const {
 }
 
 std::vector<std::string> Parts::notes() const {
-  std::vector<std::string> all;
+  std::vector<std::string> all = scenario_.remarks;
   add_notes_of_units(all);
   for (int i = 0; i < topology_.size(); ++i)
     if (const Subsystem* one = subsystem(i))

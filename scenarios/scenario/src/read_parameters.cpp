@@ -20,7 +20,7 @@ class ParameterReader {
     if (is_reference(node) || node.is_number())
       add({key, number(node, path), place});
     else if (const auto* text = node.as_string())
-      add({key, text->get(), place});
+      add({key, word(*text), place});
     else if (const auto* flag = node.as_boolean())
       add({key, flag->get(), place});
     else if (const auto* table = node.as_table())
@@ -40,6 +40,9 @@ class ParameterReader {
     if (std::any_of(all.begin(), all.end(), [&](const Parameter& other) { return other.name == one.name; }))
       text::refuse(one.place, fmt::format("parameter '{}' is given twice; allowed is once", one.name));
     all.push_back(std::move(one));
+  }
+  std::string word(const toml::value<std::string>& text) const {
+    return constants_ ? text::Values::literal(text.get()) : text.get();
   }
   bool is_reference(const toml::node& node) const { return constants_ && text::Values::refers(node); }
   double number(const toml::node& node, const std::string& path) const {

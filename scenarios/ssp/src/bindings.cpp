@@ -32,11 +32,14 @@ std::string first_of(const std::vector<std::string>& names) {
 
 void apply_bindings(const Document& document, xml_node of, int line, int element, Structure& to) {
   std::vector<std::string> unused;
-  for (const xml_node one : fmi::children(fmi::child(of, "ParameterBindings"), "ParameterBinding"))
-    for (NamedValue& value : values_of(document, one)) {
-      value.given.line = line != 0 ? line : document.xml.line(one);
-      value.given.order = ++to.values;
-      if (!assign(to, element, value.name, value.given)) unused.push_back(value.name);
+  for (const xml_node container : fmi::children(of, "ParameterBindings"))  // some tools write several
+    for (const xml_node one : fmi::children(container, "ParameterBinding")) {
+      const int own_line = line != 0 ? line : document.xml.line(one);
+      for (NamedValue& value : values_of(document, one)) {
+        to.count(own_line);
+        value.given.line = own_line, value.given.order = ++to.values;
+        if (!assign(to, element, value.name, value.given)) unused.push_back(value.name);
+      }
     }
   if (!unused.empty())
     to.remarks.push_back(fmt::format("{} values of parameters are left out, as nothing takes them: {}",

@@ -34,9 +34,11 @@ class Carrier {
  private:
   void convert(const std::string& unit, const Node& to, int line) {
     if (unit.empty() || unit_.empty() || unit == unit_) return;
-    const auto conversion = convert_unit(unit_, unit);
-    if (!conversion) return check_unknown(unit, to, line);
-    all_.then(conversion->factor, conversion->shift);
+    if (const auto conversion = convert_unit(unit_, unit))
+      return all_.then(conversion->factor, conversion->shift);
+    const auto a = base_unit(unit_), b = base_unit(unit);
+    if (!a || !b || a->exponents != b->exponents) return check_unknown(unit, to, line);
+    all_.then(a->factor / b->factor, (a->offset - b->offset) / b->factor);  // a torque and an energy
   }
 
   void check_unknown(const std::string& unit, const Node& to, int line) {
@@ -94,8 +96,9 @@ Gain gain_of(Structure& in, const Chain& chain) {
   const bool kept = !unit || std::any_of(chain.edges.begin(), chain.edges.end(),
                                          [](const Edge* edge) { return edge->how.keeps_number; });
   const Edge& first = *chain.edges.front();
-  if (chain.edges.size() == 1) return {first.how.factor, first.how.offset, differ && !kept, differ && kept};
   const Affine& all = carrier.all();
+  if (chain.edges.size() == 1 && (!differ || !kept))
+    return {first.how.factor, first.how.offset, differ, false};
   if (!differ || kept) return {all.factor, all.offset, false, differ};
   const double gain = all.factor / unit->factor;
   return {gain, all.offset - gain * unit->shift, true, false};
@@ -104,7 +107,8 @@ Gain gain_of(Structure& in, const Chain& chain) {
 std::optional<Given> given_through(Structure& in, const Chain& chain) {
   const Given* newest = nullptr;
   std::size_t after = 0;  // the edges that are behind it
-  for (std::size_t k = 0; k <= chain.edges.size(); ++k) {
+  const bool is_read = !chain.edges.empty() && !in.at(chain.source.first).is_system();
+  for (std::size_t k = is_read ? 1 : 0; k <= chain.edges.size(); ++k) {
     const Node& node = k == 0 ? chain.source : chain.edges[k - 1]->to;
     const auto it = in.given.find(node);
     if (it != in.given.end() && (!newest || it->second.order > newest->order))

@@ -30,8 +30,8 @@ struct Gain {
 /// units that tandem does not know are taken as they are, and these are noted.
 Gain gain_of(Structure& in, const Chain& chain);
 
-/// The value that a component's variable is given through a chain that begins at no component, in its own
-/// unit; null: none. Of several the one that was given last holds.
+/// The value that the end of a chain is given on the way, beyond what a component gives, in its own unit; null:
+/// none. Of several the one that was given last holds.
 std::optional<Given> given_through(Structure& in, const Chain& chain);
 
 }  // namespace tandem::ssp

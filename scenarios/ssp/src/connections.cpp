@@ -24,6 +24,9 @@ class ConnectionReader {
                               "gives and the other takes them",
                               shown(from), shown(to), starts ? "give" : "take"));
     if (!starts) std::swap(from, to);
+    if (is_parameter(to) && !is_constant(from))
+      xml_.refuse(node_, "parameter '" + shown(to) + "' is to follow '" + shown(from) +
+                             "', which changes; allowed are parameters and calculated ones");
     if (of_.into.count(to) != 0)
       xml_.refuse(node_, "'" + shown(to) + "' takes values of a second connection; allowed is one");
     return {std::move(from), std::move(to)};
@@ -55,15 +58,33 @@ class ConnectionReader {
     const Element& at = of_.at(node.first);
     if (at.is_system() ? at.connectors.count(node.second) != 0 : of_.variable(node) != nullptr) return;
     std::vector<std::string> known;
-    for (const auto& [name, connector] : at.connectors) known.push_back(name);
-    xml_.refuse(node_, unknown("connector", shown(node), known));
+    for (const auto& [name, connector] : at.connectors)
+      if (at.is_system() || of_.variable({node.first, name})) known.push_back(name);
+    if (!at.is_system() && known.empty())
+      for (const fmi::Variable& v : at.description->variables) known.push_back(v.name);
+    xml_.refuse(node_, "'" + printable(at.name, 200) +
+                           "': " + unknown("connector", printable(node.second, 200), known));
+  }
+
+  std::string kind(const Node& node) const {
+    const Element& at = of_.at(node.first);
+    return at.is_system() ? at.connectors.at(node.second).kind : "";
+  }
+  /// Of a system.
+  bool is_parameter(const Node& node) const {
+    return kind(node) == "parameter" || kind(node) == "structuralParameter";
+  }
+  bool is_constant(const Node& node) const {
+    if (of_.at(node.first).is_system())
+      return is_parameter(node) || kind(node) == "calculatedParameter" || kind(node) == "constant";
+    const fmi::Variability v = of_.variable(node)->variability;
+    return v != fmi::Variability::discrete && v != fmi::Variability::continuous;
   }
 
   bool gives(const Node& node) const {
     const Element& at = of_.at(node.first);
     if (at.is_system()) {
-      const std::string& kind = at.connectors.at(node.second).kind;
-      const bool inwards = kind == "input" || kind == "parameter" || kind == "structuralParameter";
+      const bool inwards = is_parameter(node) || kind(node) == "input";
       return inwards == (node.first == system_);
     }
     using enum fmi::Causality;
@@ -82,6 +103,7 @@ class ConnectionReader {
 void add_connection(const Document& document, xml_node connection, int line, int system, Structure& to) {
   if (connection.attribute("startIndices") || connection.attribute("endIndices"))
     document.xml.refuse(connection, "elements of arrays can't be connected; allowed are whole arrays");
+  to.count(line);
   auto [from, into] = ConnectionReader(document, connection, system, to).ends();
   to.into[into] = to.edges.size();
   to.edges.push_back({std::move(from), std::move(into), read_transformation(document, connection), line,

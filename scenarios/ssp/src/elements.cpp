@@ -7,10 +7,12 @@
 #include "connected.hpp"
 #include "document.hpp"
 #include "structure.hpp"
+#include "tandem/coordinator/units.hpp"
 #include "tandem/error.hpp"
 #include "tandem/fmi/archive.hpp"
 #include "tandem/nearest.hpp"
 #include "tandem/printable.hpp"
+#include "tandem/text/place.hpp"
 
 namespace tandem::ssp {
 namespace {
@@ -27,11 +29,13 @@ class StructureReader {
   explicit StructureReader(const fs::path& file) { to_.file = file; }
 
   Structure read() {
-    const Document document(description_in(to_.file), description_element);
+    const bool is_archive = to_.file.extension() == ".ssp";
+    const Document& document =
+        documents_.open(is_archive ? description_in(to_.file) : to_.file, description_element);
     const fmi::Xml& xml = document.xml;
     to_.name = xml.needed_text(document.root, "name");
     to_.description = xml.text(document.root, "description").value_or("");
-    const xml_node experiment = child(document.root, "DefaultExperiment");
+    const xml_node experiment = xml.only(document.root, "DefaultExperiment");
     to_.start = xml.number(experiment, "startTime"), to_.stop = xml.number(experiment, "stopTime");
     to_.settings = own_annotation(document, document.root);
     read_system(document, system_of(document), add({"", -1, xml.line(document.root)}));
@@ -42,16 +46,13 @@ class StructureReader {
 
  private:
   static xml_node system_of(const Document& document) {
-    const xml_node system = child(document.root, "System");
+    const xml_node system = document.xml.only(document.root, "System");
     if (!system) document.xml.refuse(document.root, "the description has no System");
     return system;
   }
 
   int add(Element element) {
-    constexpr std::size_t most = 65536;
-    if (to_.elements.size() == most)
-      throw Error(ErrorCode::invalid_argument,
-                  fmt::format("{}:{}: more than {} elements", to_.file.string(), element.line, most));
+    to_.count(element.line);
     const auto number = static_cast<int>(to_.elements.size());
     to_.numbers[{element.parent, element.name}] = number;
     to_.elements.push_back(std::move(element));
@@ -62,23 +63,56 @@ class StructureReader {
   int line(const Document& document, xml_node of) const { return line_ != 0 ? line_ : document.xml.line(of); }
 
   void read_system(const Document& document, xml_node system, int number) {
+    if (++depth_ > deepest)
+      document.xml.refuse(system, fmt::format("more than {} systems lie in each other", deepest));
+    refuse_annotation(document, system);
     read_connectors(document, system, number);
-    for (const xml_node one : child(system, "Elements")) read_element(document, one, number);
-    for (const xml_node one : children(child(system, "Connections"), "Connection"))
+    for (const xml_node one : document.xml.only(system, "Elements")) read_element(document, one, number);
+    for (const xml_node one : children(document.xml.only(system, "Connections"), "Connection"))
       add_connection(document, one, line(document, one), number, to_);
     apply_bindings(document, system, line_, number, to_);
+    --depth_;
+  }
+
+  static void refuse_annotation(const Document& document, xml_node of) {
+    if (!own_annotation(document, of).empty())
+      document.xml.refuse(of,
+                          "a system has an annotation org.tandem.coordination; allowed is one of the "
+                          "outermost description, of components that are FMUs, and of connections");
   }
 
   void read_connectors(const Document& document, xml_node of, int number) {
-    for (const xml_node one : children(child(of, "Connectors"), "Connector")) {
-      const std::string unit = document.xml.text(one.first_child(), "unit").value_or("");
-      const Connector connector{document.xml.text(one, "kind").value_or(""),
-                                fmi::unit_in(unit, document.defined.units)};
-      auto& all = to_.elements[static_cast<std::size_t>(number)].connectors;
-      if (!all.try_emplace(document.xml.needed_text(one, "name"), connector).second)
-        document.xml.refuse(
-            one, "connector '" + printable(one.attribute("name").value(), 200) + "' is there twice");
+    for (const xml_node one : children(document.xml.only(of, "Connectors"), "Connector")) {
+      to_.count(line(document, one));
+      const std::string name = document.xml.needed_text(one, "name");
+      const Connector connector{kind(document, one), unit(document, type_of(one), {number, name})};
+      if (!to_.elements[static_cast<std::size_t>(number)].connectors.try_emplace(name, connector).second)
+        document.xml.refuse(one, "connector '" + printable(name, 200) + "' is there twice");
     }
+  }
+
+  static std::string one_of(const Document& document, xml_node of, const char* attribute,
+                            const std::vector<std::string>& known, const std::string& otherwise) {
+    const std::string found = document.xml.text(of, attribute).value_or(otherwise);
+    if (std::find(known.begin(), known.end(), found) == known.end())
+      document.xml.wrong(of, attribute, listed(known));
+    return found;
+  }
+
+  static std::string kind(const Document& document, xml_node connector) {
+    return one_of(
+        document, connector, "kind",
+        {"input", "output", "parameter", "calculatedParameter", "structuralParameter", "constant", "local"},
+        "");
+  }
+
+  /// A name that the file does not define and that means nothing here may mean something in the FMU.
+  std::string unit(const Document& document, xml_node type, const Node& node) const {
+    const std::string name = document.xml.text(type, "unit").value_or("");
+    const fmi::Variable* v = to_.at(node.first).is_system() ? nullptr : to_.variable(node);
+    const std::string unit = fmi::unit_in(name, document.defined.units);
+    const bool of_fmu = document.defined.units.count(name) == 0 && !base_unit(unit) && v && !v->unit.empty();
+    return of_fmu ? "" : unit;
   }
 
   void read_element(const Document& document, xml_node one, int parent) {
@@ -97,10 +131,12 @@ class StructureReader {
     constexpr const char* fmu = "application/x-fmu-sharedlibrary";
     constexpr const char* nested[] = {"application/x-ssp-definition", "application/x-ssp-package"};
     const std::string type = document.xml.text(one, "type").value_or(fmu);
-    if (type == nested[0] || type == nested[1]) return read_nested(document, one, std::move(element));
+    if (type == nested[0] || type == nested[1])
+      return read_nested(document, one, std::move(element), type == nested[1]);
     if (type != fmu) document.xml.wrong(one, "type", fmt::format("{}, {}, {}", fmu, nested[0], nested[1]));
     element.fmu = document.beside(one, "source");
-    element.implementation = document.xml.text(one, "implementation").value_or("any");
+    element.implementation =
+        one_of(document, one, "implementation", {"any", "CoSimulation", "ModelExchange"}, "any");
     element.settings = own_annotation(document, one);
     element.description = description(document, one, element.fmu);
     const int number = add(std::move(element));
@@ -120,17 +156,18 @@ class StructureReader {
   }
 
   /// Its own bindings come after those of its system, so they hold.
-  void read_nested(const Document& document, xml_node one, Element element) {
-    const fs::path file = description_in(document.beside(one, "source"));
-    if (!open_.insert(file).second || static_cast<int>(open_.size()) > deepest)
-      document.xml.refuse(one, fmt::format("'{}' holds itself, or more than {} systems lie in each other",
-                                           printable(file.string(), 200), deepest));
+  void read_nested(const Document& document, xml_node one, Element element, bool is_archive) {
+    const fs::path source = document.beside(one, "source");
+    const fs::path file = is_archive ? description_in(source) : source;
+    if (!open_.insert(file).second)
+      document.xml.refuse(one, "'" + printable(file.string(), 200) + "' holds itself");
+    refuse_annotation(document, one);
     const int outside = line_;
     line_ = element.line;
     const int number = add(std::move(element));
-    auto& inside = documents_[file];
-    if (!inside) inside = std::make_unique<Document>(file, description_element);
-    read_system(*inside, system_of(*inside), number);
+    const Document& inside = documents_.open(file, description_element);
+    refuse_annotation(inside, inside.root);
+    read_system(inside, system_of(inside), number);
     apply_bindings(document, one, line_, number, to_);
     line_ = outside;
     open_.erase(file);
@@ -139,11 +176,20 @@ class StructureReader {
   Structure to_;
   int line_ = 0;  ///< of the component of the outermost description that is being read; 0: it is no other one
   std::set<fs::path> open_;
-  std::map<fs::path, std::unique_ptr<Document>> documents_;  ///< of nested systems
+  int depth_ = 0;  ///< of the system that is being read
+  Documents documents_;
   std::map<fs::path, std::shared_ptr<const fmi::Description>> descriptions_;
 };
 
 }  // namespace
+
+void Structure::count(int line) {
+  constexpr std::size_t most = std::size_t{1} << 20;
+  if (++parts > most)
+    text::refuse(
+        {file.string(), line},
+        fmt::format("the system has more than {} elements, connectors, connections and values", most));
+}
 
 std::string Structure::full_name(int element) const {
   const Element& at = this->at(element);

@@ -29,7 +29,7 @@ struct Element {
   int line = 0;     ///< of the outermost description
   std::map<std::string, Connector> connectors = {};
   std::filesystem::path fmu = {};
-  std::string implementation = {};                           ///< "CoSimulation", "ModelExchange"; empty: any
+  std::string implementation = {};                           ///< "any", "CoSimulation", "ModelExchange"
   std::shared_ptr<const fmi::Description> description = {};  ///< null: a system
   Settings settings = {};
 
@@ -53,9 +53,17 @@ struct Edge {
   Settings settings = {};
 };
 
+/// An item of an enumeration: its name, and its number if the file defines it.
+struct Item {
+  std::string name;
+  std::optional<double> number;
+};
+/// What is no number, text, boolean or item.
+struct Unreadable {};
+
 /// A value before the start. Of an array several numbers.
 struct Given {
-  std::variant<double, bool, std::string, std::vector<double>> value;
+  std::variant<double, bool, std::string, std::vector<double>, Item, Unreadable> value;
   std::string unit = {};    ///< empty: not said
   Transformation how = {};  ///< of a mapping
   int line = 0;
@@ -73,10 +81,13 @@ struct Structure {
   std::map<Node, std::size_t> into;                    ///< of edges, by where they go
   std::map<Node, Given> given;
   std::size_t values = 0;  ///< that were given, by all bindings
+  std::size_t parts = 0;   ///< all that has been read, which is bounded
   Settings settings;
   std::vector<std::string> remarks;
   std::set<std::string> unknown_units;  ///< of values that are taken as they are
 
+  /// Notes one more part. Throws Error, which names a line, for too many.
+  void count(int line);
   const Element& at(int element) const { return elements[static_cast<std::size_t>(element)]; }
   /// "motor.shaft.w", of elements from the outermost inwards.
   std::string full_name(int element) const;

@@ -1,10 +1,13 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "values.hpp"
 
+#include <set>
+
+#include "tandem/printable.hpp"
+
 namespace tandem::ssp {
 namespace {
 
-using fmi::child;
 using fmi::children;
 
 /// A set of parameters, in a file of its own or within one.
@@ -14,17 +17,13 @@ struct Set {
   Definitions defined;
 };
 
-/// The number of an item of an enumeration: by its definition, or as it is written.
-double item(const Set& set, xml_node type) {
+Item item(const Set& set, xml_node type) {
+  Item one{set.xml.needed_text(type, "value"), {}};
   const auto enumeration = set.defined.enumerations.find(set.xml.text(type, "name").value_or(""));
-  if (enumeration != set.defined.enumerations.end()) {
-    const auto& items = enumeration->second;
-    if (const auto it = items.find(set.xml.needed_text(type, "value")); it != items.end()) return it->second;
-  }
-  const auto number = set.xml.numbers(type, "value");
-  if (!number || number->size() != 1)
-    set.xml.wrong(type, "value", "an item of an enumeration that this set defines, or its number");
-  return number->front();
+  if (enumeration == set.defined.enumerations.end()) return one;
+  if (const auto it = enumeration->second.find(one.name); it != enumeration->second.end())
+    one.number = it->second;
+  return one;
 }
 
 Given numbers(const Set& set, xml_node type) {
@@ -36,20 +35,20 @@ Given numbers(const Set& set, xml_node type) {
 }
 
 Given value(const Set& set, xml_node parameter) {
-  const xml_node type = parameter.first_child();
+  const xml_node type = type_of(parameter);
   const std::string_view kind = fmi::local_name(type);
-  if (kind == "String") return {set.xml.text(type, "value").value_or("")};
-  if (kind == "Boolean") return {set.xml.flag(type, "value")};
   if (kind == "Enumeration") return {item(set, type)};
   if (kind == "Real" || kind.starts_with("Float") || kind.find("Int") != std::string_view::npos)
     return numbers(set, type);
-  set.xml.refuse(parameter, "parameter '" + set.xml.needed_text(parameter, "name") +
-                                "' is no number, no boolean, no text and no item of an enumeration");
+  if (kind != "String" && kind != "Boolean") return {Unreadable()};
+  if (!type.attribute("value")) set.xml.wrong(type, "value", kind == "String" ? "a text" : "true or false");
+  if (kind == "Boolean") return {set.xml.flag(type, "value")};
+  return {std::string(type.attribute("value").value())};
 }
 
 std::vector<NamedValue> values_in(const Set& set, const std::string& prefix) {
   std::vector<NamedValue> all;
-  for (const xml_node one : children(child(set.node, "Parameters"), "Parameter"))
+  for (const xml_node one : children(set.xml.only(set.node, "Parameters"), "Parameter"))
     all.push_back({prefix + set.xml.needed_text(one, "name"), value(set, one)});
   return all;
 }
@@ -65,10 +64,10 @@ bool names_file(const Document& document, xml_node of, const char* type) {
 std::vector<NamedValue> unmapped(const Document& document, xml_node binding) {
   const std::string prefix = document.xml.text(binding, "prefix").value_or("");
   if (names_file(document, binding, "application/x-ssp-parameter-set")) {
-    const Document file(document.beside(binding, "source"), "ParameterSet");
+    const Document& file = document.others.open(document.beside(binding, "source"), "ParameterSet");
     return values_in({file.xml, file.root, file.defined}, prefix);
   }
-  const xml_node set = child(child(binding, "ParameterValues"), "ParameterSet");
+  const xml_node set = document.xml.only(document.xml.only(binding, "ParameterValues"), "ParameterSet");
   if (!set) document.xml.refuse(binding, "a parameter binding has no source and no ParameterSet");
   return values_in({document.xml, set, read_definitions(document.xml, set)}, prefix);
 }
@@ -77,10 +76,14 @@ std::vector<NamedValue> unmapped(const Document& document, xml_node binding) {
 std::vector<NamedValue> mapped(const Document& document, xml_node mapping,
                                const std::vector<NamedValue>& from) {
   std::vector<NamedValue> all;
+  std::set<std::string> targets;
   for (const xml_node entry : children(mapping, "MappingEntry"))
     for (const NamedValue& one : from) {
       if (one.name != entry.attribute("source").value()) continue;
       NamedValue to{document.xml.needed_text(entry, "target"), one.given};
+      if (!targets.insert(to.name).second)
+        document.xml.refuse(entry,
+                            "'" + printable(to.name, 200) + "' is given a second value by this mapping");
       to.given.how = read_transformation(document, entry);
       all.push_back(std::move(to));
     }
@@ -91,12 +94,15 @@ std::vector<NamedValue> mapped(const Document& document, xml_node mapping,
 
 std::vector<NamedValue> values_of(const Document& document, xml_node binding) {
   const std::vector<NamedValue> all = unmapped(document, binding);
-  const xml_node mapping = child(binding, "ParameterMapping");
+  const xml_node mapping = document.xml.only(binding, "ParameterMapping");
   if (!mapping) return all;
-  if (!names_file(document, mapping, "application/x-ssp-parameter-mapping"))
-    return mapped(document, child(mapping, "ParameterMapping"), all);
-  const Document file(document.beside(mapping, "source"), "ParameterMapping");
-  return mapped(file, file.root, all);
+  if (names_file(document, mapping, "application/x-ssp-parameter-mapping")) {
+    const Document& file = document.others.open(document.beside(mapping, "source"), "ParameterMapping");
+    return mapped(file, file.root, all);
+  }
+  const xml_node inside = document.xml.only(mapping, "ParameterMapping");
+  if (!inside) document.xml.refuse(mapping, "a mapping has no source and no ParameterMapping");
+  return mapped(document, inside, all);
 }
 
 Transformation read_transformation(const Document& document, xml_node of) {
@@ -104,9 +110,9 @@ Transformation read_transformation(const Document& document, xml_node of) {
   how.keeps_number = document.xml.flag(of, "suppressUnitConversion");
   for (const char* other :
        {"BooleanMappingTransformation", "IntegerMappingTransformation", "EnumerationMappingTransformation"})
-    if (const xml_node found = child(of, other))
+    if (const xml_node found = fmi::child(of, other))
       document.xml.refuse(found, std::string(other) + " can't be made; allowed is LinearTransformation");
-  if (const xml_node linear = child(of, "LinearTransformation")) {
+  if (const xml_node linear = document.xml.only(of, "LinearTransformation")) {
     how.factor = document.xml.number(linear, "factor").value_or(1.0);
     how.offset = document.xml.number(linear, "offset").value_or(0.0);
   }

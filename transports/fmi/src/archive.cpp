@@ -144,23 +144,26 @@ std::string Archive::text(const std::string& name, std::uint64_t most) const {
 }
 
 void Archive::unpack(std::string_view folder, const fs::path& to) {
-  for (auto it = places_.lower_bound(std::string(folder)); it != places_.end(); ++it) {
-    const std::string& name = it->first;
-    if (!name.starts_with(folder)) break;
-    std::error_code failed;
-    const bool is_folder = name.back() == '/';
-    fs::create_directories(is_folder ? to / name.substr(0, name.size() - 1) : (to / name).parent_path(),
-                           failed);
-    if (failed) refuse("holds " + quoted(name) + ", for which no folder can be made: " + failed.message());
-    if (is_folder) continue;
-    OutputFile out(to / name, OutputFile::Begin::fresh);
-    read(name, [&](std::string_view block) {
-      if ((written_ += block.size()) > most_bytes_)
-        refuse("unpacks to more than the " + std::to_string(most_bytes_) + " bytes that are allowed");
-      out.write(block);
-    });
-    out.close();
-  }
+  for (auto it = places_.lower_bound(std::string(folder)); it != places_.end(); ++it)
+    if (it->first.starts_with(folder))
+      unpack_file(it->first, to);
+    else
+      break;
+}
+
+void Archive::unpack_file(const std::string& name, const fs::path& to) {
+  std::error_code failed;
+  const bool is_folder = name.back() == '/';
+  fs::create_directories(is_folder ? to / name.substr(0, name.size() - 1) : (to / name).parent_path(), failed);
+  if (failed) refuse("holds " + quoted(name) + ", for which no folder can be made: " + failed.message());
+  if (is_folder) return;
+  OutputFile out(to / name, OutputFile::Begin::fresh);
+  read(name, [&](std::string_view block) {
+    if ((written_ += block.size()) > most_bytes_)
+      refuse("unpacks to more than the " + std::to_string(most_bytes_) + " bytes that are allowed");
+    out.write(block);
+  });
+  out.close();
 }
 
 }  // namespace tandem::fmi

@@ -6,19 +6,15 @@
 #include "tandem/printable.hpp"
 
 namespace tandem::fmi {
-namespace {
 
 namespace fs = std::filesystem;
 
-/// Where the file is that the path names, or the one that holds it.
 fs::path outermost(const fs::path& file) {
   fs::path part;
   for (const fs::path& step : file)
     if (std::error_code failed; fs::is_regular_file(part /= step, failed)) return part;
   return file;
 }
-
-}  // namespace
 
 PackedFile::PackedFile(const fs::path& file) : there_(file) {
   for (fs::path holder = outermost(there_); holder != there_; holder = outermost(there_)) {
@@ -29,7 +25,7 @@ PackedFile::PackedFile(const fs::path& file) : there_(file) {
       throw Error(ErrorCode::input_output, "file '" + file.string() + "' is not there: '" + holder.string() +
                                                "' holds no '" + printable(inside, 200) + "'");
     auto folder = std::make_unique<TemporaryFolder>();
-    archive.unpack(name, folder->path());
+    archive.unpack_file(name, folder->path());
     there_ = folder->path() / inside;
     folder_ = std::move(folder);
   }

@@ -2,6 +2,7 @@
 #include "tandem/fmi/unit_definitions.hpp"
 
 #include <cctype>
+#include <cmath>
 
 #include "tandem/coordinator/units.hpp"
 
@@ -28,6 +29,8 @@ BaseUnit read_base(const Xml& xml, pugi::xml_node node) {
     base.exponents[k] = static_cast<int>(xml.whole(node, base.names[k], -most, most).value_or(0));
   base.factor = xml.number(node, "factor").value_or(1.0);
   base.offset = xml.number(node, "offset").value_or(0.0);
+  if (!(base.factor > 0.0) || !std::isfinite(base.factor)) xml.wrong(node, "factor", "a finite number above 0");
+  if (!std::isfinite(base.offset)) xml.wrong(node, "offset", "a finite number");
   return base;
 }
 

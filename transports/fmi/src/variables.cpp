@@ -119,17 +119,22 @@ class VariableReader {
       for (const bool one : xml_.flags(type, "start")) v.start_values.push_back(one ? 1.0 : 0.0);
   }
 
+  using Items = std::map<std::string, double>;
+  std::shared_ptr<const Items> items_of(pugi::xml_node declared) const {
+    Items all;
+    for (const pugi::xml_node item : declared.children("Item"))
+      if (const auto value = xml_.number(item, "value")) all[xml_.text(item, "name").value_or("")] = *value;
+    return std::make_shared<const Items>(std::move(all));
+  }
+
   void read_items(pugi::xml_node declared, Variable& v) {
-    const auto [it, is_new] = items_.try_emplace(declared.offset_debug(), range_of(Type::float64));
-    auto& [least, most] = it->second;
-    if (is_new) {
-      double first = std::numeric_limits<double>::infinity(), last = -first;
-      for (const pugi::xml_node item : declared.children("Item"))
-        if (const auto value = xml_.number(item, "value"))
-          first = std::min(first, *value), last = std::max(last, *value);
-      if (first <= last) least = first, most = last;
-    }
-    v.min = std::max(v.min, least), v.max = std::min(v.max, most);
+    auto& items = items_[declared.offset_debug()];
+    if (!items) items = items_of(declared);
+    v.items = items;
+    if (items->empty()) return;
+    double first = std::numeric_limits<double>::infinity(), last = -first;
+    for (const auto& [name, value] : *items) first = std::min(first, value), last = std::max(last, value);
+    v.min = std::max(v.min, first), v.max = std::min(v.max, last);
   }
 
   /// They lead to variables that may come later: in 2.0 by number, in 3.0 by reference.
@@ -158,7 +163,7 @@ class VariableReader {
   std::map<std::string, std::string> units_;
   std::unordered_set<std::string> names_;
   std::map<std::uint32_t, int> by_reference_;
-  std::map<std::ptrdiff_t, Range> items_;  ///< of enumerations, by the place of their type
+  std::map<std::ptrdiff_t, std::shared_ptr<const Items>> items_;  ///< by the place of their type
   std::vector<std::pair<std::size_t, pugi::xml_node>> type_nodes_;
   std::vector<Variable> all_;
 };

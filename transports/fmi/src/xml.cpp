@@ -65,6 +65,8 @@ pugi::xml_node child(pugi::xml_node of, std::string_view name) {
 }
 
 Xml::Xml(std::string_view text, std::string_view file) : text_(text), file_(file) {
+  for (std::size_t k = 0; k < text.size(); ++k)
+    if (text[k] == '\n') line_ends_.push_back(static_cast<std::ptrdiff_t>(k));
   const auto result =
       document_.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_doctype);
   if (!result)
@@ -83,8 +85,14 @@ pugi::xml_node Xml::root(std::string_view name) const {
 }
 
 int Xml::line(std::ptrdiff_t offset) const {
-  const auto end = text_.begin() + std::clamp<std::ptrdiff_t>(offset, 0, std::ssize(text_));
-  return static_cast<int>(1 + std::count(text_.begin(), end, '\n'));
+  const auto it = std::lower_bound(line_ends_.begin(), line_ends_.end(), offset);
+  return static_cast<int>(1 + (it - line_ends_.begin()));
+}
+
+pugi::xml_node Xml::only(pugi::xml_node of, std::string_view name) const {
+  const auto all = children(of, name);
+  if (all.size() > 1) refuse(all[1], "<" + printable(all[1].name(), 100) + "> is there twice; allowed is once");
+  return all.empty() ? pugi::xml_node() : all[0];
 }
 
 int Xml::line(pugi::xml_node of) const { return line(of.offset_debug()); }

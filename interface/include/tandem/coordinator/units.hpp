@@ -25,8 +25,8 @@ struct BaseUnit {
 /// Nothing for any other text.
 std::optional<BaseUnit> base_unit(std::string_view text);
 
-/// The text of a unit that tandem knows, the first of its table, else of a product: "0.001 kg m^2 s^-2",
-/// "0.5 K + 255".
+/// The text of a unit that tandem knows, if those that are the same are of one quantity (a torque and an energy
+/// are of two); else of a product: "0.001 kg m^2 s^-2", "0.5 K + 255".
 std::string unit_text(const BaseUnit& unit);
 
 /// How tandem writes a unit that a file calls `name` and defines by base units: as it is called if that text

@@ -8,13 +8,15 @@
 namespace tandem::text {
 
 /// What a file's texts that begin with $ stand for: "$NAME" for the value of a parameter, "$(EXPRESSION)" for
-/// a number, an expression of parameters (expression.hpp).
+/// a number, an expression of parameters (expression.hpp). "$$TEXT" is the text "$TEXT".
 class Values {
  public:
   void set(const std::string& name, FileValue value) { values_[name] = std::move(value); }
 
-  /// Whether a node is a text that begins with $.
+  /// Whether a node is a text that begins with one $.
   static bool refers(const toml::node& node);
+  /// A text that stands for itself: without the first of two $.
+  static std::string literal(const std::string& text) { return text.starts_with("$$") ? text.substr(1) : text; }
   /// Of such a node. Throws Error for a parameter that there is not, an expression that is none, and one that
   /// is not finite, with its parameters' values; `what` is what the sentence calls the node.
   FileValue value(const Document& document, const toml::node& node, const std::string& what) const;

@@ -18,8 +18,8 @@ struct ScenarioText {
 bool is_system(const std::filesystem::path& file);
 
 /// Reads a system: its components, which are FMUs, nested systems, connections and parameters. FMUs'
-/// descriptions are read, and no library is loaded. Nothing outside its archive or folder is read. Throws
-/// Error with file, line and what is allowed.
+/// descriptions are read, and no library is loaded. Nothing outside an archive is read. Throws Error with file,
+/// line and what is allowed.
 ScenarioText scenario_text(const std::filesystem::path& file);
 
 }  // namespace tandem::ssp

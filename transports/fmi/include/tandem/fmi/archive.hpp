@@ -39,6 +39,8 @@ class Archive {
   /// Writes the files whose names begin with `folder` to the same names below `to`. All calls together write
   /// at most most_bytes.
   void unpack(std::string_view folder, const std::filesystem::path& to);
+  /// One file, which is there, likewise.
+  void unpack_file(const std::string& name, const std::filesystem::path& to);
 
   [[noreturn]] void refuse(const std::string& why) const;
 

@@ -2,6 +2,8 @@
 #pragma once
 #include <cstdint>
 #include <limits>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -63,6 +65,7 @@ struct Variable {
   std::string unit = {};                   ///< as tandem writes it: "N m", "m/s^2"; empty: not said
   std::optional<std::string> start = {};
   std::vector<double> start_values = {};  ///< of a number, by scalar; booleans: 0, 1
+  std::shared_ptr<const std::map<std::string, double>> items = {};  ///< of an enumeration, by name
   double min = -std::numeric_limits<double>::infinity(), max = std::numeric_limits<double>::infinity();
   double nominal = 1.0;
   int derivative_of = -1;     ///< the variable whose time derivative it is

@@ -8,6 +8,9 @@
 
 namespace tandem::fmi {
 
+/// Where the file is that a path names, or the archive that holds it; the path, if it is nowhere.
+std::filesystem::path outermost(const std::filesystem::path& file);
+
 /// A file that may lie in an archive, or in one within another: "system.ssp/resources/motor.fmu". It is
 /// unpacked for as long as this lives.
 class PackedFile {

@@ -26,6 +26,8 @@ class Xml {
   pugi::xml_node root(std::string_view name) const;
   /// The line in which an element begins.
   int line(pugi::xml_node of) const;
+  /// The one element of that name in another; null: there is none. Refuses a second.
+  pugi::xml_node only(pugi::xml_node of, std::string_view name) const;
 
   std::optional<std::string> text(pugi::xml_node of, const char* name) const;
   std::string needed_text(pugi::xml_node of, const char* name) const;
@@ -61,6 +63,7 @@ class Xml {
   std::string place(std::ptrdiff_t offset) const;
 
   std::string_view text_, file_;
+  std::vector<std::ptrdiff_t> line_ends_;
   pugi::xml_document document_;
 };
 
