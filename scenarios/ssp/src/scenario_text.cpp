@@ -61,8 +61,9 @@ class Writer {
       if (used_.count(given.order) == 0)
         unused.insert((node.first == 0 ? "" : in_.full_name(node.first) + ".") + printable(node.second, 100));
     if (!unused.empty())
-      to_.remarks.push_back(fmt::format("{} values are given to what takes none, or were given again: {}{}",
-                                        unused.size(), *unused.begin(), unused.size() > 1 ? ", ..." : ""));
+      to_.remarks.push_back(
+          fmt::format("{} values have no effect, as nothing reads them or another holds: {}{}", unused.size(),
+                      *unused.begin(), unused.size() > 1 ? ", ..." : ""));
     to_.remarks.insert(to_.remarks.end(), in_.remarks.begin(), in_.remarks.end());
     if (!in_.unknown_units.empty())
       to_.remarks.push_back("values are taken as they are where a unit is not known: " +
