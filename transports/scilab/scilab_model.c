@@ -88,18 +88,19 @@ static char* word(char** rest) {
   return begin;
 }
 
-/* Reads a line of the declaration. 0: there is none. */
+/* Reads a line of the declaration. 0: there is none, or it is too long. */
 static int read_line(char* to, size_t size) {
-  size_t length = 0;
-  for (; length + 1 < size; ++length) {
+  for (size_t length = 0; length < size; ++length) {
     if (scilab_read(&scilab, to + length, 1) != 0) return 0;
-    if (to[length] == '\n') break;
+    if (to[length] != '\n') continue;
+    to[length] = '\0';
+    return 1;
   }
-  to[length] = '\0';
-  return 1;
+  return 0;
 }
 
-static void declare(char* line, tandem_port* inputs, tandem_port* outs, tandem_parameter* parameters) {
+/* 0: it is a line of a declaration. */
+static int declare(char* line, tandem_port* inputs, tandem_port* outs, tandem_parameter* parameters) {
   const char* const kind = word(&line);
   if (strcmp(kind, "name") == 0) {
     model.info.name = word(&line);
@@ -109,6 +110,8 @@ static void declare(char* line, tandem_port* inputs, tandem_port* outs, tandem_p
     tandem_parameter* const p = parameters + model.parameter_count++;
     p->name = word(&line), p->unit = word(&line), p->otherwise = word(&line), p->sentence = word(&line);
     if (!*p->otherwise) p->otherwise = NULL;
+  } else if (strcmp(kind, "input") != 0 && strcmp(kind, "output") != 0) {
+    return -1;
   } else {
     const int is_input = strcmp(kind, "input") == 0;
     tandem_port* const port = is_input ? inputs + model.info.input_count++ : outs + model.info.output_count++;
@@ -116,6 +119,7 @@ static void declare(char* line, tandem_port* inputs, tandem_port* outs, tandem_p
     const tandem_port one = {name, word(&line), 1, is_input ? 0 : atoi(word(&line)), NAN};
     memcpy(port, &one, sizeof one);
   }
+  return 0;
 }
 
 /* 0: the script has declared a model. */
@@ -127,8 +131,9 @@ static int read_model(void) {
     char* const line = lines[line_count];
     if (!read_line(line, sizeof lines[0])) return -1;
     if (strcmp(line, "end") == 0) break;
-    declare(line, inputs, outs, parameters);
+    if (declare(line, inputs, outs, parameters) != 0) return -1;
   }
+  if (line_count == most_lines || !model.info.name) return -1;
   row_count = (int)tandem_row_size(&model.info) - 2; /* without time and jump flag */
   model.state_size = (size_t)(state_count + row_count) * sizeof(double);
   model.own_step = own_step, model.start = start, model.step = step, model.outputs = outputs;

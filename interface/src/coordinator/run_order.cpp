@@ -1,8 +1,12 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 // Who leads whom.
 #include <algorithm>
+#include <map>
+#include <set>
+#include <span>
 #include <utility>
 
+#include "feedthrough.hpp"
 #include "run_start.hpp"
 #include "tandem/error.hpp"
 
@@ -27,26 +31,63 @@ void RunStart::check_named_order() const {
       refuse_name(topology_.name(i), "is missing");
 }
 
+/// Whether another reads one of its outputs, or this one.
+bool RunStart::is_read(int who, std::optional<int> output) const {
+  const auto from = topology_.lines_from(who);
+  return std::any_of(from.begin(), from.end(), [&](int k) {
+    const Line& line = topology_.lines()[static_cast<std::size_t>(k)];
+    return line.reader != who && line.output == output.value_or(line.output);
+  });
+}
+
 /// Of equal own steps who jumps leads, as its readers then end steps where it does; who feeds an input
-/// through to a reader at once follows, as it then interpolates that input.
+/// through to a reader at once follows, as it then interpolates that input. So does one that feeds through and
+/// is read by nobody: whatever it is ahead of, its own outputs alone would err.
 RunStart::Tie RunStart::tie(int who) const {
   if (topology_.info(who).abilities.events) return Tie::jumps;
+  const bool has_readers = is_read(who);
   Tie found = Tie::plain;
   for (const Feedthrough& f : topology_.info(who).feedthrough) {
-    const auto from = topology_.lines_from(who);
-    if (std::none_of(from.begin(), from.end(), [&](int k) {
-          const Line& line = topology_.lines()[static_cast<std::size_t>(k)];
-          return line.output == f.output && line.reader != who;
-        }))
-      continue;
+    if (has_readers && !is_read(who, f.output)) continue;
     for (const int k : topology_.lines_to(who, f.input)) {
       const Line& line = topology_.lines()[static_cast<std::size_t>(k)];
       if (!topology_.at_once(line)) continue;
-      if (line.how.kind == Reconstruction::Kind::held) return Tie::jumps;
+      if (has_readers && line.how.kind == Reconstruction::Kind::held) return Tie::jumps;
       found = Tie::feeds_through;
     }
   }
   return found;
+}
+
+/// By name, so that who reads another of them at once, and feeds it through, comes behind that one. Of a circle,
+/// in which no signal is, the first by name.
+std::vector<int> RunStart::sources_first(std::span<const int> group) const {
+  std::map<int, int> waits_for;  // so many lines of the group
+  for (const int who : group) waits_for[who] = 0;
+  const auto follows_at_once = [&](const Line& line) {
+    return line.source != line.reader && waits_for.count(line.reader) != 0 && topology_.at_once(line) &&
+           feeds(topology_.info(line.reader), line.input);
+  };
+  const auto each_reader = [&](int who, const auto& visit) {
+    for (const int k : topology_.lines_from(who))
+      if (const Line& line = topology_.lines()[static_cast<std::size_t>(k)]; follows_at_once(line))
+        visit(line.reader);
+  };
+  for (const int who : group) each_reader(who, [&](int reader) { ++waits_for[reader]; });
+  const auto by_name = [this](int a, int b) { return topology_.name(a) < topology_.name(b); };
+  std::set<int, decltype(by_name)> ready(by_name), left(group.begin(), group.end(), by_name);
+  for (const int who : group)
+    if (waits_for[who] == 0) ready.insert(who);
+  std::vector<int> order;
+  while (!left.empty()) {
+    const int who = ready.empty() ? *left.begin() : *ready.begin();
+    ready.erase(who), left.erase(who);
+    order.push_back(who);
+    each_reader(who, [&](int reader) {
+      if (--waits_for[reader] == 0 && left.count(reader) != 0) ready.insert(reader);
+    });
+  }
+  return order;
 }
 
 /// Groups of those that integrate themselves, own steps rising; within a group they are equal, and who leads
@@ -67,8 +108,14 @@ std::vector<std::vector<int>> RunStart::by_own_steps() const {
       groups.emplace_back();
     groups.back().push_back(all[k]);
   }
-  for (auto& group : groups)
+  for (auto& group : groups) {
     std::sort(group.begin(), group.end(), [&](int a, int b) { return key(a) < key(b); });
+    const auto first = std::find_if(group.begin(), group.end(), [&](int i) {
+      return ties[static_cast<std::size_t>(i)] == Tie::feeds_through;
+    });
+    const auto sorted = sources_first({first, group.end()});
+    std::copy(sorted.begin(), sorted.end(), first);
+  }
   return groups;
 }
 
@@ -120,8 +167,8 @@ void RunStart::note_tie(const std::vector<int>& group) const {
   const bool by_name = tie(group.front()) == tie(group.back());
   run_.notes_.push_back("subsystems " + names + " have the same own step and lead in this order, " +
                         (by_name ? "by name"
-                                 : "as who switches leads, who feeds inputs through at once follows, and "
-                                   "names decide the rest") +
+                                 : "as who switches leads, who feeds inputs through at once follows what it "
+                                   "reads, and names decide the rest") +
                         "; coordination.order chooses another");
 }
 

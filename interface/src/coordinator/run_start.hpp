@@ -1,5 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -65,6 +67,8 @@ class RunStart {
   /// The place of one among equal own steps.
   enum class Tie { jumps, plain, feeds_through };
   Tie tie(int who) const;
+  bool is_read(int who, std::optional<int> output = {}) const;
+  std::vector<int> sources_first(std::span<const int> group) const;
   std::vector<std::vector<int>> by_own_steps() const;
   std::vector<int> leaders_first() const;
   std::vector<int> sampled_by_name() const;

@@ -64,7 +64,7 @@ void add_advise(CLI::App& app, Context& context) {
       "advise",
       "Predict error and cost of the schemes that a scenario may take, by linear models of its subsystems");
   auto options = std::make_shared<AdviseOptions>();
-  command->add_option("scenario", options->file, "The scenario, a TOML file")->required()->type_name("FILE");
+  command->add_option("scenario", options->file, "The scenario, a TOML file or a system of SSP")->required()->type_name("FILE");
   command->add_option("--set", options->overrides, "Set a value of the file, as in run (repeatable)")
       ->type_name("KEY=VALUE")
       ->expected(1)

@@ -9,26 +9,27 @@
 #include "cli/say.hpp"
 #include "tandem/coordinator/reconstruction.hpp"
 #include "tandem/coordinator/schedule.hpp"
-#include "tandem/text/document.hpp"
+#include "tandem/scenario/file_text.hpp"
 
 namespace tandem::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<fs::path> toml_files(const fs::path& folder) {
+std::vector<fs::path> files_of_scenarios(const fs::path& folder) {
   std::vector<fs::path> files;
   for (const auto& entry :
        fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied))
-    if (entry.is_regular_file() && entry.path().extension() == ".toml") files.push_back(entry.path());
+    if (entry.is_regular_file() && (entry.path().extension() == ".toml" || scenario::is_system(entry.path())))
+      files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   return files;
 }
 
-/// A scenario is a TOML file with subsystems; its name and description, as far as they can be read.
+/// A scenario is a file with subsystems; its name and description, as far as they can be read.
 void print_line_of(const fs::path& file) {
   try {
-    const text::Document document(file);
+    const text::Document document = scenario::document_of(file);
     if (!document.table().contains("subsystems")) return;
     say("  {}  {}\n", file.string(), document.table()["description"].value_or(std::string()));
   } catch (const Error& error) {
@@ -39,7 +40,7 @@ void print_line_of(const fs::path& file) {
 void print_scenarios(const fs::path& folder, bool asked) {
   if (fs::is_directory(folder)) {
     say("scenarios in {}:\n", folder.string());
-    for (const fs::path& file : toml_files(folder)) print_line_of(file);
+    for (const fs::path& file : files_of_scenarios(folder)) print_line_of(file);
     return;
   }
   if (asked) throw Error(ErrorCode::input_output, "folder '" + folder.string() + "' is not there");

@@ -98,7 +98,7 @@ void add_stability(CLI::App& app, Context& context) {
   auto* command = app.add_subcommand(
       "stability", "Tell whether a scenario's scheme is stable, and what it does to each mode");
   auto options = std::make_shared<StabilityOptions>();
-  command->add_option("scenario", options->file, "The scenario, a TOML file")->required()->type_name("FILE");
+  command->add_option("scenario", options->file, "The scenario, a TOML file or a system of SSP")->required()->type_name("FILE");
   command->add_option("--set", options->overrides, "Set a value of the file, as in run (repeatable)")
       ->type_name("KEY=VALUE")
       ->expected(1)

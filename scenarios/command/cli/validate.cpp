@@ -37,7 +37,7 @@ void validate(const ValidateOptions& options, const Context& context) {
 void add_validate(CLI::App& app, Context& context) {
   auto* command = app.add_subcommand("validate", "Check a scenario up to its first step");
   auto options = std::make_shared<ValidateOptions>();
-  command->add_option("scenario", options->file, "The scenario, a TOML file")->required()->type_name("FILE");
+  command->add_option("scenario", options->file, "The scenario, a TOML file or a system of SSP")->required()->type_name("FILE");
   command->add_option("--set", options->overrides, "Set a value of the file, as in run (repeatable)")
       ->type_name("KEY=VALUE")
       ->expected(1)

@@ -12,9 +12,12 @@
 
 namespace tandem::scenario {
 
+bool is_system(const std::filesystem::path& file) {
+  return file.extension() == ".ssp" || file.extension() == ".ssd";
+}
+
 FileText file_text(const std::filesystem::path& file) {
-  if (file.extension() != ".ssp" && file.extension() != ".ssd")
-    return {read_file(file, text::longest_document)};
+  if (!is_system(file)) return {read_file(file, text::longest_document)};
 #if TANDEM_HAS_FMI
   ssp::ScenarioText system = ssp::scenario_text(file);
   return {std::move(system.text), std::move(system.lines), std::move(system.remarks)};

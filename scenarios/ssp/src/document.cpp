@@ -8,7 +8,6 @@
 #include "tandem/error.hpp"
 #include "tandem/fmi/packed_file.hpp"
 #include "tandem/input_file.hpp"
-#include "tandem/ssp/ssp.hpp"
 
 namespace tandem::ssp {
 namespace {
@@ -61,8 +60,6 @@ bool lies_in(const fs::path& file, const fs::path& archive) {
 }
 
 }  // namespace
-
-bool is_system(const fs::path& file) { return file.extension() == ".ssp" || file.extension() == ".ssd"; }
 
 fs::path description_in(const fs::path& archive) { return archive / "SystemStructure.ssd"; }
 

@@ -67,7 +67,8 @@ TEST(Compile, RefusesByPlaceAndName) {
                       blocks("x = { kind = 'saturation', input = 1, low = 2, high = 1 }")));
   EXPECT_TRUE(refuses(code, {"kind table", "the point 1 after 2"},
                       blocks("x = { kind = 'table', input = 'time', x = [0, 2, 1], y = [0, 0, 0] }")));
-  EXPECT_TRUE(refuses(code, {"d:2", "'$k'"}, blocks("x = { kind = 'gain', input = 1, gain = '$$k' }")));
+  EXPECT_TRUE(refuses(code, {"d:2", "'$$k'", "a finite number"},
+                      blocks("x = { kind = 'gain', input = 1, gain = '$$k' }")));
 }
 
 TEST(Compile, ParametersStandForNumbers) {

@@ -8,7 +8,10 @@
 
 namespace tandem::scenario {
 
-/// A scenario file, or a system of the standard SSP (*.ssp, *.ssd) in the language of scenarios.
+/// Whether a file is called as a system of the standard SSP is: *.ssp, *.ssd.
+bool is_system(const std::filesystem::path& file);
+
+/// A scenario file, or a system in the language of scenarios.
 struct FileText {
   std::string text;
   std::vector<int> lines = {};            ///< see text::Document

@@ -14,9 +14,6 @@ struct ScenarioText {
   std::vector<std::string> remarks;  ///< what the standard leaves open, and what has no effect
 };
 
-/// Whether a file is called as a system is: *.ssp, *.ssd.
-bool is_system(const std::filesystem::path& file);
-
 /// Reads a system: its components, which are FMUs, nested systems, connections and parameters. FMUs'
 /// descriptions are read, and no library is loaded. Nothing outside an archive is read. Throws Error with file,
 /// line and what is allowed.
