@@ -5,6 +5,7 @@
 #include <random>
 
 #include "command.hpp"
+#include "tandem/scenario/scenario.hpp"
 
 namespace tandem::test {
 namespace {
@@ -98,6 +99,60 @@ TEST(SystemExport, ComesBackAsExactAsItsSource) {
   run_and_read(folder, "s.ssp", "back"), run_and_read(folder, "s.toml", "there");
   const Said said = tandem(folder, {"compare", "there", "back", "--tolerance", "1e-13"});
   EXPECT_EQ(said.status, 0) << said.out << said.err;
+}
+
+/// A time of the start that is not zero, a decimal step, FMUs with units, values and outputs of their own.
+TEST(SystemExport, KeepsWhatTheScenarioSays) {
+  const Scratch folder;
+  folder.write("lag.toml", lag_diagram("mm", "mm"));
+  const std::string text =
+      "[coordination]\norder = [\"b\", \"a\"]\n[span]\nstart = 1\nstop = 2\n"
+      "[subsystems.a]\nsource = \"diagram:lag.toml\"\nparameters.step = 0.01\ninputs.w = 1\nland = "
+      "\"never\"\n"
+      "[subsystems.b]\nsource = \"fmu:" TANDEM_FMUS
+      "/mass.fmu?set.k=3\"\nisolate = true\n"
+      "parameters = { step = 0.01, outputs = { a = true, k = false }, unit = { x = \"\", v = \"mm/s\" } }\n"
+      "[[connections]]\nfrom = \"a.x\"\nto = \"b.u\"\nconvert = true\nreconstruction = \"matched_hold\"\n"
+      "[[connections]]\nfrom = \"b.x\"\nto = \"a.u\"\nreconstruction = \"matched_hold\"\n";
+  const Said said = exported(folder, text);
+  ASSERT_EQ(said.status, 0) << said.err;
+  const auto there = scenario::read(folder.path() / "s.toml"), back = scenario::read(folder.path() / "s.ssp");
+  EXPECT_EQ(back.coordination.order, there.coordination.order);
+  EXPECT_EQ(back.coordination.landing, there.coordination.landing);
+  EXPECT_TRUE(back.subsystems.at(1).isolated);
+  EXPECT_EQ(run_and_read(folder, "s.ssp", "back"), run_and_read(folder, "s.toml", "there"));
+}
+
+TEST(SystemExport, OfAFileAloneTakesItsOverrides) {
+  const Scratch folder;
+  folder.write("lag.toml", lag_diagram("m", "m") + "inputs = { u = 1, w = 0 }\n");
+  const std::vector<std::string> set = {"--set", "parameters.T.value=0.5", "--set", "run.step=0.125"};
+  const auto with_set = [&](std::vector<std::string> words) {
+    words.insert(words.end(), set.begin(), set.end());
+    const Said said = tandem(folder, words);
+    EXPECT_EQ(said.status, 0) << said.err;
+  };
+  with_set({"export", "lag.toml", "s.ssp"});
+  with_set({"--quiet", "run", "lag.toml", "--output", "there"});
+  EXPECT_EQ(run_and_read(folder, "s.ssp", "back"), read_text(folder.path() / "there/results.csv"));
+}
+
+TEST(SystemExport, WhatSamplesIsTold) {
+  const Scratch folder;
+  folder.write("lag.toml", lag_diagram("m", "m"));
+  folder.write("hold.toml",
+               "[inputs]\nu = { unit = 'm' }\n[blocks]\nx = { kind = 'sample', input = 'u', period = 0.1 }\n"
+               "[outputs]\nx = { unit = 'm' }\n");
+  const Said said = exported(
+      folder,
+      "[coordination]\norder = [\"a\"]\n[subsystems.a]\nsource = \"diagram:lag.toml\"\nparameters.step = "
+      "0.01\n"
+      "inputs.w = 1\n[subsystems.c]\nsource = \"diagram:hold.toml\"\n[[connections]]\n"
+      "from = \"a.x\"\nto = \"c.u\"\nreconstruction = \"lagrange1\"\n[[connections]]\nfrom = \"c.x\"\nto = "
+      "\"a.u\"\n[span]\nstop = 1\n");
+  ASSERT_EQ(said.status, 0) << said.err;
+  EXPECT_TRUE(contains(said.out, "c: samples")) << said.out;
+  run_and_read(folder, "s.ssp", "back");
 }
 
 TEST(SystemExport, WhatHasNoWordsIsNamed) {

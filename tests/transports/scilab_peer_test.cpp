@@ -63,6 +63,24 @@ TEST(ScilabPeer, AnErrorOfTheScriptIsOneSentence) {
                       [&] { run_beside_fast(spawned_scilab(file, mass2_parameters(30.7))); }));
 }
 
+TEST(ScilabPeer, WhatIsNoRealNumberIsNotTaken) {
+  const Scratch folder;
+  const std::string complex = changed(folder, "push = p(2) * u(1, 3);", "push = sqrt(-1);");
+  EXPECT_TRUE(refuses(ErrorCode::numerical, {"start or step gives no real numbers"},
+                      [&] { run_beside_fast(spawned_scilab(complex, mass2_parameters(30.7))); }));
+  const std::string of_step = changed(folder, "h = p(6);", "h = p(99);");
+  EXPECT_THROW(
+      {
+        try {
+          open(spawned_scilab(of_step, mass2_parameters()), all_sources());
+        } catch (const Error& error) {
+          EXPECT_NE(std::string(error.what()).find("Invalid index"), std::string::npos) << error.what();
+          throw;
+        }
+      },
+      Error);
+}
+
 TEST(ScilabPeer, AScilabThatEndsIsOneSentenceAndLeavesNothingBehind) {
   const Scratch folder;
   const std::size_t before = pipes_left();

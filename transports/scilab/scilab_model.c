@@ -1,6 +1,7 @@
 /* Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause */
 /* tandem_scilab SERVE FILE.sce: serves a model that a script of Scilab declares (docs/scilab.md), as spawn: and `command`
  * start it. SERVE is tandem_serve.sci. */
+#include <fcntl.h>
 #include <signal.h>
 #include <unistd.h>
 
@@ -49,11 +50,23 @@ static tandem_status keep(tandem_instance* self, request what, double* numbers, 
   return status;
 }
 
-static double own_step(const tandem_instance* self) {
+static tandem_status find_own_step(tandem_instance* self, double* h) {
   double numbers[most_doubles];
-  put(numbers, self->p, model.parameter_count);
-  return ask((tandem_instance*)self, own_step_of, numbers, model.parameter_count, 1) == TANDEM_OK ? numbers[0]
-                                                                                                  : 0.0;
+  const tandem_status status =
+      ask(self, own_step_of, numbers, put(numbers, self->p, model.parameter_count), 1);
+  *h = numbers[0];
+  return status;
+}
+
+static double own_step(const tandem_instance* self) {
+  double h;
+  return find_own_step((tandem_instance*)self, &h) == TANDEM_OK ? h : 0.0;
+}
+
+/* An error of it is told when an instance is made. */
+static tandem_status check(tandem_instance* self) {
+  double h;
+  return find_own_step(self, &h);
 }
 
 static tandem_status start(tandem_instance* self, double t, const double* u0) {
@@ -133,20 +146,24 @@ static int read_model(void) {
     if (strcmp(line, "end") == 0) break;
     if (declare(line, inputs, outs, parameters) != 0) return -1;
   }
-  if (line_count == most_lines || !model.info.name) return -1;
+  if (line_count == most_lines || !model.info.name || state_count < 0 || state_count > most_doubles)
+    return -1;
   row_count = (int)tandem_row_size(&model.info) - 2; /* without time and jump flag */
   model.state_size = (size_t)(state_count + row_count) * sizeof(double);
-  model.own_step = own_step, model.start = start, model.step = step, model.outputs = outputs;
-  return state_count >= 0 &&
-                 3 * model.info.input_count + model.parameter_count + state_count + row_count + 8 <
-                     most_doubles
-             ? 0
-             : -1;
+  model.own_step = own_step, model.start = start, model.step = step, model.outputs = outputs,
+  model.check = check;
+  return 3 * model.info.input_count + model.parameter_count + state_count + row_count + 8 < most_doubles ? 0
+                                                                                                         : -1;
 }
 
 TANDEM_EXPORT_FIXED_STEP(scilab_subsystem, model)
 
 static void stop(void) { scilab_stop(&scilab); }
+
+static void leave(int number) {
+  scilab_hide(&scilab);
+  _exit(128 + number);
+}
 
 int main(int count, char* words[]) {
   static char* none[] = {"tandem_scilab", NULL};
@@ -155,9 +172,15 @@ int main(int count, char* words[]) {
     return 2;
   }
   signal(SIGPIPE, SIG_IGN);
+  signal(SIGTERM, leave), signal(SIGINT, leave);
+  fcntl(atoi(getenv("TANDEM_FD")), F_SETFD, FD_CLOEXEC); /* the session is not Scilab's */
   atexit(stop);
   if (scilab_start(&scilab, words[2], words[1]) != 0 || read_model() != 0) {
-    fprintf(stderr, "tandem_scilab: %s declares no model; what Scilab says stands above\n", words[2]);
+    fprintf(
+        stderr,
+        "tandem_scilab: %s declares no model of at most 197 ports and parameters with rows of at most 255 "
+        "bytes; what Scilab says stands above\n",
+        words[2]);
     return 1;
   }
   scilab_hide(&scilab);

@@ -11,17 +11,21 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
+
+enum { longest_path = 256 };
 
 /* Open at both ends, so that nobody waits for Scilab to open its own. */
 static int make_pipe(const scilab_process* self, const char* name) {
-  char path[96];
+  char path[longest_path];
   snprintf(path, sizeof path, "%s/%s", self->folder, name);
   return mkfifo(path, 0600) == 0 ? open(path, O_RDWR | O_CLOEXEC) : -1;
 }
 
 static void become_scilab(const scilab_process* self, const char* script, const char* tandem_serve) {
   const int nothing = open("/dev/null", O_RDONLY);
+  setpgid(0, 0); /* scilab-cli is a shell that starts another program */
   setenv("TANDEM_SCILAB_FOLDER", self->folder, 1);
   setenv("TANDEM_SCILAB", tandem_serve, 1);
   unsetenv("DISPLAY");
@@ -36,7 +40,8 @@ static void become_scilab(const scilab_process* self, const char* script, const 
 int scilab_start(scilab_process* self, const char* script, const char* tandem_serve) {
   memset(self, 0, sizeof *self);
   self->requests = self->answers = -1;
-  snprintf(self->folder, sizeof self->folder, "/tmp/tandem_scilab_XXXXXX");
+  snprintf(self->folder, sizeof self->folder, "%s/tandem_scilab_XXXXXX",
+           getenv("TMPDIR") ? getenv("TMPDIR") : "/tmp");
   if (!mkdtemp(self->folder) || (self->requests = make_pipe(self, "requests")) < 0 ||
       (self->answers = make_pipe(self, "answers")) < 0 || (self->pid = fork()) < 0)
     return -1;
@@ -84,7 +89,7 @@ int scilab_read(scilab_process* self, void* bytes, size_t size) {
 }
 
 void scilab_hide(const scilab_process* self) {
-  char path[96];
+  char path[longest_path];
   snprintf(path, sizeof path, "%s/requests", self->folder);
   unlink(path);
   snprintf(path, sizeof path, "%s/answers", self->folder);
@@ -93,8 +98,11 @@ void scilab_hide(const scilab_process* self) {
 }
 
 void scilab_stop(scilab_process* self) {
+  const struct timespec moment = {0, 20000000};
+  close(self->requests), close(self->answers); /* where it reads, it ends now */
+  for (int k = 0; k < 25 && runs(self); ++k) nanosleep(&moment, NULL);
   if (runs(self)) {
-    kill(self->pid, SIGKILL);
+    kill(-self->pid, SIGKILL);
     waitpid(self->pid, NULL, 0);
   }
   self->pid = 0;

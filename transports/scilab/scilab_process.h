@@ -8,7 +8,7 @@
 typedef struct scilab_process {
   pid_t pid; /* 0: it does not run */
   int requests, answers;
-  char folder[64];
+  char folder[200];
 } scilab_process;
 
 /* Starts Scilab with a script, in whose environment TANDEM_SCILAB_FOLDER names the folder of the pipes
@@ -22,7 +22,7 @@ int scilab_read(scilab_process* self, void* bytes, size_t size);
 /* Takes the names of the pipes away, which Scilab has opened: nothing is left behind, however this ends. */
 void scilab_hide(const scilab_process* self);
 
-/* Ends Scilab. */
+/* Ends Scilab: by the end of its requests, or else by force after half a second. */
 void scilab_stop(scilab_process* self);
 
 #endif

@@ -27,6 +27,12 @@ function tandem_serve_declare(model, to)
   mseek(0, to, "cur"); // which writes what waits
 endfunction
 
+function tandem_serve_check(numbers, what)
+  if type(numbers) <> 1 | ~isreal(numbers) then
+    error("tandem_serve: " + what + " gives no real numbers");
+  end
+endfunction
+
 // One answer: 0 own step, 1 start, 2 step.
 function answer = tandem_serve_answer(model, what, numbers)
   n = size(model.parameters, 1);
@@ -34,6 +40,7 @@ function answer = tandem_serve_answer(model, what, numbers)
   p = numbers(1:n);
   if what == 0 then
     answer = model.own_step(p);
+    tandem_serve_check(answer, "own_step");
     return
   end
   t = numbers(n + 1);
@@ -43,7 +50,10 @@ function answer = tandem_serve_answer(model, what, numbers)
     u = matrix(numbers(n + 3:n + 2 + 3 * m), m, 3);
     x = model.step(p, t, numbers(n + 2), u, numbers(n + 3 + 3 * m:$));
   end
-  answer = [x; model.give(p, x)];
+  tandem_serve_check(x, "start or step");
+  y = model.give(p, x);
+  tandem_serve_check(y, "give");
+  answer = [x(:); y(:)];
 endfunction
 
 function tandem_serve(model)

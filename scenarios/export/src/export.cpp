@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <span>
 
 #include "model_description.hpp"
@@ -105,6 +107,16 @@ void check_target(const ExportSettings& settings) {
     refuse("this version of FMI has no name for this platform; allowed is another version");
 }
 
+/// A step is the difference of two times: of the numbers that are the same but for their rounding the shortest.
+double without_rounding(double step, double start) {
+  const double most = 4.0 * std::numeric_limits<double>::epsilon() * (std::abs(start) + step);
+  for (int digits = 1; digits < 17; ++digits)
+    if (const double shorter = std::stod(fmt::format("{:.{}e}", step, digits - 1));
+        std::abs(shorter - step) <= most)
+      return shorter;
+  return step;
+}
+
 /// Whatever word a parameter is set to by a list of its file. The start refuses what changes the ports.
 void start_with_each_word(Unit& unit, double t) {
   for (std::size_t k = 0; k < unit.variables().size(); ++k)
@@ -181,7 +193,7 @@ std::vector<std::string> export_fmu(const ExportSettings& settings, const Builti
                     printable(origin.description, longest_text),
                     "tandem " + output::version(),
                     origin.span,
-                    unit.own_step()};
+                    without_rounding(unit.own_step(), start)};
   start_with_each_word(unit, start);
   check_reads(read, folder.path());
   contents["modelDescription.xml"] = model_description(unit, facts, settings.version);

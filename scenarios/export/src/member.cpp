@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "system_description.hpp"
+#include "tandem/coordinator/units.hpp"
 #include "tandem/error.hpp"
 #include "tandem/export/export.hpp"
 #include "tandem/scenario/file_text.hpp"
@@ -16,12 +18,19 @@ using scenario::SubsystemEntry;
 
 class MemberMaker {
  public:
-  MemberMaker(const SubsystemEntry& entry, const SubsystemInfo& info, const SystemSettings& settings)
-      : entry_(entry), info_(info), settings_(settings), to_{entry.name, {}, {}} {}
+  MemberMaker(const scenario::Scenario& of, const SubsystemEntry& entry, const SubsystemInfo& info,
+              const SystemSettings& settings)
+      : scenario_(of), entry_(entry), info_(info), settings_(settings), to_{entry.name, {}, {}} {
+    to_.place = entry.source_place;
+  }
 
-  SystemMember make(const TimeSpan& span, const fs::path& folder, const Builtins& here) {
+  SystemMember make(const fs::path& folder, const Builtins& here) {
+    const TimeSpan span{scenario_.start, scenario_.stop};
     const std::string scheme = entry_.source.substr(0, entry_.source.find(':'));
     if (entry_.isolated) to_.annotation["isolate"] = "true";
+    if (const auto land = scenario_.coordination.landing.find(entry_.name);
+        land != scenario_.coordination.landing.end() && land->second != Landing::automatic)
+      to_.annotation["land"] = land->second == Landing::never ? "never" : "always";
     if (scheme == "fmu") return take_fmu(span.start), std::move(to_);
     if (scheme != "mechanism" && scheme != "diagram")
       scenario::refuse(
@@ -65,12 +74,12 @@ class MemberMaker {
 
   void export_source(const std::string& scheme, const TimeSpan& span, const fs::path& folder,
                      const Builtins& here) {
-    ExportSettings one{scheme + ":" + place(scheme).string(),
-                       {},
-                       folder / (entry_.name + ".fmu"),
-                       settings_.version,
-                       settings_.library};
+    ExportSettings one{scheme + ":" + place(scheme).string(), entry_.overrides, folder / file_of(entry_.name),
+                       settings_.version, settings_.library};
     one.member = Member{parameters(), starts(span.start), span};
+    const std::string animated = "animate";
+    if (scenario_.animate && scenario::takes(entry_, here, animated))
+      one.member->parameters.try_emplace(animated, true);
     scenario::located(entry_.source_place, [&] { export_fmu(one, here); });
     take(one.file);
     to_.source = &info_;
@@ -92,7 +101,7 @@ class MemberMaker {
       else if (name.starts_with("unit."))
         to_.units[name.substr(5)] = text;
       else if (name.starts_with("outputs."))
-        outputs += (outputs.empty() ? "" : ", ") + text::toml_text(name.substr(8));
+        outputs += text == "false" ? "" : (outputs.empty() ? "" : ", ") + text::toml_text(name.substr(8));
       else
         to_.annotation[name] = text;
     }
@@ -101,6 +110,7 @@ class MemberMaker {
       to_.values[to_.variables(port, false).front()] = fmt::format("{}", value);
   }
 
+  const scenario::Scenario& scenario_;
   const SubsystemEntry& entry_;
   const SubsystemInfo& info_;
   const SystemSettings& settings_;
@@ -139,11 +149,19 @@ std::vector<std::string> SystemMember::variables(const std::string& port, bool o
   return found;
 }
 
+/// One that has no base units goes unsaid, and that of the FMU holds.
+std::string SystemMember::unit_of(const std::string& variable) const {
+  const auto other = units.find(variable);
+  if (other != units.end() && base_unit(other->second)) return other->second;
+  for (const fmi::Variable& v : description.variables)
+    if (v.name == variable) return v.unit;
+  return "";
+}
+
 SystemMember member_of(const scenario::Scenario& scenario, const scenario::Parts& parts, int k,
                        const SystemSettings& settings, const fs::path& folder, const Builtins& here) {
   const SubsystemEntry& entry = scenario.subsystems.at(static_cast<std::size_t>(k));
-  return MemberMaker(entry, parts.topology().info(k), settings)
-      .make({scenario.start, scenario.stop}, folder, here);
+  return MemberMaker(scenario, entry, parts.topology().info(k), settings).make(folder, here);
 }
 
 }  // namespace tandem::exported

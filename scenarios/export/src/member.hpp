@@ -14,10 +14,14 @@ struct SystemMember {
   std::string name;
   std::string fmu;  ///< its bytes
   fmi::Description description;
-  const SubsystemInfo* source = nullptr;           ///< of what became the FMU; null: it was one
+  const SubsystemInfo* source = nullptr;  ///< of what became the FMU; null: it was one
+  scenario::Place place = {};
   std::map<std::string, std::string> units = {};   ///< by variable, in place of the FMU's
   std::map<std::string, std::string> values = {};  ///< before the start, by variable
   std::map<std::string, std::string> annotation = {};
+
+  /// As one that reads the system will take it: of a variable.
+  std::string unit_of(const std::string& variable) const;
 
   /// The variables that a port is, or an element of one: "x", "x[1]". Throws Error for an element of an array
   /// of an FMU.

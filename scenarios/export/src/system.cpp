@@ -35,9 +35,20 @@ void give_derivatives(SystemMember& member, const scenario::Scenario& scenario, 
 }
 
 /// As its user will.
-void read_back(const std::filesystem::path& system, const Builtins& here) {
+void read_back(const std::filesystem::path& system, const scenario::Scenario& of, const Builtins& here) try {
   const scenario::Scenario again = scenario::read(system);
   const scenario::Parts parts(again, here, scenario::Code::leave_out);
+} catch (const Error& error) {
+  const std::string sentence = error.what();
+  const auto place = sentence.find(": ");  // in a file that goes
+  throw Error(error.code(), of.file.string() + ": the system that it becomes can't be read: " +
+                                sentence.substr(place == std::string::npos ? 0 : place + 2));
+}
+
+void tell_of_samples(const SystemMember& member, std::vector<std::string>& told) {
+  if (member.source && member.source->abilities.sampled)
+    told.push_back(member.name +
+                   ": samples, and comes back as one that integrates itself, with its period for a step");
 }
 
 }  // namespace
@@ -53,12 +64,13 @@ std::vector<std::string> export_system(const SystemSettings& settings, const Bui
     members.push_back(member_of(scenario, parts, k, settings, folder.path(), here));
     SystemMember& member = members.back();
     give_derivatives(member, scenario, settings.version, told);
-    contents["resources/" + member.name + ".fmu"] = std::move(member.fmu);
+    tell_of_samples(member, told);
+    contents["resources/" + file_of(member.name)] = std::move(member.fmu);
   }
   contents["SystemStructure.ssd"] = system_description(scenario, members, "tandem " + output::version());
-  const auto made = folder.path() / settings.file.filename();
+  const auto made = folder.path() / "made.ssp";
   write_zip(made, contents);
-  read_back(made, here);
+  read_back(made, scenario, here);
   output::replace_text(settings.file, read_file(made, largest_system));
   told.insert(told.begin(), fmt::format("{}: SSP 1.0, {} components, {} connections, {:.2f} MB",
                                         settings.file.string(), members.size(), scenario.connections.size(),

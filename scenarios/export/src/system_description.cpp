@@ -4,11 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <pugixml.hpp>
 #include <sstream>
 
 #include "model_description.hpp"
 #include "tandem/coordinator/units.hpp"
+#include "tandem/error.hpp"
+#include "tandem/printable.hpp"
 #include "tandem/text/set.hpp"
 
 namespace tandem::exported {
@@ -17,9 +20,18 @@ namespace {
 using pugi::xml_node;
 using Attributes = std::vector<std::pair<const char*, std::string>>;
 
+void put(xml_node to, const char* key, const std::string& value) {
+  if (printable(value, std::string::npos) != value)
+    throw Error(ErrorCode::invalid_argument,
+                "'" + printable(value, 200) +
+                    "' is a text that XML can't hold; allowed is one without control "
+                    "characters");
+  to.append_attribute(key).set_value(value.c_str());
+}
+
 xml_node add(xml_node to, const std::string& name, const Attributes& attributes = {}) {
   xml_node node = to.append_child(name.c_str());
-  for (const auto& [key, value] : attributes) node.append_attribute(key).set_value(value.c_str());
+  for (const auto& [key, value] : attributes) put(node, key, value);
   return node;
 }
 
@@ -38,7 +50,7 @@ void annotate(xml_node to, const std::map<std::string, std::string>& keys) {
   xml_node content =
       add(add(add(to, "ssd:Annotations"), "ssc:Annotation", {{"type", "org.tandem.coordination"}}),
           "tandem:keys");
-  for (const auto& [key, value] : keys) content.append_attribute(key.c_str()).set_value(value.c_str());
+  for (const auto& [key, value] : keys) put(content, key.c_str(), value);
 }
 
 class SystemWriter {
@@ -51,7 +63,7 @@ class SystemWriter {
     declaration.append_attribute("version").set_value("1.0");
     declaration.append_attribute("encoding").set_value("UTF-8");
     xml_node root = add(document_, "ssd:SystemStructureDescription", head(tool));
-    write_system(add(root, "ssd:System", {{"name", scenario_.name}}));
+    write_system(add(root, "ssd:System", {{"name", name()}}));
     write_units(root);
     add(root, "ssd:DefaultExperiment",
         {{"startTime", shortest(scenario_.start)}, {"stopTime", shortest(scenario_.stop)}});
@@ -62,10 +74,13 @@ class SystemWriter {
   }
 
  private:
+  std::string name() const { return scenario_.name.empty() ? "system" : printable(scenario_.name, 1000); }
+
   Attributes head(const std::string& tool) const {
     const std::string standard = "http://ssp-standard.org/SSP1/SystemStructure";
-    Attributes all{{"version", "1.0"}, {"name", scenario_.name}, {"generationTool", tool}};
-    if (!scenario_.description.empty()) all.emplace_back("description", scenario_.description);
+    Attributes all{{"version", "1.0"}, {"name", name()}, {"generationTool", tool}};
+    if (!scenario_.description.empty())
+      all.emplace_back("description", printable(scenario_.description, std::string::npos));
     all.emplace_back("xmlns:ssc", standard + "Common");
     all.emplace_back("xmlns:ssd", standard + "Description");
     all.emplace_back("xmlns:ssv", standard + "ParameterValues");
@@ -75,7 +90,8 @@ class SystemWriter {
 
   void write_system(xml_node system) {
     xml_node elements = add(system, "ssd:Elements");
-    for (const SystemMember& member : members_) write_component(elements, member);
+    for (const SystemMember& member : members_)
+      scenario::located(member.place, [&] { write_component(elements, member); });
     xml_node connections;
     for (const scenario::ConnectionEntry& entry : scenario_.connections)
       scenario::located(entry.place, [&] {
@@ -88,7 +104,7 @@ class SystemWriter {
     xml_node component = add(elements, "ssd:Component",
                              {{"name", member.name},
                               {"type", "application/x-fmu-sharedlibrary"},
-                              {"source", "resources/" + member.name + ".fmu"}});
+                              {"source", "resources/" + file_of(member.name)}});
     std::map<std::string, std::string> keys = member.annotation;
     if (const auto type = keys.find("type"); type != keys.end()) {
       const bool exchanges_model = type->second == "me";
@@ -116,8 +132,7 @@ class SystemWriter {
 
   /// The standard wants base units of each that is named.
   void write_unit(xml_node type, const SystemMember& member, const fmi::Variable& v) {
-    const auto other = member.units.find(v.name);
-    const std::string& unit = other == member.units.end() ? v.unit : other->second;
+    const std::string unit = member.unit_of(v.name);
     if (!fmi::is_real(v.type) || !base_unit(unit)) return;
     type.append_attribute("unit").set_value(fmi_unit(unit).c_str());
     units_.try_emplace(fmi_unit(unit), unit);
@@ -129,9 +144,23 @@ class SystemWriter {
     xml_node set = add(add(binding, "ssd:ParameterValues"), "ssv:ParameterSet",
                        {{"version", "1.0"}, {"name", member.name}});
     xml_node parameters = add(set, "ssv:Parameters");
-    for (const auto& [name, value] : member.values)
-      add(add(parameters, "ssv:Parameter", {{"name", name}}), "ssv:" + std::string(type_in(member, name)),
-          {{"value", value}});
+    for (const auto& [name, value] : member.values) {
+      const std::string type = type_in(member, name);
+      add(add(parameters, "ssv:Parameter", {{"name", name}}), "ssv:" + type,
+          {{"value", value_in(member, name, type, value)}});
+    }
+  }
+
+  /// As the schema wants it.
+  static std::string value_in(const SystemMember& member, const std::string& name, const std::string& type,
+                              const std::string& value) {
+    const bool is_whole = value.find_first_not_of("+-0123456789") == std::string::npos;
+    const bool yes = value == "true" || value == "1", no = value == "false" || value == "0";
+    if ((type == "Integer" && !is_whole) || (type == "Boolean" && !yes && !no))
+      throw Error(ErrorCode::invalid_argument,
+                  fmt::format("subsystem '{}' gives '{}' {}; allowed is {}", member.name, name, value,
+                              type == "Integer" ? "a whole number" : "true or false"));
+    return type == "Boolean" ? (yes ? "true" : "false") : value;
   }
 
   static const char* type_in(const SystemMember& member, const std::string& name) {
@@ -170,18 +199,25 @@ class SystemWriter {
                           {"startConnector", outputs[k]},
                           {"endElement", reader->name},
                           {"endConnector", inputs[k]}});
-      if (!c.convert && is_left_unsaid(*reader, inputs[k]))
-        one.append_attribute("suppressUnitConversion").set_value("true");
+      check_is_output(*source, outputs[k]);
+      if (!c.convert && differ(source->unit_of(outputs[k]), reader->unit_of(inputs[k])))
+        put(one, "suppressUnitConversion", "true");
       if (c.gain != 1.0 || c.offset != 0.0)
         add(one, "ssc:LinearTransformation", {{"factor", shortest(c.gain)}, {"offset", shortest(c.offset)}});
       annotate(one, keys_of(c));
     }
   }
 
-  /// The unit of an FMU's port, by the scenario.
-  static bool is_left_unsaid(const SystemMember& member, const std::string& variable) {
-    const auto it = member.units.find(variable);
-    return it != member.units.end() && it->second.empty();
+  static bool differ(const std::string& from, const std::string& to) {
+    return from != to && !from.empty() && !to.empty();
+  }
+
+  static void check_is_output(const SystemMember& member, const std::string& variable) {
+    for (const fmi::Variable& v : member.description.variables)
+      if (v.name == variable && v.causality != fmi::Causality::output)
+        throw Error(ErrorCode::invalid_argument, fmt::format("'{}.{}' is no output of its FMU; SSP connects "
+                                                             "outputs alone",
+                                                             member.name, variable));
   }
 
   static std::map<std::string, std::string> keys_of(const Connection& c) {
@@ -202,11 +238,16 @@ class SystemWriter {
   std::map<std::string, std::string> coordination() const {
     const Coordination& c = scenario_.coordination;
     std::map<std::string, std::string> keys{{"schedule", std::string(Schedule::name(c.schedule))},
-                                            {"start", std::string(name(c.start))}};
-    if (scenario_.chooses) keys["scheme"] = "auto";
+                                            {"start", std::string(tandem::name(c.start))}};
     if (c.communication_step) keys["communication_step"] = shortest(*c.communication_step);
     std::string order;
-    for (const std::string& one : c.order) order += (order.empty() ? "" : ", ") + text::toml_text(one);
+    const auto add_name = [&](const std::string& name) {
+      order += (order.empty() ? "" : ", ") + text::toml_text(name);
+    };
+    for (const std::string& one : c.order) add_name(one);
+    for (const SystemMember& member : members_)  // what samples integrates itself there
+      if (!c.order.empty() && std::find(c.order.begin(), c.order.end(), member.name) == c.order.end())
+        add_name(member.name);
     if (!order.empty()) keys["order"] = "[" + order + "]";
     return keys;
   }
@@ -218,6 +259,16 @@ class SystemWriter {
 };
 
 }  // namespace
+
+std::string file_of(const std::string& component) {
+  std::string name;
+  for (const char c : component) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain = std::isalnum(byte) || c == '_' || c == '-';
+    name += plain ? std::string(1, c) : fmt::format("~{:02x}", byte);
+  }
+  return name + ".fmu";
+}
 
 std::string system_description(const scenario::Scenario& scenario, const std::vector<SystemMember>& members,
                                const std::string& tool) {

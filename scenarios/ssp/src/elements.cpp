@@ -107,11 +107,12 @@ class StructureReader {
   }
 
   /// A name that the file does not define and that means nothing here may mean something in the FMU.
-  std::string unit(const Document& document, xml_node type, const Node& node) const {
+  std::string unit(const Document& document, xml_node type, const Node& node) {
     const std::string name = document.xml.text(type, "unit").value_or("");
     const fmi::Variable* v = to_.at(node.first).is_system() ? nullptr : to_.variable(node);
     const std::string unit = fmi::unit_in(name, document.defined.units);
     const bool of_fmu = document.defined.units.count(name) == 0 && !base_unit(unit) && v && !v->unit.empty();
+    if (of_fmu && !name.empty()) to_.undefined_units.insert(printable(name, 100));
     return of_fmu ? "" : unit;
   }
 

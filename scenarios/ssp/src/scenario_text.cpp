@@ -65,6 +65,9 @@ class Writer {
           fmt::format("{} values have no effect, as nothing reads them or another holds: {}{}", unused.size(),
                       *unused.begin(), unused.size() > 1 ? ", ..." : ""));
     to_.remarks.insert(to_.remarks.end(), in_.remarks.begin(), in_.remarks.end());
+    if (!in_.undefined_units.empty())
+      to_.remarks.push_back("units of connectors that are not defined are those of the FMUs: " +
+                            listed({in_.undefined_units.begin(), in_.undefined_units.end()}));
     if (!in_.unknown_units.empty())
       to_.remarks.push_back("values are taken as they are where a unit is not known: " +
                             listed({in_.unknown_units.begin(), in_.unknown_units.end()}));

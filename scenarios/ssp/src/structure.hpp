@@ -84,7 +84,8 @@ struct Structure {
   std::size_t parts = 0;   ///< all that has been read, which is bounded
   Settings settings;
   std::vector<std::string> remarks;
-  std::set<std::string> unknown_units;  ///< of values that are taken as they are
+  std::set<std::string> unknown_units;    ///< of values that are taken as they are
+  std::set<std::string> undefined_units;  ///< of connectors whose FMU says another
 
   /// Notes one more part. Throws Error, which names a line, for too many.
   void count(int line);
