@@ -2,45 +2,15 @@
 // Systems of the standard SSP, read as scenarios.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
 
-#include "refusal.hpp"
-#include "system_file.hpp"
+#include "system_reading.hpp"
 #include "tandem/coordinator/units.hpp"
-#include "tandem/scenario/scenario.hpp"
 
 namespace tandem::test {
 namespace {
-
-using scenario::Scenario;
-
-Scenario read_system(const Scratch& folder, const std::string& description,
-                     const std::vector<std::string>& fmus = {"mass"}, const std::vector<Packed>& more = {}) {
-  return scenario::read(write_system(folder, description, fmus, more));
-}
-
-/// Of a subsystem's parameter; empty: it is not given.
-std::string given(const Scenario& s, std::size_t subsystem, const std::string& name) {
-  for (const scenario::Parameter& p : s.subsystems.at(subsystem).parameters)
-    if (p.name == name)
-      return std::visit(
-          [](const auto& value) {
-            if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::string>)
-              return value;
-            else
-              return std::to_string(value);
-          },
-          p.value);
-  return "";
-}
-
-bool is_given(const Scenario& s, std::size_t subsystem, const std::string& name) {
-  const auto& all = s.subsystems.at(subsystem).parameters;
-  return std::any_of(all.begin(), all.end(), [&](const scenario::Parameter& p) { return p.name == name; });
-}
 
 const std::string pair_of_masses =
     "<ssd:Elements>" +
@@ -69,12 +39,6 @@ TEST(System, OfTwoMassesIsAScenario) {
   EXPECT_EQ(s.coordination.schedule, Schedule::Kind::slowest_first);
   ASSERT_EQ(s.remarks.size(), 1U);
   EXPECT_NE(s.remarks[0].find("says nothing of its coupling"), std::string::npos);
-}
-
-std::string annotated(const std::string& attributes) {
-  return "<ssd:Annotations><ssc:Annotation type=\"other\"/><ssc:Annotation "
-         "type=\"org.tandem.coordination\"><t:x " +
-         attributes + "/></ssc:Annotation></ssd:Annotations>";
 }
 
 TEST(System, AnnotationsSayHowItIsCoupled) {
@@ -203,82 +167,7 @@ TEST(System, TransformationsAndUnitsOfRandomWaysThroughSystemsAdd) {
   }
 }
 
-TEST(System, OuterBindingsHoldAndOfOneSystemTheLast) {
-  const Scratch folder;
-  const std::string inner = "<ssd:System name=\"in\">" + bindings({{"one.k", "2"}, {"one.d", "2"}}) +
-                            "<ssd:Elements>" +
-                            component("one", "mass", bindings({{"k", "1"}, {"d", "1"}, {"s", "1"}})) +
-                            "</ssd:Elements></ssd:System>";
-  const std::string set = "<ssv:Parameter name=\"k\"><ssv:Real value=\"4\"/></ssv:Parameter>";
-  const std::string outer =
-      "<ssd:ParameterBindings><ssd:ParameterBinding source=\"resources/p.ssv\" prefix=\"in.one.\"/>"
-      "<ssd:ParameterBinding><ssd:ParameterValues>" +
-      parameter_set(
-          "<ssv:Parameter name=\"in.one.k\"><ssv:Real value=\"3\"/></ssv:Parameter>"
-          "<ssv:Parameter name=\"nobody.k\"><ssv:Real value=\"3\"/></ssv:Parameter>") +
-      "</ssd:ParameterValues></ssd:ParameterBinding></ssd:ParameterBindings>";
-  const Scenario s = read_system(folder, ssd(outer + "<ssd:Elements>" + inner + "</ssd:Elements>"), {"mass"},
-                                 {{"resources/p.ssv", parameter_set(set)}});
-  EXPECT_EQ(s.subsystems[0].name, "in_one");
-  EXPECT_EQ(given(s, 0, "set.k"), "3.000000");
-  EXPECT_EQ(given(s, 0, "set.d"), "2.000000");
-  EXPECT_EQ(given(s, 0, "set.s"), "1.000000");
-  ASSERT_EQ(s.remarks.size(), 1U);
-  EXPECT_NE(s.remarks[0].find("1 values of parameters are left out, as nothing takes them: nobody.k"),
-            std::string::npos);
-}
-
 /// In their own units, by mappings, and through connectors of systems, in this order.
-TEST(System, ValuesAreConvertedAndTransformedOnTheirWay) {
-  const Scratch folder;
-  const std::string set = parameter_set(
-      "<ssv:Parameter name=\"far\"><ssv:Real value=\"3\" unit=\"mm\"/></ssv:Parameter>",
-      "<ssv:Units><ssc:Unit name=\"mm\"><ssc:BaseUnit m=\"1\" factor=\"0.001\"/></ssc:Unit></ssv:Units>");
-  const std::string mapping =
-      "<ssd:ParameterMapping><ssm:ParameterMapping version=\"1.0\"><ssm:MappingEntry source=\"far\" "
-      "target=\"c\">" +
-      linear("2", "1") + "</ssm:MappingEntry></ssm:ParameterMapping></ssd:ParameterMapping>";
-  const std::string system =
-      connectors({{"input", "c", "m"}}) +
-      "<ssd:ParameterBindings><ssd:ParameterBinding><ssd:ParameterValues>" + set + "</ssd:ParameterValues>" +
-      mapping + "</ssd:ParameterBinding></ssd:ParameterBindings><ssd:Elements>" +
-      component("one", "mass", connectors({{"input", "u", "mm"}})) + "</ssd:Elements><ssd:Connections>" +
-      ssd_connection("c", "one.u", linear("10", "5")) + "</ssd:Connections>";
-  const Scenario s = read_system(folder, ssd(system));
-  ASSERT_EQ(s.subsystems[0].inputs.size(), 1U);
-  EXPECT_EQ(s.subsystems[0].inputs[0].port, "u");
-  EXPECT_NEAR(s.subsystems[0].inputs[0].at(0.0), 10.0 * (1000.0 * (2.0 * 0.003 + 1.0)) + 5.0, 1e-9);
-}
-
-TEST(System, ValuesOfEveryTypeAreGiven) {
-  const Scratch folder;
-  const std::string set = parameter_set(
-      "<ssv:Parameter name=\"text\"><ssv:String value='say \"a\\b\"'/></ssv:Parameter>"
-      "<ssv:Parameter name=\"flag_in\"><ssv:Boolean value=\"true\"/></ssv:Parameter>"
-      "<ssv:Parameter name=\"whole_in\"><ssv:Integer value=\"-3\"/></ssv:Parameter>"
-      "<ssv:Parameter name=\"choice_in\"><ssv:Enumeration value=\"high\" name=\"E\"/></ssv:Parameter>",
-      "<ssv:Enumerations><ssc:Enumeration name=\"E\"><ssc:Item name=\"low\" value=\"1\"/>"
-      "<ssc:Item name=\"high\" value=\"2\"/></ssc:Enumeration></ssv:Enumerations>");
-  const std::string arrays =
-      parameter_set("<ssv:Parameter name=\"A\"><ssv:Float64 value=\"0 1 -1 0\"/></ssv:Parameter>");
-  const auto bound = [](const std::string& one) {
-    return "<ssd:ParameterBindings><ssd:ParameterBinding><ssd:ParameterValues>" + one +
-           "</ssd:ParameterValues></ssd:ParameterBinding></ssd:ParameterBindings>";
-  };
-  const Scenario s = read_system(folder,
-                                 ssd("<ssd:Elements>" + component("types", "types3", bound(set)) +
-                                     component("space", "space3", bound(arrays)) + "</ssd:Elements>"),
-                                 {"types3", "space3"});
-  EXPECT_EQ(given(s, 0, "set.text"), "say \"a\\b\"");
-  ASSERT_EQ(s.subsystems[0].inputs.size(), 3U);
-  for (const scenario::InputEntry& input : s.subsystems[0].inputs)
-    EXPECT_EQ(input.at(0.0), input.port == "flag_in"    ? 1.0
-                             : input.port == "whole_in" ? -3.0
-                                                        : 2.0)
-        << input.port;
-  EXPECT_EQ(given(s, 1, "set.A"), "0 1 -1 0");
-}
-
 /// A system in an archive within the archive, twice.
 TEST(System, OtherSystemsLieInIt) {
   const Scratch folder, inner;
@@ -325,48 +214,6 @@ TEST(System, UnitsOfConnectorsHold) {
       << s.remarks[0];
 }
 
-TEST(System, SeveralContainersOfBindingsAreRead) {
-  const Scratch folder;
-  const Scenario s = read_system(
-      folder, ssd("<ssd:Elements>" + component("a", "mass", bindings({{"k", "2"}}) + bindings({{"d", "3"}})) +
-                  "</ssd:Elements>"));
-  EXPECT_EQ(given(s, 0, "set.k"), "2.000000");
-  EXPECT_EQ(given(s, 0, "set.d"), "3.000000");
-}
-
-TEST(System, TextsThatBeginWithADollarStandForThemselves) {
-  const Scratch folder;
-  const std::string set =
-      parameter_set("<ssv:Parameter name=\"text\"><ssv:String value=\"$(1+1)\"/></ssv:Parameter>");
-  const Scenario s = read_system(
-      folder,
-      ssd("<ssd:Elements>" +
-              component("$a", "types3",
-                        "<ssd:ParameterBindings><ssd:ParameterBinding><ssd:ParameterValues>" + set +
-                            "</ssd:ParameterValues></ssd:ParameterBinding></ssd:ParameterBindings>") +
-              "</ssd:Elements>",
-          "", "$s"),
-      {"types3"});
-  EXPECT_EQ(s.name, "$s");
-  EXPECT_EQ(s.subsystems[0].name, "$a");
-  EXPECT_EQ(given(s, 0, "set.text"), "$(1+1)");
-}
-
-TEST(System, ManyPartsTakeLittleTimeAndTooManySystemsInEachOtherAreRefused) {
-  const Scratch folder;
-  std::string deep = component("a", "mass"), text;
-  for (int k = 0; k < 20000; ++k)
-    deep = "<ssd:System name=\"s\"><ssd:Elements>" + deep + "</ssd:Elements></ssd:System>";
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"more than 32 systems lie in each other"},
-                      [&] { read_system(folder, ssd("<ssd:Elements>" + deep + "</ssd:Elements>")); }));
-  std::vector<std::pair<std::string, std::string>> many;
-  for (int k = 0; k < 20000; ++k) many.emplace_back("x" + std::to_string(k), "1");
-  const Scenario s = read_system(
-      folder, ssd(bindings(many) + "<ssd:Elements>" + component("a", "mass") + "</ssd:Elements>"));
-  ASSERT_EQ(s.remarks.size(), 1U);
-  EXPECT_NE(s.remarks[0].find("20000 values"), std::string::npos);
-}
-
 TEST(System, UnitsThatAreNotKnownAreRemarked) {
   const Scratch folder;
   const std::string system = "<ssd:Elements><ssd:System name=\"i\">" + connectors({{"output", "c", "[m]"}}) +
@@ -396,73 +243,6 @@ TEST(System, SuppressedConversionsTakeNumbersAsTheyAre) {
   }
 }
 
-struct Fault {
-  std::string description;
-  std::vector<std::string> texts;
-};
-
-void expect_refused(const std::vector<Fault>& faults) {
-  for (const Fault& fault : faults) {
-    const Scratch folder;
-    std::string found;
-    try {
-      read_system(folder, fault.description);
-    } catch (const Error& error) {
-      found = error.what();
-    }
-    for (const std::string& text : fault.texts)
-      EXPECT_NE(found.find(text), std::string::npos) << "'" << text << "' in: " << found;
-  }
-}
-
-std::string with(const std::string& elements, const std::string& connections_text = "") {
-  return ssd("<ssd:Elements>" + elements + "</ssd:Elements>" +
-             (connections_text.empty() ? "" : "<ssd:Connections>" + connections_text + "</ssd:Connections>"));
-}
-
-TEST(System, WhatIsWrongIsNamed) {
-  const std::string a = component("a", "mass"), b = component("b", "mass");
-  expect_refused({
-      {"no xml", {"no well-formed XML"}},
-      {"<a/>", {"<SystemStructureDescription>"}},
-      {ssd(""), {"no component"}},
-      {with(a + a), {"'a' is there twice"}},
-      {with(component("a", "mas")), {"s.ssp' holds no 'resources/mas.fmu'"}},
-      {with("<ssd:Component name=\"a\" source=\"../mass.fmu\"/>"), {"'../mass.fmu'", "in this archive"}},
-      {with("<ssd:Component name=\"a\" source=\"/etc/passwd\"/>"), {"'/etc/passwd'", "relative path"}},
-      {with("<ssd:Component name=\"a\" source=\"http://x/y.fmu\"/>"), {"relative path"}},
-      {with("<ssd:Component name=\"a\" source=\"\"/>"), {"attribute source"}},
-      {with("<ssd:Component name=\"a\" type=\"text/x-modelica\" source=\"a.mo\"/>"), {"text/x-modelica"}},
-      {with("<ssd:SignalDictionaryReference name=\"a\" dictionary=\"d\"/>"), {"SignalDictionaryReference"}},
-      {with(a + b, ssd_connection("a.x", "b.y")), {"'b': connector 'y' is not there"}},
-      {with(a + b, ssd_connection("a.x", "c.u")), {"element 'c' is not there"}},
-      {with(a + b, ssd_connection("a.x", "b.x")), {"'a.x' and 'b.x', give values"}},
-      {with(a + b, ssd_connection("a.u", "b.u")), {"take values"}},
-      {with(a + b, ssd_connection("a.x", "b.u") + ssd_connection("a.v", "b.u")), {"a second connection"}},
-      {with(a + b, ssd_connection("a.v", "b.u")), {"'u' takes values of unit 'm/s' in unit 'm'"}},
-      {with(a + b, ssd_connection("a.x", "b.k")), {"parameter 'k' is to follow another component"}},
-      {with(a + b, ssd_connection("a.x", "b.u", "<ssc:IntegerMappingTransformation/>")), {"IntegerMapping"}},
-      {with(a + b, ssd_connection("a.x", "b.u", annotated("gain=\"2\""))),
-       {"attribute of a connection 'gain'"}},
-      {with(a + component("b", "mass", annotated("unit=\"m\""))), {"attribute 'unit'"}},
-      {with("<ssd:Component name=\"a\" source=\"resources/mass.fmu\" implementation=\"Any\"/>"), {"'Any'"}},
-      {with(component("a", "mass", connectors({{"in", "u", "m"}}))), {"attribute kind", "'in'"}},
-      {ssd("<ssd:Elements>" + a + "</ssd:Elements><ssd:Elements>" + b + "</ssd:Elements>"),
-       {"<ssd:Elements> is there twice"}},
-      {with(a + component("b", "mass",
-                          "<ssd:ParameterBindings><ssd:ParameterBinding><ssd:ParameterValues>" +
-                              parameter_set("<ssv:Parameter name=\"k\"><ssv:String/></ssv:Parameter>") +
-                              "</ssd:ParameterValues></ssd:ParameterBinding></ssd:ParameterBindings>")),
-       {"attribute value", "a text"}},
-      {with("<ssd:System name=\"i\">" + annotated("step=\"1\"") + "<ssd:Elements>" + a +
-            "</ssd:Elements></ssd:System>"),
-       {"a system has an annotation"}},
-      {with(a + component("b", "mass", bindings({{"k", "x"}}))),
-       {"attribute value", "'x'", "numbers with blanks"}},
-      {ssd("<ssd:Elements>" + a + "</ssd:Elements>", annotated("schedul=\"x\"")), {"schedul"}},
-  });
-}
-
 /// The file that the schemas of the standard call valid, and that fuzzing begins with.
 TEST(System, OfEveryThingOnceIsRead) {
   const Scratch folder;
@@ -477,14 +257,6 @@ TEST(System, OfEveryThingOnceIsRead) {
   EXPECT_NEAR(s.connections[1].connection.gain, 1e-3, 1e-18)
       << "metres are taken as millimetres, and then converted";
   EXPECT_TRUE(s.remarks.empty()) << "what a mapping leaves out is meant to be";
-}
-
-TEST(System, ThatHoldsItselfIsRefused) {
-  const Scratch folder;
-  const std::string itself =
-      "<ssd:Component name=\"a\" type=\"application/x-ssp-definition\" source=\"s.ssd\"/>";
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"holds itself"},
-                      [&] { scenario::read(folder.write("s.ssd", with(itself))); }));
 }
 
 }  // namespace
