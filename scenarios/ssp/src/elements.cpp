@@ -18,7 +18,6 @@ namespace tandem::ssp {
 namespace {
 
 namespace fs = std::filesystem;
-using fmi::child;
 using fmi::children;
 
 constexpr int deepest = 32;
