@@ -140,11 +140,17 @@ void Link::read(std::span<Segment> lane, ByteReader& from) const {
 void Exchange::write(ByteWriter& to) const {
   for (const End& end : ends_) end.history.write(to);
   for (const Link& link : links_) link.write(to);
+  for (const End& end : ends_)
+    for (const Driven& input : end.driven)
+      if (input.is_open()) input.write(to);
 }
 
 void Exchange::read(ByteReader& from) {
   for (End& end : ends_) end.history.read(from);
   for (Link& link : links_) link.read(from);
+  for (End& end : ends_)
+    for (Driven& input : end.driven)
+      if (input.is_open()) input.read(from);
 }
 
 void Coordinator::require_serializable() const {
@@ -171,6 +177,7 @@ void Coordinator::save(ByteWriter& to) const {
     write_events(i, to);
   }
   exchange_->write(to);
+  if (coordination_.pauses) to.put(schedule_->stop());
 }
 
 void Coordinator::write_state(int who, StateId id, ByteWriter& to) const {
@@ -193,6 +200,7 @@ void Coordinator::restore(ByteReader& from) {
     read_events(static_cast<int>(i), from, states_back);
   }
   exchange_->read(from);
+  if (coordination_.pauses) stop_at(from.take<double>());
   for (int i = 0; i < topology_.size(); ++i) check_seat(i, from), check_events(i, from);
   place_all();
   for (int i = 0; i < topology_.size(); ++i) restore_state(i, states[static_cast<std::size_t>(i)], from);

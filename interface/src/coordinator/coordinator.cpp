@@ -62,8 +62,27 @@ void Coordinator::run() {
 
 bool Coordinator::round() {
   if (stopped_) return false;
+  return make_round() ? !stopped_ : end();
+}
+
+void Coordinator::run_to(double t) {
+  stop_at(t);
+  ended_ = false;
+  while (make_round()) {
+  }
+  check_end();
+  keep_rest();
+}
+
+void Coordinator::stop_at(double t) {
+  schedule_->stop_at(t);
+  place_all();
+}
+
+/// False: there was none left.
+bool Coordinator::make_round() {
   const auto turns = schedule_->next_round();
-  if (turns.empty()) return end();
+  if (turns.empty()) return false;
   try {
     has_samples_ || frozen_ ? make_in_parts(turns) : make(turns);
   } catch (...) {
@@ -73,7 +92,7 @@ bool Coordinator::round() {
     keep_rest();
     throw;
   }
-  return !stopped_;
+  return true;
 }
 
 /// Before a call: a state to go back to, if it may, and room for its rows. What stays by now is told, as rows

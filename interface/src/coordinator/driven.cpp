@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
+#include <utility>
 
 namespace tandem {
 
@@ -13,6 +16,79 @@ Driven::Driven(const TimeSeries& series, std::size_t slot, TimeTolerance toleran
     if (!tolerance.before(t_start, piece.origin)) pieces_.clear(), mark_jump(piece, false);
     pieces_.push_back(piece);
   }
+}
+
+Driven::Driven(double value, std::size_t slot, TimeTolerance tolerance)
+    : pieces_{{std::numeric_limits<double>::infinity(), 0.0, {value}}},
+      slot_(slot),
+      degree_(0),
+      tolerance_(tolerance),
+      open_(true) {}
+
+/// What is past for its reader goes, and what was guessed from t on. What was before t ends just before it, so
+/// that who stands there reads what begins. A jump has a piece of its own, of no length.
+void Driven::go_on(double t, const Signal& u) {
+  pieces_.erase(pieces_.begin(), pieces_.begin() + static_cast<std::ptrdiff_t>(std::exchange(first_, 0)));
+  while (pieces_.size() > 1 && pieces_[pieces_.size() - 2].end >= t) pieces_.pop_back();
+  const Signal from = u.from_jump_at(t);
+  if (Segment& newest = pieces_.back(); tandem_segment_jumps(&newest) && newest.origin == t) {
+    newest.c[0] = from.value(t);
+  } else {
+    const bool jumps = jumps_to(t, from);
+    newest.end = std::nextafter(t, -std::numeric_limits<double>::infinity());
+    if (jumps) mark_jump(pieces_.emplace_back(Segment{t, t, {from.value(t)}}), true);
+  }
+  append(t, from);
+}
+
+bool Driven::jumps_to(double t, const Signal& u) const {
+  const Segment& first = u.segments().front();
+  if (tandem_segment_jumps(&first) && first.origin == t) return true;
+  constexpr double rounding = 1e-9;
+  const double before = Signal(&pieces_.back(), 1, degree_).value(t), now = u.value(t);
+  return u.degree() == 0 && std::abs(now - before) > rounding * std::max(std::abs(before), std::abs(now));
+}
+
+void Driven::append(double t, const Signal& u) {
+  for (const Segment& s : u.segments()) {
+    if (s.end <= t && &s != &u.segments().back()) continue;
+    pieces_.push_back(s);
+    if (s.origin == t && u.degree() < TANDEM_MAX_COEFFICIENTS - 1) mark_jump(pieces_.back(), false);
+  }
+  pieces_.back().end = std::numeric_limits<double>::infinity();
+  degree_ = std::max(degree_, u.degree());
+}
+
+void Driven::forget_jump() {
+  for (Segment& piece : pieces_)
+    if (tandem_segment_jumps(&piece)) mark_jump(piece, false);
+}
+
+void Driven::write(ByteWriter& to) const {
+  to.put(std::int32_t{degree_});
+  to.put(static_cast<std::uint32_t>(pieces_.size()));
+  for (const Segment& piece : pieces_) {
+    to.put(piece.end), to.put(piece.origin);
+    to.put_doubles(piece.c);
+  }
+}
+
+void Driven::read(ByteReader& from) {
+  constexpr std::size_t size_of_piece = (2 + TANDEM_MAX_COEFFICIENTS) * sizeof(double);
+  first_ = 0;
+  degree_ = from.take<std::int32_t>();
+  pieces_.assign(from.take_count(size_of_piece), {});
+  double before = -std::numeric_limits<double>::infinity();
+  for (Segment& piece : pieces_) {
+    piece.end = from.take<double>(), piece.origin = from.take<double>();
+    from.take_doubles(piece.c);
+    const bool finite = std::isfinite(piece.origin) && std::all_of(std::begin(piece.c), std::end(piece.c),
+                                                                   [](double c) { return std::isfinite(c); });
+    if (!finite || !(piece.end >= before)) from.refuse("has a piece of an open input that is none");
+    before = piece.end;
+  }
+  if (degree_ < 0 || degree_ >= TANDEM_MAX_COEFFICIENTS || before != std::numeric_limits<double>::infinity())
+    from.refuse("has an open input that is not known to the end");
 }
 
 /// Whether one that stands at `time` reads a later piece than this one.

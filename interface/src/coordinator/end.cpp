@@ -29,7 +29,7 @@ void Coordinator::note_extra_steps(int who) {
 void Coordinator::check_end() const {
   std::string waiting;
   for (int i = 0; i < topology_.size(); ++i)
-    if (const Member& m = schedule_->member(i); !m.finished() && tolerance_.before(m.next, t_stop_))
+    if (const Member& m = schedule_->member(i); !m.finished() && tolerance_.before(m.next, schedule_->stop()))
       waiting += (waiting.empty() ? "subsystem '" : ", '") + topology_.name(i) +
                  "' at t = " + number_text(time(i)) + " s";
   if (!waiting.empty())

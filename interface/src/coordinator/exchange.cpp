@@ -2,6 +2,7 @@
 #include "tandem/coordinator/exchange.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -149,6 +150,22 @@ void Exchange::drive(const Topology& topology, int i, double t_start) {
   for (std::size_t k = 0; k < static_cast<std::size_t>(reader.inputs); ++k)
     if (const TimeSeries* series = topology.series(i, static_cast<int>(k)))
       reader.driven.emplace_back(*series, k, tolerance_, t_start), reader.has_more = true;
+    else if (topology.is_open(i, static_cast<int>(k)))
+      reader.driven.emplace_back(topology.start(i)[k], k, tolerance_), reader.has_more = true;
+}
+
+Driven& Exchange::open_input(int reader, int input) {
+  auto& all = ends_[static_cast<std::size_t>(reader)].driven;
+  const auto it = std::find_if(all.begin(), all.end(), [input](const Driven& one) {
+    return one.is_open() && one.slot() == static_cast<std::size_t>(input);
+  });
+  assert(it != all.end());
+  return *it;
+}
+
+void Exchange::forget_jumps(int reader) {
+  for (Driven& one : ends_[static_cast<std::size_t>(reader)].driven)
+    if (one.is_open()) one.forget_jump();
 }
 
 std::int64_t Exchange::accept(int source, double t_limit) {

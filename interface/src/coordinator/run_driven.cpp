@@ -27,9 +27,11 @@ void RunStart::each_driven(int who, const Visit& visit) const {
     if (const TimeSeries* series = topology_.series(who, k)) visit(*series, k);
 }
 
-/// With inputs that are known to jump.
+/// With inputs that are open, or known to jump.
 bool RunStart::outputs_jump(int who) const {
   bool any = false;
+  for (int k = 0; k < topology_.info(who).input_size(); ++k)
+    any = any || (topology_.is_open(who, k) && !sampled(who) && feeds(topology_.info(who), k));
   each_driven(who, [&](const TimeSeries& series, int k) {
     any = any || (!series.jumps().empty() && !sampled(who) && feeds(topology_.info(who), k));
   });

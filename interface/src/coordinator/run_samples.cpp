@@ -24,6 +24,8 @@ void RunStart::note_times(double communication_step) {
     if (topology_.info(line.source).abilities.events)
       for (const int who : {line.source, line.reader})
         if (!sampled(who)) times_.nearest[static_cast<std::size_t>(who)] = nearest_node(who);
+  for (int i = 0; i < topology_.size() && run_.coordination_.pauses; ++i)
+    if (!sampled(i)) times_.nearest[static_cast<std::size_t>(i)] = nearest_node(i);
 }
 
 /// Of one with samples beside its own nodes. Half a step apart is near enough, however times are rounded.

@@ -50,13 +50,17 @@ Schedule::Schedule(Plan plan, std::vector<Member> members, std::span<const Read>
       pair_(in_turns_ && !landings_ && members_.size() == 2 && are_linked(reads)),
       related_((in_turns_ && !pair_) || sampled_),
       tolerance_(plan_.span.start),
-      earliest_stop_(plan_.span.stop - tolerance_.width(plan_.span.start, plan_.span.stop)),
-      latest_stop_(plan_.span.stop + tolerance_.width(plan_.span.start, plan_.span.stop)),
       round_(members_.size()) {
+  stop_at(plan_.span.stop);
   if (!related_) return;
   const std::vector<int> all = all_in_order(plan_);
   assert(all.size() == members_.size());
   turns_ = TurnOrder(all, relations(all, reads, members_, in_turns_), tolerance_);
+}
+
+void Schedule::stop_at(double stop) {
+  const double width = tolerance_.width(plan_.span.start, stop);
+  plan_.span.stop = stop, earliest_stop_ = stop - width, latest_stop_ = stop + width;
 }
 
 double Schedule::find_landing(int who, double time, double break_at) {

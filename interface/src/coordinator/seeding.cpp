@@ -22,6 +22,7 @@ std::string RunStart::lacks_derivatives() const {
 
 /// Who stands against a repeated start; empty if nobody does.
 std::string RunStart::does_not_repeat() const {
+  if (run_.coordination_.pauses) return "the run pauses, and is not known beyond its start";
   for (int i = 0; i < topology_.size(); ++i) {
     const Abilities& a = topology_.info(i).abilities;
     const std::string name = "subsystem '" + topology_.name(i) + "' ";

@@ -2,6 +2,7 @@
 #include "tandem/coordinator/topology.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <charconv>
 #include <cmath>
 #include <tuple>
@@ -28,7 +29,9 @@ int Topology::add(const std::string& name, const SubsystemInfo& info) {
   if (numbers_.contains(name)) refuse_topology("instance name '" + name + "' is used twice");
   check_info(name, info);
   const auto inputs = static_cast<std::size_t>(info.input_size());
-  Instance instance{name, &info, {}, std::vector<char>(inputs), std::vector<char>(inputs), {}, {}, {}};
+  Instance instance{
+      name, &info, {}, std::vector<char>(inputs), std::vector<char>(inputs), std::vector<char>(inputs),
+      {},   {},    {}};
   instance.driven.resize(inputs);
   instance.to.resize(inputs);
   for (const Port& port : info.inputs)
@@ -164,6 +167,13 @@ void Topology::drive(std::string_view port, std::shared_ptr<const TimeSeries> se
   refuse_driven(place.instance, place.first, "driven once more");
   instances_[static_cast<std::size_t>(place.instance)].driven[static_cast<std::size_t>(place.first)] =
       std::move(series);
+}
+
+void Topology::leave_open(int instance, int input, double start) {
+  Instance& reader = instances_[static_cast<std::size_t>(instance)];
+  const auto k = static_cast<std::size_t>(input);
+  assert(lines_to(instance, input).empty() && !series(instance, input));
+  reader.start[k] = start, reader.open[k] = 1;
 }
 
 void Topology::refuse_driven(int instance, int input, const std::string& besides) const {

@@ -40,6 +40,14 @@ class Coordinator {
   /// initialize(), then rounds to the end.
   void run();
 
+  /// In place of round() and run(), with Coordination::pauses, after initialize(): rounds up to t [s], within the
+  /// span, where all that can shorten a step end one; again and again, with rising t.
+  void run_to(double t);
+  /// An open input of the topology, which is to be known before run_to(). Valid from initialize() on.
+  Driven& open_input(int subsystem, int input) { return exchange_->open_input(subsystem, input); }
+  /// Outputs that follow inputs at once follow the open ones that have jumped where the run stands.
+  void tell_jumps();
+
   /// Throws Error(not_supported) that names the subsystems whose state can't leave the process.
   void require_serializable() const;
   /// Between rounds: all that the run goes by from here on, states of the subsystems and histories included.
@@ -121,14 +129,11 @@ class Coordinator {
   void stand(int who, const Clock& clock) {
     seat(who).time = clock.time;
     const double next = clock.stop == Stop::finished ? Member::never : clock.next_time;
-    if (!lands_elsewhere_) return schedule_->stand(who, clock.time, next);
     own_next_[static_cast<std::size_t>(who)] = next;
-    place(who);
+    if (lands_elsewhere_) return place(who);
+    schedule_->stand(who, clock.time, next);
   }
-  /// Its next node or instant; Member::never when it has finished.
-  double own_next(int who) const {
-    return lands_elsewhere_ ? own_next_[static_cast<std::size_t>(who)] : schedule_->member(who).next;
-  }
+  double own_next(int who) const { return own_next_[static_cast<std::size_t>(who)]; }
   void place(int who);
   void place_all();
   void place_neighbours(int sampled);
@@ -144,7 +149,9 @@ class Coordinator {
   void check_seat(int who, const ByteReader& from);
   void restore_state(int who, std::span<const std::byte> bytes, const ByteReader& from);
   void note_extra_steps(int who);
+  bool make_round();
   bool end();
+  void stop_at(double t);
 
   const Topology& topology_;
   Coordination coordination_;
@@ -166,7 +173,10 @@ class Coordinator {
   bool frozen_ = false;           ///< Then in parallel: others read what was there at the begin of a round.
   bool ended_ = false;            ///< Nobody goes back any more.
   std::vector<std::vector<Through>> through_;  ///< By subsystem; empty if there is none.
-  std::vector<double> own_next_;               ///< By subsystem, if there are: see own_next().
+  std::vector<int>
+      followers_;  ///< Of a run that pauses: whose outputs may jump with open inputs, sources first.
+  std::vector<double>
+      own_next_;  ///< By subsystem: its next node or instant; Member::never when it has finished.
   std::vector<int> output_calls_;  ///< Sampled ones that read each other: who gives outputs, in this order.
   std::vector<char> together_;     ///< By subsystem: is one of these.
   std::vector<double> outputs_;    ///< Of one that acts.

@@ -94,6 +94,11 @@ class Exchange {
     return {end.slots.data(), static_cast<std::size_t>(end.inputs)};
   }
 
+  /// An open input (Topology::is_open). Valid as long as the exchange is where it is.
+  Driven& open_input(int reader, int input);
+  /// It has read the jumps of its open inputs where it stands.
+  void forget_jumps(int reader);
+
   /// What the reader got last: its inputs, and behind them the terms of those that are sums. Valid as what inputs() and
   /// sample() give.
   std::span<const Signal> lanes(int reader) const { return ends_[static_cast<std::size_t>(reader)].slots; }

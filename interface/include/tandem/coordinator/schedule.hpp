@@ -50,6 +50,10 @@ class Schedule {
   std::span<const int> order() const { return plan_.order; }
   const Member& member(int who) const { return members_[static_cast<std::size_t>(who)]; }
 
+  double stop() const { return plan_.span.stop; }  ///< [s]
+  /// The run ends at `stop` [s] from now on. All members are to be put anew.
+  void stop_at(double stop);
+
   /// Puts a member where its subsystem stands. It takes no further part if it stands at t_stop, if its next
   /// step would end past it, or if it says so (next = never). It also lands at the next instants of the
   /// sampled members that say so; for that the members that these move are to be put anew.
@@ -108,7 +112,7 @@ class Schedule {
   bool pair_;      ///< two that are linked
   bool related_;   ///< turns_ is kept
   TimeTolerance tolerance_;
-  double earliest_stop_, latest_stop_;  ///< t_stop, give and take the tolerance
+  double earliest_stop_ = 0.0, latest_stop_ = 0.0;  ///< t_stop, give and take the tolerance
   TurnOrder turns_;
   double pace_node_ = 0.0;  ///< where the own step of plan_.pace ends, or its last one did [s]
   std::vector<Turn> round_;

@@ -69,6 +69,10 @@ class Topology {
   /// driven already.
   void drive(std::string_view port, std::shared_ptr<const TimeSeries> series);
 
+  /// A scalar input, neither connected nor driven, that is open: `start` is what it is until the run is told more
+  /// (Coordinator::open_input).
+  void leave_open(int instance, int input, double start);
+
   /// Throws Error for an input that is neither connected nor driven nor has a start value, and for an
   /// algebraic loop, with its cycle.
   void check() const;
@@ -95,6 +99,9 @@ class Topology {
   const TimeSeries* series(int instance, int input) const {
     return at(instance).driven[static_cast<std::size_t>(input)].get();
   }
+  bool is_open(int instance, int input) const {
+    return at(instance).open[static_cast<std::size_t>(input)] != 0;
+  }
   /// Numbers of the lines that end at a scalar input, by the names of their sources and what is made of them:
   /// they are summed in this order, in whatever order they were connected.
   std::span<const int> lines_to(int instance, int input) const {
@@ -116,6 +123,7 @@ class Topology {
     std::vector<double> start;
     std::vector<char> shared;                               ///< by scalar input: connected with `add`
     std::vector<char> half;                                 ///< by scalar input: by connect_half()
+    std::vector<char> open;                                 ///< by scalar input
     std::vector<std::shared_ptr<const TimeSeries>> driven;  ///< by scalar input; null: it is not
     std::vector<std::vector<int>> to;                       ///< by scalar input: its lines
     std::vector<int> from;                                  ///< lines
