@@ -21,16 +21,22 @@ if(TANDEM_SANITIZE)
   target_link_options(tandem_build_flags INTERFACE -fsanitize=${TANDEM_SANITIZE})
 endif()
 
-# tandem_library(NAME HEADERS ... SOURCES ... [PUBLIC ...] [PRIVATE ...]): the exported target tandem::NAME with the
-# public headers below include/; header-only while it has no sources.
+# Of sources that run once, as they read files: an FMU's library is to be small.
+set(TANDEM_SMALL $<$<CONFIG:Release>:-Os>)
+
+# tandem_library(NAME [SMALL] HEADERS ... SOURCES ... [PUBLIC ...] [PRIVATE ...]): the exported target tandem::NAME with the
+# public headers below include/; header-only while it has no sources. SMALL: see TANDEM_SMALL.
 function(tandem_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS;SOURCES;PUBLIC;PRIVATE")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SMALL" "" "HEADERS;SOURCES;PUBLIC;PRIVATE")
   set(target tandem_${name})
   set(scope INTERFACE)
   if(arg_SOURCES)
     set(scope PUBLIC)
     add_library(${target} STATIC ${arg_SOURCES})
     target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:tandem_build_flags> ${arg_PRIVATE})
+    if(arg_SMALL)
+      target_compile_options(${target} PRIVATE ${TANDEM_SMALL})
+    endif()
   else()
     add_library(${target} INTERFACE)
   endif()

@@ -53,7 +53,7 @@ TEST(ExportCommand, RefusesInOneSentence) {
   };
   refused({"export", "d.toml", "d.fmu", "--fmi", "1"}, "--fmi");
   refused({"export", "nothing.toml", "d.fmu"}, "nothing.toml' is not there");
-  refused({"export", "empty.toml", "d.fmu"}, "empty.toml is a scenario");
+  refused({"export", "empty.toml", "d.fmu"}, "empty.toml: the file holds nothing");
   std::filesystem::create_directory(folder.path() / "folder.fmu");
   refused({"export", "d.toml", "folder.fmu"}, "folder.fmu");
   refused({"export", "d.toml", "d.toml"}, "ends in .fmu");

@@ -146,7 +146,18 @@ void refuses_export(const std::string& text, const std::vector<std::string>& wor
 TEST(Export, RefusesWhatCanNotGoAlong) {
   refuses_export("[blocks]\na = { kind = 'constant', value = 1 }\n[run]\nstep = 1\n", {"has no output"});
   refuses_export("[subsystems.x]\nsource = 'lib:x.so'\n[span]\nstop = 1\n",
-                 {"x.toml is a scenario", "mechanism"});
+                 {"x.toml:2", "'x' is lib:x.so", "scenario:FILE"});
+  const std::string mechanism =
+      "mechanism:" TANDEM_SOURCE_DIR "/scenarios/mechanisms/slider_crank/slider_crank.toml";
+  for (const std::string& source :
+       {"'" + mechanism + "'\nparameters.matrices = 'here'", "'" + mechanism + "?matrices=here'"}) {
+    const Exports exports;
+    exports.folder.write("inner.toml", "[subsystems.m]\nsource = " + source + "\n[span]\nstop = 1\n");
+    const auto outer =
+        exports.folder.write("x.toml", "[subsystems.x]\nsource = 'scenario:inner.toml'\n[span]\nstop = 1\n");
+    EXPECT_TRUE(refuses(ErrorCode::not_supported, {"x.toml:2", "inner.toml:", "matrices", "writes no files"},
+                        [&] { exports.of(outer.string()); }));
+  }
   const Scratch elsewhere;
   elsewhere.write("t.csv", "time,a\n0,1\n1,2\n");
   refuses_export("[blocks]\na = { kind = 'csv', column = 'a', file = '" +
@@ -166,7 +177,7 @@ TEST(Export, TakesParametersOfTheUriAsThoseOfTheFile) {
   const auto fmu = exports.of("diagram:" + file.string() + "?T=1&step=0.125");
   EXPECT_NEAR(v_at_the_end(fmu, ""), 12.0 * (1.0 - std::exp(-2.0)), 1e-4);
   EXPECT_NEAR(v_at_the_end(fmu, "&set.T=2"), 24.0 * (1.0 - std::exp(-1.0)), 1e-4);
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"matrices", "writes no files"}, [&] {
+  EXPECT_TRUE(refuses(ErrorCode::not_supported, {"matrices", "writes no files"}, [&] {
     exports.of("mechanism:" TANDEM_SOURCE_DIR
                "/scenarios/mechanisms/slider_crank/slider_crank.toml?matrices=x");
   }));

@@ -6,19 +6,22 @@
 #include "scratch.hpp"
 #include "tandem/export/export.hpp"
 #include "tandem/fmi/archive.hpp"
+#include "tandem/scenario/nested.hpp"
 #include "tandem/sources/diagram.hpp"
 #include "tandem/sources/mechanism.hpp"
 
 namespace tandem::test {
 
 inline Builtins file_sources() {
-  return {{}, {{"diagram", diagram_source()}, {"mechanism", mechanism_source()}}};
+  Builtins all{{}, {{"diagram", diagram_source()}, {"mechanism", mechanism_source()}}};
+  scenario::add_nested(all);
+  return all;
 }
 
 /// FMUs of texts of files, in a folder of their own.
 class Exports {
  public:
-  /// kind: mechanism or diagram. Its file is NAME.toml, the FMU NAME.fmu.
+  /// Of a mechanism, a diagram or a scenario. Its file is NAME.toml, the FMU NAME.fmu.
   std::filesystem::path fmu(const std::string& name, const std::string& text,
                             fmi::Version version = fmi::Version::two) const {
     return of(folder.write(name + ".toml", text).string(), name, version);

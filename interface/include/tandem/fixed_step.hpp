@@ -42,6 +42,10 @@ concept MayFinish = requires(const Model& model) {
   { model.finished() } -> std::same_as<bool>;
 };
 
+/// A model that goes by where a run ends.
+template <class Model>
+concept KnowsTheStop = requires(Model& model, double t_stop) { model.end_at(t_stop); };
+
 /// Makes a model with a fixed own step a Subsystem. It keeps the grid, takes the steps that fit, lands,
 /// splits steps where an input jumps (Jumps), and appends samples. It adds the abilities `lands`, `restarts`
 /// and `saves_state`. Model is copyable (a copy is its saved state) and has:
@@ -60,6 +64,9 @@ concept MayFinish = requires(const Model& model) {
 /// A model of which an output follows inputs at once may have:
 /// - `bool jump(double t, std::span<const Signal> u)`: inputs have jumped at t, where it stands; true:
 ///   outputs have with them.
+///
+/// A model that goes by where a run ends may have, before start():
+/// - `void end_at(double t_stop)`.
 ///
 /// A model that may come to an end of its own, or that can't be copied once it has started, may have:
 /// - `bool finished() const`: after a step or an event, it has come to its end.
@@ -82,8 +89,10 @@ class FixedStep final : public SavedModels<Model, GridPlace> {
     this->info_.abilities.lands = true;
   }
 
-  Clock initialize(double t_start, double /*t_stop*/, std::span<const double> u0, Samples& y) override {
+  Clock initialize(double t_start, [[maybe_unused]] double t_stop, std::span<const double> u0,
+                   Samples& y) override {
     place_ = GridPlace(t_start, model_.own_step());
+    if constexpr (KnowsTheStop<Model>) model_.end_at(t_stop);
     model_.start(t_start, u0);
     model_.outputs(y.append(t_start));
     return place_.clock();

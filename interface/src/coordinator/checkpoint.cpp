@@ -90,6 +90,7 @@ void Link::write(ByteWriter& to) const {
 }
 
 void Link::read(ByteReader& from) {
+  late_ = 0;
   been_read_ = from.take<std::uint8_t>() != 0;
   const auto count = from.take<std::int32_t>(), old = from.take<std::int32_t>();
   fitted_ = from.take<std::int64_t>();
@@ -194,6 +195,7 @@ void Coordinator::restore(ByteReader& from) {
     Seat& seat = seats_[i];
     for (double* time : {&seat.time, &own_next_[i]}) *time = from.take<double>();
     seat.idle_calls = from.take<std::int32_t>();
+    seat.call = Seat::Call::none, seat.stop = Stop::limit;  // also where a call had failed
     for (std::int64_t* number : {&seat.told, &seat.effort.exchanges, &seat.effort.steps})
       *number = from.take<std::int64_t>();
     states.push_back(from.take_bytes(from.take<std::uint64_t>()));

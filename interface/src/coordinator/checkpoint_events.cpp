@@ -26,6 +26,7 @@ void Coordinator::write_events(int who, ByteWriter& to) const {
 /// The states that it may go back to are added to the list, as bytes.
 void Coordinator::read_events(int who, ByteReader& from, std::vector<std::span<const std::byte>>& states) {
   EventSeat& seat = events(who);
+  forget_states(who);
   seat.times_back = from.take<std::int64_t>();
   seat.missed = from.take<std::int64_t>();
   seat.most_missed = from.take<double>();
@@ -36,6 +37,17 @@ void Coordinator::read_events(int who, ByteReader& from, std::vector<std::span<c
     back.row = from.take<std::int64_t>();
     states.push_back(from.take_bytes(from.take<std::uint64_t>()));
   }
+}
+
+/// Those that it might go back to.
+void Coordinator::forget_states(int who) {
+  for (const EventSeat::Back& back : events(who).back)
+    if (back.state != EventSeat::Back::none) seat(who).subsystem->release_state(back.state);
+  events(who).back.clear();
+}
+
+void Coordinator::forget_states() {
+  for (int i = 0; i < topology_.size(); ++i) forget_states(i);
 }
 
 void Coordinator::check_events(int who, const ByteReader& from) {

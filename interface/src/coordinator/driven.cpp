@@ -18,12 +18,13 @@ Driven::Driven(const TimeSeries& series, std::size_t slot, TimeTolerance toleran
   }
 }
 
-Driven::Driven(double value, std::size_t slot, TimeTolerance tolerance)
+Driven::Driven(double value, std::size_t slot, TimeTolerance tolerance, bool at_instants)
     : pieces_{{std::numeric_limits<double>::infinity(), 0.0, {value}}},
       slot_(slot),
       degree_(0),
       tolerance_(tolerance),
-      open_(true) {}
+      open_(true),
+      at_instants_(at_instants) {}
 
 /// What is past for its reader goes, and what was guessed from t on. What was before t ends just before it, so
 /// that who stands there reads what begins. A jump has a piece of its own, of no length.
@@ -38,15 +39,17 @@ void Driven::go_on(double t, const Signal& u) {
     newest.end = std::nextafter(t, -std::numeric_limits<double>::infinity());
     if (jumps) mark_jump(pieces_.emplace_back(Segment{t, t, {from.value(t)}}), true);
   }
+  if (at_instants_) pieces_.clear();  // none of its instants is before t
   append(t, from);
 }
 
 bool Driven::jumps_to(double t, const Signal& u) const {
-  const Segment& first = u.segments().front();
-  if (tandem_segment_jumps(&first) && first.origin == t) return true;
   constexpr double rounding = 1e-9;
+  const Segment& first = u.segments().front();
+  const bool says_so = tandem_segment_jumps(&first) && first.origin == t;
   const double before = Signal(&pieces_.back(), 1, degree_).value(t), now = u.value(t);
-  return u.degree() == 0 && std::abs(now - before) > rounding * std::max(std::abs(before), std::abs(now));
+  return (says_so || u.degree() == 0) &&
+         std::abs(now - before) > rounding * std::max(std::abs(before), std::abs(now));
 }
 
 void Driven::append(double t, const Signal& u) {

@@ -151,7 +151,8 @@ void Exchange::drive(const Topology& topology, int i, double t_start) {
     if (const TimeSeries* series = topology.series(i, static_cast<int>(k)))
       reader.driven.emplace_back(*series, k, tolerance_, t_start), reader.has_more = true;
     else if (topology.is_open(i, static_cast<int>(k)))
-      reader.driven.emplace_back(topology.start(i)[k], k, tolerance_), reader.has_more = true;
+      reader.driven.emplace_back(topology.start(i)[k], k, tolerance_, topology.info(i).abilities.sampled),
+          reader.has_more = true;
 }
 
 Driven& Exchange::open_input(int reader, int input) {

@@ -85,6 +85,16 @@ void History::seed(int count, double h) {
   seeds_ = count;
 }
 
+void History::seed(std::span<const double> past) {
+  assert(committed_ - base_ == 1);
+  const std::vector<double> first(row(base_), row(base_) + stride());
+  clear();
+  std::copy(past.begin(), past.end(), data_.begin());
+  std::copy(first.begin(), first.end(), data_.begin() + std::ssize(past));
+  seeds_ = std::ssize(past) / stride();
+  samples_.set_size(seeds_ + 1);
+}
+
 void History::clear() {
   base_ = committed_ = seeds_ = 0;
   samples_ = Samples(data_.data(), stride(), capacity());

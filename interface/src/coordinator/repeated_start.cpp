@@ -112,6 +112,7 @@ void RunStart::repeat() {
     return give_up("the passes of a repeated start do not settle: the last of " + std::to_string(passes) +
                    " changed what is read by " + number_text(changes.back() / changes.front(), 2) +
                    " of what the first did; allowed is 0.1, and less than before");
+  if (run_.coordination_.pauses) seed_from_passes();
   set_passes_apart();
 }
 

@@ -44,7 +44,7 @@ void RunStart::make() {
   note_without_effect();
   note_landing();
   run_.start_ = choose();
-  if (run_.start_ == StartKind::derivatives) seed();
+  if (run_.start_ == StartKind::derivatives) open_exchange(seeds());
   if (run_.start_ == StartKind::repeat) repeat();
   for (int i = 0; i < topology_.size(); ++i) run_.seat(i).goes_back = !run_.events(i).events_behind.empty();
 }
@@ -208,7 +208,8 @@ void RunStart::open_exchange(const std::vector<int>& seeds) {
     std::copy(row.begin(), row.end(), history.room().append(run_.t_start_));
     if (const int count = seeds[static_cast<std::size_t>(i)]; count > 0) {
       history.commit(run_.t_start_, run_.tolerance_);
-      history.seed(count, run_.own_step(i));
+      past_.empty() ? history.seed(count, run_.own_step(i))
+                    : history.seed(past_[static_cast<std::size_t>(i)]);
     }
     run_.exchange_->commit(i, run_.t_start_);
   }

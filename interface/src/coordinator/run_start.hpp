@@ -92,7 +92,9 @@ class RunStart {
   std::string lacks_derivatives() const;
   std::string does_not_repeat() const;
   void note_cold(const std::string& why) const;
-  void seed();
+  std::vector<int> seeds() const;
+  std::vector<double> past_of(int who, int count) const;
+  void seed_from_passes();
   struct FirstSteps {
     int passes, round;      ///< a change has come round after so many of them
     double until, largest;  ///< [s]: where they end, and the longest own step
@@ -110,6 +112,7 @@ class RunStart {
   std::vector<std::vector<double>> rows_;  ///< by subsystem: its first sample, header left out
   std::vector<Clock> clocks_;              ///< by subsystem: as it was initialized
   std::vector<std::vector<double>> u0_;    ///< by subsystem: the inputs that it was initialized with
+  std::vector<std::vector<double>> past_;  ///< by subsystem: rows before the start; empty: derivatives tell
   LinkTimes times_;
   bool has_breaks_ = false;            ///< LinkTimes::breaks
   std::vector<double> rounds_end_at_;  ///< [s]: where outputs are known to jump

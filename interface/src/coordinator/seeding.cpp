@@ -22,7 +22,6 @@ std::string RunStart::lacks_derivatives() const {
 
 /// Who stands against a repeated start; empty if nobody does.
 std::string RunStart::does_not_repeat() const {
-  if (run_.coordination_.pauses) return "the run pauses, and is not known beyond its start";
   for (int i = 0; i < topology_.size(); ++i) {
     const Abilities& a = topology_.info(i).abilities;
     const std::string name = "subsystem '" + topology_.name(i) + "' ";
@@ -60,15 +59,57 @@ void RunStart::note_cold(const std::string& why) const {
       "; the order stays at 2 where inputs are extrapolated, at 3 where they are interpolated");
 }
 
-/// Past samples at t_start - k h by Taylor expansion, as many as the widest reader of each source takes.
-void RunStart::seed() {
+/// By source: past samples that its widest reader takes.
+std::vector<int> RunStart::seeds() const {
   std::vector<int> counts(run_.own_steps_.size());
   for (const Line& line : topology_.lines())
     if (seeds_needed(line)) {
       int& count = counts[static_cast<std::size_t>(line.source)];
       count = std::max(count, line.how.samples() - 1);
     }
+  return counts;
+}
+
+/// Weights of rows at these times, of which a polynomial is the value at t (J. L. Lagrange).
+static std::vector<double> weights(const std::vector<double>& times, double t) {
+  std::vector<double> all;
+  for (const double own : times) {
+    double weight = 1.0;
+    for (const double other : times)
+      if (other != own) weight *= (t - other) / (own - other);
+    all.push_back(weight);
+  }
+  return all;
+}
+
+/// Rows at t_start - k h, the oldest first, of the polynomial through as many rows from the start on.
+std::vector<double> RunStart::past_of(int who, int count) const {
+  const History& history = run_.exchange_->history(who);
+  const std::int64_t first = history.first_own(), stride = history.stride();
+  std::vector<double> times, all;
+  for (std::int64_t k = first; k <= std::min(first + count, history.newest()); ++k)
+    times.push_back(history.time(k));
+  for (int k = count; k > 0; --k) {
+    const double t = run_.t_start_ - k * run_.own_step(who);
+    const auto of_rows = weights(times, t);
+    all.insert(all.end(), {t, 0.0});
+    for (std::int64_t column = Samples::header; column < stride; ++column) {
+      double value = 0.0;
+      for (std::size_t row = 0; row < of_rows.size(); ++row)
+        value += of_rows[row] * history.row(first + static_cast<std::int64_t>(row))[column];
+      all.push_back(value);
+    }
+  }
+  return all;
+}
+
+/// Of a run that pauses, whose inputs are known at the start alone: what the passes gave makes a past, and all
+/// stand at the start again.
+void RunStart::seed_from_passes() {
+  const std::vector<int> counts = seeds();
+  for (int i = 0; i < topology_.size(); ++i) past_.push_back(past_of(i, counts[static_cast<std::size_t>(i)]));
   open_exchange(counts);
+  for (int i = 0; i < topology_.size(); ++i) run_.stand(i, start_again(i));
 }
 
 }  // namespace tandem

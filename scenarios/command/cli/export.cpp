@@ -45,7 +45,8 @@ void export_to(const ExportOptions&, const Context&) {
 #endif
 
 constexpr const char* about_fmus = R"(
-A scenario becomes a system of SSP, FILE.ssp: mechanisms and diagrams as FMUs in it, FMUs as they are (docs/ssp.md).
+A scenario becomes one FMU, FILE.fmu, with inputs that nothing gives and the outputs that it records (docs/nested.md); or
+a system of SSP, FILE.ssp: its mechanisms and diagrams as FMUs in it, FMUs as they are (docs/ssp.md).
 
 An FMU is for Co-Simulation and needs nothing of tandem where it runs. It has the inputs, outputs and parameters of
 the source; the table [run] of a file gives its step, settings and start values (docs/fmi.md).
@@ -55,12 +56,12 @@ Exit status: 0, or 2 for what can't be exported.)";
 
 void add_export(CLI::App& app, Context& context) {
   auto* command = app.add_subcommand(
-      "export", "Make an FMU of a mechanism or a diagram, or a system of SSP of a scenario");
+      "export","Make an FMU of a mechanism, a diagram or a scenario, or a system of SSP of a scenario");
   auto options = std::make_shared<ExportOptions>();
   command
       ->add_option("source", options->source,
                    "The file of a mechanism, a diagram or a scenario, or mechanism:FILE?KEY=VALUE, "
-                   "diagram:FILE?KEY=VALUE")
+"diagram:FILE?.., scenario:FILE?..")
       ->required()
       ->type_name("SOURCE");
   command->add_option("file", options->file, "The FMU to be written, FILE.fmu, or the system, FILE.ssp")

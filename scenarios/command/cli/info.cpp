@@ -11,6 +11,7 @@
 #include "cli/print_parameter.hpp"
 #include "cli/say.hpp"
 #include "tandem/nearest.hpp"
+#include "tandem/scenario/nested.hpp"
 #include "tandem/sources/mechanism.hpp"
 
 namespace tandem::cli {
@@ -123,6 +124,14 @@ std::unique_ptr<Subsystem> open_or_tell(const std::string& uri, const Builtins& 
   }
 }
 
+/// Those of the files that it is made of, with the values of the URI.
+void print_parameters_of_files(const std::string& uri) {
+  Parameters given;
+  if (const auto question = uri.find('?'); question != std::string::npos)
+    given.read(uri.substr(question + 1), uri);
+  for (const text::FileParameter& p : scenario::parameters_of(uri, {}, {}, given)) print_parameter(p);
+}
+
 void print_source(const std::string& uri, const Context& context) {
   Topology topology;
   if (const auto look = look_at(uri, context.builtins, {})) {
@@ -132,6 +141,7 @@ void print_source(const std::string& uri, const Context& context) {
     const auto subsystem = open_or_tell(uri, context.builtins);
     topology.add("source", subsystem->info());
     print(uri, *subsystem, {}, topology.start(0));
+    print_parameters_of_files(uri);
   }
   print_words(source_of(uri, context.builtins));
 }

@@ -14,7 +14,7 @@ inline void print_parameter(const DeclaredParameter& p) {
   if (!p.otherwise)
     say("  parameter {}{}, needed{}\n", p.name, p.unit ? " [" + *p.unit + "]" : ", a word", sentence);
   else if (p.unit)
-    say("  parameter {} = {} {}{}\n", p.name, *p.otherwise, *p.unit, sentence);
+    say("  parameter {} = {}{}{}\n", p.name, *p.otherwise, p.unit->empty() ? "" : " " + *p.unit, sentence);
   else
     say("  parameter {} = '{}'{}\n", p.name, *p.otherwise, sentence);
 }

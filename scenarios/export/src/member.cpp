@@ -32,11 +32,11 @@ class MemberMaker {
         land != scenario_.coordination.landing.end() && land->second != Landing::automatic)
       to_.annotation["land"] = land->second == Landing::never ? "never" : "always";
     if (scheme == "fmu") return take_fmu(span.start), std::move(to_);
-    if (scheme != "mechanism" && scheme != "diagram")
+    if (scheme != "mechanism" && scheme != "diagram" && scheme != "scenario")
       scenario::refuse(
           entry_.source_place,
           fmt::format("subsystem '{}' is {}, which does not go along; allowed are mechanism:FILE, "
-                      "diagram:FILE and fmu:FILE",
+                      "diagram:FILE, scenario:FILE and fmu:FILE",
                       entry_.name, entry_.address()));
     export_source(scheme, span, folder, here);
     return std::move(to_);

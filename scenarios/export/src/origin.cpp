@@ -2,10 +2,10 @@
 #include "origin.hpp"
 
 #include "tandem/error.hpp"
+#include "tandem/exported/sources.hpp"
 #include "tandem/files_read.hpp"
+#include "tandem/scenario/nested.hpp"
 #include "tandem/scenario/scenario.hpp"
-#include "tandem/sources/diagram.hpp"
-#include "tandem/sources/mechanism.hpp"
 #include "tandem/text/document.hpp"
 #include "tandem/text/file_parameters.hpp"
 
@@ -15,14 +15,16 @@ namespace {
 namespace fs = std::filesystem;
 
 const Builtins& plain_sources() {
-  static const Builtins all{{}, {{"diagram", diagram_source()}, {"mechanism", mechanism_source()}}};
+  static const Builtins all = sources();
   return all;
 }
 
 [[noreturn]] void refuse(const std::string& source, const std::string& what) {
-  throw Error(ErrorCode::invalid_argument,
-              source + " is " + what +
-                  "; allowed are the file of a mechanism or a diagram, mechanism:FILE and diagram:FILE");
+  throw Error(
+      ErrorCode::invalid_argument,
+      source + " is " + what +
+          "; allowed are the file of a mechanism, a diagram or a scenario, mechanism:FILE, diagram:FILE and "
+          "scenario:FILE");
 }
 
 /// The parts of a URI, or a file with what it is.
@@ -33,8 +35,12 @@ Origin named(const std::string& source) {
     return {scheme, source.substr(colon + 1, question - colon - 1), {}, {}};
   if (colon != std::string::npos && !fs::exists(source)) refuse(source, "a source that does not go along");
   const std::string kind = scenario::kind_alone(source);
-  if (kind.empty()) refuse(source, "a scenario, which becomes FILE.ssp");
-  return {kind, source, {}, {}};
+  return {kind.empty() ? "scenario" : kind, source, {}, {}};
+}
+
+void take_scenario(Origin& to) {
+  const scenario::Scenario all = scenario::read(to.file, to.overrides);
+  to.span = TimeSpan{all.start, all.stop};
 }
 
 /// The table [run].
@@ -55,7 +61,11 @@ void take_file(const std::optional<Member>& member, Origin& to) {
   document.set(to.overrides);
   to.name = document.table()["name"].value_or(to.file.stem().string());
   to.description = document.table()["description"].value_or(std::string());
-  if (!member) return take_run(document, to);
+  if (to.scheme == "scenario")
+    take_scenario(to);
+  else if (!member)
+    take_run(document, to);
+  if (!member) return;
   to.parameters = member->parameters, to.starts = member->starts, to.span = member->span;
 }
 
@@ -67,9 +77,9 @@ void open_with(const Origin& origin, const std::string& name, const std::string&
 
 /// Whatever word a parameter is set to by a list of its file.
 void open_with_each_word(const Origin& origin) {
-  text::Document document(origin.file);
-  document.set(origin.overrides);
-  for (const text::FileParameter& parameter : text::parameters_of(document, {}))
+  Parameters none;
+  for (const text::FileParameter& parameter :
+       scenario::parameters_of(origin.uri(), {}, origin.overrides, none))
     for (const std::string& word : parameter.allowed) open_with(origin, parameter.name, word);
 }
 
@@ -90,9 +100,6 @@ Origin read_origin(const ExportSettings& settings) {
   if (const auto question = source.find('?'); question != std::string::npos && origin.file != source)
     given.read(source.substr(question + 1), source);
   for (const std::string& name : given.names("")) origin.parameters[name] = given.text(name, "");
-  if (origin.parameters.contains("matrices"))
-    throw Error(ErrorCode::invalid_argument,
-                source + ": 'matrices' names a folder of this machine; an FMU writes no files");
   return origin;
 }
 
@@ -101,6 +108,7 @@ std::vector<fs::path> files_of(const Origin& origin, const Builtins& here) {
   try {
     open(origin.uri(), plain_sources(), origin.opening());
   } catch (const Error& error) {
+    if (error.code() == ErrorCode::not_supported) throw;
     open(origin.uri(), here, origin.opening());
     throw Error(error.code(), std::string(error.what()) +
                                   ". This program has it, written in C++; an FMU has what the pages of "

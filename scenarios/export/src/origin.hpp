@@ -14,7 +14,7 @@ namespace tandem::exported {
 
 /// The source of an export.
 struct Origin {
-  std::string scheme;  ///< mechanism, diagram
+  std::string scheme;  ///< mechanism, diagram, scenario
   std::filesystem::path file;
   std::vector<std::string> overrides;
   std::map<std::string, Parameters::Value> parameters;  ///< of its table [run], and of the URI in their place

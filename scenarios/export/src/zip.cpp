@@ -38,8 +38,8 @@ void write_zip(const std::filesystem::path& archive, const std::map<std::string,
   for (const auto& [name, text] : contents) {
     const bool done =
         zipOpenNewFileInZip4_64(zip.get(), name.c_str(), &info, nullptr, 0, nullptr, 0, nullptr, Z_DEFLATED,
-                                Z_DEFAULT_COMPRESSION, 0, -MAX_WBITS, DEF_MEM_LEVEL, Z_DEFAULT_STRATEGY,
-                                nullptr, 0, made_by_unix, names_are_utf8, 0) == ZIP_OK &&
+                                Z_BEST_COMPRESSION, 0, -MAX_WBITS, DEF_MEM_LEVEL, Z_DEFAULT_STRATEGY, nullptr,
+                                0, made_by_unix, names_are_utf8, 0) == ZIP_OK &&
         zipWriteInFileInZip(zip.get(), text.data(), static_cast<unsigned>(text.size())) == ZIP_OK &&
         zipCloseFileInZip(zip.get()) == ZIP_OK;
     if (!done) fail(archive);

@@ -3,10 +3,24 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "tandem/error.hpp"
 
 namespace tandem::exported {
+
+/// The same polynomial with its origin at t: a Taylor shift.
+static void shift(Segment& s, double t) {
+  const double x = t - std::exchange(s.origin, t);
+  for (int k = 0; k < Inputs::highest_order; ++k)
+    for (int i = Inputs::highest_order - 1; i >= k; --i) s.c[i] += x * s.c[i + 1];
+}
+
+static int degree_below(const Segment& s, int most) {
+  while (--most > 0 && s.c[most] == 0.0) {
+  }
+  return most;
+}
 
 void Inputs::set_derivative(int input, int order, double value) {
   if (order < 1 || order > highest_order)
@@ -23,16 +37,21 @@ void Inputs::line(std::size_t input, double begin, Segment& to) const {
   to.c[1] = (now_[input] - before_[input]) / (begin - begin_before_);
 }
 
+int Inputs::give_rates(std::size_t input, Segment& to) const {
+  double factorial = 1.0;
+  for (int n = 1; n <= rates_[input].order; ++n)
+    to.c[n] = rates_[input].of[n - 1] / (factorial *= n) + 0.0;  // -0.0 would mark a jump
+  return rates_[input].order;
+}
+
 std::span<const Signal> Inputs::over(double begin, double end) {
   signals_.clear();
   for (std::size_t k = 0; k < now_.size(); ++k) {
     Segment& segment = segments_[k] = {};
     segment.origin = begin, segment.end = end, segment.c[0] = now_[k];
     if (rates_[k].order == 0) line(k, begin, segment);
-    double factorial = 1.0;
-    for (int n = 1; n <= rates_[k].order; ++n)
-      segment.c[n] = rates_[k].of[n - 1] / (factorial *= n) + 0.0;  // -0.0 would mark a jump
-    signals_.emplace_back(&segment, 1, std::max(rates_[k].order, segment.c[1] != 0.0 ? 1 : 0));
+    const int order = give_rates(k, segment);
+    signals_.emplace_back(&segment, 1, std::max(order, segment.c[1] != 0.0 ? 1 : 0));
   }
   return signals_;
 }
@@ -40,9 +59,13 @@ std::span<const Signal> Inputs::over(double begin, double end) {
 std::span<const Signal> Inputs::jumped(double t) {
   signals_.clear();
   for (std::size_t k = 0; k < now_.size(); ++k) {
-    segments_[k] = {t, t, {now_[k]}};
-    mark_jump(segments_[k], true);
-    signals_.emplace_back(&segments_[k], 1, 0);
+    Segment& segment = segments_[k];
+    shift(segment, t);
+    segment.end = t, segment.c[0] = now_[k];
+    if (rates_[k].order > 0) std::fill_n(segment.c + 1, highest_order, 0.0);
+    give_rates(k, segment);
+    mark_jump(segment, true);
+    signals_.emplace_back(&segment, 1, degree_below(segment, highest_order));
   }
   return signals_;
 }
@@ -64,6 +87,7 @@ void Inputs::write(ByteWriter& to) const {
     to.put(std::int32_t{rates.order});
     to.put_doubles(rates.of);
   }
+  for (const Segment& segment : segments_) to.put(segment.origin), to.put_doubles(segment.c);
 }
 
 void Inputs::read(ByteReader& from) {
@@ -77,6 +101,7 @@ void Inputs::read(ByteReader& from) {
     if (rates.order < 0 || rates.order > highest_order) from.refuse("an order of derivatives is none");
     from.take_doubles(rates.of);
   }
+  for (Segment& segment : segments_) segment.origin = from.take<double>(), from.take_doubles(segment.c);
 }
 
 }  // namespace tandem::exported

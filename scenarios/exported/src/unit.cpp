@@ -7,9 +7,8 @@
 #include <cmath>
 
 #include "tandem/error.hpp"
-#include "tandem/sources/diagram.hpp"
-#include "tandem/sources/file_parameters.hpp"
-#include "tandem/sources/mechanism.hpp"
+#include "tandem/exported/sources.hpp"
+#include "tandem/scenario/nested.hpp"
 #include "tandem/time_grid.hpp"
 
 namespace tandem::exported {
@@ -41,7 +40,7 @@ bool alike(const SubsystemInfo& a, const SubsystemInfo& b) {
 Unit::Unit(const std::filesystem::path& resources, const Tell& tell)
     : resources_(std::filesystem::absolute(resources)),
       manifest_(read_manifest(resources_ / manifest_name)),
-      builtins_{{}, {{"diagram", diagram_source({}, tell)}, {"mechanism", mechanism_source({}, tell)}}},
+      builtins_(sources(tell)),
       subsystem_(opened()),
       info_(subsystem_->info()),
       variables_(exported::variables(info_, start_values(), file_parameters())),
@@ -69,12 +68,10 @@ void Unit::reopen() {
 
 /// Of the source's file, with their values as they are.
 std::vector<text::FileParameter> Unit::file_parameters() const {
-  text::Document document(resources_ / manifest_.source.substr(manifest_.source.find(':') + 1));
-  document.set(manifest_.overrides);
   Parameters given;
   for (const auto* values : {&manifest_.parameters, &changed_})
     for (const auto& [name, value] : *values) given.set(name, value);
-  return text::parameters_of(document, take_file_parameters(document, {}, given));
+  return scenario::parameters_of(manifest_.source, resources_, manifest_.overrides, given);
 }
 
 std::vector<double> Unit::start_values() const {

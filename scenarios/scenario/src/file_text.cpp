@@ -28,11 +28,6 @@ FileText file_text(const std::filesystem::path& file) {
 #endif
 }
 
-text::Document document_of(const std::filesystem::path& file) {
-  FileText all = file_text(file);
-  return {file.string(), all.text, std::move(all.lines)};
-}
-
 std::string source_contents(const std::filesystem::path& file) {
 #if TANDEM_HAS_FMI
   return read_file(fmi::PackedFile(file).on_disk(), std::numeric_limits<std::uint64_t>::max());

@@ -55,7 +55,8 @@ void of_subsystems(KeyList& to) {
            "A subsystem, by the name that connections and results have. It has a `source` or a "
            "`command`.")
       .may("source", text,
-           "Where it comes from, a URI: `mechanism:FILE`, `diagram:FILE`, `lib:FILE`, `fmu:FILE`, "
+           "Where it comes from, a URI: `mechanism:FILE`, `diagram:FILE`, `scenario:FILE`, `lib:FILE`, "
+           "`fmu:FILE`, "
            "`spawn:PROGRAM`, `tcp://HOST:PORT`, ...; `tandem list` has all. Files stand relative "
            "to the scenario's folder.")
       .may("command", texts,

@@ -36,8 +36,9 @@ class Reader {
           "the file holds nothing; allowed is a scenario, with tables [subsystems.NAME], a mechanism, with "
           "points, or a diagram, with blocks");
     Section root(document_, keys(), &constants_);
-    refuse_unnamed_constants(document_);
-    read_constants(root, constants_);
+    const auto named = named_constants(document_);
+    to_.constants = read_constants(root, constants_);
+    std::erase_if(to_.constants, [&](const auto& constant) { return !named.contains(constant.first); });
     to_.name = root.text("name").value_or(to_.file.stem().string());
     to_.description = root.text("description").value_or("");
     if (const auto* table = root.table("parameters")) shared_ = parameters(*table, "parameters", &constants_);
@@ -115,6 +116,7 @@ class Reader {
     if (const auto* table = section.table("parameters"))
       for (Parameter& own : parameters(*table, section.name("parameters"), &constants_)) {
         std::erase_if(entry.parameters, [&](const Parameter& p) { return p.name == own.name; });
+        own.key = section.name("parameters") + "." + own.key;
         entry.parameters.push_back(std::move(own));
       }
     if (auto inputs = section.section("inputs")) read_inputs(*inputs, entry);
@@ -223,9 +225,7 @@ Scenario read(const std::filesystem::path& file, const std::vector<std::string>&
 class ScenarioFile::Parsed {
  public:
   Parsed(std::filesystem::path file, std::vector<std::string> overrides)
-      : file_(std::move(file)),
-        text_(file_text(file_)),
-        overrides_(std::move(overrides)) {
+      : file_(std::move(file)), text_(file_text(file_)), overrides_(std::move(overrides)) {
     document({});
   }
 

@@ -32,23 +32,27 @@ void add_names(const toml::node& node, std::set<std::string>& to) {
 
 }  // namespace
 
-void refuse_unnamed_constants(const text::Document& document) {
-  const auto* table = document.table().get_as<toml::table>("constants");
-  if (!table) return;
+std::set<std::string> named_constants(const text::Document& document) {
   std::set<std::string> named;
+  const auto* table = document.table().get_as<toml::table>("constants");
+  if (!table) return named;
   add_names(document.table(), named);
   for (const auto& [key, node] : *table)
     if (const std::string name(key.str()); !document.place(node).set_by.empty() && !named.contains(name))
       text::refuse(document.place(node), unknown("constant", name, {named.begin(), named.end()}));
+  return named;
 }
 
-void read_constants(text::Section& root, text::Values& to) {
+std::vector<std::pair<std::string, double>> read_constants(text::Section& root, text::Values& to) {
   const auto* table = root.table("constants");
-  if (!table) return;
+  if (!table) return {};
+  std::vector<std::pair<std::string, double>> numbers;
   auto left = text::in_file_order(*table);
   std::set<std::string> known;
   const auto read = [&](const auto& entry) {
-    to.set(entry.first, root.number_of(*entry.second, "constants." + entry.first));
+    const double value = root.number_of(*entry.second, "constants." + entry.first);
+    to.set(entry.first, value);
+    if (entry.second->is_number()) numbers.emplace_back(entry.first, value);
     known.insert(entry.first);
   };
   const auto read_ready = [&](const auto& entry) {
@@ -61,6 +65,7 @@ void read_constants(text::Section& root, text::Values& to) {
   while (std::erase_if(left, read_ready) > 0) {
   }
   std::for_each(left.begin(), left.end(), read);  // which refuses the first, by the name that is not there
+  return numbers;
 }
 
 }  // namespace tandem::scenario

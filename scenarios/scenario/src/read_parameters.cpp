@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "tandem/text/section.hpp"
+#include "tandem/text/set.hpp"
 
 namespace tandem::scenario {
 namespace {
@@ -15,17 +16,19 @@ class ParameterReader {
   ParameterReader(const text::Document& document, const text::Values* constants)
       : document_(document), constants_(constants) {}
 
-  void read(const std::string& key, const toml::node& node, const std::string& path) {
+  /// quoted: the key within the table.
+  void read(const std::string& key, const toml::node& node, const std::string& path,
+            const std::string& quoted) {
     const text::Place place = document_.place(node);
     if (is_reference(node) || node.is_number())
-      add({key, number(node, path), place});
+      add({key, number(node, path), place, is_reference(node), quoted});
     else if (const auto* text = node.as_string())
-      add({key, word(*text), place});
+      add({key, word(*text), place, false, quoted});
     else if (const auto* flag = node.as_boolean())
-      add({key, flag->get(), place});
+      add({key, flag->get(), place, false, quoted});
     else if (const auto* table = node.as_table())
       for (const auto& [name, inner] : text::in_file_order(*table))
-        read(key + "." + name, *inner, path + "." + name);
+        read(key + "." + name, *inner, path + "." + name, quoted + "." + text::toml_text(name));
     else if (const auto* list = node.as_array())
       read_list(key, *list, path);
     else
@@ -72,7 +75,7 @@ std::vector<Parameter> read_parameters(const text::Document& document, const tom
                                        const std::string& but) {
   ParameterReader reader(document, constants);
   for (const auto& [key, node] : text::in_file_order(table))
-    if (key != but) reader.read(key, *node, path + "." + key);
+    if (key != but) reader.read(key, *node, path + "." + key, text::toml_text(key));
   return std::move(reader.all);
 }
 

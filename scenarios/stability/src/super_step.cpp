@@ -92,6 +92,7 @@ double SuperStep::rounding() const {
 }
 
 double spectral_radius(const Eigen::MatrixXd& map) {
+  if (map.size() == 0) return 0.0;
   return Eigen::EigenSolver<Eigen::MatrixXd>(map, false).eigenvalues().cwiseAbs().maxCoeff();
 }
 

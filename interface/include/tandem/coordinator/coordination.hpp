@@ -47,8 +47,8 @@ struct Coordination {
   /// [s], for parallel and for delays; default: the nodes of the largest own step.
   std::optional<double> communication_step;
   StartKind start = StartKind::automatic;
-  /// It is made by Coordinator::run_to, to points of time that are not known when it starts. Then no start is
-  /// repeated, as the open inputs are known at the start alone.
+  /// It is made by Coordinator::run_to, to points of time that are not known when it starts. A repeated start then
+  /// goes by what open inputs are at the start, and makes a past: the run goes on from the start itself.
   bool pauses = false;
   /// A run ends (Diverged) where an output grows beyond so many times the largest of its magnitude in the
   /// first hundredth of the span, its port's nominal value and 1; above 1, infinite: never.

@@ -55,6 +55,8 @@ class Coordinator {
   /// After initialize() of a run that is put together alike: it stands where the other was saved, and goes on
   /// with the same bits. Refuses, Error(invalid_argument), what is of another run, as far as that shows.
   void restore(ByteReader& from);
+  /// Has its subsystems release the states that they keep for it. It can't go on then.
+  void forget_states();
 
   const Topology& topology() const { return topology_; }
   const Exchange& exchange() const { return *exchange_; }
@@ -145,6 +147,7 @@ class Coordinator {
   void write_events(int who, ByteWriter& to) const;
   void read_events(int who, ByteReader& from, std::vector<std::span<const std::byte>>& states);
   void check_events(int who, const ByteReader& from);
+  void forget_states(int who);
   void restore_back(std::span<const std::span<const std::byte>> states);
   void check_seat(int who, const ByteReader& from);
   void restore_state(int who, std::span<const std::byte> bytes, const ByteReader& from);

@@ -14,13 +14,13 @@ class Driven {
  public:
   /// slot: of the reader's inputs. The run begins at t_start [s], for which `tolerance` is made.
   Driven(const TimeSeries& series, std::size_t slot, TimeTolerance tolerance, double t_start);
-  /// An open one, which is `value` until more is known.
-  Driven(double value, std::size_t slot, TimeTolerance tolerance);
+  /// An open one, which is `value` until more is known. at_instants: its reader is sampled.
+  Driven(double value, std::size_t slot, TimeTolerance tolerance, bool at_instants);
 
   std::size_t slot() const { return slot_; }
   bool is_open() const { return open_; }
-  /// Of an open one: from t [s] on it is `u`, the last piece of which goes on. It jumps at t where `u` says so, or
-  /// is constant there and another number than before.
+  /// Of an open one: from t [s] on it is `u`,the last piece of which goes on. It jumps at t if it is
+  /// another number than before, by 1e-9 of it, and `u` says so or is constant.
   void go_on(double t, const Signal& u);
   /// Of an open one: its reader has read the jump where it stands.
   void forget_jump();
@@ -44,7 +44,7 @@ class Driven {
   std::size_t slot_, first_ = 0;
   int degree_;
   TimeTolerance tolerance_;
-  bool open_ = false;
+  bool open_ = false, at_instants_ = false;
 };
 
 }  // namespace tandem

@@ -76,6 +76,8 @@ class alignas(64) History {
   /// carries. commit() makes them visible, and that row anew. Precondition: exactly one committed row, h > 0,
   /// count at most capacity() - 3.
   void seed(int count, double h);
+  /// Puts whole rows, the oldest first, before the only row, as above.
+  void seed(std::span<const double> past);
   /// Forgets everything.
   void clear();
 

@@ -51,9 +51,10 @@ struct Through {
 struct EventSeat {
   /// A state that one may go back to, at the newest row of then.
   struct Back {
-    StateId state;
-    double time;
-    std::int64_t row;
+    static constexpr StateId none = -1;
+    StateId state = none;
+    double time = 0.0;
+    std::int64_t row = 0;
   };
   std::vector<int> readers = {};   ///< Of one with events: who integrates itself and reads it, or a carrier.
   std::vector<int> carriers = {};  ///< Whose outputs jump with its at once, by however many others.

@@ -20,7 +20,8 @@ struct Member {
 };
 
 struct ExportSettings {
-  /// The file of a mechanism or a diagram, or "mechanism:FILE?KEY=VALUE&..", "diagram:FILE?..".
+  /// The file of a mechanism, a diagram or a scenario of these, or "mechanism:FILE?KEY=VALUE&..", "diagram:FILE?..",
+  /// "scenario:FILE?.."
   std::string source;
   std::vector<std::string> overrides = {};  ///< "KEY=VALUE" of the file
   std::filesystem::path file;               ///< the FMU to be written

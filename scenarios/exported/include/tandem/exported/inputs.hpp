@@ -30,7 +30,8 @@ class Inputs {
   std::span<const Signal> over(double begin, double end);
   /// That step is done.
   void step_done(double begin);
-  /// As they are at t [s], to which they have jumped; valid until the next call.
+  /// As they are at t [s], where the last step ended and to which they may have jumped, on the slopes that were set
+  /// since then or else go on; valid until the next call.
   std::span<const Signal> jumped(double t);
 
   void write(ByteWriter& to) const;
@@ -42,6 +43,7 @@ class Inputs {
     double of[highest_order] = {};  ///< first, second, ..
   };
   void line(std::size_t input, double begin, Segment& to) const;
+  int give_rates(std::size_t input, Segment& to) const;
 
   std::vector<double> now_, before_;
   std::vector<Rates> rates_;

@@ -24,6 +24,8 @@ struct Parameter {
   std::string name;
   Parameters::Value value;
   Place place;
+  bool refers = false;   ///< it is made of constants
+  std::string key = {};  ///< that sets it, if it stands in the table of its subsystem
 };
 
 /// What an input is, "port" or "port[i]".
@@ -116,6 +118,7 @@ enum class Indication { off, raw, estimate };
 struct Scenario {
   std::filesystem::path file;
   std::string name, description;
+  std::vector<std::pair<std::string, double>> constants;  ///< used ones that are numbers, not made of others
   std::vector<SubsystemEntry> subsystems;
   std::vector<ConnectionEntry> connections;
   std::vector<LinkEntry> links;  ///< besides those that are found by their units
