@@ -343,6 +343,18 @@ TEST(NestedScenario, TellsWhatMayBeSetOfIt) {
   EXPECT_TRUE(contains(tandem(folder, {"info", "diagram:mass.toml?m=4"}).out, "  parameter m = 4 kg\n"));
 }
 
+TEST(NestedScenario, WithoutInputsHasNoStabilityThatCouldBeTold) {
+  const Scratch folder;
+  folder.write("decay.toml",
+               "[blocks]\nx = { kind = 'lag', input = 1, time = 1 }\n[outputs]\nx = { unit = '1' }\n[run]\n"
+               "stop = 1\nstep = 0.01\n");
+  folder.write("inner.toml", "[subsystems.a]\nsource = 'diagram:decay.toml'\n[span]\nstop = 1\n");
+  folder.write("outer.toml", "[subsystems.b]\nsource = 'scenario:inner.toml'\n[span]\nstop = 1\n");
+  const Said said = tandem(folder, {"stability", "outer.toml"});
+  EXPECT_EQ(said.status, 2);
+  EXPECT_TRUE(contains(said.err, "outer.toml: no subsystem gives its states")) << said.err;
+}
+
 TEST(NestedScenario, RunsFromTheCommandLineAndOverACheckpoint) {
   const Scratch folder;
   write_plant(folder);

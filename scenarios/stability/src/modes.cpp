@@ -131,6 +131,11 @@ bool Stability::is_unstable() const { return !is_stable(step, radius, rate); }
 Stability stability(const scenario::Scenario& scenario, const Builtins& builtins) {
   Stability all;
   all.step = super_step(scenario, builtins);
+  if (all.step.map.size() == 0)
+    throw Error(ErrorCode::not_supported,
+                scenario.file.string() +
+                    ": no subsystem gives its states, or has inputs by which they could be found; "
+                    "allowed are those that do");
   all.radius = spectral_radius(all.step.map);
   const Trial trial(scenario, builtins);
   try {
