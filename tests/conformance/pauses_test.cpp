@@ -7,6 +7,7 @@
 #include "driven_models.hpp"
 #include "mass_pair.hpp"
 #include "random_scene.hpp"
+#include "refusal.hpp"
 #include "run_bench.hpp"
 #include "same_bits.hpp"
 #include "tandem/engine/read.hpp"
@@ -223,6 +224,20 @@ TEST(Pauses, WhatIsSavedThereGoesOnWithTheSameBitsHereAndElsewhere) {
     };
     expect_same(other);
     expect_same(whole);
+  }
+}
+
+/// The last number of a state.
+TEST(Pauses, AStateThatPausesOutsideOfItsRunIsRefused) {
+  OpenScene scene(1);
+  scene.go_to(1);
+  const auto state = scene.state();
+  for (const double stop : {std::nan(""), -1e9, 1e9, std::numeric_limits<double>::infinity()}) {
+    auto other = state;
+    const auto bytes = to_wire(stop);
+    std::copy(bytes.begin(), bytes.end(), other.end() - sizeof stop);
+    EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"pauses at t = ", "allowed is a time within the run"},
+                        [&] { scene.restore(other); }));
   }
 }
 

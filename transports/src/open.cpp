@@ -98,6 +98,13 @@ std::optional<Look> look_at(const std::string& uri, const Builtins& builtins, Op
   return seen;
 }
 
+Parameters query_of(const std::string& uri) {
+  Parameters all;
+  std::string text = uri;
+  take_query(uri, text, all);
+  return all;
+}
+
 std::string Address::name() const {
   return command.empty() ? "source '" + printable(uri) + "'" : "command " + shown(command);
 }

@@ -1,50 +1,14 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <algorithm>
-#include <concepts>
 #include <span>
 #include <utility>
 
+#include "tandem/fixed_step_model.hpp"
 #include "tandem/jumps.hpp"
 #include "tandem/saved_models.hpp"
-#include "tandem/time_grid.hpp"
 
 namespace tandem {
-
-/// One own step from `begin` to `end` [s]; length is h, or less where a step is cut.
-struct OwnStep {
-  double begin, end, length;
-};
-
-/// A TimeGrid as the place of a subsystem.
-struct GridPlace : TimeGrid {
-  using TimeGrid::TimeGrid;
-  Clock clock(Stop stop = Stop::limit) const { return {time(), next(), stop}; }
-};
-
-/// A model whose outputs jump at events.
-template <class Model>
-concept HasEvents =
-    requires(Model& model, const Model& same, OwnStep& s, std::span<const Signal> u, double* y) {
-      { model.step_to_event(s, u) } -> std::same_as<bool>;
-      same.outputs_before(y);
-    };
-
-/// A model of which an output follows inputs at once.
-template <class Model>
-concept TakesJumps = requires(Model& model, double t, std::span<const Signal> u) {
-  { model.jump(t, u) } -> std::same_as<bool>;
-};
-
-/// A model that may come to its end, after which it takes no more steps.
-template <class Model>
-concept MayFinish = requires(const Model& model) {
-  { model.finished() } -> std::same_as<bool>;
-};
-
-/// A model that goes by where a run ends.
-template <class Model>
-concept KnowsTheStop = requires(Model& model, double t_stop) { model.end_at(t_stop); };
 
 /// Makes a model with a fixed own step a Subsystem. It keeps the grid, takes the steps that fit, lands,
 /// splits steps where an input jumps (Jumps), and appends samples. It adds the abilities `lands`, `restarts`
@@ -56,21 +20,10 @@ concept KnowsTheStop = requires(Model& model, double t_stop) { model.end_at(t_st
 ///   it.
 /// - `void outputs(double* y) const`: outputs, then derivatives, as the state is.
 ///
-/// In place of step() a model that may have the ability `events` in its info() has:
-/// - `bool step_to_event(OwnStep& s, std::span<const Signal> u)`: true: outputs jump at an event, to which it
-///   came, and s.end is its time.
-/// - `void outputs_before(double* y) const`: as they were just before that.
+/// What it may have besides, for events, jumps and ends, stands in fixed_step_model.hpp.
 ///
-/// A model of which an output follows inputs at once may have:
-/// - `bool jump(double t, std::span<const Signal> u)`: inputs have jumped at t, where it stands; true:
-///   outputs have with them.
-///
-/// A model that goes by where a run ends may have, before start():
-/// - `void end_at(double t_stop)`.
-///
-/// A model that may come to an end of its own, or that can't be copied once it has started, may have:
-/// - `bool finished() const`: after a step or an event, it has come to its end.
-/// - `bool keeps_state() const`: whether it has the ability `saves_state`.
+/// A model that can't be copied once it has started has `bool keeps_state() const`: whether it has the ability
+/// `saves_state`.
 ///
 /// A model that gives its states as numbers (Subsystem::states) has:
 /// - `std::optional<std::vector<StateName>> states() const`, `void get_states(std::span<double> x) const` and

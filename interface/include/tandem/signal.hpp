@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <algorithm>
 #include <cassert>
 #include <cstdint>
 #include <span>
@@ -16,6 +17,16 @@ using Segment = tandem_segment;
 /// Marks a segment, or takes its mark away: the input jumps at its begin, which is its origin, or does not
 /// (tandem_segment_jumps). Precondition: degree below 5.
 inline void mark_jump(Segment& s, bool jumps) { s.c[TANDEM_MAX_COEFFICIENTS - 1] = jumps ? -0.0 : 0.0; }
+
+/// Adds the coefficients of p about another origin, p(t) = sum c_k (t - to)^k, to `c`: a Taylor shift.
+inline void add_shifted(const Segment& p, double to, double* c) {
+  double d[TANDEM_MAX_COEFFICIENTS];
+  std::copy(p.c, p.c + TANDEM_MAX_COEFFICIENTS, d);
+  const double x = to - p.origin;
+  for (int k = 0; k < TANDEM_MAX_COEFFICIENTS - 1; ++k)
+    for (int i = TANDEM_MAX_COEFFICIENTS - 2; i >= k; --i) d[i] += x * d[i + 1];
+  for (int k = 0; k < TANDEM_MAX_COEFFICIENTS; ++k) c[k] += d[k];
+}
 
 /// One scalar input as a function of time over the span of one call: a piecewise polynomial of up to six
 /// coefficients a piece. A view: the segments belong to the caller of Subsystem::advance and live until that

@@ -202,11 +202,20 @@ void Coordinator::restore(ByteReader& from) {
     read_events(static_cast<int>(i), from, states_back);
   }
   exchange_->read(from);
-  if (coordination_.pauses) stop_at(from.take<double>());
+  if (coordination_.pauses) restore_stop(from);
   for (int i = 0; i < topology_.size(); ++i) check_seat(i, from), check_events(i, from);
   place_all();
   for (int i = 0; i < topology_.size(); ++i) restore_state(i, states[static_cast<std::size_t>(i)], from);
   restore_back(states_back);
+}
+
+/// Where a run that pauses stands.
+void Coordinator::restore_stop(ByteReader& from) {
+  const auto stop = from.take<double>();
+  if (!(stop >= t_start_ && stop <= t_stop_))
+    from.refuse("pauses at t = " + number_text(stop) + " s; allowed is a time within the run, from " +
+                number_text(t_start_) + " to " + number_text(t_stop_) + " s");
+  stop_at(stop);
 }
 
 /// Where it stands is the time of its newest sample (of a sampled one the instant of that, or the start),

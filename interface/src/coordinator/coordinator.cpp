@@ -65,20 +65,6 @@ bool Coordinator::round() {
   return make_round() ? !stopped_ : end();
 }
 
-void Coordinator::run_to(double t) {
-  stop_at(t);
-  ended_ = false;
-  while (make_round()) {
-  }
-  check_end();
-  keep_rest();
-}
-
-void Coordinator::stop_at(double t) {
-  schedule_->stop_at(t);
-  place_all();
-}
-
 /// False: there was none left.
 bool Coordinator::make_round() {
   const auto turns = schedule_->next_round();

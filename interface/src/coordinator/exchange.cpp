@@ -2,7 +2,6 @@
 #include "tandem/coordinator/exchange.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -18,16 +17,6 @@ namespace {
 double lag_of(Lag lag, int reader, const LinkTimes& times) {
   if (lag == Lag::memory) return times.memory[static_cast<std::size_t>(reader)];
   return lag == Lag::delay ? times.delay : 0.0;
-}
-
-/// Coefficients of p about another origin, p(t) = sum c_k (t - to)^k: a Taylor shift, added to `c`.
-void add_shifted(const Segment& p, double to, double* c) {
-  double d[TANDEM_MAX_COEFFICIENTS];
-  std::copy(p.c, p.c + TANDEM_MAX_COEFFICIENTS, d);
-  const double x = to - p.origin;
-  for (int k = 0; k < TANDEM_MAX_COEFFICIENTS - 1; ++k)
-    for (int i = TANDEM_MAX_COEFFICIENTS - 2; i >= k; --i) d[i] += x * d[i + 1];
-  for (int k = 0; k < TANDEM_MAX_COEFFICIENTS; ++k) c[k] += d[k];
 }
 
 /// Of a term that which holds up to the end of a piece of the sum.
@@ -130,43 +119,6 @@ void Exchange::add_line(const Topology& topology, const Line& line, const LinkTi
   const bool held = scalar_at(topology.info(line.source).outputs, line.output).port->held;
   link_for(topology, line, times, of_pair)
       .add({line.output, static_cast<int>(slots_of_lines_.emplace_back(slot)), line.gain, line.offset, held});
-}
-
-/// Inputs without a connection keep their start value.
-void Exchange::hold_start_values(const Topology& topology, int i) {
-  End& reader = ends_[static_cast<std::size_t>(i)];
-  const auto& start = topology.start(i);
-  reader.constants.resize(start.size());
-  for (std::size_t k = 0; k < start.size(); ++k) {
-    reader.constants[k].c[0] = start[k];
-    reader.slots[k] = Signal(&reader.constants[k], 1, 0);
-  }
-  if (topology.info(i).abilities.sampled) reader.values = start;
-  if (topology.info(i).abilities.sampled) reader.values.resize(reader.slots.size());
-}
-
-void Exchange::drive(const Topology& topology, int i, double t_start) {
-  End& reader = ends_[static_cast<std::size_t>(i)];
-  for (std::size_t k = 0; k < static_cast<std::size_t>(reader.inputs); ++k)
-    if (const TimeSeries* series = topology.series(i, static_cast<int>(k)))
-      reader.driven.emplace_back(*series, k, tolerance_, t_start), reader.has_more = true;
-    else if (topology.is_open(i, static_cast<int>(k)))
-      reader.driven.emplace_back(topology.start(i)[k], k, tolerance_, topology.info(i).abilities.sampled),
-          reader.has_more = true;
-}
-
-Driven& Exchange::open_input(int reader, int input) {
-  auto& all = ends_[static_cast<std::size_t>(reader)].driven;
-  const auto it = std::find_if(all.begin(), all.end(), [input](const Driven& one) {
-    return one.is_open() && one.slot() == static_cast<std::size_t>(input);
-  });
-  assert(it != all.end());
-  return *it;
-}
-
-void Exchange::forget_jumps(int reader) {
-  for (Driven& one : ends_[static_cast<std::size_t>(reader)].driven)
-    if (one.is_open()) one.forget_jump();
 }
 
 std::int64_t Exchange::accept(int source, double t_limit) {

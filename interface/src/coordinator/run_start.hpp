@@ -62,6 +62,7 @@ class RunStart {
   void note_follower(const ReadEvents& what, bool goes_back) const;
   void order_outputs();
   std::vector<char> jump_with_inputs() const;
+  void note_followers(const std::vector<char>& jump);
   void note_through();
   void stand_all();
   /// The place of one among equal own steps.
@@ -93,6 +94,7 @@ class RunStart {
   std::string does_not_repeat() const;
   void note_cold(const std::string& why) const;
   std::vector<int> seeds() const;
+  std::vector<double> row_at(int who, const std::vector<double>& times, double t) const;
   std::vector<double> past_of(int who, int count) const;
   void seed_from_passes();
   struct FirstSteps {

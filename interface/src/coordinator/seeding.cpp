@@ -82,23 +82,30 @@ static std::vector<double> weights(const std::vector<double>& times, double t) {
   return all;
 }
 
+/// The row at t of the polynomial through those of these times, the first of which is the start.
+std::vector<double> RunStart::row_at(int who, const std::vector<double>& times, double t) const {
+  const History& history = run_.exchange_->history(who);
+  const auto of_rows = weights(times, t);
+  std::vector<double> row{t, 0.0};
+  for (std::int64_t column = Samples::header; column < history.stride(); ++column) {
+    double value = 0.0;
+    for (std::size_t k = 0; k < of_rows.size(); ++k)
+      value += of_rows[k] * history.row(history.first_own() + static_cast<std::int64_t>(k))[column];
+    row.push_back(value);
+  }
+  return row;
+}
+
 /// Rows at t_start - k h, the oldest first, of the polynomial through as many rows from the start on.
 std::vector<double> RunStart::past_of(int who, int count) const {
   const History& history = run_.exchange_->history(who);
-  const std::int64_t first = history.first_own(), stride = history.stride();
+  const std::int64_t first = history.first_own();
   std::vector<double> times, all;
   for (std::int64_t k = first; k <= std::min(first + count, history.newest()); ++k)
     times.push_back(history.time(k));
   for (int k = count; k > 0; --k) {
-    const double t = run_.t_start_ - k * run_.own_step(who);
-    const auto of_rows = weights(times, t);
-    all.insert(all.end(), {t, 0.0});
-    for (std::int64_t column = Samples::header; column < stride; ++column) {
-      double value = 0.0;
-      for (std::size_t row = 0; row < of_rows.size(); ++row)
-        value += of_rows[row] * history.row(first + static_cast<std::int64_t>(row))[column];
-      all.push_back(value);
-    }
+    const auto row = row_at(who, times, run_.t_start_ - k * run_.own_step(who));
+    all.insert(all.end(), row.begin(), row.end());
   }
   return all;
 }

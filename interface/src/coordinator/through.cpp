@@ -27,12 +27,16 @@ std::vector<char> RunStart::jump_with_inputs() const {
   return all;
 }
 
-void RunStart::note_through() {
-  const std::vector<char> jump = jump_with_inputs();
+void RunStart::note_followers(const std::vector<char>& jump) {
   std::vector<int> all;
   for (int i = 0; i < topology_.size(); ++i)
     if (jump[static_cast<std::size_t>(i)] != 0) all.push_back(i);
-  if (run_.coordination_.pauses) run_.followers_ = sources_first(all);
+  run_.followers_ = sources_first(all);
+}
+
+void RunStart::note_through() {
+  const std::vector<char> jump = jump_with_inputs();
+  if (run_.coordination_.pauses) note_followers(jump);
   if (std::find(jump.begin(), jump.end(), 1) == jump.end()) return;
   run_.through_.resize(clocks_.size());
   run_.awaiting_.reserve(clocks_.size());
@@ -69,13 +73,6 @@ void Coordinator::await_jumps(int reader, bool at_once) {
     if (at_once > through.at_once || tolerance_.before(time(reader), t)) continue;
     await_jumps(through.source, true);
     if (exchange_->jumps_at(through.source, t)) tell_jump(through.source);
-  }
-}
-
-void Coordinator::tell_jumps() {
-  for (const int who : followers_) {
-    if (exchange_->jumps_at(who, time(who))) tell_jump(who);
-    exchange_->forget_jumps(who);
   }
 }
 

@@ -56,12 +56,12 @@ Exit status: 0, or 2 for what can't be exported.)";
 
 void add_export(CLI::App& app, Context& context) {
   auto* command = app.add_subcommand(
-      "export","Make an FMU of a mechanism, a diagram or a scenario, or a system of SSP of a scenario");
+      "export", "Make an FMU of a mechanism, a diagram or a scenario, or a system of SSP of a scenario");
   auto options = std::make_shared<ExportOptions>();
   command
       ->add_option("source", options->source,
                    "The file of a mechanism, a diagram or a scenario, or mechanism:FILE?KEY=VALUE, "
-"diagram:FILE?.., scenario:FILE?..")
+                   "diagram:FILE?.., scenario:FILE?..")
       ->required()
       ->type_name("SOURCE");
   command->add_option("file", options->file, "The FMU to be written, FILE.fmu, or the system, FILE.ssp")

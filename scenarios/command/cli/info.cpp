@@ -126,9 +126,7 @@ std::unique_ptr<Subsystem> open_or_tell(const std::string& uri, const Builtins& 
 
 /// Those of the files that it is made of, with the values of the URI.
 void print_parameters_of_files(const std::string& uri) {
-  Parameters given;
-  if (const auto question = uri.find('?'); question != std::string::npos)
-    given.read(uri.substr(question + 1), uri);
+  Parameters given = query_of(uri);
   for (const text::FileParameter& p : scenario::parameters_of(uri, {}, {}, given)) print_parameter(p);
 }
 

@@ -26,7 +26,7 @@ class MemberMaker {
 
   SystemMember make(const fs::path& folder, const Builtins& here) {
     const TimeSpan span{scenario_.start, scenario_.stop};
-    const std::string scheme = entry_.source.substr(0, entry_.source.find(':'));
+    const std::string scheme = entry_.scheme();
     if (entry_.isolated) to_.annotation["isolate"] = "true";
     if (const auto land = scenario_.coordination.landing.find(entry_.name);
         land != scenario_.coordination.landing.end() && land->second != Landing::automatic)
@@ -43,18 +43,11 @@ class MemberMaker {
   }
 
  private:
-  fs::path place(const std::string& scheme) const {
-    const std::string file = entry_.source.substr(scheme.size() + 1);
-    return fs::path(entry_.place.file).parent_path() / file.substr(0, file.find('?'));
-  }
-
   /// Those of the scenario, and of the URI.
   std::map<std::string, Parameters::Value> parameters() const {
     std::map<std::string, Parameters::Value> all;
     for (const scenario::Parameter& p : entry_.parameters) all[p.name] = p.value;
-    Parameters of_uri;
-    if (const auto question = entry_.source.find('?'); question != std::string::npos)
-      of_uri.read(entry_.source.substr(question + 1), entry_.source);
+    Parameters of_uri = query_of(entry_.source);
     for (const std::string& name : of_uri.names("")) all[name] = of_uri.text(name, "");
     return all;
   }
@@ -74,7 +67,7 @@ class MemberMaker {
 
   void export_source(const std::string& scheme, const TimeSpan& span, const fs::path& folder,
                      const Builtins& here) {
-    ExportSettings one{scheme + ":" + place(scheme).string(), entry_.overrides, folder / file_of(entry_.name),
+    ExportSettings one{scheme + ":" + entry_.file().string(), entry_.overrides, folder / file_of(entry_.name),
                        settings_.version, settings_.library};
     one.member = Member{parameters(), starts(span.start), span};
     const std::string animated = "animate";
@@ -92,7 +85,7 @@ class MemberMaker {
   }
 
   void take_fmu(double start) {
-    take(place("fmu"));
+    take(entry_.file());
     std::string outputs;
     for (const auto& [name, value] : parameters()) {
       const std::string text = std::visit([](const auto& one) { return fmt::format("{}", one); }, value);

@@ -96,9 +96,7 @@ Origin read_origin(const ExportSettings& settings) {
   Origin origin = named(source);
   origin.overrides = settings.overrides;
   take_file(settings.member, origin);
-  Parameters given;
-  if (const auto question = source.find('?'); question != std::string::npos && origin.file != source)
-    given.read(source.substr(question + 1), source);
+  Parameters given = origin.file == source ? Parameters() : query_of(source);
   for (const std::string& name : given.names("")) origin.parameters[name] = given.text(name, "");
   return origin;
 }

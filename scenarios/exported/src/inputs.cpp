@@ -3,18 +3,10 @@
 
 #include <algorithm>
 #include <string>
-#include <utility>
 
 #include "tandem/error.hpp"
 
 namespace tandem::exported {
-
-/// The same polynomial with its origin at t: a Taylor shift.
-static void shift(Segment& s, double t) {
-  const double x = t - std::exchange(s.origin, t);
-  for (int k = 0; k < Inputs::highest_order; ++k)
-    for (int i = Inputs::highest_order - 1; i >= k; --i) s.c[i] += x * s.c[i + 1];
-}
 
 static int degree_below(const Segment& s, int most) {
   while (--most > 0 && s.c[most] == 0.0) {
@@ -60,8 +52,9 @@ std::span<const Signal> Inputs::jumped(double t) {
   signals_.clear();
   for (std::size_t k = 0; k < now_.size(); ++k) {
     Segment& segment = segments_[k];
-    shift(segment, t);
-    segment.end = t, segment.c[0] = now_[k];
+    Segment now{t, t, {}};
+    add_shifted(segment, t, now.c);
+    segment = now, segment.c[0] = now_[k];
     if (rates_[k].order > 0) std::fill_n(segment.c + 1, highest_order, 0.0);
     give_rates(k, segment);
     mark_jump(segment, true);

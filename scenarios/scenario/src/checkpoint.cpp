@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "run_estimate.hpp"
@@ -32,6 +33,14 @@ constexpr std::uint32_t longest_identity = 1U << 28;  // bytes
 std::string checkpoint_at(const fs::path& file) {
   if (!fs::exists(file)) refuse_file(file, "is not there");
   return read_file(file, std::numeric_limits<std::uint64_t>::max(), "checkpoint");
+}
+
+/// The file of a subsystem, of a scenario with those of its members.
+std::string contents_of(const SubsystemEntry& entry) {
+  std::string text = source_contents(entry.file());
+  if (entry.scheme() == "scenario")
+    for (const SubsystemEntry& member : read(entry.file()).subsystems) text += contents_of(member);
+  return text;
 }
 
 /// What follows the head, after all checks of the file itself.
@@ -98,17 +107,15 @@ std::string Checkpoint::identity() const {
     const SubsystemInfo& info = assembly_.topology().info(i);
     Json& one = all["subsystems"][entry.name];
     one = {{"name", info.name}, {"inputs", ports_of(info.inputs)}, {"outputs", ports_of(info.outputs)}};
-    const std::string source = entry.source.substr(0, entry.source.find('?'));
-    const std::string kind = source.substr(0, source.find(':'));
     const bool elsewhere = source_of(entry.source, builtins_).elsewhere;
     if (elsewhere && all["scenario"].contains("subsystems")) {
       Json& there = all["scenario"]["subsystems"][entry.name];
-      there["source"] = "elsewhere" + entry.source.substr(source.size());
+      there["source"] =
+          "elsewhere" + entry.source.substr(std::min(entry.source.find('?'), entry.source.size()));
       there.erase("command");
     }
-    if (elsewhere || kind == "builtin") continue;
-    const std::string text =
-        source_contents(fs::path(entry.place.file).parent_path() / source.substr(kind.size() + 1));
+    if (elsewhere || entry.scheme() == "builtin") continue;
+    const std::string text = contents_of(entry);
     one["checksum of its file"] = fmt::format("{:016x}", checksum(std::as_bytes(std::span(text))));
   }
   return all.dump();

@@ -32,10 +32,7 @@ std::vector<text::FileParameter> of_member(const SubsystemEntry& entry) {
 bool is_free(const SubsystemEntry& entry, const std::string& name) {
   const bool refers = std::any_of(entry.parameters.begin(), entry.parameters.end(),
                                   [&](const Parameter& p) { return p.name == name && p.refers; });
-  Parameters of_uri;
-  if (const auto question = entry.source.find('?'); question != std::string::npos)
-    of_uri.read(entry.source.substr(question + 1), entry.source);
-  return !refers && !of_uri.has(name);
+  return !refers && !query_of(entry.source).has(name);
 }
 
 /// As a parameter of a member is given already, or else could be.

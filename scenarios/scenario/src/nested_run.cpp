@@ -23,7 +23,7 @@ Scenario checked(Scenario scenario, const Builtins& members) {
   for (const auto& [scheme, source] : members.schemes)
     allowed += (allowed.empty() ? "" : ", ") + scheme + ":FILE";
   for (const SubsystemEntry& entry : scenario.subsystems)
-    if (!members.schemes.contains(entry.source.substr(0, entry.source.find(':'))))
+    if (!members.schemes.contains(entry.scheme()))
       refuse(entry.source_place,
              fmt::format(
                  "subsystem '{}' is {}, which stands in no scenario that is one subsystem; allowed are {}",
@@ -42,7 +42,7 @@ NestedRun::NestedRun(Scenario scenario, const Builtins& members, double step)
   note_abilities();
   if (step_ == 0.0) step_ = slowest_step();
   end_at(scenario_.stop);
-  start(scenario_.start, {});
+  start(scenario_.start, {});  // what can't start is refused here
 }
 
 /// Ports that nothing gives. Of an array of which something gives a part the rest is constant.
@@ -86,7 +86,11 @@ void NestedRun::note_output(const std::string& name) {
       first += port.size;
     }
   }
-  const auto known = topology.output_names();
+  refuse_output(name);
+}
+
+void NestedRun::refuse_output(const std::string& name) const {
+  const auto known = parts_.topology().output_names();
   const bool element = std::find(known.begin(), known.end(), name) != known.end();
   refuse(scenario_.place("record.ports"),
          element ? fmt::format(
@@ -188,7 +192,7 @@ void NestedRun::start(double t, std::span<const double> u0) {
   Coordination coordination = scenario_.coordination;
   coordination.pauses = true;
   coordination.diverged_beyond = std::numeric_limits<double>::infinity();  // who runs it watches its outputs
-  at_ = t, horizon_ = horizon(t);
+  horizon_ = horizon(t);
   if (run_) run_->forget_states();
   text::located([&](const std::string& sentence) { return scenario_.place_named_in(sentence); },
                 [&] {
@@ -207,7 +211,7 @@ void NestedRun::read(double t, std::span<const Signal> u) {
 
 /// What jumps there has jumped then.
 void NestedRun::go_to(double t) {
-  if (TimeTolerance(at_).before(horizon_, t))
+  if (TimeTolerance(t).before(horizon_, t))
     throw Error(
         ErrorCode::invalid_argument,
         fmt::format("scenario '{}' is run to t = {} s; allowed is up to {} s, where data of it end, or {} "
@@ -215,14 +219,14 @@ void NestedRun::go_to(double t) {
                     scenario_.name, t, horizon_, longest));
   run_->run_to(t);
   run_->tell_jumps();
-  at_ = t;
 }
 
 /// Where it stands. (A sampled one with a latency may have told what holds later.)
 const double* NestedRun::row(int who) const {
   const History& history = run_->exchange().history(who);
+  const double here = run_->schedule().stop();
   std::int64_t row = history.newest();
-  while (row > history.oldest() && TimeTolerance(at_).before(at_, history.time(row))) --row;
+  while (row > history.oldest() && TimeTolerance(here).before(here, history.time(row))) --row;
   return history.row(row);
 }
 

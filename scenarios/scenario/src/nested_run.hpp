@@ -26,8 +26,8 @@ class NestedRun {
   void go_to(double t);
   void outputs(double* y) const;
   std::vector<std::string> notes() const;
-  void write(ByteWriter& to) const { to.put(at_), run_->save(to); }
-  void read(ByteReader& from) { at_ = from.take<double>(), run_->restore(from); }
+  void write(ByteWriter& to) const { run_->save(to); }
+  void read(ByteReader& from) { run_->restore(from); }
 
  private:
   struct OpenInput {
@@ -40,6 +40,7 @@ class NestedRun {
   void note_inputs(int who);
   void note_outputs();
   void note_output(const std::string& name);
+  [[noreturn]] void refuse_output(const std::string& name) const;
   void note_feedthrough(int number);
   void note_abilities();
   double slowest_step() const;
@@ -55,7 +56,7 @@ class NestedRun {
   Topology topology_;  ///< of the present run
   std::optional<Coordinator> run_;
   std::vector<Driven*> open_;
-  double step_, at_ = 0.0, stop_ = std::numeric_limits<double>::infinity(), horizon_ = 0.0;  ///< [s]
+  double step_, stop_ = std::numeric_limits<double>::infinity(), horizon_ = 0.0;  ///< [s]
 };
 
 /// A scenario as a model with a fixed own step. A copy is what the run goes by as it was copied.

@@ -15,32 +15,36 @@ namespace fs = std::filesystem;
 constexpr long most_subsystems = 10000;
 constexpr int deepest = 4;
 
+struct Size {
+  long subsystems;
+  int levels;
+};
+
+void refuse_beyond(const SubsystemEntry& entry, const Size& sum) {
+  if (sum.levels > deepest)
+    refuse(entry.source_place,
+           fmt::format("subsystem '{}' is a scenario with others in it, {} deep in all; allowed are {}",
+                       entry.name, sum.levels, deepest));
+  if (sum.subsystems > most_subsystems)
+    refuse(
+        entry.source_place,
+        fmt::format(
+            "scenario '{}' has more than {} subsystems with those of the scenarios in it; allowed are up to "
+            "that",
+            entry.place.file, most_subsystems));
+}
+
 /// Counts each file once, however often it is named.
 class Nesting {
  public:
-  struct Size {
-    long subsystems;
-    int levels;
-  };
-
   Size size(const Scenario& scenario) {
     const fs::path file = fs::weakly_canonical(scenario.file);
     sizes_[file] = under_way;
     Size sum{0, 1};
     for (const SubsystemEntry& entry : scenario.subsystems) {
-      const Size one = scheme_of(entry) == nested_scheme ? size(entry) : Size{1, 0};
+      const Size one = entry.scheme() == nested_scheme ? size(entry) : Size{1, 0};
       sum = {sum.subsystems + one.subsystems, std::max(sum.levels, one.levels + 1)};
-      if (sum.levels > deepest)
-        refuse(entry.source_place,
-               fmt::format("subsystem '{}' is a scenario with others in it, {} deep in all; allowed "
-                           "are {}",
-                           entry.name, sum.levels, deepest));
-      if (sum.subsystems > most_subsystems)
-        refuse(entry.source_place,
-               fmt::format(
-                   "scenario '{}' has more than {} subsystems with those of the scenarios in it; allowed are "
-                   "up to that",
-                   scenario.file.string(), most_subsystems));
+      refuse_beyond(entry, sum);
     }
     return sizes_[file] = sum;
   }
@@ -49,11 +53,11 @@ class Nesting {
   static constexpr Size under_way{-1, 0};
 
   Size size(const SubsystemEntry& entry) {
-    const auto known = sizes_.find(fs::weakly_canonical(file_of(entry)));
-    if (known == sizes_.end()) return size(scenario::read(file_of(entry)));
+    const auto known = sizes_.find(fs::weakly_canonical(entry.file()));
+    if (known == sizes_.end()) return size(scenario::read(entry.file()));
     if (known->second.subsystems == under_way.subsystems)
       refuse(entry.source_place, fmt::format("subsystem '{}' is scenario '{}', which it stands in itself",
-                                             entry.name, file_of(entry).string()));
+                                             entry.name, entry.file().string()));
     return known->second;
   }
 
@@ -61,13 +65,6 @@ class Nesting {
 };
 
 }  // namespace
-
-std::string scheme_of(const SubsystemEntry& entry) { return entry.source.substr(0, entry.source.find(':')); }
-
-fs::path file_of(const SubsystemEntry& entry) {
-  const std::string place = entry.source.substr(entry.source.find(':') + 1);
-  return fs::path(entry.place.file).parent_path() / place.substr(0, place.find('?'));
-}
 
 void check_nesting(const Scenario& scenario) { Nesting().size(scenario); }
 

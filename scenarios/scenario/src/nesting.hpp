@@ -7,10 +7,6 @@ namespace tandem::scenario {
 /// The scheme of a source that is a scenario.
 inline constexpr const char* nested_scheme = "scenario";
 
-/// "mechanism" of "mechanism:FILE", and the file.
-std::string scheme_of(const SubsystemEntry& entry);
-std::filesystem::path file_of(const SubsystemEntry& entry);
-
 /// Throws Error for a scenario that stands in itself, by way of others,and for one of too many subsystems or levels.
 void check_nesting(const Scenario& scenario);
 

@@ -80,6 +80,11 @@ std::string SubsystemEntry::address() const {
   return command.empty() ? source.substr(0, source.find('?')) : "command " + shown(command);
 }
 
+std::filesystem::path SubsystemEntry::file() const {
+  const std::string there = source.substr(0, source.find('?'));
+  return std::filesystem::path(place.file).parent_path() / there.substr(there.find(':') + 1);
+}
+
 /// That of the first parameter whose value the sentence tells ("index-3 formulation: beta is 0.3"), else of
 /// the first that it names.
 Place SubsystemEntry::place_named_in(const std::string& sentence) const {

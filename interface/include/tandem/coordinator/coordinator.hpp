@@ -150,6 +150,7 @@ class Coordinator {
   void forget_states(int who);
   void restore_back(std::span<const std::span<const std::byte>> states);
   void check_seat(int who, const ByteReader& from);
+  void restore_stop(ByteReader& from);
   void restore_state(int who, std::span<const std::byte> bytes, const ByteReader& from);
   void note_extra_steps(int who);
   bool make_round();
@@ -176,10 +177,8 @@ class Coordinator {
   bool frozen_ = false;           ///< Then in parallel: others read what was there at the begin of a round.
   bool ended_ = false;            ///< Nobody goes back any more.
   std::vector<std::vector<Through>> through_;  ///< By subsystem; empty if there is none.
-  std::vector<int>
-      followers_;  ///< Of a run that pauses: whose outputs may jump with open inputs, sources first.
-  std::vector<double>
-      own_next_;  ///< By subsystem: its next node or instant; Member::never when it has finished.
+  std::vector<int> followers_;  ///< Of a run that pauses: whose outputs may jump with inputs, sources first.
+  std::vector<double> own_next_;  ///< By subsystem: its next node or instant; Member::never: it has finished.
   std::vector<int> output_calls_;  ///< Sampled ones that read each other: who gives outputs, in this order.
   std::vector<char> together_;     ///< By subsystem: is one of these.
   std::vector<double> outputs_;    ///< Of one that acts.

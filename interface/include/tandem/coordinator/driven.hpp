@@ -19,7 +19,7 @@ class Driven {
 
   std::size_t slot() const { return slot_; }
   bool is_open() const { return open_; }
-  /// Of an open one: from t [s] on it is `u`,the last piece of which goes on. It jumps at t if it is
+  /// Of an open one: from t [s] on it is `u`, the last piece of which goes on. It jumps at t if it is
   /// another number than before, by 1e-9 of it, and `u` says so or is constant.
   void go_on(double t, const Signal& u);
   /// Of an open one: its reader has read the jump where it stands.
@@ -40,7 +40,7 @@ class Driven {
   bool jumps_to(double t, const Signal& u) const;
   void append(double t, const Signal& u);
 
-  std::vector<Segment> pieces_;  ///< ends are widened by the tolerance, as those of links are
+  std::vector<Segment> pieces_;  ///< ends of known ones are widened by the tolerance, as those of links are
   std::size_t slot_, first_ = 0;
   int degree_;
   TimeTolerance tolerance_;

@@ -78,6 +78,9 @@ std::unique_ptr<Subsystem> open(const std::string& uri, const Builtins& builtins
 /// it is run.
 std::optional<Look> look_at(const std::string& uri, const Builtins& builtins, Opening opening);
 
+/// What follows the question mark of a URI. Throws Error for what is no pair.
+Parameters query_of(const std::string& uri);
+
 /// A command as a scenario has it: ["program", "argument"].
 std::string shown(const std::vector<std::string>& command);
 

@@ -11,5 +11,4 @@ namespace tandem::exported {
 /// - tell: takes sentences on what leaves the limits of a model.
 Builtins sources(const std::function<void(const std::string&)>& tell = {});
 
-
 }  // namespace tandem::exported

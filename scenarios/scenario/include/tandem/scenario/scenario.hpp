@@ -11,6 +11,7 @@
 #include "tandem/coordinator/power_link.hpp"
 #include "tandem/coordinator/recorder.hpp"
 #include "tandem/scenario/comparison.hpp"
+#include "tandem/scenario/ladder_entry.hpp"
 #include "tandem/text/place.hpp"
 #include "tandem/transports/parameters.hpp"
 
@@ -49,6 +50,9 @@ struct SubsystemEntry {
 
   /// "lib:./x.so", without parameters, or "command [...]".
   std::string address() const;
+  /// "lib" of that, and the file that stands behind it.
+  std::string scheme() const { return source.substr(0, source.find(':')); }
+  std::filesystem::path file() const;
 
   /// The place that an error of opening it is about: of the parameter that the sentence names first, else the
   /// source.
@@ -84,31 +88,6 @@ struct JudgeEntry {
   double tolerance;      ///< as a fraction of its largest magnitude, or of its rms
   Place place;
   Measure measure = {};
-};
-
-/// By what the rungs of a ladder are judged: an output's difference over time.
-struct LadderQuantity {
-  std::string quantity;
-  double tolerance;  ///< in `unit`, or as a fraction of the largest magnitude, or of the rms, in the richest
-  std::string unit;  ///< empty: a fraction
-  Place place;
-  Measure measure = {};
-};
-
-/// One model of the scene: a scenario file with overrides, or results of one.
-struct LadderRung {
-  std::string name;
-  std::filesystem::path file;                  ///< of results: a CSV file
-  std::vector<std::string> overrides;          ///< "KEY=VALUE"
-  std::map<std::string, std::string> outputs;  ///< of judged quantities that have another name here
-  std::map<std::string, double> constants;     ///< judged quantities that are this number here, in their unit
-  Place place;
-};
-
-/// A scene's models from simple to rich.
-struct LadderEntry {
-  std::vector<LadderQuantity> quantities;
-  std::vector<LadderRung> rungs;
 };
 
 /// What a run tells of how far its coupling is off: what it does anyway, or also an estimate of the judged output's error.

@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <concepts>
+#include <span>
+
+#include "tandem/signal.hpp"
+#include "tandem/subsystem.hpp"
+#include "tandem/time_grid.hpp"
+
+/// What a model for FixedStep (fixed_step.hpp) may have besides what it has to have.
+namespace tandem {
+
+/// One own step from `begin` to `end` [s]; length is h, or less where a step is cut.
+struct OwnStep {
+  double begin, end, length;
+};
+
+/// A TimeGrid as the place of a subsystem.
+struct GridPlace : TimeGrid {
+  using TimeGrid::TimeGrid;
+  Clock clock(Stop stop = Stop::limit) const { return {time(), next(), stop}; }
+};
+
+/// A model whose outputs jump at events, with the ability `events` in its info(). In place of step() it has:
+/// - `bool step_to_event(OwnStep& s, std::span<const Signal> u)`: true: outputs jump at an event, to which it
+///   came, and s.end is its time.
+/// - `void outputs_before(double* y) const`: as they were just before that.
+template <class Model>
+concept HasEvents =
+    requires(Model& model, const Model& same, OwnStep& s, std::span<const Signal> u, double* y) {
+      { model.step_to_event(s, u) } -> std::same_as<bool>;
+      same.outputs_before(y);
+    };
+
+/// A model of which an output follows inputs at once.
+/// - `bool jump(double t, std::span<const Signal> u)`: inputs have jumped at t, where it stands; true:
+///   outputs have with them.
+template <class Model>
+concept TakesJumps = requires(Model& model, double t, std::span<const Signal> u) {
+  { model.jump(t, u) } -> std::same_as<bool>;
+};
+
+/// A model that may come to an end of its own, after which it takes no more steps.
+/// - `bool finished() const`: after a step or an event, it has come to its end.
+template <class Model>
+concept MayFinish = requires(const Model& model) {
+  { model.finished() } -> std::same_as<bool>;
+};
+
+/// A model that goes by where a run ends.
+/// - `void end_at(double t_stop)`: before start() [s]; infinite if that is not known.
+template <class Model>
+concept KnowsTheStop = requires(Model& model, double t_stop) { model.end_at(t_stop); };
+
+}  // namespace tandem
