@@ -22,7 +22,7 @@ constexpr int smooth = 0, broken = 1, kink = 2;  // levels of Past::record
 Simulation::Simulation(const Program& program, InputSource* inputs, std::unique_ptr<Integrator> integrator,
                        const SimulationSettings& settings)
     : system_(program, inputs), integrator_(std::move(integrator)), settings_(settings) {
-  integrator_->check_fit(program);
+  integrator_->check_fit(program.state_names);
   for (const Delay& delay : program.delays)
     if (delay.past >= 0) delays_.push_back(&delay);
   follows_courses_ = inputs && integrator_->chooses_steps();

@@ -62,6 +62,12 @@ double System::watched(int crossing) const {
   return image_[static_cast<std::size_t>(program_.crossings[static_cast<std::size_t>(crossing)].signal)];
 }
 
+double System::error_of_loops() const {
+  double largest = 0.0;
+  for (const Loop& loop : program_.loops) largest = std::max(largest, loop.settings.tolerance);
+  return largest;
+}
+
 double System::watched_sign(int crossing) const {
   constexpr double smallest = 0x1p-511;  // SUNDIALS multiplies two of them
   const Crossing& c = program_.crossings[static_cast<std::size_t>(crossing)];

@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     Description d = read_description(std::string(reinterpret_cast<const char*>(data), size), "fuzz");
     tandem::Parameters p;
     p.set("step", 0.1);
-    const Settings settings = take_settings(d, p);
+    const Settings settings = take_settings(d, p, {});
     tandem::check_info("fuzz", ports_of(d, settings).info);
   } catch (const tandem::Error&) {  // what has to come of a text that is not right
   }

@@ -35,13 +35,13 @@ void check_settings(const char* name, const AdaptiveSettings& s) {
 
 }  // namespace
 
-SundialsIntegrator::SundialsIntegrator(const SundialsMethod& method, const AdaptiveSettings& settings)
+SundialsSteps::SundialsSteps(const SundialsMethod& method, const AdaptiveSettings& settings)
     : method_(method), settings_(settings) {
   check_settings(method.name, settings);
   SUNContext_Create(nullptr, &context_);
 }
 
-SundialsIntegrator::~SundialsIntegrator() {
+SundialsSteps::~SundialsSteps() {
   if (memory_) method_.free(&memory_);
   if (iteration_) SUNNonlinSolFree(iteration_);
   if (solver_) SUNLinSolFree(solver_);
@@ -51,8 +51,7 @@ SundialsIntegrator::~SundialsIntegrator() {
   SUNContext_Free(&context_);
 }
 
-void SundialsIntegrator::check_fit(const Program& program) const {
-  const auto& names = program.state_names;
+void SundialsSteps::check_fit(const std::vector<std::string>& names) const {
   for (const auto& [state, tolerance] : settings_.absolute_tolerances)
     if (std::find(names.begin(), names.end(), state) == names.end())
       throw Error(ErrorCode::invalid_argument,
@@ -61,9 +60,9 @@ void SundialsIntegrator::check_fit(const Program& program) const {
 }
 
 /// Where a derivative is not finite a shorter step is tried.
-int SundialsIntegrator::rates(double t, N_Vector x, N_Vector dx, void* self) {
-  SundialsIntegrator& integrator = *static_cast<SundialsIntegrator*>(self);
-  System& system = *integrator.system_;
+int SundialsSteps::rates(double t, N_Vector x, N_Vector dx, void* self) {
+  SundialsSteps& integrator = *static_cast<SundialsSteps*>(self);
+  DifferentialSystem& system = *integrator.system_;
   std::copy_n(N_VGetArrayPointer(x), system.size(), system.states());
   double* const d = N_VGetArrayPointer(dx);
   ++integrator.statistics_.rate_evaluations;
@@ -76,15 +75,13 @@ int SundialsIntegrator::rates(double t, N_Vector x, N_Vector dx, void* self) {
 
 /// Forward differences, whose steps stand out of what algebraic loops leave as an error: by the root of their
 /// tolerance. Those of SUNDIALS stand out of rounding alone.
-int SundialsIntegrator::jacobian(  // NOLINT(readability-function-size): SUNDIALS calls it
+int SundialsSteps::jacobian(  // NOLINT(readability-function-size): SUNDIALS calls it
     double t, N_Vector at, N_Vector dx, SUNMatrix j, void* self, N_Vector rate, N_Vector, N_Vector) {
-  const SundialsIntegrator& integrator = *static_cast<const SundialsIntegrator*>(self);
+  const SundialsSteps& integrator = *static_cast<const SundialsSteps*>(self);
   double *const x = N_VGetArrayPointer(at), *const f0 = N_VGetArrayPointer(dx);
   const double* const f = N_VGetArrayPointer(rate);
   const double* const absolute = N_VGetArrayPointer(integrator.absolute_);
-  double tolerance = 0.0;
-  for (const Loop& loop : integrator.system_->program().loops)
-    tolerance = std::max(tolerance, loop.settings.tolerance);
+  const double tolerance = integrator.system_->error_of_loops();
   for (int c = 0, n = integrator.system_->size(); c < n; ++c) {
     const double before = x[c],
                  size = std::abs(before) + absolute[c] / integrator.settings_.relative_tolerance;
@@ -97,23 +94,23 @@ int SundialsIntegrator::jacobian(  // NOLINT(readability-function-size): SUNDIAL
   return 0;
 }
 
-int SundialsIntegrator::watch(double t, N_Vector x, double* g, void* self) {
-  SundialsIntegrator& integrator = *static_cast<SundialsIntegrator*>(self);
-  System& system = *integrator.system_;
+int SundialsSteps::watch(double t, N_Vector x, double* g, void* self) {
+  SundialsSteps& integrator = *static_cast<SundialsSteps*>(self);
+  DifferentialSystem& system = *integrator.system_;
   std::copy_n(N_VGetArrayPointer(x), system.size(), system.states());
   ++integrator.statistics_.root_evaluations;
   if (!integrator.survives([&] { system.evaluate(t); })) return -1;
-  for (int k = 0; k < static_cast<int>(system.program().crossings.size()); ++k) g[k] = system.watched_sign(k);
+  for (int k = 0; k < system.watched_signals(); ++k) g[k] = system.watched_sign(k);
   return 0;
 }
 
-void SundialsIntegrator::take_message(int, const char*, const char* function, char* message, void* self) {
-  static_cast<SundialsIntegrator*>(self)->message_ = fmt::format("{}: {}", function, message);
+void SundialsSteps::take_message(int, const char*, const char* function, char* message, void* self) {
+  static_cast<SundialsSteps*>(self)->message_ = fmt::format("{}: {}", function, message);
 }
 
 /// No error goes through SUNDIALS, which is C: it is thrown again where SUNDIALS gives up.
 template <class Work>
-bool SundialsIntegrator::survives(const Work& work) {
+bool SundialsSteps::survives(const Work& work) {
   try {
     work();
     return true;
@@ -123,7 +120,7 @@ bool SundialsIntegrator::survives(const Work& work) {
   }
 }
 
-void SundialsIntegrator::check(int flag) const {
+void SundialsSteps::check(int flag) const {
   if (flag >= 0) return;
   if (!failure_.empty()) throw Error(ErrorCode::numerical, failure_);
   throw Error(ErrorCode::numerical,
@@ -131,7 +128,7 @@ void SundialsIntegrator::check(int flag) const {
                           message_.empty() ? fmt::format("error {}", flag) : message_, not_finite_));
 }
 
-Statistics SundialsIntegrator::statistics() const {
+Statistics SundialsSteps::statistics() const {
   Statistics all = statistics_;
   const auto count = [this](SundialsMethod::Count of) {
     long number = 0;
@@ -146,18 +143,17 @@ Statistics SundialsIntegrator::statistics() const {
 }
 
 /// After an event as long as after the one before, which saves the evaluations of a search.
-double SundialsIntegrator::first_step(Restart why) const {
+double SundialsSteps::first_step(Restart why) const {
   double step = 0.0;
   if (memory_ && why == Restart::event && method_.first_step) method_.first_step(memory_, &step);
   return step;
 }
 
-void SundialsIntegrator::restart(System& system, double t, Restart why) {
+void SundialsSteps::restart(DifferentialSystem& system, double t, Restart why) {
   system_ = &system;
   time_ = t;
   standing_ = 0;
   not_finite_.clear();
-  if (system.size() == 0) return still_.restart(system, t, why);
   if (!x_) x_ = N_VNew_Serial(system.size(), context_);
   std::copy_n(system.states(), system.size(), N_VGetArrayPointer(x_));
   const double first = first_step(why);
@@ -167,8 +163,8 @@ void SundialsIntegrator::restart(System& system, double t, Restart why) {
   if (method_.set_first_step) check(method_.set_first_step(memory_, first));
 }
 
-void SundialsIntegrator::set_tolerances() {
-  const auto& names = system_->program().state_names;
+void SundialsSteps::set_tolerances() {
+  const auto names = system_->state_names();
   absolute_ = N_VClone(x_);
   N_VConst(settings_.absolute_tolerance, absolute_);
   for (const auto& [state, tolerance] : settings_.absolute_tolerances)
@@ -178,14 +174,14 @@ void SundialsIntegrator::set_tolerances() {
             : method_.set_tolerance_of_each(memory_, settings_.relative_tolerance, absolute_));
 }
 
-void SundialsIntegrator::create_linear_solver() {
+void SundialsSteps::create_linear_solver() {
   matrix_ = SUNDenseMatrix(system_->size(), system_->size(), context_);
   solver_ = SUNLinSol_Dense(x_, matrix_, context_);
   check(method_.set_linear_solver(memory_, solver_, matrix_));
-  if (!system_->program().loops.empty()) check(method_.set_jacobian(memory_, jacobian));
+  if (system_->error_of_loops() > 0.0) check(method_.set_jacobian(memory_, jacobian));
 }
 
-void SundialsIntegrator::create(double t) {
+void SundialsSteps::create(double t) {
   memory_ = method_.create(rates, t, x_, context_);
   check(method_.set_messages(memory_, take_message, this));
   check(method_.set_self(memory_, this));
@@ -197,12 +193,11 @@ void SundialsIntegrator::create(double t) {
   }
   check(method_.set_longest_step(memory_, settings_.longest_step));
   check(method_.set_shortest_step(memory_, settings_.shortest_step));
-  check(method_.set_roots(memory_, static_cast<int>(system_->program().crossings.size()), watch));
+  check(method_.set_roots(memory_, system_->watched_signals(), watch));
   check(method_.set_no_warning(memory_));
 }
 
-double SundialsIntegrator::advance(System& system, double t, double t_end) {
-  if (system.size() == 0) return still_.advance(system, t, t_end);
+double SundialsSteps::advance(DifferentialSystem& system, double t, double t_end) {
   system.evaluate_again(t);
   if (system.changed() >= 0) return t;  // by an input that has jumped
   time_ = t;
@@ -219,7 +214,7 @@ double SundialsIntegrator::advance(System& system, double t, double t_end) {
 }
 
 /// Where derivatives are numbers up to some time alone, steps get shorter and shorter before it.
-void SundialsIntegrator::refuse_standstill(double from) {
+void SundialsSteps::refuse_standstill(double from) {
   constexpr int most = 1000;
   constexpr double shortest = 4.0 * std::numeric_limits<double>::epsilon();
   standing_ = time_ - from > shortest * std::abs(from) ? 0 : standing_ + 1;
@@ -229,7 +224,7 @@ void SundialsIntegrator::refuse_standstill(double from) {
 }
 
 /// One of its steps, not past t_end; it ends at a root.
-void SundialsIntegrator::step(double t_end) {
+void SundialsSteps::step(double t_end) {
   static_assert(CV_TSTOP_RETURN == 1, "as in ARKODE");
   if (method_.set_fixed_step) check(method_.set_fixed_step(memory_, t_end - time_));
   check(method_.set_stop_time(memory_, t_end));

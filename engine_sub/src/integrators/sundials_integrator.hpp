@@ -51,19 +51,18 @@ struct SundialsMethod {
   Count failed_error_tests, nonlinear_iterations, failed_iterations, jacobians;
 };
 
-class SundialsIntegrator final : public Integrator {
+class SundialsSteps final : public AdaptiveIntegrator {
  public:
-  SundialsIntegrator(const SundialsMethod& method, const AdaptiveSettings& settings);
-  ~SundialsIntegrator() override;
-  SundialsIntegrator(const SundialsIntegrator&) = delete;
-  SundialsIntegrator& operator=(const SundialsIntegrator&) = delete;
+  SundialsSteps(const SundialsMethod& method, const AdaptiveSettings& settings);
+  ~SundialsSteps() override;
+  SundialsSteps(const SundialsSteps&) = delete;
+  SundialsSteps& operator=(const SundialsSteps&) = delete;
 
-  void check_fit(const Program& program) const override;
-  void restart(System& system, double t, Restart why) override;
-  double advance(System& system, double t, double t_end) override;
-  bool chooses_steps() const override { return true; }
-  bool goes_by_image() const override { return method_.set_fixed_step != nullptr; }
-  Statistics statistics() const override;
+  void check_fit(const std::vector<std::string>& names) const override;
+  void restart(DifferentialSystem& system, double t, Restart why) override;
+  double advance(DifferentialSystem& system, double t, double t_end) override;
+  bool has_fixed_steps() const { return method_.set_fixed_step != nullptr; }
+  Statistics statistics() const;
 
  private:
   static int rates(double t, N_Vector x, N_Vector dx, void* self);
@@ -90,14 +89,35 @@ class SundialsIntegrator final : public Integrator {
   SUNLinearSolver solver_ = nullptr;
   SUNNonlinearSolver iteration_ = nullptr;
   void* memory_ = nullptr;
-  System* system_ = nullptr;
+  DifferentialSystem* system_ = nullptr;
   double time_ = 0.0;
   long steps_ = 0;    ///< on the way to the time that it is asked for
   int standing_ = 0;  ///< steps in a row that time does not show
   std::string message_, failure_;
   std::string not_finite_;  ///< which block made the last derivative that was not finite, and when
   Statistics statistics_;   ///< of its counts up to the last restart
-  RungeKutta4 still_;       ///< of a system without states, of which SUNDIALS has none
+};
+
+/// The same, of diagrams.
+class SundialsIntegrator final : public Integrator {
+ public:
+  SundialsIntegrator(const SundialsMethod& method, const AdaptiveSettings& settings)
+      : steps_(method, settings) {}
+
+  void check_fit(const std::vector<std::string>& names) const override { steps_.check_fit(names); }
+  void restart(System& system, double t, Restart why) override {
+    system.size() == 0 ? still_.restart(system, t, why) : steps_.restart(system, t, why);
+  }
+  double advance(System& system, double t, double t_end) override {
+    return system.size() == 0 ? still_.advance(system, t, t_end) : steps_.advance(system, t, t_end);
+  }
+  bool chooses_steps() const override { return true; }
+  bool goes_by_image() const override { return steps_.has_fixed_steps(); }
+  Statistics statistics() const override { return steps_.statistics(); }
+
+ private:
+  SundialsSteps steps_;
+  RungeKutta4 still_;  ///< of a system without states, of which SUNDIALS has none
 };
 
 }  // namespace tandem::engine

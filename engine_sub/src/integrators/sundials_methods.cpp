@@ -128,4 +128,11 @@ std::unique_ptr<Integrator> arkstep(const AdaptiveSettings& s) {
   return std::make_unique<SundialsIntegrator>(ark, s);
 }
 
+std::unique_ptr<AdaptiveIntegrator> adaptive_steps(const std::string& name,
+                                                   const AdaptiveSettings& settings) {
+  for (const SundialsMethod* method : {&adams, &bdf, &erk, &erk_fixed, &ark})
+    if (name == method->name) return std::make_unique<SundialsSteps>(*method, settings);
+  return nullptr;
+}
+
 }  // namespace tandem::engine

@@ -9,6 +9,7 @@
 #include "tandem/tcp/tcp.hpp"
 #if TANDEM_HAS_FMI
 #include "tandem/fmi/fmi.hpp"
+#include "tandem/sources/integrators.hpp"
 #endif
 #if TANDEM_HAS_ZEROMQ
 #include "tandem/zeromq/zeromq.hpp"
@@ -25,7 +26,7 @@ Builtins sources(const SourceSettings& settings) {
   add_shared_library(all);
   add_tcp(all, settings.allow_plaintext);
 #if TANDEM_HAS_FMI
-  add_fmi(all, settings.tell);
+  add_fmi(all, settings.tell, {integrator_words(), take_integrator});
 #endif
 #if TANDEM_HAS_ZEROMQ
   add_zeromq(all, settings.allow_plaintext);

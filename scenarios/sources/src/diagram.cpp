@@ -1,25 +1,19 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "tandem/sources/diagram.hpp"
 
-#include <fmt/format.h>
-
-#include <cmath>
 #include <utility>
 
 #include "tandem/engine/read.hpp"
 #include "tandem/engine/subsystem.hpp"
 #include "tandem/error.hpp"
 #include "tandem/sources/file_parameters.hpp"
+#include "tandem/sources/integrators.hpp"
 #include "tandem/sources/run_table.hpp"
 
 namespace tandem {
 namespace {
 
-Words diagram_words() {
-  return words_by(Setter::client,
-                  {"step", "integrator", "locate_events", "relative_tolerance", "absolute_tolerance",
-                   "absolute_tolerance.*", "longest_step", "shortest_step", "most_steps"});
-}
+Words diagram_words() { return words_by(Setter::client, {"step", "locate_events"}) + integrator_words(); }
 
 /// The diagram with the parameters that are given.
 engine::Description read(const text::Document& document, Parameters& p) {
@@ -28,23 +22,6 @@ engine::Description read(const text::Document& document, Parameters& p) {
   for (const auto& [name, value] : values)
     if (p.from_client(name)) bounds.parameters.insert(name);
   return engine::read_diagram(document, values, bounds);
-}
-
-long most_steps(Parameters& p, long otherwise) {
-  const double value = p.number("most_steps", static_cast<double>(otherwise));
-  if (value == std::floor(value) && value >= 1.0 && value <= 1e9) return static_cast<long>(value);
-  throw Error(
-      ErrorCode::invalid_argument,
-      fmt::format("parameter 'most_steps' is {}; allowed is a whole number from 1 to 1000000000", value));
-}
-
-void take(Parameters& p, engine::AdaptiveSettings& s) {
-  s.relative_tolerance = p.number("relative_tolerance", s.relative_tolerance);
-  s.absolute_tolerance = p.number("absolute_tolerance", s.absolute_tolerance);
-  s.absolute_tolerances = p.numbers("absolute_tolerance.");
-  s.longest_step = p.number("longest_step", s.longest_step);
-  s.shortest_step = p.number("shortest_step", s.shortest_step);
-  s.most_steps = most_steps(p, s.most_steps);
 }
 
 }  // namespace
@@ -60,7 +37,7 @@ std::unique_ptr<Subsystem> make_diagram(const SourceFile& file, Parameters& p,
   settings.step = p.number("step", 0.0);
   settings.integrator.name = p.text("integrator", settings.integrator.name);
   settings.integrator.locate_events = p.flag("locate_events", settings.integrator.locate_events);
-  take(p, settings.integrator.adaptive);
+  take_adaptive(p, settings.integrator.adaptive);
   if (tell)
     settings.simulation.tell = [tell, name = diagram.name](const std::string& text) {
       tell("diagram '" + name + "': " + text);

@@ -21,10 +21,7 @@ void Equations::start(double t, std::span<const double> u0) {
   settle(t);
 }
 
-std::optional<std::vector<StateName>> Equations::names() const {
-  const Description& d = running_.fmu().description;
-  const auto is_discrete = [](const Variable& v) { return v.variability == Variability::discrete; };
-  if (d.event_indicators > 0 || std::any_of(d.variables.begin(), d.variables.end(), is_discrete)) return {};
+static std::vector<StateName> states_of(const Description& d) {
   std::vector<StateName> all;
   for (const Unknown& rate : d.derivatives) {
     const Variable& state = d.at(d.at(rate.variable).derivative_of);
@@ -32,6 +29,19 @@ std::optional<std::vector<StateName>> Equations::names() const {
     for (int k = 0; k < state.size; ++k) all.push_back({Scalar{&port, k}.name(), state.unit});
   }
   return all;
+}
+
+std::vector<std::string> Equations::state_names() const {
+  std::vector<std::string> all;
+  for (const StateName& state : states_of(running_.fmu().description)) all.push_back(state.name);
+  return all;
+}
+
+std::optional<std::vector<StateName>> Equations::names() const {
+  const Description& d = running_.fmu().description;
+  const auto is_discrete = [](const Variable& v) { return v.variability == Variability::discrete; };
+  if (d.event_indicators > 0 || std::any_of(d.variables.begin(), d.variables.end(), is_discrete)) return {};
+  return states_of(d);
 }
 
 void Equations::put(std::span<const double> x) {
@@ -42,8 +52,34 @@ void Equations::put(std::span<const double> x) {
 
 void Equations::resume(std::span<const Signal> u) {
   u_ = u;
+  course_end_ = -std::numeric_limits<double>::infinity();
   running_.resume();
   running_.know_inputs();
+}
+
+/// A break belongs to the piece before it, so pieces that end at t go.
+bool Equations::begin_course(double t) {
+  if (u_.data() != course_.data()) course_.assign(u_.begin(), u_.end()), u_ = course_;
+  const TimeTolerance tolerance(t);
+  course_end_ = std::numeric_limits<double>::infinity();
+  for (Signal& signal : course_) {
+    auto pieces = signal.segments();
+    while (pieces.size() > 1 && !tolerance.before(t, pieces.front().end)) pieces = pieces.subspan(1);
+    if (pieces.size() > 1) course_end_ = std::min(course_end_, pieces.front().end);
+    signal = Signal(pieces.data(), static_cast<std::int32_t>(pieces.size()), signal.degree());
+  }
+  inputs_before_ = inputs_;
+  if (!take(running_.fmu().ports.continuous, u_, t, inputs_)) return false;
+  evaluate(t);
+  return !std::equal(inputs_.begin(), inputs_.end(), inputs_before_.begin(), [](double a, double b) {
+    return std::abs(a - b) <= 1e-12 * std::max(std::abs(a), std::abs(b));
+  });
+}
+
+/// Its sign is that it is above zero.
+double Equations::watched_sign(int indicator) const {
+  const double z = watched(indicator);
+  return z == 0.0 ? -std::numeric_limits<double>::min() : z;
 }
 
 bool Equations::discrete_inputs_changed(double t) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "running.hpp"
+#include "tandem/differential_system.hpp"
 #include "tandem/signal.hpp"
 
 namespace tandem::fmi {
@@ -13,7 +14,7 @@ namespace tandem::fmi {
 /// An FMU of Model Exchange as x' = f(t, x) with event indicators, for ClassicalSteps; and its events. An
 /// indicator's sign is that it is above 0. All calls of the library stand in Instance::within(). A copy is a
 /// state that is kept (Running).
-class Equations {
+class Equations final : public DifferentialSystem {
  public:
   explicit Equations(const std::shared_ptr<Instance>& instance);
 
@@ -25,8 +26,12 @@ class Equations {
   std::optional<std::vector<StateName>> names() const;
   void get(std::span<double> x) const { std::copy(x_.begin(), x_.end(), x.begin()); }
   void put(std::span<const double> x);
+  std::vector<std::string> state_names() const override;
   /// Goes on with the state that is kept, and on these inputs, which outlive the call.
   void resume(std::span<const Signal> u);
+  /// From t on each input is one polynomial, up to course_end(). Whether one jumps with that.
+  bool begin_course(double t);
+  double course_end() const { return course_end_; }
   /// Whether inputs that may change at events alone have other values now.
   bool discrete_inputs_changed(double t);
   /// What happens at t, where it stands.
@@ -36,16 +41,18 @@ class Equations {
   double next_event() const { return next_event_; }
   bool finished() const { return finished_; }
 
-  int size() const { return static_cast<int>(x_.size()); }
-  double* states() { return x_.data(); }
-  void rates(double t, double* dx) {
+  int size() const override { return static_cast<int>(x_.size()); }
+  double* states() override { return x_.data(); }
+  void rates(double t, double* dx) override {
     go_to(t);
     read_rates(dx);
   }
   void read_rates(double* dx);
-  void evaluate(double t);
-  void evaluate_again(double t);
-  int changed() const;
+  void evaluate(double t) override;
+  void evaluate_again(double t) override;
+  int changed() const override;
+  int watched_signals() const override { return static_cast<int>(indicators_.size()); }
+  double watched_sign(int indicator) const override;
   double watched(int indicator) const { return indicators_[static_cast<std::size_t>(indicator)]; }
 
   /// Of a state that is kept.
@@ -60,7 +67,9 @@ class Equations {
 
   Running running_;
   std::span<const Signal> u_;
-  std::vector<double> x_, indicators_, inputs_;
+  std::vector<Signal> course_;  ///< of u_
+  double course_end_ = 0.0;     ///< [s]
+  std::vector<double> x_, indicators_, inputs_, inputs_before_;
   std::vector<double> above_;  ///< by indicator, 1 or 0: as it was last seen
   double next_event_ = 0.0;
   bool finished_ = false;

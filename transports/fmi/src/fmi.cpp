@@ -83,8 +83,9 @@ void require_runnable(const Fmu& fmu) {
                                               "; there are those of " + fmu.archive->folders_in("binaries/"));
 }
 
-std::unique_ptr<Subsystem> make(const Address& address, Parameters& p, const Tell& tell) {
-  Fmu fmu = read_fmu(address.file(), p);
+std::unique_ptr<Subsystem> make(const Address& address, Parameters& p, const Tell& tell,
+                                const FmuIntegrators& integrators) {
+  Fmu fmu = read_fmu(address.file(), p, integrators);
   p.refuse_unused(address.name());
   require_runnable(fmu);
   const Kind kind = fmu.settings.kind;
@@ -95,10 +96,10 @@ std::unique_ptr<Subsystem> make(const Address& address, Parameters& p, const Tel
 
 }  // namespace
 
-Fmu read_fmu(const std::filesystem::path& file, Parameters& parameters) {
+Fmu read_fmu(const std::filesystem::path& file, Parameters& parameters, const FmuIntegrators& integrators) {
   Fmu fmu{file, std::make_unique<Archive>(file), {}, {}, {}};
   fmu.description = description_of(*fmu.archive, file);
-  fmu.settings = take_settings(fmu.description, parameters);
+  fmu.settings = take_settings(fmu.description, parameters, integrators);
   fmu.ports = ports_of(fmu.description, fmu.settings);
   return fmu;
 }
@@ -110,14 +111,18 @@ std::string library_of(const Fmu& fmu) {
 
 }  // namespace fmi
 
-void add_fmi(Builtins& builtins, const std::function<void(const std::string&)>& tell) {
-  builtins.schemes["fmu"] = {
-      fmi::fmu_words(),
-      [tell](const Address& address, Parameters& p) { return fmi::make(address, p, tell); },
-      false,
-      true,
-      [](const Address& address, Parameters& p) { return fmi::look(fmi::read_fmu(address.file(), p)); },
-      true};
+void add_fmi(Builtins& builtins, const std::function<void(const std::string&)>& tell,
+             const FmuIntegrators& integrators) {
+  builtins.schemes["fmu"] = {fmi::fmu_words() + integrators.words,
+                             [tell, integrators](const Address& address, Parameters& p) {
+                               return fmi::make(address, p, tell, integrators);
+                             },
+                             false,
+                             true,
+                             [integrators](const Address& address, Parameters& p) {
+                               return fmi::look(fmi::read_fmu(address.file(), p, integrators));
+                             },
+                             true};
 }
 
 }  // namespace tandem

@@ -22,7 +22,7 @@ struct Fmu {
 };
 
 /// Reads it. Throws Error that names the file.
-Fmu read_fmu(const std::filesystem::path& file, Parameters& parameters);
+Fmu read_fmu(const std::filesystem::path& file, Parameters& parameters, const FmuIntegrators& integrators);
 
 /// The folder below binaries/ for this processor and Linux; empty where the version names none.
 std::string platform(Version version);

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "equations.hpp"
 #include "tandem/classical_steps.hpp"
@@ -21,6 +23,7 @@ class ExchangedModel {
   explicit ExchangedModel(const std::shared_ptr<Instance>& instance)
       : equations_(instance), row_(row_size()), left_(row_size()) {
     steps_.resize(equations_.size());
+    if (integrator()) integrator()->check_fit(equations_.state_names());
   }
 
   SubsystemInfo info() const { return equations_.running().info(); }
@@ -29,7 +32,7 @@ class ExchangedModel {
   bool finished() const { return equations_.finished(); }
 
   void start(double t, std::span<const double> u0) {
-    events_ = 0, events_since_ = t;
+    events_ = 0, events_since_ = t, restart_ = Restart::state;
     fmu().within([&] { equations_.start(t, u0); });
   }
   bool step_to_event(OwnStep& s, std::span<const Signal> u);
@@ -43,6 +46,7 @@ class ExchangedModel {
   void get_states(std::span<double> x) const { equations_.get(x); }
   void set_states(std::span<const double> x) {
     fmu().within([&] { equations_.put(x); });
+    restart_ = Restart::state;
   }
 
   void write(ByteWriter& to) const {
@@ -60,6 +64,11 @@ class ExchangedModel {
   Instance& fmu() const { return equations_.instance(); }
   std::size_t row_size() const { return static_cast<std::size_t>(info().row_size() - Samples::header); }
   bool move(OwnStep& s);
+  double go(double t, double t_end);
+  /// With steps of its own; null: the classical method.
+  AdaptiveIntegrator* integrator() const {
+    return equations_.size() > 0 ? equations_.running().fmu().settings.integrator.get() : nullptr;
+  }
   void event(double t);
   bool happen(double t);
   bool has_jumped() {
@@ -72,6 +81,7 @@ class ExchangedModel {
   std::vector<double> row_, left_;  ///< now, and before an event
   double events_since_ = 0.0;
   int events_ = 0;
+  std::optional<Restart> restart_ = Restart::state;  ///< of an integrator with steps of its own
 };
 
 void ExchangedModel::event(double t) {
@@ -81,6 +91,17 @@ void ExchangedModel::event(double t) {
                 fmt::format("the FMU has more than {} events within an own step, from {} to {} s",
                             most_events, events_since_, t));
   equations_.happen(t);
+  restart_ = Restart::event;
+}
+
+/// To t_end at the latest.
+double ExchangedModel::go(double t, double t_end) {
+  AdaptiveIntegrator* own = integrator();
+  if (!own) return steps_.advance(equations_, t, t_end, true);
+  if (t >= equations_.course_end() && equations_.begin_course(t))
+    restart_ = restart_.value_or(Restart::event);
+  if (restart_) own->restart(equations_, t, *std::exchange(restart_, std::nullopt));
+  return own->advance(equations_, t, std::min(t_end, equations_.course_end()));
 }
 
 /// True: outputs have jumped with it.
@@ -109,7 +130,7 @@ bool ExchangedModel::move(OwnStep& s) {
     if (due && (happen(t) || finished())) return s.end = t, true;
     if (!tolerance.before(t, s.end)) return false;
     const double begin = t;
-    t = steps_.advance(equations_, t, std::min(s.end, equations_.next_event()), true);
+    t = go(t, std::min(s.end, equations_.next_event()));
     due = (t > begin && equations_.end_step()) || equations_.changed() >= 0;
     if (!finished()) continue;
     equations_.running().read_row(left_.data());

@@ -176,7 +176,7 @@ class PortMaker {
     a.restarts = true;
     a.lands = exchange || s_.lands;
     a.events = exchange || offer.has_events;
-    a.saves_state = offer.keeps_state && (exchange || s_.trusts_state);
+    a.saves_state = offer.keeps_state && (exchange ? !s_.integrator : s_.trusts_state);
     a.serializes_state = a.saves_state && offer.serializes_state;
   }
 

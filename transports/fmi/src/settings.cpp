@@ -94,7 +94,7 @@ Words fmu_words() {
                   {"type", "inputs", "order", "tolerance", "lands", "state", "log", "unit.*", "outputs.*"});
 }
 
-Settings take_settings(Description& d, Parameters& p) {
+Settings take_settings(Description& d, Parameters& p, const FmuIntegrators& integrators) {
   Settings s;
   s.kind = kind_of(d, p);
   s.step = step_of(d, s.kind, p);
@@ -104,7 +104,10 @@ Settings take_settings(Description& d, Parameters& p) {
   s.values = take_values(d, p);
   s.units = units_of(p);
   s.outputs = outputs_of(d, p);
-  if (s.kind == Kind::model_exchange) return s;
+  if (s.kind == Kind::model_exchange) {
+    if (integrators.make) s.integrator = integrators.make(p);
+    return s;
+  }
   s.held = held_of(d, p);
   s.order = order_of(s.held, p);
   s.lands = p.flag("lands", d.co_simulation->varies_steps && !d.co_simulation->fixed_step);

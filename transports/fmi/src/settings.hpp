@@ -1,11 +1,13 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "tandem/fmi/description.hpp"
+#include "tandem/fmi/fmi.hpp"
 #include "tandem/transports/parameters.hpp"
 
 namespace tandem::fmi {
@@ -32,6 +34,8 @@ struct Settings {
   std::vector<Setting> values;
   std::map<std::string, std::string> units;  ///< of ports, in place of what the description says
   std::vector<std::string> outputs;          ///< variables that are outputs beside those that are said to be
+  std::shared_ptr<AdaptiveIntegrator> integrator =
+      {};  ///< of Model Exchange; null: the classical Runge-Kutta method
 };
 
 /// Words of "fmu:".
@@ -39,7 +43,7 @@ Words fmu_words();
 
 /// What the parameters and the description say; arrays of the description have the sizes that they give.
 /// Throws Error(invalid_argument) for what the FMU has not.
-Settings take_settings(Description& description, Parameters& parameters);
+Settings take_settings(Description& description, Parameters& parameters, const FmuIntegrators& integrators);
 
 inline const Offer& offer_of(const Description& d, Kind kind) {
   return kind == Kind::co_simulation ? *d.co_simulation : *d.model_exchange;

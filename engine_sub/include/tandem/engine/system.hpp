@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "tandem/differential_system.hpp"
 #include "tandem/engine/program.hpp"
 
 namespace tandem::engine {
@@ -29,22 +30,23 @@ class InputSource {
 /// A program with its image, as integrators see it: x' = f(t, x), and signals whose signs are watched. Held
 /// values stay as they are. The states stand in the image. What evaluates throws Error(numerical) where an
 /// algebraic loop has no solution.
-class System {
+class System final : public DifferentialSystem {
  public:
   /// inputs: may be null where the program has none. Both must outlive the system.
   System(const Program& program, InputSource* inputs);
-  ~System();
+  ~System() override;
   System(const System&) = delete;
   System& operator=(const System&) = delete;
 
-  int size() const { return program_.states; }
-  double* states() { return image_.data(); }
+  int size() const override { return program_.states; }
+  double* states() override { return image_.data(); }
+  std::vector<std::string> state_names() const override { return program_.state_names; }
   const Program& program() const { return program_; }
   std::vector<double>& image() { return image_; }
   const std::vector<double>& image() const { return image_; }
 
   /// Derivatives at t and the image's states.
-  void rates(double t, double* dx) {
+  void rates(double t, double* dx) override {
     set_time(t);
     run(0, program_.rate_operations);
     read_rates(dx);
@@ -55,27 +57,31 @@ class System {
   double begin_course(double t) { return inputs_->begin_course(t); }
   bool inputs_jump_at(double t) { return inputs_ && inputs_->jump_at(t); }
   /// Every signal at t, but for those that are needed at events alone.
-  void evaluate(double t) {
+  void evaluate(double t) override {
     set_time(t);
     run(0, program_.step_operations);
   }
   /// These, after evaluate().
   void evaluate_updates() { run(program_.step_operations, static_cast<int>(program_.operations.size())); }
   /// The same after evaluate(t) and changes of the inputs alone; nothing, if there are none.
-  void evaluate_again(double t) {
+  void evaluate_again(double t) override {
     if (inputs_ && inputs_change(t)) evaluate(t);
   }
 
   /// After evaluate(): the number of the first crossing from `first` on whose signal has another sign than it
   /// was last seen with; -1 for none. A signal that is zero keeps its sign, likewise one that follows from an
   /// algebraic loop and is within its errors.
-  int changed(int first = 0) const;
-  std::string not_finite() const {
+  int changed(int first) const;
+  int changed() const override { return changed(0); }
+  std::string not_finite() const override {
     return program_.not_finite(image_.data(), static_cast<int>(program_.operations.size()));
   }
   double watched(int crossing) const;
   /// The same, but for zero a number next to it of the sign that it keeps.
-  double watched_sign(int crossing) const;
+  double watched_sign(int crossing) const override;
+  int watched_signals() const override { return static_cast<int>(program_.crossings.size()); }
+  /// The largest tolerance of its algebraic loops.
+  double error_of_loops() const override;
 
  private:
   void run(int first, int last) {

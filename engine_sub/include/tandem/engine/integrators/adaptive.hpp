@@ -36,4 +36,7 @@ std::unique_ptr<Integrator> erkstep_fixed(const AdaptiveSettings& settings);
 /// method.
 std::unique_ptr<Integrator> arkstep(const AdaptiveSettings& settings);
 
+/// One of these by its name, "cvode_bdf", for what is no diagram; null: there is none of that name.
+std::unique_ptr<AdaptiveIntegrator> adaptive_steps(const std::string& name, const AdaptiveSettings& settings);
+
 }  // namespace tandem::engine

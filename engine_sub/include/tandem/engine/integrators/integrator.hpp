@@ -10,17 +10,13 @@ struct Statistics {
   long failed_error_tests = 0, nonlinear_iterations = 0, failed_iterations = 0, jacobians = 0, restarts = 0;
 };
 
-/// Why an integrator begins anew. At an event, or where an input jumps, it may use what it knows of the
-/// lengths of its steps. Where a state is set it may not, so that what follows depends on the state alone.
-enum class Restart { event, state };
-
 /// Moves the states of a system.
 class Integrator {
  public:
   virtual ~Integrator() = default;
 
   /// Throws Error(invalid_argument) for a setting that does not fit the diagram.
-  virtual void check_fit(const Program&) const {}
+  virtual void check_fit(const std::vector<std::string>& /*state_names*/) const {}
 
   /// Before the first step, and after states, held values or the inputs' course have changed at once.
   virtual void restart(System& system, double t, Restart why) = 0;
