@@ -166,6 +166,8 @@ double Simulation::next_instant(double t_end) {
   return next;
 }
 
+double Simulation::next_event() { return next_instant(std::numeric_limits<double>::infinity()); }
+
 /// Multiplied from the first one on.
 double Simulation::due(const Periodic& p) const {
   return (start_ + p.offset) + system_.image()[p.count] * p.period;

@@ -37,6 +37,12 @@ void Simulation::leave(const Crossing& crossing) {
   if (settings_.tell) settings_.tell(text);
 }
 
+void Simulation::arrive(double t) {
+  time_ = t;
+  refuse_not_finite();
+  if (!system_.program().ranges.empty()) refuse_outside();
+}
+
 /// States and outputs are numbers; a signal whose sign decides may be infinite.
 bool Simulation::is_finite() const {
   const Program& program = system_.program();

@@ -108,6 +108,7 @@ void Simulation::act(double t) {
   fire_known();
   refuse_not_finite();
   if (!system_.program().ranges.empty()) refuse_outside();
+  if (has_turns_) look_at_turns();
 }
 
 double Simulation::next_periodic() const {

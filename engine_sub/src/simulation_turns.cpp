@@ -40,15 +40,15 @@ double Simulation::next_turn() const {
   return next;
 }
 
-/// At the end of a step.
+/// At the end of a step. One that is looked at too late, by an integrator from elsewhere, says nothing.
 void Simulation::look_at_turns() {
   for (const Crossing& c : system_.program().crossings) {
     if (c.turn < 0 || slot(c.turn) == known) continue;
-    const bool beyond = is_beyond(c);
+    const bool beyond = is_beyond(c), late = time_ > slot(c.turn) + 2.0 * short_step();
     if (beyond && time_ < slot(c.turn) + short_step() - rounding()) continue;
     const double event = std::exchange(slot(c.turn), known);
-    const bool turned = std::exchange(slot(c.turn + 1), beyond ? 0.0 : 1.0) != 0.0;
-    if (turned && beyond) refuse_endless(c, event);
+    const bool turned = std::exchange(slot(c.turn + 1), beyond || late ? 0.0 : 1.0) != 0.0;
+    if (turned && beyond && !late) refuse_endless(c, event);
   }
 }
 

@@ -29,6 +29,20 @@ TEST(ExportCommand, MakesAnFmuThatRunsAsItsSourceDoes) {
   }
 }
 
+TEST(ExportCommand, MakesAnFmuOfModelExchange) {
+  const Scratch folder;
+  folder.write("d.toml", simple);
+  folder.write("s.toml", "[subsystems.d]\nsource = 'fmu:d.fmu'\n[span]\nstop = 1\n");
+  EXPECT_EQ(tandem(folder, {"run", "d.toml", "--output", "a"}).status, 0);
+  for (const char* version : {"2", "3"}) {
+    const Said said = tandem(folder, {"export", "d.toml", "d.fmu", "--type", "me", "--fmi", version});
+    EXPECT_TRUE(contains(said.out, std::string("d.fmu: FMI ") + version + ".0, Model Exchange")) << said.out;
+    EXPECT_EQ(tandem(folder, {"run", "s.toml", "--output", "b"}).status, 0);
+    EXPECT_EQ(read_text(folder.path() / "a/results.csv"), read_text(folder.path() / "b/results.csv"));
+    EXPECT_EQ(tandem(folder, {"check", "fmu:d.fmu"}).status, 0);
+  }
+}
+
 TEST(ExportCommand, TakesValuesOfTheCommandLine) {
   const Scratch folder;
   folder.write("d.toml", simple);
@@ -52,6 +66,7 @@ TEST(ExportCommand, RefusesInOneSentence) {
     EXPECT_TRUE(contains(said.err, sentence)) << said.err;
   };
   refused({"export", "d.toml", "d.fmu", "--fmi", "1"}, "--fmi");
+  refused({"export", "d.toml", "d.ssp", "--type", "me"}, "--type cs");
   refused({"export", "nothing.toml", "d.fmu"}, "nothing.toml' is not there");
   refused({"export", "empty.toml", "d.fmu"}, "empty.toml: the file holds nothing");
   std::filesystem::create_directory(folder.path() / "folder.fmu");

@@ -41,11 +41,12 @@ class ExportedFunctions : public testing::Test {
     *static_cast<std::string*>(all) += va_arg(list, const char*);
     va_end(list);
   }
-  fmi2Component instance(const std::string& uri, const std::string& guid, std::string* all) const {
+  fmi2Component instance(const std::string& uri, const std::string& guid, std::string* all,
+                         fmi2Type type = fmi2CoSimulation) const {
     static fmi2CallbackFunctions callbacks;
     callbacks = {&log, nullptr, nullptr, nullptr, all};
     return reinterpret_cast<fmi2InstantiateType*>(dlsym(library, "fmi2Instantiate"))(
-        "x", fmi2CoSimulation, guid.c_str(), uri.c_str(), &callbacks, 0, 0);
+        "x", type, guid.c_str(), uri.c_str(), &callbacks, 0, 0);
   }
   double x(fmi2Component c) const {
     const unsigned reference = 2;
@@ -122,10 +123,14 @@ TEST_F(ExportedFunctions, TakeWordsAndBooleansAndTellWhatIsWrong) {
   EXPECT_NE(said.find("no variable of value reference 99"), std::string::npos) << said;
   EXPECT_EQ(call("fmi2GetReal", fmi2Component{}, &nothing, std::size_t{1}, &value), 3);
   EXPECT_EQ(call("fmi2CancelStep", c), 3);
+  EXPECT_EQ(call("fmi2SetTime", c, 0.0), 3);
+  EXPECT_NE(said.find("this FMU is for Co-Simulation"), std::string::npos) << said;
   free(c);
 }
 
 TEST_F(ExportedFunctions, MakeNoInstanceOfAnother) {
+  EXPECT_FALSE(instance(resources, token, &said, fmi2ModelExchange));
+  EXPECT_NE(said.find("this FMU is for Co-Simulation"), std::string::npos) << said;
   EXPECT_FALSE(instance(resources, "another", &said));
   EXPECT_NE(said.find("'another'; allowed is"), std::string::npos) << said;
   EXPECT_FALSE(instance("file:///not/there", token, &said));

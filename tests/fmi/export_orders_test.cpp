@@ -8,7 +8,7 @@
 
 #include "exports.hpp"
 #include "run_bench.hpp"
-#include "tandem/exported/unit.hpp"
+#include "tandem/exported/stepped_unit.hpp"
 
 namespace tandem::test {
 namespace {
@@ -60,14 +60,14 @@ class ExportOrders : public testing::Test {
   }
   /// As other importers couple: values at communication points alone.
   double error_of_held(double h, bool extrapolate) const {
-    exported::Unit one(resources), other(resources);
+    exported::SteppedUnit one(resources), other(resources);
     const auto reference = [&](const std::string& name) {
       std::size_t k = 0;
       while (one.variable(k).name != name) ++k;
       return k;
     };
     other.set(reference("s"), 2.0), other.set(reference("d"), 0.1), other.set(reference("m"), 1.5);
-    for (exported::Unit* unit : {&one, &other}) unit->set(reference("extrapolate"), extrapolate);
+    for (exported::SteppedUnit* unit : {&one, &other}) unit->set(reference("extrapolate"), extrapolate);
     const auto x = reference("x"), u = reference("u");
     for (int k = 0; k < std::lround(until / h); ++k) {
       const double of_one = one.number(x), of_other = other.number(x);
@@ -130,7 +130,8 @@ TEST_F(ExportOrders, DerivativesOfInputsAreTakenToOrder5) {
   const auto file = exports.folder.write("twice.toml",
                                          "[inputs]\nu = { unit = '1' }\n[blocks]\nx = { kind = 'integrator', "
                                          "input = 'u' }\n[outputs]\nx = { unit = '1' }\n");
-  exported::Unit unit(exports.unpacked(exports.of("diagram:" + file.string() + "?step=0.001", "twice")));
+  exported::SteppedUnit unit(
+      exports.unpacked(exports.of("diagram:" + file.string() + "?step=0.001", "twice")));
   unit.set(1, 1.0);
   double factorial = 1.0, expected = 0.5;
   for (int n = 1; n <= 5; ++n) {

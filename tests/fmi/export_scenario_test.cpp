@@ -5,7 +5,7 @@
 #include "exports.hpp"
 #include "nested_scene.hpp"
 #include "run_bench.hpp"
-#include "tandem/exported/unit.hpp"
+#include "tandem/exported/stepped_unit.hpp"
 
 namespace tandem::test {
 namespace {
@@ -97,8 +97,8 @@ TEST_F(ExportedScenario, CoupledWithDerivativesOfInputsTheyErrAsTheScenariosDo) 
 
 TEST_F(ExportedScenario, GoesOnFromItsStateWithTheSameBitsHereAndInAnotherInstance) {
   const auto resources = exports.unpacked(exports.of(place("drive.toml"), "drive"));
-  exported::Unit one(resources), other(resources);
-  const auto go = [](exported::Unit& unit, int from, int to) {
+  exported::SteppedUnit one(resources), other(resources);
+  const auto go = [](exported::SteppedUnit& unit, int from, int to) {
     std::vector<double> all;
     for (int k = from; k < to; ++k) {
       unit.set(1, std::sin(0.7 * k));

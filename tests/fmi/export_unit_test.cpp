@@ -4,12 +4,12 @@
 #include "exports.hpp"
 #include "random_diagram.hpp"
 #include "refusal.hpp"
-#include "tandem/exported/unit.hpp"
+#include "tandem/exported/stepped_unit.hpp"
 
 namespace tandem::test {
 namespace {
 
-using exported::Unit;
+using Unit = exported::SteppedUnit;
 
 /// Steps that fit nothing, with inputs by chance.
 void go(Unit& unit, std::mt19937& random, int steps) {

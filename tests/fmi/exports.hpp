@@ -23,13 +23,15 @@ class Exports {
  public:
   /// Of a mechanism, a diagram or a scenario. Its file is NAME.toml, the FMU NAME.fmu.
   std::filesystem::path fmu(const std::string& name, const std::string& text,
-                            fmi::Version version = fmi::Version::two) const {
-    return of(folder.write(name + ".toml", text).string(), name, version);
+                            fmi::Version version = fmi::Version::two,
+                            exported::Interface interface = exported::Interface::co_simulation) const {
+    return of(folder.write(name + ".toml", text).string(), name, version, interface);
   }
   std::filesystem::path of(const std::string& source, const std::string& name = "x",
-                           fmi::Version version = fmi::Version::two) const {
+                           fmi::Version version = fmi::Version::two,
+                           exported::Interface interface = exported::Interface::co_simulation) const {
     const auto file = folder.path() / (name + ".fmu");
-    exported::export_fmu({source, {}, file, version, TANDEM_FMU_LIBRARY}, file_sources());
+    exported::export_fmu({source, {}, file, version, TANDEM_FMU_LIBRARY, {}, interface}, file_sources());
     return file;
   }
   static std::unique_ptr<Subsystem> open(const std::filesystem::path& fmu, const std::string& parameters) {

@@ -19,6 +19,7 @@ struct ExportOptions {
   std::string source, file;
   std::vector<std::string> overrides;
   int version = 2;
+  std::string type = "cs";
 };
 
 #if TANDEM_HAS_EXPORT
@@ -27,9 +28,15 @@ std::vector<std::string> exported_to(const ExportOptions& options, const Builtin
   const auto library =
       (std::filesystem::path(this_program()).parent_path() / TANDEM_FMU_FOLDER).lexically_normal();
   const auto version = options.version == 2 ? fmi::Version::two : fmi::Version::three;
+  if (file.extension() == ".ssp" && options.type != "cs")
+    throw Error(ErrorCode::invalid_argument,
+                "--type me is of one FMU; a system has FMUs of Co-Simulation, allowed is --type cs");
   if (file.extension() == ".ssp")
     return exported::export_system({options.source, options.overrides, file, version, library}, here);
-  return exported::export_fmu({options.source, options.overrides, file, version, library}, here);
+  const auto interface =
+      options.type == "me" ? exported::Interface::model_exchange : exported::Interface::co_simulation;
+  return exported::export_fmu({options.source, options.overrides, file, version, library, {}, interface},
+                              here);
 }
 
 void export_to(const ExportOptions& options, const Context& context) {
@@ -48,8 +55,9 @@ constexpr const char* about_fmus = R"(
 A scenario becomes one FMU, FILE.fmu, with inputs that nothing gives and the outputs that it records (docs/nested.md); or
 a system of SSP, FILE.ssp: its mechanisms and diagrams as FMUs in it, FMUs as they are (docs/ssp.md).
 
-An FMU is for Co-Simulation and needs nothing of tandem where it runs. It has the inputs, outputs and parameters of
-the source; the table [run] of a file gives its step, settings and start values (docs/fmi.md).
+An FMU needs nothing of tandem where it runs. It has the inputs, outputs and parameters of the source; the table [run]
+of a file gives its step, settings and start values (docs/fmi.md). It integrates itself (Co-Simulation), or, of a diagram
+with --type me, who imports it does (Model Exchange).
 Exit status: 0, or 2 for what can't be exported.)";
 
 }  // namespace
@@ -69,6 +77,9 @@ void add_export(CLI::App& app, Context& context) {
       ->type_name("FILE");
   command->add_option("--fmi", options->version, "Version of FMI: 2 or 3")
       ->check(CLI::IsMember({2, 3}))
+      ->capture_default_str();
+  command->add_option("--type", options->type, "cs (Co-Simulation), or me (Model Exchange) of a diagram")
+      ->check(CLI::IsMember({"cs", "me"}))
       ->capture_default_str();
   command->add_option("--set", options->overrides, "Set a value of the file (repeatable)")
       ->type_name("KEY=VALUE")

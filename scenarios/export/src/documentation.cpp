@@ -26,6 +26,12 @@ std::string role(const Variable& v) {
       return v.held ? "output, constant between its instants" : "output";
     case Kind::derivative:
       return "time derivative of an output";
+    case Kind::state:
+      return "state that no output shows";
+    case Kind::rate:
+      return "time derivative of a state";
+    case Kind::indicator:
+      return "an event is due where its sign changes";
     case Kind::number:
       return fmt::format("parameter, {} unless it is set", v.start);
     case Kind::word:
@@ -81,11 +87,11 @@ std::string documentation(const Unit& unit, const Facts& facts, fmi::Version ver
   add(body, "h1", facts.name);
   if (!facts.description.empty()) add(body, "p", facts.description);
   add(body, "p",
-      fmt::format("An FMU for Co-Simulation, made by {} from {}. Its {} is {} s.", facts.tool,
-                  unit.manifest().source, unit.info().abilities.sampled ? "sampling period" : "own step",
-                  facts.step));
+      fmt::format("An FMU for {}, made by {} from {}. Its {} is {} s.", unit.manifest().interface_name(),
+                  facts.tool, unit.manifest().source,
+                  unit.info().abilities.sampled ? "sampling period" : "own step", facts.step));
   add_variables(body, unit);
-  add_sentences(body, unit, version);
+  if (unit.manifest().interface == Interface::co_simulation) add_sentences(body, unit, version);
   std::ostringstream out;
   document.save(out, "  ", pugi::format_default | pugi::format_no_declaration);
   return out.str();

@@ -52,7 +52,7 @@ std::string token_of(const Contents& contents) {
 }
 
 /// What it runs: the files as they lie to each other, and the manifest.
-Contents resources_of(const Origin& origin, const Builtins& here) {
+Contents resources_of(const Origin& origin, Interface interface, const Builtins& here) {
   const auto all = files_of(origin, here);
   std::vector<fs::path> places;  // with ".." as it is written: links are not looked at
   for (const fs::path& file : all) places.push_back(file.lexically_normal());
@@ -62,8 +62,12 @@ Contents resources_of(const Origin& origin, const Builtins& here) {
     contents[resources + files + places[k].lexically_relative(folder).generic_string()] =
         read_file(all[k], most_bytes);
   const fs::path own = fs::absolute(origin.file).lexically_normal().lexically_relative(folder);
-  Manifest manifest{"", origin.scheme + ":" + files + own.generic_string(), origin.overrides,
-                    origin.parameters, origin.starts};
+  Manifest manifest{"",
+                    origin.scheme + ":" + files + own.generic_string(),
+                    origin.overrides,
+                    origin.parameters,
+                    origin.starts,
+                    interface};
   contents[resources + manifest_name] = written(manifest);
   manifest.token = token_of(contents);
   contents[resources + manifest_name] = written(manifest);
@@ -166,13 +170,14 @@ std::vector<std::string> told(const Unit& unit, const Facts& facts, const Export
     return std::count_if(unit.variables().begin(), unit.variables().end(), wanted);
   };
   using Kind = Variable::Kind;
-  return {fmt::format("{}: FMI {}.0, Co-Simulation, {}", settings.file.string(),
-                      settings.version == fmi::Version::two ? 2 : 3, size_of(settings.file)),
+  return {fmt::format("{}: FMI {}.0, {}, {}", settings.file.string(),
+                      settings.version == fmi::Version::two ? 2 : 3, unit.manifest().interface_name(),
+                      size_of(settings.file)),
           fmt::format("{} inputs, {} outputs, {} parameters, {} {} s, its state can{} be had",
                       unit.info().input_size(), unit.info().output_size(),
                       count([](const Variable& v) { return v.kind == Kind::number || v.kind == Kind::word; }),
                       unit.info().abilities.sampled ? "period" : "own step", facts.step,
-                      unit.info().abilities.serializes_state ? "" : "not")};
+                      unit.keeps_state() ? "" : "not")};
 }
 
 }  // namespace
@@ -180,11 +185,12 @@ std::vector<std::string> told(const Unit& unit, const Facts& facts, const Export
 std::vector<std::string> export_fmu(const ExportSettings& settings, const Builtins& here) {
   check_target(settings);
   const Origin origin = read_origin(settings);
-  Contents contents = resources_of(origin, here);
+  Contents contents = resources_of(origin, settings.interface, here);
   const fmi::TemporaryFolder folder;
   write_below(folder.path(), contents);
   const FilesRead read;
-  Unit unit(folder.path() / resources);
+  const auto made_of = open_unit(folder.path() / resources);
+  Unit& unit = *made_of;
   check_outputs(unit.info());
   const double start = origin.span ? origin.span->start : 0.0;
   unit.set_span(start);

@@ -22,13 +22,12 @@ std::string number(double value) { return fmt::format("{}", value); }
 class Writer {
  public:
   Writer(const Unit& unit, const Facts& facts, fmi::Version version)
-      : unit_(unit), facts_(facts), two_(version == fmi::Version::two) {
-    for (std::size_t k = 0; k < unit.variables().size(); ++k) {
-      const Variable& v = unit.variables()[k];
-      if (v.kind == Kind::input) inputs_.push_back(k);
-      if (v.kind == Kind::output) outputs_.push_back(k);
-    }
-  }
+      : unit_(unit),
+        facts_(facts),
+        two_(version == fmi::Version::two),
+        exchange_(unit.manifest().interface == Interface::model_exchange),
+        inputs_(of({Kind::input})),
+        outputs_(of({Kind::output})) {}
 
   std::string text() {
     xml_node declaration = document_.append_child(pugi::node_declaration);
@@ -36,7 +35,7 @@ class Writer {
     put(declaration, "encoding", "UTF-8");
     root_ = document_.append_child("fmiModelDescription");
     write_head();
-    write_co_simulation();
+    exchange_ ? write_model_exchange() : write_co_simulation();
     write_units();
     write_categories();
     write_experiment();
@@ -60,16 +59,27 @@ class Writer {
     if (!facts_.description.empty()) put(root_, "description", facts_.description);
     put(root_, "generationTool", facts_.tool);
     put(root_, "variableNamingConvention", "flat");
-    if (two_) put(root_, "numberOfEventIndicators", "0");
+    if (two_) put(root_, "numberOfEventIndicators", std::to_string(of({Kind::indicator}).size()));
+  }
+
+  void write_model_exchange() {
+    xml_node to = root_.append_child("ModelExchange");
+    put(to, "modelIdentifier", facts_.identifier);
+    if (!two_) put(to, "needsCompletedIntegratorStep", "true");
+    write_abilities(to);
   }
 
   void write_co_simulation() {
     xml_node to = root_.append_child("CoSimulation");
-    const std::string keeps = unit_.info().abilities.serializes_state ? "true" : "false";
     put(to, "modelIdentifier", facts_.identifier);
     put(to, "canHandleVariableCommunicationStepSize", "true");
     if (two_) put(to, "canInterpolateInputs", "true");
     put(to, "maxOutputDerivativeOrder", std::to_string(least_derivatives()));
+    write_abilities(to);
+  }
+
+  void write_abilities(xml_node to) {
+    const std::string keeps = unit_.keeps_state() ? "true" : "false";
     if (two_) put(to, "canNotUseMemoryManagementFunctions", "true");
     put(to, two_ ? "canGetAndSetFMUstate" : "canGetAndSetFMUState", keeps);
     put(to, two_ ? "canSerializeFMUstate" : "canSerializeFMUState", keeps);
@@ -146,26 +156,43 @@ class Writer {
     if (v.kind == Kind::extrapolate) put(to, "start", "false");
     if (v.kind == Kind::word)
       two_ ? put(to, "start", v.word) : put(to.append_child("Start"), "value", v.word);
-    if (v.kind == Kind::derivative) put(to, "derivative", reference(k - 1));
+    if (v.kind == Kind::derivative || v.kind == Kind::rate) put(to, "derivative", reference(k - 1));
   }
 
   /// 2.0 counts variables from 1, 3.0 has value references.
   std::string reference(std::size_t k) const { return std::to_string(two_ ? k + 1 : k); }
 
+  /// In Model Exchange also states and time are known.
   std::string dependencies(int output) const {
     std::string list;
+    const auto add = [&](std::size_t k) { list += (list.empty() ? "" : " ") + reference(k); };
     for (const Feedthrough& f : unit_.info().feedthrough)
-      if (f.output == output)
-        list += (list.empty() ? "" : " ") + reference(inputs_[static_cast<std::size_t>(f.input)]);
+      if (f.output == output) add(inputs_[static_cast<std::size_t>(f.input)]);
+    for (const std::size_t rate : rates()) add(rate - 1);
+    if (exchange_) add(0);
     return list;
   }
 
+  std::vector<std::size_t> of(const std::vector<Kind>& kinds) const {
+    std::vector<std::size_t> all;
+    for (std::size_t k = 0; k < unit_.variables().size(); ++k)
+      if (std::find(kinds.begin(), kinds.end(), at(k).kind) != kinds.end()) all.push_back(k);
+    return all;
+  }
+
+  /// In the order of the states.
+  std::vector<std::size_t> rates() const {
+    auto all = of({Kind::rate});
+    std::sort(all.begin(), all.end(), [this](auto a, auto b) { return at(a).index < at(b).index; });
+    return all;
+  }
+
   /// Of 2.0 the unknowns of a kind stand in a list, of 3.0 each in its own element.
-  void write_unknowns(xml_node to, const char* list, const char* element, const std::vector<Kind>& kinds) {
-    xml_node in;
-    for (std::size_t k = 0; k < unit_.variables().size(); ++k) {
-      if (std::find(kinds.begin(), kinds.end(), at(k).kind) == kinds.end()) continue;
-      if (!in) in = two_ ? to.append_child(list) : to;
+  void write_unknowns(xml_node to, const char* list, const char* element,
+                      const std::vector<std::size_t>& unknowns) {
+    if (unknowns.empty()) return;
+    xml_node in = two_ ? to.append_child(list) : to;
+    for (const std::size_t k : unknowns) {
       xml_node one = in.append_child(two_ ? "Unknown" : element);
       put(one, two_ ? "index" : "valueReference", reference(k));
       if (element == std::string("Output")) put(one, "dependencies", dependencies(at(k).index));
@@ -173,16 +200,19 @@ class Writer {
   }
 
   void write_structure(xml_node to) {
-    write_unknowns(to, "Outputs", "Output", {Kind::output});
-    write_unknowns(to, "Derivatives", "ContinuousStateDerivative", {Kind::derivative});
-    write_unknowns(to, "InitialUnknowns", "InitialUnknown", {Kind::output, Kind::derivative});
+    write_unknowns(to, "Outputs", "Output", of({Kind::output}));
+    write_unknowns(to, "Derivatives", "ContinuousStateDerivative",
+                   exchange_ ? rates() : of({Kind::derivative}));
+    write_unknowns(to, "InitialUnknowns", "InitialUnknown",
+                   of({Kind::output, Kind::derivative, Kind::state, Kind::rate}));
+    if (!two_) write_unknowns(to, "", "EventIndicator", of({Kind::indicator}));
   }
 
   const Variable& at(std::size_t k) const { return unit_.variables()[k]; }
 
   const Unit& unit_;
   const Facts& facts_;
-  bool two_;
+  bool two_, exchange_;
   std::vector<std::size_t> inputs_, outputs_;
   pugi::xml_document document_;
   xml_node root_;

@@ -1,13 +1,12 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-// The functions of an FMU of version 2.0 (FMI for Model Exchange and Co-Simulation 2.0, chapters 2 and 4).
+// The functions of an FMU of version 2.0 (FMI for Model Exchange and Co-Simulation 2.0, chapters 2 and 4) but for those of
+// Model Exchange.
 #include "fmi2.h"
 
 #include <cstring>
 
 #include "instance.hpp"
 #include "tandem/error.hpp"
-
-#define TANDEM_FMI extern "C" __attribute__((visibility("default")))
 
 namespace {
 
@@ -44,9 +43,7 @@ std::filesystem::path folder_of(std::string uri) {
 }
 
 fmi2Status refuse_call(fmi2Component c, const char* name) {
-  return with(c, [name](Instance&) {
-    refuse(std::string(name) + " is called; this FMU is for Co-Simulation and has no such thing");
-  });
+  return with(c, [name](Instance&) { refuse(std::string(name) + " is called; this FMU has no such thing"); });
 }
 
 Instance::Log log_of(const fmi2CallbackFunctions* callbacks, const char* name) {
@@ -72,10 +69,12 @@ TANDEM_FMI fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2Str
                                          fmi2String resources, const fmi2CallbackFunctions* callbacks,
                                          fmi2Boolean, fmi2Boolean) {
   const auto log = log_of(callbacks, name);
-  if (type != fmi2CoSimulation || !resources)
-    return log(Instance::error, "allowed are fmi2CoSimulation, and a folder of resources"), nullptr;
+  if (!resources) return log(Instance::error, "allowed is a folder of resources"), nullptr;
   try {
-    return tandem::exported::made(folder_of(resources), guid, log);
+    return tandem::exported::made(folder_of(resources), guid,
+                                  type == fmi2ModelExchange ? tandem::exported::Interface::model_exchange
+                                                            : tandem::exported::Interface::co_simulation,
+                                  log);
   } catch (const std::exception& what) {
     return log(Instance::error, what.what()), nullptr;
   }
@@ -128,15 +127,16 @@ TANDEM_FMI fmi2Status fmi2SetInteger(fmi2Component c, References, size_t n, cons
 TANDEM_FMI fmi2Status fmi2SetRealInputDerivatives(fmi2Component c, References v, size_t n,
                                                   const fmi2Integer order[], const fmi2Real from[]) {
   return access(c, v, n,
-                [=](Instance& i, auto ref, auto k) { i.unit.set_derivative(ref, order[k], from[k]); });
+                [=](Instance& i, auto ref, auto k) { i.stepped().set_derivative(ref, order[k], from[k]); });
 }
 TANDEM_FMI fmi2Status fmi2GetRealOutputDerivatives(fmi2Component c, References v, size_t n,
                                                    const fmi2Integer order[], fmi2Real to[]) {
-  return access(c, v, n, [=](Instance& i, auto ref, auto k) { to[k] = i.unit.derivative(ref, order[k]); });
+  return access(c, v, n,
+                [=](Instance& i, auto ref, auto k) { to[k] = i.stepped().derivative(ref, order[k]); });
 }
 
 TANDEM_FMI fmi2Status fmi2DoStep(fmi2Component c, fmi2Real time, fmi2Real length, fmi2Boolean) {
-  return with(c, [=](Instance& i) { i.unit.step(time, length); });
+  return with(c, [=](Instance& i) { i.stepped().step(time, length); });
 }
 TANDEM_FMI fmi2Status fmi2CancelStep(fmi2Component c) { return refuse_call(c, "fmi2CancelStep"); }
 TANDEM_FMI fmi2Status fmi2GetStatus(fmi2Component c, fmi2StatusKind, fmi2Status*) {

@@ -1,11 +1,10 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-// The functions of an FMU of version 3.0 (Functional Mock-up Interface 3.0, chapters 2 and 4).
+// The functions of an FMU of version 3.0 (Functional Mock-up Interface 3.0, chapters 2 and 4) but for those of
+// Model Exchange.
 #include "fmi3.h"
 
 #include "instance.hpp"
 #include "tandem/error.hpp"
-
-#define TANDEM_FMI extern "C" __attribute__((visibility("default")))
 
 namespace {
 
@@ -16,7 +15,8 @@ template <class Work>
 fmi3Status with(fmi3Instance c, const Work& work) {
   return tandem::exported::with<fmi3Status>(c, work);
 }
-constexpr const char* only_co_simulation = "this FMU is for Co-Simulation";
+
+constexpr const char* no_resources = "resourcePath is not given; this FMU has resources";
 
 Instance::Log log_of(fmi3InstanceEnvironment environment, fmi3LogMessageCallback logger) {
   return [environment, logger](int status, const std::string& text) {
@@ -40,15 +40,14 @@ fmi3Status access(fmi3Instance c, References v, size_t variables, size_t values,
 
 fmi3Status refuse_call(fmi3Instance c, const char* name) {
   return with(c, [name](Instance&) {
-    throw tandem::Error(
-        tandem::ErrorCode::not_supported,
-        std::string(name) + " is called; this FMU is for Co-Simulation and has no such thing");
+    throw tandem::Error(tandem::ErrorCode::not_supported,
+                        std::string(name) + " is called; this FMU has no such thing");
   });
 }
 
 }  // namespace
 
-/// What an FMU for Co-Simulation without events, clocks and derivatives of its variables has not.
+/// What an FMU without clocks and derivatives of its variables has not.
 #define TANDEM_REFUSED(name, ...) \
   TANDEM_FMI fmi3Status name(fmi3Instance c __VA_OPT__(, ) __VA_ARGS__) { return refuse_call(c, #name); }
 /// Access to a type that none of its variables has.
@@ -70,20 +69,22 @@ TANDEM_FMI fmi3Instance fmi3InstantiateCoSimulation(fmi3String, fmi3String token
                                                     fmi3LogMessageCallback logger,
                                                     fmi3IntermediateUpdateCallback) {
   const auto log = log_of(environment, logger);
-  if (!resources) return log(Instance::error, "resourcePath is not given; this FMU has resources"), nullptr;
-  return tandem::exported::made(resources, token, log);
+  if (!resources) return log(Instance::error, no_resources), nullptr;
+  return tandem::exported::made(resources, token, tandem::exported::Interface::co_simulation, log);
 }
-TANDEM_FMI fmi3Instance fmi3InstantiateModelExchange(fmi3String, fmi3String, fmi3String, bool, bool,
-                                                     fmi3InstanceEnvironment environment,
+TANDEM_FMI fmi3Instance fmi3InstantiateModelExchange(fmi3String, fmi3String token, fmi3String resources, bool,
+                                                     bool, fmi3InstanceEnvironment environment,
                                                      fmi3LogMessageCallback logger) {
-  return log_of(environment, logger)(Instance::error, only_co_simulation), nullptr;
+  const auto log = log_of(environment, logger);
+  if (!resources) return log(Instance::error, no_resources), nullptr;
+  return tandem::exported::made(resources, token, tandem::exported::Interface::model_exchange, log);
 }
 TANDEM_FMI fmi3Instance fmi3InstantiateScheduledExecution(fmi3String, fmi3String, fmi3String, bool, bool,
                                                           fmi3InstanceEnvironment environment,
                                                           fmi3LogMessageCallback logger,
                                                           void (*)(fmi3InstanceEnvironment), void (*)(),
                                                           void (*)()) {
-  return log_of(environment, logger)(Instance::error, only_co_simulation), nullptr;
+  return log_of(environment, logger)(Instance::error, "this FMU is not for Scheduled Execution"), nullptr;
 }
 TANDEM_FMI void fmi3FreeInstance(fmi3Instance c) { delete static_cast<Instance*>(c); }
 
@@ -146,7 +147,7 @@ TANDEM_REFUSED(fmi3SetClock, References, size_t, const bool[])
 TANDEM_FMI fmi3Status fmi3GetOutputDerivatives(fmi3Instance c, References v, size_t n, const int32_t order[],
                                                double to[], size_t values) {
   return access(c, v, n, values,
-                [=](Instance& i, auto ref, auto k) { to[k] = i.unit.derivative(ref, order[k]); });
+                [=](Instance& i, auto ref, auto k) { to[k] = i.stepped().derivative(ref, order[k]); });
 }
 TANDEM_FMI fmi3Status fmi3EnterStepMode(fmi3Instance c) {
   return with(c, [](Instance&) {});
@@ -154,7 +155,7 @@ TANDEM_FMI fmi3Status fmi3EnterStepMode(fmi3Instance c) {
 TANDEM_FMI fmi3Status fmi3DoStep(fmi3Instance c, double time, double length, bool, bool* event_needed,
                                  bool* terminate, bool* early_return, double* reached) {
   *event_needed = *early_return = *terminate = false;
-  const fmi3Status status = with(c, [=](Instance& i) { i.unit.step(time, length); });
+  const fmi3Status status = with(c, [=](Instance& i) { i.stepped().step(time, length); });
   if (c) *reached = static_cast<Instance*>(c)->unit.time();
   return status;
 }
@@ -179,7 +180,6 @@ TANDEM_FMI fmi3Status fmi3DeserializeFMUState(fmi3Instance c, const uint8_t from
   return with(c, [=](Instance&) { Instance::keep(from, size, *to); });
 }
 
-TANDEM_REFUSED(fmi3EnterEventMode)
 TANDEM_REFUSED(fmi3GetNumberOfVariableDependencies, fmi3ValueReference, size_t*)
 TANDEM_REFUSED(fmi3GetVariableDependencies, fmi3ValueReference, size_t[], fmi3ValueReference[], size_t[],
                int[], size_t)
@@ -196,15 +196,4 @@ TANDEM_REFUSED(fmi3SetIntervalFraction, References, size_t, const uint64_t[], co
 TANDEM_REFUSED(fmi3SetShiftDecimal, References, size_t, const double[])
 TANDEM_REFUSED(fmi3SetShiftFraction, References, size_t, const uint64_t[], const uint64_t[])
 TANDEM_REFUSED(fmi3EvaluateDiscreteStates)
-TANDEM_REFUSED(fmi3UpdateDiscreteStates, bool*, bool*, bool*, bool*, bool*, double*)
-TANDEM_REFUSED(fmi3EnterContinuousTimeMode)
-TANDEM_REFUSED(fmi3CompletedIntegratorStep, bool, bool*, bool*)
-TANDEM_REFUSED(fmi3SetTime, double)
-TANDEM_REFUSED(fmi3SetContinuousStates, const double[], size_t)
-TANDEM_REFUSED(fmi3GetContinuousStateDerivatives, double[], size_t)
-TANDEM_REFUSED(fmi3GetEventIndicators, double[], size_t)
-TANDEM_REFUSED(fmi3GetContinuousStates, double[], size_t)
-TANDEM_REFUSED(fmi3GetNominalsOfContinuousStates, double[], size_t)
-TANDEM_REFUSED(fmi3GetNumberOfEventIndicators, size_t*)
-TANDEM_REFUSED(fmi3GetNumberOfContinuousStates, size_t*)
 TANDEM_REFUSED(fmi3ActivateModelPartition, fmi3ValueReference, double)

@@ -7,7 +7,10 @@
 #include <utility>
 
 #include "tandem/error.hpp"
-#include "tandem/exported/unit.hpp"
+#include "tandem/exported/exchanged_unit.hpp"
+#include "tandem/exported/stepped_unit.hpp"
+
+#define TANDEM_FMI extern "C" __attribute__((visibility("default")))
 
 namespace tandem::exported {
 
@@ -18,11 +21,25 @@ struct Instance {
   static constexpr int warning = 1, error = 3;
 
   Instance(const std::filesystem::path& resources, const std::string& token, Log to)
-      : log(std::move(to)), unit(resources, [this](const std::string& what) { log(warning, what); }) {
+      : log(std::move(to)),
+        made(open_unit(resources, [this](const std::string& what) { log(warning, what); })),
+        unit(*made),
+        steps(dynamic_cast<SteppedUnit*>(made.get())),
+        exchange(dynamic_cast<ExchangedUnit*>(made.get())) {
     if (token != unit.manifest().token)
       throw Error(ErrorCode::invalid_argument, "guid or instantiationToken is '" + token +
                                                    "'; allowed is that of this FMU, '" +
                                                    unit.manifest().token + "'");
+  }
+  /// Throws if it is none, as its calls do that are of no use then.
+  SteppedUnit& stepped() {
+    if (!steps) throw Error(ErrorCode::not_supported, "this FMU is for Model Exchange, and takes no steps");
+    return *steps;
+  }
+  ExchangedUnit& exchanged() {
+    if (!exchange)
+      throw Error(ErrorCode::not_supported, "this FMU is for Co-Simulation, and integrates itself");
+    return *exchange;
   }
   Instance(const Instance&) = delete;
   Instance& operator=(const Instance&) = delete;
@@ -78,7 +95,10 @@ struct Instance {
   }
 
   Log log;
-  Unit unit;
+  std::unique_ptr<Unit> made;
+  Unit& unit;
+  SteppedUnit* steps;  ///< one of both is null
+  ExchangedUnit* exchange;
   std::map<std::size_t, std::string> texts = {};
 };
 
@@ -90,10 +110,12 @@ Status with(void* instance, const Work& work) noexcept {
 }
 
 /// Makes one; null, and told, if it can't be.
-inline Instance* made(const std::filesystem::path& resources, const char* token,
+inline Instance* made(const std::filesystem::path& resources, const char* token, Interface wanted,
                       const Instance::Log& log) noexcept {
   try {
-    return new Instance(resources, token ? token : "", log);
+    auto instance = std::make_unique<Instance>(resources, token ? token : "", log);
+    wanted == Interface::model_exchange ? void(instance->exchanged()) : void(instance->stepped());
+    return instance.release();
   } catch (const std::exception& what) {
     log(Instance::error, what.what());
   } catch (...) {

@@ -31,6 +31,7 @@ std::string written(const Manifest& manifest) {
   for (const std::string& one : manifest.overrides) overrides.push_back(one);
   const toml::table all{{"token", manifest.token},
                         {"source", manifest.source},
+                        {"type", manifest.interface == Interface::model_exchange ? "me" : "cs"},
                         {"overrides", overrides},
                         {"parameters", parameters},
                         {"starts", table_of(manifest.starts)}};
@@ -44,6 +45,7 @@ Manifest read_manifest(const std::filesystem::path& file) {
   text::Section root(document, document.table(), "");
   Manifest manifest{
       root.text("token").value_or(""), root.text("source").value_or(""), root.texts("overrides"), {}};
+  if (root.text("type").value_or("cs") == "me") manifest.interface = Interface::model_exchange;
   if (const toml::table* table = root.table("parameters"))
     for (const auto& [name, node] : text::in_file_order(*table))
       manifest.parameters[name] = value_of(document, name, *node);

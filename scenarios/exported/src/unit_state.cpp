@@ -11,18 +11,14 @@ std::vector<std::byte> Unit::state() {
   ByteWriter to;
   to.put_text(manifest_.token);
   write_changed(to);
-  for (const double t : {start_, stop_, time_, place_}) to.put(t);
+  for (const double t : {start_, stop_, time_}) to.put(t);
   inputs_.write(to);
   to.put(std::uint8_t{begun_});
   to.put(std::uint8_t{inputs_set_});
   to.put(std::uint8_t{fresh_});
   if (fresh_) {
     to.put_list(at_start_);
-    to.put_list(row_);
-    to.put(clock_.time), to.put(clock_.next_time), to.put(static_cast<std::int32_t>(clock_.stop));
-    const StateId id = subsystem_->save_state();
-    to.put_bytes(subsystem_->serialize_state(id));
-    subsystem_->release_state(id);
+    write_started(to);
   }
   return {to.bytes().begin(), to.bytes().end()};
 }
@@ -58,8 +54,8 @@ std::map<std::string, Parameters::Value> Unit::read_changed(ByteReader& from) co
 /// One that stands elsewhere, or was started otherwise, is started anew before it takes the state.
 void Unit::read(ByteReader& from) {
   const auto changed = read_changed(from);
-  double start, stop, time, place;
-  for (double* t : {&start, &stop, &time, &place}) *t = from.take<double>();
+  double start, stop, time;
+  for (double* t : {&start, &stop, &time}) *t = from.take<double>();
   Inputs inputs = inputs_;
   inputs.read(from);
   const bool begun = from.take<std::uint8_t>() != 0, set = from.take<std::uint8_t>() != 0,
@@ -79,22 +75,11 @@ void Unit::read(ByteReader& from) {
     this->start();
     fresh_ = false;
   }
+  inputs_ = std::move(inputs);
+  time_ = time;
   if (fresh) read_started(from);
   from.end();
-  inputs_ = std::move(inputs);
-  time_ = time, place_ = place, begun_ = begun, inputs_set_ = set, fresh_ = fresh;
-}
-
-void Unit::read_started(ByteReader& from) {
-  std::vector<double> row(static_cast<std::size_t>(info_.row_size() - Samples::header));
-  from.take_list(row);
-  Clock clock{};
-  clock.time = from.take<double>(), clock.next_time = from.take<double>();
-  clock.stop = static_cast<Stop>(from.take<std::int32_t>());
-  const StateId id = subsystem_->deserialize_state(from.take_bytes(from.left()));
-  subsystem_->restore_state(id);
-  subsystem_->release_state(id);
-  row_ = std::move(row), clock_ = clock;
+  begun_ = begun, inputs_set_ = set, fresh_ = fresh;
 }
 
 }  // namespace tandem::exported

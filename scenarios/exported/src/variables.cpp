@@ -61,6 +61,25 @@ void add_outputs(const SubsystemInfo& info, List& to) {
   }
 }
 
+/// Numbers that an output does not stand for are local; "state.NAME" is a state's.
+void add_exchanged(const SubsystemInfo& info, const Equations& equations, List& to) {
+  const auto add_rate = [&](int state) { to.add({"der(" + to.newest().name + ")", Kind::rate, "", state}); };
+  std::vector<char> shown(equations.states.size());
+  for (int k = 0; k < info.output_size(); ++k) {
+    const Scalar scalar = scalar_at(info.outputs, k);
+    const int state = equations.of_outputs[static_cast<std::size_t>(k)];
+    to.add({scalar.name(), Kind::output, scalar.port->unit, k, state >= 0 ? 1 : 0, scalar.port->held},
+           "output.");
+    if (state >= 0) add_rate(state), shown[static_cast<std::size_t>(state)] = 1;
+  }
+  for (std::size_t k = 0; k < shown.size(); ++k)
+    if (shown[k] == 0)
+      to.add({"state." + equations.states[k], Kind::state, "", static_cast<int>(k)}),
+          add_rate(static_cast<int>(k));
+  for (int k = 0; k < equations.indicators; ++k)
+    to.add({"indicator." + std::to_string(k + 1), Kind::indicator, "", k});
+}
+
 void add_parameter(const text::FileParameter& parameter, int index, List& to) {
   const auto* number = std::get_if<double>(&parameter.value);
   Variable v{parameter.name, number ? Kind::number : Kind::word, parameter.unit, index};
@@ -72,12 +91,13 @@ void add_parameter(const text::FileParameter& parameter, int index, List& to) {
 }  // namespace
 
 std::vector<Variable> variables(const SubsystemInfo& info, const std::vector<double>& start,
-                                const std::vector<text::FileParameter>& parameters) {
+                                const std::vector<text::FileParameter>& parameters,
+                                const Equations* exchange) {
   List list(info.name);
   add_inputs(info, start, list);
-  add_outputs(info, list);
+  exchange ? add_exchanged(info, *exchange, list) : add_outputs(info, list);
   for (std::size_t k = 0; k < parameters.size(); ++k) add_parameter(parameters[k], static_cast<int>(k), list);
-  if (info.input_size() > 0) list.add({"extrapolate", Kind::extrapolate}, "parameter.");
+  if (!exchange && info.input_size() > 0) list.add({"extrapolate", Kind::extrapolate}, "parameter.");
   return list.take();
 }
 

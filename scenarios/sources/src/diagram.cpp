@@ -24,25 +24,43 @@ engine::Description read(const text::Document& document, Parameters& p) {
   return engine::read_diagram(document, values, bounds);
 }
 
-}  // namespace
+/// A diagram, and what it is run with.
+struct Prepared {
+  engine::Description diagram;
+  engine::SubsystemSettings settings = {};
+};
 
-std::unique_ptr<Subsystem> make_diagram(const SourceFile& file, Parameters& p,
-                                        std::vector<engine::CompiledBlock> kinds, const TellOfDiagram& tell) {
+Prepared prepare(const SourceFile& file, Parameters& p, std::vector<engine::CompiledBlock> kinds,
+                 const TellOfDiagram& tell) {
   p.declare(diagram_words());
   const text::Document document = file.document();
   take_run_table(document, p);
-  engine::Description diagram = read(document, p);
-  diagram.kinds = std::move(kinds);
-  engine::SubsystemSettings settings;
+  Prepared made{read(document, p)};
+  made.diagram.kinds = std::move(kinds);
+  engine::SubsystemSettings& settings = made.settings;
   settings.step = p.number("step", 0.0);
   settings.integrator.name = p.text("integrator", settings.integrator.name);
   settings.integrator.locate_events = p.flag("locate_events", settings.integrator.locate_events);
   take_adaptive(p, settings.integrator.adaptive);
   if (tell)
-    settings.simulation.tell = [tell, name = diagram.name](const std::string& text) {
+    settings.simulation.tell = [tell, name = made.diagram.name](const std::string& text) {
       tell("diagram '" + name + "': " + text);
     };
-  return engine::make_subsystem(diagram, settings);
+  return made;
+}
+
+}  // namespace
+
+std::unique_ptr<Subsystem> make_diagram(const SourceFile& file, Parameters& p,
+                                        std::vector<engine::CompiledBlock> kinds, const TellOfDiagram& tell) {
+  const Prepared made = prepare(file, p, std::move(kinds), tell);
+  return engine::make_subsystem(made.diagram, made.settings);
+}
+
+std::unique_ptr<engine::Exchanged> exchanged_diagram(const SourceFile& file, Parameters& p,
+                                                     const TellOfDiagram& tell) {
+  const Prepared made = prepare(file, p, {}, tell);
+  return std::make_unique<engine::Exchanged>(made.diagram, made.settings.step, made.settings.simulation);
 }
 
 Source diagram_source(const std::vector<engine::CompiledBlock>& kinds, const TellOfDiagram& tell) {

@@ -41,8 +41,18 @@ class Simulation {
   const std::vector<double>& left() const { return left_; }
   /// Inputs have jumped at time(). Whether outputs have with them.
   bool jump();
-  /// Of a sampled program (Program::sampled): what happens at its instant t.
+  /// Of a sampled program (Program::sampled): what happens at its instant t; of any, what is due at t.
   void act(double t);
+
+  // Where somebody else integrates (Exchanged): start() and act() are those from above.
+  System& system() { return system_; }
+  /// Own steps are so long [s], beside which a step after a bounce is short. After start().
+  void expect_steps(double h) { slot(system_.program().longest_step) = h; }
+  /// The integrator has come to t, and system() is as there. Throws as step().
+  void arrive(double t);
+  /// Of what is due and known beforehand the time after time(); infinity: there is none.
+  double next_event();
+
   /// The first instant of a periodic event that has not been yet; one has to be there.
   double next_periodic() const;
   /// One own step: to t_end, or, with an integrator that chooses its steps, to the end of one of them.

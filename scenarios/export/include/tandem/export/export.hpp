@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tandem/exported/manifest.hpp"
 #include "tandem/fmi/description.hpp"
 #include "tandem/time_grid.hpp"
 #include "tandem/transports/open.hpp"
@@ -29,9 +30,10 @@ struct ExportSettings {
   /// The folder of the library that FMUs bring (the target tandem_fmu).
   std::filesystem::path library;
   std::optional<Member> member = {};
+  Interface interface = Interface::co_simulation;  ///< Model Exchange of a diagram alone
 };
 
-/// Writes an FMU for Co-Simulation that needs nothing else: the library, the source's files and all that they
+/// Writes an FMU that needs nothing else: the library, the source's files and all that they
 /// name, the description, documentation. The same source gives the same bytes. Before it is written it is
 /// opened and started from what will be in it.
 /// - here: what this program can open, to tell what an FMU can't take along.

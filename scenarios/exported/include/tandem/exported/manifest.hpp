@@ -9,6 +9,9 @@
 
 namespace tandem::exported {
 
+/// Who integrates: the FMU, or its importer.
+enum class Interface { co_simulation, model_exchange };
+
 /// What an FMU runs, as its resources say: a file beside the files of the source.
 struct Manifest {
   std::string token;                                    ///< guid (2.0), instantiationToken (3.0)
@@ -16,6 +19,11 @@ struct Manifest {
   std::vector<std::string> overrides = {};              ///< "KEY=VALUE" of its file
   std::map<std::string, Parameters::Value> parameters;  ///< of the source, as it was exported with
   std::map<std::string, double> starts = {};            ///< of inputs by name, in their units
+  Interface interface = Interface::co_simulation;
+
+  const char* interface_name() const {
+    return interface == Interface::model_exchange ? "Model Exchange" : "Co-Simulation";
+  }
 };
 
 inline constexpr const char* manifest_name = "tandem.toml";

@@ -16,17 +16,15 @@
 
 namespace tandem::exported {
 
-/// What runs inside an exported FMU: its source as a subsystem, behind variables by number, as FMI wants it.
-/// Any call may throw Error. A parameter may be set until the first step; the source is opened with those that
-/// were set when a value is wanted first, and started with the inputs as they are.
+/// What runs inside an exported FMU: its source behind variables by number, as FMI wants it. Any call may throw Error.
+/// A parameter may be set until the start is made; the source is opened with those that were set when a value is wanted
+/// first, and started with the inputs as they are.
 class Unit {
  public:
   using Tell = std::function<void(const std::string&)>;
-
-  /// Opens the source once to know its variables.
-  /// - resources: the FMU's folder of that name.
-  /// - tell: takes sentences on what leaves the limits of a model.
-  explicit Unit(const std::filesystem::path& resources, const Tell& tell = {});
+  virtual ~Unit() = default;
+  Unit(const Unit&) = delete;
+  Unit& operator=(const Unit&) = delete;
 
   const Manifest& manifest() const { return manifest_; }
   const SubsystemInfo& info() const { return info_; }
@@ -37,61 +35,54 @@ class Unit {
   /// That a word may be by a list of its file; empty for any other variable.
   std::vector<std::string> allowed_words(std::size_t reference) const;
 
-  /// Before the first step. stop: infinite if it is not known.
+  /// Before the start is made. stop: infinite if it is not known.
   void set_span(double start, double stop = std::numeric_limits<double>::infinity());
 
-  /// Of a number: an input at any time, a parameter until the first step.
+  /// Of a number: an input at any time, a parameter until the start is made.
   void set(std::size_t reference, double value);
   void set(std::size_t reference, const std::string& word);
   void set(std::size_t reference, bool flag);
-  /// Of an input, for the next step.
-  void set_derivative(std::size_t reference, int order, double value);
 
-  /// An output is that of the last step's end. One that follows inputs at once follows those that were set since
-  /// then, as by a jump (if it changes by 1e-9 of its magnitude); before the first step each does.
   double number(std::size_t reference);
   std::string word(std::size_t reference) const;
   bool flag(std::size_t reference) const;
-  /// Of an output.
-  double derivative(std::size_t reference, int order);
 
   /// The start is made: parameters stay as they are from now on.
-  void begin();
-  /// From t, where it stands, over `length` [s].
-  void step(double t, double length);
+  virtual void begin() = 0;
   double time() const { return time_; }  ///< [s]
   /// The first own step, or the period of a sampled source [s].
-  double own_step();
+  virtual double own_step() = 0;
   /// As it was when it was made.
   void reset();
 
-  /// All that it goes by, parameters included; with the ability serializes_state of info() alone.
+  /// All that it goes by, parameters included, if keeps_state().
+  virtual bool keeps_state() const = 0;
   std::vector<std::byte> state();
   /// Of any unit of the same FMU.
   void restore(std::span<const std::byte> bytes);
 
- private:
-  static constexpr std::int64_t most_rows = 64;  ///< of a call
-  const Variable& of_kind(std::size_t reference, Variable::Kind kind, const char* wanted) const;
-  void change(const Variable& v, Parameters::Value value);
-  std::unique_ptr<Subsystem> opened() const;
-  void reopen();
-  std::vector<double> start_values() const;
+ protected:
+  /// Opens the source once to know its variables.
+  /// - resources: the FMU's folder of that name.
+  /// - tell: takes sentences on what leaves the limits of a model.
+  Unit(const std::filesystem::path& resources, const Tell& tell);
+
+  /// With all as it is, unless it is so already.
   void start();
-  void follow_inputs();
+  const Variable& of_kind(std::size_t reference, Variable::Kind kind, const char* wanted) const;
+  /// The parameters that it was exported with, and those that were set since.
+  Parameters given() const;
+  std::vector<double> start_values() const;
   std::vector<text::FileParameter> file_parameters() const;
-  void check_not_begun(const Variable& v) const;
-  void take(const Samples& y);
-  double slack() const;
-  void check_step(double t, double length) const;
-  void run(double end, std::span<const Signal> u);
-  void advance(double limit, bool land, std::span<const Signal> u);
-  void run_instants(double end, std::span<const Signal> u);
-  void act(double t, SamplePart part, std::span<const Signal> u);
-  void write_changed(ByteWriter& to) const;
-  std::map<std::string, Parameters::Value> read_changed(ByteReader& from) const;
-  void read(ByteReader& from);
-  void read_started(ByteReader& from);
+
+  /// It is open anew, with other parameters.
+  virtual void source_opened() {}
+  /// Starts the source, which is opened with the parameters as they are.
+  virtual void start_source() = 0;
+  virtual double output(const Variable& v) = 0;
+  virtual void input_set(const Variable&) {}
+  virtual void write_started(ByteWriter& to) = 0;
+  virtual void read_started(ByteReader& from) = 0;
 
   std::filesystem::path resources_;
   Manifest manifest_;
@@ -106,12 +97,22 @@ class Unit {
   bool fresh_ = false;                           ///< it is started with all as it is
   bool begun_ = false;                           ///< parameters stay
   bool inputs_set_ = false;                      ///< since the last step
-  double own_step_ = 0.0, start_ = 0.0, stop_ = std::numeric_limits<double>::infinity();
-  /// Where it stands [s], by the importer's sums and by its own nodes. Both go on by the same lengths, so that what
-  /// is added up wrongly cuts no step.
-  double time_ = 0.0, place_ = 0.0;
-  Clock clock_{};
-  std::vector<double> rows_, row_;  ///< room for a call, the newest
+  double start_ = 0.0, stop_ = std::numeric_limits<double>::infinity();
+  double time_ = 0.0;  ///< where it stands [s], by the importer's sums
+
+ private:
+  void change(const Variable& v, Parameters::Value value);
+  std::unique_ptr<Subsystem> opened() const;
+  void reopen();
+  void check_not_begun(const Variable& v) const;
+  void write_changed(ByteWriter& to) const;
+  std::map<std::string, Parameters::Value> read_changed(ByteReader& from) const;
+  void read(ByteReader& from);
 };
+
+/// A SteppedUnit or an ExchangedUnit, by what its manifest says.
+/// - resources: the FMU's folder of that name.
+/// - tell: takes sentences on what leaves the limits of a model.
+std::unique_ptr<Unit> open_unit(const std::filesystem::path& resources, const Unit::Tell& tell = {});
 
 }  // namespace tandem::exported

@@ -16,27 +16,41 @@ struct Variable {
     input,
     output,
     derivative,  ///< of an output
+    state,       ///< of Model Exchange, if no output shows it
+    rate,        ///< of a state
+    indicator,   ///< of events
     number,      ///< a parameter of the source's file
     word,        ///< likewise
     extrapolate  ///< whether an input without derivatives goes on along its last two values
   };
   std::string name;
   Kind kind;
-  std::string unit = {};       ///< "": not said
-  int index = 0;               ///< of its scalar among inputs or outputs; of a parameter in the file
-  int order = 0;               ///< of a derivative, or how many derivatives of an output there are
-  bool held = false;           ///< of an output
-  double start = 0.0;          ///< of an input and a number
-  std::string word = {};       ///< likewise, of a word
+  std::string unit = {};  ///< "": not said
+  int index = 0;          ///< of its scalar among inputs or outputs, of a state; of a parameter in the file
+  int order = 0;          ///< of a derivative, or how many derivatives of an output there are
+  bool held = false;      ///< of an output
+  double start = 0.0;     ///< of an input and a number
+  std::string word = {};  ///< likewise, of a word
   std::string parameter = {};  ///< of a number or a word: its name in the file
+};
+
+/// What a source has in Model Exchange.
+struct Equations {
+  std::vector<std::string> states;  ///< their names
+  std::vector<int> of_outputs;      ///< by scalar output: the state that it stands for; -1: none
+  int indicators = 0;
+
+  bool operator==(const Equations&) const = default;
 };
 
 /// Time, the scalars of the ports with the derivatives that outputs give, the parameters. Where an output or a
 /// parameter has the name of one before it, its own is "output.NAME" or "parameter.NAME". A
-/// derivative stands behind its output.
+/// derivative stands behind its output. Of Model Exchange outputs have no derivatives but as states.
 /// - start: of each scalar input.
+/// - exchange: null for Co-Simulation.
 /// Throws Error(invalid_argument) for names that are not distinct even so.
 std::vector<Variable> variables(const SubsystemInfo& info, const std::vector<double>& start,
-                                const std::vector<text::FileParameter>& parameters);
+                                const std::vector<text::FileParameter>& parameters,
+                                const Equations* exchange = nullptr);
 
 }  // namespace tandem::exported

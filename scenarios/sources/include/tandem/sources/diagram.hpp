@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tandem/engine/compiled_block.hpp"
+#include "tandem/engine/exchanged.hpp"
 #include "tandem/sources/source_file.hpp"
 #include "tandem/transports/open.hpp"
 
@@ -22,6 +23,11 @@ using TellOfDiagram = std::function<void(const std::string&)>;
 std::unique_ptr<Subsystem> make_diagram(const SourceFile& file, Parameters& parameters,
                                         std::vector<engine::CompiledBlock> kinds = {},
                                         const TellOfDiagram& tell = {});
+
+/// The same for an integrator from elsewhere; the settings of integrators say nothing then. Throws as engine::Exchanged
+/// does, too.
+std::unique_ptr<engine::Exchanged> exchanged_diagram(const SourceFile& file, Parameters& parameters,
+                                                     const TellOfDiagram& tell = {});
 
 /// "diagram:FILE".
 Source diagram_source(const std::vector<engine::CompiledBlock>& kinds = {}, const TellOfDiagram& tell = {});

@@ -1,11 +1,12 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/exported/stepped_unit.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "tandem/error.hpp"
-#include "tandem/exported/unit.hpp"
 #include "tandem/time_grid.hpp"
 
 namespace tandem::exported {
@@ -19,47 +20,46 @@ std::vector<double> at(std::span<const Signal> u, double t) {
 
 }  // namespace
 
-/// With all as it is, unless it is so already. What a sampled one gives at its start is told, and nothing done
-/// yet.
-void Unit::start() {
-  if (fresh_) return;
-  if (!subsystem_) reopen();
+SteppedUnit::SteppedUnit(const std::filesystem::path& resources, const Tell& tell) : Unit(resources, tell) {
+  rows_.resize(static_cast<std::size_t>(info_.row_size() * most_rows));
+}
+
+/// What a sampled one gives at its start is told, and nothing done yet.
+void SteppedUnit::start_source() {
   Samples y(rows_.data(), info_.row_size(), most_rows);
-  at_start_ = inputs_.values();
   clock_ = subsystem_->initialize(start_, stop_, at_start_, y);
+  place_ = start_;
   take(y);
   own_step_ = info_.abilities.sampled ? subsystem_->info().sampling.period : clock_.next_time - clock_.time;
   if (info_.abilities.sampled && clock_.next_time <= start_)
     act(start_, SamplePart::outputs, inputs_.over(start_, start_));
-  fresh_ = true;
 }
 
-void Unit::begin() {
+void SteppedUnit::begin() {
   start();
   if (!begun_ && info_.abilities.sampled && clock_.next_time <= start_)
     act(start_, SamplePart::both, inputs_.over(start_, start_));
   begun_ = true;
 }
 
-void Unit::follow_inputs() {
-  start();
+void SteppedUnit::follow_inputs() {
   if (!begun_ || !inputs_set_ || info_.abilities.sampled || info_.feedthrough.empty()) return;
   advance(clock_.time, false, inputs_.jumped(clock_.time));
   inputs_set_ = false;
 }
 
-double Unit::own_step() {
+double SteppedUnit::own_step() {
   start();
   return own_step_;
 }
 
-void Unit::take(const Samples& y) {
+void SteppedUnit::take(const Samples& y) {
   if (y.size() == 0) return;
   const auto values = y.values(y.size() - 1);
   row_.assign(values.begin(), values.end());
 }
 
-void Unit::step(double t, double length) {
+void SteppedUnit::step(double t, double length) {
   check_step(t, length);
   begin();
   const double begin = place_, end = place_ + length;
@@ -71,7 +71,7 @@ void Unit::step(double t, double length) {
   time_ = t + length;
 }
 
-void Unit::check_step(double t, double length) const {
+void SteppedUnit::check_step(double t, double length) const {
   const TimeTolerance tolerance(start_);
   const auto refuse = [](const std::string& what) { throw Error(ErrorCode::invalid_argument, what); };
   if (!(length > 0.0) || !std::isfinite(length))
@@ -83,14 +83,14 @@ void Unit::check_step(double t, double length) const {
 }
 
 /// A communication point that is off a node by less than this is that node.
-double Unit::slack() const { return 1e-9 * own_step_; }
+double SteppedUnit::slack() const { return 1e-9 * own_step_; }
 
-void Unit::run(double end, std::span<const Signal> u) {
+void SteppedUnit::run(double end, std::span<const Signal> u) {
   advance(end + slack(), false, u);
   if (clock_.time < end - slack()) advance(end, true, u);
 }
 
-void Unit::advance(double limit, bool land, std::span<const Signal> u) {
+void SteppedUnit::advance(double limit, bool land, std::span<const Signal> u) {
   do {
     Samples y(rows_.data(), info_.row_size(), most_rows);
     clock_ = subsystem_->advance(limit, land, u, y);
@@ -99,22 +99,63 @@ void Unit::advance(double limit, bool land, std::span<const Signal> u) {
 }
 
 /// Those after the begin, up to and with the end: what it gives there is told there, as in a run of tandem.
-void Unit::run_instants(double end, std::span<const Signal> u) {
+void SteppedUnit::run_instants(double end, std::span<const Signal> u) {
   while (clock_.next_time <= end + slack()) act(clock_.next_time, SamplePart::both, u);
 }
 
-void Unit::act(double t, SamplePart part, std::span<const Signal> u) {
+void SteppedUnit::act(double t, SamplePart part, std::span<const Signal> u) {
   const Clock clock = subsystem_->sample(t, part, at(u, t), row_);
   if (part != SamplePart::outputs) clock_ = clock;
 }
 
-void Unit::reset() {
-  changed_.clear();
-  parameters_ = file_parameters();
-  subsystem_.reset();
-  inputs_ = Inputs(start_values());
-  fresh_ = begun_ = inputs_set_ = false;
-  set_span(0.0);
+void SteppedUnit::set_derivative(std::size_t reference, int order, double value) {
+  const Variable& v = of_kind(reference, Variable::Kind::input, "input");
+  if (!std::isfinite(value))
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("derivative {} of '{}' at t = {} s is {}; allowed is a finite number", order,
+                            v.name, time_, value));
+  inputs_.set_derivative(v.index, order, value);
+}
+
+double SteppedUnit::output(const Variable& v) {
+  return output(v.index, v.kind == Variable::Kind::derivative ? v.order : 0);
+}
+
+double SteppedUnit::output(int index, int order) {
+  follow_inputs();
+  return row_[static_cast<std::size_t>(order * info_.output_size() + index)];
+}
+
+double SteppedUnit::derivative(std::size_t reference, int order) {
+  const Variable& v = variable(reference);
+  const bool known = v.kind == Variable::Kind::output || v.kind == Variable::Kind::derivative;
+  if (!known || order < 1 || order > scalar_at(info_.outputs, v.index).port->derivatives)
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("variable '{}' has no time derivative of order {}", v.name, order));
+  start();
+  return output(v.index, order);
+}
+
+void SteppedUnit::write_started(ByteWriter& to) {
+  to.put_list(row_);
+  for (const double t : {place_, clock_.time, clock_.next_time}) to.put(t);
+  to.put(static_cast<std::int32_t>(clock_.stop));
+  const StateId id = subsystem_->save_state();
+  to.put_bytes(subsystem_->serialize_state(id));
+  subsystem_->release_state(id);
+}
+
+void SteppedUnit::read_started(ByteReader& from) {
+  std::vector<double> row(static_cast<std::size_t>(info_.row_size() - Samples::header));
+  from.take_list(row);
+  const auto place = from.take<double>();
+  Clock clock{};
+  clock.time = from.take<double>(), clock.next_time = from.take<double>();
+  clock.stop = static_cast<Stop>(from.take<std::int32_t>());
+  const StateId id = subsystem_->deserialize_state(from.take_bytes(from.left()));
+  subsystem_->restore_state(id);
+  subsystem_->release_state(id);
+  row_ = std::move(row), clock_ = clock, place_ = place;
 }
 
 }  // namespace tandem::exported

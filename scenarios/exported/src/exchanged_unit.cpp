@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/exported/exchanged_unit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tandem/error.hpp"
+#include "tandem/sources/diagram.hpp"
+
+namespace tandem::exported {
+namespace {
+
+using Kind = Variable::Kind;
+
+void check_size(const char* what, std::size_t found, std::size_t allowed) {
+  if (found != allowed)
+    throw Error(ErrorCode::invalid_argument, fmt::format("{} {}; allowed is {}", found, what, allowed));
+}
+
+}  // namespace
+
+ExchangedUnit::ExchangedUnit(const std::filesystem::path& resources, const Tell& tell)
+    : Unit(resources, tell), tell_(tell) {
+  source_opened();
+  variables_ = exported::variables(info_, start_values(), file_parameters(), &*equations_);
+}
+
+void ExchangedUnit::source_opened() {
+  const std::string scheme = "diagram:", &source = manifest_.source;
+  if (!source.starts_with(scheme))
+    throw Error(ErrorCode::not_supported,
+                "'" + info_.name + "' is no diagram; of any other source allowed is Co-Simulation");
+  Parameters parameters = given();
+  diagram_ = exchanged_diagram({resources_ / source.substr(scheme.size()), {}, manifest_.overrides},
+                               parameters, tell_);
+  parameters.refuse_unused(source);
+  rates_.resize(states_size());
+  if (const Equations now = equations(); equations_ && *equations_ != now)
+    throw Error(ErrorCode::invalid_argument,
+                "'" + info_.name +
+                    "' has other states or events with these parameters than with those that it was exported "
+                    "with; allowed is another export");
+  else
+    equations_ = now;
+}
+
+/// Of outputs the first that shows a state stands for it.
+Equations ExchangedUnit::equations() const {
+  const engine::Program& program = diagram_->program();
+  Equations all{program.state_names, {}, static_cast<int>(program.crossings.size())};
+  for (const int slot : program.outputs) {
+    const bool is_first =
+        std::find(all.of_outputs.begin(), all.of_outputs.end(), slot) == all.of_outputs.end();
+    all.of_outputs.push_back(slot < program.states && is_first ? slot : -1);
+  }
+  return all;
+}
+
+void ExchangedUnit::begin() {
+  start();
+  begun_ = true;
+}
+
+void ExchangedUnit::set_inputs() {
+  const auto& values = inputs_.values();
+  for (std::size_t k = 0; k < values.size(); ++k) diagram_->set_input(static_cast<int>(k), values[k]);
+}
+
+void ExchangedUnit::start_source() {
+  set_inputs();
+  diagram_->start(start_);
+}
+
+void ExchangedUnit::input_set(const Variable& v) { diagram_->set_input(v.index, inputs_.value(v.index)); }
+
+double ExchangedUnit::output(const Variable& v) {
+  switch (v.kind) {
+    case Kind::output:
+      return diagram_->output(v.index);
+    case Kind::state:
+      return diagram_->states()[static_cast<std::size_t>(v.index)];
+    case Kind::rate:
+      diagram_->rates(rates_.data());
+      return rates_[static_cast<std::size_t>(v.index)];
+    default:
+      return diagram_->watched(v.index);
+  }
+}
+
+void ExchangedUnit::set_time(double t) {
+  if (!std::isfinite(t))
+    throw Error(ErrorCode::invalid_argument, fmt::format("time is {} s; allowed is a finite number", t));
+  diagram_->go_to(time_ = t);
+}
+
+void ExchangedUnit::set_states(std::span<const double> x) {
+  check_size("states are set", x.size(), states_size());
+  diagram_->set_states(x);
+}
+
+void ExchangedUnit::get_states(std::span<double> x) {
+  check_size("states are wanted", x.size(), states_size());
+  std::copy_n(diagram_->states().begin(), x.size(), x.begin());
+}
+
+void ExchangedUnit::get_rates(std::span<double> dx) {
+  check_size("derivatives of states are wanted", dx.size(), states_size());
+  diagram_->rates(dx.data());
+}
+
+void ExchangedUnit::get_indicators(std::span<double> z) {
+  check_size("event indicators are wanted", z.size(), indicators_size());
+  for (std::size_t k = 0; k < z.size(); ++k) z[k] = diagram_->watched(static_cast<int>(k));
+}
+
+ExchangedUnit::Event ExchangedUnit::event() {
+  before_.assign(diagram_->states().begin(), diagram_->states().end());
+  diagram_->act();
+  return {!std::equal(before_.begin(), before_.end(), diagram_->states().begin()), diagram_->next_event()};
+}
+
+void ExchangedUnit::write_started(ByteWriter& to) { to.put_list(diagram_->keep()); }
+
+void ExchangedUnit::read_started(ByteReader& from) {
+  std::vector<double> image(diagram_->keep().size());
+  from.take_list(image);
+  set_inputs();
+  diagram_->restore(time_, image);
+}
+
+}  // namespace tandem::exported
