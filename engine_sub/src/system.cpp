@@ -62,18 +62,17 @@ double System::watched(int crossing) const {
   return image_[static_cast<std::size_t>(program_.crossings[static_cast<std::size_t>(crossing)].signal)];
 }
 
-double System::error_of_loops() const {
+double System::rate_error() const {
   double largest = 0.0;
   for (const Loop& loop : program_.loops) largest = std::max(largest, loop.settings.tolerance);
   return largest;
 }
 
 double System::watched_sign(int crossing) const {
-  constexpr double smallest = 0x1p-511;  // SUNDIALS multiplies two of them
   const Crossing& c = program_.crossings[static_cast<std::size_t>(crossing)];
   const double value = watched(crossing);
   if (std::abs(value) > band(c, 2.0 * within_errors)) return value;
-  return smallest * image_[static_cast<std::size_t>(c.sign)];
+  return smallest_sign * image_[static_cast<std::size_t>(c.sign)];
 }
 
 int System::changed(int first) const {

@@ -69,6 +69,7 @@ Clock Subsystem::sample(double, SamplePart, std::span<const double>, std::span<d
 std::optional<std::vector<StateName>> Subsystem::states() const { return {}; }
 void Subsystem::get_states(std::span<double>) const { refuse_numbers(info()); }
 void Subsystem::set_states(std::span<const double>) { refuse_numbers(info()); }
+std::optional<Linearized> Subsystem::linearized() const { return {}; }
 
 StateId Subsystem::save_state() { refuse(info()); }
 Clock Subsystem::restore_state(StateId) { refuse(info()); }

@@ -105,9 +105,19 @@ TEST(FmuByItsTolerance, CoupledErrsAsTheSchemeDoes) {
   }
 }
 
+/// Steps as long as those of the FMU, of order 4.
+TEST(FmuByItsTolerance, ItsFixedStepsAreOfOrder4) {
+  const auto error = [](double h) {
+    const auto fmu = open_adaptive("decay?type=me&integrator=erkstep_fixed&step=" + std::to_string(h));
+    return std::abs(FmuRun(*fmu, 2.0).rows.back()[2] - std::exp(-2.0));
+  };
+  EXPECT_NEAR(std::log2(error(0.1) / error(0.025)) / 2.0, 4.0, 0.3);
+}
+
 TEST(FmuByItsTolerance, KeepsItsPastToItself) {
   EXPECT_TRUE(open_fmu("decay?type=me")->info().abilities.saves_state);
   EXPECT_FALSE(open_adaptive("decay?type=me&integrator=cvode_bdf")->info().abilities.saves_state);
+  EXPECT_TRUE(open_adaptive("types?type=me&step=0.1&integrator=cvode_bdf")->info().abilities.saves_state);
   EXPECT_TRUE(open_adaptive("decay?type=me&integrator=rk4")->info().abilities.saves_state);
 }
 
@@ -118,6 +128,7 @@ TEST(FmuByItsTolerance, RefusesWhatIsNone) {
   refused("type=me&integrator=euler", {"integrator 'euler'", "cvode_bdf"});
   refused("type=me&integrator=cvode_bdf&relative_tolerance=0", {"relative_tolerance is 0", "above 0"});
   refused("type=me&integrator=cvode_bdf&absolute_tolerance.y=1e-9", {"absolute_tolerance.y", "state"});
+  refused("type=me&integrator=erkstep_fixed&relative_tolerance=1e-9", {"erkstep_fixed", "leave them out"});
   refused("type=cs&integrator=cvode_bdf", {"'integrator'"});
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"'integrator'"},
                       [] { open_fmu("decay?type=me&integrator=cvode_bdf"); }));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "exports.hpp"
 #include "random_diagram.hpp"
@@ -39,6 +40,7 @@ void expect_the_same_run(Subsystem& one, Subsystem& other) {
     while (k < a.size() && a[k][0] < row[0] - 1e-9) ++k;
     if (std::round(row[0] / h) * h != row[0]) continue;  // between nodes rows stand where outputs jump
     ASSERT_LT(k, a.size());
+    ASSERT_NEAR(a[k][0], row[0], 1e-9);
     for (std::size_t c = 2; c < outputs; ++c)
       EXPECT_NEAR(a[k][c], row[c], 1e-9) << "column " << c << " at " << row[0];
   }
@@ -92,6 +94,149 @@ TEST(ExportedExchange, BouncesOfABallAreWhereTheyAreInClosedForm) {
   }
 }
 
+/// A sampled diagram has time events alone.
+TEST(ExportedExchange, OfASampledDiagramActsAtItsInstants) {
+  const Exports exports;
+  const auto fmu = exports.fmu(
+      "steps",
+      "[inputs]\nu = { unit = '1' }\n[blocks]\nnext = { kind = 'sum', inputs = ['sum', 'u'] }\n"
+      "sum = { kind = 'sample', input = 'next', period = 0.5 }\n[outputs]\nsum = { unit = '1' }\n",
+      Version::three, Interface::model_exchange);
+  std::vector<double> sums;
+  for (const auto& row : last_of_each(FmuRun(*Exports::open(fmu, "step=0.25"), 1.5, {2.0}).rows))
+    sums.push_back(row[2]);
+  EXPECT_EQ(sums, (std::vector<double>{2, 2, 4, 4, 6, 6, 8}));  // its first instant is the start
+}
+
+TEST(ExportedExchange, RefusesSignalsThatAreNotFiniteOrOutside) {
+  const Exports exports;
+  const auto refused = [&](const std::string& block, const std::vector<std::string>& words) {
+    const auto fmu = exports.fmu("x",
+                                 "[blocks]\nx = { kind = 'integrator', input = 1 }\n" + block +
+                                     "\n[outputs]\ny = { unit = '1' }\n[run]\nstep = 0.1\n",
+                                 Version::two, Interface::model_exchange);
+    EXPECT_TRUE(refuses(ErrorCode::numerical, words, [&] { FmuRun(*Exports::open(fmu, "step=0.1"), 3.0); }));
+    std::filesystem::remove(fmu);
+  };
+  refused("y = { kind = 'table', input = 'x', x = [0, 1, 2], y = [0, 1, 4], beyond = 'refuse' }",
+          {"block 'y'", "0 to 2"});
+}
+
+TEST(ExportedExchange, RefusesWordsThatMakeItAnotherFmu) {
+  const Exports exports;
+  exports.folder.write(
+      "a.toml", "[blocks]\nx = { kind = 'lag', input = 1, time = 1 }\n[outputs]\nx = { unit = '1' }\n");
+  exports.folder.write(
+      "b.toml",
+      "[blocks]\nx = { kind = 'lag', input = 'v', time = 1 }\nv = { kind = 'lag', input = 1, time = 2 }\n"
+      "[outputs]\nx = { unit = '1' }\n");
+  const std::string text =
+      "[parameters]\nfile = { value = 'a.toml', allowed = ['a.toml', 'b.toml'] }\n[blocks]\n"
+      "m = { kind = 'diagram', file = '$file' }\n[outputs]\nx = { unit = '1', from = 'm.x' }\n[run]\nstep = "
+      "0.1\n";
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"other states or events", "another export"},
+                      [&] { exports.fmu("x", text, Version::two, Interface::model_exchange); }));
+  exports.fmu("x", text);  // of Co-Simulation it may have either
+}
+
+TEST(ExportedExchange, DoesWhatIsDueWhereItIsTold) {
+  const Exports exports;
+  exported::ExchangedUnit unit(
+      exports.unpacked(exports.fmu("ball", ball, Version::two, Interface::model_exchange)));
+  EXPECT_TRUE(refuses(ErrorCode::wrong_state, {"start"}, [&] { unit.set_time(0.1); }));
+  unit.begin();
+  EXPECT_EQ(unit.event(), std::numeric_limits<double>::infinity());
+  const double falling[] = {-3.0, -1e-12}, rising[] = {2.0, 1.0};
+  unit.set_time(0.4), unit.set_states(falling);
+  const double next = unit.event();
+  EXPECT_NEAR(next, 0.4 + 1e-8, 1e-12);
+  double x[2];
+  unit.get_states(x);
+  EXPECT_EQ(x[0], 0.7 * 3.0);
+  unit.set_time(next), unit.set_states(rising);
+  EXPECT_EQ(unit.event(), std::numeric_limits<double>::infinity());
+  unit.get_states(x);
+  EXPECT_EQ(x[0], 2.0);
+}
+
+/// y = x - y^2 has two solutions; the one near that of the last step counts, whatever was tried since.
+TEST(ExportedExchange, WhatATryGivesDependsOnNoTryBefore) {
+  const Exports exports;
+  exported::ExchangedUnit unit(exports.unpacked(
+      exports.fmu("loop",
+                  "[blocks]\ny2 = { kind = 'function', function = 'square', input = 'y' }\n"
+                  "y = { kind = 'sum', inputs = ['x', 'y2'], gains = [1, -1] }\n"
+                  "dx = { kind = 'sum', inputs = ['x', 'y'], gains = [-50, -0.1] }\n"
+                  "x = { kind = 'integrator', input = 'dx', initial = 5 }\n[loops]\nsolve = true\n[outputs]\n"
+                  "x = { unit = '1' }\ny = { unit = '1' }\n[run]\nstep = 0.1\n",
+                  Version::two, Interface::model_exchange)));
+  unit.begin(), unit.event();
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> any(-0.24, 20.0);
+  double rate = 0.0;
+  const auto rate_at = [&](double x) {
+    unit.set_states({&x, 1});
+    unit.get_rates({&rate, 1});
+    return rate;
+  };
+  for (double x = 5.0; x > -0.2; x -= 0.05) rate_at(x), unit.step_done();
+  const double right = rate_at(-0.2);
+  EXPECT_NEAR(right, 10.0 - 0.1 * (std::sqrt(0.2) - 1.0) / 2.0, 1e-6);
+  const auto state = unit.state();
+  for (int k = 0; k < 50; ++k) {
+    try {
+      rate_at(any(random));
+    } catch (const Error& error) {  // no solution from there
+      EXPECT_EQ(error.code(), ErrorCode::numerical);
+    }
+    EXPECT_EQ(rate_at(-0.2), right);
+  }
+  unit.restore(state);
+  EXPECT_EQ(rate_at(-0.2), right);
+}
+
+/// The states after a reset are those of another start.
+TEST(ExportedExchange, BeginsAnewAfterAReset) {
+  const Exports exports;
+  exported::ExchangedUnit unit(
+      exports.unpacked(exports.fmu("ball", ball, Version::two, Interface::model_exchange)));
+  double before[2], after[2], z[1];
+  unit.get_states(before);  // as in initialization
+  unit.begin();
+  const double other[] = {5.0, 7.0};
+  unit.set_time(1.0), unit.set_states(other);
+  unit.reset();
+  unit.get_states(after), unit.get_indicators(z);
+  EXPECT_TRUE(std::equal(before, before + 2, after));
+  EXPECT_EQ(z[0], -1.0);
+}
+
+TEST(ExportedExchange, DescribesItsStatesAndEvents) {
+  const Exports exports;
+  for (const Version version : {Version::two, Version::three}) {
+    const std::string all = fmi::Archive(exports.fmu("ball", ball, version, Interface::model_exchange))
+                                .text("modelDescription.xml", 1 << 20);
+    const bool two = version == Version::two;
+    const auto has = [&](const std::string& of_2, const std::string& of_3) {
+      EXPECT_NE(all.find(two ? of_2 : of_3), std::string::npos) << (two ? of_2 : of_3) << all;
+    };
+    has("numberOfEventIndicators=\"1\"", "<EventIndicator valueReference=\"5\" />");
+    has("<ModelExchange modelIdentifier=\"ball\"", "needsCompletedIntegratorStep=\"true\"");
+    has("name=\"v\" valueReference=\"3\" causality=\"output\" variability=\"continuous\">\n      <Real "
+        "unit=\"m/s\" reinit=\"true\" />",
+        "<Float64 name=\"v\" valueReference=\"3\" causality=\"output\" variability=\"continuous\" "
+        "unit=\"m/s\" reinit=\"true\" />");
+    has("<Real derivative=\"4\" />", "derivative=\"3\"");
+    // states by their order: v, x
+    has("<Derivatives>\n      <Unknown index=\"5\" />\n      <Unknown index=\"3\" />",
+        "<ContinuousStateDerivative valueReference=\"4\" />\n    <ContinuousStateDerivative "
+        "valueReference=\"2\" />");
+    has("<Unknown index=\"2\" dependencies=\"4 2 1\" />",
+        "<Output valueReference=\"1\" dependencies=\"3 1 0\" />");
+    has("<InitialUnknowns>\n      <Unknown index=\"2\" />", "<InitialUnknown valueReference=\"4\" />");
+  }
+}
+
 TEST(ExportedExchange, BouncesThatHaveNoEndAreTold) {
   const Exports exports;
   const auto fmu = exports.fmu("ball", ball, Version::two, Interface::model_exchange);
@@ -129,7 +274,7 @@ class Importer {
 
   void begin() {
     unit_.begin();
-    next_ = unit_.event().next;
+    next_ = unit_.event();
   }
   void step(std::mt19937& random) {
     std::uniform_real_distribution<double> any(-1.0, 1.0), length(0.001, 0.03);
@@ -144,7 +289,7 @@ class Importer {
     unit_.get_indicators(now);
     const bool crossed =
         !std::equal(z.begin(), z.end(), now.begin(), [](double a, double b) { return a * b > 0.0; });
-    if (crossed || end >= next_) next_ = unit_.event().next;
+    if (crossed || end >= next_) next_ = unit_.event();
   }
   std::vector<double> numbers() {
     std::vector<double> all;
@@ -213,6 +358,7 @@ TEST(ExportedExchange, RefusesWhatItIsNotFor) {
   const auto fmu = exports.fmu("ball", ball, Version::two, Interface::model_exchange);
   exported::ExchangedUnit unit(exports.unpacked(fmu));
   const double x[] = {1.0, 2.0, 3.0};
+  unit.begin();
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"3 states", "2"}, [&] { unit.set_states(x); }));
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"time is nan"}, [&] { unit.set_time(NAN); }));
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"Co-Simulation"},

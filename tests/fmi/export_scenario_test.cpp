@@ -118,7 +118,8 @@ TEST_F(ExportedScenario, GoesOnFromItsStateWithTheSameBitsHereAndInAnotherInstan
   EXPECT_EQ(go(one, 13, 40), expected);
 }
 
-/// Two rods that read accelerations of each other: an output follows the second derivative of an input at once.
+/// Two rods that read accelerations of each other: an output follows the second derivative of an input at
+/// once.
 TEST(ExportedSystem, OfASplitPendulumErrsLittleThoughForcesFollowDerivatives) {
   const Exports exports;
   const std::string folder = TANDEM_SOURCE_DIR "/scenarios/split_pendulum/";

@@ -81,7 +81,7 @@ int SundialsSteps::jacobian(  // NOLINT(readability-function-size): SUNDIALS cal
   double *const x = N_VGetArrayPointer(at), *const f0 = N_VGetArrayPointer(dx);
   const double* const f = N_VGetArrayPointer(rate);
   const double* const absolute = N_VGetArrayPointer(integrator.absolute_);
-  const double tolerance = integrator.system_->error_of_loops();
+  const double tolerance = integrator.system_->rate_error();
   for (int c = 0, n = integrator.system_->size(); c < n; ++c) {
     const double before = x[c],
                  size = std::abs(before) + absolute[c] / integrator.settings_.relative_tolerance;
@@ -100,7 +100,7 @@ int SundialsSteps::watch(double t, N_Vector x, double* g, void* self) {
   std::copy_n(N_VGetArrayPointer(x), system.size(), system.states());
   ++integrator.statistics_.root_evaluations;
   if (!integrator.survives([&] { system.evaluate(t); })) return -1;
-  for (int k = 0; k < system.watched_signals(); ++k) g[k] = system.watched_sign(k);
+  system.watched_signs(g);
   return 0;
 }
 
@@ -178,7 +178,7 @@ void SundialsSteps::create_linear_solver() {
   matrix_ = SUNDenseMatrix(system_->size(), system_->size(), context_);
   solver_ = SUNLinSol_Dense(x_, matrix_, context_);
   check(method_.set_linear_solver(memory_, solver_, matrix_));
-  if (system_->error_of_loops() > 0.0) check(method_.set_jacobian(memory_, jacobian));
+  if (system_->rate_error() > 0.0) check(method_.set_jacobian(memory_, jacobian));
 }
 
 void SundialsSteps::create(double t) {

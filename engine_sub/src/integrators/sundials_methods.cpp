@@ -4,6 +4,7 @@
 #include <cvode/cvode.h>
 
 #include "sundials_integrator.hpp"
+#include "tandem/error.hpp"
 
 namespace tandem::engine {
 namespace {
@@ -110,29 +111,41 @@ const SundialsMethod erk = erkstep_method("erkstep", false),
                      erk_fixed = erkstep_method("erkstep_fixed", true);
 const SundialsMethod ark = arkstep_method();
 
+const SundialsMethod* const methods[] = {&adams, &bdf, &erk, &erk_fixed, &ark};
+
+template <class Made, class As>
+std::unique_ptr<As> made(const std::string& name, const AdaptiveSettings& settings) {
+  for (const SundialsMethod* method : methods)
+    if (name == method->name) {
+      if (method->set_fixed_step) refuse_settings(name, settings);
+      return std::make_unique<Made>(*method, settings);
+    }
+  return nullptr;
+}
+
 }  // namespace
 
-std::unique_ptr<Integrator> cvode_adams(const AdaptiveSettings& s) {
-  return std::make_unique<SundialsIntegrator>(adams, s);
-}
-std::unique_ptr<Integrator> cvode_bdf(const AdaptiveSettings& s) {
-  return std::make_unique<SundialsIntegrator>(bdf, s);
-}
-std::unique_ptr<Integrator> erkstep(const AdaptiveSettings& s) {
-  return std::make_unique<SundialsIntegrator>(erk, s);
-}
-std::unique_ptr<Integrator> erkstep_fixed(const AdaptiveSettings& s) {
-  return std::make_unique<SundialsIntegrator>(erk_fixed, s);
-}
-std::unique_ptr<Integrator> arkstep(const AdaptiveSettings& s) {
-  return std::make_unique<SundialsIntegrator>(ark, s);
+std::vector<std::string> adaptive_names() {
+  std::vector<std::string> names;
+  for (const SundialsMethod* method : methods) names.push_back(method->name);
+  return names;
 }
 
-std::unique_ptr<AdaptiveIntegrator> adaptive_steps(const std::string& name,
-                                                   const AdaptiveSettings& settings) {
-  for (const SundialsMethod* method : {&adams, &bdf, &erk, &erk_fixed, &ark})
-    if (name == method->name) return std::make_unique<SundialsSteps>(*method, settings);
-  return nullptr;
+void refuse_settings(const std::string& name, const AdaptiveSettings& settings) {
+  if (settings != AdaptiveSettings{})
+    throw Error(ErrorCode::invalid_argument,
+                "tolerances and limits of an adaptive integrator are given, but " + name +
+                    " is chosen; allowed is to leave them out");
+}
+
+std::unique_ptr<AdaptiveIntegrator> adaptive_integrator(const std::string& name,
+                                                        const AdaptiveSettings& settings) {
+  return made<SundialsSteps, AdaptiveIntegrator>(name, settings);
+}
+
+std::unique_ptr<Integrator> adaptive_integrator_of_diagrams(const std::string& name,
+                                                            const AdaptiveSettings& settings) {
+  return made<SundialsIntegrator, Integrator>(name, settings);
 }
 
 }  // namespace tandem::engine

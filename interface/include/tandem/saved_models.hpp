@@ -67,6 +67,11 @@ class SavedModels : public Subsystem {
     Subsystem::set_states(x);
   }
 
+  std::optional<Linearized> linearized() const override {
+    if constexpr (requires { model_.linearized(); }) return model_.linearized();
+    return {};
+  }
+
   StateId save_state() override {
     return info_.abilities.saves_state ? keep(model_, place_) : Subsystem::save_state();
   }

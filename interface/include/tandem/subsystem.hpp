@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "tandem/linearized.hpp"
 #include "tandem/samples.hpp"
 #include "tandem/signal.hpp"
 #include "tandem/subsystem_info.hpp"
@@ -117,17 +118,20 @@ class Subsystem {
   virtual Clock sample(double t, SamplePart part, std::span<const double> u, std::span<double> y);
 
   /// The states that get_states() gives, the same after each initialize(). These, the time and its inputs are
-  /// all that its next own steps depend on, to a millionth. Precondition: initialize() was called. Nothing: it
-  /// keeps them to itself, as the base class does. An empty list: it has none.
+  /// all that its next own steps depend on, to a millionth. Precondition: initialize() was called. Nothing:
+  /// it keeps them to itself, as the base class does. An empty list: it has none.
   virtual std::optional<std::vector<StateName>> states() const;
   /// What they are where it stands. The base class refuses this and the next one with Error(not_supported).
   /// - x: takes one value per state, in its unit.
   virtual void get_states(std::span<double> x) const;
-  /// Puts its states, after initialize() and before the first step: it goes on as if it had come there by steps.
-  /// The sample that initialize() gave is not given anew.
-  /// - x: one finite value per state, near what they are: where others follow from them in several ways, the nearest
-  ///   is meant.
+  /// Puts its states, after initialize() and before the first step: it goes on as if it had come there by
+  /// steps. The sample that initialize() gave is not given anew.
+  /// - x: one finite value per state, near what they are: where others follow from them in several ways, the
+  ///   nearest is meant.
   virtual void set_states(std::span<const double> x);
+  /// Its own equations about the states and inputs of initialize(). Precondition: it was called, and no step
+  /// was taken since. Nothing: it keeps them to itself, as the base class does.
+  virtual std::optional<Linearized> linearized() const;
 
   /// With the ability `saves_state`: copies the whole state. The copy is valid until it is released. The base
   /// class refuses this and the next two with Error(not_supported).

@@ -28,11 +28,12 @@ std::vector<std::string> exported_to(const ExportOptions& options, const Builtin
   const auto library =
       (std::filesystem::path(this_program()).parent_path() / TANDEM_FMU_FOLDER).lexically_normal();
   const auto version = options.version == 2 ? fmi::Version::two : fmi::Version::three;
-  if (file.extension() == ".ssp" && options.type != "cs")
-    throw Error(ErrorCode::invalid_argument,
-                "--type me is of one FMU; a system has FMUs of Co-Simulation, allowed is --type cs");
-  if (file.extension() == ".ssp")
+  if (file.extension() == ".ssp") {
+    if (options.type != "cs")
+      throw Error(ErrorCode::invalid_argument,
+                  "--type me is of one FMU; a system has FMUs of Co-Simulation, allowed is --type cs");
     return exported::export_system({options.source, options.overrides, file, version, library}, here);
+  }
   const auto interface =
       options.type == "me" ? exported::Interface::model_exchange : exported::Interface::co_simulation;
   return exported::export_fmu({options.source, options.overrides, file, version, library, {}, interface},

@@ -111,7 +111,8 @@ void check_target(const ExportSettings& settings) {
     refuse("this version of FMI has no name for this platform; allowed is another version");
 }
 
-/// A step is the difference of two times: of the numbers that are the same but for their rounding the shortest.
+/// A step is the difference of two times: of the numbers that are the same but for their rounding the
+/// shortest.
 double without_rounding(double step, double start) {
   const double most = 4.0 * std::numeric_limits<double>::epsilon() * (std::abs(start) + step);
   for (int digits = 1; digits < 17; ++digits)

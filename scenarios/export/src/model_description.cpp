@@ -9,6 +9,7 @@
 #include <pugixml.hpp>
 #include <sstream>
 
+#include "model_structure.hpp"
 #include "tandem/coordinator/units.hpp"
 
 namespace tandem::exported {
@@ -25,9 +26,7 @@ class Writer {
       : unit_(unit),
         facts_(facts),
         two_(version == fmi::Version::two),
-        exchange_(unit.manifest().interface == Interface::model_exchange),
-        inputs_(of({Kind::input})),
-        outputs_(of({Kind::output})) {}
+        exchange_(unit.manifest().interface == Interface::model_exchange) {}
 
   std::string text() {
     xml_node declaration = document_.append_child(pugi::node_declaration);
@@ -41,7 +40,7 @@ class Writer {
     write_experiment();
     xml_node variables = root_.append_child("ModelVariables");
     for (std::size_t k = 0; k < unit_.variables().size(); ++k) write_variable(variables, k);
-    write_structure(root_.append_child("ModelStructure"));
+    write_structure(root_.append_child("ModelStructure"), unit_, two_);
     std::ostringstream out;
     document_.save(out, "  ");
     return out.str();
@@ -59,7 +58,8 @@ class Writer {
     if (!facts_.description.empty()) put(root_, "description", facts_.description);
     put(root_, "generationTool", facts_.tool);
     put(root_, "variableNamingConvention", "flat");
-    if (two_) put(root_, "numberOfEventIndicators", std::to_string(of({Kind::indicator}).size()));
+    if (two_)
+      put(root_, "numberOfEventIndicators", std::to_string(of_kinds(unit_, {Kind::indicator}).size()));
   }
 
   void write_model_exchange() {
@@ -88,8 +88,9 @@ class Writer {
   /// The standard has one order for all outputs.
   int least_derivatives() const {
     int least = TANDEM_MAX_COEFFICIENTS;
-    for (const std::size_t k : outputs_) least = std::min(least, at(k).order);
-    return outputs_.empty() ? 0 : least;
+    const auto outputs = of_kinds(unit_, {Kind::output});
+    for (const std::size_t k : outputs) least = std::min(least, at(k).order);
+    return outputs.empty() ? 0 : least;
   }
 
   void write_units() {
@@ -154,58 +155,10 @@ class Writer {
     if (has_unit(v)) put(to, "unit", fmi_unit(v.unit));
     if (v.kind == Kind::input || v.kind == Kind::number) put(to, "start", number(v.start));
     if (v.kind == Kind::extrapolate) put(to, "start", "false");
+    if (v.reset) put(to, "reinit", "true");
     if (v.kind == Kind::word)
       two_ ? put(to, "start", v.word) : put(to.append_child("Start"), "value", v.word);
-    if (v.kind == Kind::derivative || v.kind == Kind::rate) put(to, "derivative", reference(k - 1));
-  }
-
-  /// 2.0 counts variables from 1, 3.0 has value references.
-  std::string reference(std::size_t k) const { return std::to_string(two_ ? k + 1 : k); }
-
-  /// In Model Exchange also states and time are known.
-  std::string dependencies(int output) const {
-    std::string list;
-    const auto add = [&](std::size_t k) { list += (list.empty() ? "" : " ") + reference(k); };
-    for (const Feedthrough& f : unit_.info().feedthrough)
-      if (f.output == output) add(inputs_[static_cast<std::size_t>(f.input)]);
-    for (const std::size_t rate : rates()) add(rate - 1);
-    if (exchange_) add(0);
-    return list;
-  }
-
-  std::vector<std::size_t> of(const std::vector<Kind>& kinds) const {
-    std::vector<std::size_t> all;
-    for (std::size_t k = 0; k < unit_.variables().size(); ++k)
-      if (std::find(kinds.begin(), kinds.end(), at(k).kind) != kinds.end()) all.push_back(k);
-    return all;
-  }
-
-  /// In the order of the states.
-  std::vector<std::size_t> rates() const {
-    auto all = of({Kind::rate});
-    std::sort(all.begin(), all.end(), [this](auto a, auto b) { return at(a).index < at(b).index; });
-    return all;
-  }
-
-  /// Of 2.0 the unknowns of a kind stand in a list, of 3.0 each in its own element.
-  void write_unknowns(xml_node to, const char* list, const char* element,
-                      const std::vector<std::size_t>& unknowns) {
-    if (unknowns.empty()) return;
-    xml_node in = two_ ? to.append_child(list) : to;
-    for (const std::size_t k : unknowns) {
-      xml_node one = in.append_child(two_ ? "Unknown" : element);
-      put(one, two_ ? "index" : "valueReference", reference(k));
-      if (element == std::string("Output")) put(one, "dependencies", dependencies(at(k).index));
-    }
-  }
-
-  void write_structure(xml_node to) {
-    write_unknowns(to, "Outputs", "Output", of({Kind::output}));
-    write_unknowns(to, "Derivatives", "ContinuousStateDerivative",
-                   exchange_ ? rates() : of({Kind::derivative}));
-    write_unknowns(to, "InitialUnknowns", "InitialUnknown",
-                   of({Kind::output, Kind::derivative, Kind::state, Kind::rate}));
-    if (!two_) write_unknowns(to, "", "EventIndicator", of({Kind::indicator}));
+    if (v.kind == Kind::derivative || v.kind == Kind::rate) put(to, "derivative", reference_of(k - 1, two_));
   }
 
   const Variable& at(std::size_t k) const { return unit_.variables()[k]; }
@@ -213,7 +166,6 @@ class Writer {
   const Unit& unit_;
   const Facts& facts_;
   bool two_, exchange_;
-  std::vector<std::size_t> inputs_, outputs_;
   pugi::xml_document document_;
   xml_node root_;
 };

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-// The functions of an FMU of version 2.0 (FMI for Model Exchange and Co-Simulation 2.0, chapters 2 and 4) but for those of
-// Model Exchange.
+// The functions of an FMU of version 2.0 (FMI for Model Exchange and Co-Simulation 2.0, chapters 2 and 4) but
+// for those of Model Exchange.
 #include "fmi2.h"
 
 #include <cstring>
@@ -20,8 +20,10 @@ fmi2Status with(fmi2Component c, const Work& work) {
 /// work(instance, value reference, place) for each variable.
 template <class Work>
 fmi2Status access(fmi2Component c, References v, size_t count, const Work& work) {
-  return with(
-      c, [&](Instance& i) { tandem::exported::each(v, count, [&](auto ref, auto k) { work(i, ref, k); }); });
+  const auto all = [&](Instance& i) {
+    tandem::exported::each(v, count, [&](auto ref, auto k) { work(i, ref, k); });
+  };
+  return tandem::exported::with<fmi2Status>(c, all, true);
 }
 
 [[noreturn]] void refuse(const std::string& sentence) {
@@ -69,7 +71,7 @@ TANDEM_FMI fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2Str
                                          fmi2String resources, const fmi2CallbackFunctions* callbacks,
                                          fmi2Boolean, fmi2Boolean) {
   const auto log = log_of(callbacks, name);
-  if (!resources) return log(Instance::error, "allowed is a folder of resources"), nullptr;
+  if (!resources) return log(Instance::error, tandem::exported::no_resources), nullptr;
   try {
     return tandem::exported::made(folder_of(resources), guid,
                                   type == fmi2ModelExchange ? tandem::exported::Interface::model_exchange

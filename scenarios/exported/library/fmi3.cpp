@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-// The functions of an FMU of version 3.0 (Functional Mock-up Interface 3.0, chapters 2 and 4) but for those of
-// Model Exchange.
+// The functions of an FMU of version 3.0 (Functional Mock-up Interface 3.0, chapters 2 and 4) but for those
+// of Model Exchange.
 #include "fmi3.h"
 
 #include "instance.hpp"
@@ -16,8 +16,6 @@ fmi3Status with(fmi3Instance c, const Work& work) {
   return tandem::exported::with<fmi3Status>(c, work);
 }
 
-constexpr const char* no_resources = "resourcePath is not given; this FMU has resources";
-
 Instance::Log log_of(fmi3InstanceEnvironment environment, fmi3LogMessageCallback logger) {
   return [environment, logger](int status, const std::string& text) {
     if (logger)
@@ -29,13 +27,14 @@ Instance::Log log_of(fmi3InstanceEnvironment environment, fmi3LogMessageCallback
 /// work(instance, value reference, place) for each variable, of which each is one value.
 template <class Work>
 fmi3Status access(fmi3Instance c, References v, size_t variables, size_t values, const Work& work) {
-  return with(c, [&](Instance& i) {
+  const auto all = [&](Instance& i) {
     if (variables != values)
       throw tandem::Error(tandem::ErrorCode::invalid_argument, std::to_string(values) + " values belong to " +
                                                                    std::to_string(variables) +
                                                                    " variables; allowed is one for each");
     tandem::exported::each(v, variables, [&](auto ref, auto k) { work(i, ref, k); });
-  });
+  };
+  return tandem::exported::with<fmi3Status>(c, all, true);
 }
 
 fmi3Status refuse_call(fmi3Instance c, const char* name) {
@@ -69,14 +68,14 @@ TANDEM_FMI fmi3Instance fmi3InstantiateCoSimulation(fmi3String, fmi3String token
                                                     fmi3LogMessageCallback logger,
                                                     fmi3IntermediateUpdateCallback) {
   const auto log = log_of(environment, logger);
-  if (!resources) return log(Instance::error, no_resources), nullptr;
+  if (!resources) return log(Instance::error, tandem::exported::no_resources), nullptr;
   return tandem::exported::made(resources, token, tandem::exported::Interface::co_simulation, log);
 }
 TANDEM_FMI fmi3Instance fmi3InstantiateModelExchange(fmi3String, fmi3String token, fmi3String resources, bool,
                                                      bool, fmi3InstanceEnvironment environment,
                                                      fmi3LogMessageCallback logger) {
   const auto log = log_of(environment, logger);
-  if (!resources) return log(Instance::error, no_resources), nullptr;
+  if (!resources) return log(Instance::error, tandem::exported::no_resources), nullptr;
   return tandem::exported::made(resources, token, tandem::exported::Interface::model_exchange, log);
 }
 TANDEM_FMI fmi3Instance fmi3InstantiateScheduledExecution(fmi3String, fmi3String, fmi3String, bool, bool,

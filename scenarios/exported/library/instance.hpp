@@ -18,14 +18,14 @@ namespace tandem::exported {
 struct Instance {
   /// Takes (status by the numbers of both versions, sentence).
   using Log = std::function<void(int, const std::string&)>;
-  static constexpr int warning = 1, error = 3;
+  static constexpr int warning = 1, discard = 2, error = 3;
 
   Instance(const std::filesystem::path& resources, const std::string& token, Log to)
       : log(std::move(to)),
-        made(open_unit(resources, [this](const std::string& what) { log(warning, what); })),
-        unit(*made),
-        steps(dynamic_cast<SteppedUnit*>(made.get())),
-        exchange(dynamic_cast<ExchangedUnit*>(made.get())) {
+        owner(open_unit(resources, [this](const std::string& what) { log(warning, what); })),
+        unit(*owner),
+        steps(dynamic_cast<SteppedUnit*>(owner.get())),
+        exchange(dynamic_cast<ExchangedUnit*>(owner.get())) {
     if (token != unit.manifest().token)
       throw Error(ErrorCode::invalid_argument, "guid or instantiationToken is '" + token +
                                                    "'; allowed is that of this FMU, '" +
@@ -45,24 +45,29 @@ struct Instance {
   Instance& operator=(const Instance&) = delete;
 
   /// work(*this) with its errors as a status, told to the importer.
+  /// - trial: where it has no value, as a loop has no solution, a shorter step may be tried.
   template <class Status, class Work>
-  Status guarded(const Work& work) noexcept {
+  Status guarded(const Work& work, bool trial = false) noexcept {
     try {
       work(*this);
       return Status{};
+    } catch (const Error& what) {
+      const bool tried = trial && exchange && what.code() == ErrorCode::numerical;
+      return tell<Status>(what.what(), tried ? discard : error);
     } catch (const std::exception& what) {
-      tell(what.what());
+      return tell<Status>(what.what(), error);
     } catch (...) {
-      tell("an error that is not known");
+      return tell<Status>("an error that is not known", error);
     }
-    return static_cast<Status>(error);
   }
-  void tell(const char* sentence) const noexcept {
+  template <class Status>
+  Status tell(const char* sentence, int status) const noexcept {
     try {
-      log(error, sentence);
+      log(status, sentence);
     } catch (...) {
-      return;  // the status tells it
+      return static_cast<Status>(status);  // which tells it
     }
+    return static_cast<Status>(status);
   }
 
   /// A text that stays until the next one of that variable is asked for.
@@ -95,7 +100,7 @@ struct Instance {
   }
 
   Log log;
-  std::unique_ptr<Unit> made;
+  std::unique_ptr<Unit> owner;
   Unit& unit;
   SteppedUnit* steps;  ///< one of both is null
   ExchangedUnit* exchange;
@@ -104,10 +109,23 @@ struct Instance {
 
 /// The instance behind a pointer of the importer's; null gives an error's status.
 template <class Status, class Work>
-Status with(void* instance, const Work& work) noexcept {
-  return instance ? static_cast<Instance*>(instance)->guarded<Status>(work)
+Status with(void* instance, const Work& work, bool trial = false) noexcept {
+  return instance ? static_cast<Instance*>(instance)->guarded<Status>(work, trial)
                   : static_cast<Status>(Instance::error);
 }
+/// Of Model Exchange: work(unit).
+template <class Status, class Work>
+Status exchange(void* instance, const Work& work) noexcept {
+  return with<Status>(instance, [&](Instance& i) { work(i.exchanged()); });
+}
+/// The same at a time and states that may be tried.
+template <class Status, class Work>
+Status evaluate(void* instance, const Work& work) noexcept {
+  return with<Status>(
+      instance, [&](Instance& i) { work(i.exchanged()); }, true);
+}
+
+constexpr const char* no_resources = "the folder of resources is not given; this FMU has resources";
 
 /// Makes one; null, and told, if it can't be.
 inline Instance* made(const std::filesystem::path& resources, const char* token, Interface wanted,

@@ -19,48 +19,54 @@ void check_size(const char* what, std::size_t found, std::size_t allowed) {
     throw Error(ErrorCode::invalid_argument, fmt::format("{} {}; allowed is {}", found, what, allowed));
 }
 
+/// Of outputs the first that shows a state stands for it.
+ExchangedStates states_of(const engine::Program& program) {
+  ExchangedStates all{program.state_names, {}, {}, static_cast<int>(program.crossings.size())};
+  for (const int slot : program.outputs) {
+    const auto& before = all.of_outputs;
+    const bool is_first = std::find(before.begin(), before.end(), slot) == before.end();
+    all.of_outputs.push_back(slot < program.states && is_first ? slot : -1);
+  }
+  all.reset.resize(program.state_names.size());
+  const auto note = [&](const auto& events) {
+    for (const auto& event : events)
+      for (const engine::Update& u : event.updates)
+        if (u.to < program.states) all.reset[static_cast<std::size_t>(u.to)] = 1;
+  };
+  note(program.crossings), note(program.periodics);
+  return all;
+}
+
 }  // namespace
 
 ExchangedUnit::ExchangedUnit(const std::filesystem::path& resources, const Tell& tell)
     : Unit(resources, tell), tell_(tell) {
-  source_opened();
-  variables_ = exported::variables(info_, start_values(), file_parameters(), &*equations_);
+  open_source();
+  variables_ = exported::variables(info_, start_values(), file_parameters(), &*states_);
 }
 
-void ExchangedUnit::source_opened() {
+void ExchangedUnit::open_source() {
   const std::string scheme = "diagram:", &source = manifest_.source;
   if (!source.starts_with(scheme))
     throw Error(ErrorCode::not_supported,
                 "'" + info_.name + "' is no diagram; of any other source allowed is Co-Simulation");
   Parameters parameters = given();
-  diagram_ = exchanged_diagram({resources_ / source.substr(scheme.size()), {}, manifest_.overrides},
-                               parameters, tell_);
+  auto diagram = exchanged_diagram({resources_ / source.substr(scheme.size()), {}, manifest_.overrides},
+                                   parameters, tell_);
   parameters.refuse_unused(source);
-  rates_.resize(states_size());
-  if (const Equations now = equations(); equations_ && *equations_ != now)
+  const ExchangedStates now = states_of(diagram->program());
+  if (states_ && *states_ != now)
     throw Error(ErrorCode::invalid_argument,
                 "'" + info_.name +
-                    "' has other states or events with these parameters than with those that it was exported "
-                    "with; allowed is another export");
-  else
-    equations_ = now;
+                    "' has other states or events with these parameters than with those that it was "
+                    "exported with; allowed is another export");
+  states_ = now, diagram_ = std::move(diagram);
+  rates_.resize(states_size());
 }
 
-/// Of outputs the first that shows a state stands for it.
-Equations ExchangedUnit::equations() const {
-  const engine::Program& program = diagram_->program();
-  Equations all{program.state_names, {}, static_cast<int>(program.crossings.size())};
-  for (const int slot : program.outputs) {
-    const bool is_first =
-        std::find(all.of_outputs.begin(), all.of_outputs.end(), slot) == all.of_outputs.end();
-    all.of_outputs.push_back(slot < program.states && is_first ? slot : -1);
-  }
-  return all;
-}
-
-void ExchangedUnit::begin() {
+double ExchangedUnit::own_step() {
   start();
-  begun_ = true;
+  return diagram_->own_step();
 }
 
 void ExchangedUnit::set_inputs() {
@@ -92,42 +98,65 @@ double ExchangedUnit::output(const Variable& v) {
 void ExchangedUnit::set_time(double t) {
   if (!std::isfinite(t))
     throw Error(ErrorCode::invalid_argument, fmt::format("time is {} s; allowed is a finite number", t));
+  check_begun();
   diagram_->go_to(time_ = t);
 }
 
 void ExchangedUnit::set_states(std::span<const double> x) {
+  check_begun();
   check_size("states are set", x.size(), states_size());
   diagram_->set_states(x);
 }
 
 void ExchangedUnit::get_states(std::span<double> x) {
+  start();
   check_size("states are wanted", x.size(), states_size());
   std::copy_n(diagram_->states().begin(), x.size(), x.begin());
 }
 
 void ExchangedUnit::get_rates(std::span<double> dx) {
+  start();
   check_size("derivatives of states are wanted", dx.size(), states_size());
   diagram_->rates(dx.data());
 }
 
 void ExchangedUnit::get_indicators(std::span<double> z) {
+  start();
   check_size("event indicators are wanted", z.size(), indicators_size());
   for (std::size_t k = 0; k < z.size(); ++k) z[k] = diagram_->watched(static_cast<int>(k));
 }
 
-ExchangedUnit::Event ExchangedUnit::event() {
-  before_.assign(diagram_->states().begin(), diagram_->states().end());
-  diagram_->act();
-  return {!std::equal(before_.begin(), before_.end(), diagram_->states().begin()), diagram_->next_event()};
+void ExchangedUnit::get_nominals(std::span<double> x) const {
+  check_size("nominal values of states are wanted", x.size(), states_size());
+  std::fill(x.begin(), x.end(), 1.0);
 }
 
-void ExchangedUnit::write_started(ByteWriter& to) { to.put_list(diagram_->keep()); }
+void ExchangedUnit::step_done() {
+  check_begun();
+  diagram_->arrive();
+}
+
+double ExchangedUnit::event() {
+  check_begun();
+  diagram_->act();
+  return diagram_->next_event();
+}
+
+void ExchangedUnit::write_started(ByteWriter& to) {
+  to.put_list(diagram_->state());
+  to.put_list(diagram_->guesses());
+  to.put(static_cast<std::uint8_t>(diagram_->known()));
+}
 
 void ExchangedUnit::read_started(ByteReader& from) {
-  std::vector<double> image(diagram_->keep().size());
+  std::vector<double> image(diagram_->state().size());
   from.take_list(image);
+  std::vector<double> guesses(diagram_->guesses().size());
+  from.take_list(guesses);
+  const auto known = static_cast<engine::ExchangedDiagram::Known>(from.take<std::uint8_t>());
+  if (known > engine::ExchangedDiagram::Known::all) from.refuse("what is known of its signals is no word");
   set_inputs();
-  diagram_->restore(time_, image);
+  diagram_->restore(time_, image, guesses, known);
 }
 
 }  // namespace tandem::exported

@@ -45,7 +45,9 @@ Manifest read_manifest(const std::filesystem::path& file) {
   text::Section root(document, document.table(), "");
   Manifest manifest{
       root.text("token").value_or(""), root.text("source").value_or(""), root.texts("overrides"), {}};
-  if (root.text("type").value_or("cs") == "me") manifest.interface = Interface::model_exchange;
+  const std::string type = root.text("type").value_or("cs");
+  if (type != "cs" && type != "me") root.wrong("type", "'" + type + "'", "'cs' or 'me'");
+  if (type == "me") manifest.interface = Interface::model_exchange;
   if (const toml::table* table = root.table("parameters"))
     for (const auto& [name, node] : text::in_file_order(*table))
       manifest.parameters[name] = value_of(document, name, *node);

@@ -35,11 +35,9 @@ void SteppedUnit::start_source() {
     act(start_, SamplePart::outputs, inputs_.over(start_, start_));
 }
 
-void SteppedUnit::begin() {
-  start();
-  if (!begun_ && info_.abilities.sampled && clock_.next_time <= start_)
+void SteppedUnit::begin_source() {
+  if (info_.abilities.sampled && clock_.next_time <= start_)
     act(start_, SamplePart::both, inputs_.over(start_, start_));
-  begun_ = true;
 }
 
 void SteppedUnit::follow_inputs() {

@@ -39,12 +39,14 @@ bool alike(const SubsystemInfo& a, const SubsystemInfo& b) {
 Unit::Unit(const std::filesystem::path& resources, const Tell& tell)
     : resources_(std::filesystem::absolute(resources)),
       manifest_(read_manifest(resources_ / manifest_name)),
-      builtins_(sources(tell)),
-      subsystem_(opened()),
-      info_(subsystem_->info()),
-      variables_(exported::variables(info_, start_values(), file_parameters())),
-      inputs_(start_values()),
-      parameters_(file_parameters()) {}
+      inputs_({}),
+      builtins_(sources(tell)) {
+  subsystem_ = opened();
+  info_ = subsystem_->info();
+  parameters_ = file_parameters();
+  variables_ = exported::variables(info_, start_values(), parameters_);
+  inputs_ = Inputs(start_values());
+}
 
 Parameters Unit::given() const {
   Parameters all;
@@ -64,8 +66,8 @@ void Unit::reopen() {
            "' has other ports, or gives other derivatives of outputs, with these parameters than with those "
            "that "
            "it was exported with; allowed is another export");
+  open_source();
   subsystem_ = std::move(subsystem);
-  source_opened();
 }
 
 /// Of the source's file, with their values as they are.
@@ -92,6 +94,16 @@ void Unit::start() {
   at_start_ = inputs_.values();
   start_source();
   fresh_ = true;
+}
+
+void Unit::begin() {
+  start();
+  if (!begun_) begin_source();
+  begun_ = true;
+}
+
+void Unit::check_begun() const {
+  if (!begun_) throw Error(ErrorCode::wrong_state, "'" + info_.name + "' has not made its start yet");
 }
 
 void Unit::reset() {

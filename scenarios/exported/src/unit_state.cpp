@@ -26,7 +26,12 @@ std::vector<std::byte> Unit::state() {
 void Unit::restore(std::span<const std::byte> bytes) {
   ByteReader from(bytes, info_.name, "state of the FMU");
   if (from.take_text(longest_word) != manifest_.token) from.refuse("it is one of another FMU");
-  read(from);
+  try {
+    read(from);
+  } catch (...) {
+    reset();
+    throw;
+  }
 }
 
 void Unit::write_changed(ByteWriter& to) const {
@@ -51,7 +56,8 @@ std::map<std::string, Parameters::Value> Unit::read_changed(ByteReader& from) co
   return changed;
 }
 
-/// One that stands elsewhere, or was started otherwise, is started anew before it takes the state.
+/// One that stands elsewhere, or was started otherwise, is started anew before it takes the state. Where that
+/// fails it is as after reset().
 void Unit::read(ByteReader& from) {
   const auto changed = read_changed(from);
   double start, stop, time;

@@ -19,7 +19,7 @@ using Kind = Variable::Kind;
 const Variable& Unit::variable(std::size_t reference) const {
   if (reference < variables_.size()) return variables_[reference];
   refuse_value(fmt::format("there is no variable of value reference {}; allowed are 0 to {}", reference,
-                     variables_.size() - 1));
+                           variables_.size() - 1));
 }
 
 const Variable& Unit::of_kind(std::size_t reference, Kind kind, const char* wanted) const {
@@ -38,14 +38,15 @@ void Unit::set_span(double start, double stop) {
   if (begun_) throw Error(ErrorCode::wrong_state, "start and stop are given after the start was made");
   if (!std::isfinite(start) || std::isnan(stop) || stop <= start)
     refuse_value(fmt::format("the start is at {} s, the stop at {} s; allowed is a stop after a finite start",
-                       start, stop));
+                             start, stop));
   start_ = time_ = start, stop_ = stop, fresh_ = false;
 }
 
 void Unit::set(std::size_t reference, double value) {
   const Variable& v = variable(reference);
   if (!std::isfinite(value))
-    refuse_value(fmt::format("variable '{}' at t = {} s is {}; allowed is a finite number", v.name, time_, value));
+    refuse_value(
+        fmt::format("variable '{}' at t = {} s is {}; allowed is a finite number", v.name, time_, value));
   if (v.kind == Kind::number) return change(v, value);
   inputs_.set(of_kind(reference, Kind::input, "input or parameter that is a number").index, value);
   fresh_ = fresh_ && begun_;
@@ -65,8 +66,8 @@ void Unit::set(std::size_t reference, bool flag) {
 
 void Unit::check_not_begun(const Variable& v) const {
   if (begun_)
-    refuse_value(fmt::format("parameter '{}' is set at t = {} s; allowed is to set it before the start", v.name,
-                       time_));
+    refuse_value(fmt::format("parameter '{}' is set at t = {} s; allowed is to set it before the start",
+                             v.name, time_));
 }
 
 void Unit::change(const Variable& v, Parameters::Value value) {

@@ -61,22 +61,31 @@ void add_outputs(const SubsystemInfo& info, List& to) {
   }
 }
 
-/// Numbers that an output does not stand for are local; "state.NAME" is a state's.
-void add_exchanged(const SubsystemInfo& info, const Equations& equations, List& to) {
-  const auto add_rate = [&](int state) { to.add({"der(" + to.newest().name + ")", Kind::rate, "", state}); };
-  std::vector<char> shown(equations.states.size());
+void add_state(Variable v, int state, const ExchangedStates& all, const std::string& otherwise, List& to) {
+  v.reset = all.reset[static_cast<std::size_t>(state)] != 0;
+  to.add(std::move(v), otherwise);
+  to.add({"der(" + to.newest().name + ")", Kind::rate, "", state});
+}
+
+/// States that no output stands for are local: "state.NAME".
+void add_exchanged(const SubsystemInfo& info, const ExchangedStates& states, List& to) {
+  std::vector<char> shown(states.names.size());
   for (int k = 0; k < info.output_size(); ++k) {
     const Scalar scalar = scalar_at(info.outputs, k);
-    const int state = equations.of_outputs[static_cast<std::size_t>(k)];
-    to.add({scalar.name(), Kind::output, scalar.port->unit, k, state >= 0 ? 1 : 0, scalar.port->held},
-           "output.");
-    if (state >= 0) add_rate(state), shown[static_cast<std::size_t>(state)] = 1;
+    const int state = states.of_outputs[static_cast<std::size_t>(k)];
+    const Variable output{scalar.name(), Kind::output, scalar.port->unit, k, state >= 0, scalar.port->held};
+    if (state < 0) {
+      to.add(output, "output.");
+    } else {
+      add_state(output, state, states, "output.", to);
+      shown[static_cast<std::size_t>(state)] = 1;
+    }
   }
-  for (std::size_t k = 0; k < shown.size(); ++k)
-    if (shown[k] == 0)
-      to.add({"state." + equations.states[k], Kind::state, "", static_cast<int>(k)}),
-          add_rate(static_cast<int>(k));
-  for (int k = 0; k < equations.indicators; ++k)
+  for (int k = 0; k < static_cast<int>(shown.size()); ++k)
+    if (shown[static_cast<std::size_t>(k)] == 0)
+      add_state({"state." + states.names[static_cast<std::size_t>(k)], Kind::state, "", k}, k, states, "",
+                to);
+  for (int k = 0; k < states.indicators; ++k)
     to.add({"indicator." + std::to_string(k + 1), Kind::indicator, "", k});
 }
 
@@ -92,7 +101,7 @@ void add_parameter(const text::FileParameter& parameter, int index, List& to) {
 
 std::vector<Variable> variables(const SubsystemInfo& info, const std::vector<double>& start,
                                 const std::vector<text::FileParameter>& parameters,
-                                const Equations* exchange) {
+                                const ExchangedStates* exchange) {
   List list(info.name);
   add_inputs(info, start, list);
   exchange ? add_exchanged(info, *exchange, list) : add_outputs(info, list);

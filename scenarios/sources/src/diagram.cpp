@@ -57,10 +57,11 @@ std::unique_ptr<Subsystem> make_diagram(const SourceFile& file, Parameters& p,
   return engine::make_subsystem(made.diagram, made.settings);
 }
 
-std::unique_ptr<engine::Exchanged> exchanged_diagram(const SourceFile& file, Parameters& p,
-                                                     const TellOfDiagram& tell) {
+std::unique_ptr<engine::ExchangedDiagram> exchanged_diagram(const SourceFile& file, Parameters& p,
+                                                            const TellOfDiagram& tell) {
   const Prepared made = prepare(file, p, {}, tell);
-  return std::make_unique<engine::Exchanged>(made.diagram, made.settings.step, made.settings.simulation);
+  return std::make_unique<engine::ExchangedDiagram>(made.diagram, made.settings.step,
+                                                    made.settings.simulation);
 }
 
 Source diagram_source(const std::vector<engine::CompiledBlock>& kinds, const TellOfDiagram& tell) {

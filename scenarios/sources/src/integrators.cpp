@@ -41,7 +41,7 @@ std::unique_ptr<AdaptiveIntegrator> take_integrator(Parameters& p) {
   if (name == "rk4") return nullptr;
   engine::AdaptiveSettings settings;
   take_adaptive(p, settings);
-  if (auto integrator = engine::adaptive_steps(name, settings)) return integrator;
+  if (auto integrator = engine::adaptive_integrator(name, settings)) return integrator;
   throw Error(ErrorCode::invalid_argument, unknown("integrator", name, engine::integrator_names()));
 }
 

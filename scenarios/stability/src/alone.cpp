@@ -22,6 +22,11 @@ Alone::Alone(const Trial& trial, int instance, bool linear)
   subsystem_.get_states({x_.data(), static_cast<std::size_t>(x_.size())});
 }
 
+std::optional<Linearized> Alone::equations() {
+  start(u_);
+  return subsystem_.linearized();
+}
+
 /// The cube root of rounding, where the errors of central differences meet.
 double Alone::change(double about) const {
   constexpr double part = 6e-6;

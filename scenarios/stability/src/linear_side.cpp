@@ -30,12 +30,36 @@ double largest_turn(const MatrixXd& response, Index states) {
                            .maxCoeff();
 }
 
-/// Without the error of a method of any order: the order is seen in how the last difference follows the one before.
+/// Without the error of a method of any order: the order is seen in how the last difference follows the one
+/// before.
 MatrixXd extrapolated(const MatrixXd& whole, const MatrixXd& half, const MatrixXd& quarter) {
   constexpr double rounding = 1e-9;
   const double before = (whole - half).norm(), last = (half - quarter).norm();
   if (last <= rounding * quarter.norm() || last >= before) return quarter;
   return quarter + (quarter - half) / (before / last - 1.0);
+}
+
+MatrixXd by_rows(const std::vector<double>& values, Index rows, Index columns) {
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  return Eigen::Map<const Rows>(values.data(), rows, columns);
+}
+
+/// As the subsystem says itself, if what it says moves as its steps do: these have the error of their method.
+LinearSide said(const std::string& name, const Linearized& known, const Alone& alone,
+                const MatrixXd& response, double length) {
+  constexpr double most = 0.05;
+  const Index n = alone.states(), inputs = alone.inputs();
+  const LinearSide one{by_rows(known.a, n, n), by_rows(known.b, n, inputs),
+                       by_rows(known.c, alone.outputs(), n), by_rows(known.d, alone.outputs(), inputs)};
+  MatrixXd rates = MatrixXd::Zero(n + inputs, n + inputs);
+  rates.topRows(n) << one.g, one.b;
+  const MatrixXd moved = MatrixXd(length * rates).exp().topRows(n);
+  if (!((moved - response.topRows(n)).norm() <= most * moved.norm()))
+    throw Error(ErrorCode::numerical,
+                "subsystem '" + name +
+                    "' moves otherwise than its directional derivatives say, over a step of " +
+                    std::to_string(length) + " s from the start");
+  return one;
 }
 
 /// What the model makes of that input, in parts of the length: chain q0 = q, q0' = q1, q1' = q2 = 2.
@@ -51,8 +75,8 @@ VectorXd bent(const LinearSide& one, Index input, double length) {
   return end;
 }
 
-/// What follows rates of an input moves by far more than a model of constant inputs: rates are 1 / length and more. By
-/// a few times more moves what looks at the ends of a step alone.
+/// What follows rates of an input moves by far more than a model of constant inputs: rates are 1 / length and
+/// more. By a few times more moves what looks at the ends of a step alone.
 void check_rates(const std::string& name, Alone& alone, const LinearSide& one, double length) {
   constexpr double most = 10.0, rounding = 1e-9;
   const Index n = one.g.rows();
@@ -85,6 +109,7 @@ LinearSide linear_side(const Trial& trial, int instance, bool is_linear) {
   if (one.lands())
     for (int k = 0; k < most_halves && largest_turn(response, n) > most_turn; ++k)
       response = one.response(length *= 0.5);
+  if (const auto known = one.equations()) return said(name, *known, one, response, length);
   MatrixXd rates = rates_of(response, n, length);
   if (one.lands())
     rates = extrapolated(rates, rates_of(one.response(length / 2.0), n, length / 2.0),

@@ -11,8 +11,9 @@ struct LinearSide {
   Eigen::MatrixXd g, b, c, d;
 };
 
-/// From its own steps (undivided.hpp). is_linear: changes may be large. Throws Error(not_supported) for one that follows
-/// rates of its inputs.
+/// From its directional derivatives, if it gives them, else from its own steps (undivided.hpp). is_linear:
+/// changes may be large. Throws Error(not_supported) for one that follows rates of its inputs, and
+/// Error(numerical) for derivatives that its steps contradict.
 LinearSide linear_side(const Trial& trial, int instance, bool is_linear);
 
 }  // namespace tandem::stability

@@ -185,6 +185,17 @@ EXPORT fmi2Status fmi2GetDerivatives(fmi2Component c, fmi2Real dx[], size_t n) {
   for (k = 0; k < n; ++k) dx[k] = ((instance*)c)->values.v[model.rate[k]];
   return fmi2OK;
 }
+/* By central differences of length 1, which are right for polynomials of degree 2. */
+EXPORT fmi2Status fmi2GetDirectionalDerivative(fmi2Component c, const fmi2ValueReference unknown[], size_t nu,
+                                               const fmi2ValueReference known[], size_t nk,
+                                               const fmi2Real seed[], fmi2Real found[]) {
+  fmu_values forth = ((instance*)c)->values, back = forth;
+  size_t k;
+  for (k = 0; k < nk; ++k) forth.v[known[k]] += seed[k], back.v[known[k]] -= seed[k];
+  compute(&forth), compute(&back);
+  for (k = 0; k < nu; ++k) found[k] = (forth.v[unknown[k]] - back.v[unknown[k]]) / 2;
+  return fmi2OK;
+}
 EXPORT fmi2Status fmi2GetEventIndicators(fmi2Component c, fmi2Real z[], size_t n) {
   (void)n;
   compute(&((instance*)c)->values);

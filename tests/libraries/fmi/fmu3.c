@@ -233,6 +233,18 @@ EXPORT fmi3Status fmi3GetContinuousStates(fmi3Instance c, double x[], size_t n) 
 EXPORT fmi3Status fmi3GetContinuousStateDerivatives(fmi3Instance c, double dx[], size_t n) {
   return move_states(c, dx, n, model.rate, 0);
 }
+/* By central differences of length 1, which are right for polynomials of degree 2. Of scalars. */
+EXPORT fmi3Status fmi3GetDirectionalDerivative(fmi3Instance c, const fmi3ValueReference unknown[], size_t nu,
+                                               const fmi3ValueReference known[], size_t nk, const double seed[],
+                                               size_t seeds, double found[], size_t wanted) {
+  fmu_values forth = ((instance*)c)->values, back = forth;
+  size_t k;
+  if (seeds != nk || wanted != nu) return fail(c, "the number of directional derivatives is wrong");
+  for (k = 0; k < nk; ++k) forth.v[known[k]] += seed[k], back.v[known[k]] -= seed[k];
+  compute(&forth), compute(&back);
+  for (k = 0; k < nu; ++k) found[k] = (forth.v[unknown[k]] - back.v[unknown[k]]) / 2;
+  return fmi3OK;
+}
 EXPORT fmi3Status fmi3GetEventIndicators(fmi3Instance c, double z[], size_t n) {
   if (n != (size_t)model.indicators) return fail(c, "the number of event indicators is wrong");
   compute(&((instance*)c)->values);

@@ -8,9 +8,9 @@
 
 #include "structure.hpp"
 #include "tandem/error.hpp"
+#include "tandem/fmi/xml.hpp"
 #include "tandem/printable.hpp"
 #include "variables.hpp"
-#include "tandem/fmi/xml.hpp"
 
 namespace tandem::fmi {
 namespace {
@@ -38,6 +38,8 @@ std::optional<Offer> offer(const Xml& xml, pugi::xml_node of, Version version) {
   o.interpolates_inputs = two && xml.flag(of, "canInterpolateInputs");
   o.needs_no_completed_steps =
       two ? xml.flag(of, "completedIntegratorStepNotNeeded") : !xml.flag(of, "needsCompletedIntegratorStep");
+  o.gives_derivatives =
+      xml.flag(of, two ? "providesDirectionalDerivative" : "providesDirectionalDerivatives");
   if (two) return o;
   o.varies_steps = xml.flag(of, "canHandleVariableCommunicationStepSize");
   o.returns_early = xml.flag(of, "mightReturnEarlyFromDoStep");

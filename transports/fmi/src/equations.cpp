@@ -51,7 +51,7 @@ void Equations::put(std::span<const double> x) {
 }
 
 void Equations::resume(std::span<const Signal> u) {
-  u_ = u;
+  u_ = given_ = u;
   course_end_ = -std::numeric_limits<double>::infinity();
   running_.resume();
   running_.know_inputs();
@@ -59,14 +59,14 @@ void Equations::resume(std::span<const Signal> u) {
 
 /// A break belongs to the piece before it, so pieces that end at t go.
 bool Equations::begin_course(double t) {
-  if (u_.data() != course_.data()) course_.assign(u_.begin(), u_.end()), u_ = course_;
+  course_.assign(given_.begin(), given_.end()), u_ = course_;
   const TimeTolerance tolerance(t);
   course_end_ = std::numeric_limits<double>::infinity();
   for (Signal& signal : course_) {
     auto pieces = signal.segments();
     while (pieces.size() > 1 && !tolerance.before(t, pieces.front().end)) pieces = pieces.subspan(1);
     if (pieces.size() > 1) course_end_ = std::min(course_end_, pieces.front().end);
-    signal = Signal(pieces.data(), static_cast<std::int32_t>(pieces.size()), signal.degree());
+    signal = Signal(pieces.data(), 1, signal.degree());
   }
   inputs_before_ = inputs_;
   if (!take(running_.fmu().ports.continuous, u_, t, inputs_)) return false;
@@ -76,10 +76,11 @@ bool Equations::begin_course(double t) {
   });
 }
 
-/// Its sign is that it is above zero.
-double Equations::watched_sign(int indicator) const {
-  const double z = watched(indicator);
-  return z == 0.0 ? -std::numeric_limits<double>::min() : z;
+/// The sign of one is that it is above zero.
+void Equations::watched_signs(double* signs) const {
+  std::transform(indicators_.begin(), indicators_.end(), signs, [](double z) {
+    return std::abs(z) >= smallest_sign ? z : z > 0.0 ? smallest_sign : -smallest_sign;
+  });
 }
 
 bool Equations::discrete_inputs_changed(double t) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "linearized.hpp"
 #include "running.hpp"
 #include "tandem/differential_system.hpp"
 #include "tandem/signal.hpp"
@@ -26,6 +27,7 @@ class Equations final : public DifferentialSystem {
   std::optional<std::vector<StateName>> names() const;
   void get(std::span<double> x) const { std::copy(x_.begin(), x_.end(), x.begin()); }
   void put(std::span<const double> x);
+  std::optional<Linearized> linearized() const { return fmi::linearized(instance()); }
   std::vector<std::string> state_names() const override;
   /// Goes on with the state that is kept, and on these inputs, which outlive the call.
   void resume(std::span<const Signal> u);
@@ -52,7 +54,7 @@ class Equations final : public DifferentialSystem {
   void evaluate_again(double t) override;
   int changed() const override;
   int watched_signals() const override { return static_cast<int>(indicators_.size()); }
-  double watched_sign(int indicator) const override;
+  void watched_signs(double* signs) const override;
   double watched(int indicator) const { return indicators_[static_cast<std::size_t>(indicator)]; }
 
   /// Of a state that is kept.
@@ -66,9 +68,9 @@ class Equations final : public DifferentialSystem {
   void read_indicators();
 
   Running running_;
-  std::span<const Signal> u_;
-  std::vector<Signal> course_;  ///< of u_
-  double course_end_ = 0.0;     ///< [s]
+  std::span<const Signal> u_, given_;  ///< what is read, and all of the call
+  std::vector<Signal> course_;         ///< of u_
+  double course_end_ = 0.0;            ///< [s]
   std::vector<double> x_, indicators_, inputs_, inputs_before_;
   std::vector<double> above_;  ///< by indicator, 1 or 0: as it was last seen
   double next_event_ = 0.0;

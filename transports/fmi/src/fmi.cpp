@@ -34,9 +34,10 @@ std::string states_sentence(const Fmu& fmu) {
   const Offer& offer = offer_of(d, fmu.settings.kind);
   return fmt::format(
       "{} continuous states, {} event indicators; its state can{} be had{}; it takes{} derivatives of "
-      "inputs",
+      "inputs{}",
       d.state_size(), d.event_indicators, offer.keeps_state ? "" : "not",
-      offer.serializes_state ? ", also as bytes" : "", offer.interpolates_inputs ? "" : " no");
+      offer.serializes_state ? ", also as bytes" : "", offer.interpolates_inputs ? "" : " no",
+      offer.gives_derivatives ? ", and gives directional ones" : "");
 }
 
 /// As far as they can be declared.

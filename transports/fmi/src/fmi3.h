@@ -43,6 +43,9 @@ typedef fmi3Status fmi3UpdateDiscreteStatesType(fmi3Instance, bool* again, bool*
                                                 bool* next_event_defined, double* next_event);
 typedef fmi3Status fmi3CompletedIntegratorStepType(fmi3Instance, bool no_return_before,
                                                    bool* enter_event_mode, bool* terminate);
+typedef fmi3Status fmi3GetDirectionalDerivativeType(fmi3Instance, const fmi3ValueReference unknowns[], size_t,
+                                                    const fmi3ValueReference knowns[], size_t,
+                                                    const double seed[], size_t, double found[], size_t);
 typedef fmi3Status fmi3DoStepType(fmi3Instance, double time, double length, bool no_return_before,
                                   bool* event_needed, bool* terminate, bool* early_return, double* reached);
 

@@ -113,13 +113,16 @@ void Instance::fail(const std::string& name, Status status) {
   if (status != Status::discard) running_ = false;
   fatal_ = fatal_ || status == Status::fatal;
   const std::string why = log_.take_last();
-  throw Error(ErrorCode::numerical,
-              name_ + ": " + name + " gives " + prefix() + word_of(status) + (why.empty() ? "" : ": " + why));
+  const std::string sentence =
+      name_ + ": " + name + " gives " + prefix() + word_of(status) + (why.empty() ? "" : ": " + why);
+  if (status != Status::discard) failed_ = sentence;
+  throw Error(ErrorCode::numerical, sentence);
 }
 
 void Instance::begin(double t_start, std::optional<double> t_stop) {
   if (fatal_ || !component_)
     throw Error(ErrorCode::numerical, name_ + " has failed for good, and can't be started again");
+  failed_.clear();
   if (!std::exchange(fresh_, false)) {
     const bool reset = is_good(functions_.reset.call(component_));
     running_ = running_ && !reset;

@@ -12,6 +12,7 @@
 #include "functions.hpp"
 #include "loading.hpp"
 #include "only_once.hpp"
+#include "tandem/error.hpp"
 #include "tandem/fixed_step.hpp"
 #include "tandem/fmi/temporary_folder.hpp"
 #include "tandem/library_file.hpp"
@@ -70,6 +71,10 @@ class Instance {
   void get_rates(double* dx, std::size_t size) { call(functions_.get_rates, dx, size); }
   void get_indicators(std::span<double> z) { call(functions_.get_indicators, z.data(), z.size()); }
 
+  /// Directional derivatives: of the unknowns' scalars, along `seed` of the knowns' scalars. Real ones.
+  virtual void derive(References unknowns, References knowns, std::span<const double> seed,
+                      std::span<double> found) = 0;
+
   // Co-Simulation.
   /// Of 2.0: derivatives of inputs at the begin of the next step.
   virtual void set_input_derivatives(References of, std::span<const int> orders,
@@ -90,6 +95,7 @@ class Instance {
   void find(Function<Signature>& function, const std::string& name);
   template <class Signature, class... Arguments>
   void call(const Function<Signature>& function, Arguments... arguments) {
+    if (!failed_.empty()) throw Error(ErrorCode::numerical, failed_);  // nothing else may be called then
     check(function.name, function.call(component_, arguments...));
   }
   void check(const std::string& name, int status) {
@@ -128,6 +134,7 @@ class Instance {
   Functions functions_;
   void* component_ = nullptr;
   std::set<int> told_of_;
+  std::string failed_;    ///< why it may not be called until it is begun anew
   int made_ = 0;          ///< instances before this one
   bool fresh_ = false;    ///< just instantiated
   bool running_ = false;  ///< initialized and not failed

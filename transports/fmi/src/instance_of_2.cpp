@@ -74,6 +74,10 @@ class InstanceOf2 final : public Instance {
                              std::span<const double> values) override {
     call(set_input_derivatives_, of.data(), of.size(), orders.data(), values.data());
   }
+  void derive(References unknowns, References knowns, std::span<const double> seed,
+              std::span<double> found) override {
+    call(derive_, unknowns.data(), unknowns.size(), knowns.data(), knowns.size(), seed.data(), found.data());
+  }
   void enter_steps() override {}
   Taken do_step(const OwnStep& s, bool never_back, InputsWithin&) override;
 
@@ -120,6 +124,7 @@ class InstanceOf2 final : public Instance {
   Function<fmi2NewDiscreteStatesType> update_;
   Function<fmi2CompletedIntegratorStepType> complete_step_;
   Function<fmi2SetRealInputDerivativesType> set_input_derivatives_;
+  Function<fmi2GetDirectionalDerivativeType> derive_;
   Function<fmi2DoStepType> do_step_;
   Function<fmi2GetRealStatusType> real_status_;
   Function<fmi2GetBooleanStatusType> boolean_status_;
@@ -134,6 +139,7 @@ void InstanceOf2::find_functions() {
   if (offer().interpolates_inputs) find(set_input_derivatives_, "SetRealInputDerivatives");
   if (exchanges()) {
     find(update_, "NewDiscreteStates"), find(complete_step_, "CompletedIntegratorStep");
+    if (offer().gives_derivatives) find(derive_, "GetDirectionalDerivative");
   } else {
     find(do_step_, "DoStep"), find(real_status_, "GetRealStatus"), find(boolean_status_, "GetBooleanStatus");
   }

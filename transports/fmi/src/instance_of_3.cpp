@@ -35,6 +35,11 @@ class InstanceOf3 final : public Instance {
   Updated update() override;
   Completed complete_step(bool never_back) override;
   void set_input_derivatives(References, std::span<const int>, std::span<const double>) override {}
+  void derive(References unknowns, References knowns, std::span<const double> seed,
+              std::span<double> found) override {
+    call(derive_, unknowns.data(), unknowns.size(), knowns.data(), knowns.size(), seed.data(), seed.size(),
+         found.data(), found.size());
+  }
   void enter_steps() override { call(enter_steps_); }
   Taken do_step(const OwnStep& s, bool never_back, InputsWithin& inputs) override;
 
@@ -74,6 +79,7 @@ class InstanceOf3 final : public Instance {
   Function<fmi3SetStringType> set_text_;
   Function<fmi3UpdateDiscreteStatesType> update_;
   Function<fmi3CompletedIntegratorStepType> complete_step_;
+  Function<fmi3GetDirectionalDerivativeType> derive_;
   Function<fmi3DoStepType> do_step_;
 };
 
@@ -85,6 +91,7 @@ void InstanceOf3::find_functions() {
   if (exchanges()) {
     find(instantiate_exchange_, "InstantiateModelExchange");
     find(complete_step_, "CompletedIntegratorStep");
+    if (offer().gives_derivatives) find(derive_, "GetDirectionalDerivative");
   } else {
     find(instantiate_steps_, "InstantiateCoSimulation"), find(do_step_, "DoStep");
     if (offer().has_events) find(enter_steps_, "EnterStepMode");

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -21,7 +22,9 @@ constexpr int most_events = 1000;  // within the time of an own step
 class ExchangedModel {
  public:
   explicit ExchangedModel(const std::shared_ptr<Instance>& instance)
-      : equations_(instance), row_(row_size()), left_(row_size()) {
+      : equations_(instance), row_(row_size()), left_(row_size()), sizes_(row_size()) {
+    for (const Port& port : info().outputs)
+      held_.insert(held_.end(), static_cast<std::size_t>(port.size), port.held);
     steps_.resize(equations_.size());
     if (integrator()) integrator()->check_fit(equations_.state_names());
   }
@@ -33,6 +36,7 @@ class ExchangedModel {
 
   void start(double t, std::span<const double> u0) {
     events_ = 0, events_since_ = t, restart_ = Restart::state;
+    std::fill(sizes_.begin(), sizes_.end(), 0.0);
     fmu().within([&] { equations_.start(t, u0); });
   }
   bool step_to_event(OwnStep& s, std::span<const Signal> u);
@@ -49,15 +53,24 @@ class ExchangedModel {
     restart_ = Restart::state;
   }
 
+  std::optional<Linearized> linearized() const {
+    std::optional<Linearized> found;
+    fmu().within([&] { found = equations_.linearized(); });
+    return found;
+  }
+
   void write(ByteWriter& to) const {
     equations_.write(to);
+    to.put_list(sizes_);
     to.put(events_since_);
     to.put(std::int32_t{events_});
   }
   void read(ByteReader& from) {
     equations_.read(from);
+    from.take_list(sizes_);
     events_since_ = from.take<double>();
     events_ = from.take<std::int32_t>();
+    restart_ = Restart::state;
   }
 
  private:
@@ -71,14 +84,13 @@ class ExchangedModel {
   }
   void event(double t);
   bool happen(double t);
-  bool has_jumped() {
-    equations_.running().read_row(row_.data());
-    return row_ != left_;
-  }
+  bool has_jumped();
 
   Equations equations_;
   ClassicalSteps<Equations> steps_;
   std::vector<double> row_, left_;  ///< now, and before an event
+  std::vector<double> sizes_;       ///< of the same, the largest at events so far
+  std::vector<char> held_;          ///< by output
   double events_since_ = 0.0;
   int events_ = 0;
   std::optional<Restart> restart_ = Restart::state;  ///< of an integrator with steps of its own
@@ -102,6 +114,19 @@ double ExchangedModel::go(double t, double t_end) {
     restart_ = restart_.value_or(Restart::event);
   if (restart_) own->restart(equations_, t, *std::exchange(restart_, std::nullopt));
   return own->advance(equations_, t, std::min(t_end, equations_.course_end()));
+}
+
+/// What is held by any difference, all else by one beyond that of locating the event, of its largest value.
+bool ExchangedModel::has_jumped() {
+  constexpr double smallest = 1e-9;
+  equations_.running().read_row(row_.data());
+  bool any = false;
+  for (std::size_t k = 0; k < row_.size(); ++k) {
+    sizes_[k] = std::max({sizes_[k], std::abs(row_[k]), std::abs(left_[k])});
+    const double least = k < held_.size() && held_[k] != 0 ? 0.0 : smallest * sizes_[k];
+    any = any || !(std::abs(row_[k] - left_[k]) <= least);
+  }
+  return any;
 }
 
 /// True: outputs have jumped with it.

@@ -129,8 +129,8 @@ class PortMaker {
     }
   }
 
-  /// After a step of Co-Simulation a derivative that follows an input at once is that of what the FMU takes the
-  /// input for at the step's end.
+  /// After a step of Co-Simulation a derivative that follows an input at once is that of what the FMU takes
+  /// the input for at the step's end.
   bool is_known(int variable) const {
     if (s_.kind == Kind::model_exchange) return true;
     const Unknown* u = structure_of(variable);
@@ -176,7 +176,8 @@ class PortMaker {
     a.restarts = true;
     a.lands = exchange || s_.lands;
     a.events = exchange || offer.has_events;
-    a.saves_state = offer.keeps_state && (exchange ? !s_.integrator : s_.trusts_state);
+    const bool keeps_past = s_.integrator && d_.state_size() > 0;
+    a.saves_state = offer.keeps_state && (exchange ? !keeps_past : s_.trusts_state);
     a.serializes_state = a.saves_state && offer.serializes_state;
   }
 

@@ -34,8 +34,8 @@ struct Settings {
   std::vector<Setting> values;
   std::map<std::string, std::string> units;  ///< of ports, in place of what the description says
   std::vector<std::string> outputs;          ///< variables that are outputs beside those that are said to be
-  std::shared_ptr<AdaptiveIntegrator> integrator =
-      {};  ///< of Model Exchange; null: the classical Runge-Kutta method
+  /// Of Model Exchange; null: the classical Runge-Kutta method.
+  std::shared_ptr<AdaptiveIntegrator> integrator = {};
 };
 
 /// Words of "fmu:".

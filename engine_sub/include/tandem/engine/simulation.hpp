@@ -44,7 +44,7 @@ class Simulation {
   /// Of a sampled program (Program::sampled): what happens at its instant t; of any, what is due at t.
   void act(double t);
 
-  // Where somebody else integrates (Exchanged): start() and act() are those from above.
+  // Where somebody else integrates (ExchangedDiagram): start() and act() are those from above.
   System& system() { return system_; }
   /// Own steps are so long [s], beside which a step after a bounce is short. After start().
   void expect_steps(double h) { slot(system_.program().longest_step) = h; }

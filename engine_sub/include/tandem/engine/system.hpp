@@ -61,6 +61,8 @@ class System final : public DifferentialSystem {
     set_time(t);
     run(0, program_.step_operations);
   }
+  /// The rest of evaluate(t) after rates(t).
+  void evaluate_rest() { run(program_.rate_operations, program_.step_operations); }
   /// These, after evaluate().
   void evaluate_updates() { run(program_.step_operations, static_cast<int>(program_.operations.size())); }
   /// The same after evaluate(t) and changes of the inputs alone; nothing, if there are none.
@@ -78,10 +80,13 @@ class System final : public DifferentialSystem {
   }
   double watched(int crossing) const;
   /// The same, but for zero a number next to it of the sign that it keeps.
-  double watched_sign(int crossing) const override;
+  double watched_sign(int crossing) const;
+  void watched_signs(double* signs) const override {
+    for (int k = 0; k < watched_signals(); ++k) signs[k] = watched_sign(k);
+  }
   int watched_signals() const override { return static_cast<int>(program_.crossings.size()); }
   /// The largest tolerance of its algebraic loops.
-  double error_of_loops() const override;
+  double rate_error() const override;
 
  private:
   void run(int first, int last) {

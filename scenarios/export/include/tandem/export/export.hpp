@@ -21,8 +21,8 @@ struct Member {
 };
 
 struct ExportSettings {
-  /// The file of a mechanism, a diagram or a scenario of these, or "mechanism:FILE?KEY=VALUE&..", "diagram:FILE?..",
-  /// "scenario:FILE?.."
+  /// The file of a mechanism, a diagram or a scenario of these, or "mechanism:FILE?KEY=VALUE&..",
+  /// "diagram:FILE?..", "scenario:FILE?.."
   std::string source;
   std::vector<std::string> overrides = {};  ///< "KEY=VALUE" of the file
   std::filesystem::path file;               ///< the FMU to be written

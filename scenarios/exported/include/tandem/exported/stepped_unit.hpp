@@ -9,7 +9,6 @@ class SteppedUnit final : public Unit {
  public:
   explicit SteppedUnit(const std::filesystem::path& resources, const Tell& tell = {});
 
-  void begin() override;
   double own_step() override;
   bool keeps_state() const override { return info_.abilities.serializes_state; }
 
@@ -23,8 +22,9 @@ class SteppedUnit final : public Unit {
  private:
   static constexpr std::int64_t most_rows = 64;  ///< of a call
   void start_source() override;
-  /// That of the last step's end. One that follows inputs at once follows those that were set since then, as by a jump
-  /// (if it changes by 1e-9 of its magnitude); before the first step each does.
+  void begin_source() override;
+  /// That of the last step's end. One that follows inputs at once follows those that were set since then, as
+  /// by a jump (if it changes by 1e-9 of its magnitude); before the first step each does.
   double output(const Variable& v) override;
   double output(int index, int order);
   void write_started(ByteWriter& to) override;
@@ -39,8 +39,8 @@ class SteppedUnit final : public Unit {
   void act(double t, SamplePart part, std::span<const Signal> u);
 
   double own_step_ = 0.0;
-  /// Where it stands by its own nodes [s]. It goes on by the same lengths as time(), so that what is added up wrongly
-  /// cuts no step.
+  /// Where it stands by its own nodes [s]. It goes on by the same lengths as time(), so that what is added up
+  /// wrongly cuts no step.
   double place_ = 0.0;
   Clock clock_{};
   std::vector<double> rows_, row_;  ///< room for a call, the newest

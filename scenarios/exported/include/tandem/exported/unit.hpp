@@ -16,9 +16,9 @@
 
 namespace tandem::exported {
 
-/// What runs inside an exported FMU: its source behind variables by number, as FMI wants it. Any call may throw Error.
-/// A parameter may be set until the start is made; the source is opened with those that were set when a value is wanted
-/// first, and started with the inputs as they are.
+/// What runs inside an exported FMU: its source behind variables by number, as FMI wants it. Any call may
+/// throw Error. A parameter may be set until the start is made; the source is opened with those that were set
+/// when a value is wanted first, and started with the inputs as they are.
 class Unit {
  public:
   using Tell = std::function<void(const std::string&)>;
@@ -48,7 +48,7 @@ class Unit {
   bool flag(std::size_t reference) const;
 
   /// The start is made: parameters stay as they are from now on.
-  virtual void begin() = 0;
+  void begin();
   double time() const { return time_; }  ///< [s]
   /// The first own step, or the period of a sampled source [s].
   virtual double own_step() = 0;
@@ -75,28 +75,28 @@ class Unit {
   std::vector<double> start_values() const;
   std::vector<text::FileParameter> file_parameters() const;
 
-  /// It is open anew, with other parameters.
-  virtual void source_opened() {}
+  /// With the parameters as they are, beside subsystem_. Nothing has changed if it throws.
+  virtual void open_source() {}
   /// Starts the source, which is opened with the parameters as they are.
   virtual void start_source() = 0;
+  /// Once, before the first step.
+  virtual void begin_source() {}
   virtual double output(const Variable& v) = 0;
   virtual void input_set(const Variable&) {}
+  /// Of what is of use after the start alone.
+  void check_begun() const;
   virtual void write_started(ByteWriter& to) = 0;
   virtual void read_started(ByteReader& from) = 0;
 
   std::filesystem::path resources_;
   Manifest manifest_;
-  Builtins builtins_;
-  std::map<std::string, Parameters::Value> changed_;  ///< parameters
-  std::unique_ptr<Subsystem> subsystem_;              ///< null: to be opened with the parameters as they are
+  std::unique_ptr<Subsystem> subsystem_;  ///< null: to be opened with the parameters as they are
   SubsystemInfo info_;
   std::vector<Variable> variables_;
   Inputs inputs_;
-  std::vector<text::FileParameter> parameters_;  ///< with their values as they are
-  std::vector<double> at_start_;                 ///< the inputs that it was started with
-  bool fresh_ = false;                           ///< it is started with all as it is
-  bool begun_ = false;                           ///< parameters stay
-  bool inputs_set_ = false;                      ///< since the last step
+  std::vector<double> at_start_;  ///< the inputs that it was started with
+  bool begun_ = false;            ///< parameters stay
+  bool inputs_set_ = false;       ///< since the last step
   double start_ = 0.0, stop_ = std::numeric_limits<double>::infinity();
   double time_ = 0.0;  ///< where it stands [s], by the importer's sums
 
@@ -108,6 +108,11 @@ class Unit {
   void write_changed(ByteWriter& to) const;
   std::map<std::string, Parameters::Value> read_changed(ByteReader& from) const;
   void read(ByteReader& from);
+
+  Builtins builtins_;
+  std::map<std::string, Parameters::Value> changed_;  ///< parameters
+  std::vector<text::FileParameter> parameters_;       ///< with their values as they are
+  bool fresh_ = false;                                ///< it is started with all as it is
 };
 
 /// A SteppedUnit or an ExchangedUnit, by what its manifest says.

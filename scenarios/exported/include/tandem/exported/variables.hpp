@@ -29,28 +29,30 @@ struct Variable {
   int index = 0;          ///< of its scalar among inputs or outputs, of a state; of a parameter in the file
   int order = 0;          ///< of a derivative, or how many derivatives of an output there are
   bool held = false;      ///< of an output
+  bool reset = false;     ///< of a state, also of an output that stands for one: events may put it
   double start = 0.0;     ///< of an input and a number
   std::string word = {};  ///< likewise, of a word
   std::string parameter = {};  ///< of a number or a word: its name in the file
 };
 
 /// What a source has in Model Exchange.
-struct Equations {
-  std::vector<std::string> states;  ///< their names
-  std::vector<int> of_outputs;      ///< by scalar output: the state that it stands for; -1: none
+struct ExchangedStates {
+  std::vector<std::string> names;
+  std::vector<char> reset;      ///< by state: events may put it
+  std::vector<int> of_outputs;  ///< by scalar output: the state that it stands for; -1: none
   int indicators = 0;
 
-  bool operator==(const Equations&) const = default;
+  bool operator==(const ExchangedStates&) const = default;
 };
 
-/// Time, the scalars of the ports with the derivatives that outputs give, the parameters. Where an output or a
-/// parameter has the name of one before it, its own is "output.NAME" or "parameter.NAME". A
-/// derivative stands behind its output. Of Model Exchange outputs have no derivatives but as states.
+/// Time, the scalars of the ports with the derivatives that outputs give, the parameters. Where an output or
+/// a parameter has the name of one before it, its own is "output.NAME" or "parameter.NAME". A derivative
+/// stands behind its output. Of Model Exchange outputs have no derivatives but as states.
 /// - start: of each scalar input.
 /// - exchange: null for Co-Simulation.
 /// Throws Error(invalid_argument) for names that are not distinct even so.
 std::vector<Variable> variables(const SubsystemInfo& info, const std::vector<double>& start,
                                 const std::vector<text::FileParameter>& parameters,
-                                const Equations* exchange = nullptr);
+                                const ExchangedStates* exchange = nullptr);
 
 }  // namespace tandem::exported

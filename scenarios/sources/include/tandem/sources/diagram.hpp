@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tandem/engine/compiled_block.hpp"
-#include "tandem/engine/exchanged.hpp"
+#include "tandem/engine/exchanged_diagram.hpp"
 #include "tandem/sources/source_file.hpp"
 #include "tandem/transports/open.hpp"
 
@@ -24,10 +24,10 @@ std::unique_ptr<Subsystem> make_diagram(const SourceFile& file, Parameters& para
                                         std::vector<engine::CompiledBlock> kinds = {},
                                         const TellOfDiagram& tell = {});
 
-/// The same for an integrator from elsewhere; the settings of integrators say nothing then. Throws as engine::Exchanged
-/// does, too.
-std::unique_ptr<engine::Exchanged> exchanged_diagram(const SourceFile& file, Parameters& parameters,
-                                                     const TellOfDiagram& tell = {});
+/// The same for an integrator from elsewhere; the settings of integrators say nothing then. Throws as
+/// engine::ExchangedDiagram does, too.
+std::unique_ptr<engine::ExchangedDiagram> exchanged_diagram(const SourceFile& file, Parameters& parameters,
+                                                            const TellOfDiagram& tell = {});
 
 /// "diagram:FILE".
 Source diagram_source(const std::vector<engine::CompiledBlock>& kinds = {}, const TellOfDiagram& tell = {});

@@ -88,6 +88,7 @@ struct Offer {
   bool keeps_state = false, serializes_state = false;
   bool interpolates_inputs = false;       ///< Co-Simulation of 2.0: takes derivatives of inputs
   bool needs_no_completed_steps = false;  ///< Model Exchange
+  bool gives_derivatives = false;         ///< directional ones
   /// Co-Simulation of 3.0.
   bool varies_steps = false, returns_early = false, has_events = false, asks_for_inputs = false;
   std::optional<double> fixed_step = {};  ///< [s], of its own
@@ -113,7 +114,8 @@ struct Description {
 };
 
 /// Sizes of arrays from the start values of structural parameters, and with them how many event indicators
-/// there are. Throws Error for an array of more than 2^20 scalars, for 2^26 in all, and for a derivative of another size than its state.
+/// there are. Throws Error for an array of more than 2^20 scalars, for 2^26 in all, and for a derivative of
+/// another size than its state.
 void set_sizes(Description& description);
 
 /// Reads the text of a modelDescription.xml. Nothing that it names is looked for. `file`: how errors call it.

@@ -12,7 +12,8 @@ namespace tandem {
 /// Integrators for Model Exchange besides the classical Runge-Kutta method.
 struct FmuIntegrators {
   Words words = {};  ///< that `make` asks for
-  /// By the parameter `integrator` and the settings of the one that it names; null: it names the classical method.
+  /// By the parameter `integrator` and the settings of the one that it names; null: it names the classical
+  /// method.
   std::function<std::unique_ptr<AdaptiveIntegrator>(Parameters&)> make = {};
 };
 

@@ -1,5 +1,5 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-#include "tandem/engine/exchanged.hpp"
+#include "tandem/engine/exchanged_diagram.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -12,7 +12,7 @@ namespace tandem::engine {
 namespace {
 
 /// Stands where a simulation has its integrator. It takes no steps.
-class Elsewhere final : public Integrator {
+class NoIntegrator final : public Integrator {
  public:
   void restart(System&, double, Restart) override {}
   double advance(System&, double t, double) override { return t; }
@@ -36,72 +36,96 @@ Program compiled(const Description& diagram) {
 
 }  // namespace
 
-Exchanged::Exchanged(const Description& diagram, double step, const SimulationSettings& settings)
+ExchangedDiagram::ExchangedDiagram(const Description& diagram, double step,
+                                   const SimulationSettings& settings)
     : program_(compiled(diagram)),
-      simulation_(program_, &inputs_, std::make_unique<Elsewhere>(), settings),
+      simulation_(program_, &inputs_, std::make_unique<NoIntegrator>(), settings),
       step_(program_.sampled() ? program_.shortest_period : step) {
   inputs_.values.resize(program_.inputs.size());
 }
 
-void Exchanged::set_input(int k, double value) {
+void ExchangedDiagram::set_input(int k, double value) {
   if (std::exchange(inputs_.values[static_cast<std::size_t>(k)], value) != value) known_ = Known::nothing;
 }
 
-void Exchanged::start(double t) {
-  simulation_.start(t);
+void ExchangedDiagram::start(double t) {
+  known_ = Known::nothing;  // if that throws
+  simulation_.start(t, false);
   simulation_.expect_steps(step_);
   time_ = t, known_ = Known::all;
+  keep_guesses();
 }
 
-void Exchanged::go_to(double t) {
+void ExchangedDiagram::go_to(double t) {
   if (std::exchange(time_, t) != t) known_ = Known::nothing;
 }
 
-void Exchanged::set_states(std::span<const double> x) {
+void ExchangedDiagram::set_states(std::span<const double> x) {
   std::copy(x.begin(), x.end(), simulation_.system().states());
   known_ = Known::nothing;
 }
 
-std::span<const double> Exchanged::states() {
+std::span<const double> ExchangedDiagram::states() {
   return {simulation_.system().states(), static_cast<std::size_t>(program_.states)};
 }
 
-void Exchanged::rates(double* dx) {
+void ExchangedDiagram::rates(double* dx) {
   System& system = simulation_.system();
   if (known_ != Known::nothing) return system.read_rates(dx);
-  system.rates(time_, dx);
+  as_tried().rates(time_, dx);
   known_ = Known::rates;
 }
 
-void Exchanged::evaluate() {
-  if (std::exchange(known_, Known::all) != Known::all) simulation_.system().evaluate(time_);
+System& ExchangedDiagram::as_tried() {
+  const double* guess = guesses_.data();
+  for (const Loop& loop : program_.loops)
+    for (const int cut : loop.cuts) simulation_.system().image()[static_cast<std::size_t>(cut)] = *guess++;
+  return simulation_.system();
 }
 
-double Exchanged::output(int k) {
+void ExchangedDiagram::keep_guesses() {
+  guesses_.clear();
+  for (const Loop& loop : program_.loops)
+    for (const int cut : loop.cuts) guesses_.push_back(state()[static_cast<std::size_t>(cut)]);
+}
+
+void ExchangedDiagram::evaluate() {
+  if (known_ == Known::all) return;
+  System& system = simulation_.system();
+  std::exchange(known_, Known::nothing) == Known::rates ? system.evaluate_rest() : as_tried().evaluate(time_);
+  known_ = Known::all;
+}
+
+double ExchangedDiagram::output(int k) {
   evaluate();
   return simulation_.output(k);
 }
 
-double Exchanged::watched(int k) {
+double ExchangedDiagram::watched(int k) {
   evaluate();
   return simulation_.system().watched_sign(k);
 }
 
-void Exchanged::arrive() {
+void ExchangedDiagram::arrive() {
   evaluate();
   simulation_.arrive(time_);
+  keep_guesses();
 }
 
-void Exchanged::act() {
+void ExchangedDiagram::act() {
+  known_ = Known::nothing;  // if that throws
   simulation_.act(time_);
   known_ = Known::all;
+  keep_guesses();
 }
 
-double Exchanged::next_event() { return simulation_.next_event(); }
+double ExchangedDiagram::next_event() { return simulation_.next_event(); }
 
-void Exchanged::restore(double t, std::span<const double> state) {
+void ExchangedDiagram::restore(double t, std::span<const double> state, std::span<const double> guesses,
+                               Known known) {
   simulation_.restore(t, state);
-  time_ = t, known_ = Known::nothing;
+  guesses_.assign(guesses.begin(), guesses.end());
+  time_ = t, known_ = known;
 }
 
 }  // namespace tandem::engine
