@@ -113,7 +113,7 @@ void ExchangedDiagram::arrive() {
 }
 
 void ExchangedDiagram::act() {
-  known_ = Known::nothing;  // if that throws
+  if (std::exchange(known_, Known::nothing) == Known::nothing) as_tried();
   simulation_.act(time_);
   known_ = Known::all;
   keep_guesses();

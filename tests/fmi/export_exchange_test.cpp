@@ -193,6 +193,12 @@ TEST(ExportedExchange, WhatATryGivesDependsOnNoTryBefore) {
   }
   unit.restore(state);
   EXPECT_EQ(rate_at(-0.2), right);
+  rate_at(1.317);
+  const double x = -0.2;
+  unit.set_states({&x, 1});
+  unit.event();
+  unit.get_rates({&rate, 1});
+  EXPECT_NEAR(rate, right, 1e-6);
 }
 
 /// The states after a reset are those of another start.
