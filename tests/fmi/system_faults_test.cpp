@@ -47,6 +47,27 @@ TEST(System, ManyPartsTakeLittleTimeAndTooManySystemsInEachOtherAreRefused) {
   EXPECT_NE(s.remarks[0].find("20000 values"), std::string::npos);
 }
 
+/// What would take long to read: a name with as many ways to look it up as it has dots, and values that go from
+/// system to system.
+TEST(System, LongNamesAndLongWaysAreRefused) {
+  const std::string a = component("a", "mass"), b = component("b", "mass");
+  std::string systems, ways = ssd_connection("a.x", "s0.u");
+  for (int k = 0; k < 300; ++k) {
+    const std::string name = "s" + std::to_string(k);
+    systems += "<ssd:System name=\"" + name + "\">" +
+               connectors({{"input", "u", "-"}, {"output", "y", "-"}}) + "<ssd:Connections>" +
+               ssd_connection("u", "y") + "</ssd:Connections></ssd:System>";
+    if (k > 0) ways += ssd_connection("s" + std::to_string(k - 1) + ".y", name + ".u");
+  }
+  expect_refused({
+      {with(component(std::string(1001, 'x'), "mass")), {"name of 1001 characters", "at most 1000"}},
+      {with(a + b + systems, ways + ssd_connection("s299.y", "b.u")), {"'u'", "more than 256 connections"}},
+  });
+  const Scratch folder;
+  const Scenario s = read_system(folder, with(a + b + systems, ways + ssd_connection("s99.y", "b.u")));
+  EXPECT_EQ(s.connections.size(), 1U);
+}
+
 TEST(System, WhatIsWrongIsNamed) {
   const std::string a = component("a", "mass"), b = component("b", "mass");
   expect_refused({

@@ -69,13 +69,13 @@ double ExchangedUnit::own_step() {
   return diagram_->own_step();
 }
 
-void ExchangedUnit::set_inputs() {
-  const auto& values = inputs_.values();
+void ExchangedUnit::set_inputs(const Inputs& inputs) {
+  const auto& values = inputs.values();
   for (std::size_t k = 0; k < values.size(); ++k) diagram_->set_input(static_cast<int>(k), values[k]);
 }
 
 void ExchangedUnit::start_source() {
-  set_inputs();
+  set_inputs(inputs_);
   diagram_->start(start_);
 }
 
@@ -148,15 +148,16 @@ void ExchangedUnit::write_started(ByteWriter& to) {
   to.put(static_cast<std::uint8_t>(diagram_->known()));
 }
 
-void ExchangedUnit::read_started(ByteReader& from) {
+void ExchangedUnit::read_started(ByteReader& from, double time, const Inputs& inputs) {
   std::vector<double> image(diagram_->state().size());
   from.take_list(image);
   std::vector<double> guesses(diagram_->guesses().size());
   from.take_list(guesses);
   const auto known = static_cast<engine::ExchangedDiagram::Known>(from.take<std::uint8_t>());
   if (known > engine::ExchangedDiagram::Known::all) from.refuse("what is known of its signals is no word");
-  set_inputs();
-  diagram_->restore(time_, image, guesses, known);
+  from.end();
+  set_inputs(inputs);
+  diagram_->restore(time, image, guesses, known);
 }
 
 }  // namespace tandem::exported

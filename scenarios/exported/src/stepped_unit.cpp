@@ -143,7 +143,7 @@ void SteppedUnit::write_started(ByteWriter& to) {
   subsystem_->release_state(id);
 }
 
-void SteppedUnit::read_started(ByteReader& from) {
+void SteppedUnit::read_started(ByteReader& from, double, const Inputs&) {
   std::vector<double> row(static_cast<std::size_t>(info_.row_size() - Samples::header));
   from.take_list(row);
   const auto place = from.take<double>();

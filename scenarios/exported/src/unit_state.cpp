@@ -26,12 +26,7 @@ std::vector<std::byte> Unit::state() {
 void Unit::restore(std::span<const std::byte> bytes) {
   ByteReader from(bytes, info_.name, "state of the FMU");
   if (from.take_text(longest_word) != manifest_.token) from.refuse("it is one of another FMU");
-  try {
-    read(from);
-  } catch (...) {
-    reset();
-    throw;
-  }
+  read(from);
 }
 
 void Unit::write_changed(ByteWriter& to) const {
@@ -56,36 +51,44 @@ std::map<std::string, Parameters::Value> Unit::read_changed(ByteReader& from) co
   return changed;
 }
 
-/// One that stands elsewhere, or was started otherwise, is started anew before it takes the state. Where that
-/// fails it is as after reset().
-void Unit::read(ByteReader& from) {
-  const auto changed = read_changed(from);
-  double start, stop, time;
-  for (double* t : {&start, &stop, &time}) *t = from.take<double>();
-  Inputs inputs = inputs_;
-  inputs.read(from);
-  const bool begun = from.take<std::uint8_t>() != 0, set = from.take<std::uint8_t>() != 0,
-             fresh = from.take<std::uint8_t>() != 0;
-  const auto at_start = fresh ? from.take_list() : at_start_;
-  const bool alike =
-      fresh_ && changed == changed_ && start == start_ && stop == stop_ && at_start == at_start_;
-  fresh_ = false;  // until all is read
-  if (changed != changed_) {
+Unit::Kept Unit::read_kept(ByteReader& from) const {
+  Kept kept{read_changed(from), 0.0, 0.0, 0.0, inputs_};
+  for (double* t : {&kept.start, &kept.stop, &kept.time}) *t = from.take<double>();
+  kept.inputs.read(from);
+  for (bool* flag : {&kept.begun, &kept.inputs_set, &kept.fresh}) *flag = from.take<std::uint8_t>() != 0;
+  kept.fresh ? void(kept.at_start = from.take_list()) : from.end();
+  return kept;
+}
+
+/// One that stands elsewhere, or was started otherwise, is started anew before it takes the state.
+void Unit::take_up(const Kept& kept) {
+  fresh_ = false;
+  if (kept.changed != changed_) {
     subsystem_.reset();
-    changed_ = changed;
+    changed_ = kept.changed;
     parameters_ = file_parameters();
   }
-  start_ = start, stop_ = stop;
-  if (fresh && !alike) {
-    inputs_ = Inputs(at_start);
-    this->start();
-    fresh_ = false;
+  start_ = kept.start, stop_ = kept.stop;
+  if (!kept.fresh) return;
+  inputs_ = Inputs(kept.at_start);
+  start();
+  fresh_ = false;
+}
+
+/// Where that fails it is as after reset(); else nothing changes that is refused.
+void Unit::read(ByteReader& from) {
+  Kept kept = read_kept(from);
+  const bool alike = fresh_ && kept.fresh && kept.changed == changed_ && kept.start == start_ &&
+                     kept.stop == stop_ && kept.at_start == at_start_;
+  try {
+    if (!alike) take_up(kept);
+    if (kept.fresh) read_started(from, kept.time, kept.inputs);
+  } catch (...) {
+    if (!alike) reset();
+    throw;
   }
-  inputs_ = std::move(inputs);
-  time_ = time;
-  if (fresh) read_started(from);
-  from.end();
-  begun_ = begun, inputs_set_ = set, fresh_ = fresh;
+  inputs_ = std::move(kept.inputs), time_ = kept.time;
+  begun_ = kept.begun, inputs_set_ = kept.inputs_set, fresh_ = kept.fresh;
 }
 
 }  // namespace tandem::exported

@@ -14,7 +14,7 @@ bool assign(Structure& to, int number, const std::string& name, const Given& giv
   const Element& at = to.at(number);
   bool any = at.is_system() ? at.connectors.count(name) != 0 : to.variable({number, name}) != nullptr;
   if (any) to.given[{number, name}] = given;
-  for (auto dot = name.find('.'); at.is_system() && dot != std::string::npos; dot = name.find('.', dot + 1))
+  for (auto dot = name.find('.'); at.is_system() && dot <= longest_name; dot = name.find('.', dot + 1))
     if (const auto inner = to.numbers.find({number, name.substr(0, dot)}); inner != to.numbers.end())
       any = assign(to, inner->second, name.substr(dot + 1), given) || any;
   return any;

@@ -74,6 +74,7 @@ void transform(Given& given, const Affine& by, const Structure& in) {
 }  // namespace
 
 Chain chain_to(const Structure& in, const Node& node) {
+  constexpr std::size_t most = 256;  // systems lie in each other 32 deep
   Chain chain{node};
   for (auto it = in.into.find(node); it != in.into.end(); it = in.into.find(chain.source)) {
     const Edge& edge = in.edges[it->second];
@@ -82,6 +83,10 @@ Chain chain_to(const Structure& in, const Node& node) {
     if (chain.edges.size() > in.edges.size())
       text::refuse({in.file.string(), edge.line},
                    "connectors lead back to themselves; allowed are connections from a component");
+    if (chain.edges.size() > most)
+      text::refuse({in.file.string(), edge.line},
+                   "'" + printable(node.second, 200) + "' takes its values through more than " +
+                       std::to_string(most) + " connections; allowed are fewer");
   }
   std::reverse(chain.edges.begin(), chain.edges.end());
   return chain;

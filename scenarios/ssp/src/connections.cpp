@@ -61,7 +61,7 @@ class ConnectionReader {
     for (const auto& [name, connector] : at.connectors)
       if (at.is_system() || of_.variable({node.first, name})) known.push_back(name);
     if (!at.is_system() && known.empty())
-      for (const fmi::Variable& v : at.description->variables) known.push_back(v.name);
+      for (const fmi::Variable& v : at.fmu->description.variables) known.push_back(v.name);
     xml_.refuse(node_, "'" + printable(at.name, 200) +
                            "': " + unknown("connector", printable(node.second, 200), known));
   }

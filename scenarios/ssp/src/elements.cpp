@@ -38,8 +38,7 @@ class StructureReader {
     to_.start = xml.number(experiment, "startTime"), to_.stop = xml.number(experiment, "stopTime");
     to_.settings = own_annotation(document, document.root);
     read_system(document, system_of(document), add({"", -1, xml.line(document.root)}));
-    if (descriptions_.empty())
-      xml.refuse(document.root, "the system has no component; allowed are one and more");
+    if (fmus_.empty()) xml.refuse(document.root, "the system has no component; allowed are one and more");
     return std::move(to_);
   }
 
@@ -118,6 +117,9 @@ class StructureReader {
   void read_element(const Document& document, xml_node one, int parent) {
     const std::string_view kind = fmi::local_name(one);
     Element element{document.xml.needed_text(one, "name"), parent, line(document, one)};
+    if (element.name.size() > longest_name)
+      document.xml.refuse(one, fmt::format("an element has a name of {} characters; allowed are at most {}",
+                                           element.name.size(), longest_name));
     if (to_.numbers.count({parent, element.name}) != 0)
       document.xml.refuse(one, "element '" + printable(element.name, 200) + "' is there twice");
     if (kind == "System") return read_system(document, one, add(std::move(element)));
@@ -134,21 +136,20 @@ class StructureReader {
     if (type == nested[0] || type == nested[1])
       return read_nested(document, one, std::move(element), type == nested[1]);
     if (type != fmu) document.xml.wrong(one, "type", fmt::format("{}, {}, {}", fmu, nested[0], nested[1]));
-    element.fmu = document.beside(one, "source");
+    element.file = document.beside(one, "source");
     element.implementation =
         one_of(document, one, "implementation", {"any", "CoSimulation", "ModelExchange"}, "any");
     element.settings = own_annotation(document, one);
-    element.description = description(document, one, element.fmu);
+    element.fmu = fmu_at(document, one, element.file);
     const int number = add(std::move(element));
     read_connectors(document, one, number);
     apply_bindings(document, one, line_, number, to_);
   }
 
-  std::shared_ptr<const fmi::Description> description(const Document& document, xml_node of,
-                                                      const fs::path& fmu) {
-    auto& known = descriptions_[fmu];
+  std::shared_ptr<const Fmu> fmu_at(const Document& document, xml_node of, const fs::path& file) {
+    auto& known = fmus_[file];
     if (!known) try {
-        known = std::make_shared<const fmi::Description>(fmi::description_of(fmi::Archive(fmu), fmu));
+        known = std::make_shared<const Fmu>(fmi::description_of(fmi::Archive(file), file));
       } catch (const Error& error) {
         document.xml.refuse(of, error.what());
       }
@@ -178,7 +179,7 @@ class StructureReader {
   std::set<fs::path> open_;
   int depth_ = 0;  ///< of the system that is being read
   Documents documents_;
-  std::map<fs::path, std::shared_ptr<const fmi::Description>> descriptions_;
+  std::map<fs::path, std::shared_ptr<const Fmu>> fmus_;
 };
 
 }  // namespace
@@ -197,9 +198,9 @@ std::string Structure::full_name(int element) const {
 }
 
 const fmi::Variable* Structure::variable(const Node& node) const {
-  const auto& all = at(node.first).description->variables;
-  const auto it = std::find_if(all.begin(), all.end(), [&](const auto& v) { return v.name == node.second; });
-  return it == all.end() ? nullptr : &*it;
+  const auto& all = at(node.first).fmu->variables;
+  const auto it = all.find(node.second);
+  return it == all.end() ? nullptr : it->second;
 }
 
 std::string Structure::unit(const Node& node) const {

@@ -79,7 +79,7 @@ class Writer {
     for (char& c : name)
       if (std::string_view(".[] \t\n\r\",/\\").find(c) != std::string_view::npos) c = '_';
     std::string once = name;
-    for (int k = 2; !taken_.insert(once).second; ++k) once = name + "_" + std::to_string(k);
+    for (int& k = next_[name]; !taken_.insert(once).second;) once = name + "_" + std::to_string(k++ + 2);
     return once;
   }
 
@@ -88,7 +88,7 @@ class Writer {
     const int line = element.line;
     add(line, "[subsystems." + toml_text(name) + "]");
     const auto folder = in_.file.parent_path().lexically_normal();
-    put(line, "source", literal("fmu:" + element.fmu.lexically_proximate(folder).string()));
+    put(line, "source", literal("fmu:" + element.file.lexically_proximate(folder).string()));
     if (element.implementation == "ModelExchange") put(line, "parameters.type", "\"me\"");
     if (element.implementation == "CoSimulation") put(line, "parameters.type", "\"cs\"");
     for (const auto& [key, value] : element.settings) {
@@ -140,9 +140,8 @@ class Writer {
   void write_outputs(int number) {
     if (in_.at(number).settings.count("outputs") != 0) return;  // it says which
     std::set<std::string> more;
-    for (const Edge& edge : in_.edges)
-      if (edge.from.first == number && in_.variable(edge.from)->causality != fmi::Causality::output)
-        more.insert(toml_text(edge.from.second));
+    for (auto it = read_.lower_bound({number, ""}); it != read_.end() && it->first == number; ++it)
+      if (in_.variable(*it)->causality != fmi::Causality::output) more.insert(toml_text(it->second));
     if (more.empty()) return;
     put(in_.at(number).line, "parameters.outputs", "[" + listed({more.begin(), more.end()}) + "]");
   }
@@ -231,8 +230,9 @@ class Writer {
   ScenarioText to_;
   std::map<int, std::string> names_;  ///< of components, by element
   std::set<std::string> taken_;
-  std::set<Node> read_;         ///< that a connection begins at
-  std::set<std::size_t> used_;  ///< values, by their order
+  std::map<std::string, int> next_;  ///< number behind a name that is taken, less 2
+  std::set<Node> read_;              ///< that a connection begins at
+  std::set<std::size_t> used_;       ///< values, by their order
   std::size_t connections_ = 0;
 };
 

@@ -7,6 +7,8 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -15,11 +17,26 @@
 
 namespace tandem::ssp {
 
+/// Of an element [characters].
+inline constexpr std::size_t longest_name = 1000;
+
 /// An attribute of tandem's own annotation, as a text that --set would take.
 using Settings = std::map<std::string, std::string>;
 
 struct Connector {
   std::string kind, unit;  ///< unit: as tandem writes it; empty: not said
+};
+
+/// What an FMU says of itself, and its variables by name.
+struct Fmu {
+  explicit Fmu(fmi::Description of) : description(std::move(of)) {
+    for (const fmi::Variable& v : description.variables) variables.emplace(v.name, &v);
+  }
+  Fmu(const Fmu&) = delete;
+  Fmu& operator=(const Fmu&) = delete;
+
+  fmi::Description description;
+  std::unordered_map<std::string_view, const fmi::Variable*> variables = {};
 };
 
 /// A system, or a component that is an FMU.
@@ -28,12 +45,12 @@ struct Element {
   int parent = -1;  ///< the system that it is in
   int line = 0;     ///< of the outermost description
   std::map<std::string, Connector> connectors = {};
-  std::filesystem::path fmu = {};
-  std::string implementation = {};                           ///< "any", "CoSimulation", "ModelExchange"
-  std::shared_ptr<const fmi::Description> description = {};  ///< null: a system
+  std::filesystem::path file = {};
+  std::string implementation = {};      ///< "any", "CoSimulation", "ModelExchange"
+  std::shared_ptr<const Fmu> fmu = {};  ///< null: a system
   Settings settings = {};
 
-  bool is_system() const { return !description; }
+  bool is_system() const { return !fmu; }
 };
 
 /// A connector of an element.

@@ -1,7 +1,9 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "values.hpp"
 
+#include <map>
 #include <set>
+#include <string_view>
 
 #include "tandem/printable.hpp"
 
@@ -77,16 +79,19 @@ std::vector<NamedValue> mapped(const Document& document, xml_node mapping,
                                const std::vector<NamedValue>& from) {
   std::vector<NamedValue> all;
   std::set<std::string> targets;
-  for (const xml_node entry : children(mapping, "MappingEntry"))
-    for (const NamedValue& one : from) {
-      if (one.name != entry.attribute("source").value()) continue;
-      NamedValue to{document.xml.needed_text(entry, "target"), one.given};
+  std::multimap<std::string_view, const NamedValue*> sources;
+  for (const NamedValue& one : from) sources.emplace(one.name, &one);
+  for (const xml_node entry : children(mapping, "MappingEntry")) {
+    const auto [first, end] = sources.equal_range(entry.attribute("source").value());
+    for (auto it = first; it != end; ++it) {
+      NamedValue to{document.xml.needed_text(entry, "target"), it->second->given};
       if (!targets.insert(to.name).second)
         document.xml.refuse(entry,
                             "'" + printable(to.name, 200) + "' is given a second value by this mapping");
       to.given.how = read_transformation(document, entry);
       all.push_back(std::move(to));
     }
+  }
   return all;
 }
 

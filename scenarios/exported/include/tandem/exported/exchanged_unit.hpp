@@ -45,8 +45,8 @@ class ExchangedUnit final : public Unit {
   double output(const Variable& v) override;
   void input_set(const Variable& v) override;
   void write_started(ByteWriter& to) override;
-  void read_started(ByteReader& from) override;
-  void set_inputs();
+  void read_started(ByteReader& from, double time, const Inputs& inputs) override;
+  void set_inputs(const Inputs& inputs);
 
   Tell tell_;
   std::unique_ptr<engine::ExchangedDiagram> diagram_;

@@ -28,7 +28,7 @@ class SteppedUnit final : public Unit {
   double output(const Variable& v) override;
   double output(int index, int order);
   void write_started(ByteWriter& to) override;
-  void read_started(ByteReader& from) override;
+  void read_started(ByteReader& from, double time, const Inputs& inputs) override;
   void follow_inputs();
   void take(const Samples& y);
   double slack() const;

@@ -86,7 +86,8 @@ class Unit {
   /// Of what is of use after the start alone.
   void check_begun() const;
   virtual void write_started(ByteWriter& to) = 0;
-  virtual void read_started(ByteReader& from) = 0;
+  /// To the end, where time() and inputs are these. Nothing has changed if it throws.
+  virtual void read_started(ByteReader& from, double time, const Inputs& inputs) = 0;
 
   std::filesystem::path resources_;
   Manifest manifest_;
@@ -107,6 +108,15 @@ class Unit {
   void check_not_begun(const Variable& v) const;
   void write_changed(ByteWriter& to) const;
   std::map<std::string, Parameters::Value> read_changed(ByteReader& from) const;
+  struct Kept {
+    std::map<std::string, Parameters::Value> changed;
+    double start, stop, time;
+    Inputs inputs;
+    bool begun = false, inputs_set = false, fresh = false;
+    std::vector<double> at_start = {};
+  };
+  Kept read_kept(ByteReader& from) const;
+  void take_up(const Kept& kept);
   void read(ByteReader& from);
 
   Builtins builtins_;
