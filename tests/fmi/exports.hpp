@@ -18,6 +18,14 @@ inline Builtins file_sources() {
   return all;
 }
 
+/// It falls from 1 m, and leaves with 0.7 of its speed.
+inline const std::string ball =
+    "[blocks]\nv = { kind = 'integrator', input = -9.81, reset = 'below', reset_to = 'up' }\n"
+    "up = { kind = 'gain', input = 'v', gain = -0.7 }\nx = { kind = 'integrator', input = 'v', initial = 1 "
+    "}\n"
+    "below = { kind = 'gain', input = 'x', gain = -1 }\n[outputs]\nx = { unit = 'm' }\nv = { unit = 'm/s' }\n"
+    "[run]\nstep = 0.01\n";
+
 /// FMUs of texts of files, in a folder of their own.
 class Exports {
  public:

@@ -1,5 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -70,5 +73,18 @@ struct FmuRun {
     }
   }
 };
+
+/// By how much bounces of a ball are off in time [s] that falls from 1 m and leaves with 0.7 of its speed;
+/// infinite for fewer than six.
+inline double error_of_bounces(const std::vector<std::vector<double>>& rows) {
+  double t = std::sqrt(2.0 / 9.81), flight = 2.0 * t, largest = 0.0;
+  int count = 0;
+  for (const auto& row : rows) {
+    if (row[1] != 1.0) continue;
+    largest = std::max(largest, std::abs(row[0] - t));
+    t += flight *= 0.7, ++count;
+  }
+  return count < 6 ? std::numeric_limits<double>::infinity() : largest;
+}
 
 }  // namespace tandem::test

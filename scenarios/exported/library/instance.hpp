@@ -14,7 +14,8 @@
 
 namespace tandem::exported {
 
-/// An instance that an importer has: the unit, and who hears of it.
+/// An instance that an importer has: the unit, and who hears of it. Both versions share this header, which is
+/// long as it holds all that they have in common.
 struct Instance {
   /// Takes (status by the numbers of both versions, sentence).
   using Log = std::function<void(int, const std::string&)>;

@@ -21,6 +21,7 @@ namespace tandem::fmi {
 
 /// A loaded FMU that runs: unpacked, its library loaded, one instance of it. Calls of its functions stand in
 /// within(). One that answers with more than a warning is Error(numerical) with the FMU's own message.
+/// The header is long, as it has a line for each function of FMI.
 class Instance {
  public:
   /// Of its version.
