@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "changed_fmu.hpp"
 #include "fmus.hpp"
 #include "refusal.hpp"
 #include "run_bench.hpp"
@@ -14,11 +15,13 @@ namespace {
 
 const std::vector<std::string> adaptive = {"cvode_adams", "cvode_bdf", "erkstep", "arkstep"};
 
-std::unique_ptr<Subsystem> open_adaptive(const std::string& name) {
+std::unique_ptr<Subsystem> open_at(const std::string& uri) {
   Builtins builtins;
   add_fmi(builtins, {}, {integrator_words(), take_integrator});
-  return open(fmu_uri(name), builtins);
+  return open(uri, builtins);
 }
+
+std::unique_ptr<Subsystem> open_adaptive(const std::string& name) { return open_at(fmu_uri(name)); }
 
 std::string tight(const std::string& integrator) {
   return "integrator=" + integrator + "&relative_tolerance=1e-11&absolute_tolerance=1e-12";
@@ -112,6 +115,21 @@ TEST(FmuByItsTolerance, KeepsItsPastToItself) {
   EXPECT_FALSE(open_adaptive("decay?type=me&integrator=cvode_bdf")->info().abilities.saves_state);
   EXPECT_TRUE(open_adaptive("types?type=me&step=0.1&integrator=cvode_bdf")->info().abilities.saves_state);
   EXPECT_TRUE(open_adaptive("decay?type=me&integrator=rk4")->info().abilities.saves_state);
+}
+
+/// A tolerance of 2^-16 of a state whose size is 2^-10 is one of 2^-26.
+TEST(FmuByItsTolerance, NominalsScaleTheTolerance) {
+  const Scratch scratch;
+  const std::string small = changed(
+      scratch, describing, description_with(R"(start="1"/>)", R"(start="1" nominal="0.0009765625"/>)"));
+  const auto end = [](const std::string& uri, const std::string& tolerance) {
+    const auto fmu = open_at(uri + "?type=me&integrator=cvode_bdf&relative_tolerance=1e-12&" + tolerance);
+    return FmuRun(*fmu, 2.0).rows.back()[2];
+  };
+  const double scaled = end(small, "absolute_tolerance=1.52587890625e-05");
+  EXPECT_EQ(scaled, end(fmu_uri("decay"), "absolute_tolerance=1.490116119384765625e-08"));
+  EXPECT_EQ(scaled, end(small, "absolute_tolerance.x=1.490116119384765625e-08"));
+  EXPECT_NE(scaled, end(fmu_uri("decay"), "absolute_tolerance=1.52587890625e-05"));
 }
 
 TEST(FmuByItsTolerance, RefusesWhatIsNone) {

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <span>
 
 #include "tandem/error.hpp"
 #include "tandem/nearest.hpp"
@@ -166,11 +168,14 @@ void SundialsSteps::restart(DifferentialSystem& system, double t, Restart why) {
 void SundialsSteps::set_tolerances() {
   const auto names = system_->state_names();
   absolute_ = N_VClone(x_);
-  N_VConst(settings_.absolute_tolerance, absolute_);
+  const std::span of_each(N_VGetArrayPointer(absolute_), static_cast<std::size_t>(system_->size()));
+  std::ranges::transform(system_->nominals(), of_each.begin(),
+                         [this](double nominal) { return settings_.absolute_tolerance * nominal; });
   for (const auto& [state, tolerance] : settings_.absolute_tolerances)
-    N_VGetArrayPointer(absolute_)[std::find(names.begin(), names.end(), state) - names.begin()] = tolerance;
-  check(settings_.absolute_tolerances.empty()
-            ? method_.set_tolerances(memory_, settings_.relative_tolerance, settings_.absolute_tolerance)
+    of_each[static_cast<std::size_t>(std::find(names.begin(), names.end(), state) - names.begin())] =
+        tolerance;
+  check(std::ranges::adjacent_find(of_each, std::not_equal_to<>()) == of_each.end()
+            ? method_.set_tolerances(memory_, settings_.relative_tolerance, of_each[0])
             : method_.set_tolerance_of_each(memory_, settings_.relative_tolerance, absolute_));
 }
 

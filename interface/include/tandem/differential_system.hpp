@@ -17,6 +17,10 @@ class DifferentialSystem {
   /// x; whoever integrates writes its trials here.
   virtual double* states() = 0;
   virtual std::vector<std::string> state_names() const = 0;
+  /// By state the size that it usually has, which scales its absolute tolerance.
+  virtual std::vector<double> nominals() const {
+    return std::vector<double>(static_cast<std::size_t>(size()), 1.0);
+  }
   /// f(t, x), size() numbers, per second. Watched signals need not follow.
   virtual void rates(double t, double* dx) = 0;
   /// All that follows from t [s] and x, watched signals included.

@@ -12,8 +12,17 @@ namespace {
 class LoopSearch {
  public:
   explicit LoopSearch(const Topology& topology) : topology_(topology) {
-    for (int i = 0; i < topology.size(); ++i)
-      state_.emplace_back(static_cast<std::size_t>(topology.info(i).input_size()), State::unseen);
+    for (int i = 0; i < topology.size(); ++i) {
+      const SubsystemInfo& info = topology.info(i);
+      state_.emplace_back(static_cast<std::size_t>(info.input_size()), State::unseen);
+      fed_.emplace_back(state_.back().size());
+      for (const Feedthrough& f : info.feedthrough)
+        fed_.back()[static_cast<std::size_t>(f.input)].push_back(f.output);
+      lines_.emplace_back(static_cast<std::size_t>(info.output_size()));
+    }
+    for (const Line& line : topology.lines())
+      if (topology.at_once(line))
+        lines_[static_cast<std::size_t>(line.source)][static_cast<std::size_t>(line.output)].push_back(&line);
   }
   /// Texts of the ports along a loop, the first one again at the end; empty if there is none.
   std::vector<std::string> find() {
@@ -30,18 +39,16 @@ class LoopSearch {
   };
 
   bool visit(int instance, int input) {
-    State& state = state_[static_cast<std::size_t>(instance)][static_cast<std::size_t>(input)];
+    const auto i = static_cast<std::size_t>(instance), k = static_cast<std::size_t>(input);
+    State& state = state_[i][k];
     if (state == State::done) return false;
     path_.push_back({instance, input, -1});
     if (state == State::open) return true;
     state = State::open;
-    for (const Feedthrough& f : topology_.info(instance).feedthrough) {
-      if (f.input != input) continue;
-      path_.back().output = f.output;
-      for (const int number : topology_.lines_from(instance)) {
-        const Line& line = topology_.lines()[static_cast<std::size_t>(number)];
-        if (line.output == f.output && topology_.at_once(line) && visit(line.reader, line.input)) return true;
-      }
+    for (const int output : fed_[i][k]) {
+      path_.back().output = output;
+      for (const Line* line : lines_[i][static_cast<std::size_t>(output)])
+        if (visit(line->reader, line->input)) return true;
     }
     path_.pop_back();
     state = State::done;
@@ -63,7 +70,11 @@ class LoopSearch {
   }
 
   const Topology& topology_;
-  std::vector<std::vector<State>> state_;
+  template <class T>
+  using ByScalar = std::vector<std::vector<T>>;  ///< of each instance
+  ByScalar<State> state_;
+  ByScalar<std::vector<int>> fed_;            ///< outputs that follow an input at once
+  ByScalar<std::vector<const Line*>> lines_;  ///< at once, by output
   std::vector<Step> path_;
 };
 

@@ -29,15 +29,38 @@ int Topology::add(const std::string& name, const SubsystemInfo& info) {
   if (numbers_.contains(name)) refuse_topology("instance name '" + name + "' is used twice");
   check_info(name, info);
   const auto inputs = static_cast<std::size_t>(info.input_size());
-  Instance instance{
-      name, &info, {}, std::vector<char>(inputs), std::vector<char>(inputs), std::vector<char>(inputs),
-      {},   {},    {}};
+  Instance instance{name, &info, indexed(info.inputs), indexed(info.outputs), {}, {}, {}, {}, {}, {}, {}};
+  for (auto* marks : {&instance.shared, &instance.half, &instance.open}) marks->resize(inputs);
   instance.driven.resize(inputs);
   instance.to.resize(inputs);
   for (const Port& port : info.inputs)
     for (int element = 0; element < port.size; ++element) instance.start.push_back(port.start_of(element));
   instances_.push_back(std::move(instance));
   return numbers_[name] = size() - 1;
+}
+
+Topology::PortIndex Topology::indexed(const std::vector<Port>& ports) {
+  PortIndex index;
+  int first = 0;
+  for (const Port& port : ports) {
+    index.emplace(port.name, IndexedPort{&port, first});
+    first += port.size;
+  }
+  return index;
+}
+
+std::optional<int> Topology::instance(std::string_view name) const {
+  const auto found = numbers_.find(name);
+  return found == numbers_.end() ? std::nullopt : std::optional(found->second);
+}
+
+const Port* Topology::output_port(std::string_view output) const {
+  const auto dot = output.find('.');
+  const auto number = instance(output.substr(0, dot));
+  if (dot == std::string_view::npos || !number) return nullptr;
+  const std::string_view name = output.substr(dot + 1);
+  const auto found = at(*number).outputs.find(name.substr(0, name.find('[')));
+  return found == at(*number).outputs.end() ? nullptr : found->second.port;
 }
 
 Topology::Place Topology::find(std::string_view text, bool output) const {
@@ -57,21 +80,18 @@ Topology::Place Topology::find(std::string_view text, bool output) const {
                       "' has an index that is not a whole number from 0 in brackets");
     port_name.resize(bracket);
   }
-  const auto number = numbers_.find(instance_name);
-  if (number == numbers_.end()) refuse_topology(unknown("subsystem", instance_name, names()));
-  const auto& ports = output ? info(number->second).outputs : info(number->second).inputs;
-  int first = 0;
-  for (const Port& port : ports) {
-    if (port.name == port_name) {
-      if (element >= port.size)
-        refuse_topology("port '" + std::string(text) + "' has no element " + std::to_string(element) +
-                        "; allowed are 0 to " + std::to_string(port.size - 1));
-      return {number->second, &port, first + std::max(element, 0), element < 0 ? port.size : 1};
-    }
-    first += port.size;
+  const auto number = instance(instance_name);
+  if (!number) refuse_topology(unknown("subsystem", instance_name, names()));
+  const PortIndex& ports = output ? at(*number).outputs : at(*number).inputs;
+  if (const auto found = ports.find(port_name); found != ports.end()) {
+    const auto& [port, first] = found->second;
+    if (element >= port->size)
+      refuse_topology("port '" + std::string(text) + "' has no element " + std::to_string(element) +
+                      "; allowed are 0 to " + std::to_string(port->size - 1));
+    return {*number, port, first + std::max(element, 0), element < 0 ? port->size : 1};
   }
   std::vector<std::string> known;
-  for (const Port& port : ports) known.push_back(port.name);
+  for (const Port& port : output ? info(*number).outputs : info(*number).inputs) known.push_back(port.name);
   refuse_topology(
       unknown("subsystem '" + instance_name + "': " + (output ? "output" : "input"), port_name, known));
 }

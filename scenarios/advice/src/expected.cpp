@@ -19,7 +19,7 @@ using scenario::Scenario;
 void reconstruct(Scenario& scenario, const Builtins& builtins) {
   const scenario::Parts parts(scenario, builtins, scenario::Code::run);
   for (auto& entry : scenario.connections) {
-    const Port* port = parts.output(entry.connection.from);
+    const Port* port = parts.topology().output_port(entry.connection.from);
     if (!port || port->held || entry.connection.lag != Lag::none) continue;
     entry.connection.how = Reconstruction::parse(port->derivatives > 0 ? "hermite" : "lagrange3");
   }

@@ -33,15 +33,23 @@ void print_inputs(const SubsystemInfo& info, const std::vector<double>& start) {
   }
 }
 
+std::vector<std::string> scalar_names(const std::vector<Port>& ports) {
+  std::vector<std::string> names;
+  for (const Port& port : ports)
+    for (int e = 0; e < port.size; ++e) names.push_back(Scalar{&port, e}.name());
+  return names;
+}
+
 void print_outputs(const SubsystemInfo& info) {
   say("  outputs:{}\n", info.outputs.empty() ? " none" : "");
   for (const Port& port : info.outputs)
     say("    {}{}  unit {}, {}\n", port.name, shape(port), unit(port),
         port.held ? "held" : fmt::format("{} time derivatives", port.derivatives));
   say("  feedthrough:{}\n", info.feedthrough.empty() ? " none" : "");
+  const auto outputs = scalar_names(info.outputs), inputs = scalar_names(info.inputs);
   for (const Feedthrough& f : info.feedthrough)
-    say("    {} at once from {}\n", scalar_at(info.outputs, f.output).name(),
-        scalar_at(info.inputs, f.input).name());
+    say("    {} at once from {}\n", outputs[static_cast<std::size_t>(f.output)],
+        inputs[static_cast<std::size_t>(f.input)]);
 }
 
 void print_abilities(const Abilities& a) {

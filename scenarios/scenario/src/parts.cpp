@@ -128,9 +128,9 @@ const SubsystemInfo& Parts::info(std::size_t instance) const {
 }
 
 bool Parts::is_left_out(const std::string& port) const {
-  for (int i = 0; i < topology_.size(); ++i)
-    if (!subsystem(i) && !look(i) && port.starts_with(topology_.name(i) + ".")) return true;
-  return false;
+  const auto dot = port.find('.');
+  const auto number = topology_.instance(std::string_view(port).substr(0, dot));
+  return dot != std::string::npos && number && !subsystem(*number) && !look(*number);
 }
 
 void Parts::set_inputs() {
@@ -145,18 +145,10 @@ void Parts::set_inputs() {
         });
 }
 
-const Port* Parts::output(const std::string& name) const {
-  for (int i = 0; i < topology_.size(); ++i)
-    for (const Port& port : topology_.info(i).outputs)
-      if (const std::string whole = topology_.name(i) + "." + port.name;
-          name == whole || name.starts_with(whole + "["))
-        return &port;
-  return nullptr;
-}
-
 void Parts::connect(const ConnectionEntry& entry) {
   Connection c = entry.connection;
-  if (const Port* port = output(c.from); !c.how && port && !port->held) c.how = scenario_.otherwise;
+  if (const Port* port = topology_.output_port(c.from); !c.how && port && !port->held)
+    c.how = scenario_.otherwise;
   const bool no_source = is_left_out(c.from), no_reader = is_left_out(c.to);
   if (!no_source && !no_reader) return topology_.connect(c);
   if (!no_source) topology_.connect_half(c.from, true);

@@ -185,7 +185,7 @@ class StructureReader {
 }  // namespace
 
 void Structure::count(int line) {
-  constexpr std::size_t most = std::size_t{1} << 20;
+  constexpr std::size_t most = std::size_t{1} << 17;
   if (++parts > most)
     text::refuse(
         {file.string(), line},

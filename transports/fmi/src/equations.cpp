@@ -37,6 +37,16 @@ std::vector<std::string> Equations::state_names() const {
   return all;
 }
 
+std::vector<double> Equations::nominals() const {
+  const Description& d = running_.fmu().description;
+  std::vector<double> all;
+  for (const Unknown& rate : d.derivatives) {
+    const Variable& state = d.at(d.at(rate.variable).derivative_of);
+    all.insert(all.end(), static_cast<std::size_t>(state.size), state.nominal);
+  }
+  return all;
+}
+
 std::optional<std::vector<StateName>> Equations::names() const {
   const Description& d = running_.fmu().description;
   const auto is_discrete = [](const Variable& v) { return v.variability == Variability::discrete; };

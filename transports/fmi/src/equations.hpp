@@ -29,6 +29,7 @@ class Equations final : public DifferentialSystem {
   void put(std::span<const double> x);
   std::optional<Linearized> linearized() const { return fmi::linearized(instance()); }
   std::vector<std::string> state_names() const override;
+  std::vector<double> nominals() const override;
   /// Goes on with the state that is kept, and on these inputs, which outlive the call.
   void resume(std::span<const Signal> u);
   /// From t on each input is one polynomial, up to course_end(). Whether one jumps with that.

@@ -1,5 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -81,6 +83,10 @@ class Topology {
   void check_span(TimeSpan span) const;
 
   int size() const { return static_cast<int>(instances_.size()); }
+  /// The number of an instance; none: there is none of this name.
+  std::optional<int> instance(std::string_view name) const;
+  /// The port of an output, "slow.x1" or "slow.x[2]"; null: there is none. The index is not looked at.
+  const Port* output_port(std::string_view output) const;
   const std::string& name(int instance) const { return at(instance).name; }
   std::vector<std::string> names() const;
   const SubsystemInfo& info(int instance) const { return *at(instance).info; }
@@ -117,9 +123,15 @@ class Topology {
   std::vector<std::string> output_names() const;
 
  private:
+  struct IndexedPort {
+    const Port* port;
+    int first;  ///< its first scalar
+  };
+  using PortIndex = std::unordered_map<std::string_view, IndexedPort>;
   struct Instance {
     std::string name;
     const SubsystemInfo* info;
+    PortIndex inputs, outputs;
     std::vector<double> start;
     std::vector<char> shared;                               ///< by scalar input: connected with `add`
     std::vector<char> half;                                 ///< by scalar input: by connect_half()
@@ -135,6 +147,7 @@ class Topology {
     int first, count;  ///< flattened
   };
   const Instance& at(int i) const { return instances_[static_cast<std::size_t>(i)]; }
+  static PortIndex indexed(const std::vector<Port>& ports);
   Place find(std::string_view text, bool output) const;
   void connect_scalars(Line line, bool add, const Place& from, const Place& to);
   bool is_summed_before(const Line& a, const Line& b) const;
@@ -142,7 +155,7 @@ class Topology {
   void check_loops() const;
 
   std::vector<Instance> instances_;
-  std::unordered_map<std::string, int> numbers_;  ///< of instances, by name
+  std::map<std::string, int, std::less<>> numbers_;  ///< of instances, by name
   std::vector<Line> lines_;
 };
 

@@ -23,8 +23,6 @@ class Parts {
   Parts(const Scenario& scenario, const Builtins& builtins, Code code);
 
   const Topology& topology() const { return topology_; }
-  /// The port of an output, "slow.x1" or "slow.x[2]"; null: there is none.
-  const Port* output(const std::string& name) const;
   /// Null if it was left out.
   Subsystem* subsystem(int instance) const { return subsystems_[static_cast<std::size_t>(instance)].get(); }
   /// What was seen of one that was left out; null: nothing.
