@@ -40,7 +40,8 @@ std::unique_ptr<Recorder> Assembly::recorder(const std::filesystem::path& direct
                  [&] { return std::make_unique<Recorder>(*coordinator_, recording); });
 }
 
-/// The links that it states, and those that are found of other lines.
+/// The links that it states, and those that are found of other lines. What an impulse coupling exchanges is off by
+/// intent: a mean force, and a motion without its ripple.
 std::unique_ptr<Indicators> Assembly::indicators() const {
   std::vector<PowerLink> links;
   for (const LinkEntry& entry : scenario_.links)
@@ -51,7 +52,7 @@ std::unique_ptr<Indicators> Assembly::indicators() const {
   };
   for (const PowerLink& link : power_links(topology()))
     if (!taken(link.effort) && !taken(link.back)) links.push_back(link);
-  if (scenario_.indicators == Indication::off) return nullptr;
+  if (scenario_.indicators == Indication::off || by_impulse(scenario_)) return nullptr;
   return std::make_unique<Indicators>(*coordinator_, links);
 }
 

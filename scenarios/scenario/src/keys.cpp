@@ -136,8 +136,12 @@ void of_links(KeyList& to) {
           "displacement", edge,
           "In place of `flow`, a length or an angle. With `stiffness` both outputs, of the ends of a spring.",
           {.allowed = "\"instance.port\", or two of them"})
-      .may("stiffness", positive, "That of the spring between two displacements.",
-           {.unit = "N/m or N m/rad"});
+      .may("stiffness", positive, "That of the spring between two displacements.", {.unit = "N/m or N m/rad"})
+      .may(
+          "accelerance", positive,
+          "With `coordination.coupling`: acceleration of the displacement by the effort, 1 / effective mass. "
+          "Without it: asked of the subsystem.",
+          {.unit = "1/kg or 1/(kg m^2)"});
 }
 
 void of_coordination(KeyList& to) {
@@ -167,7 +171,13 @@ void of_coordination(KeyList& to) {
            "`repeat`: by a repetition of the first steps. `cold`: not at all, so that the order is low at "
            "first. `automatic`: the first of these that can be.",
            {.otherwise = "automatic", .words = starts()})
-      .may("coupling", word, "What the subsystems exchange.", {.otherwise = "signals", .words = {"signals"}});
+      .may(
+          "coupling", word,
+          "What the subsystems exchange. `impulse`: over each of [[links]] the fast side gets a surrogate of "
+          "the slow one, and the slow side a mean force (docs/impulse_coupling.md).",
+          {.otherwise = "signals", .words = {"signals", "impulse"}})
+      .may("fast_period", positive, "Of `impulse`: the shortest period of the coupled system.",
+           {.unit = "s"});
 }
 
 void of_span(KeyList& to) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "impulse.hpp"
 #include "tandem/error.hpp"
 #include "tandem/nearest.hpp"
 #include "tandem/printable.hpp"
@@ -72,13 +73,15 @@ Parts::Parts(const Scenario& scenario, const Builtins& builtins, Code code) : sc
     refuse(scenario.place("coordination.scheme"),
            "coordination.scheme is auto, and no scheme has been taken; allowed here is stated");
   if (scenario.animate) check_animation(builtins);
-  for (const SubsystemEntry& entry : scenario.subsystems) {
-    const bool out = code == Code::leave_out && is_code(entry, builtins);
-    subsystems_.push_back(out ? nullptr : opened(entry, builtins, scenario.animate));
-    looks_.push_back(out ? leave_out(entry, builtins) : std::nullopt);
-    located(entry.place, [&] { topology_.add(entry.name, info(subsystems_.size() - 1)); });
-  }
+  for (const SubsystemEntry& entry : scenario.subsystems)
+    if (!entry.impulse) {
+      const bool out = code == Code::leave_out && is_code(entry, builtins);
+      add(entry, out ? nullptr : opened(entry, builtins, scenario.animate),
+          out ? leave_out(entry, builtins) : std::nullopt);
+    }
   set_inputs();
+  for (const SubsystemEntry& entry : scenario.subsystems)
+    if (entry.impulse) add(entry, surrogate(entry, builtins), {});
   for (const ConnectionEntry& entry : scenario.connections)
     located([&](const std::string& sentence) { return entry.place_named_in(sentence); },
             [&] { connect(entry); });
@@ -87,6 +90,29 @@ Parts::Parts(const Scenario& scenario, const Builtins& builtins, Code code) : sc
     check_output(scenario.place("view.plots"), "view.plots: output", name);
   located([&](const std::string& sentence) { return scenario_.place_named_in(sentence); },
           [&] { topology_.check(); });
+}
+
+void Parts::add(const SubsystemEntry& entry, std::unique_ptr<Subsystem> subsystem, std::optional<Look> look) {
+  subsystems_.push_back(std::move(subsystem));
+  looks_.push_back(std::move(look));
+  located(entry.place, [&] { topology_.add(entry.name, info(subsystems_.size() - 1)); });
+}
+
+/// Null where what it stands between was left out.
+std::unique_ptr<Subsystem> Parts::surrogate(const SubsystemEntry& entry, const Builtins& builtins) const {
+  const auto& links = entry.impulse->links;
+  const auto is_there = [this](const std::string& name) {
+    const auto number = topology_.instance(name);
+    return !number || subsystem(*number);
+  };
+  const auto has_fast = [&](const ImpulseEntry::Link& link) { return is_there(link.fast); };
+  if (!is_there(entry.impulse->slow) || !std::all_of(links.begin(), links.end(), has_fast)) return nullptr;
+  SubsystemEntry whole = entry;
+  whole.parameters = located(entry.place, [&] {
+    return parameters_of_surrogate(*entry.impulse, scenario_, topology_,
+                                   [this](int instance) -> Subsystem& { return *subsystem(instance); });
+  });
+  return opened(whole, builtins);
 }
 
 void Parts::check_animation(const Builtins& builtins) const {

@@ -209,6 +209,7 @@ Scenario scenario_of(const Document& document, const std::vector<std::string>& o
            "record.indicators is estimate, of the output that [judge] names, and there is no [judge]; "
            "allowed are raw "
            "and off");
+  if (scenario.indicators == Indication::estimate) refuse_impulse(scenario, "an estimate");
   scenario.overrides = overrides;
   scenario.values = to_json(document.table()).dump(-1, ' ', false, Json::error_handler_t::replace);
   return scenario;
@@ -238,7 +239,7 @@ class ScenarioFile::Parsed {
       overrides.push_back(text::override_of(setting.key, setting.value));
     }
     Scenario scenario = scenario_of(of_keys, overrides);
-    scenario.remarks = text_.remarks;
+    scenario.remarks.insert(scenario.remarks.begin(), text_.remarks.begin(), text_.remarks.end());
     return scenario;
   }
 

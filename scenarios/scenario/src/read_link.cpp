@@ -33,7 +33,8 @@ StatedLink read_effort(Section& section) {
 
 LinkEntry read_link(Section& section) {
   const auto stiffness = section.positive("stiffness");
-  LinkEntry entry{stiffness ? read_spring(section, *stiffness) : read_effort(section), section.place()};
+  LinkEntry entry{stiffness ? read_spring(section, *stiffness) : read_effort(section), section.place(),
+                  section.positive("accelerance")};
   section.refuse_unknown();
   return entry;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "impulse.hpp"
 #include "read_ladder.hpp"
 #include "tandem/nearest.hpp"
 #include "tandem/scenario/keys.hpp"
@@ -45,16 +46,32 @@ void check_order(const Section& section, const Scenario& scenario) {
                   "each subsystem that integrates itself once, slowest first, of " + listed(known));
 }
 
+void read_coupling(Section& section, Scenario& to) {
+  const bool impulse = *section.text("coupling") == "impulse";
+  const auto period = section.positive("fast_period");
+  if (!impulse) return;
+  if (!period) section.missing("fast_period");
+  to.fast_period = *period;
+  Coordination& c = to.coordination;
+  if (to.chooses) section.wrong("scheme", "auto", "stated, with coordination.coupling = \"impulse\"");
+  if (section.node("schedule") && c.schedule != Schedule::Kind::fastest_first)
+    section.wrong("schedule", std::string(Schedule::name(c.schedule)),
+                  "fastest-first, with coordination.coupling = \"impulse\"");
+  c.schedule = Schedule::Kind::fastest_first;
+  if (!section.node("start")) c.start = StartKind::cold;  // the surrogate makes up for it
+}
+
 void read_coordination(Section& section, Scenario& to) {
-  note_places(section, {"scheme", "schedule", "order", "communication_step", "start"}, to);
+  note_places(section, {"scheme", "schedule", "order", "communication_step", "start", "coupling"}, to);
   to.chooses = *section.text("scheme") == "auto";
   Coordination& c = to.coordination;
   c.schedule = Schedule::parse(*section.text("schedule"));
   c.order = section.texts("order");
   c.communication_step = section.positive("communication_step");
   c.start = start_kind(*section.text("start"));
-  section.text("coupling");  // the language allows one alone
+  read_coupling(section, to);
   section.refuse_unknown();
+  if (*section.text("coupling") == "impulse") couple_by_impulse(to);
   if (section.node("order")) check_order(section, to);
 }
 

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "tandem/scenario/sources.hpp"
 
+#include "tandem/scenario/impulse_source.hpp"
 #include "tandem/scenario/nested.hpp"
 #include "tandem/shared_library/shared_library.hpp"
 #include "tandem/sources/diagram.hpp"
@@ -22,6 +23,7 @@ Builtins sources(const SourceSettings& settings) {
   all.schemes["mechanism"] = mechanism_source({}, settings.tell);
   all.schemes["diagram"] = diagram_source({}, settings.tell);
   add_nested(all);
+  add_impulse(all);
   all.schemes["functions"] = functions_source();
   add_shared_library(all);
   add_tcp(all, settings.allow_plaintext);

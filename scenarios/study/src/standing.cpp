@@ -224,6 +224,7 @@ bool states(const scenario::Scenario& scenario, const std::string& path) {
 }
 
 std::string standing_study(const scenario::Scenario& scenario, const Builtins& builtins, Varied varied) {
+  scenario::refuse_impulse(scenario, "the standing study");
   return Writer(scenario, builtins, varied).text(builtins);
 }
 

@@ -39,6 +39,16 @@ struct InputEntry {
   double at(double t) const;
 };
 
+/// What an impulse surrogate goes between.
+struct ImpulseEntry {
+  struct Link {
+    std::string fast, force, displacement;  ///< instance; input and output of the slow side
+    std::optional<double> accelerance;      ///< stated
+  };
+  std::string slow;  ///< instance
+  std::vector<Link> links;
+};
+
 struct SubsystemEntry {
   std::string name, source;           ///< source: of a command "spawn:"
   std::vector<Parameter> parameters;  ///< those that all subsystems share are among them
@@ -47,6 +57,8 @@ struct SubsystemEntry {
   std::vector<std::string> command = {};    ///< a program and its arguments; empty: there is a source
   bool isolated = false;                    ///< in a process of its own
   std::vector<std::string> overrides = {};  ///< of the file that is the source, "KEY=VALUE"
+  /// Of a surrogate that coordination.coupling put in: what its parameters are asked of. Else null.
+  std::shared_ptr<const ImpulseEntry> impulse = {};
 
   /// "lib:./x.so", without parameters, or "command [...]".
   std::string address() const;
@@ -72,6 +84,7 @@ struct ConnectionEntry {
 struct LinkEntry {
   StatedLink link;
   Place place;
+  std::optional<double> accelerance = {};  ///< of its displacement by its effort
 };
 
 /// Results to compare with.
@@ -102,7 +115,8 @@ struct Scenario {
   std::vector<ConnectionEntry> connections;
   std::vector<LinkEntry> links;  ///< besides those that are found by their units
   Coordination coordination;
-  bool chooses = false;  ///< coordination.scheme is auto: what is left out has to be taken before it runs
+  double fast_period = 0.0;  ///< [s]: the shortest of the coupled system; 0: not stated
+  bool chooses = false;      ///< coordination.scheme is auto: what is left out has to be taken before it runs
   std::optional<Reconstruction> otherwise;  ///< of connections that have none and are not of held outputs
   double start = 0.0, stop = 0.0;           ///< [s]
   Recording recording;                      ///< without its directory
@@ -125,6 +139,11 @@ struct Scenario {
   /// file.
   Place place_named_in(const std::string& sentence) const;
 };
+
+/// Whether coordination.coupling has put surrogates in.
+bool by_impulse(const Scenario& scenario);
+/// Refuses what is to be done with such a scenario, "the map of a super-step", for whoever does not know the coupling.
+void refuse_impulse(const Scenario& scenario, const std::string& what);
 
 /// "mechanism" of a file with a dimension, points, bodies, ..., "diagram" of one with blocks, "" else: of a
 /// scenario.

@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tandem/subsystem.hpp"
+
+namespace tandem {
+
+/// What an impulse coupling goes by. Of p links, A is a matrix of p rows.
+struct ImpulseCoupling {
+  /// A force on the slow side, and the displacement there that goes with it.
+  struct Link {
+    std::string force_unit, displacement_unit;
+    double velocity = 0.0;           ///< of the displacement at the start, per second
+    double free_acceleration = 0.0;  ///< the same without any of these forces
+  };
+  std::vector<Link> links;
+  std::vector<double>
+      accelerance;  ///< A by rows: acceleration of a displacement by a force; of one link 1 / effective mass
+  double own_step = 0.0;     ///< h [s]: of the fast side
+  double slow_step = 0.0;    ///< H [s], h or more
+  double fast_period = 0.0;  ///< T_f [s]: the shortest of the coupled system
+};
+
+/// Stands for a slow side beside the fast one. It carries that side's reaction to the fast force within its step, and gives it
+/// the mean force that keeps its error bounded at any frequency. It leads with the fast side's step.
+///
+/// The double integral of A F is the slow side's motion but for a smooth rest, which is a parabola that follows
+/// from its last two steps. What the slow side comes to beyond that (the defect) is put in while the next step lasts.
+///
+/// Inputs: of each link `force`, then of each `position`, the slow side's displacement, in a signal that has its value
+/// and rate at the slow side's last node. Outputs: of each link `displacement` with its rate, then of each
+/// `mean_force`, for the step of the slow side whose end it has reached. With several links "force_1" and so on.
+///
+/// Throws Error(invalid_argument) for steps, a period or a matrix that are not finite, not above 0, or of another size.
+std::unique_ptr<Subsystem> impulse_surrogate(ImpulseCoupling coupling);
+
+}  // namespace tandem

@@ -1,0 +1,104 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "surrogate_link.hpp"
+
+namespace tandem {
+namespace {
+
+/// A cubic through two values with their rates, at x of a step h long, 0 <= x <= 1.
+double hermite(double h, double x, double y0, double d0, double y1, double d1) {
+  const double u = 1.0 - x;
+  return u * u * ((1.0 + 2.0 * x) * y0 + x * h * d0) + x * x * ((1.0 + 2.0 * u) * y1 - u * h * d1);
+}
+
+}  // namespace
+
+SurrogateLink::SurrogateLink(ForceWindow window, double position, double velocity, double g)
+    : y_(position), v_(velocity), at_(position), rate_(velocity), g_(g), window_(window) {}
+
+void SurrogateLink::step(double h, const double (&f)[3], const double (&a)[3]) {
+  before_ = sum_;
+  sum_.third += h * (before_.second + h * (before_.first / 2.0 + h * (f[0] + f[1]) / 12.0));
+  sum_.second += h * (before_.first + h * (f[0] + 2.0 * f[1]) / 6.0);
+  sum_.first += h * (f[0] + 4.0 * f[1] + f[2]) / 6.0;
+  y_ += h * (v_ + h * (a[0] + 2.0 * a[1]) / 6.0);
+  v_ += h * (a[0] + 4.0 * a[1] + a[2]) / 6.0;
+}
+
+/// The polynomials of steps n and n + 1 differ by binomial(t / h, n) times what was missed; its integrals from 0 to n.
+void SurrogateLink::make_up_start(int steps, double h, double missed, double reaction) {
+  constexpr ForceIntegrals of[] = {
+      {1.0 / 2.0, 1.0 / 6.0, 1.0 / 24.0}, {1.0 / 3.0, 0.0, -1.0 / 15.0}, {3.0 / 8.0, 3.0 / 20.0, 9.0 / 80.0}};
+  const ForceIntegrals& one = of[steps - 1];
+  sum_.third += h * h * h * one.third * missed;
+  sum_.second += h * h * one.second * missed;
+  sum_.first += h * one.first * missed;
+  y_ += h * h * one.second * reaction;
+  v_ += h * one.first * reaction;
+}
+
+ForceIntegrals SurrogateLink::cut_at_node(double h, double s, double force_before, double force_now) {
+  const double x = (h - s) / h;
+  const ForceIntegrals node{hermite(h, x, before_.first, force_before, sum_.first, force_now),
+                            hermite(h, x, before_.second, before_.first, sum_.second, sum_.first),
+                            hermite(h, x, before_.third, before_.second, sum_.third, sum_.second)};
+  sum_.third -= node.third + s * (node.second + s * node.first / 2.0);
+  sum_.second -= node.second + s * node.first;
+  sum_.first -= node.first;
+  return node;
+}
+
+void SurrogateLink::foresee(double reaction, double length) {
+  const double a = reaction + g_ + g_rate_ * length / 2.0;
+  foreseen_rate_ = rate_ + length * a;
+  foreseen_ = at_ + length * (rate_ + length * a / 2.0);
+}
+
+void SurrogateLink::take(double position, double velocity, double reaction, double s, double length,
+                         double next, bool jumps) {
+  put_in({position - foreseen_, velocity - foreseen_rate_, next}, s, length, jumps);
+  follow((velocity - rate_) / length - reaction, s, length);
+  at_ = position, rate_ = velocity, length_ = length;
+}
+
+/// The last pulse, which went on past its end, goes over into the free motion of its defect.
+void SurrogateLink::put_in(const DefectPulse& pulse, double s, double length, bool jumps) {
+  if (jumps) {
+    y_ += pulse.free(s), v_ += pulse.free_rate();
+    return;
+  }
+  const double end = length + s;
+  y_ += pulse.value(s) - (pulse_.value(end) - pulse_.free(end));
+  v_ += pulse.rate(s) - (pulse_.rate(end) - pulse_.free_rate());
+  pulse_ = pulse;
+}
+
+/// What remains of the acceleration is a straight line through its means over two steps; the change since the node is
+/// made up for.
+void SurrogateLink::follow(double g_mean, double s, double length) {
+  const double rate =
+      length_ > 0.0 ? (g_mean - g_mean_) / (0.5 * (length + length_)) : (g_mean - g_) / (0.5 * length);
+  const double g = g_mean + rate * length / 2.0;
+  const double change = g - g_ - g_rate_ * length, of_rate = rate - g_rate_;
+  v_ += s * (change + s * of_rate / 2.0);
+  y_ += s * s * (change / 2.0 + s * of_rate / 6.0);
+  g_ = g, g_rate_ = rate, g_mean_ = g_mean;
+}
+
+void SurrogateLink::write(ByteWriter& to) const {
+  for (const ForceIntegrals& one : {sum_, before_}) to.put(one.first), to.put(one.second), to.put(one.third);
+  for (const double one :
+       {y_, v_, at_, rate_, g_, g_rate_, g_mean_, foreseen_, foreseen_rate_, mean_force_, length_})
+    to.put(one);
+  pulse_.write(to), window_.write(to);
+}
+
+void SurrogateLink::read(ByteReader& from) {
+  for (ForceIntegrals* one : {&sum_, &before_})
+    for (double* value : {&one->first, &one->second, &one->third}) *value = from.take<double>();
+  for (double* one :
+       {&y_, &v_, &at_, &rate_, &g_, &g_rate_, &g_mean_, &foreseen_, &foreseen_rate_, &mean_force_, &length_})
+    *one = from.take<double>();
+  pulse_.read(from), window_.read(from);
+}
+
+}  // namespace tandem

@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "tandem/coordinator/impulse/defect_pulse.hpp"
+#include "tandem/coordinator/impulse/force_window.hpp"
+
+namespace tandem {
+
+/// One link of an impulse surrogate. Times s are since the slow side's last node [s]; what A makes of the forces of all
+/// links together is told from outside.
+class SurrogateLink {
+ public:
+  /// g: the slow side's acceleration there without these forces.
+  SurrogateLink(ForceWindow window, double position, double velocity, double g);
+
+  /// The smooth rest of the acceleration, and what is put in of the last defect.
+  double acceleration(double s) const { return g_ + g_rate_ * s + pulse_.acceleration(s); }
+  /// A step of the classical Runge-Kutta method, of what follows from time alone.
+  void step(double h, const double (&force)[3], const double (&acceleration)[3]);
+  /// After the first, second and third step: the polynomial of the force that this step went by missed it at its end
+  /// by so much, and A times that.
+  void make_up_start(int steps, double h, double missed, double reaction);
+  /// Of the step before its end, h long, whose middle the slow side's node is not; s: from its node to the end.
+  /// What is integrated counts from that node on.
+  ForceIntegrals cut_at_node(double h, double s, double force_before, double force_now);
+
+  double position() const { return y_; }
+  double velocity() const { return v_; }
+  double mean_force() const { return mean_force_; }
+
+  /// At the end of the slow side's step.
+  void pass(const ForceIntegrals& of, double length, double next) {
+    mean_force_ = window_.pass(of, length, next);
+  }
+  /// What the slow side will come to by its step, `length` long, with A times the mean forces.
+  void foresee(double reaction, double length);
+  /// What it came to, s after that; next: the length of its coming step; jumps: a defect is put in at once.
+  void take(double position, double velocity, double reaction, double s, double length, double next,
+            bool jumps);
+
+  void write(ByteWriter& to) const;
+  void read(ByteReader& from);
+
+ private:
+  void put_in(const DefectPulse& pulse, double s, double length, bool jumps);
+  void follow(double g_mean, double s, double length);
+
+  ForceIntegrals sum_, before_;  ///< since the last node; at the begin of the last step
+  double y_, v_;                 ///< of the surrogate
+  double at_, rate_;             ///< of the slow side at its last node
+  double g_, g_rate_ = 0.0;      ///< there, and its change [1/s]
+  double g_mean_ = 0.0;          ///< over the step before
+  double foreseen_ = 0.0, foreseen_rate_ = 0.0, mean_force_ = 0.0;
+  double length_ = 0.0;  ///< of the step before; 0: it is the first
+  DefectPulse pulse_;
+  ForceWindow window_;
+};
+
+}  // namespace tandem

@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "impulse.hpp"
+
+#include <algorithm>
+
+namespace tandem::scenario {
+namespace {
+
+std::string instance_of(const std::string& port) { return port.substr(0, port.find('.')); }
+
+std::string numbered(const std::string& port, std::size_t link, std::size_t links) {
+  return links > 1 ? port + "_" + std::to_string(link + 1) : port;
+}
+
+/// The one that carries this output to an input of that instance.
+ConnectionEntry& connection_of(Scenario& scenario, const LinkEntry& link, const std::string& output,
+                               const std::string& reader) {
+  ConnectionEntry* found = nullptr;
+  for (ConnectionEntry& one : scenario.connections) {
+    if (one.connection.from != output || instance_of(one.connection.to) != reader) continue;
+    if (found)
+      refuse(one.place,
+             "'" + output + "' is read twice by '" + reader + "'; allowed in an impulse coupling is once");
+    found = &one;
+  }
+  if (!found)
+    refuse(link.place,
+           "'" + output + "' is read by no connection to '" + reader +
+               "' by itself; allowed in an impulse coupling is a connection of that output alone");
+  const Connection& c = found->connection;
+  if (c.lag != Lag::none || c.add)
+    refuse(found->place,
+           "the connection of an impulse coupling has memory, delay or add; allowed are neither");
+  return *found;
+}
+
+void refuse_other_links(const LinkEntry& entry) {
+  if (entry.link.kind != PowerLink::Kind::displacement)
+    refuse(entry.place,
+           "an impulse coupling is of a force and a displacement; allowed in [[links]] are effort and "
+           "displacement");
+}
+
+/// A connection as it was, from or to the surrogate.
+ConnectionEntry part(const ConnectionEntry& whole, std::string from, std::string to, const char* how) {
+  ConnectionEntry one = whole;
+  one.connection = {std::move(from), std::move(to), Reconstruction::parse(how)};
+  return one;
+}
+
+void take_over(Scenario& to, const LinkEntry& entry, const std::string& surrogate, std::size_t link,
+               std::size_t links) {
+  const StatedLink& power = entry.link;
+  const std::string fast = instance_of(power.effort), slow = instance_of(power.back);
+  const auto port = [&](const char* name) { return surrogate + "." + numbered(name, link, links); };
+  for (const auto& [output, reader] : {std::pair(power.effort, slow), std::pair(power.back, fast)})
+    if (const ConnectionEntry& stated = connection_of(to, entry, output, reader); stated.connection.how)
+      to.remarks.push_back("connection from " + output + " to " + stated.connection.to + ": " +
+                           stated.connection.how->name() + " is not used, as the link is coupled by impulse");
+  ConnectionEntry& force = connection_of(to, entry, power.effort, slow);
+  ConnectionEntry mean = part(force, port("mean_force"), force.connection.to, "matched_hold");
+  force.connection.to = port("force"), force.connection.how = Reconstruction::parse("lagrange3");
+  ConnectionEntry& back = connection_of(to, entry, power.back, fast);
+  ConnectionEntry position = part(back, power.back, port("position"), "hermite");
+  back.connection.from = port("displacement"), back.connection.how = Reconstruction::parse("hermite");
+  to.connections.push_back(std::move(mean)), to.connections.push_back(std::move(position));
+}
+
+}  // namespace
+
+bool by_impulse(const Scenario& scenario) {
+  return std::any_of(scenario.subsystems.begin(), scenario.subsystems.end(),
+                     [](const SubsystemEntry& one) { return one.impulse != nullptr; });
+}
+
+void refuse_impulse(const Scenario& scenario, const std::string& what) {
+  if (by_impulse(scenario))
+    refuse(scenario.place("coordination.coupling"),
+           "coordination.coupling is impulse, which " + what + " does not know; allowed is signals");
+}
+
+void couple_by_impulse(Scenario& to) {
+  std::map<std::string, std::vector<LinkEntry>> by_slow;
+  for (const LinkEntry& link : to.links)
+    refuse_other_links(link), by_slow[instance_of(link.link.back)].push_back(link);
+  if (by_slow.empty())
+    refuse(to.place("coordination.coupling"),
+           "coordination.coupling is impulse, and there are no [[links]]; allowed is a link with effort, the "
+           "fast side's "
+           "output, and displacement, the slow side's");
+  for (const auto& [slow, links] : by_slow) {
+    ImpulseEntry impulse{slow, {}};
+    SubsystemEntry surrogate{slow + "_surrogate", "builtin:impulse_surrogate", {}, {}, links[0].place,
+                             links[0].place};
+    for (std::size_t k = 0; k < links.size(); ++k) {
+      const StatedLink& power = links[k].link;
+      const std::string input = connection_of(to, links[k], power.effort, slow).connection.to;
+      impulse.links.push_back({instance_of(power.effort), input, power.back, links[k].accelerance});
+      take_over(to, links[k], surrogate.name, k, links.size());
+    }
+    surrogate.impulse = std::make_shared<const ImpulseEntry>(std::move(impulse));
+    to.subsystems.push_back(std::move(surrogate));
+    to.coordination.landing[slow] = Landing::never;
+  }
+  to.links.clear();
+  to.remarks.push_back("indicators are not written, as they do not know an impulse coupling");
+}
+
+}  // namespace tandem::scenario

@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/scenario/impulse_source.hpp"
+
+#include <cmath>
+
+#include "tandem/coordinator/impulse/impulse_surrogate.hpp"
+
+namespace tandem::scenario {
+namespace {
+
+std::unique_ptr<Subsystem> make(const Address&, Parameters& p) {
+  ImpulseCoupling c;
+  c.own_step = p.number("own_step", 0.0), c.slow_step = p.number("slow_step", 0.0);
+  c.fast_period = p.number("fast_period", 0.0);
+  const std::size_t links = p.numbers("velocity.").size();
+  for (std::size_t k = 1; k <= links; ++k) {
+    const std::string at = "." + std::to_string(k);
+    c.links.push_back({p.text("force_unit" + at, ""), p.text("displacement_unit" + at, ""),
+                       p.number("velocity" + at, 0.0), p.number("free_acceleration" + at, 0.0)});
+  }
+  for (std::size_t k = 1; k <= links * links; ++k)
+    c.accelerance.push_back(p.number("accelerance." + std::to_string(k), 0.0));
+  return impulse_surrogate(std::move(c));
+}
+
+}  // namespace
+
+void add_impulse(Builtins& builtins) {
+  builtins.models["impulse_surrogate"] = {
+      words_by(Setter::operator_only,
+               {"own_step", "slow_step", "fast_period", "force_unit.*", "displacement_unit.*", "velocity.*",
+                "free_acceleration.*", "accelerance.*"}),
+      make};
+}
+
+}  // namespace tandem::scenario

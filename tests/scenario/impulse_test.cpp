@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// coordination.coupling = "impulse".
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scene_run.hpp"
+
+namespace tandem::test {
+namespace {
+
+const std::string impulse_scene = two_mass_file("impulse.toml");
+
+/// At ratio 300 a slow step takes three fast periods. Without the factor FR / N, which is 1 here.
+TEST(ImpulseScenario, IsRightWhereTheSlowStepTakesFastPeriods) {
+  const SceneRun coupled(impulse_scene);
+  ASSERT_EQ(coupled.said().status, 0) << coupled.said().err;
+  const SceneRun right(two_mass_file("exact.toml"), {"parameters.frequency_ratio=300", "span.stop=300"});
+  const auto &x = coupled.column("fast.x1"), &exact = right.column("exact.x1");
+  ASSERT_EQ(x.size(), exact.size());
+  double errors = 0.0, squares = 0.0;
+  for (std::size_t k = 0; k < x.size(); ++k)
+    errors += (x[k] - exact[k]) * (x[k] - exact[k]), squares += exact[k] * exact[k];
+  EXPECT_LT(std::sqrt(errors / squares), 0.0025);
+  EXPECT_TRUE(contains(coupled.said().err, "indicators are not written")) << coupled.said().err;
+}
+
+/// Each side in a process of its own.
+TEST(ImpulseScenario, HasTheSameBitsWhereverItsSidesAre) {
+  const Scratch folder;
+  const auto rows = [&](std::vector<std::string> settings) {
+    std::vector<std::string> words{"run", impulse_scene, "--output", "o"};
+    for (const std::string& one : settings) words.insert(words.end(), {"--set", one});
+    const Said said = tandem(folder, words);
+    EXPECT_EQ(said.status, 0) << said.err;
+    return read_text(folder.path() / "o/results.csv");
+  };
+  const std::string here = rows({"span.stop=30"}),
+                    serve = "=spawn:" TANDEM_COMMAND " serve builtin:two_mass.";
+  EXPECT_EQ(rows({"span.stop=30", "subsystems.fast.source" + serve + "fast_force"}), here);
+  EXPECT_EQ(rows({"span.stop=30", "subsystems.slow.source" + serve + "slow_force"}), here);
+}
+
+TEST(ImpulseScenario, TellsWhatOfTheFileItDoesNotUse) {
+  const SceneRun run(impulse_scene, {"connections[slow.F].reconstruction=lagrange2", "span.stop=9"});
+  EXPECT_TRUE(contains(run.said().err, "connection from fast.F to slow.F: lagrange2 is not used"))
+      << run.said().err;
+}
+
+/// In place of the subsystem's own, which is 0.39.
+TEST(ImpulseScenario, TakesAStatedAccelerance) {
+  const SceneRun asked(impulse_scene, {"span.stop=30"}),
+      stated(impulse_scene, {"span.stop=30", "links[0].accelerance=0.2"});
+  ASSERT_EQ(stated.said().status, 0) << stated.said().err;
+  EXPECT_GT(std::abs(asked.last("fast.x1") - stated.last("fast.x1")), 1e-4);
+}
+
+struct BadImpulse {
+  std::string setting;
+  std::vector<std::string> words;
+};
+
+TEST(ImpulseScenario, RefusesWhatItCantCouple) {
+  const Scratch folder;
+  const std::vector<BadImpulse> all{
+      {"subsystems.slow.source=builtin:two_mass.slow", {"'slow' has no input of one number", "'F'"}},
+      {"links[0].effort=fast.x1", {"'fast.x1' is read by no connection to 'slow'"}},
+      {"connections[slow.F].memory=true", {"memory, delay or add"}},
+      {"coordination.schedule=slowest-first", {"fastest-first"}},
+      {"coordination.scheme=auto", {"coordination.scheme", "stated"}},
+      {"coordination.order=[\"slow\", \"fast\"]", {"'slow_surrogate' is missing"}},
+      {"coordination.fast_period=0", {"coordination.fast_period", "above 0"}},
+  };
+  for (const BadImpulse& bad : all) {
+    const Said said = tandem(folder, {"run", impulse_scene, "--set", bad.setting});
+    EXPECT_EQ(said.status, 2) << bad.setting << ": " << said.err;
+    for (const std::string& word : bad.words)
+      EXPECT_TRUE(contains(said.err, word)) << bad.setting << ": " << said.err;
+  }
+}
+
+}  // namespace
+}  // namespace tandem::test
