@@ -68,17 +68,16 @@ bool is_object(const void* address) {
 
 }  // namespace
 
-void check_library_file(const std::filesystem::path& file, const std::string& what) {
-  InputFile in(file, what);
+void check_library_file(const std::filesystem::path& file, const std::string& name) {
+  InputFile in(file, "library");
   Header header{};
   const bool whole_header = take(in, std::span(&header, 1));
   if (!is_elf(header)) return;  // the loader says so
   const std::uint64_t size = whole_header ? size_of_segments(in, header) : 0;
   if (size == 0 || in.size() < size)
-    throw Error(ErrorCode::input_output, what + " '" + file.string() + "' is truncated: it has " +
-                                             std::to_string(in.size()) + " bytes; allowed are " +
-                                             std::to_string(std::max<std::uint64_t>(size, sizeof(Header))) +
-                                             " or more");
+    throw Error(ErrorCode::input_output,
+                name + " is truncated: it has " + std::to_string(in.size()) + " bytes; allowed are " +
+                    std::to_string(std::max<std::uint64_t>(size, sizeof(Header))) + " or more");
 }
 
 void check_function(const void* address, const std::string& library, const std::string& symbol) {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "changed_fmu.hpp"
+
 namespace tandem::test {
 namespace {
 
@@ -60,6 +62,27 @@ TEST(FmuCommand, InAProcessOfItsOwnItHasTheSameResults) {
   const Said said = tandem(folder, {"--quiet", "run", "i.toml", "--output", "i"});
   ASSERT_EQ(said.status, 0) << said.err;
   EXPECT_EQ(read_text(folder.path() / "s/results.csv"), read_text(folder.path() / "i/results.csv"));
+}
+
+/// Without its code: the parameters of the way to that process are its own, and what stands against a run is told.
+TEST(FmuCommand, InAProcessOfItsOwnItIsCheckedAsElsewhere) {
+  const Scratch folder;
+  folder.write("i.toml", two_masses("isolate = true\n"));
+  const auto status = [&](const std::string& command, const std::string& setting) {
+    return tandem(folder, {"--quiet", command, "i.toml", "--set", "subsystems.one.parameters." + setting})
+        .status;
+  };
+  for (const char* command : {"validate", "info", "run"})
+    EXPECT_EQ(status(command, "deadline=5"), 0) << command;
+  EXPECT_EQ(status("validate", "deadlin=5"), 2);
+  folder.write("t.toml", "[subsystems.one]\nsource = \"" + changed(folder, library, "a text") +
+                             "\"\nisolate = true\n[span]\nstop = 1\n");
+  const Said none = tandem(folder, {"validate", "t.toml"});
+  EXPECT_EQ(none.status, 0) << none.err;
+  EXPECT_TRUE(contains(none.out, "it can't be run here: the FMU has ")) << none.out;
+  const Said run = tandem(folder, {"run", "t.toml"});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_TRUE(contains(run.err, "which is no shared library for this processor")) << run.err;
 }
 
 /// This program has a CVODE, too, and it is loaded already.

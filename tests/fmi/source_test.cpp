@@ -25,22 +25,57 @@ TEST(FmuSource, IsReadWithoutARunOfIt) {
   EXPECT_EQ(look->parameters[0].otherwise, "1");
 }
 
-TEST(FmuSource, InfoTellsWhatItsLibraryLacks) {
+/// A library with its names, whose table of segments lies beyond its end.
+std::string not_loadable() {
+  std::string bytes = fmi::Archive(TANDEM_FMUS "/decay.fmu").text(library, 1U << 24);
+  constexpr std::size_t segments = 32;  // e_phoff of ELF with 64 bits
+  return bytes.replace(segments, 4, "\x7f\x7f\x7f\x7f");
+}
+
+/// What look_at() sees, and what open() refuses in the same words.
+std::string obstacle(const std::string& source) {
+  const std::string seen = look_at(source, fmu_sources(), {})->obstacle;
+  EXPECT_TRUE(refuses(ErrorCode::not_supported, {seen.substr(std::string("the FMU ").size())},
+                      [&] { open(source, fmu_sources()); }));
+  return seen;
+}
+
+TEST(FmuSource, LooksAtWhatItsLibraryLacks) {
   const Scratch scratch;
   const auto sentence = [](const std::string& source) {
-    return look_at(source, fmu_sources(), {})->sentences.at(1);
+    const auto seen = look_at(source, fmu_sources(), {});
+    EXPECT_EQ(seen->obstacle, "");
+    return seen->sentences.at(1);
   };
   EXPECT_EQ(sentence(fmu_uri("decay")), "library: " + library);
   EXPECT_EQ(sentence(fmu_uri("mass3?type=me")), "library: binaries/x86_64-linux/mass3.so");
-  const std::string none = " is no shared library for this processor, so it can't be run here";
-  EXPECT_EQ(sentence(changed(scratch, library, "a text")), "library: " + library + none);
+  const std::string none =
+      "the FMU has " + library + ", which is no shared library for this processor; allowed is one";
+  EXPECT_EQ(obstacle(changed(scratch, library, "a text")), none);
   std::string bytes = fmi::Archive(TANDEM_FMUS "/decay.fmu").text(library, 1U << 24);
   std::string other = bytes;
   other[18] = 40;  // of an ARM processor
-  EXPECT_EQ(sentence(changed(scratch, library, other)), "library: " + library + none);
+  EXPECT_EQ(obstacle(changed(scratch, library, other)), none);
   for (std::size_t at = 0; (at = bytes.find("fmi2DoStep", at)) != std::string::npos; ++at) bytes[at] = 'F';
-  EXPECT_EQ(sentence(changed(scratch, library, bytes)),
-            "library: " + library + " has no function fmi2DoStep, so it can't be run here");
+  EXPECT_EQ(obstacle(changed(scratch, library, bytes)),
+            "the FMU has " + library + ", which lacks the function fmi2DoStep; allowed is one with it");
+  EXPECT_EQ(
+      obstacle(changed(scratch, describing,
+                       description_with("<CoSimulation ", "<CoSimulation needsExecutionTool=\"true\" "))),
+      "the FMU needs the tool that made it (needsExecutionTool); allowed is one that brings all that it "
+      "needs");
+}
+
+/// x of decay as a state that is taken for an output: without a word of the structure on it it follows no input.
+TEST(FmuSource, AStateFollowsNoInputAtOnce) {
+  const Scratch scratch;
+  std::string text = description_with(
+      "<ScalarVariable name=\"k\" valueReference=\"3\" causality=\"parameter\" variability=\"fixed\">",
+      "<ScalarVariable name=\"k\" valueReference=\"3\" causality=\"input\">");
+  text.replace(text.find("causality=\"output\""), 18, "causality=\"local\"");
+  text.replace(text.find("<Outputs>"), text.find("<Derivatives>") - text.find("<Outputs>"), "");
+  const std::string source = changed(scratch, describing, text) + "?outputs.x=true";
+  EXPECT_TRUE(look_at(source, fmu_sources(), {})->info.feedthrough.empty());
 }
 
 TEST(FmuSource, FeedthroughIsThatOfTheModelStructure) {
@@ -88,8 +123,8 @@ TEST(FmuSource, AnFmuThatCannotRunHereIsRefused) {
   }));
   EXPECT_TRUE(refuses(ErrorCode::input_output, {"x.fmu' holds no modelDescription.xml"},
                       [&] { open(changed(scratch, describing, ""), fmu_sources()); }));
-  EXPECT_TRUE(refuses(ErrorCode::input_output, {"x.fmu", "can't be loaded"},
-                      [&] { open(changed(scratch, library, "a text"), fmu_sources()); }));
+  EXPECT_TRUE(refuses(ErrorCode::input_output, {"x.fmu", "is truncated"},
+                      [&] { open(changed(scratch, library, not_loadable()), fmu_sources()); }));
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"x.fmu", "makes no instance", "the guid"}, [&] {
     open(changed(scratch, describing, description_with("guid=\"decay-1\"", "guid=\"2\"")), fmu_sources());
   }));
@@ -107,7 +142,7 @@ TEST(FmuSource, AnFmuThatCannotRunHereIsRefused) {
 /// Also after an error.
 TEST(FmuSource, LeavesNothingBehind) {
   const Scratch scratch, temporary;
-  const std::string bad = changed(scratch, library, "a text");
+  const std::string bad = changed(scratch, library, not_loadable());
   ::setenv("TMPDIR", temporary.path().c_str(), 1);
   {
     const auto fmu = open_fmu("decay");

@@ -85,8 +85,23 @@ TEST(SystemExport, TellsWhatDegreesBecomeAndIsTheSameAgain) {
   EXPECT_TRUE(contains(said.out, "s.ssp: SSP 1.0, 2 components, 2 connections")) << said.out;
   EXPECT_TRUE(contains(said.out, "b: inputs of degree 3 are given by derivatives of order 2")) << said.out;
   EXPECT_FALSE(contains(said.out, "a: inputs")) << said.out;
+  EXPECT_FALSE(contains(said.out, "differs")) << said.out;
   ASSERT_EQ(tandem(folder, {"export", "s.ssp", "again.ssp"}).status, 0);
   EXPECT_EQ(read_text(folder.path() / "s.ssp"), read_text(folder.path() / "again.ssp"));
+}
+
+TEST(SystemExport, TellsWhatAnFmuCantBeGiven) {
+  const Scratch folder;
+  folder.write("lag.toml", lag_diagram("m", "m"));
+  const Said three = exported(folder, two_lags, "3");
+  for (const char* sentence :
+       {"b: inputs of degree 3 are given as their mean over each step", "a: inputs of degree 2"})
+    EXPECT_TRUE(contains(three.out, sentence)) << three.out;
+  std::string text = two_lags;
+  text.replace(text.find("0.01"), 4, "0.02");
+  const Said shorter = exported(folder, text);
+  EXPECT_TRUE(contains(shorter.out, "a: b has shorter steps")) << shorter.out;
+  EXPECT_FALSE(contains(shorter.out, "b: a has")) << shorter.out;
 }
 
 /// Degree 2 is what derivatives give: rounding alone is left.

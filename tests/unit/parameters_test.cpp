@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "refusal.hpp"
 
 namespace tandem {
@@ -57,6 +59,24 @@ TEST(Parameters, ThatGoElsewhereHoldNoneOfThese) {
   Parameters p;
   p.set("a", "50% = %2");
   EXPECT_EQ(p.rest(), "a=50% = %2");
+}
+
+/// What this program itself will read holds any.
+TEST(Parameters, AreReadBackAsTheyWereWhereTheyAreEscaped) {
+  std::mt19937 random(5);
+  const std::string signs = "&=%26D3a?";
+  const auto word = [&](std::size_t least) {
+    std::string text;
+    for (std::size_t k = random() % 6 + least; k > 0; --k) text += signs[random() % signs.size()];
+    return text;
+  };
+  for (int trial = 0; trial < 200; ++trial) {
+    const std::string name = word(1), text = word(0);
+    Parameters p, back;
+    p.set(name, text);
+    back.read(p.rest_escaped(), "URI");
+    EXPECT_EQ(back.text(name, "other"), text) << name;
+  }
 }
 
 TEST(Parameters, RefuseAnotherType) {

@@ -47,6 +47,7 @@ TEST(Set, TakesAKeyInQuotes) {
   const toml::table table = with("subsystems.fast.parameters.\"data.load\"=a.csv");
   EXPECT_EQ(table.at_path("subsystems.fast.parameters").as_table()->get("data.load")->value<std::string>(),
             "a.csv");
+  EXPECT_EQ(with("a.\"b=c%d\"=7=8").at_path("a").as_table()->get("b=c%d")->value<std::string>(), "7=8");
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"has a '\"' without another"},
                       [] { with("subsystems.fast.parameters.\"data.load=a.csv"); }));
 }

@@ -42,9 +42,7 @@ Address taken_apart(const std::string& uri, const Source& source, Opening& openi
   return address;
 }
 
-/// The same source in a program of its own, which is handed all but the parameters of the way there.
-std::unique_ptr<Subsystem> open_isolated(std::string uri, const Source& source, const Builtins& builtins,
-                                         Opening opening) {
+void check_isolated(const std::string& uri, const Source& source, const Builtins& builtins) {
   if (!source.native)
     throw Error(ErrorCode::invalid_argument,
                 "isolate is true beside source '" + printable(uri) +
@@ -52,11 +50,22 @@ std::unique_ptr<Subsystem> open_isolated(std::string uri, const Source& source, 
   if (builtins.server.empty())
     throw Error(ErrorCode::not_supported,
                 "isolate is true, but there is no program here that serves a source");
-  Opening outside{{}, opening.folder, builtins.server};
+}
+
+/// The parameters of the way to a program of its own.
+Parameters take_outside(Parameters& all, const Builtins& builtins) {
+  Parameters outside;
   for (const Word& word : source_of("spawn:", builtins).words)
-    if (opening.parameters.has(word.name))
-      outside.parameters.set(word.name, opening.parameters.number(word.name, 0.0));
-  if (const std::string rest = opening.parameters.rest(); !rest.empty())
+    if (all.has(word.name)) outside.set(word.name, all.number(word.name, 0.0));
+  return outside;
+}
+
+/// The same source in a program of its own, which is handed all other parameters.
+std::unique_ptr<Subsystem> open_isolated(std::string uri, const Source& source, const Builtins& builtins,
+                                         Opening opening) {
+  check_isolated(uri, source, builtins);
+  Opening outside{take_outside(opening.parameters, builtins), opening.folder, builtins.server};
+  if (const std::string rest = opening.parameters.rest_escaped(); !rest.empty())
     uri += (uri.find('?') == std::string::npos ? "?" : "&") + rest;
   outside.command.push_back(std::move(uri));
   return open("spawn:", builtins, std::move(outside));
@@ -91,6 +100,10 @@ std::unique_ptr<Subsystem> open(const std::string& uri, const Builtins& builtins
 
 std::optional<Look> look_at(const std::string& uri, const Builtins& builtins, Opening opening) {
   const Source& source = source_of(uri, builtins);
+  if (opening.isolated) {
+    check_isolated(uri, source, builtins);
+    take_outside(opening.parameters, builtins);
+  }
   const Address address = taken_apart(uri, source, opening);
   if (!source.look) return std::nullopt;
   auto seen = source.look(address, opening.parameters);

@@ -46,6 +46,16 @@ std::string unescaped(const std::string& text) {
   return plain;
 }
 
+std::string escaped(const std::string& text) {
+  std::string all;
+  for (const char c : text) {
+    const auto* const found = std::find_if(std::begin(escapes), std::end(escapes),
+                                           [c](const Escape& one) { return one.sign == c; });
+    all += found == std::end(escapes) ? std::string(1, c) : std::string(found->text);
+  }
+  return all;
+}
+
 /// Whether it reads back as the same without any.
 bool is_plain(const std::string& text, const char* signs) {
   return text.find_first_of(signs) == std::string::npos && unescaped(text) == text;
@@ -119,11 +129,23 @@ std::string Parameters::written() const {
   return pairs;
 }
 
+std::vector<std::pair<std::string, std::string>> Parameters::take_rest() {
+  std::vector<std::pair<std::string, std::string>> all;
+  for (const auto& [name, value] : values_)
+    if (asked_.insert(name).second) all.emplace_back(name, text_of(value));
+  return all;
+}
+
+std::string Parameters::rest_escaped() {
+  std::string pairs;
+  for (const auto& [name, text] : take_rest())
+    pairs += (pairs.empty() ? "" : "&") + escaped(name) + "=" + escaped(text);
+  return pairs;
+}
+
 std::string Parameters::rest() {
   std::string pairs;
-  for (const auto& [name, value] : values_) {
-    if (!asked_.insert(name).second) continue;
-    const std::string text = text_of(value);
+  for (const auto& [name, text] : take_rest()) {
     if (!is_plain(text, "&") || !is_plain(name, "&="))
       throw Error(
           ErrorCode::invalid_argument,

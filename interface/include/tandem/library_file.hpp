@@ -11,8 +11,9 @@ namespace tandem {
 /// word alone.)
 
 /// Throws Error(input_output) for what is no regular file, and for an ELF file that ends before what its
-/// headers announce: the system's loader would end the program by a signal. `what`: "library".
-void check_library_file(const std::filesystem::path& file, const std::string& what);
+/// headers announce: the system's loader would end the program by a signal. `name`: what errors call it,
+/// "library 'x.so'".
+void check_library_file(const std::filesystem::path& file, const std::string& name);
 
 /// Throws Error(invalid_argument) that begins with `library` if what stands at the address of a symbol is no
 /// function.

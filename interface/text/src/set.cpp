@@ -56,11 +56,21 @@ Steps split(const std::string& path) {
   return steps;
 }
 
+/// Where the key ends: at the first '=' that no quotation marks are about.
+std::size_t end_of_key(const std::string& text) {
+  bool quoted = false;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    if (text[k] == '"') quoted = !quoted;
+    if (text[k] == '=' && !quoted) return k;
+  }
+  return text.find('=');
+}
+
 /// One override: the path is walked from the root; what it ends at is replaced or added.
 class Override {
  public:
   explicit Override(const std::string& text) : source_(set_prefix + text) {
-    const auto equals = text.find('=');
+    const auto equals = end_of_key(text);
     if (equals == std::string::npos || equals == 0)
       refuse_setting("'" + text + "' is not of the form KEY=VALUE");
     steps_ = split(text.substr(0, equals));

@@ -101,6 +101,7 @@ void print_not_opened(const std::string& name, const Look* look, const std::vect
   if (!look) return say("{}: not opened\n", name);
   say("{}: {}\n", name, look->info.name);
   for (const std::string& sentence : look->sentences) say("  {}\n", sentence);
+  if (!look->obstacle.empty()) say("  it can't be run here: {}\n", look->obstacle);
   for (const DeclaredParameter& p : look->parameters) print_parameter(p);
   print_inputs(look->info, start);
   print_outputs(look->info);

@@ -18,20 +18,46 @@ namespace {
 
 constexpr std::uint64_t largest_system = std::uint64_t{1} << 30;
 
+bool reads(const SystemMember& member, const scenario::ConnectionEntry& entry) {
+  return entry.connection.how && entry.connection.to.starts_with(member.name + ".");
+}
+
 /// A polynomial goes into an FMU of 2.0 as derivatives; more than two of them tandem does not give.
 void give_derivatives(SystemMember& member, const scenario::Scenario& scenario, fmi::Version version,
                       std::vector<std::string>& told) {
-  if (!member.source || version != fmi::Version::two) return;
+  if (!member.source) return;
   int degree = 0;
   for (const scenario::ConnectionEntry& entry : scenario.connections)
-    if (entry.connection.how && entry.connection.to.starts_with(member.name + "."))
-      degree = std::max(degree, entry.connection.how->polynomial_degree());
+    if (reads(member, entry)) degree = std::max(degree, entry.connection.how->polynomial_degree());
   if (degree == 0) return;
+  if (version != fmi::Version::two)
+    return told.push_back(
+        fmt::format("{}: inputs of degree {} are given as their mean over each step, as FMI 3.0 "
+                    "has no derivatives of inputs; the run that comes back differs",
+                    member.name, degree));
   const int order = std::min(degree, 2);
   member.annotation["inputs"] = "derivatives", member.annotation["order"] = std::to_string(order);
   if (order < degree)
     told.push_back(fmt::format("{}: inputs of degree {} are given by derivatives of order {}", member.name,
                                degree, order));
+}
+
+bool is_shorter(const std::optional<double>& a, const std::optional<double>& b) { return a && b && *a < *b; }
+
+/// Of a source with shorter steps an input is several polynomials within a step.
+void tell_of_shorter_steps(const SystemMember& member, const std::vector<SystemMember>& all,
+                           const scenario::Scenario& scenario, std::vector<std::string>& told) {
+  for (const SystemMember& source : all)
+    for (const scenario::ConnectionEntry& entry : scenario.connections)
+      if (member.source && reads(member, entry) && entry.connection.how->polynomial_degree() > 0 &&
+          entry.connection.from.starts_with(source.name + ".") &&
+          is_shorter(source.description.experiment.step, member.description.experiment.step)) {
+        told.push_back(
+            fmt::format("{}: {} has shorter steps, and within a step its outputs go on as at the step's "
+                        "begin; the run that comes back differs",
+                        member.name, source.name));
+        break;
+      }
 }
 
 /// As its user will.
@@ -67,6 +93,7 @@ std::vector<std::string> export_system(const SystemSettings& settings, const Bui
     tell_of_samples(member, told);
     contents["resources/" + file_of(member.name)] = std::move(member.fmu);
   }
+  for (const SystemMember& member : members) tell_of_shorter_steps(member, members, scenario, told);
   contents["SystemStructure.ssd"] = system_description(scenario, members, "tandem " + output::version());
   const auto made = folder.path() / "made.ssp";
   write_zip(made, contents);

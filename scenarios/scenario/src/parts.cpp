@@ -144,7 +144,8 @@ std::optional<Look> Parts::leave_out(const SubsystemEntry& entry, const Builtins
   });
   left_out_.push_back(entry.source_place.text() + ": subsystem '" + entry.name + "' is " +
                       (look ? "read and not run" : "left out") +
-                      ", as its source is code: " + printable(entry.address(), std::string::npos));
+                      ", as its source is code: " + printable(entry.address(), std::string::npos) +
+                      (look && !look->obstacle.empty() ? "; it can't be run here: " + look->obstacle : ""));
   return look;
 }
 

@@ -84,7 +84,9 @@ void Archive::list() {
     const std::string name = listed_name();
     unz64_file_pos place{};
     unzGetFilePos64(zip_.get(), &place);
-    if (!places_.try_emplace(name, Place{place.pos_in_zip_directory, place.num_of_file}).second)
+    const bool is_new =
+        places_.try_emplace(name, Place{place.pos_in_zip_directory, place.num_of_file}).second;
+    if (!is_new && !name.ends_with('/'))  // a folder holds nothing of its own
       refuse("holds " + quoted(name) + " twice");
   }
   if (status != UNZ_END_OF_LIST_OF_FILE) refuse("has a list of files that is damaged");
@@ -154,7 +156,8 @@ void Archive::unpack(std::string_view folder, const fs::path& to) {
 void Archive::unpack_file(const std::string& name, const fs::path& to) {
   std::error_code failed;
   const bool is_folder = name.back() == '/';
-  fs::create_directories(is_folder ? to / name.substr(0, name.size() - 1) : (to / name).parent_path(), failed);
+  fs::create_directories(is_folder ? to / name.substr(0, name.size() - 1) : (to / name).parent_path(),
+                         failed);
   if (failed) refuse("holds " + quoted(name) + ", for which no folder can be made: " + failed.message());
   if (is_folder) return;
   OutputFile out(to / name, OutputFile::Begin::fresh);

@@ -55,11 +55,25 @@ DeclaredParameters parameters_of(const Fmu& fmu) {
   return all;
 }
 
+/// Why the FMU can't be run here, as far as is seen without its code; empty: nothing is seen against it.
+std::string obstacle_of(const Fmu& fmu) {
+  if (offer_of(fmu.description, fmu.settings.kind).needs_tool)
+    return "needs the tool that made it (needsExecutionTool); allowed is one that brings all that it needs";
+  for (const Variable& v : fmu.description.variables)
+    if (v.type == Type::clock && v.causality == Causality::input)
+      return "has a clock, '" + printable(v.name, 200) +
+             "', that its importer would have to tick; allowed is one without input clocks";
+  return library_obstacle(fmu);
+}
+
 Look look(const Fmu& fmu) {
-  return {fmu.ports.info,
-          parameters_of(fmu),
-          fmu.settings.step,
-          {described(fmu), library_sentence(fmu), states_sentence(fmu)}};
+  Look seen{fmu.ports.info,
+            parameters_of(fmu),
+            fmu.settings.step,
+            {described(fmu), "library: " + library_of(fmu), states_sentence(fmu)},
+            obstacle_of(fmu)};
+  if (!seen.obstacle.empty()) seen.obstacle = "the FMU " + seen.obstacle;
+  return seen;
 }
 
 void require_runnable(const Fmu& fmu) {
@@ -69,19 +83,8 @@ void require_runnable(const Fmu& fmu) {
                 who +
                     " names no step of its own (fixedInternalStepSize, DefaultExperiment stepSize); give the "
                     "parameter step, a number above 0 [s]");
-  if (offer_of(fmu.description, fmu.settings.kind).needs_tool)
-    throw Error(ErrorCode::not_supported,
-                who +
-                    " needs the tool that made it (needsExecutionTool); allowed is one "
-                    "that brings all that it needs");
-  for (const Variable& v : fmu.description.variables)
-    if (v.type == Type::clock && v.causality == Causality::input)
-      throw Error(ErrorCode::not_supported,
-                  who + " has a clock, '" + printable(v.name, 200) +
-                      "', that its importer would have to tick; allowed is one without input clocks");
-  if (!fmu.archive->has(library_of(fmu)))
-    throw Error(ErrorCode::not_supported, who + " has no library for this platform, " + library_of(fmu) +
-                                              "; there are those of " + fmu.archive->folders_in("binaries/"));
+  if (const std::string obstacle = obstacle_of(fmu); !obstacle.empty())
+    throw Error(ErrorCode::not_supported, who + " " + obstacle);
 }
 
 std::unique_ptr<Subsystem> make(const Address& address, Parameters& p, const Tell& tell,

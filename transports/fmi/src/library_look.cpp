@@ -43,19 +43,18 @@ std::vector<std::string> main_functions(const Fmu& fmu) {
 
 }  // namespace
 
-std::string library_sentence(const Fmu& fmu) {
+std::string library_obstacle(const Fmu& fmu) {
   const std::string library = library_of(fmu);
   if (!fmu.archive->has(library))
-    return fmt::format("library: {} is not there, so it can't be run here; there are those of {}", library,
+    return fmt::format("has no library for this platform, {}; there are those of {}", library,
                        fmu.archive->folders_in("binaries/"));
   const std::string bytes = fmu.archive->text(library, longest_library);
   if (!is_for_this_processor(bytes))
-    return fmt::format("library: {} is no shared library for this processor, so it can't be run here",
-                       library);
+    return fmt::format("has {}, which is no shared library for this processor; allowed is one", library);
   for (const std::string& name : main_functions(fmu))
     if (!has(bytes, name))
-      return fmt::format("library: {} has no function {}, so it can't be run here", library, name);
-  return "library: " + library;
+      return fmt::format("has {}, which lacks the function {}; allowed is one with it", library, name);
+  return {};
 }
 
 }  // namespace tandem::fmi

@@ -6,8 +6,8 @@
 
 namespace tandem::fmi {
 
-/// The library for this platform, and what can be seen of it without loading it: that it is absent, is none
-/// for this processor, or lacks the functions by which an FMU is made and moved.
-std::string library_sentence(const Fmu& fmu);
+/// Why the library for this platform can't be run, as far as is seen without loading it: it is absent, is none for this
+/// processor, or lacks the functions by which an FMU is made and moved. Empty: nothing is seen against it.
+std::string library_obstacle(const Fmu& fmu);
 
 }  // namespace tandem::fmi

@@ -140,9 +140,18 @@ class PortMaker {
            });
   }
 
+  /// A state follows no input at once.
+  bool is_state(int variable) const {
+    const int rate = derivative_of(variable);
+    return rate >= 0 && std::any_of(d_.derivatives.begin(), d_.derivatives.end(), [&](const Unknown& u) {
+             return number_of(u.variable) == number_of(rate);
+           });
+  }
+
   /// Each of an array follows each of another.
   void add_follows(const Seat& seat) {
     const Unknown* u = structure_of(seat.variable);
+    if (!u && is_state(seat.variable)) return;
     const auto add = [&](const Seat& input) {
       if (ports_.follows.size() + std::size_t(seat.size) * std::size_t(input.size) > most_pairs)
         throw Error(ErrorCode::invalid_argument,

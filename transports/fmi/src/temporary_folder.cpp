@@ -7,8 +7,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <string>
+#include <system_error>
 
 #include "tandem/error.hpp"
 
@@ -47,11 +49,16 @@ void remove_left_over(const fs::path& among) {
 }  // namespace
 
 TemporaryFolder::TemporaryFolder() {
-  const fs::path among = fs::temp_directory_path();
+  std::error_code none;
+  const fs::path among = fs::temp_directory_path(none);
+  if (none)
+    throw Error(ErrorCode::input_output, "there is no folder for temporary files: " + none.message() +
+                                             "; TMPDIR names it, else it is /tmp");
   remove_left_over(among);
   std::string name = (among / (prefix + "XXXXXX")).string();
   if (!::mkdtemp(name.data()))
-    throw Error(ErrorCode::input_output, "no folder can be made in " + among.string());
+    throw Error(ErrorCode::input_output, "no folder can be made in " + among.string() + ": " +
+                                             std::error_code(errno, std::generic_category()).message());
   path_ = name;
   lock_ = open_folder(path_);
   ::flock(lock_, LOCK_EX);  // the system gives it back when this process ends

@@ -17,9 +17,9 @@ boost::dll::shared_library load_library(const std::filesystem::path& file, const
                                         boost::dll::load_mode::type how) {
   namespace load_mode = boost::dll::load_mode;
   require_library(from);
-  check_library_file(from, "library");
-  LibraryCall::guard_exit();
   const std::string name = library_named(file);
+  check_library_file(from, name);
+  LibraryCall::guard_exit();
   LibraryCall beginning(name.c_str());  // of what it does when it is loaded
   try {
     return boost::dll::shared_library(from, load_mode::rtld_now | load_mode::rtld_local | how);

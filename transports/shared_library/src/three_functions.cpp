@@ -52,7 +52,7 @@ class Copy {
 };
 
 boost::dll::shared_library load_copy(const fs::path& file) {
-  check_library_file(file, "library");
+  check_library_file(file, library_named(file));
   const Copy copy(file);
   return load_library(file, copy.path());
 }

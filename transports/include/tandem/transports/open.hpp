@@ -30,6 +30,7 @@ struct Look {
   DeclaredParameters parameters = {};  ///< that its model takes
   double own_step = 0.0;               ///< [s]; 0: it has none, and the parameter `step` has to be given
   std::vector<std::string> sentences = {};
+  std::string obstacle = {};  ///< why it can't be run here; empty: nothing is seen against it
 };
 
 /// How subsystems of one kind are made.

@@ -60,12 +60,15 @@ class Parameters {
   /// What nobody asked for, as "key=value&key=value"; it counts as asked for from now on. Numbers are written
   /// so that they read back as the same. Throws Error for a name or a text that would not.
   std::string rest();
+  /// The same for read(), so that each name and text is allowed.
+  std::string rest_escaped();
 
   /// Throws Error that names a value nobody asked for, and the names that somebody asked for.
   void refuse_unused(const std::string& owner) const;
 
  private:
   const Value* find(const std::string& name);
+  std::vector<std::pair<std::string, std::string>> take_rest();
   const Word* declared(const std::string& name) const;
   std::map<std::string, Value> values_;
   std::set<std::string> asked_, from_client_;
