@@ -47,12 +47,25 @@ TEST(ImpulseScenario, TellsWhatOfTheFileItDoesNotUse) {
       << run.said().err;
 }
 
-/// In place of the subsystem's own, which is 0.39.
-TEST(ImpulseScenario, TakesAStatedAccelerance) {
+/// In place of the subsystem's own, which is 2.56 kg.
+TEST(ImpulseScenario, TakesAStatedMass) {
   const SceneRun asked(impulse_scene, {"span.stop=30"}),
-      stated(impulse_scene, {"span.stop=30", "links[0].accelerance=0.2"});
+      stated(impulse_scene, {"span.stop=30", "links[0].effective_mass=5"});
   ASSERT_EQ(stated.said().status, 0) << stated.said().err;
   EXPECT_GT(std::abs(asked.last("fast.x1") - stated.last("fast.x1")), 1e-4);
+}
+
+/// With its stiffness stated `impulse` takes the better scheme; what is taken is told.
+TEST(ImpulseScenario, TakesAStatedStiffness) {
+  const std::string stated = "links[0].effective_stiffness=1.1222346e-3", short_run = "span.stop=30";  // k3
+  const SceneRun plain(impulse_scene, {short_run}), stiff(impulse_scene, {short_run, stated}),
+      named(impulse_scene, {short_run, stated, "coordination.coupling=impulse_stiffness"}),
+      not_used(impulse_scene, {short_run, stated, "coordination.coupling=impulse_plain"});
+  EXPECT_TRUE(contains(plain.said().err, "'slow' is coupled by impulse_plain")) << plain.said().err;
+  EXPECT_TRUE(contains(stiff.said().err, "'slow' is coupled by impulse_stiffness")) << stiff.said().err;
+  EXPECT_EQ(stiff.column("fast.x1"), named.column("fast.x1"));
+  EXPECT_EQ(plain.column("fast.x1"), not_used.column("fast.x1"));
+  EXPECT_NE(plain.column("fast.x1"), stiff.column("fast.x1"));
 }
 
 struct BadImpulse {
@@ -69,6 +82,8 @@ TEST(ImpulseScenario, RefusesWhatItCantCouple) {
       {"coordination.schedule=slowest-first", {"fastest-first"}},
       {"coordination.scheme=auto", {"coordination.scheme", "stated"}},
       {"coordination.order=[\"slow\", \"fast\"]", {"'slow_surrogate' is missing"}},
+      {"coordination.coupling=impulse_stiffness", {"links.effective_stiffness"}},
+      {"coordination.start=warm", {"coordination.start"}},
       {"coordination.fast_period=0", {"coordination.fast_period", "above 0"}},
   };
   for (const BadImpulse& bad : all) {

@@ -43,14 +43,15 @@ Topology::PortIndex Topology::indexed(const std::vector<Port>& ports) {
   PortIndex index;
   int first = 0;
   for (const Port& port : ports) {
-    index.emplace(port.name, IndexedPort{&port, first});
+    index.numbers[port.name] = static_cast<int>(index.first.size());
+    index.first.push_back(first);
     first += port.size;
   }
   return index;
 }
 
 std::optional<int> Topology::instance(std::string_view name) const {
-  const auto found = numbers_.find(name);
+  const auto found = numbers_.find(std::string(name));
   return found == numbers_.end() ? std::nullopt : std::optional(found->second);
 }
 
@@ -59,8 +60,9 @@ const Port* Topology::output_port(std::string_view output) const {
   const auto number = instance(output.substr(0, dot));
   if (dot == std::string_view::npos || !number) return nullptr;
   const std::string_view name = output.substr(dot + 1);
-  const auto found = at(*number).outputs.find(name.substr(0, name.find('[')));
-  return found == at(*number).outputs.end() ? nullptr : found->second.port;
+  const Numbers& numbers = at(*number).outputs.numbers;
+  const auto found = numbers.find(std::string(name.substr(0, name.find('['))));
+  return found == numbers.end() ? nullptr : &info(*number).outputs[static_cast<std::size_t>(found->second)];
 }
 
 Topology::Place Topology::find(std::string_view text, bool output) const {
@@ -82,16 +84,18 @@ Topology::Place Topology::find(std::string_view text, bool output) const {
   }
   const auto number = instance(instance_name);
   if (!number) refuse_topology(unknown("subsystem", instance_name, names()));
-  const PortIndex& ports = output ? at(*number).outputs : at(*number).inputs;
-  if (const auto found = ports.find(port_name); found != ports.end()) {
-    const auto& [port, first] = found->second;
-    if (element >= port->size)
+  const PortIndex& index = output ? at(*number).outputs : at(*number).inputs;
+  const auto& ports = output ? info(*number).outputs : info(*number).inputs;
+  if (const auto found = index.numbers.find(port_name); found != index.numbers.end()) {
+    const auto k = static_cast<std::size_t>(found->second);
+    const Port& port = ports[k];
+    if (element >= port.size)
       refuse_topology("port '" + std::string(text) + "' has no element " + std::to_string(element) +
-                      "; allowed are 0 to " + std::to_string(port->size - 1));
-    return {*number, port, first + std::max(element, 0), element < 0 ? port->size : 1};
+                      "; allowed are 0 to " + std::to_string(port.size - 1));
+    return {*number, &port, index.first[k] + std::max(element, 0), element < 0 ? port.size : 1};
   }
   std::vector<std::string> known;
-  for (const Port& port : output ? info(*number).outputs : info(*number).inputs) known.push_back(port.name);
+  for (const Port& port : ports) known.push_back(port.name);
   refuse_topology(
       unknown("subsystem '" + instance_name + "': " + (output ? "output" : "input"), port_name, known));
 }

@@ -49,7 +49,7 @@ ConnectionEntry part(const ConnectionEntry& whole, std::string from, std::string
 }
 
 void take_over(Scenario& to, const LinkEntry& entry, const std::string& surrogate, std::size_t link,
-               std::size_t links) {
+               std::size_t links, const char* continued) {
   const StatedLink& power = entry.link;
   const std::string fast = instance_of(power.effort), slow = instance_of(power.back);
   const auto port = [&](const char* name) { return surrogate + "." + numbered(name, link, links); };
@@ -59,27 +59,26 @@ void take_over(Scenario& to, const LinkEntry& entry, const std::string& surrogat
                            stated.connection.how->name() + " is not used, as the link is coupled by impulse");
   ConnectionEntry& force = connection_of(to, entry, power.effort, slow);
   ConnectionEntry mean = part(force, port("mean_force"), force.connection.to, "matched_hold");
-  force.connection.to = port("force"), force.connection.how = Reconstruction::parse("lagrange3");
+  force.connection.to = port("force"), force.connection.how = Reconstruction::parse(continued);
   ConnectionEntry& back = connection_of(to, entry, power.back, fast);
   ConnectionEntry position = part(back, power.back, port("position"), "hermite");
   back.connection.from = port("displacement"), back.connection.how = Reconstruction::parse("hermite");
   to.connections.push_back(std::move(mean)), to.connections.push_back(std::move(position));
 }
 
+/// Whether the surrogate of these links has springs.
+bool with_stiffness(const std::string& coupling, const std::vector<LinkEntry>& links) {
+  const auto states = [](const LinkEntry& link) { return link.effective.stiffness.has_value(); };
+  const bool stated = links.size() == 1 && states(links[0]);
+  if (coupling == "impulse_stiffness" && !stated)
+    refuse(links[0].place,
+           "impulse_stiffness goes by links.effective_stiffness; allowed is one link with it on a slow side");
+  return stated && coupling != "impulse_plain";
+}
+
 }  // namespace
 
-bool by_impulse(const Scenario& scenario) {
-  return std::any_of(scenario.subsystems.begin(), scenario.subsystems.end(),
-                     [](const SubsystemEntry& one) { return one.impulse != nullptr; });
-}
-
-void refuse_impulse(const Scenario& scenario, const std::string& what) {
-  if (by_impulse(scenario))
-    refuse(scenario.place("coordination.coupling"),
-           "coordination.coupling is impulse, which " + what + " does not know; allowed is signals");
-}
-
-void couple_by_impulse(Scenario& to) {
+void couple_by_impulse(const std::string& coupling, Scenario& to) {
   std::map<std::string, std::vector<LinkEntry>> by_slow;
   for (const LinkEntry& link : to.links)
     refuse_other_links(link), by_slow[instance_of(link.link.back)].push_back(link);
@@ -89,15 +88,18 @@ void couple_by_impulse(Scenario& to) {
            "fast side's "
            "output, and displacement, the slow side's");
   for (const auto& [slow, links] : by_slow) {
-    ImpulseEntry impulse{slow, {}};
+    ImpulseEntry impulse{slow, {}, with_stiffness(coupling, links)};
     SubsystemEntry surrogate{slow + "_surrogate", "builtin:impulse_surrogate", {}, {}, links[0].place,
                              links[0].place};
     for (std::size_t k = 0; k < links.size(); ++k) {
       const StatedLink& power = links[k].link;
       const std::string input = connection_of(to, links[k], power.effort, slow).connection.to;
-      impulse.links.push_back({instance_of(power.effort), input, power.back, links[k].accelerance});
-      take_over(to, links[k], surrogate.name, k, links.size());
+      impulse.links.push_back({instance_of(power.effort), input, power.back, links[k].effective});
+      take_over(to, links[k], surrogate.name, k, links.size(),
+                impulse.with_stiffness ? "lagrange4" : "lagrange3");
     }
+    to.remarks.push_back("subsystem '" + slow + "' is coupled by " +
+                         (impulse.with_stiffness ? "impulse_stiffness" : "impulse_plain"));
     surrogate.impulse = std::make_shared<const ImpulseEntry>(std::move(impulse));
     to.subsystems.push_back(std::move(surrogate));
     to.coordination.landing[slow] = Landing::never;

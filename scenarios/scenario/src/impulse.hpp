@@ -1,23 +1,26 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <functional>
+#include <memory>
 #include <vector>
 
 #include "tandem/coordinator/topology.hpp"
 #include "tandem/scenario/scenario.hpp"
+#include "tandem/transports/open.hpp"
 
 namespace tandem::scenario {
 
 /// Puts a surrogate between each slow side and the fast ones that [[links]] names: it stands as one more subsystem at the
 /// end, and the connections of the links go through it. Its parameters are not known yet.
 /// Precondition: `to` is read but for what comes after [coordination].
-void couple_by_impulse(Scenario& to);
+/// - coupling: "impulse", "impulse_plain" or "impulse_stiffness".
+void couple_by_impulse(const std::string& coupling, Scenario& to);
 
-/// The parameters of a surrogate, from how its slow side and its fast ones start. Throws Error for sides that it can't
-/// stand between.
-/// - subsystem: of an instance.
-std::vector<Parameter> parameters_of_surrogate(const ImpulseEntry& entry, const Scenario& of,
-                                               const Topology& topology,
-                                               const std::function<Subsystem&(int instance)>& subsystem);
+/// The surrogate, which goes by how its slow side and its fast ones start; null where one of these was left out. Throws
+/// Error for sides that it can't stand between.
+/// - subsystems: of the instances.
+std::unique_ptr<Subsystem> surrogate_of(const SubsystemEntry& entry, const Scenario& of,
+                                        const Topology& topology,
+                                        const std::vector<std::unique_ptr<Subsystem>>& subsystems,
+                                        const Builtins& builtins);
 
 }  // namespace tandem::scenario

@@ -1,9 +1,11 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "impulse.hpp"
 #include "tandem/error.hpp"
+#include "tandem/nearest.hpp"
 
 namespace tandem::scenario {
 namespace {
@@ -41,7 +43,7 @@ std::string port_of(const std::string& name) { return name.substr(name.find('.')
 class Asked {
  public:
   Asked(const ImpulseEntry& entry, const Scenario& of, const Topology& topology,
-        const std::function<Subsystem&(int)>& subsystem)
+        std::function<Subsystem&(int)> subsystem)
       : entry_(entry),
         of_(of),
         topology_(topology),
@@ -64,6 +66,7 @@ class Asked {
           set(at("displacement_unit", k), displacements_[k].port->unit);
       set(at("velocity", k), derivative(free, k, 1)), set(at("free_acceleration", k), derivative(free, k, 2));
     }
+    if (entry_.with_stiffness) set_springs(u0, free);
     for (std::size_t k = 0; k < forces_.size(); ++k) {
       u0[forces_[k].index] = 1.0;
       const Begin pushed = begin_of(slow_, u0, of_);
@@ -123,19 +126,53 @@ class Asked {
     return value;
   }
 
+  void set_springs(std::vector<double> u0, const Begin& free) {
+    const Effective& stated = entry_.links[0].effective;
+    set("stiffness.1", *stated.stiffness), set("damping.1", stated.damping.value_or(0.0));
+    set("degree", 4.0);
+    const double without = after_a_step(u0);
+    u0[forces_[0].index] = 1.0;
+    const double pushed = after_a_step(u0),
+                 a = derivative(begin_of(slow_, u0, of_), 0, 2) - derivative(free, 0, 2);
+    set("trapezoidal",
+        takes_ends(pushed - without, a, *stated.stiffness * a * free.step * free.step, free.step));
+  }
+
+  /// A constant force moves a spring's end by h^2 a / 2 (1 - c k h^2) in a step, k = stiffness / mass: the trapezoidal
+  /// rule, which takes the positions at both ends, has c = 1/4, an exact integrator 1/12.
+  static bool takes_ends(double moved, double a, double k_h2, double h) {
+    return (1.0 - moved / (0.5 * h * h * a)) / k_h2 > 1.0 / 6.0;
+  }
+
+  /// Where the displacement is after one step with these inputs.
+  double after_a_step(const std::vector<double>& u0) {
+    if (!slow_.info().abilities.restarts)
+      refuse("can't start again; allowed is one that can, or impulse_plain");
+    const Begin begin = begin_of(slow_, u0, of_);
+    const double end = of_.start + begin.step;
+    std::vector<Segment> constants;
+    for (const double value : u0) constants.push_back({end, of_.start, {value}});
+    std::vector<Signal> inputs;
+    for (const Segment& one : constants) inputs.emplace_back(&one, 1, 0);
+    std::vector<double> row(static_cast<std::size_t>(slow_.info().row_size()));
+    Samples y(row.data(), slow_.info().row_size(), 1);
+    slow_.advance(end, false, inputs, y);
+    return row[Samples::header + displacements_[0].index];
+  }
+
   void set_accelerance(std::size_t i, std::size_t k, double found) {
-    const std::optional<double>& stated = entry_.links[i].accelerance;
-    const double value = i == k && stated ? *stated : found;
+    const std::optional<double>& mass = entry_.links[i].effective.mass;
+    const double value = i == k && mass ? 1.0 / *mass : found;
     if (i == k && !(value > 0.0))
       refuse("does not accelerate by its input " + forces_[k].port->name +
-             " at once; allowed is one whose acceleration follows the force, or links.accelerance");
+             " at once; allowed is one whose acceleration follows the force, or links.effective_mass");
     set(at("accelerance", i * forces_.size() + k), value);
   }
 
   const ImpulseEntry& entry_;
   const Scenario& of_;
   const Topology& topology_;
-  const std::function<Subsystem&(int)>& subsystem_;
+  std::function<Subsystem&(int)> subsystem_;
   Subsystem& slow_;
   std::vector<ScalarPort> forces_, displacements_;
   std::vector<Parameter> all_;
@@ -143,10 +180,26 @@ class Asked {
 
 }  // namespace
 
-std::vector<Parameter> parameters_of_surrogate(const ImpulseEntry& entry, const Scenario& of,
-                                               const Topology& topology,
-                                               const std::function<Subsystem&(int)>& subsystem) {
-  return Asked(entry, of, topology, subsystem).parameters();
+std::unique_ptr<Subsystem> surrogate_of(const SubsystemEntry& entry, const Scenario& of,
+                                        const Topology& topology,
+                                        const std::vector<std::unique_ptr<Subsystem>>& subsystems,
+                                        const Builtins& builtins) {
+  const auto& links = entry.impulse->links;
+  const auto subsystem = [&](const std::string& name) {
+    const auto number = topology.instance(name);
+    if (!number) refuse(entry.place, unknown("subsystem", name, topology.names()));
+    return subsystems[static_cast<std::size_t>(*number)].get();
+  };
+  const auto lacks_fast = [&](const ImpulseEntry::Link& link) { return !subsystem(link.fast); };
+  if (!subsystem(entry.impulse->slow) || std::any_of(links.begin(), links.end(), lacks_fast)) return nullptr;
+  return located(entry.place, [&] {
+    Opening opening;
+    for (const Parameter& p : Asked(*entry.impulse, of, topology, [&](int i) -> Subsystem& {
+                                return *subsystems[static_cast<std::size_t>(i)];
+                              }).parameters())
+      opening.parameters.set(p.name, p.value);
+    return open(entry.source, builtins, std::move(opening));
+  });
 }
 
 }  // namespace tandem::scenario

@@ -20,6 +20,10 @@ std::unique_ptr<Subsystem> make(const Address&, Parameters& p) {
   }
   for (std::size_t k = 1; k <= links * links; ++k)
     c.accelerance.push_back(p.number("accelerance." + std::to_string(k), 0.0));
+  for (const auto& [at, value] : p.numbers("stiffness."))
+    c.stiffness.push_back(value), c.damping.push_back(p.number("damping." + at, 0.0));
+  c.trapezoidal = p.flag("trapezoidal", false);
+  c.degree = static_cast<int>(p.number("degree", 3.0));
   return impulse_surrogate(std::move(c));
 }
 
@@ -29,7 +33,7 @@ void add_impulse(Builtins& builtins) {
   builtins.models["impulse_surrogate"] = {
       words_by(Setter::operator_only,
                {"own_step", "slow_step", "fast_period", "force_unit.*", "displacement_unit.*", "velocity.*",
-                "free_acceleration.*", "accelerance.*"}),
+                "free_acceleration.*", "accelerance.*", "stiffness.*", "damping.*", "trapezoidal", "degree"}),
       make};
 }
 

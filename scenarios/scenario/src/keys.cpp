@@ -137,11 +137,18 @@ void of_links(KeyList& to) {
           "In place of `flow`, a length or an angle. With `stiffness` both outputs, of the ends of a spring.",
           {.allowed = "\"instance.port\", or two of them"})
       .may("stiffness", positive, "That of the spring between two displacements.", {.unit = "N/m or N m/rad"})
-      .may(
-          "accelerance", positive,
-          "With `coordination.coupling`: acceleration of the displacement by the effort, 1 / effective mass. "
-          "Without it: asked of the subsystem.",
-          {.unit = "1/kg or 1/(kg m^2)"});
+      .may("effective_mass", positive,
+           "With `coordination.coupling`: the mass that the effort finds at the slow side. Without it: found "
+           "at the "
+           "start.",
+           {.unit = "kg or kg m^2"})
+      .may("effective_stiffness", positive,
+           "Likewise its own springs, and with them `impulse` is `impulse_stiffness`: for fast sides that "
+           "are not light "
+           "beside it.",
+           {.unit = "N/m or N m/rad"})
+      .may("effective_damping", positive, "Likewise its own dampers, beside `effective_stiffness`.",
+           {.unit = "N s/m or N m s/rad"});
 }
 
 void of_coordination(KeyList& to) {
@@ -174,8 +181,11 @@ void of_coordination(KeyList& to) {
       .may(
           "coupling", word,
           "What the subsystems exchange. `impulse`: over each of [[links]] the fast side gets a surrogate of "
-          "the slow one, and the slow side a mean force (docs/impulse_coupling.md).",
-          {.otherwise = "signals", .words = {"signals", "impulse"}})
+          "the slow one, and the slow side a mean force (docs/impulse_coupling.md). `impulse_plain`: the "
+          "surrogate is "
+          "a mass. `impulse_stiffness`: it has springs and dampers, too. `impulse`: the better that is "
+          "known.",
+          {.otherwise = "signals", .words = {"signals", "impulse", "impulse_plain", "impulse_stiffness"}})
       .may("fast_period", positive, "Of `impulse`: the shortest period of the coupled system.",
            {.unit = "s"});
 }

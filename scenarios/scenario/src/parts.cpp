@@ -81,7 +81,7 @@ Parts::Parts(const Scenario& scenario, const Builtins& builtins, Code code) : sc
     }
   set_inputs();
   for (const SubsystemEntry& entry : scenario.subsystems)
-    if (entry.impulse) add(entry, surrogate(entry, builtins), {});
+    if (entry.impulse) add(entry, surrogate_of(entry, scenario, topology_, subsystems_, builtins), {});
   for (const ConnectionEntry& entry : scenario.connections)
     located([&](const std::string& sentence) { return entry.place_named_in(sentence); },
             [&] { connect(entry); });
@@ -96,23 +96,6 @@ void Parts::add(const SubsystemEntry& entry, std::unique_ptr<Subsystem> subsyste
   subsystems_.push_back(std::move(subsystem));
   looks_.push_back(std::move(look));
   located(entry.place, [&] { topology_.add(entry.name, info(subsystems_.size() - 1)); });
-}
-
-/// Null where what it stands between was left out.
-std::unique_ptr<Subsystem> Parts::surrogate(const SubsystemEntry& entry, const Builtins& builtins) const {
-  const auto& links = entry.impulse->links;
-  const auto is_there = [this](const std::string& name) {
-    const auto number = topology_.instance(name);
-    return !number || subsystem(*number);
-  };
-  const auto has_fast = [&](const ImpulseEntry::Link& link) { return is_there(link.fast); };
-  if (!is_there(entry.impulse->slow) || !std::all_of(links.begin(), links.end(), has_fast)) return nullptr;
-  SubsystemEntry whole = entry;
-  whole.parameters = located(entry.place, [&] {
-    return parameters_of_surrogate(*entry.impulse, scenario_, topology_,
-                                   [this](int instance) -> Subsystem& { return *subsystem(instance); });
-  });
-  return opened(whole, builtins);
 }
 
 void Parts::check_animation(const Builtins& builtins) const {

@@ -33,8 +33,10 @@ StatedLink read_effort(Section& section) {
 
 LinkEntry read_link(Section& section) {
   const auto stiffness = section.positive("stiffness");
-  LinkEntry entry{stiffness ? read_spring(section, *stiffness) : read_effort(section), section.place(),
-                  section.positive("accelerance")};
+  LinkEntry entry{stiffness ? read_spring(section, *stiffness) : read_effort(section),
+                  section.place(),
+                  {section.positive("effective_mass"), section.positive("effective_stiffness"),
+                   section.positive("effective_damping")}};
   section.refuse_unknown();
   return entry;
 }

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "tandem/scenario/scenario.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 
@@ -98,6 +99,17 @@ Place SubsystemEntry::place_named_in(const std::string& sentence) const {
     if (std::pair(!told, at) < best) best = {!told, at}, found = parameter.place;
   }
   return found;
+}
+
+bool by_impulse(const Scenario& scenario) {
+  return std::any_of(scenario.subsystems.begin(), scenario.subsystems.end(),
+                     [](const SubsystemEntry& one) { return one.impulse != nullptr; });
+}
+
+void refuse_impulse(const Scenario& scenario, const std::string& what) {
+  if (by_impulse(scenario))
+    refuse(scenario.place("coordination.coupling"),
+           "coordination.coupling is impulse, which " + what + " does not know; allowed is signals");
 }
 
 }  // namespace tandem::scenario

@@ -47,16 +47,18 @@ void check_order(const Section& section, const Scenario& scenario) {
 }
 
 void read_coupling(Section& section, Scenario& to) {
-  const bool impulse = *section.text("coupling") == "impulse";
+  const bool impulse = *section.text("coupling") != "signals";
   const auto period = section.positive("fast_period");
   if (!impulse) return;
   if (!period) section.missing("fast_period");
   to.fast_period = *period;
   Coordination& c = to.coordination;
-  if (to.chooses) section.wrong("scheme", "auto", "stated, with coordination.coupling = \"impulse\"");
+  if (to.chooses)
+    section.wrong("scheme", "auto",
+                  "stated, with coordination.coupling = \"" + *section.text("coupling") + "\"");
   if (section.node("schedule") && c.schedule != Schedule::Kind::fastest_first)
     section.wrong("schedule", std::string(Schedule::name(c.schedule)),
-                  "fastest-first, with coordination.coupling = \"impulse\"");
+                  "fastest-first, with coordination.coupling = \"" + *section.text("coupling") + "\"");
   c.schedule = Schedule::Kind::fastest_first;
   if (!section.node("start")) c.start = StartKind::cold;  // the surrogate makes up for it
 }
@@ -71,7 +73,8 @@ void read_coordination(Section& section, Scenario& to) {
   c.start = start_kind(*section.text("start"));
   read_coupling(section, to);
   section.refuse_unknown();
-  if (*section.text("coupling") == "impulse") couple_by_impulse(to);
+  if (const std::string coupling = *section.text("coupling"); coupling != "signals")
+    couple_by_impulse(coupling, to);
   if (section.node("order")) check_order(section, to);
 }
 

@@ -1,7 +1,5 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -123,11 +121,12 @@ class Topology {
   std::vector<std::string> output_names() const;
 
  private:
-  struct IndexedPort {
-    const Port* port;
-    int first;  ///< its first scalar
+  using Numbers = std::unordered_map<std::string, int>;  ///< of things by their names
+  /// Of ports, beside the first scalar of each.
+  struct PortIndex {
+    Numbers numbers;
+    std::vector<int> first;
   };
-  using PortIndex = std::unordered_map<std::string_view, IndexedPort>;
   struct Instance {
     std::string name;
     const SubsystemInfo* info;
@@ -155,7 +154,7 @@ class Topology {
   void check_loops() const;
 
   std::vector<Instance> instances_;
-  std::map<std::string, int, std::less<>> numbers_;  ///< of instances, by name
+  Numbers numbers_;  ///< of instances
   std::vector<Line> lines_;
 };
 

@@ -26,10 +26,16 @@ class Surrogate {
     require(above_zero(of_.own_step) && above_zero(of_.slow_step) && above_zero(of_.fast_period),
             "own steps and the fast period are to be above 0 s");
     require(of_.slow_step >= of_.own_step, "the slow side's own step is shorter than the fast side's");
+    require(of_.degree >= 1 && of_.degree <= 4, "the force is continued by a polynomial of degree 1 to 4");
     require(!of_.links.empty() && of_.accelerance.size() == of_.links.size() * of_.links.size(),
             "the accelerance is to be a matrix of all links");
-    for (auto& forces : forces_) forces.resize(of_.links.size());
-    reactions_ = forces_;
+    const std::size_t matrix = of_.links.size() * of_.links.size();
+    require(of_.stiffness.empty() ? of_.damping.empty()
+                                  : of_.stiffness.size() == matrix && of_.damping.size() == matrix,
+            "stiffness and damping are to be matrices of all links");
+    for (Forces* one : {&forces_[0], &forces_[1], &forces_[2], &stages_[0], &stages_[1], &stages_[2],
+                        &stages_[3], &net_, &positions_, &velocities_})
+      one->resize(of_.links.size());
   }
 
   SubsystemInfo info() const;
@@ -48,6 +54,8 @@ class Surrogate {
   double length() const { return end_ - begin_; }
   void react(const Forces& forces, Forces& accelerations) const;
   void begin_slow_step();
+  void accelerate(std::size_t stage, double h, const double (&times)[3]);
+  void take_spring(const Forces& forces, const Forces& y, const Forces& v, Forces& net) const;
   void make_up_start(double t, std::span<const Signal> u);
   void take_node(double t, std::span<const Signal> u);
   void pass_node(const OwnStep& s);
@@ -57,9 +65,12 @@ class Surrogate {
   TimeGrid slow_;
   double begin_ = 0.0, end_ = 0.0;  ///< of the slow side's step [s]
   bool passed_ = false;             ///< its end, and the slow side has not been heard since
-  int steps_ = 0;                   ///< own ones so far, up to 4
+  int steps_ = 0;                   ///< own ones so far, up to degree + 1
   std::vector<SurrogateLink> links_;
-  std::array<Forces, 3> forces_, reactions_;  ///< at begin, middle and end of a step
+  std::array<Forces, 3> forces_;  ///< at begin, middle and end of a step
+  std::array<Forces, 4> stages_;  ///< accelerations
+  Forces net_;                    ///< of a stage; once a node is passed, the means over the slow side's step
+  Forces positions_, velocities_;
 };
 
 SubsystemInfo Surrogate::info() const {
@@ -81,10 +92,15 @@ SubsystemInfo Surrogate::info() const {
 
 void Surrogate::start(double t, std::span<const double> u0) {
   links_.clear();
-  const bool hat = of_.slow_step < longest_hat * of_.fast_period;
+  const bool hat = of_.stiffness.empty() && of_.slow_step < longest_hat * of_.fast_period;
   const ForceWindow window(hat ? ForceWindow::Kind::hat : ForceWindow::Kind::b_spline, of_.slow_step);
   for (std::size_t k = 0; k < size(); ++k)
-    links_.emplace_back(window, u0[size() + k], of_.links[k].velocity, of_.links[k].free_acceleration);
+    positions_[k] = u0[size() + k], velocities_[k] = of_.links[k].velocity, forces_[0][k] = 0.0;
+  take_spring(forces_[0], positions_, velocities_, net_);
+  react(net_, stages_[0]);  // what its springs accelerate
+  for (std::size_t k = 0; k < size(); ++k)
+    links_.emplace_back(window, positions_[k], velocities_[k],
+                        of_.links[k].free_acceleration - stages_[0][k]);
   slow_ = TimeGrid(t, of_.slow_step);
   passed_ = false;
   steps_ = 0;
@@ -105,48 +121,75 @@ void Surrogate::react(const Forces& forces, Forces& accelerations) const {
 
 void Surrogate::step(const OwnStep& s, std::span<const Signal> u) {
   if (passed_) take_node(s.begin, u);
-  if (steps_ > 0 && steps_ < 4) make_up_start(s.begin, u);
-  if (steps_ < 4) ++steps_;
+  if (steps_ > 0 && steps_ <= of_.degree) make_up_start(s.begin, u);
+  if (steps_ <= of_.degree) ++steps_;
   const double times[] = {s.begin, s.begin + s.length / 2.0, s.end};
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < size(); ++k) forces_[i][k] = u[k].value(times[i]);
-    react(forces_[i], reactions_[i]);
-  }
-  for (std::size_t k = 0; k < size(); ++k) {
-    double force[3], acceleration[3];
-    for (std::size_t i = 0; i < 3; ++i)
-      force[i] = forces_[i][k],
-      acceleration[i] = reactions_[i][k] + links_[k].acceleration(times[i] - begin_);
-    links_[k].step(s.length, force, acceleration);
-  }
+  for (std::size_t stage = 0; stage < 4; ++stage) accelerate(stage, s.length, times);
+  for (std::size_t k = 0; k < size(); ++k)
+    links_[k].step(s.length, {forces_[0][k], forces_[1][k], forces_[2][k]},
+                   {stages_[0][k], stages_[1][k], stages_[2][k], stages_[3][k]});
   if (!slow_.tolerance().before(s.end, end_)) pass_node(s);
 }
 
-void Surrogate::make_up_start(double t, std::span<const Signal> u) {
-  for (std::size_t k = 0; k < size(); ++k) forces_[0][k] = u[k].value(t) - forces_[2][k];
-  react(forces_[0], reactions_[0]);
-  for (std::size_t k = 0; k < size(); ++k)
-    links_[k].make_up_start(steps_, of_.own_step, forces_[0][k], reactions_[0][k]);
+/// Of the stage of the classical Runge-Kutta method, from the one before.
+void Surrogate::accelerate(std::size_t stage, double h, const double (&times)[3]) {
+  const std::size_t at = (stage + 1) / 2;
+  const double c = stage == 0 ? 0.0 : stage == 3 ? h : 0.5 * h;
+  for (std::size_t k = 0; k < size(); ++k) {
+    positions_[k] = links_[k].position() + (stage == 0 ? 0.0 : c * velocities_[k]);
+    velocities_[k] = links_[k].velocity() + (stage == 0 ? 0.0 : c * stages_[stage - 1][k]);
+  }
+  take_spring(forces_[at], positions_, velocities_, net_);
+  react(net_, stages_[stage]);
+  for (std::size_t k = 0; k < size(); ++k) stages_[stage][k] += links_[k].acceleration(times[at] - begin_);
 }
 
+/// The forces without those of the slow side's own springs and dampers.
+void Surrogate::take_spring(const Forces& forces, const Forces& y, const Forces& v, Forces& net) const {
+  net = forces;
+  if (of_.stiffness.empty()) return;
+  for (std::size_t i = 0; i < size(); ++i)
+    for (std::size_t k = 0; k < size(); ++k)
+      net[i] -= of_.stiffness[i * size() + k] * y[k] + of_.damping[i * size() + k] * v[k];
+}
+
+void Surrogate::make_up_start(double t, std::span<const Signal> u) {
+  for (std::size_t k = 0; k < size(); ++k) net_[k] = u[k].value(t) - forces_[2][k];
+  react(net_, stages_[0]);
+  for (std::size_t k = 0; k < size(); ++k)
+    links_[k].make_up_start(steps_, of_.own_step, net_[k], stages_[0][k]);
+}
+
+/// The slow side takes the mean of its spring at the mean position that its own rule has; what that is off goes into
+/// its input.
 void Surrogate::pass_node(const OwnStep& s) {
   for (std::size_t k = 0; k < size(); ++k) {
-    const ForceIntegrals of = links_[k].cut_at_node(s.length, s.end - end_, forces_[0][k], forces_[2][k]);
-    links_[k].pass(of, length(), of_.slow_step);
-    forces_[0][k] = links_[k].mean_force();
+    const ForceIntegrals of =
+        links_[k].cut_at_node(s.length, s.end - end_, forces_[0][k], forces_[2][k], length());
+    stages_[0][k] = links_[k].pass(of, length(), of_.slow_step);
+    positions_[k] = links_[k].mean_position(), velocities_[k] = links_[k].mean_velocity();
   }
-  react(forces_[0], reactions_[0]);
-  for (std::size_t k = 0; k < size(); ++k) links_[k].foresee(reactions_[0][k], length());
+  take_spring(stages_[0], positions_, velocities_, net_);
+  react(net_, stages_[1]), react(stages_[0], stages_[2]);
+  for (std::size_t k = 0; k < size(); ++k) {
+    SurrogateLink& link = links_[k];
+    link.foresee(stages_[1][k], length());
+    const double a = link.middle(length()) + stages_[1][k] - (of_.trapezoidal ? stages_[2][k] : 0.0);
+    positions_[k] -= link.foreseen_mean(a, length()), velocities_[k] -= link.foreseen_speed(length());
+  }
+  take_spring(stages_[0], positions_, velocities_, stages_[3]);
+  for (std::size_t k = 0; k < size(); ++k) links_[k].set_mean_force(stages_[3][k]);
   passed_ = true;
 }
 
 void Surrogate::take_node(double t, std::span<const Signal> u) {
   const bool jumps = of_.slow_step < of_.fast_period;
-  for (std::size_t k = 0; k < size(); ++k) forces_[0][k] = links_[k].mean_force();
-  react(forces_[0], reactions_[0]);
+  react(net_, stages_[1]);
   for (std::size_t k = 0; k < size(); ++k) {
     const Signal& position = u[size() + k];
-    links_[k].take(position.value(end_), position.derivative(end_), reactions_[0][k], t - end_, length(),
+    links_[k].take(position.value(end_), position.derivative(end_), stages_[1][k], t - end_, length(),
                    of_.slow_step, jumps);
   }
   slow_.step();
@@ -164,14 +207,16 @@ void Surrogate::outputs(double* y) const {
 void Surrogate::write(ByteWriter& to) const {
   slow_.write(to);
   to.put(std::uint8_t{passed_}), to.put(std::int32_t{steps_});
-  for (const double force : forces_[2]) to.put(force);
+  for (const Forces* one : {&forces_[2], &net_})
+    for (const double force : *one) to.put(force);
   for (const SurrogateLink& link : links_) link.write(to);
 }
 
 void Surrogate::read(ByteReader& from) {
   slow_.read(from);
   passed_ = from.take<std::uint8_t>() != 0, steps_ = from.take<std::int32_t>();
-  for (double& force : forces_[2]) force = from.take<double>();
+  for (Forces* one : {&forces_[2], &net_})
+    for (double& force : *one) force = from.take<double>();
   begin_slow_step();
   for (SurrogateLink& link : links_) link.read(from);
 }

@@ -13,21 +13,30 @@ double hermite(double h, double x, double y0, double d0, double y1, double d1) {
 }  // namespace
 
 SurrogateLink::SurrogateLink(ForceWindow window, double position, double velocity, double g)
-    : y_(position), v_(velocity), at_(position), rate_(velocity), g_(g), window_(window) {}
+    : y_(position),
+      v_(velocity),
+      at_(position),
+      rate_(velocity),
+      g_(g),
+      from_position_(position),
+      window_(window) {}
 
-void SurrogateLink::step(double h, const double (&f)[3], const double (&a)[3]) {
-  before_ = sum_;
+void SurrogateLink::step(double h, const double (&f)[3], const double (&a)[4]) {
+  before_ = sum_, before_sum_ = sum_position_, before_position_ = y_, before_velocity_ = v_;
   sum_.third += h * (before_.second + h * (before_.first / 2.0 + h * (f[0] + f[1]) / 12.0));
   sum_.second += h * (before_.first + h * (f[0] + 2.0 * f[1]) / 6.0);
   sum_.first += h * (f[0] + 4.0 * f[1] + f[2]) / 6.0;
-  y_ += h * (v_ + h * (a[0] + 2.0 * a[1]) / 6.0);
-  v_ += h * (a[0] + 4.0 * a[1] + a[2]) / 6.0;
+  sum_position_ += h * (y_ + h * (v_ / 2.0 + h * (a[0] + a[1]) / 12.0));
+  y_ += h * (v_ + h * (a[0] + a[1] + a[2]) / 6.0);
+  v_ += h * (a[0] + 2.0 * (a[1] + a[2]) + a[3]) / 6.0;
 }
 
 /// The polynomials of steps n and n + 1 differ by binomial(t / h, n) times what was missed; its integrals from 0 to n.
 void SurrogateLink::make_up_start(int steps, double h, double missed, double reaction) {
-  constexpr ForceIntegrals of[] = {
-      {1.0 / 2.0, 1.0 / 6.0, 1.0 / 24.0}, {1.0 / 3.0, 0.0, -1.0 / 15.0}, {3.0 / 8.0, 3.0 / 20.0, 9.0 / 80.0}};
+  constexpr ForceIntegrals of[] = {{1.0 / 2.0, 1.0 / 6.0, 1.0 / 24.0},
+                                   {1.0 / 3.0, 0.0, -1.0 / 15.0},
+                                   {3.0 / 8.0, 3.0 / 20.0, 9.0 / 80.0},
+                                   {14.0 / 45.0, 0.0, -8.0 / 63.0}};
   const ForceIntegrals& one = of[steps - 1];
   sum_.third += h * h * h * one.third * missed;
   sum_.second += h * h * one.second * missed;
@@ -36,7 +45,8 @@ void SurrogateLink::make_up_start(int steps, double h, double missed, double rea
   v_ += h * one.first * reaction;
 }
 
-ForceIntegrals SurrogateLink::cut_at_node(double h, double s, double force_before, double force_now) {
+ForceIntegrals SurrogateLink::cut_at_node(double h, double s, double force_before, double force_now,
+                                          double length) {
   const double x = (h - s) / h;
   const ForceIntegrals node{hermite(h, x, before_.first, force_before, sum_.first, force_now),
                             hermite(h, x, before_.second, before_.first, sum_.second, sum_.first),
@@ -44,6 +54,10 @@ ForceIntegrals SurrogateLink::cut_at_node(double h, double s, double force_befor
   sum_.third -= node.third + s * (node.second + s * node.first / 2.0);
   sum_.second -= node.second + s * node.first;
   sum_.first -= node.first;
+  const double position = hermite(h, x, before_position_, before_velocity_, y_, v_);
+  const double all = hermite(h, x, before_sum_, before_position_, sum_position_, y_);
+  mean_position_ = all / length, mean_velocity_ = (position - from_position_) / length;
+  sum_position_ -= all, from_position_ = position;
   return node;
 }
 
@@ -51,6 +65,11 @@ void SurrogateLink::foresee(double reaction, double length) {
   const double a = reaction + g_ + g_rate_ * length / 2.0;
   foreseen_rate_ = rate_ + length * a;
   foreseen_ = at_ + length * (rate_ + length * a / 2.0);
+}
+
+/// Of what is a parabola with these ends and this acceleration.
+double SurrogateLink::foreseen_mean(double acceleration, double length) const {
+  return (at_ + foreseen_) / 2.0 - length * length * acceleration / 12.0;
 }
 
 void SurrogateLink::take(double position, double velocity, double reaction, double s, double length,
@@ -63,7 +82,7 @@ void SurrogateLink::take(double position, double velocity, double reaction, doub
 /// The last pulse, which went on past its end, goes over into the free motion of its defect.
 void SurrogateLink::put_in(const DefectPulse& pulse, double s, double length, bool jumps) {
   if (jumps) {
-    y_ += pulse.free(s), v_ += pulse.free_rate();
+    y_ += pulse.free(s), v_ += pulse.free_rate(), from_position_ += pulse.free(0.0);
     return;
   }
   const double end = length + s;
@@ -84,20 +103,42 @@ void SurrogateLink::follow(double g_mean, double s, double length) {
   g_ = g, g_rate_ = rate, g_mean_ = g_mean;
 }
 
+/// All numbers of its own.
+std::vector<double*> SurrogateLink::numbers() {
+  return {&sum_.first,
+          &sum_.second,
+          &sum_.third,
+          &before_.first,
+          &before_.second,
+          &before_.third,
+          &y_,
+          &v_,
+          &at_,
+          &rate_,
+          &g_,
+          &g_rate_,
+          &g_mean_,
+          &foreseen_,
+          &foreseen_rate_,
+          &mean_force_,
+          &sum_position_,
+          &before_sum_,
+          &before_position_,
+          &before_velocity_,
+          &from_position_,
+          &mean_position_,
+          &mean_velocity_,
+          &length_};
+}
+
 void SurrogateLink::write(ByteWriter& to) const {
-  for (const ForceIntegrals& one : {sum_, before_}) to.put(one.first), to.put(one.second), to.put(one.third);
-  for (const double one :
-       {y_, v_, at_, rate_, g_, g_rate_, g_mean_, foreseen_, foreseen_rate_, mean_force_, length_})
-    to.put(one);
+  SurrogateLink copy = *this;
+  for (const double* one : copy.numbers()) to.put(*one);
   pulse_.write(to), window_.write(to);
 }
 
 void SurrogateLink::read(ByteReader& from) {
-  for (ForceIntegrals* one : {&sum_, &before_})
-    for (double* value : {&one->first, &one->second, &one->third}) *value = from.take<double>();
-  for (double* one :
-       {&y_, &v_, &at_, &rate_, &g_, &g_rate_, &g_mean_, &foreseen_, &foreseen_rate_, &mean_force_, &length_})
-    *one = from.take<double>();
+  for (double* one : numbers()) *one = from.take<double>();
   pulse_.read(from), window_.read(from);
 }
 

@@ -1,5 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <vector>
+
 #include "tandem/coordinator/impulse/defect_pulse.hpp"
 #include "tandem/coordinator/impulse/force_window.hpp"
 
@@ -14,25 +16,34 @@ class SurrogateLink {
 
   /// The smooth rest of the acceleration, and what is put in of the last defect.
   double acceleration(double s) const { return g_ + g_rate_ * s + pulse_.acceleration(s); }
-  /// A step of the classical Runge-Kutta method, of what follows from time alone.
-  void step(double h, const double (&force)[3], const double (&acceleration)[3]);
-  /// After the first, second and third step: the polynomial of the force that this step went by missed it at its end
-  /// by so much, and A times that.
+  /// A step of the classical Runge-Kutta method: the force at its begin, middle and end, and the acceleration at its
+  /// four stages.
+  void step(double h, const double (&force)[3], const double (&acceleration)[4]);
+  /// After one of the first four steps: the polynomial of the force that it went by missed the force at its end by so
+  /// much; and A times that.
   void make_up_start(int steps, double h, double missed, double reaction);
   /// Of the step before its end, h long, whose middle the slow side's node is not; s: from its node to the end.
   /// What is integrated counts from that node on.
-  ForceIntegrals cut_at_node(double h, double s, double force_before, double force_now);
+  ForceIntegrals cut_at_node(double h, double s, double force_before, double force_now, double length);
+
+  /// Over the slow side's step, as far as it has been cut at its node: the means of position and velocity.
+  double mean_position() const { return mean_position_; }
+  double mean_velocity() const { return mean_velocity_; }
 
   double position() const { return y_; }
   double velocity() const { return v_; }
   double mean_force() const { return mean_force_; }
+  void set_mean_force(double force) { mean_force_ = force; }
 
-  /// At the end of the slow side's step.
-  void pass(const ForceIntegrals& of, double length, double next) {
-    mean_force_ = window_.pass(of, length, next);
-  }
-  /// What the slow side will come to by its step, `length` long, with A times the mean forces.
+  /// At the end of the slow side's step: the mean of the link's force.
+  double pass(const ForceIntegrals& of, double length, double next) { return window_.pass(of, length, next); }
+  /// What the slow side will come to by its step, `length` long, with A times the mean of the net forces.
   void foresee(double reaction, double length);
+  /// The mean position over that step, with this acceleration.
+  double foreseen_mean(double acceleration, double length) const;
+  /// The smooth acceleration in the middle of that step.
+  double middle(double length) const { return g_ + g_rate_ * length / 2.0; }
+  double foreseen_speed(double length) const { return (foreseen_ - at_) / length; }
   /// What it came to, s after that; next: the length of its coming step; jumps: a defect is put in at once.
   void take(double position, double velocity, double reaction, double s, double length, double next,
             bool jumps);
@@ -41,6 +52,7 @@ class SurrogateLink {
   void read(ByteReader& from);
 
  private:
+  std::vector<double*> numbers();
   void put_in(const DefectPulse& pulse, double s, double length, bool jumps);
   void follow(double g_mean, double s, double length);
 
@@ -50,6 +62,10 @@ class SurrogateLink {
   double g_, g_rate_ = 0.0;      ///< there, and its change [1/s]
   double g_mean_ = 0.0;          ///< over the step before
   double foreseen_ = 0.0, foreseen_rate_ = 0.0, mean_force_ = 0.0;
+  double sum_position_ = 0.0, before_sum_ = 0.0;          ///< integral of y_, as of the force
+  double before_position_ = 0.0, before_velocity_ = 0.0;  ///< at the begin of the last step
+  double from_position_;                                  ///< y_ at the slow side's last node
+  double mean_position_ = 0.0, mean_velocity_ = 0.0;
   double length_ = 0.0;  ///< of the step before; 0: it is the first
   DefectPulse pulse_;
   ForceWindow window_;

@@ -17,8 +17,13 @@ struct ImpulseCoupling {
     double free_acceleration = 0.0;  ///< the same without any of these forces
   };
   std::vector<Link> links;
-  std::vector<double>
-      accelerance;  ///< A by rows: acceleration of a displacement by a force; of one link 1 / effective mass
+  /// A by rows: the acceleration of a displacement by a force. Of one link it is 1 / effective mass.
+  std::vector<double> accelerance;
+  /// Likewise the forces of the slow side's own springs and dampers, by displacements and by their rates. Empty: the
+  /// surrogate has none.
+  std::vector<double> stiffness, damping;
+  bool trapezoidal = false;  ///< the slow side's rule takes the mean of the positions at the ends of its step
+  int degree = 3;            ///< of the polynomial that continues the force, 1 to 4
   double own_step = 0.0;     ///< h [s]: of the fast side
   double slow_step = 0.0;    ///< H [s], h or more
   double fast_period = 0.0;  ///< T_f [s]: the shortest of the coupled system

@@ -6,7 +6,7 @@ namespace tandem::scenario {
 
 /// Adds "builtin:impulse_surrogate", which coordination.coupling puts between two sides. Its parameters are those of
 /// ImpulseCoupling: own_step, slow_step and fast_period [s]; of each link K from 1 velocity.K, free_acceleration.K,
-/// force_unit.K and displacement_unit.K; accelerance.K, the matrix by rows.
+/// force_unit.K and displacement_unit.K; accelerance.K, stiffness.K and damping.K, matrices by rows; trapezoidal; degree.
 void add_impulse(Builtins& builtins);
 
 }  // namespace tandem::scenario

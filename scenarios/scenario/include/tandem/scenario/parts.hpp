@@ -46,7 +46,6 @@ class Parts {
  private:
   void add(const SubsystemEntry& entry, std::unique_ptr<Subsystem> subsystem, std::optional<Look> look);
   std::optional<Look> leave_out(const SubsystemEntry& entry, const Builtins& builtins);
-  std::unique_ptr<Subsystem> surrogate(const SubsystemEntry& entry, const Builtins& builtins) const;
   const SubsystemInfo& info(std::size_t instance) const;
   bool is_left_out(const std::string& port) const;
   void add_notes_of_units(std::vector<std::string>& notes) const;

@@ -39,14 +39,20 @@ struct InputEntry {
   double at(double t) const;
 };
 
+/// What a slow side is at a link, as far as it is stated.
+struct Effective {
+  std::optional<double> mass, stiffness, damping;
+};
+
 /// What an impulse surrogate goes between.
 struct ImpulseEntry {
   struct Link {
     std::string fast, force, displacement;  ///< instance; input and output of the slow side
-    std::optional<double> accelerance;      ///< stated
+    Effective effective;
   };
   std::string slow;  ///< instance
   std::vector<Link> links;
+  bool with_stiffness;
 };
 
 struct SubsystemEntry {
@@ -84,7 +90,7 @@ struct ConnectionEntry {
 struct LinkEntry {
   StatedLink link;
   Place place;
-  std::optional<double> accelerance = {};  ///< of its displacement by its effort
+  Effective effective = {};
 };
 
 /// Results to compare with.

@@ -1,0 +1,17 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// A scenario in an FMU is coupled by signals.
+#include "impulse.hpp"
+
+namespace tandem::scenario {
+
+void couple_by_impulse(const std::string& coupling, Scenario& to) {
+  refuse(to.place("coordination.coupling"),
+         "coordination.coupling is " + coupling + ", which an FMU can't be coupled by; allowed is signals");
+}
+
+std::unique_ptr<Subsystem> surrogate_of(const SubsystemEntry&, const Scenario&, const Topology&,
+                                        const std::vector<std::unique_ptr<Subsystem>>&, const Builtins&) {
+  return nullptr;
+}
+
+}  // namespace tandem::scenario
