@@ -25,6 +25,21 @@ TEST(ImpulseScenario, IsRightWhereTheSlowStepTakesFastPeriods) {
   EXPECT_TRUE(contains(coupled.said().err, "indicators are not written")) << coupled.said().err;
 }
 
+/// At another start the modes go on from there; the errors are those of a run from 0.
+TEST(ImpulseScenario, IsRightFromAnyStart) {
+  for (const char* ratio : {"10", "20", "30", "40"}) {
+    const std::string of = std::string("parameters.frequency_ratio=") + ratio;
+    const std::vector<std::string> settings{of, "span.start=1000", "span.stop=1100"};
+    const SceneRun coupled(impulse_scene, settings), right(two_mass_file("exact.toml"), settings);
+    ASSERT_EQ(coupled.said().status, 0) << coupled.said().err;
+    const auto &x = coupled.column("fast.x1"), &exact = right.column("exact.x1");
+    double errors = 0.0, squares = 0.0;
+    for (std::size_t k = 0; k < x.size(); ++k)
+      errors += (x[k] - exact[k]) * (x[k] - exact[k]), squares += exact[k] * exact[k];
+    EXPECT_LT(std::stod(ratio) / 100.0 * std::sqrt(errors / squares), 0.0025) << ratio;
+  }
+}
+
 /// Each side in a process of its own.
 TEST(ImpulseScenario, HasTheSameBitsWhereverItsSidesAre) {
   const Scratch folder;
@@ -83,7 +98,7 @@ TEST(ImpulseScenario, RefusesWhatItCantCouple) {
       {"coordination.scheme=auto", {"coordination.scheme", "stated"}},
       {"coordination.order=[\"slow\", \"fast\"]", {"'slow_surrogate' is missing"}},
       {"coordination.coupling=impulse_stiffness", {"links.effective_stiffness"}},
-      {"coordination.start=warm", {"coordination.start"}},
+      {"subsystems.slow.land=always", {"land", "never"}},
       {"coordination.fast_period=0", {"coordination.fast_period", "above 0"}},
   };
   for (const BadImpulse& bad : all) {
@@ -91,6 +106,18 @@ TEST(ImpulseScenario, RefusesWhatItCantCouple) {
     EXPECT_EQ(said.status, 2) << bad.setting << ": " << said.err;
     for (const std::string& word : bad.words)
       EXPECT_TRUE(contains(said.err, word)) << bad.setting << ": " << said.err;
+  }
+}
+
+/// The slow side would step with a force that is not known yet.
+TEST(ImpulseScenario, EndsWhereTheSlowSideRunsAhead) {
+  const Scratch folder;
+  for (const char* order :
+       {R"(["slow_surrogate", "slow", "fast"])", R"(["fast", "slow_surrogate", "slow"])"}) {
+    const Said said =
+        tandem(folder, {"run", impulse_scene, "--set", std::string("coordination.order=") + order});
+    EXPECT_EQ(said.status, 1) << said.err;
+    EXPECT_TRUE(contains(said.err, "the slow side stands at 3.000000 s")) << said.err;
   }
 }
 

@@ -102,7 +102,13 @@ void couple_by_impulse(const std::string& coupling, Scenario& to) {
                          (impulse.with_stiffness ? "impulse_stiffness" : "impulse_plain"));
     surrogate.impulse = std::make_shared<const ImpulseEntry>(std::move(impulse));
     to.subsystems.push_back(std::move(surrogate));
-    to.coordination.landing[slow] = Landing::never;
+    Landing& lands = to.coordination.landing[slow];
+    if (lands == Landing::always)
+      refuse(links[0].place,
+             "subsystem '" + slow +
+                 "' has land = \"always\"; allowed with an impulse coupling is never, as its steps "
+                 "are to be equal");
+    lands = Landing::never;
   }
   to.links.clear();
   to.remarks.push_back("indicators are not written, as they do not know an impulse coupling");

@@ -58,9 +58,16 @@ class Asked {
   std::vector<Parameter> parameters() {
     check_slow();
     std::vector<double> u0 = topology_.start(*topology_.instance(entry_.slow));
+    for (std::size_t k = 0; k < u0.size(); ++k)
+      if (const TimeSeries* data = topology_.series(*topology_.instance(entry_.slow), static_cast<int>(k)))
+        u0[k] = data->value(of_.start);
     for (const ScalarPort& force : forces_) u0[force.index] = 0.0;
     const Begin free = begin_of(slow_, u0, of_);
-    set("own_step", fast_step()), set("slow_step", free.step), set("fast_period", of_.fast_period);
+    const double fast = fast_step();
+    if (!(free.step > fast))
+      refuse("has an own step of " + std::to_string(free.step) + " s, and the fast side one of " +
+             std::to_string(fast) + " s; allowed is a longer one");
+    set("own_step", fast), set("slow_step", free.step), set("fast_period", of_.fast_period);
     for (std::size_t k = 0; k < forces_.size(); ++k) {
       set(at("force_unit", k), forces_[k].port->unit),
           set(at("displacement_unit", k), displacements_[k].port->unit);
@@ -162,7 +169,16 @@ class Asked {
 
   void set_accelerance(std::size_t i, std::size_t k, double found) {
     const std::optional<double>& mass = entry_.links[i].effective.mass;
+    if (mass && forces_.size() > 1)
+      refuse(
+          "has several links, whose masses depend on each other; allowed is links.effective_mass of one "
+          "alone");
     const double value = i == k && mass ? 1.0 / *mass : found;
+    if (i == k && found < 0.0)
+      refuse(
+          "accelerates by " + std::to_string(found) + " for a force of 1 at its input " +
+          forces_[k].port->name +
+          "; allowed is above 0, so that a sign of the input or of the output is to be turned (gain = -1)");
     if (i == k && !(value > 0.0))
       refuse("does not accelerate by its input " + forces_[k].port->name +
              " at once; allowed is one whose acceleration follows the force, or links.effective_mass");

@@ -25,7 +25,7 @@ class Surrogate {
     const auto above_zero = [](double one) { return std::isfinite(one) && one > 0.0; };
     require(above_zero(of_.own_step) && above_zero(of_.slow_step) && above_zero(of_.fast_period),
             "own steps and the fast period are to be above 0 s");
-    require(of_.slow_step >= of_.own_step, "the slow side's own step is shorter than the fast side's");
+    require(of_.slow_step > of_.own_step, "the slow side's own step is not longer than the fast side's");
     require(of_.degree >= 1 && of_.degree <= 4, "the force is continued by a polynomial of degree 1 to 4");
     require(!of_.links.empty() && of_.accelerance.size() == of_.links.size() * of_.links.size(),
             "the accelerance is to be a matrix of all links");
@@ -53,7 +53,8 @@ class Surrogate {
   std::size_t size() const { return of_.links.size(); }
   double length() const { return end_ - begin_; }
   void react(const Forces& forces, Forces& accelerations) const;
-  void begin_slow_step();
+  void begin_slow_step(double t);
+  void check_slow_side(double t, const Signal& position) const;
   void accelerate(std::size_t stage, double h, const double (&times)[3]);
   void take_spring(const Forces& forces, const Forces& y, const Forces& v, Forces& net) const;
   void make_up_start(double t, std::span<const Signal> u);
@@ -62,7 +63,7 @@ class Surrogate {
 
   ImpulseCoupling of_;
   double t_stop_ = 0.0;
-  TimeGrid slow_;
+  TimeTolerance tolerance_;
   double begin_ = 0.0, end_ = 0.0;  ///< of the slow side's step [s]
   bool passed_ = false;             ///< its end, and the slow side has not been heard since
   int steps_ = 0;                   ///< own ones so far, up to degree + 1
@@ -101,15 +102,23 @@ void Surrogate::start(double t, std::span<const double> u0) {
   for (std::size_t k = 0; k < size(); ++k)
     links_.emplace_back(window, positions_[k], velocities_[k],
                         of_.links[k].free_acceleration - stages_[0][k]);
-  slow_ = TimeGrid(t, of_.slow_step);
+  tolerance_ = TimeTolerance(t);
   passed_ = false;
   steps_ = 0;
-  begin_slow_step();
+  begin_slow_step(t);
 }
 
 /// The last one ends where the run does.
-void Surrogate::begin_slow_step() {
-  begin_ = slow_.time(), end_ = slow_.fits(t_stop_) ? slow_.next() : t_stop_;
+void Surrogate::begin_slow_step(double t) { begin_ = t, end_ = std::min(t + of_.slow_step, t_stop_); }
+
+/// The slow side stands at its newest sample.
+void Surrogate::check_slow_side(double t, const Signal& position) const {
+  const double at = position.segments().back().origin;
+  if (!tolerance_.before(at, t) && !tolerance_.before(t, at)) return;
+  throw Error(ErrorCode::not_supported,
+              "impulse coupling: the slow side stands at " + std::to_string(at) +
+                  " s where it is to stand at " + std::to_string(t) +
+                  " s; allowed is an order in which the surrogate and the fast sides lead it");
 }
 
 void Surrogate::react(const Forces& forces, Forces& accelerations) const {
@@ -130,7 +139,9 @@ void Surrogate::step(const OwnStep& s, std::span<const Signal> u) {
   for (std::size_t k = 0; k < size(); ++k)
     links_[k].step(s.length, {forces_[0][k], forces_[1][k], forces_[2][k]},
                    {stages_[0][k], stages_[1][k], stages_[2][k], stages_[3][k]});
-  if (!slow_.tolerance().before(s.end, end_)) pass_node(s);
+  if (tolerance_.before(s.end, end_)) return;
+  check_slow_side(begin_, u[size()]);
+  pass_node(s);
 }
 
 /// Of the stage of the classical Runge-Kutta method, from the one before.
@@ -186,14 +197,15 @@ void Surrogate::pass_node(const OwnStep& s) {
 
 void Surrogate::take_node(double t, std::span<const Signal> u) {
   const bool jumps = of_.slow_step < of_.fast_period;
+  check_slow_side(end_, u[size()]);
+  const double node = u[size()].segments().back().origin;
   react(net_, stages_[1]);
   for (std::size_t k = 0; k < size(); ++k) {
     const Signal& position = u[size() + k];
-    links_[k].take(position.value(end_), position.derivative(end_), stages_[1][k], t - end_, length(),
+    links_[k].take(position.value(node), position.derivative(node), stages_[1][k], t - end_, length(),
                    of_.slow_step, jumps);
   }
-  slow_.step();
-  begin_slow_step();
+  begin_slow_step(node);
   passed_ = false;
 }
 
@@ -205,7 +217,7 @@ void Surrogate::outputs(double* y) const {
 }
 
 void Surrogate::write(ByteWriter& to) const {
-  slow_.write(to);
+  to.put(begin_);
   to.put(std::uint8_t{passed_}), to.put(std::int32_t{steps_});
   for (const Forces* one : {&forces_[2], &net_})
     for (const double force : *one) to.put(force);
@@ -213,11 +225,10 @@ void Surrogate::write(ByteWriter& to) const {
 }
 
 void Surrogate::read(ByteReader& from) {
-  slow_.read(from);
+  begin_slow_step(from.take<double>());
   passed_ = from.take<std::uint8_t>() != 0, steps_ = from.take<std::int32_t>();
   for (Forces* one : {&forces_[2], &net_})
     for (double& force : *one) force = from.take<double>();
-  begin_slow_step();
   for (SurrogateLink& link : links_) link.read(from);
 }
 
