@@ -1,8 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "tandem/scenario/impulse_source.hpp"
 
-#include <cmath>
-
 #include "tandem/coordinator/impulse/impulse_surrogate.hpp"
 
 namespace tandem::scenario {

@@ -8,35 +8,11 @@
 #include <unordered_map>
 #include <vector>
 
-#include "tandem/coordinator/reconstruction.hpp"
+#include "tandem/coordinator/connection.hpp"
 #include "tandem/subsystem.hpp"
 #include "tandem/time_series.hpp"
 
 namespace tandem {
-
-/// What a reader gets is later than what the source gave by: nothing; one own step of the reader (memory);
-/// one communication step (delay). Both of the latter break an algebraic loop.
-enum class Lag { none, memory, delay };
-
-/// One line between ports, as a scenario states it. Ports are "instance.port", or "instance.port[i]" for one
-/// element.
-struct Connection {
-  std::string from, to;
-  std::optional<Reconstruction> how;  ///< of a held output none, or mean
-  double gain = 1.0, offset = 0.0;    ///< input = gain * output + offset, after conversion of units
-  bool add = false;                   ///< may share its input with others that say the same; they are summed
-  bool convert = false;               ///< convert between units of one quantity
-  Lag lag = Lag::none;
-};
-
-/// One scalar line of a checked connection (flattened indices).
-struct Line {
-  int source, output;
-  int reader, input;
-  Reconstruction how;
-  double gain, offset;
-  Lag lag;
-};
 
 /// The subsystems of a run and what connects them, checked before anything runs.
 class Topology {

@@ -69,7 +69,7 @@ class Surrogate {
   int steps_ = 0;                   ///< own ones so far, up to degree + 1
   std::vector<SurrogateLink> links_;
   std::array<Forces, 3> forces_;  ///< at begin, middle and end of a step
-  std::array<Forces, 4> stages_;  ///< accelerations
+  std::array<Forces, 4> stages_;  ///< accelerations at the stages of a step; else scratch
   Forces net_;                    ///< of a stage; once a node is passed, the means over the slow side's step
   Forces positions_, velocities_;
 };
@@ -173,8 +173,9 @@ void Surrogate::make_up_start(double t, std::span<const Signal> u) {
     links_[k].make_up_start(steps_, of_.own_step, net_[k], stages_[0][k]);
 }
 
-/// The slow side takes the mean of its spring at the mean position that its own rule has; what that is off goes into
-/// its input.
+/// The slow side has its spring at the mean position of its own rule, y_m = (y + y_e) / 2 - a H^2 / 12 with y_e where it
+/// will come to; what that is off goes into its input. The trapezoidal rule has no such term: there a is the
+/// acceleration without A F, so that its own error on the smooth motion is made up for.
 void Surrogate::pass_node(const OwnStep& s) {
   for (std::size_t k = 0; k < size(); ++k) {
     const ForceIntegrals of =

@@ -22,11 +22,11 @@ class SurrogateLink {
   /// After one of the first four steps: the polynomial of the force that it went by missed the force at its end by so
   /// much; and A times that.
   void make_up_start(int steps, double h, double missed, double reaction);
-  /// Of the step before its end, h long, whose middle the slow side's node is not; s: from its node to the end.
-  /// What is integrated counts from that node on.
+  /// The slow side's node lies in the last step, h long, s before its end: the integrals of the force up to there, over
+  /// the slow side's step, `length` long. From here on they count from that node.
   ForceIntegrals cut_at_node(double h, double s, double force_before, double force_now, double length);
 
-  /// Over the slow side's step, as far as it has been cut at its node: the means of position and velocity.
+  /// After that: the means of position and velocity over the same step.
   double mean_position() const { return mean_position_; }
   double mean_velocity() const { return mean_velocity_; }
 

@@ -39,7 +39,9 @@ struct ImpulseCoupling {
 /// and rate at the slow side's last node. Outputs: of each link `displacement` with its rate, then of each
 /// `mean_force`, for the step of the slow side whose end it has reached. With several links "force_1" and so on.
 ///
-/// Throws Error(invalid_argument) for steps, a period or a matrix that are not finite, not above 0, or of another size.
+/// Throws Error(invalid_argument) for steps and a period that are not finite and above 0, a slow step that is no longer
+/// than the fast one, a degree beyond 1 to 4, and matrices of another size. Its step throws
+/// Error(not_supported) where the slow side does not stand where it is to stand.
 std::unique_ptr<Subsystem> impulse_surrogate(ImpulseCoupling coupling);
 
 }  // namespace tandem

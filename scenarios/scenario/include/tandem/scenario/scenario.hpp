@@ -11,6 +11,7 @@
 #include "tandem/coordinator/power_link.hpp"
 #include "tandem/coordinator/recorder.hpp"
 #include "tandem/scenario/comparison.hpp"
+#include "tandem/scenario/impulse_entry.hpp"
 #include "tandem/scenario/ladder_entry.hpp"
 #include "tandem/text/place.hpp"
 #include "tandem/transports/parameters.hpp"
@@ -37,22 +38,6 @@ struct InputEntry {
 
   /// At t [s].
   double at(double t) const;
-};
-
-/// What a slow side is at a link, as far as it is stated.
-struct Effective {
-  std::optional<double> mass, stiffness, damping;
-};
-
-/// What an impulse surrogate goes between.
-struct ImpulseEntry {
-  struct Link {
-    std::string fast, force, displacement;  ///< instance; input and output of the slow side
-    Effective effective;
-  };
-  std::string slow;  ///< instance
-  std::vector<Link> links;
-  bool with_stiffness;
 };
 
 struct SubsystemEntry {
