@@ -37,8 +37,10 @@ void LibraryCall::begin_program() noexcept {
 
 void LibraryCall::end_program(int status) noexcept { own_status = status; }
 
+bool LibraryCall::is_any_loaded() noexcept { return ::getpid() == guarded_process; }
+
 int LibraryCall::refuse_exit(int status) noexcept {
-  if (::getpid() != guarded_process) return status;
+  if (!is_any_loaded()) return status;
   const bool its_own_end = own_status >= 0;
   if (its_own_end || !(current_ || own_status == not_yet)) return its_own_end ? own_status.load() : status;
   const char* who = current_ ? current_->library_ : "a library that was loaded";

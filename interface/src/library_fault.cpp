@@ -61,23 +61,23 @@ void LibraryCall::guard_faults() noexcept {
       ::sigaction(one.signal, &ours, nullptr);
 }
 
-/// By calls alone that a handler may make. A fault that is no library's ends the program as it would without
-/// a handler: there is none any more.
+/// By calls alone that a handler may make. A fault where no library is loaded ends the program as it would
+/// without a handler: there is none any more.
 void LibraryCall::fault(int signal) noexcept {
-  if (!current_ || ::getpid() != watched_process) {
+  if (::getpid() != watched_process || !(current_ || is_any_loaded())) {
     ::raise(signal);
     return;
   }
-  if (returns && current_->back_) {
+  if (returns && current_ && current_->back_) {
     faulted = true;
     ::alarm(seconds_to_end);
     siglongjmp(*current_->back_, signal);
   }
   say("tandem: ");
-  say(current_->library_);
+  say(current_ ? current_->library_ : "a library that was loaded, or tandem itself,");
   say(" ");
   say(what(signal));
-  say(" in a call\n");
+  say(current_ ? " in a call\n" : " outside of a call\n");
   end_program(1);
   ::_exit(1);
 }

@@ -11,7 +11,7 @@
 #include "tandem/error.hpp"
 #include "tandem/fmi/archive.hpp"
 #include "tandem/fmi/fmi.hpp"
-#include "tandem/fmi/temporary_folder.hpp"
+#include "tandem/transports/temporary_folder.hpp"
 
 namespace tandem::bench {
 namespace {
@@ -84,7 +84,7 @@ class Direct {
     return loaded;
   }
 
-  fmi::TemporaryFolder folder_;
+  TemporaryFolder folder_;
   void* library_ = load();
   fmi2Component fmu_ = nullptr;
   double t_ = 0.0, y_ = 0.0;

@@ -6,7 +6,7 @@
 
 #include "refusal.hpp"
 #include "scratch.hpp"
-#include "tandem/fmi/temporary_folder.hpp"
+#include "tandem/transports/temporary_folder.hpp"
 #include "zip_file.hpp"
 
 namespace tandem::test {
@@ -116,7 +116,7 @@ TEST(FmuArchive, NoDamagePassesUnseen) {
 TEST(FmuArchive, ATemporaryFolderGoesWithItsOwner) {
   fs::path path;
   {
-    const fmi::TemporaryFolder folder;
+    const TemporaryFolder folder;
     path = folder.path();
     struct stat there {};
     ASSERT_EQ(::stat(path.c_str(), &there), 0);

@@ -160,7 +160,8 @@ TEST(FmuSource, RemovesWhatAKilledProcessHasLeft) {
   ::setenv("TMPDIR", temporary.path().c_str(), 1);
   const auto long_ago = fs::file_time_type::clock::now() - std::chrono::hours(1);
   const auto count = [&] { return std::distance(fs::directory_iterator(temporary.path()), {}); };
-  const fs::path left = temporary.path() / "tandem_fmu_left", young = temporary.path() / "tandem_fmu_young";
+  const fs::path left = temporary.path() / "tandem_temporary_left",
+                 young = temporary.path() / "tandem_temporary_young";
   fs::create_directories(left / "resources"), fs::create_directories(young);
   fs::last_write_time(left, long_ago);
   {

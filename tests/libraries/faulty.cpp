@@ -212,6 +212,24 @@ const tandem_subsystem_api* exits_when_unloaded() {
   return &api;
 }
 
+/// As an abort, which the sanitizers leave alone.
+const tandem_subsystem_api* faults_in_a_thread() {
+  static const tandem_subsystem_api api = with(
+      [](void*, double, std::int32_t, const tandem_signal*, tandem_samples*, tandem_clock*) -> tandem_status {
+        std::thread([] { std::abort(); }).join();
+        return TANDEM_OK;
+      });
+  return &api;
+}
+
+const tandem_subsystem_api* faults_when_unloaded() {
+  static const struct Last {
+    ~Last() { std::abort(); }
+  } last;
+  static const tandem_subsystem_api api = sound();
+  return &api;
+}
+
 const tandem_subsystem_api* computes_on() {
   static const tandem_subsystem_api api = with(
       [](void*, double, std::int32_t, const tandem_signal*, tandem_samples*, tandem_clock*) -> tandem_status {

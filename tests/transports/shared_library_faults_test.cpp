@@ -101,6 +101,25 @@ TEST(SharedLibrary, OneThatExitsBesidesACallGivesNoStatusOfSuccessEither) {
   }
 }
 
+TEST(SharedLibrary, AFaultOutsideOfACallIsASentenceToo) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "the sanitizer has these signals";
+#endif
+  for (const std::string how : {"faults_in_a_thread", "faults_when_unloaded"}) {
+    const test::Scratch scratch;
+    const auto scenario = scratch.write(
+        "s.toml", "[subsystems.it]\nsource = \"" + entry(how) + "\"\n[span]\nstart = 0\nstop = 1\n");
+    test::Child child({"sh", "-c",
+                       "exec '" TANDEM_COMMAND "' run " + scenario.string() + " --quiet --output " +
+                           (scratch.path() / "o").string() + " 2>&1"});
+    EXPECT_EQ(child.word_after(
+                  "tandem: a library that was loaded, or tandem itself, gave up (abort) outside of a "),
+              "call")
+        << how;
+    EXPECT_EQ(child.status(), 1) << how;
+  }
+}
+
 TEST(SharedLibrary, AProcessThatALibraryMakesMayEndAsItLikes) {
   const test::Scratch scratch;
   const auto scenario = scratch.write(
@@ -179,8 +198,8 @@ TEST(SharedLibrary, AFaultInACallEndsTheRunWithASentenceAndItsRows) {
   }
 }
 
-/// Others may be at work in a server: it ends, and says why.
-TEST(SharedLibrary, AFaultEndsAServerWithASentence) {
+/// Behind a program that the run has started it is the run that tells it.
+TEST(SharedLibrary, AFaultInAServerIsASentenceOfItsRun) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "the sanitizer has these signals";
 #endif
@@ -192,7 +211,7 @@ TEST(SharedLibrary, AFaultEndsAServerWithASentence) {
   test::Child run(
       {"sh", "-c",
        "exec '" TANDEM_COMMAND "' run " + scenario.string() + " --quiet --output " + output + " 2>&1"});
-  EXPECT_EQ(run.word_after("faulty_library.so' reached for memory that is not there in a "), "call");
+  EXPECT_EQ(run.word_after("it reached for memory that is not there (signal "), "11),");
   EXPECT_EQ(run.status(), 1);
 }
 
@@ -221,9 +240,10 @@ TEST(SharedLibrary, IsolatedItIsTheSameAndEndsItsProcessAlone) {
   EXPECT_EQ(own.status, 0) << own.said;
   EXPECT_EQ(std::count(own.table.begin(), own.table.end(), '\n'), 52);
   EXPECT_EQ(own.table, plain.table);
-  for (const auto& [how, what] : {std::pair{"reaches_for_nothing", "ended with status 1"},
-                                  {"exits", "ended with status 1"},
-                                  {"computes_on", "2 s"}}) {
+  for (const auto& [how, what] :
+       {std::pair{"reaches_for_nothing", "it reached for memory that is not there (signal 11)"},
+        {"exits", "ended with status 1"},
+        {"computes_on", "2 s"}}) {
     const IsolatedRun run = isolated(how, "isolate = true\n");
     EXPECT_EQ(run.status, 1) << how;
     EXPECT_NE(run.said.find("subsystem 'it'"), std::string::npos) << run.said;

@@ -34,12 +34,24 @@ std::string schemes(const Builtins& builtins) {
 /// A URI taken apart, with its parameters beside the others; those that are the source's own are declared.
 Address taken_apart(const std::string& uri, const Source& source, Opening& opening) {
   const auto colon = uri.find(':');
-  Address address{
-      uri, uri.substr(0, colon), uri.substr(colon + 1), opening.folder, opening.command, opening.overrides};
+  Address address{uri,
+                  uri.substr(0, colon),
+                  uri.substr(colon + 1),
+                  opening.folder,
+                  opening.command,
+                  opening.overrides,
+                  opening.isolated};
   take_query(uri, address.place, opening.parameters);
   opening.parameters.declare(source.words);
   opening.parameters.refuse_foreign(address.name());
   return address;
+}
+
+std::unique_ptr<Subsystem> made(const std::string& uri, const Source& source, Opening opening) {
+  const Address address = taken_apart(uri, source, opening);
+  auto subsystem = source.make(address, opening.parameters);
+  opening.parameters.refuse_unused(address.name());
+  return subsystem;
 }
 
 void check_isolated(const std::string& uri, const Source& source, const Builtins& builtins) {
@@ -64,11 +76,11 @@ Parameters take_outside(Parameters& all, const Builtins& builtins) {
 std::unique_ptr<Subsystem> open_isolated(std::string uri, const Source& source, const Builtins& builtins,
                                          Opening opening) {
   check_isolated(uri, source, builtins);
-  Opening outside{take_outside(opening.parameters, builtins), opening.folder, builtins.server};
+  Opening outside{take_outside(opening.parameters, builtins), opening.folder, builtins.server, {}, true};
   if (const std::string rest = opening.parameters.rest_escaped(); !rest.empty())
     uri += (uri.find('?') == std::string::npos ? "?" : "&") + rest;
   outside.command.push_back(std::move(uri));
-  return open("spawn:", builtins, std::move(outside));
+  return made("spawn:", source_of("spawn:", builtins), std::move(outside));
 }
 
 }  // namespace
@@ -92,10 +104,7 @@ const Source& source_of(const std::string& uri, const Builtins& builtins) {
 std::unique_ptr<Subsystem> open(const std::string& uri, const Builtins& builtins, Opening opening) {
   const Source& source = source_of(uri, builtins);
   if (opening.isolated) return open_isolated(uri, source, builtins, std::move(opening));
-  const Address address = taken_apart(uri, source, opening);
-  auto subsystem = source.make(address, opening.parameters);
-  opening.parameters.refuse_unused(address.name());
-  return subsystem;
+  return made(uri, source, std::move(opening));
 }
 
 std::optional<Look> look_at(const std::string& uri, const Builtins& builtins, Opening opening) {

@@ -23,7 +23,7 @@ void check_function(const void* address, const std::string& library, const std::
 /// or quick_exit, ends it with a sentence that names the library and with status 1, whatever status it gives.
 /// In a program that says when it ends (begin_program, end_program) the same holds for a library that:
 /// - ends the program before in any other way: in a thread of its own, or as it is unloaded;
-/// - makes a fault in a call, a signal: memory that is not there, a division by zero, abort.
+/// - makes a fault, a signal: memory that is not there, a division by zero, abort.
 ///
 /// (What takes the process' place, exec, can't be told.)
 class LibraryCall {
@@ -60,6 +60,8 @@ class LibraryCall {
   static int refuse_exit(int status) noexcept;
 
  private:
+  /// Whether one is loaded in this process, which is not one that a library has made.
+  static bool is_any_loaded() noexcept;
   static void guard_faults() noexcept;
   static void fault(int signal) noexcept;
   [[noreturn]] static void refuse_fault(int signal);

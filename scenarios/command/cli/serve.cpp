@@ -46,6 +46,7 @@ void serve_parent(const std::string& number, const ServeOptions& options, const 
   if (code != std::errc{} || *end != '\0' || descriptor < 0)
     throw Error(ErrorCode::invalid_argument,
                 "the variable TANDEM_FD is '" + number + "'; allowed is the number of a socket that is open");
+  LibraryCall::return_from_faults();  // the client is told, as the library's user
   const auto channel = adopt(descriptor, "the program that started this one", socket);
   wire::Session(*channel, maker(options.source, context), options.server.session).serve();
 }

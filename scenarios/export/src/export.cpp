@@ -15,11 +15,11 @@
 #include "tandem/files_read.hpp"
 #include "tandem/fmi/fmi.hpp"
 #include "tandem/fmi/platform.hpp"
-#include "tandem/fmi/temporary_folder.hpp"
 #include "tandem/input_file.hpp"
 #include "tandem/output/files.hpp"
 #include "tandem/output/provenance.hpp"
 #include "tandem/printable.hpp"
+#include "tandem/transports/temporary_folder.hpp"
 #include "zip.hpp"
 
 namespace tandem::exported {
@@ -187,7 +187,7 @@ std::vector<std::string> export_fmu(const ExportSettings& settings, const Builti
   check_target(settings);
   const Origin origin = read_origin(settings);
   Contents contents = resources_of(origin, settings.interface, here);
-  const fmi::TemporaryFolder folder;
+  const TemporaryFolder folder;
   write_below(folder.path(), contents);
   const FilesRead read;
   const auto made_of = open_unit(folder.path() / resources);

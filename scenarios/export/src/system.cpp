@@ -7,10 +7,10 @@
 
 #include "system_description.hpp"
 #include "tandem/error.hpp"
-#include "tandem/fmi/temporary_folder.hpp"
 #include "tandem/input_file.hpp"
 #include "tandem/output/files.hpp"
 #include "tandem/output/provenance.hpp"
+#include "tandem/transports/temporary_folder.hpp"
 #include "zip.hpp"
 
 namespace tandem::exported {
@@ -82,7 +82,7 @@ void tell_of_samples(const SystemMember& member, std::vector<std::string>& told)
 std::vector<std::string> export_system(const SystemSettings& settings, const Builtins& here) {
   const scenario::Scenario scenario = scenario::read(settings.scenario, settings.overrides);
   const scenario::Parts parts(scenario, here, scenario::Code::leave_out);
-  const fmi::TemporaryFolder folder;
+  const TemporaryFolder folder;
   std::vector<std::string> told;
   std::vector<SystemMember> members;
   std::map<std::string, std::string> contents;

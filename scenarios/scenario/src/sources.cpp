@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "tandem/scenario/sources.hpp"
 
+#include "tandem/error.hpp"
 #include "tandem/scenario/impulse_source.hpp"
 #include "tandem/scenario/nested.hpp"
 #include "tandem/shared_library/shared_library.hpp"
@@ -17,6 +18,22 @@
 #endif
 
 namespace tandem::scenario {
+namespace {
+
+/// A scheme that this build lacks, which says so.
+[[maybe_unused]] void leave_out(Builtins& builtins, const std::string& scheme, const std::string& packages) {
+  const auto refuse = [=](const Address& address, Parameters&) -> std::unique_ptr<Subsystem> {
+    throw Error(ErrorCode::not_supported, address.name() + " can't be opened: this build has no " + scheme +
+                                              ":, as a package was absent when it was configured (" +
+                                              packages + ")");
+  };
+  builtins.schemes[scheme] = {{}, refuse, false, true, [refuse](const Address& address, Parameters& p) {
+                                refuse(address, p);
+                                return std::optional<Look>();
+                              }};
+}
+
+}  // namespace
 
 Builtins sources(const SourceSettings& settings) {
   Builtins all;
@@ -29,9 +46,13 @@ Builtins sources(const SourceSettings& settings) {
   add_tcp(all, settings.allow_plaintext);
 #if TANDEM_HAS_FMI
   add_fmi(all, settings.tell, {integrator_words(), take_integrator});
+#else
+  leave_out(all, "fmu", "libpugixml-dev, libminizip-dev");
 #endif
 #if TANDEM_HAS_ZEROMQ
   add_zeromq(all, settings.allow_plaintext);
+#else
+  leave_out(all, "zmq", "cppzmq-dev, libzmq3-dev");
 #endif
   return all;
 }

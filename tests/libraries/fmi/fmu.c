@@ -215,6 +215,22 @@ EXPORT fmi2Status fmi2SetRealInputDerivatives(fmi2Component c, const fmi2ValueRe
   return fmi2OK;
 }
 
+/* Of states alone. */
+EXPORT fmi2Status fmi2GetRealOutputDerivatives(fmi2Component c, const fmi2ValueReference r[], size_t n,
+                                               const fmi2Integer orders[], fmi2Real values[]) {
+  size_t k;
+  int state;
+  compute(&((instance*)c)->values);
+  for (k = 0; k < n; ++k) {
+    for (state = 0; state < model.states && (unsigned)model.state[state] != r[k]; ++state) {
+    }
+    if (state == model.states || orders[k] != 1)
+      return fail(c, fmi2Error, "no derivative is known of the reference %u", r[k]);
+    values[k] = ((instance*)c)->values.v[model.rate[state]];
+  }
+  return fmi2OK;
+}
+
 EXPORT fmi2Status fmi2DoStep(fmi2Component c, fmi2Real t, fmi2Real h, fmi2Boolean never_back) {
   instance* const m = c;
   (void)never_back;

@@ -235,8 +235,9 @@ EXPORT fmi3Status fmi3GetContinuousStateDerivatives(fmi3Instance c, double dx[],
 }
 /* By central differences of length 1, which are right for polynomials of degree 2. Of scalars. */
 EXPORT fmi3Status fmi3GetDirectionalDerivative(fmi3Instance c, const fmi3ValueReference unknown[], size_t nu,
-                                               const fmi3ValueReference known[], size_t nk, const double seed[],
-                                               size_t seeds, double found[], size_t wanted) {
+                                               const fmi3ValueReference known[], size_t nk,
+                                               const double seed[], size_t seeds, double found[],
+                                               size_t wanted) {
   fmu_values forth = ((instance*)c)->values, back = forth;
   size_t k;
   if (seeds != nk || wanted != nu) return fail(c, "the number of directional derivatives is wrong");
@@ -271,6 +272,22 @@ static int has_event(instance* m) {
 }
 
 /* Without an event mode it handles events itself. With one it returns at them, or at the end of the step. */
+/* Of states alone. */
+EXPORT fmi3Status fmi3GetOutputDerivatives(fmi3Instance c, const fmi3ValueReference r[], size_t n,
+                                           const int32_t orders[], double values[], size_t wanted) {
+  size_t k;
+  int state;
+  if (wanted != n) return fail(c, "the number of derivatives of outputs is wrong");
+  compute(&((instance*)c)->values);
+  for (k = 0; k < n; ++k) {
+    for (state = 0; state < model.states && (unsigned)model.state[state] != r[k]; ++state) {
+    }
+    if (state == model.states || orders[k] != 1) return fail(c, "no derivative of that order is known");
+    values[k] = ((instance*)c)->values.v[model.rate[state]];
+  }
+  return fmi3OK;
+}
+
 EXPORT fmi3Status fmi3DoStep(fmi3Instance c, double t, double h, bool never_back, bool* event_needed,
                              bool* terminate, bool* early_return, double* reached) {
   instance* const m = c;

@@ -40,6 +40,8 @@ std::optional<Offer> offer(const Xml& xml, pugi::xml_node of, Version version) {
       two ? xml.flag(of, "completedIntegratorStepNotNeeded") : !xml.flag(of, "needsCompletedIntegratorStep");
   o.gives_derivatives =
       xml.flag(of, two ? "providesDirectionalDerivative" : "providesDirectionalDerivatives");
+  constexpr auto most = std::numeric_limits<std::int32_t>::max();
+  o.derives_outputs = xml.whole(of, "maxOutputDerivativeOrder", 0, most).value_or(0) > 0;
   if (two) return o;
   o.varies_steps = xml.flag(of, "canHandleVariableCommunicationStepSize");
   o.returns_early = xml.flag(of, "mightReturnEarlyFromDoStep");
@@ -60,7 +62,7 @@ Version version_of(const Xml& xml, pugi::xml_node root) {
 void read_head(const Xml& xml, pugi::xml_node root, Description& d) {
   d.version = version_of(xml, root);
   d.name = xml.needed_text(root, "modelName");
-  d.guid = xml.text(root, d.version == Version::two ? "guid" : "instantiationToken").value_or("");
+  d.guid = xml.needed_text(root, d.version == Version::two ? "guid" : "instantiationToken");
   d.tool = xml.text(root, "generationTool").value_or("");
   d.text = xml.text(root, "description").value_or("");
   d.event_indicators =

@@ -58,11 +58,13 @@ typedef fmi2Status fmi2SetStringType(fmi2Component, const fmi2ValueReference[], 
 typedef fmi2Status fmi2NewDiscreteStatesType(fmi2Component, fmi2EventInfo*);
 typedef fmi2Status fmi2CompletedIntegratorStepType(fmi2Component, fmi2Boolean no_return_before,
                                                    fmi2Boolean* enter_event_mode, fmi2Boolean* terminate);
-typedef fmi2Status fmi2GetDirectionalDerivativeType(fmi2Component, const fmi2ValueReference unknowns[], size_t,
-                                                    const fmi2ValueReference knowns[], size_t,
+typedef fmi2Status fmi2GetDirectionalDerivativeType(fmi2Component, const fmi2ValueReference unknowns[],
+                                                    size_t, const fmi2ValueReference knowns[], size_t,
                                                     const fmi2Real seed[], fmi2Real found[]);
 typedef fmi2Status fmi2SetRealInputDerivativesType(fmi2Component, const fmi2ValueReference[], size_t,
                                                    const fmi2Integer orders[], const fmi2Real[]);
+typedef fmi2Status fmi2GetRealOutputDerivativesType(fmi2Component, const fmi2ValueReference[], size_t,
+                                                    const fmi2Integer orders[], fmi2Real[]);
 typedef fmi2Status fmi2DoStepType(fmi2Component, fmi2Real time, fmi2Real length,
                                   fmi2Boolean no_return_before);
 typedef fmi2Status fmi2GetRealStatusType(fmi2Component, fmi2StatusKind, fmi2Real*);

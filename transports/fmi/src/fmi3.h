@@ -46,6 +46,8 @@ typedef fmi3Status fmi3CompletedIntegratorStepType(fmi3Instance, bool no_return_
 typedef fmi3Status fmi3GetDirectionalDerivativeType(fmi3Instance, const fmi3ValueReference unknowns[], size_t,
                                                     const fmi3ValueReference knowns[], size_t,
                                                     const double seed[], size_t, double found[], size_t);
+typedef fmi3Status fmi3GetOutputDerivativesType(fmi3Instance, const fmi3ValueReference[], size_t,
+                                                const int32_t orders[], double[], size_t);
 typedef fmi3Status fmi3DoStepType(fmi3Instance, double time, double length, bool no_return_before,
                                   bool* event_needed, bool* terminate, bool* early_return, double* reached);
 

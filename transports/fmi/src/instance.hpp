@@ -14,8 +14,8 @@
 #include "only_once.hpp"
 #include "tandem/error.hpp"
 #include "tandem/fixed_step.hpp"
-#include "tandem/fmi/temporary_folder.hpp"
 #include "tandem/library_file.hpp"
+#include "tandem/transports/temporary_folder.hpp"
 
 namespace tandem::fmi {
 
@@ -80,6 +80,9 @@ class Instance {
   /// Of 2.0: derivatives of inputs at the begin of the next step.
   virtual void set_input_derivatives(References of, std::span<const int> orders,
                                      std::span<const double> values) = 0;
+  /// First time derivatives of outputs: their scalars, one output after the other.
+  virtual void get_output_derivatives(References of, std::span<const int> orders,
+                                      std::span<double> values) = 0;
   /// Of 3.0: out of event mode.
   virtual void enter_steps() = 0;
   /// One step, as far as the FMU goes. Error(numerical) for one that it says it has taken, and has not.

@@ -74,6 +74,9 @@ class InstanceOf2 final : public Instance {
                              std::span<const double> values) override {
     call(set_input_derivatives_, of.data(), of.size(), orders.data(), values.data());
   }
+  void get_output_derivatives(References of, std::span<const int> orders, std::span<double> values) override {
+    call(get_output_derivatives_, of.data(), of.size(), orders.data(), values.data());
+  }
   void derive(References unknowns, References knowns, std::span<const double> seed,
               std::span<double> found) override {
     call(derive_, unknowns.data(), unknowns.size(), knowns.data(), knowns.size(), seed.data(), found.data());
@@ -124,6 +127,7 @@ class InstanceOf2 final : public Instance {
   Function<fmi2NewDiscreteStatesType> update_;
   Function<fmi2CompletedIntegratorStepType> complete_step_;
   Function<fmi2SetRealInputDerivativesType> set_input_derivatives_;
+  Function<fmi2GetRealOutputDerivativesType> get_output_derivatives_;
   Function<fmi2GetDirectionalDerivativeType> derive_;
   Function<fmi2DoStepType> do_step_;
   Function<fmi2GetRealStatusType> real_status_;
@@ -136,6 +140,7 @@ void InstanceOf2::find_functions() {
   find(get_real_, "GetReal"), find(get_integer_, "GetInteger"), find(get_boolean_, "GetBoolean");
   find(set_real_, "SetReal"), find(set_integer_, "SetInteger"), find(set_boolean_, "SetBoolean");
   find(set_text_, "SetString");
+  if (fmu().settings.derives_outputs) find(get_output_derivatives_, "GetRealOutputDerivatives");
   if (offer().interpolates_inputs) find(set_input_derivatives_, "SetRealInputDerivatives");
   if (exchanges()) {
     find(update_, "NewDiscreteStates"), find(complete_step_, "CompletedIntegratorStep");

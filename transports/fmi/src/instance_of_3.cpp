@@ -35,6 +35,9 @@ class InstanceOf3 final : public Instance {
   Updated update() override;
   Completed complete_step(bool never_back) override;
   void set_input_derivatives(References, std::span<const int>, std::span<const double>) override {}
+  void get_output_derivatives(References of, std::span<const int> orders, std::span<double> values) override {
+    call(get_output_derivatives_, of.data(), of.size(), orders.data(), values.data(), values.size());
+  }
   void derive(References unknowns, References knowns, std::span<const double> seed,
               std::span<double> found) override {
     call(derive_, unknowns.data(), unknowns.size(), knowns.data(), knowns.size(), seed.data(), seed.size(),
@@ -79,6 +82,7 @@ class InstanceOf3 final : public Instance {
   Function<fmi3SetStringType> set_text_;
   Function<fmi3UpdateDiscreteStatesType> update_;
   Function<fmi3CompletedIntegratorStepType> complete_step_;
+  Function<fmi3GetOutputDerivativesType> get_output_derivatives_;
   Function<fmi3GetDirectionalDerivativeType> derive_;
   Function<fmi3DoStepType> do_step_;
 };
@@ -95,6 +99,7 @@ void InstanceOf3::find_functions() {
   } else {
     find(instantiate_steps_, "InstantiateCoSimulation"), find(do_step_, "DoStep");
     if (offer().has_events) find(enter_steps_, "EnterStepMode");
+    if (fmu().settings.derives_outputs) find(get_output_derivatives_, "GetOutputDerivatives");
   }
 }
 

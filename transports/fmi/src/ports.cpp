@@ -126,6 +126,9 @@ class PortMaker {
       while (port.derivatives < most_derivatives && (variable = derivative_of(variable)) >= 0 &&
              is_known(variable) && at(variable).size == values.size)
         ports_.row.push_back({variable, ++port.derivatives * output_size_ + values.place, values.size});
+      if (!s_.derives_outputs || port.derivatives > 0) continue;
+      port.derivatives = 1;
+      ports_.derived.push_back({outputs_[k], output_size_ + values.place, values.size});
     }
   }
 

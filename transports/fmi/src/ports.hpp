@@ -23,7 +23,8 @@ struct Follows {
 struct Ports {
   SubsystemInfo info;
   std::vector<Seat> continuous, discrete;  ///< inputs: real ones that may change at any time, and all others
-  std::vector<Seat> row;                   ///< outputs with their derivatives
+  std::vector<Seat> row;                   ///< outputs with their derivatives that are variables
+  std::vector<Seat> derived;               ///< outputs with the seats of derivatives that the FMU is to give
   std::vector<Follows> follows;
   std::vector<Seat> followed;  ///< of the continuous inputs those that outputs follow at once
   std::vector<Seat> asked;     ///< of the continuous inputs those that may be set within a step

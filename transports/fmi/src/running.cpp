@@ -43,6 +43,7 @@ Running::Machine::Machine(std::shared_ptr<Instance> of)
       followed(instance->fmu().description, instance->fmu().ports.followed),
       asked(instance->fmu().description, instance->fmu().ports.asked),
       row(instance->fmu().description, instance->fmu().ports.row),
+      derived(instance->fmu().description, instance->fmu().ports.derived),
       is_known(static_cast<std::size_t>(instance->fmu().ports.info.input_size())) {}
 
 Running::Running(std::shared_ptr<Instance> instance)
@@ -97,6 +98,7 @@ void Running::read_row(double* y) const {
   if (info().derivatives() > 0)
     std::fill_n(y + outputs, outputs * static_cast<std::size_t>(info().derivatives()), 0.0);
   machine_->row.get(instance(), y);
+  machine_->derived.get(instance(), y);
   if (!hidden_) return;
   for (const auto& [place, input] : fmu().ports.follows)
     if (!machine_->is_known[static_cast<std::size_t>(input)])

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "derived_outputs.hpp"
 #include "group.hpp"
 #include "kept_state.hpp"
 #include "tandem/bytes.hpp"
@@ -49,6 +50,8 @@ class Running {
   /// rounds.
   Updated settle(double t);
   void read_row(double* y) const;
+  /// Whether the FMU gives the derivatives that it is to give: DerivedOutputs::try_each().
+  void try_derivatives() { machine_->derived.try_each(instance()); }
 
   /// Of a state that is kept.
   void write(ByteWriter& to) const;
@@ -59,6 +62,7 @@ class Running {
     explicit Machine(std::shared_ptr<Instance> of);
     std::shared_ptr<Instance> instance;
     Group continuous, discrete, followed, asked, row;
+    DerivedOutputs derived;
     std::vector<char> is_known;  ///< by input, at the start
   };
   void set_known(std::span<const double> u0, double t);

@@ -84,14 +84,25 @@ int order_of(Held held, Parameters& p) {
   return static_cast<int>(order);
 }
 
+/// Whether derivatives of outputs are taken from it.
+bool derives_outputs(const Description& d, Parameters& p) {
+  const double order = p.number("derivatives", 0.0);
+  if (order != 0.0 && order != 1.0)
+    refuse("parameter 'derivatives' is " + std::to_string(order) + "; allowed are 0 and 1");
+  if (order == 1.0 && !d.co_simulation->derives_outputs)
+    refuse("parameter 'derivatives' is 1, but the FMU '" + printable(d.name, 200) +
+           "' gives no derivatives of outputs (maxOutputDerivativeOrder); allowed is 0");
+  return order == 1.0;
+}
+
 }  // namespace
 
 std::string name_of(Kind kind) { return kind == Kind::co_simulation ? "Co-Simulation" : "Model Exchange"; }
 
 Words fmu_words() {
   return words_by(Setter::client, {"step", "set.*"}) +
-         words_by(Setter::operator_only,
-                  {"type", "inputs", "order", "tolerance", "lands", "state", "log", "unit.*", "outputs.*"});
+         words_by(Setter::operator_only, {"type", "inputs", "order", "derivatives", "tolerance", "lands",
+                                          "state", "log", "unit.*", "outputs.*"});
 }
 
 Settings take_settings(Description& d, Parameters& p, const FmuIntegrators& integrators) {
@@ -110,6 +121,7 @@ Settings take_settings(Description& d, Parameters& p, const FmuIntegrators& inte
   }
   s.held = held_of(d, p);
   s.order = order_of(s.held, p);
+  s.derives_outputs = derives_outputs(d, p);
   s.lands = p.flag("lands", d.co_simulation->varies_steps && !d.co_simulation->fixed_step);
   const std::string state = p.text("state", "off");
   if (state != "off" && state != "trust")

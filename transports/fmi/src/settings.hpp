@@ -28,7 +28,8 @@ struct Settings {
   Kind kind = Kind::co_simulation;
   double step = 0.0;  ///< [s]
   Held held = Held::mean;
-  int order = 1;  ///< of derivatives
+  int order = 1;                 ///< of derivatives
+  bool derives_outputs = false;  ///< the FMU gives their time derivatives where no variable does
   bool lands = false, trusts_state = false, logs = false;
   std::optional<double> tolerance;
   std::vector<Setting> values;

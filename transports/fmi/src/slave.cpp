@@ -41,6 +41,7 @@ void Slave::start(const TimeSpan& span, std::span<const double> u0) {
   instance().within([&] {
     running_.initialize(span.start, ends ? std::optional(span.stop) : std::nullopt, u0);
     if (has_events()) settle(span.start);
+    if (!finished_) running_.try_derivatives();
   });
 }
 

@@ -24,7 +24,7 @@ ProgramStart program_of(const Address& a) {
   if (shell ? a.place.find_first_not_of(' ') == std::string::npos : a.command[0].empty())
     throw Error(ErrorCode::invalid_argument, a.name() + " names no program; allowed is " +
                                                  (shell ? "spawn:COMMAND" : "a text that is not empty"));
-  ProgramStart start{a.command, a.folder, shown(a.command), "command " + shown(a.command)};
+  ProgramStart start{a.command, a.folder, shown(a.command), "command " + shown(a.command), a.isolated};
   if (shell) start = {{"/bin/sh", "-c", a.place}, a.folder, "'" + a.place + "'", "spawn:" + a.place};
   for (const std::string& word : start.words)
     if (word.find('\0') != std::string::npos)

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <optional>
 #include <string_view>
 #include <thread>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "tandem/process_group.hpp"
 #include "tandem/start_process.hpp"
 #include "tandem/tcp/tcp.hpp"
+#include "tandem/transports/temporary_folder.hpp"
 
 namespace tandem {
 namespace tcp {
@@ -30,10 +32,12 @@ class Program {
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) fail_to_start(name_, "socketpair");
     our_end = Descriptor(ends[0]);
     const Descriptor its_end(ends[1]);
+    std::vector<std::string> variables = {"TANDEM_FD=" + std::to_string(its_end.get())};
+    if (start.isolates) variables.push_back("TMPDIR=" + temporary_.emplace().path().string());
     process_ = start_process({.words = start.words,
                               .kept = its_end.get(),
                               .folder = start.folder,
-                              .variables = {"TANDEM_FD=" + std::to_string(its_end.get())},
+                              .variables = std::move(variables),
                               .group = group_.number(),
                               .name = name_});
   }
@@ -72,6 +76,7 @@ class Program {
 
  private:
   static constexpr std::chrono::microseconds longest_pause{10'000};
+  std::optional<TemporaryFolder> temporary_;
   std::string name_;
   ProcessGroup group_;
   pid_t process_ = -1;

@@ -19,6 +19,7 @@ struct Address {
   std::filesystem::path folder;             ///< where a file is looked for that is not named from the root
   std::vector<std::string> command = {};    ///< Opening::command
   std::vector<std::string> overrides = {};  ///< Opening::overrides
+  bool isolated = false;                    ///< Opening::isolated, of the program that serves it
   std::filesystem::path file() const { return folder / place; }
   /// "source 'URI'" or "command [...]": what errors call it.
   std::string name() const;

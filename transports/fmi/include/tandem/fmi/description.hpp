@@ -89,6 +89,7 @@ struct Offer {
   bool interpolates_inputs = false;       ///< Co-Simulation of 2.0: takes derivatives of inputs
   bool needs_no_completed_steps = false;  ///< Model Exchange
   bool gives_derivatives = false;         ///< directional ones
+  bool derives_outputs = false;  ///< Co-Simulation: gives time derivatives of outputs, of some of them
   /// Co-Simulation of 3.0.
   bool varies_steps = false, returns_early = false, has_events = false, asks_for_inputs = false;
   std::optional<double> fixed_step = {};  ///< [s], of its own

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "tandem/fmi/temporary_folder.hpp"
+#include "tandem/transports/temporary_folder.hpp"
 
 namespace tandem::fmi {
 

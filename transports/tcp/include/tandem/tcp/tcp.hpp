@@ -46,6 +46,7 @@ struct ProgramStart {
   std::vector<std::string> words;  ///< the program, which is found by PATH, and its arguments
   std::filesystem::path folder;    ///< that it works in; empty: here
   std::string name, address;       ///< what errors call the program and the channel
+  bool isolates = false;           ///< has a folder for temporary files of its own, which goes with it
 };
 
 /// Starts it with one end of a private socket as the descriptor that its variable TANDEM_FD names. The

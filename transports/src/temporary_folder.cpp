@@ -1,5 +1,5 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-#include "tandem/fmi/temporary_folder.hpp"
+#include "tandem/transports/temporary_folder.hpp"
 
 #include <fcntl.h>
 #include <stdlib.h>  // mkdtemp
@@ -14,12 +14,12 @@
 
 #include "tandem/error.hpp"
 
-namespace tandem::fmi {
+namespace tandem {
 namespace {
 
 namespace fs = std::filesystem;
 
-const std::string prefix = "tandem_fmu_";
+const std::string prefix = "tandem_temporary_";
 
 /// -1 if it can't be opened.
 int open_folder(const fs::path& folder) {
@@ -70,4 +70,4 @@ TemporaryFolder::~TemporaryFolder() {
   if (lock_ >= 0) ::close(lock_);
 }
 
-}  // namespace tandem::fmi
+}  // namespace tandem

@@ -2,7 +2,7 @@
 #pragma once
 #include <filesystem>
 
-namespace tandem::fmi {
+namespace tandem {
 
 /// A folder of its own among the temporary ones, which only this user may enter, and which goes with its
 /// owner. One whose process was killed goes when another is made (a minute later, at the earliest).
@@ -20,4 +20,4 @@ class TemporaryFolder {
   int lock_;  ///< held while it is in use, by whom the system knows
 };
 
-}  // namespace tandem::fmi
+}  // namespace tandem
