@@ -54,7 +54,7 @@ TEST(FmuArchive, NamesThatLeadElsewhereAreRefused) {
     })) << name;
 }
 
-TEST(FmuArchive, LinksAndNamesThatAreThereTwiceAreRefused) {
+TEST(FmuArchive, LinksAndNamesOfTwoContentsAreRefused) {
   const Scratch scratch;
   EXPECT_TRUE(refuses(ErrorCode::input_output, {"'resources/x'", "a link"}, [&] {
     Archive(write_zip(scratch.path() / "a.fmu", {{"resources/x", "/etc/passwd", S_IFLNK | 0777U}}));
@@ -62,6 +62,8 @@ TEST(FmuArchive, LinksAndNamesThatAreThereTwiceAreRefused) {
   EXPECT_TRUE(refuses(ErrorCode::input_output, {"'x' twice"}, [&] {
     Archive(write_zip(scratch.path() / "a.fmu", {{"x", "1"}, {"x", "2"}}));
   }));
+  const Archive same(write_zip(scratch.path() / "a.fmu", {{"x", "1"}, {"x", "1"}}));
+  EXPECT_EQ(same.text("x", 10), "1");
 }
 
 TEST(FmuArchive, AFileThatIsMoreThanItMayBeIsRefused) {

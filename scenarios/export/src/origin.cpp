@@ -4,6 +4,7 @@
 #include "tandem/error.hpp"
 #include "tandem/exported/sources.hpp"
 #include "tandem/files_read.hpp"
+#include "tandem/scenario/file_text.hpp"
 #include "tandem/scenario/nested.hpp"
 #include "tandem/scenario/scenario.hpp"
 #include "tandem/text/document.hpp"
@@ -34,6 +35,7 @@ Origin named(const std::string& source) {
   if (colon != std::string::npos && plain_sources().schemes.contains(scheme))
     return {scheme, source.substr(colon + 1, question - colon - 1), {}, {}};
   if (colon != std::string::npos && !fs::exists(source)) refuse(source, "a source that does not go along");
+  if (scenario::is_system(source)) refuse(source, "a system of FMUs, which don't go along in another");
   const std::string kind = scenario::kind_alone(source);
   return {kind.empty() ? "scenario" : kind, source, {}, {}};
 }

@@ -61,7 +61,7 @@ void Archive::refuse(const std::string& why) const {
   throw Error(ErrorCode::input_output, what_ + " '" + file_.string() + "' " + why);
 }
 
-std::string Archive::listed_name() const {
+std::pair<std::string, Archive::Place> Archive::entry() const {
   std::array<char, longest_name + 1> name{};
   unz_file_info64 info{};
   if (unzGetCurrentFileInfo64(zip_.get(), &info, name.data(), name.size(), nullptr, 0, nullptr, 0) != UNZ_OK)
@@ -72,7 +72,9 @@ std::string Archive::listed_name() const {
   if ((info.flag & 1U) != 0) fault = "encrypted content";
   if (!fault.empty())
     refuse("holds " + quoted(text) + ", which has " + fault + "; allowed are plain files below its root");
-  return text;
+  unz64_file_pos at{};
+  unzGetFilePos64(zip_.get(), &at);
+  return {text, {at.pos_in_zip_directory, at.num_of_file, info.uncompressed_size, info.crc}};
 }
 
 void Archive::list() {
@@ -81,13 +83,11 @@ void Archive::list() {
   int status = all.number_entry == 0 ? UNZ_END_OF_LIST_OF_FILE : unzGoToFirstFile(zip_.get());
   for (std::uint64_t k = 0; status == UNZ_OK; ++k, status = unzGoToNextFile(zip_.get())) {
     if (k == most_files) refuse("holds more than " + std::to_string(most_files) + " files");
-    const std::string name = listed_name();
-    unz64_file_pos place{};
-    unzGetFilePos64(zip_.get(), &place);
-    const bool is_new =
-        places_.try_emplace(name, Place{place.pos_in_zip_directory, place.num_of_file}).second;
-    if (!is_new && !name.ends_with('/'))  // a folder holds nothing of its own
-      refuse("holds " + quoted(name) + " twice");
+    const auto [name, place] = entry();
+    const auto [it, is_new] = places_.try_emplace(name, place);
+    const bool same = it->second.size == place.size && it->second.sum == place.sum;
+    if (!is_new && !same && !name.ends_with('/'))  // a folder holds nothing of its own
+      refuse("holds " + quoted(name) + " twice, with different content");
   }
   if (status != UNZ_END_OF_LIST_OF_FILE) refuse("has a list of files that is damaged");
   if (places_.empty()) refuse("holds no files, or is not whole");

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <string_view>
 
 #include "tandem/fmi/packed_file.hpp"
@@ -47,12 +48,14 @@ class Archive {
  private:
   struct Place {
     std::uint64_t offset, number;  ///< in the list of files at the archive's end
+    std::uint64_t size, sum;       ///< of the content, by that list
   };
   struct Close {
     void operator()(void* zip) const;
   };
   void list();
-  std::string listed_name() const;
+  /// Of the list, where the reader stands: a name that is allowed, and where its content is.
+  std::pair<std::string, Place> entry() const;
   template <class Take>
   void read(const std::string& name, const Take& take) const;
 
