@@ -33,6 +33,20 @@ TEST(FmuCommand, RunsAScenario) {
   EXPECT_TRUE(contains(read_text(folder.path() / "r/results.csv"), "one.x,one.v,one.F,two.x"));
 }
 
+/// Of Model Exchange inputs are functions of time.
+TEST(FmuCommand, ADegreeBeyondTheOrderOfHeldInputsIsNoted) {
+  const Scratch folder;
+  folder.write("s.toml", two_masses());
+  const Said said = tandem(folder, {"validate", "s.toml"});
+  EXPECT_EQ(said.status, 0) << said.err;
+  const std::string all = said.out + said.err;
+  EXPECT_TRUE(contains(all,
+                       "connection from two.x is of degree 3, and 'one' holds its inputs over a step, which "
+                       "is of order 2; degree 1 comes first"))
+      << all;
+  EXPECT_FALSE(contains(all, "'two' holds")) << all;
+}
+
 /// Names as they stand in the FMU.
 TEST(FmuCommand, ParametersMayStandInTablesAndLists) {
   const Scratch folder;

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "command.hpp"
 #include "mass2_library.hpp"
 #include "recording.hpp"
 #include "refusal.hpp"
@@ -36,6 +37,17 @@ std::vector<Recording::Rows> run_beside_fast(const std::string& slow_uri) {
 TEST(ScilabPeer, TwoMassesWithMass2InScilabGiveTheSameBits) {
   EXPECT_TRUE(same_bits(run_beside_fast(spawned_scilab(mass2_of_scilab, mass2_parameters(30.7))),
                         run_beside_fast("builtin:two_mass.slow?frequency_ratio=30.7")));
+}
+
+/// Against the exact motion.
+TEST(ScilabPeer, TheSceneIsWithinItsReference) {
+  const Scratch folder;
+  ::setenv("TANDEM_SCILAB_PROGRAM", TANDEM_SCILAB_FOLDER, 1);
+  const Said said =
+      tandem(folder, {"--quiet", "run", TANDEM_SOURCE_DIR "/scenarios/two_mass/scilab.toml", "--output", "r"});
+  ::unsetenv("TANDEM_SCILAB_PROGRAM");
+  EXPECT_EQ(said.status, 0) << said.err;
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "r/results.csv"));
 }
 
 TEST(ScilabPeer, ParametersAreThoseOfTheScript) {

@@ -197,9 +197,25 @@ void Parts::add_notes_of_units(std::vector<std::string>& notes) const {
   }
 }
 
+/// Of subsystems that hold inputs over a step, which makes the order: a higher degree gains little then.
+void Parts::add_notes_of_degrees(std::vector<std::string>& notes) const {
+  for (const Line& line : topology_.lines()) {
+    const Look* const seen = look(line.reader);
+    const Scalar from = scalar_at(topology_.info(line.source).outputs, line.output);
+    const int degree = line.how.polynomial_degree(), first = seen ? std::max(seen->input_order - 1, 1) : 0;
+    if (!seen || seen->input_order == 0 || degree <= first || from.element > 0) continue;
+    notes.push_back("connection from " + topology_.name(line.source) + "." + from.port->name +
+                    " is of degree " + std::to_string(degree) + ", and '" + topology_.name(line.reader) +
+                    "' holds its inputs over a step, which is of order " + std::to_string(seen->input_order) +
+                    "; degree " + std::to_string(first) +
+                    " comes first, as a higher one is unstable sooner in a stiff loop");
+  }
+}
+
 std::vector<std::string> Parts::notes() const {
   std::vector<std::string> all = scenario_.remarks;
   add_notes_of_units(all);
+  add_notes_of_degrees(all);
   for (int i = 0; i < topology_.size(); ++i)
     if (const Subsystem* one = subsystem(i))
       for (const std::string& remark : one->remarks(scenario_.stop))

@@ -70,6 +70,7 @@ Look look(const Fmu& fmu) {
   Look seen{fmu.ports.info,
             parameters_of(fmu),
             fmu.settings.step,
+            fmu.settings.input_order(),
             {described(fmu), "library: " + library_of(fmu), states_sentence(fmu)},
             obstacle_of(fmu)};
   if (!seen.obstacle.empty()) seen.obstacle = "the FMU " + seen.obstacle;

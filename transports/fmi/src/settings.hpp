@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <optional>
@@ -37,6 +38,12 @@ struct Settings {
   std::vector<std::string> outputs;          ///< variables that are outputs beside those that are said to be
   /// Of Model Exchange; null: the classical Runge-Kutta method.
   std::shared_ptr<AdaptiveIntegrator> integrator = {};
+
+  /// Look::input_order.
+  int input_order() const {
+    if (kind == Kind::model_exchange || held == Held::intermediate) return 0;
+    return held == Held::left || held == Held::right ? 1 : std::max(order, 1) + 1;
+  }
 };
 
 /// Words of "fmu:".

@@ -49,6 +49,7 @@ class Parts {
   const SubsystemInfo& info(std::size_t instance) const;
   bool is_left_out(const std::string& port) const;
   void add_notes_of_units(std::vector<std::string>& notes) const;
+  void add_notes_of_degrees(std::vector<std::string>& notes) const;
   void check_animation(const Builtins& builtins) const;
   void set_inputs();
   void connect(const ConnectionEntry& entry);
