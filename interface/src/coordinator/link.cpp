@@ -50,6 +50,8 @@ Link::Extend Link::extend_by(Reconstruction how) {
       return extend_held;
     case Reconstruction::Kind::hermite:
       return extend_hermite;
+    case Reconstruction::Kind::taylor:
+      return extend_taylor;
     case Reconstruction::Kind::least_squares:
       return extend_least_squares;
     default:

@@ -66,6 +66,8 @@ std::string Reconstruction::name() const {
       return "least_squares" + std::to_string(degree) + "_" + std::to_string(extra);
     case Kind::held:
       return "held";
+    case Kind::taylor:
+      return "taylor";
     case Kind::lagrange:
       break;
   }
@@ -77,7 +79,9 @@ int Reconstruction::samples() const {
   return follows_samples() ? degree + 1 + extra : 1;
 }
 
-int Reconstruction::polynomial_degree() const { return kind == Kind::hermite ? 3 : degree; }
+int Reconstruction::polynomial_degree() const {
+  return kind == Kind::hermite ? 3 : kind == Kind::taylor ? 2 : degree;
+}
 
 int Reconstruction::derivatives_at_start() const {
   if (kind == Kind::hermite) return 2;

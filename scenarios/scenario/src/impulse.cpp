@@ -42,9 +42,10 @@ void refuse_other_links(const LinkEntry& entry) {
 }
 
 /// A connection as it was, from or to the surrogate.
-ConnectionEntry part(const ConnectionEntry& whole, std::string from, std::string to, const char* how) {
+ConnectionEntry part(const ConnectionEntry& whole, std::string from, std::string to,
+                     Reconstruction::Kind how) {
   ConnectionEntry one = whole;
-  one.connection = {std::move(from), std::move(to), Reconstruction::parse(how)};
+  one.connection = {std::move(from), std::move(to), Reconstruction{how}};
   return one;
 }
 
@@ -58,10 +59,11 @@ void take_over(Scenario& to, const LinkEntry& entry, const std::string& surrogat
       to.remarks.push_back("connection from " + output + " to " + stated.connection.to + ": " +
                            stated.connection.how->name() + " is not used, as the link is coupled by impulse");
   ConnectionEntry& force = connection_of(to, entry, power.effort, slow);
-  ConnectionEntry mean = part(force, port("mean_force"), force.connection.to, "matched_hold");
+  ConnectionEntry mean =
+      part(force, port("mean_force"), force.connection.to, Reconstruction::Kind::matched_hold);
   force.connection.to = port("force"), force.connection.how = Reconstruction::parse(continued);
   ConnectionEntry& back = connection_of(to, entry, power.back, fast);
-  ConnectionEntry position = part(back, power.back, port("position"), "hermite");
+  ConnectionEntry position = part(back, power.back, port("position"), Reconstruction::Kind::taylor);
   back.connection.from = port("displacement"), back.connection.how = Reconstruction::parse("hermite");
   to.connections.push_back(std::move(mean)), to.connections.push_back(std::move(position));
 }

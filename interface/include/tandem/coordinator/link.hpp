@@ -137,6 +137,7 @@ class alignas(64) Link {
   static void extend_lagrange(Link& link, NewRows rows);
   static void extend_held(Link& link, NewRows rows);
   static void extend_hermite(Link& link, NewRows rows);
+  static void extend_taylor(Link& link, NewRows rows);
   static void extend_least_squares(Link& link, NewRows rows);
   template <class Make, class Join>
   void extend_rows(NewRows rows, const Make& make, const Join& join);

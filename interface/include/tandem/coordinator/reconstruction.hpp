@@ -16,13 +16,14 @@ struct Reconstruction {
     least_squares,  ///< Polynomial fitted to the newest degree + 1 + extra samples.
     matched_hold,   ///< The newest sample, constant over the whole call.
     held,           ///< Of a held output: each sample from its time on, to the next.
+    taylor,         ///< The newest sample's parabola, by its first two derivatives; no word of scenarios.
   };
   Kind kind = Kind::lagrange;
   int degree = 0;  ///< lagrange: 0 to 4; least_squares: 0 to 4; else 0
   int extra = 0;   ///< least_squares: samples beyond degree + 1, 1 to 16; else 0
 
   /// From "lagrange0" .. "lagrange4", "hermite", "mean", "least_squaresD_EXTRA", "matched_hold".
-  /// Throws Error(invalid_argument) that lists these for any other text. (What is held needs no word.)
+  /// Throws Error(invalid_argument) that lists these for any other text. (Of what is held, and taylor, there is none.)
   static Reconstruction parse(std::string_view text);
   /// The words that parse() takes, without the family `least_squares`, whose words match least_squares_words.
   static const std::vector<std::string>& words();
@@ -37,7 +38,7 @@ struct Reconstruction {
   /// Degree of the polynomial in a segment.
   int polynomial_degree() const;
   /// Output derivatives that each sample must carry.
-  int derivatives_read() const { return kind == Kind::hermite ? 1 : 0; }
+  int derivatives_read() const { return kind == Kind::taylor ? 2 : kind == Kind::hermite ? 1 : 0; }
   /// Output derivatives at the start from which past samples can be made by a Taylor expansion so that the
   /// order of the scheme is kept: degree - 1 (hermite: 2). 0 where a cold start costs no order.
   int derivatives_at_start() const;

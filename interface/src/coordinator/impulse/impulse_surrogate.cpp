@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "surrogate_link.hpp"
+#include "tandem/coordinator/impulse/reaction_check.hpp"
 #include "tandem/error.hpp"
 #include "tandem/fixed_step.hpp"
 
@@ -14,6 +15,8 @@ namespace {
 
 /// So many fast periods a step of the slow side may be long for the window of the fewest steps.
 constexpr double longest_hat = 0.65;
+/// By so much of itself the slow side's answer to a force may differ from what A gives.
+constexpr double largest_reaction_error = 1e-3;
 
 void require(bool holds, const std::string& what) {
   if (!holds) throw Error(ErrorCode::invalid_argument, "impulse coupling: " + what);
@@ -44,6 +47,7 @@ class Surrogate {
   void start(double t, std::span<const double> u0);
   void step(const OwnStep& s, std::span<const Signal> u);
   void outputs(double* y) const;
+  std::vector<std::string> remarks(double t_stop) const;
   void write(ByteWriter& to) const;
   void read(ByteReader& from);
 
@@ -60,6 +64,7 @@ class Surrogate {
   void make_up_start(double t, std::span<const Signal> u);
   void take_node(double t, std::span<const Signal> u);
   void pass_node(const OwnStep& s);
+  void check_reaction(std::span<const Signal> u, double node);
 
   ImpulseCoupling of_;
   double t_stop_ = 0.0;
@@ -68,9 +73,11 @@ class Surrogate {
   bool passed_ = false;             ///< its end, and the slow side has not been heard since
   int steps_ = 0;                   ///< own ones so far, up to degree + 1
   std::vector<SurrogateLink> links_;
-  std::array<Forces, 3> forces_;  ///< at begin, middle and end of a step
-  std::array<Forces, 4> stages_;  ///< accelerations at the stages of a step; else scratch
-  Forces net_;                    ///< of a stage; once a node is passed, the means over the slow side's step
+  std::vector<ReactionCheck> checks_;    ///< by link
+  double worst_ = 0.0, worst_at_ = 0.0;  ///< error of a check so far, and when [s]
+  std::array<Forces, 3> forces_;         ///< at begin, middle and end of a step
+  std::array<Forces, 4> stages_;         ///< accelerations at the stages of a step; else scratch
+  Forces net_;  ///< of a stage; once a node is passed, the means over the slow side's step
   Forces positions_, velocities_;
 };
 
@@ -86,22 +93,26 @@ SubsystemInfo Surrogate::info() const {
   add(info.inputs, "position", &ImpulseCoupling::Link::displacement_unit, 0);
   add(info.outputs, "displacement", &ImpulseCoupling::Link::displacement_unit, 1);
   add(info.outputs, "mean_force", &ImpulseCoupling::Link::force_unit, 0);
+  for (std::size_t k = 0; k < size(); ++k)
+    info.outputs.push_back({size() > 1 ? "reaction_error_" + std::to_string(k + 1) : "reaction_error", "1"});
   const int links = static_cast<int>(size());
   for (int k = 0; k < links; ++k) info.feedthrough.push_back({k, links + k});
   return info;
 }
 
 void Surrogate::start(double t, std::span<const double> u0) {
-  links_.clear();
+  links_.clear(), checks_.clear(), worst_ = worst_at_ = 0.0;
   const bool hat = of_.stiffness.empty() && of_.slow_step < longest_hat * of_.fast_period;
   const ForceWindow window(hat ? ForceWindow::Kind::hat : ForceWindow::Kind::b_spline, of_.slow_step);
   for (std::size_t k = 0; k < size(); ++k)
     positions_[k] = u0[size() + k], velocities_[k] = of_.links[k].velocity, forces_[0][k] = 0.0;
   take_spring(forces_[0], positions_, velocities_, net_);
   react(net_, stages_[0]);  // what its springs accelerate
-  for (std::size_t k = 0; k < size(); ++k)
+  for (std::size_t k = 0; k < size(); ++k) {
     links_.emplace_back(window, positions_[k], velocities_[k],
                         of_.links[k].free_acceleration - stages_[0][k]);
+    checks_.emplace_back(of_.links[k].free_acceleration);
+  }
   tolerance_ = TimeTolerance(t);
   passed_ = false;
   steps_ = 0;
@@ -200,6 +211,7 @@ void Surrogate::take_node(double t, std::span<const Signal> u) {
   const bool jumps = of_.slow_step < of_.fast_period;
   check_slow_side(end_, u[size()]);
   const double node = u[size()].segments().back().origin;
+  check_reaction(u, node);
   react(net_, stages_[1]);
   for (std::size_t k = 0; k < size(); ++k) {
     const Signal& position = u[size() + k];
@@ -210,11 +222,32 @@ void Surrogate::take_node(double t, std::span<const Signal> u) {
   passed_ = false;
 }
 
+/// Before the link takes the node, and so its velocity.
+void Surrogate::check_reaction(std::span<const Signal> u, double node) {
+  for (std::size_t k = 0; k < size(); ++k) positions_[k] = checks_[k].change_to(links_[k].mean_force());
+  react(positions_, velocities_);
+  for (std::size_t k = 0; k < size(); ++k) {
+    const Signal& position = u[size() + k];
+    checks_[k].take(position.derivative(node) - links_[k].rate(), length(), position.second_derivative(node),
+                    velocities_[k]);
+    if (const double error = checks_[k].error(); error > worst_) worst_ = error, worst_at_ = node;
+  }
+}
+
+std::vector<std::string> Surrogate::remarks(double) const {
+  if (worst_ <= largest_reaction_error) return {};
+  return {"the slow side answers the force otherwise than it does, by up to " +
+          std::to_string(100.0 * worst_) + " % (at t = " + std::to_string(worst_at_) +
+          " s); allowed is 0.1 %, so its effective mass is another one, or varies, "
+          "and the results are off"};
+}
+
 void Surrogate::outputs(double* y) const {
   for (const SurrogateLink& link : links_) *y++ = link.position();
   for (const SurrogateLink& link : links_) *y++ = link.mean_force();
+  for (const ReactionCheck& check : checks_) *y++ = check.error();
   for (const SurrogateLink& link : links_) *y++ = link.velocity();
-  std::fill_n(y, size(), 0.0);
+  std::fill_n(y, 2 * size(), 0.0);
 }
 
 void Surrogate::write(ByteWriter& to) const {
@@ -223,6 +256,8 @@ void Surrogate::write(ByteWriter& to) const {
   for (const Forces* one : {&forces_[2], &net_})
     for (const double force : *one) to.put(force);
   for (const SurrogateLink& link : links_) link.write(to);
+  for (const ReactionCheck& check : checks_) check.write(to);
+  to.put(worst_), to.put(worst_at_);
 }
 
 void Surrogate::read(ByteReader& from) {
@@ -231,6 +266,8 @@ void Surrogate::read(ByteReader& from) {
   for (Forces* one : {&forces_[2], &net_})
     for (double& force : *one) force = from.take<double>();
   for (SurrogateLink& link : links_) link.read(from);
+  for (ReactionCheck& check : checks_) check.read(from);
+  worst_ = from.take<double>(), worst_at_ = from.take<double>();
 }
 
 }  // namespace

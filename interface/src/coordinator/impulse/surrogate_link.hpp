@@ -31,6 +31,7 @@ class SurrogateLink {
   double mean_velocity() const { return mean_velocity_; }
 
   double position() const { return y_; }
+  double rate() const { return rate_; }  ///< of the slow side at its last node
   double velocity() const { return v_; }
   double mean_force() const { return mean_force_; }
   void set_mean_force(double force) { mean_force_ = force; }
