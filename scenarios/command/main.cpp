@@ -82,10 +82,12 @@ std::vector<std::string> commands(const CLI::App& app) {
   return names;
 }
 
-tandem::Builtins sources(bool allow_plaintext) {
-  tandem::Builtins all =
-      tandem::all_sources({allow_plaintext, [](const std::string& what) { spdlog::warn("{}", what); }});
-  if (const std::string own = tandem::this_program(); !own.empty()) all.server = {own, "--quiet", "serve"};
+tandem::Builtins sources(const tandem::cli::Context& context) {
+  tandem::Builtins all = tandem::all_sources(
+      {context.allow_plaintext, [](const std::string& what) { spdlog::warn("{}", what); }});
+  if (const std::string own = tandem::this_program(); !own.empty())
+    all.server = context.quiet ? std::vector<std::string>{own, "--quiet", "serve"}
+                               : std::vector<std::string>{own, "serve"};
   return all;
 }
 
@@ -103,7 +105,7 @@ int run(int argc, char** argv) {
                "Let tcp:// and zmq: without keys go beyond this machine, in plain text");
   app.parse_complete_callback([&] {
     set_up_log(context, log_file);
-    context.builtins = sources(context.allow_plaintext);
+    context.builtins = sources(context);
   });
   tandem::cli::add_run(app, context);
   tandem::cli::add_sweep(app, context);

@@ -118,9 +118,20 @@ TEST(ExportedExchange, RefusesWordsThatMakeItAnotherFmu) {
       "[parameters]\nfile = { value = 'a.toml', allowed = ['a.toml', 'b.toml'] }\n[blocks]\n"
       "m = { kind = 'diagram', file = '$file' }\n[outputs]\nx = { unit = '1', from = 'm.x' }\n[run]\nstep = "
       "0.1\n";
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"other states or events", "another export"},
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"other states or more events", "another export"},
                       [&] { exports.fmu("x", text, Version::two, Interface::model_exchange); }));
   exports.fmu("x", text);  // of Co-Simulation it may have either
+}
+
+/// A limit that is ignored has no event. Its indicator is there all the same.
+TEST(ExportedExchange, AWordMayLeaveEventsOut) {
+  const Exports exports;
+  const auto engine = exports.of(TANDEM_SOURCE_DIR "/scenarios/engine/engine.toml", "engine", Version::two,
+                                 Interface::model_exchange);
+  const auto run = [&](const std::string& word) {
+    return FmuRun(*Exports::open(engine, "step=1e-3&set.stall=" + word), 0.2, {8.97, 25.0}).rows;
+  };
+  EXPECT_EQ(run("ignore"), run("stop"));
 }
 
 TEST(ExportedExchange, DescribesItsStatesAndEvents) {

@@ -22,6 +22,9 @@
 namespace tandem::cli {
 namespace {
 
+/// The last line of one that came to its end: a library may end it with any status.
+constexpr const char* to_the_end = "to the end";
+
 /// The last line, once the other end is closed.
 std::string last_line(int pipe) {
   std::string text;
@@ -40,6 +43,8 @@ void follow(pid_t child, const std::string& last) {
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0 && last != to_the_end)
+    throw RunFailed("the process was ended (status 0) at: " + last);
   if (!WIFSIGNALED(status)) std::exit(WEXITSTATUS(status));
   throw RunFailed(fmt::format("signal {} ({}) ended the process at: {}", WTERMSIG(status),
                               ::strsignal(WTERMSIG(status)), last));
@@ -57,10 +62,12 @@ void in_own_process(const std::function<void(const Tell&)>& work) {
 #ifdef __linux__
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
 #endif
-    return work([to = ends[1]](const std::string& what) {
+    const auto tell = [to = ends[1]](const std::string& what) {
       const std::string line = what + "\n";
       static_cast<void>(!::write(to, line.data(), line.size()));
-    });
+    };
+    work(tell);
+    return tell(to_the_end);
   }
   ::close(ends[1]);
   if (child < 0) throw Error(ErrorCode::input_output, std::string("no process: ") + std::strerror(errno));

@@ -114,10 +114,10 @@ void tell(const Scenario& scenario, const scenario::Run& run, const RunEnd& end,
 }  // namespace
 
 void run_to_results(const RunOptions& options, const Context& context) {
+  LibraryCall::return_from_faults();
   const Scenario scenario = scenario_of(options, context);
   const auto kept = kept_of_matrices(options);
   scenario::Run run(scenario, context.builtins, settings_of(options, scenario, context));
-  LibraryCall::return_from_faults();
   run.start();
   const bool resumed = !options.resume.empty();
   if (resumed && !context.quiet) say("resumed at t = {} s\n", run.time());

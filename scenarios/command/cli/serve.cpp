@@ -48,7 +48,11 @@ void serve_parent(const std::string& number, const ServeOptions& options, const 
                 "the variable TANDEM_FD is '" + number + "'; allowed is the number of a socket that is open");
   LibraryCall::return_from_faults();  // the client is told, as the library's user
   const auto channel = adopt(descriptor, "the program that started this one", socket);
-  wire::Session(*channel, maker(options.source, context), options.server.session).serve();
+  try {
+    wire::Session(*channel, maker(options.source, context), options.server.session).serve();
+  } catch (const Error&) {  // that program has been told, and tells it
+    throw CLI::RuntimeError(1);
+  }
 }
 
 /// Refused at once, not when the first session begins, if it is not there. Otherwise the error is only told:

@@ -55,12 +55,13 @@ void ExchangedUnit::open_source() {
                                    parameters, tell_);
   parameters.refuse_unused(source);
   const ExchangedStates now = states_of(diagram->program());
-  if (states_ && *states_ != now)
+  if (!states_) states_ = now;
+  if (!states_->covers(now))
     throw Error(ErrorCode::invalid_argument,
                 "'" + info_.name +
-                    "' has other states or events with these parameters than with those that it was "
+                    "' has other states or more events with these parameters than with those that it was "
                     "exported with; allowed is another export");
-  states_ = now, diagram_ = std::move(diagram);
+  watched_ = now.indicators, diagram_ = std::move(diagram);
   rates_.resize(states_size());
 }
 
@@ -91,7 +92,7 @@ double ExchangedUnit::output(const Variable& v) {
       diagram_->rates(rates_.data());
       return rates_[static_cast<std::size_t>(v.index)];
     default:
-      return diagram_->watched(v.index);
+      return indicator(v.index);
   }
 }
 
@@ -123,7 +124,12 @@ void ExchangedUnit::get_rates(std::span<double> dx) {
 void ExchangedUnit::get_indicators(std::span<double> z) {
   start();
   check_size("event indicators are wanted", z.size(), indicators_size());
-  for (std::size_t k = 0; k < z.size(); ++k) z[k] = diagram_->watched(static_cast<int>(k));
+  for (std::size_t k = 0; k < z.size(); ++k) z[k] = indicator(static_cast<int>(k));
+}
+
+/// 1 for an event that it lacks with these parameters.
+double ExchangedUnit::indicator(int number) const {
+  return number < watched_ ? diagram_->watched(number) : 1.0;
 }
 
 void ExchangedUnit::get_nominals(std::span<double> x) const {

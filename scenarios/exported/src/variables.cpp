@@ -99,6 +99,12 @@ void add_parameter(const text::FileParameter& parameter, int index, List& to) {
 
 }  // namespace
 
+bool ExchangedStates::covers(const ExchangedStates& other) const {
+  const auto no_more = [](char there, char here) { return there <= here; };
+  return other.names == names && other.of_outputs == of_outputs && other.indicators <= indicators &&
+         std::equal(other.reset.begin(), other.reset.end(), reset.begin(), no_more);
+}
+
 std::vector<Variable> variables(const SubsystemInfo& info, const std::vector<double>& start,
                                 const std::vector<text::FileParameter>& parameters,
                                 const ExchangedStates* exchange) {

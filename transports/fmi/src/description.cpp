@@ -67,8 +67,8 @@ void read_head(const Xml& xml, pugi::xml_node root, Description& d) {
   d.text = xml.text(root, "description").value_or("");
   d.event_indicators =
       static_cast<int>(xml.whole(root, "numberOfEventIndicators", 0, most_scalars).value_or(0));
-  d.co_simulation = offer(xml, root.child("CoSimulation"), d.version);
-  d.model_exchange = offer(xml, root.child("ModelExchange"), d.version);
+  d.co_simulation = offer(xml, xml.only(root, "CoSimulation"), d.version);
+  d.model_exchange = offer(xml, xml.only(root, "ModelExchange"), d.version);
   if (!d.co_simulation && !d.model_exchange)
     xml.refuse(root, "the FMU offers neither Co-Simulation nor Model Exchange");
   const pugi::xml_node experiment = root.child("DefaultExperiment");

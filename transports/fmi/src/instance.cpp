@@ -64,8 +64,11 @@ void Instance::open() {
 
 void Instance::close() noexcept {
   if (!component_ || fatal_ || LibraryCall::has_faulted()) return;
-  const LibraryCall in_library(name_.c_str());
-  free();
+  try {
+    within([this] { free(); });
+  } catch (const Error& fault) {
+    log_.tell("at its end " + std::string(fault.what()));
+  }
 }
 
 void Instance::free() noexcept {

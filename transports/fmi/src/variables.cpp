@@ -102,6 +102,8 @@ class VariableReader {
     const Range range = range_of(is_int ? Type::int32 : v.type);
     v.min = std::max(number("min", range.least), range.least);
     v.max = std::min(number("max", range.most), range.most);
+    if (!(v.min <= v.max))
+      xml_.refuse(type, "variable '" + printable(v.name, 200) + "' has a min above its max");
     read_start(type, v);
     if (v.type == Type::enumeration) read_items(declared, v);
     if (!is_real(v.type)) return;
@@ -117,6 +119,7 @@ class VariableReader {
       v.start_values = xml_.numbers(type, "start").value_or(std::vector<double>());
     else
       for (const bool one : xml_.flags(type, "start")) v.start_values.push_back(one ? 1.0 : 0.0);
+    if (v.start_values.size() > 1 && !type.child("Dimension")) xml_.wrong(type, "start", "one number");
   }
 
   using Items = std::map<std::string, double>;

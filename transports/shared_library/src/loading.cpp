@@ -5,6 +5,18 @@
 #include "tandem/library_file.hpp"
 
 namespace tandem {
+namespace {
+
+/// What the system's loader says within what Boost says.
+std::string said_by_loader(const std::string& text) {
+  const std::string before = "message: ", after = "): ";
+  const auto begin = text.find(before), end = text.rfind(after);
+  return begin < end && end != std::string::npos
+             ? text.substr(begin + before.size(), end - begin - before.size())
+             : text;
+}
+
+}  // namespace
 
 std::string library_named(const std::filesystem::path& file) { return "library '" + file.string() + "'"; }
 
@@ -24,7 +36,7 @@ boost::dll::shared_library load_library(const std::filesystem::path& file, const
   try {
     return boost::dll::shared_library(from, load_mode::rtld_now | load_mode::rtld_local | how);
   } catch (const std::exception& error) {
-    throw Error(ErrorCode::input_output, name + " can't be loaded: " + error.what());
+    throw Error(ErrorCode::input_output, name + " can't be loaded: " + said_by_loader(error.what()));
   }
 }
 

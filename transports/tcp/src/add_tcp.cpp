@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "tandem/error.hpp"
+#include "tandem/printable.hpp"
 #include "tandem/tcp/tcp.hpp"
 #include "tandem/wire/remote_subsystem.hpp"
 
@@ -25,6 +26,8 @@ ProgramStart program_of(const Address& a) {
     throw Error(ErrorCode::invalid_argument, a.name() + " names no program; allowed is " +
                                                  (shell ? "spawn:COMMAND" : "a text that is not empty"));
   ProgramStart start{a.command, a.folder, shown(a.command), "command " + shown(a.command), a.isolated};
+  if (a.isolated)
+    start.name = "'" + printable(a.command.back()) + "'", start.address = "isolated " + start.name;
   if (shell) start = {{"/bin/sh", "-c", a.place}, a.folder, "'" + a.place + "'", "spawn:" + a.place};
   for (const std::string& word : start.words)
     if (word.find('\0') != std::string::npos)

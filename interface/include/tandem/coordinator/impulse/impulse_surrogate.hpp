@@ -36,7 +36,7 @@ struct ImpulseCoupling {
 /// from its last two steps. What the slow side comes to beyond that (the defect) is put in while the next step lasts.
 ///
 /// Inputs: of each link `force`, then of each `position`, the slow side's displacement, in a signal that has its value
-/// and two derivatives at the slow side's last node. Outputs: of each link `displacement` with its rate, then of each
+/// and two derivatives at the slow side's last node. Outputs are of each link `displacement` with its rate, then of each
 /// `mean_force`, for the step of the slow side whose end it has reached, then of each `reaction_error`
 /// (ReactionCheck), which is remarked upon where it is above 0.1 %. With several links "force_1" and so on.
 ///

@@ -21,7 +21,7 @@ class ExchangedUnit final : public Unit {
   bool keeps_state() const override { return true; }
 
   std::size_t states_size() const { return static_cast<std::size_t>(diagram_->program().states); }
-  std::size_t indicators_size() const { return diagram_->program().crossings.size(); }
+  std::size_t indicators_size() const { return static_cast<std::size_t>(states_->indicators); }
   void set_time(double t);
   /// Throws for another number of values than there are, as the next four do.
   void set_states(std::span<const double> x);
@@ -43,6 +43,7 @@ class ExchangedUnit final : public Unit {
   void open_source() override;
   void start_source() override;
   double output(const Variable& v) override;
+  double indicator(int number) const;
   void input_set(const Variable& v) override;
   void write_started(ByteWriter& to) override;
   void read_started(ByteReader& from, double time, const Inputs& inputs) override;
@@ -50,7 +51,8 @@ class ExchangedUnit final : public Unit {
 
   Tell tell_;
   std::unique_ptr<engine::ExchangedDiagram> diagram_;
-  std::optional<ExchangedStates> states_;  ///< of the first
+  std::optional<ExchangedStates> states_;  ///< as it was exported
+  int watched_ = 0;                        ///< events that it has now
   std::vector<double> rates_;
 };
 

@@ -42,7 +42,8 @@ struct ExchangedStates {
   std::vector<int> of_outputs;  ///< by scalar output: the state that it stands for; -1: none
   int indicators = 0;
 
-  bool operator==(const ExchangedStates&) const = default;
+  /// Whether an FMU of this description can be these: with the same states, and no more events.
+  bool covers(const ExchangedStates& other) const;
 };
 
 /// Time, the scalars of the ports with the derivatives that outputs give, the parameters. Where an output or
