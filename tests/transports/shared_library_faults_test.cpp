@@ -85,39 +85,29 @@ TEST_P(LibraryThatExits, GivesNoStatusOfSuccess) {
   }
 }
 
-/// Where no call of this thread is under way nobody knows which library it was.
+/// A run of one entry that ends it while no call of this thread is under way: nobody knows which library it was.
+void expect_end_besides_a_call(const std::string& how, const std::string& said, const std::string& next) {
+  const test::Scratch scratch;
+  const auto scenario = scratch.write(
+      "s.toml", "[subsystems.it]\nsource = \"" + entry(how) + "\"\n[span]\nstart = 0\nstop = 1\n");
+  test::Child child({"sh", "-c",
+                     "exec '" TANDEM_COMMAND "' run " + scenario.string() + " --quiet --output " +
+                         (scratch.path() / "o").string() + " 2>&1"});
+  EXPECT_EQ(child.word_after("tandem: a library that was loaded" + said), next) << how;
+  EXPECT_EQ(child.status(), 1) << how;
+}
+
 TEST(SharedLibrary, OneThatExitsBesidesACallGivesNoStatusOfSuccessEither) {
-  for (const std::string how : {"exits_in_a_thread", "exits_when_unloaded"}) {
-    const test::Scratch scratch;
-    const auto scenario = scratch.write(
-        "s.toml", "[subsystems.it]\nsource = \"" + entry(how) + "\"\n[span]\nstart = 0\nstop = 1\n");
-    test::Child child({"sh", "-c",
-                       "exec '" TANDEM_COMMAND "' run " + scenario.string() + " --quiet --output " +
-                           (scratch.path() / "o").string() + " 2>&1"});
-    EXPECT_EQ(child.word_after("tandem: a library that was loaded ended the program in the middle of the "),
-              "work;")
-        << how;
-    EXPECT_EQ(child.status(), 1) << how;
-  }
+  for (const std::string how : {"exits_in_a_thread", "exits_when_unloaded"})
+    expect_end_besides_a_call(how, " ended the program in the middle of the ", "work;");
 }
 
 TEST(SharedLibrary, AFaultOutsideOfACallIsASentenceToo) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "the sanitizer has these signals";
 #endif
-  for (const std::string how : {"faults_in_a_thread", "faults_when_unloaded"}) {
-    const test::Scratch scratch;
-    const auto scenario = scratch.write(
-        "s.toml", "[subsystems.it]\nsource = \"" + entry(how) + "\"\n[span]\nstart = 0\nstop = 1\n");
-    test::Child child({"sh", "-c",
-                       "exec '" TANDEM_COMMAND "' run " + scenario.string() + " --quiet --output " +
-                           (scratch.path() / "o").string() + " 2>&1"});
-    EXPECT_EQ(child.word_after(
-                  "tandem: a library that was loaded, or tandem itself, gave up (abort) outside of a "),
-              "call")
-        << how;
-    EXPECT_EQ(child.status(), 1) << how;
-  }
+  for (const std::string how : {"faults_in_a_thread", "faults_when_unloaded"})
+    expect_end_besides_a_call(how, ", or tandem itself, gave up (abort) outside of a ", "call");
 }
 
 TEST(SharedLibrary, AProcessThatALibraryMakesMayEndAsItLikes) {

@@ -52,14 +52,20 @@ Instance::Instance(Fmu fmu, Tell tell)
 void Instance::open() {
   find_common();
   find_functions();
-  within([this] {
-    const char* const found = functions_.get_version.call();
-    if (!std::string_view(found ? found : "").starts_with(version()))
-      throw Error(ErrorCode::invalid_argument, name_ + ": its library is of FMI version '" +
-                                                   printable(found ? found : "", 100) + "'; allowed is " +
-                                                   version());
-    make_instance();
-  });
+  try {
+    within([this] { check_version(), make_instance(); });
+  } catch (const Error& error) {
+    if (LibraryCall::has_faulted()) throw Error(error.code(), name_ + ": " + error.what());
+    throw;
+  }
+}
+
+void Instance::check_version() const {
+  const char* const found = functions_.get_version.call();
+  if (!std::string_view(found ? found : "").starts_with(version()))
+    throw Error(ErrorCode::invalid_argument, name_ + ": its library is of FMI version '" +
+                                                 printable(found ? found : "", 100) + "'; allowed is " +
+                                                 version());
 }
 
 void Instance::close() noexcept {

@@ -124,6 +124,7 @@ class Instance {
 
  private:
   void find_common();
+  void check_version() const;
   void make_instance();
   void free() noexcept;
   void set_values();

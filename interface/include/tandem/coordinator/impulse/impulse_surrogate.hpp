@@ -36,9 +36,9 @@ struct ImpulseCoupling {
 /// from its last two steps. What the slow side comes to beyond that (the defect) is put in while the next step lasts.
 ///
 /// Inputs: of each link `force`, then of each `position`, the slow side's displacement, in a signal that has its value
-/// and two derivatives at the slow side's last node. Outputs are of each link `displacement` with its rate, then of each
-/// `mean_force`, for the step of the slow side whose end it has reached, then of each `reaction_error`
-/// (ReactionCheck), which is remarked upon where it is above 0.1 %. With several links "force_1" and so on.
+/// and two derivatives at the slow side's last node. Outputs: of each link `displacement` with its rate, then of each
+/// `mean_force`, for the step of the slow side whose end it has reached, then of each `reaction_error` (ReactionCheck).
+/// An error above 0.1 % is remarked upon. With several links "force_1" and so on.
 ///
 /// Throws Error(invalid_argument) for steps and a period that are not finite and above 0, a slow step that is no longer
 /// than the fast one, a degree beyond 1 to 4, and matrices of another size. Its step throws
