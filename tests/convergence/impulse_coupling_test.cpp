@@ -9,6 +9,7 @@
 
 #include "tandem/coordinator/coordinator.hpp"
 #include "tandem/coordinator/impulse/impulse_surrogate.hpp"
+#include "tandem/coordinator/impulse/reaction_check.hpp"
 #include "tandem/fixed_step.hpp"
 #include "two_mass/masses.hpp"
 #include "two_mass/model.hpp"
@@ -159,6 +160,22 @@ TEST(ImpulseCoupling, MeasuresByHowMuchTheSlowSideAnswersOtherwise) {
       EXPECT_NEAR(told, std::abs(1.0 / (1.0 + off) - 1.0), 0.01 * std::abs(off)) << impulse_ratio(k);
     }
   }
+}
+
+/// An oscillator that is integrated exactly, whose force is held over its steps: what that rule makes is no error of A.
+TEST(ImpulseCoupling, AnotherRuleOfTheSlowSideIsNoErrorOfA) {
+  constexpr double w = 2.0 * std::numbers::pi / 100.0, a = 0.7;  // by a step; acceleration of a force of 1
+  for (const double fast : {0.3, 0.9, 2.2, 4.9})
+    for (const double of_a : {1.0, 0.95}) {
+      double x = 1.0, v = 0.0;
+      ReactionCheck check(-w * w * x);
+      for (int n = 0; n < 200; ++n) {
+        const double force = std::cos(fast * n), rest = a * force / (w * w), from = v, d = x - rest;
+        x = rest + d * std::cos(w) + v / w * std::sin(w), v = v * std::cos(w) - d * w * std::sin(w);
+        check.take(v - from, 1.0, a * force - w * w * x, of_a * a * force, of_a * a * check.change_to(force));
+      }
+      EXPECT_NEAR(check.error(), 1.0 / of_a - 1.0, 1e-3) << fast;
+    }
 }
 
 /// Where the slow steps resolve the fast motion, halved steps of the slow side have a quarter of its error.

@@ -226,10 +226,12 @@ void Surrogate::take_node(double t, std::span<const Signal> u) {
 void Surrogate::check_reaction(std::span<const Signal> u, double node) {
   for (std::size_t k = 0; k < size(); ++k) positions_[k] = checks_[k].change_to(links_[k].mean_force());
   react(positions_, velocities_);
+  for (std::size_t k = 0; k < size(); ++k) positions_[k] = links_[k].mean_force();
+  react(positions_, stages_[1]);
   for (std::size_t k = 0; k < size(); ++k) {
     const Signal& position = u[size() + k];
     checks_[k].take(position.derivative(node) - links_[k].rate(), length(), position.second_derivative(node),
-                    velocities_[k]);
+                    stages_[1][k], velocities_[k]);
     if (const double error = checks_[k].error(); error > worst_) worst_ = error, worst_at_ = node;
   }
 }

@@ -11,28 +11,39 @@ constexpr double kept = 0.95;  ///< of the weight of a step, when the next one c
 
 }  // namespace
 
-void ReactionCheck::take(double velocity_change, double length, double acceleration, double expected) {
-  const double measured =
-      2.0 * velocity_change / length - acceleration - std::exchange(acceleration_, acceleration);
-  count_ = kept * count_ + 1.0;
-  square_ = kept * square_ + expected * expected;
-  product_ = kept * product_ + expected * measured;
-  measured_ = kept * measured_ + measured * measured;
+void ReactionCheck::take(double velocity_change, double length, double acceleration, double answer,
+                         double change) {
+  const double free = acceleration - answer, second = free - 2.0 * free_[0] + free_[1];
+  if (taken_ > 1) add(0.5 * (second_ + second));
+  measured_ = 2.0 * velocity_change / length - acceleration - std::exchange(acceleration_, acceleration);
+  free_[1] = free_[0], free_[0] = free, second_ = second, change_ = change;
+  ++taken_;
 }
 
+/// The step before, with the second difference in its middle.
+void ReactionCheck::add(double f) {
+  const double c = change_, m = measured_;
+  count_ = kept * count_ + 1.0;
+  cc_ = kept * cc_ + c * c, cf_ = kept * cf_ + c * f, ff_ = kept * ff_ + f * f;
+  cm_ = kept * cm_ + c * m, fm_ = kept * fm_ + f * m, mm_ = kept * mm_ + m * m;
+}
+
+/// By least squares of m = share * change + c * f.
 double ReactionCheck::error() const {
-  if (count_ < 3.5 || !(square_ > 0.0)) return 0.0;
-  const double slope = product_ / square_, scatter = std::max(0.0, measured_ - slope * product_);
-  return std::max(0.0, std::abs(slope - 1.0) - 3.0 * std::sqrt(scatter / ((count_ - 1.0) * square_)));
+  const double determinant = cc_ * ff_ - cf_ * cf_;
+  if (count_ < 4.0 || !(determinant > 1e-12 * cc_ * ff_)) return 0.0;
+  const double share = (cm_ * ff_ - fm_ * cf_) / determinant, c = (fm_ * cc_ - cm_ * cf_) / determinant;
+  const double scatter = std::max(0.0, mm_ - share * cm_ - c * fm_) + 1e-4 * c * c * ff_;
+  const double variance = scatter / (count_ - 2.0) * ff_ / determinant;
+  return std::max(0.0, std::abs(share - 1.0) - 3.0 * std::sqrt(variance));
 }
 
 void ReactionCheck::write(ByteWriter& to) const {
-  for (const double one : {acceleration_, force_, count_, square_, product_, measured_}) to.put(one);
+  for (const double* one : ReactionCheck(*this).numbers()) to.put(*one);
 }
 
 void ReactionCheck::read(ByteReader& from) {
-  for (double* one : {&acceleration_, &force_, &count_, &square_, &product_, &measured_})
-    *one = from.take<double>();
+  for (double* one : numbers()) *one = from.take<double>();
 }
 
 }  // namespace tandem
