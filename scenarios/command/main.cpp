@@ -211,7 +211,10 @@ int main(int argc, char** argv) {
   if (status == 0 && !wrote_all_output()) status = 1;
   spdlog::default_logger()->flush();
   if (status == 0 && log_failed) status = 1;
+  const bool faulted = tandem::LibraryCall::has_faulted();
+  if (faulted && status == 0)
+    spdlog::error("tandem: a library made a fault at its end, after all that was told"), status = 1;
   tandem::LibraryCall::end_program(status);
-  if (tandem::LibraryCall::has_faulted()) std::_Exit(status);  // unloads none
+  if (faulted) std::_Exit(status);  // unloads none
   return status;
 }

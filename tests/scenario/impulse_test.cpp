@@ -25,6 +25,19 @@ TEST(ImpulseScenario, IsRightWhereTheSlowStepTakesFastPeriods) {
   EXPECT_TRUE(contains(coupled.said().err, "indicators are not written")) << coupled.said().err;
 }
 
+/// Of the slow side's mass the fourth digit is off, or it is right.
+TEST(ImpulseScenario, NotesAWrongEffectiveMassAtItsEnd) {
+  const auto said = [](const char* mass) {
+    const SceneRun run(impulse_scene, {"parameters.frequency_ratio=20", "span.stop=40",
+                                       std::string("links[0].effective_mass=") + mass});
+    EXPECT_EQ(run.said().status, 0) << run.said().err;
+    return run.said().err;
+  };
+  const std::string note = "subsystem 'slow_surrogate': the slow side answers the force otherwise";
+  EXPECT_TRUE(contains(said("2.572"), note));
+  EXPECT_FALSE(contains(said("2.5647"), note));
+}
+
 /// At another start the modes go on from there; the errors are those of a run from 0.
 TEST(ImpulseScenario, IsRightFromAnyStart) {
   for (const char* ratio : {"10", "20", "30", "40"}) {

@@ -43,8 +43,8 @@ TEST(ScilabPeer, TwoMassesWithMass2InScilabGiveTheSameBits) {
 TEST(ScilabPeer, TheSceneIsWithinItsReference) {
   const Scratch folder;
   ::setenv("TANDEM_SCILAB_PROGRAM", TANDEM_SCILAB_FOLDER, 1);
-  const Said said =
-      tandem(folder, {"--quiet", "run", TANDEM_SOURCE_DIR "/scenarios/two_mass/scilab.toml", "--output", "r"});
+  const Said said = tandem(
+      folder, {"--quiet", "run", TANDEM_SOURCE_DIR "/scenarios/two_mass/scilab.toml", "--output", "r"});
   ::unsetenv("TANDEM_SCILAB_PROGRAM");
   EXPECT_EQ(said.status, 0) << said.err;
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "r/results.csv"));

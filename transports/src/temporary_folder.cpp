@@ -55,7 +55,7 @@ TemporaryFolder::TemporaryFolder() {
     throw Error(ErrorCode::input_output, "there is no folder for temporary files: " + none.message() +
                                              "; TMPDIR names it, else it is /tmp");
   remove_left_over(among);
-  std::string name = (among / (prefix + "XXXXXX")).string();
+  std::string name = (fs::absolute(among) / (prefix + "XXXXXX")).string();  // a program may work elsewhere
   if (!::mkdtemp(name.data()))
     throw Error(ErrorCode::input_output, "no folder can be made in " + among.string() + ": " +
                                              std::error_code(errno, std::generic_category()).message());

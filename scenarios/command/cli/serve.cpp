@@ -50,7 +50,7 @@ void serve_parent(const std::string& number, const ServeOptions& options, const 
   const auto channel = adopt(descriptor, "the program that started this one", socket);
   try {
     wire::Session(*channel, maker(options.source, context), options.server.session).serve();
-  } catch (const Error&) {  // that program has been told, and tells it
+  } catch (const Error&) {  // whoever has started this program is told, and tells it
     throw CLI::RuntimeError(1);
   }
 }

@@ -65,6 +65,10 @@ void Assembly::initialize() {
 std::vector<std::string> Assembly::notes() const {
   std::vector<std::string> all = coordinator_->notes();
   all.insert(all.end(), of_parts_.begin(), of_parts_.end());
+  for (std::size_t k = 0; k < scenario_.subsystems.size(); ++k)
+    if (scenario_.subsystems[k].impulse)  // which knows more as the run goes on
+      for (const std::string& remark : subsystem(static_cast<int>(k)).remarks(scenario_.stop))
+        all.push_back("subsystem '" + topology().name(static_cast<int>(k)) + "': " + remark);
   return all;
 }
 

@@ -271,7 +271,6 @@ static int has_event(instance* m) {
   return event;
 }
 
-/* Without an event mode it handles events itself. With one it returns at them, or at the end of the step. */
 /* Of states alone. */
 EXPORT fmi3Status fmi3GetOutputDerivatives(fmi3Instance c, const fmi3ValueReference r[], size_t n,
                                            const int32_t orders[], double values[], size_t wanted) {
@@ -288,6 +287,7 @@ EXPORT fmi3Status fmi3GetOutputDerivatives(fmi3Instance c, const fmi3ValueRefere
   return fmi3OK;
 }
 
+/* Without an event mode it handles events itself. With one it returns at them, or at the end of the step. */
 EXPORT fmi3Status fmi3DoStep(fmi3Instance c, double t, double h, bool never_back, bool* event_needed,
                              bool* terminate, bool* early_return, double* reached) {
   instance* const m = c;

@@ -7,6 +7,8 @@
 namespace tandem {
 namespace {
 
+/// Of the acceleration, for a step that tells something of A: below it solvers and rounding have their say.
+constexpr double least_change = 1e-6;
 constexpr double kept = 0.95;  ///< of the weight of a step, when the next one comes
 
 }  // namespace
@@ -14,7 +16,7 @@ constexpr double kept = 0.95;  ///< of the weight of a step, when the next one c
 void ReactionCheck::take(double velocity_change, double length, double acceleration, double answer,
                          double change) {
   const double free = acceleration - answer, second = free - 2.0 * free_[0] + free_[1];
-  if (taken_ > 1) add(0.5 * (second_ + second));
+  if (taken_ > 1 && std::abs(change_) > least_change * std::abs(acceleration_)) add(0.5 * (second_ + second));
   measured_ = 2.0 * velocity_change / length - acceleration - std::exchange(acceleration_, acceleration);
   free_[1] = free_[0], free_[0] = free, second_ = second, change_ = change;
   ++taken_;
@@ -34,8 +36,8 @@ double ReactionCheck::error() const {
   if (count_ < 4.0 || !(determinant > 1e-12 * cc_ * ff_)) return 0.0;
   const double share = (cm_ * ff_ - fm_ * cf_) / determinant, c = (fm_ * cc_ - cm_ * cf_) / determinant;
   const double scatter = std::max(0.0, mm_ - share * cm_ - c * fm_) + 1e-4 * c * c * ff_;
-  const double variance = scatter / (count_ - 2.0) * ff_ / determinant;
-  return std::max(0.0, std::abs(share - 1.0) - 3.0 * std::sqrt(variance));
+  const double free = count_ - 2.0, errors = 3.0 + 36.0 / std::pow(free, 1.5);  // of few steps more
+  return std::max(0.0, std::abs(share - 1.0) - errors * std::sqrt(scatter / free * ff_ / determinant));
 }
 
 void ReactionCheck::write(ByteWriter& to) const {

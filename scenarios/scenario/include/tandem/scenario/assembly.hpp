@@ -29,7 +29,7 @@ class Assembly {
   std::unique_ptr<Indicators> indicators() const;
   /// Coordinator::initialize.
   void initialize();
-  /// The coordinator's, and what the subsystems remark.
+  /// The coordinator's, what the subsystems remark at the start, and an impulse surrogate at any time.
   std::vector<std::string> notes() const;
 
  private:
