@@ -48,11 +48,17 @@ void serve_parent(const std::string& number, const ServeOptions& options, const 
                 "the variable TANDEM_FD is '" + number + "'; allowed is the number of a socket that is open");
   LibraryCall::return_from_faults();  // the client is told, as the library's user
   const auto channel = adopt(descriptor, "the program that started this one", socket);
-  try {
-    wire::Session(*channel, maker(options.source, context), options.server.session).serve();
-  } catch (const Error&) {  // whoever has started this program is told, and tells it
-    throw CLI::RuntimeError(1);
+  bool failed = false;
+  {
+    wire::Session session(*channel, maker(options.source, context), options.server.session);
+    try {
+      session.serve();
+      failed = LibraryCall::has_faulted();
+    } catch (const Error&) {
+      failed = true;
+    }
   }
+  if (failed) throw CLI::RuntimeError(1);  // whoever has started this program is told, and tells it
 }
 
 /// Refused at once, not when the first session begins, if it is not there. Otherwise the error is only told:

@@ -7,8 +7,8 @@
 namespace tandem {
 namespace {
 
-/// Of the acceleration, for a step that tells something of A: below it solvers and rounding have their say.
-constexpr double least_change = 1e-6;
+/// Of the largest one so far, for a step that tells something of A: below it solvers and rounding have their say.
+constexpr double least_change = 1e-4;
 constexpr double kept = 0.95;  ///< of the weight of a step, when the next one comes
 
 }  // namespace
@@ -16,7 +16,8 @@ constexpr double kept = 0.95;  ///< of the weight of a step, when the next one c
 void ReactionCheck::take(double velocity_change, double length, double acceleration, double answer,
                          double change) {
   const double free = acceleration - answer, second = free - 2.0 * free_[0] + free_[1];
-  if (taken_ > 1 && std::abs(change_) > least_change * std::abs(acceleration_)) add(0.5 * (second_ + second));
+  largest_ = std::max(largest_, std::abs(change));
+  if (taken_ > 1 && std::abs(change_) > least_change * largest_) add(0.5 * (second_ + second));
   measured_ = 2.0 * velocity_change / length - acceleration - std::exchange(acceleration_, acceleration);
   free_[1] = free_[0], free_[0] = free, second_ = second, change_ = change;
   ++taken_;

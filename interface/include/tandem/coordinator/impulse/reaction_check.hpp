@@ -38,16 +38,17 @@ class ReactionCheck {
   void read(ByteReader& from);
 
  private:
-  std::array<double*, 15> numbers() {
+  std::array<double*, 16> numbers() {
     return {&acceleration_, &force_, &free_[0], &free_[1], &taken_, &measured_, &change_, &second_,
-            &count_,        &cc_,    &cf_,      &ff_,      &cm_,    &fm_,       &mm_};
+            &largest_,      &count_, &cc_,      &cf_,      &ff_,    &cm_,       &fm_,     &mm_};
   }
   void add(double f);
 
   double acceleration_, force_ = 0.0;  ///< of the step before
   double free_[2];                     ///< f at the last node, and at the one before
   double taken_ = 0.0, measured_ = 0.0, change_ = 0.0,
-         second_ = 0.0;  ///< steps; of the last one, which waits for the next
+         second_ = 0.0;   ///< steps; of the last one, which waits for the next
+  double largest_ = 0.0;  ///< change that A has given
   double count_ = 0.0;
   /// Sums over steps: of products of the change that A gives, the second difference of f and what was measured.
   double cc_ = 0.0, cf_ = 0.0, ff_ = 0.0, cm_ = 0.0, fm_ = 0.0, mm_ = 0.0;
