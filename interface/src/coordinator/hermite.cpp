@@ -30,34 +30,11 @@ struct Cubic {
   }
 };
 
-/// The parabola of one sample, by its own derivatives.
-struct Parabola {
-  std::int64_t stride;
-  int outputs;
-
-  double prepare(const double* row, std::int64_t fitted) const {
-    return fitted > 0 ? row[0] - row[-stride] : 0.0;
-  }
-
-  void fill(double, const double* row, const Lane& lane, double*, double* c) const {
-    const double* const value = row + Samples::header + lane.output;
-    c[0] = lane.gain * value[0] + lane.offset;
-    c[1] = lane.gain * value[outputs];
-    c[2] = lane.gain * value[2 * outputs] / 2.0;
-    c[3] = 0.0;
-  }
-};
-
 }  // namespace
 
 void Link::extend_hermite(Link& link, NewRows rows) {
   const Cubic cubic{link.stride_, link.samples_->outputs()};
   link.extend_rows(rows, cubic, cubic);
-}
-
-void Link::extend_taylor(Link& link, NewRows rows) {
-  const Parabola parabola{link.stride_, link.samples_->outputs()};
-  link.extend_rows(rows, parabola, parabola);
 }
 
 }  // namespace tandem

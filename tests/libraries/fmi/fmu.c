@@ -219,15 +219,9 @@ EXPORT fmi2Status fmi2SetRealInputDerivatives(fmi2Component c, const fmi2ValueRe
 EXPORT fmi2Status fmi2GetRealOutputDerivatives(fmi2Component c, const fmi2ValueReference r[], size_t n,
                                                const fmi2Integer orders[], fmi2Real values[]) {
   size_t k;
-  int state;
-  compute(&((instance*)c)->values);
-  for (k = 0; k < n; ++k) {
-    for (state = 0; state < model.states && (unsigned)model.state[state] != r[k]; ++state) {
-    }
-    if (state == model.states || orders[k] != 1)
+  for (k = 0; k < n; ++k)
+    if (!derive_state(&((instance*)c)->values, r[k], orders[k], values + k))
       return fail(c, fmi2Error, "no derivative is known of the reference %u", r[k]);
-    values[k] = ((instance*)c)->values.v[model.rate[state]];
-  }
   return fmi2OK;
 }
 

@@ -35,6 +35,15 @@ void read_indicators(const fmu_values* m, double* z);
 /* What happens at an event. Whether states have other values. */
 int act(fmu_values* m);
 
+/* The derivative of a state that is a variable. 0: there is none. */
+static inline int derive_state(fmu_values* m, unsigned reference, int order, double* rate) {
+  int k;
+  compute(m);
+  for (k = 0; k < model.states && order == 1; ++k)
+    if ((unsigned)model.state[k] == reference) return *rate = m->v[model.rate[k]], 1;
+  return 0;
+}
+
 /* Of Co-Simulation, from t on. at_stage(of, t): before rates are computed; null: none. */
 void take_step(fmu_values* m, double t, double h, void (*at_stage)(void* of, double t), void* of);
 

@@ -1,4 +1,5 @@
 /* Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause */
+/* All of FMI 3.0 that is called, one function after the other, and long for that. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -275,15 +276,10 @@ static int has_event(instance* m) {
 EXPORT fmi3Status fmi3GetOutputDerivatives(fmi3Instance c, const fmi3ValueReference r[], size_t n,
                                            const int32_t orders[], double values[], size_t wanted) {
   size_t k;
-  int state;
   if (wanted != n) return fail(c, "the number of derivatives of outputs is wrong");
-  compute(&((instance*)c)->values);
-  for (k = 0; k < n; ++k) {
-    for (state = 0; state < model.states && (unsigned)model.state[state] != r[k]; ++state) {
-    }
-    if (state == model.states || orders[k] != 1) return fail(c, "no derivative of that order is known");
-    values[k] = ((instance*)c)->values.v[model.rate[state]];
-  }
+  for (k = 0; k < n; ++k)
+    if (!derive_state(&((instance*)c)->values, r[k], orders[k], values + k))
+      return fail(c, "no derivative of that order is known");
   return fmi3OK;
 }
 
