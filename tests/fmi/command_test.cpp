@@ -69,6 +69,29 @@ TEST(FmuCommand, ParametersMayStandInTablesAndLists) {
   EXPECT_TRUE(contains(wrong.err, "outputs")) << wrong.err;
 }
 
+/// One by one, each in a process of its own, or several in processes of their own.
+TEST(FmuCommand, ThatMayBeThereOnceIsSweptAndChecked) {
+  const Scratch folder;
+  changed(folder, describing,
+          description_with("<CoSimulation ", "<CoSimulation canBeInstantiatedOnlyOncePerProcess=\"true\" "));
+  folder.write("s.toml", "[subsystems.a]\nsource = \"fmu:x.fmu\"\n[span]\nstop = 1\n");
+  folder.write("study.toml",
+               "scenario = \"s.toml\"\n[set]\n'subsystems.a.parameters.\"set.k\"' = \"$k\"\n"
+               "[[tables.rows.blocks]]\naxes = [{ k = [1, 2, 3, 4, 5, 6, 7, 8] }]\n"
+               "[metrics.size]\nof = \"a.x\"\nnorm = \"rms\"\n");
+  const auto sweep = [&](const std::string& isolate, const std::string& to) {
+    return tandem(folder, {"sweep", "study.toml", "--threads", "4", "--set",
+                           "subsystems.a.isolate=" + isolate, "--output", to});
+  };
+  const Said together = sweep("false", "one"), apart = sweep("true", "several");
+  EXPECT_TRUE(contains(together.out, "8 rows, 8 ok")) << together.out + together.err;
+  EXPECT_TRUE(contains(together.err, "subsystem 'a' may be there once in a process")) << together.err;
+  EXPECT_FALSE(contains(apart.err, "once")) << apart.err;
+  EXPECT_EQ(read_text(folder.path() / "one/rows.csv"), read_text(folder.path() / "several/rows.csv"));
+  const Said checked = tandem(folder, {"check", "fmu:x.fmu?type=cs"});
+  EXPECT_TRUE(contains(checked.out, "checks, nothing wrong")) << checked.out + checked.err;
+}
+
 TEST(FmuCommand, InAProcessOfItsOwnItHasTheSameResults) {
   const Scratch folder;
   folder.write("s.toml", two_masses()), folder.write("i.toml", two_masses("isolate = true\n"));
@@ -148,7 +171,7 @@ TEST(FmuCommand, AUnitThatIsNotSaidIsTold) {
                              "reconstruction = \"lagrange1\"\n[span]\nstop = 1\n");
   const Said said = tandem(folder, {"validate", "s.toml"});
   EXPECT_EQ(said.status, 0) << said.err;
-  EXPECT_TRUE(contains(said.out, "from decay.x to mass.u goes from unit one that is not said to 'm'"))
+  EXPECT_TRUE(contains(said.out, "from decay.x, whose unit is not said, to mass.u [m] takes values as they are"))
       << said.out;
 }
 

@@ -67,7 +67,8 @@ TEST(FmuDescription, WhatIsWrongIsNamedWithItsLine) {
   for (const Case& c : std::vector<Case>{
            {"fmiVersion=\"2.0\"", "fmiVersion=\"1.0\"", {"m.fmu:2", "'1.0'", "2.0"}},
            {"m_1", "../m", {"m.fmu:3", "'../m'", "letters"}},
-           {"<ModelExchange", "<Other", {"neither Co-Simulation nor Model Exchange"}},
+           {"<ModelExchange", "<Other", {"offers no interface"}},
+           {"<ModelExchange", "<ScheduledExecution", {"offers Scheduled Execution alone"}},
            {"min=\"-3\"", "min=\"low\"", {"m.fmu:4", "min", "'low'", "a number"}},
            {"min=\"-3\"", "min=\"-3\" max=\"-4\"", {"m.fmu:6", "min above its max"}},
            {"<Integer start=\"3\"/>", "<Integer start=\"3 4\"/>", {"m.fmu:8", "'3 4'", "one number"}},

@@ -178,11 +178,27 @@ TEST(FmuSource, RemovesWhatAKilledProcessHasLeft) {
   EXPECT_EQ(count(), 0);
 }
 
+TEST(FmuSource, NumbersOfItsExperimentThatAreNotAboveZeroAreRefusedUnlessTheyAreGiven) {
+  const Scratch scratch;
+  const std::string none =
+      changed(scratch, describing, description_with("stepSize=\"0.1\"", "stepSize=\"0\" tolerance=\"0\""));
+  const auto with = [&](const std::string& given) {
+    return [&, given] { open(none + given, fmu_sources()); };
+  };
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument,
+                      {"stepSize of DefaultExperiment of the FMU is 0", "parameter step"},
+                      with("?tolerance=1")));
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"tolerance of DefaultExperiment of the FMU is 0"},
+                      with("?step=1")));
+  EXPECT_NO_THROW(with("?step=1&tolerance=1")());
+}
+
 TEST(FmuSource, ThatMayBeThereOnceIsRefusedTwice) {
   const Scratch scratch;
   const std::string once = changed(
       scratch, describing,
       description_with("<CoSimulation ", "<CoSimulation canBeInstantiatedOnlyOncePerProcess=\"true\" "));
+  EXPECT_TRUE(look_at(once, fmu_sources(), {})->once_per_process);
   auto one = open(once, fmu_sources());
   EXPECT_TRUE(refuses(ErrorCode::not_supported, {"once in a process", "isolate"},
                       [&] { open(once, fmu_sources()); }));

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "changed_fmu.hpp"
 #include "fmus.hpp"
 #include "refusal.hpp"
 #include "tandem/check.hpp"
@@ -121,6 +122,19 @@ TEST(FmuOf3, EveryTypeGoesThrough) {
     const auto rows = FmuRun(*fmu, 1.0, {0.1, 1.5, -3.0, 1.0, 2.0}).rows;
     const std::vector<double> expected = {1.0, 0.0, 0.1F, 1.5, -3.0, 1.0, 2.0, 1.0, 4.0};
     EXPECT_EQ(rows.back(), expected) << type;
+  }
+}
+
+/// Those that types3 has not by itself.
+TEST(FmuOf3, EveryTypeOfWholeNumberGoesThrough) {
+  for (const std::string type : {"Int8", "UInt8", "UInt16", "Int32", "UInt32", "UInt64"}) {
+    const Scratch scratch;
+    const auto fmu =
+        open(changed(scratch, describing, description_with("<Int16 ", "<" + type + " ", "types3"), "types3",
+                     "binaries/x86_64-linux/types3.so") +
+                 "?step=0.5",
+             fmu_sources());
+    EXPECT_EQ(FmuRun(*fmu, 1.0, {0.0, 0.0, 5.0, 0.0, 1.0}).rows.back()[4], 5.0) << type;
   }
 }
 

@@ -47,14 +47,26 @@ CheckSettings settings_of(const CheckOptions& options, const Subsystem& subsyste
   return settings;
 }
 
+/// Each in a process of its own where one process can't have several.
+std::function<std::unique_ptr<Subsystem>()> opener(const std::string& source, const Builtins& builtins) {
+  const bool is_code = source_of(source, builtins).code;
+  const auto look = is_code ? look_at(source, builtins, {}) : std::nullopt;
+  const bool isolated = look && look->once_per_process;
+  return [&, isolated] {
+    Opening opening;
+    opening.isolated = isolated;
+    return open(source, builtins, std::move(opening));
+  };
+}
+
 std::vector<Finding> findings_of(const CheckOptions& options, const Context& context, const Tell& tell) {
   tell(options.source + ", opened");
-  const auto settings = settings_of(options, *open(options.source, context.builtins));
+  const auto another = opener(options.source, context.builtins);
+  const auto settings = settings_of(options, *another());
   std::vector<Finding> findings;
   for (const std::string& name : check_names()) {
     tell(options.source + ", check '" + name + "'");
-    const auto some = check(
-        name, [&] { return open(options.source, context.builtins); }, settings);
+    const auto some = check(name, another, settings);
     findings.insert(findings.end(), some.begin(), some.end());
   }
   return findings;

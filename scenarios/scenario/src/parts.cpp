@@ -188,12 +188,12 @@ void Parts::add_notes_of_units(std::vector<std::string>& notes) const {
     const Scalar from = scalar_at(topology_.info(line.source).outputs, line.output);
     const Scalar to = scalar_at(topology_.info(line.reader).inputs, line.input);
     if (from.port->unit.empty() == to.port->unit.empty() || from.element > 0) continue;
-    const auto unit = [](const Port& port) {
-      return port.unit.empty() ? "one that is not said" : "'" + port.unit + "'";
+    const auto end = [&](int instance, const Port& port) {
+      return topology_.name(instance) + "." + port.name +
+             (port.unit.empty() ? ", whose unit is not said," : " [" + port.unit + "]");
     };
-    notes.push_back("connection from " + topology_.name(line.source) + "." + from.port->name + " to " +
-                    topology_.name(line.reader) + "." + to.port->name + " goes from unit " +
-                    unit(*from.port) + " to " + unit(*to.port) + ", and is taken as it is");
+    notes.push_back("connection from " + end(line.source, *from.port) + " to " + end(line.reader, *to.port) +
+                    " takes values as they are");
   }
 }
 
@@ -221,6 +221,17 @@ std::vector<std::string> Parts::notes() const {
       for (const std::string& remark : one->remarks(scenario_.stop))
         all.push_back("subsystem '" + topology_.name(i) + "': " + remark);
   return all;
+}
+
+std::string once_per_process(const Scenario& scenario, const Builtins& builtins) {
+  for (const SubsystemEntry& entry : scenario.subsystems) {
+    if (entry.isolated || !is_code(entry, builtins)) continue;
+    const auto look = with_opening(entry, builtins, false, [&](Opening opening) {
+      return look_at(entry.source, builtins, std::move(opening));
+    });
+    if (look && look->once_per_process) return entry.name;
+  }
+  return {};
 }
 
 bool names_code(const Scenario& scenario, const Builtins& builtins) {

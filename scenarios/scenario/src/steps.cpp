@@ -58,6 +58,15 @@ std::vector<Candidate> candidates(const SubsystemEntry& entry, const Builtins& b
   return all;
 }
 
+/// There nothing else may set it.
+void refuse_in_address(const SubsystemEntry& entry) {
+  if (query_of(entry.source).has("step"))
+    refuse(entry.source_place,
+           fmt::format("the step of subsystem '{}' stands in its source, where it can't be "
+                       "made another one; allowed is subsystems.{}.parameters.step",
+                       entry.name, entry.name));
+}
+
 /// The scenario with another own step of one subsystem; nothing if no parameter makes it.
 std::optional<Scenario> with_step(const Scenario& scenario, std::size_t which, const Builtins& builtins,
                                   double from, double to) {
@@ -78,6 +87,7 @@ void scale_each_step(Scenario& scenario, const Builtins& builtins,
   for (const double step : steps) shortest = std::fmin(shortest, step);
   for (std::size_t i = 0; i < steps.size(); ++i) {
     if (std::isnan(steps[i])) continue;
+    refuse_in_address(scenario.subsystems[i]);
     const double by = factor(steps[i], shortest);
     auto other = with_step(scenario, i, builtins, steps[i], steps[i] * by);
     if (!other)

@@ -26,7 +26,9 @@ struct JudgedOutput {
 class Writer {
  public:
   Writer(const scenario::Scenario& scenario, const Builtins& builtins, Varied varied)
-      : scenario_(scenario), varied_(varied), parts_(scenario, builtins, scenario::Code::run) {
+      : scenario_(scenario),
+        varied_(varied),
+        topology_(scenario::Parts(scenario, builtins, scenario::Code::run).topology()) {
     if (scenario.connections.empty())
       throw Error(
           ErrorCode::invalid_argument,
@@ -82,7 +84,7 @@ axes = [
   /// Its reconstruction is varied: that of an output that is not held, without a lag.
   bool is_free(std::size_t k) const {
     const auto& entry = scenario_.connections[k];
-    const Port* port = parts_.topology().output_port(entry.connection.from);
+    const Port* port = topology_.output_port(entry.connection.from);
     const bool given =
         varied_ == Varied::left_out && stated(fmt::format("/connections/{}/reconstruction", k));
     return !given && !(port && port->held) && entry.connection.lag == Lag::none;
@@ -95,7 +97,7 @@ axes = [
     }
     for (const auto& entry : scenario_.connections) {
       const std::string& from = entry.connection.from;
-      const Port* port = parts_.topology().output_port(from);
+      const Port* port = topology_.output_port(from);
       const bool is_vector = port && port->size > 1 && !from.ends_with("]");
       for (int k = 0; k < (is_vector ? port->size : 1); ++k)
         add(is_vector ? fmt::format("{}[{}]", from, k) : from);
@@ -140,7 +142,7 @@ floor = true
 )toml";
     for (std::size_t k = 0; k < scenario_.connections.size(); ++k) {
       const Connection& one = scenario_.connections[k].connection;
-      if (const Port* port = parts_.topology().output_port(one.from); is_free(k) && port && port->derivatives == 0)
+      if (const Port* port = topology_.output_port(one.from); is_free(k) && port && port->derivatives == 0)
         text += fmt::format("\"connections[{}].reconstruction\" = \"lagrange3\"\n", one.to);
     }
     return text;
@@ -211,7 +213,7 @@ best = 1
 
   const scenario::Scenario& scenario_;
   const Varied varied_;
-  scenario::Parts parts_;
+  const Topology topology_;
   std::vector<std::string> schedules_ = {"slowest-first", "fastest-first", "staggered", "parallel"};
   bool varies_steps_ = true;
   std::vector<JudgedOutput> judged_;

@@ -20,6 +20,7 @@
 #include "tandem/output/json.hpp"
 #include "tandem/output/lock.hpp"
 #include "tandem/output/parallel.hpp"
+#include "tandem/scenario/parts.hpp"
 #include "told_reference.hpp"
 
 namespace tandem::study {
@@ -31,7 +32,9 @@ class Sweep::Work {
       : study_(study),
         settings_(std::move(settings)),
         scenes_(study, builtins, settings_.overrides),
-        references_(study, scenes_, builtins) {
+        references_(study, scenes_, builtins),
+        builtins_(builtins),
+        threads_(settings_.threads) {
     for (const Table& table : study.tables)
       runners_.emplace_back(study, table, scenes_, references_, builtins, settings_.metrics);
     if (!is_helper()) read_scenarios();
@@ -46,6 +49,7 @@ class Sweep::Work {
     const output::FolderLock kept(settings_.folder,
                                   [this](const std::string& note) { end_.notes.push_back(note); });
     take_units();
+    take_threads();
     begin();
     make_references();
     run_rows(open_, at_a_time());
@@ -81,6 +85,29 @@ class Sweep::Work {
       units_.emplace_back();
       for (const FileValues& row : study_.tables[k].rows)
         if (units_.back() = runners_[k].units(row); !units_.back().empty()) break;
+    }
+  }
+
+  /// Rows run one at a time where a subsystem may be in this process once, as the first row of each table tells.
+  void take_threads() {
+    if (settings_.ranks || threads_ == 1) return;
+    for (const Table& table : study_.tables) {
+      const std::string name = table.rows.empty() ? "" : once_per_process(table);
+      if (name.empty()) continue;
+      threads_ = 1;
+      end_.notes.push_back(
+          "subsystem '" + name +
+          "' may be there once in a process (canBeInstantiatedOnlyOncePerProcess), so rows run "
+          "one at a time; with 'isolate = true' several would");
+      return;
+    }
+  }
+  /// Empty for a row that can't be opened: it tells why itself.
+  std::string once_per_process(const Table& table) {
+    try {
+      return scenario::once_per_process(scenes_.of_row(table, table.rows.front()), builtins_);
+    } catch (const Error&) {
+      return {};
     }
   }
 
@@ -142,9 +169,7 @@ class Sweep::Work {
         count, most, [&](std::size_t k) { here(k, [&] { return !stop; }); }, tick);
   }
 
-  unsigned at_a_time() const {
-    return hand_out_ ? static_cast<unsigned>(settings_.ranks->size()) : settings_.threads;
-  }
+  unsigned at_a_time() const { return hand_out_ ? static_cast<unsigned>(settings_.ranks->size()) : threads_; }
 
   void make_references() {
     if (open_.empty() && timed_.empty() && study_.kept.empty()) return;
@@ -279,6 +304,8 @@ class Sweep::Work {
   const SweepSettings settings_;
   Scenes scenes_;
   References references_;
+  const Builtins& builtins_;
+  unsigned threads_;               ///< rows that run at the same time, without ranks
   std::deque<RowRunner> runners_;  ///< by table
   std::deque<TableRows> rows_;
   std::vector<std::map<std::string, std::string>> units_;

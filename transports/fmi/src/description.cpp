@@ -70,7 +70,9 @@ void read_head(const Xml& xml, pugi::xml_node root, Description& d) {
   d.co_simulation = offer(xml, xml.only(root, "CoSimulation"), d.version);
   d.model_exchange = offer(xml, xml.only(root, "ModelExchange"), d.version);
   if (!d.co_simulation && !d.model_exchange)
-    xml.refuse(root, "the FMU offers neither Co-Simulation nor Model Exchange");
+    xml.refuse(root, std::string("the FMU offers ") +
+                         (root.child("ScheduledExecution") ? "Scheduled Execution alone" : "no interface") +
+                         "; allowed are Co-Simulation and Model Exchange");
   const pugi::xml_node experiment = root.child("DefaultExperiment");
   d.experiment = {xml.number(experiment, "stepSize"), xml.number(experiment, "tolerance")};
 }

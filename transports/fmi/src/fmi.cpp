@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "co_simulation.hpp"
 #include "fmu.hpp"
 #include "instance.hpp"
@@ -27,6 +29,14 @@ std::string described(const Fmu& fmu) {
   if (!d.tool.empty()) text += "; made by " + printable(d.tool, 200);
   if (!d.text.empty()) text += "; " + printable(d.text, 500);
   return text;
+}
+
+/// FMI 3.0 returns the time that a step has come to.
+bool can_tell_its_time(const Fmu& fmu) {
+  const auto& all = fmu.description.variables;
+  return fmu.description.version == Version::three || fmu.settings.kind == Kind::model_exchange ||
+         std::any_of(all.begin(), all.end(),
+                     [](const Variable& v) { return v.causality == Causality::independent; });
 }
 
 std::string states_sentence(const Fmu& fmu) {
@@ -71,8 +81,12 @@ Look look(const Fmu& fmu) {
             parameters_of(fmu),
             fmu.settings.step,
             fmu.settings.input_order(),
+            offer_of(fmu.description, fmu.settings.kind).once_per_process,
             {described(fmu), "library: " + library_of(fmu), states_sentence(fmu)},
             obstacle_of(fmu)};
+  if (!can_tell_its_time(fmu))
+    seen.sentences.emplace_back(
+        "no variable is its time, so a step that it does not do and says that it has goes unseen");
   if (!seen.obstacle.empty()) seen.obstacle = "the FMU " + seen.obstacle;
   return seen;
 }

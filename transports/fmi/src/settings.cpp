@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "settings.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -49,10 +51,19 @@ Held held_of(const Description& d, Parameters& p) {
 }
 
 /// 0: it has none.
+/// The parameter, else the description's attribute; 0: there is neither.
+double above_zero(Parameters& p, const std::string& name, std::optional<double> own,
+                  const std::string& attribute) {
+  if (!p.has(name) && own && !(*own > 0.0))
+    refuse(
+        fmt::format("{} of the FMU is {}; allowed is above 0, or the parameter {}", attribute, *own, name));
+  return p.has(name) || own ? positive(p, name, own.value_or(0.0)) : 0.0;
+}
+
 double step_of(const Description& d, Kind kind, Parameters& p) {
-  const auto inside = offer_of(d, kind).fixed_step;
-  const auto own = inside ? inside : d.experiment.step;
-  return p.has("step") || own ? positive(p, "step", own.value_or(0.0)) : 0.0;
+  if (const auto inside = offer_of(d, kind).fixed_step)
+    return above_zero(p, "step", inside, "fixedInternalStepSize");
+  return above_zero(p, "step", d.experiment.step, "stepSize of DefaultExperiment");
 }
 
 std::vector<std::string> outputs_of(const Description& d, Parameters& p) {
@@ -110,8 +121,9 @@ Settings take_settings(Description& d, Parameters& p, const FmuIntegrators& inte
   s.kind = kind_of(d, p);
   s.step = step_of(d, s.kind, p);
   s.logs = p.flag("log", false);
-  if (p.has("tolerance") || d.experiment.tolerance)
-    s.tolerance = positive(p, "tolerance", d.experiment.tolerance.value_or(0.0));
+  if (const double t = above_zero(p, "tolerance", d.experiment.tolerance, "tolerance of DefaultExperiment");
+      t > 0.0)
+    s.tolerance = t;
   s.values = take_values(d, p);
   s.units = units_of(p);
   s.outputs = outputs_of(d, p);

@@ -69,4 +69,8 @@ bool takes(const SubsystemEntry& entry, const Builtins& builtins, const std::str
 /// Whether a source of it is code.
 bool names_code(const Scenario& scenario, const Builtins& builtins);
 
+/// The name of a subsystem that may be in this process once, so that two such scenarios can't run in it at the
+/// same time; empty: there is none.
+std::string once_per_process(const Scenario& scenario, const Builtins& builtins);
+
 }  // namespace tandem::scenario
