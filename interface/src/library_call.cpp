@@ -39,6 +39,13 @@ void LibraryCall::end_program(int status) noexcept { own_status = status; }
 
 bool LibraryCall::is_any_loaded() noexcept { return ::getpid() == guarded_process; }
 
+void LibraryCall::refuse_rounding(int before) {
+  std::fesetround(before);
+  throw Error(ErrorCode::numerical,
+              "it changed how numbers are rounded, which all subsystems here go by; allowed is to leave that "
+              "as it was");
+}
+
 int LibraryCall::refuse_exit(int status) noexcept {
   if (!is_any_loaded()) return status;
   const bool its_own_end = own_status >= 0;

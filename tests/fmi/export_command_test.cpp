@@ -74,6 +74,10 @@ TEST(ExportCommand, RefusesInOneSentence) {
   refused({"export", "d.toml", "d.toml"}, "ends in .fmu");
   refused({"export", "d.toml", "no/such/folder/d.fmu"}, "no/such/folder/d.fmu");
   refused({"export", "diagram:d.toml?stp=1", "d.fmu"}, "'stp'");
+  refused({"export", "d.toml", "d.fmu", "--set", "run.inputs.v=1"}, "input 'v' is not there");
+  folder.write("d.fmu", "");
+  refused({"export", "d.fmu", "e.fmu"}, "is an FMU already");
+  std::filesystem::remove(folder.path() / "d.fmu");
   refused({"export", "builtin:kart", "d.fmu"}, "does not go along");
   refused({"export", "mechanism:" TANDEM_SOURCE_DIR "/scenarios/kart/spatial.toml", "d.fmu"},
           "written in C++");

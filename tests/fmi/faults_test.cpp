@@ -12,12 +12,13 @@ namespace {
 
 /// A run of the FMU `faulty` and of one that reads it, with temporary files in a folder of its own; `isolation`: lines of the subsystem.
 struct FaultyRun {
-  explicit FaultyRun(int how, const std::string& isolation = "") {
+  explicit FaultyRun(int how, const std::string& isolation = "", const std::string& stop = "1") {
     folder.write("s.toml", "[subsystems.one]\nsource = \"fmu:" TANDEM_FMUS "/faulty.fmu\"\n" + isolation +
                                "parameters.set = { how = " + std::to_string(how) +
                                " }\n[subsystems.two]\nsource = \"fmu:" TANDEM_FMUS
                                "/mass.fmu?step=0.1\"\n[[connections]]\nfrom = \"one.x\"\nto = \"two.u\"\n"
-                               "reconstruction = \"lagrange1\"\n[span]\nstop = 1\n");
+                               "reconstruction = \"lagrange1\"\n[span]\nstop = " +
+                               stop + "\n");
     std::filesystem::create_directories(folder.path() / "temporary");
     ::setenv("TMPDIR", (folder.path() / "temporary").c_str(), 1);
     said = tandem(folder, {"--quiet", "run", "s.toml", "--output", "r"});
@@ -75,6 +76,25 @@ TEST(FmuFaults, WhatItPrintsHarmsNothing) {
     EXPECT_EQ(run.said.status, 0) << run.said.err;
     EXPECT_TRUE(run.keeps_rows());
   }
+}
+
+/// All others would go by it.
+TEST(FmuFaults, AnotherWayOfRoundingEndsTheRun) {
+  const FaultyRun here(5), apart(5, "isolate = true\n");
+  EXPECT_EQ(here.said.status, 1);
+  EXPECT_TRUE(contains(here.said.err, "it changed how numbers are rounded")) << here.said.err;
+  EXPECT_TRUE(here.keeps_rows());
+  EXPECT_TRUE(contains(apart.said.err, "it changed how numbers are rounded")) << apart.said.err;
+}
+
+/// Sums of its own steps may round to one step more; a step that it does not do is another thing.
+TEST(FmuFaults, ATimeThatIsAStepAheadAfterManyThatWereRightIsTold) {
+  const FaultyRun ahead(6, "", "30"), stands(7, "", "30");
+  EXPECT_EQ(ahead.said.status, 0) << ahead.said.err;
+  const Said told = tandem(ahead.folder, {"run", "s.toml", "--output", "r"});
+  EXPECT_TRUE(contains(told.err, "its own time is 20.1 s")) << told.err;
+  EXPECT_EQ(stands.said.status, 1);
+  EXPECT_TRUE(contains(stands.said.err, "but its own time is 20 s")) << stands.said.err;
 }
 
 /// The system has no room for the library.

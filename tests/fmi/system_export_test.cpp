@@ -33,6 +33,15 @@ Said exported(const Scratch& folder, const std::string& text, const std::string&
   return tandem(folder, {"export", "s.toml", "s.ssp", "--fmi", version});
 }
 
+/// Of x'' = u - x, whose second derivative follows u at once.
+std::string mass_diagram() {
+  return "[inputs]\nu = { unit = 'm' }\n[blocks]\na = { kind = 'sum', inputs = ['u', 'x'], gains = [1, -1] "
+         "}\nv = { kind "
+         "= 'integrator', input = 'a' }\nx = { kind = 'integrator', input = 'v', initial = 1 }\n[outputs]\nx "
+         "= { unit = "
+         "'m', from = 'x' }\n[run]\nstep = 0.01\nstop = 1\nintegrator = 'erkstep_fixed'\n";
+}
+
 /// A ring of lags whose steps fit into each other, coupled by held values.
 std::string random_ring(const Scratch& folder, std::mt19937& random) {
   const auto pick = [&](int most) { return std::uniform_int_distribution<int>(0, most)(random); };
@@ -194,6 +203,27 @@ TEST(SystemExport, WhatHasNoWordsIsNamed) {
   const Said none = tandem(folder, {"export", "s.toml", "s.zip"});
   EXPECT_EQ(none.status, 2);
   EXPECT_TRUE(contains(none.err, "ends in .fmu, or in .ssp")) << none.err;
+}
+
+/// The first has a constant for its input, and its outputs keep their derivatives.
+TEST(SystemExport, TheRunThatComesBackStartsAsTheScenarioDoes) {
+  const Scratch folder;
+  folder.write("mass.toml", mass_diagram());
+  const std::string text =
+      "[subsystems.a]\nsource = \"diagram:mass.toml\"\ninputs.u = 0.5\n[subsystems.b]\nsource = "
+      "\"diagram:mass.toml\"\n[[connections]]\nfrom = \"a.x\"\nto = \"b.u\"\nreconstruction = "
+      "\"lagrange2\"\ngain = 0.5\n"
+      "[coordination]\nschedule = \"parallel\"\n[span]\nstop = 1\n";
+  ASSERT_EQ(exported(folder, text).status, 0);
+  EXPECT_EQ(run_and_read(folder, "s.toml", "source"), run_and_read(folder, "s.ssp", "back"));
+}
+
+TEST(SystemExport, TellsOfEventsThatOthersSeeLate) {
+  const Scratch folder;
+  const Said said =
+      tandem(folder, {"export", TANDEM_SOURCE_DIR "/scenarios/engine_linkage/thesis.toml", "s.ssp"});
+  EXPECT_TRUE(contains(said.out, "engine: has events, which others see at the ends of its steps alone"))
+      << said.out;
 }
 
 }  // namespace

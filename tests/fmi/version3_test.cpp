@@ -207,7 +207,9 @@ TEST(FmuOf3, ArraysHaveTheSizesThatAreSet) {
     EXPECT_NEAR(row[2], 2.0 * std::cos(1.0), 1e-8) << type;
     EXPECT_NEAR(row[3], -2.0 * std::sin(1.0), 1e-8) << type;
 
-    const auto one = open_fmu("space3?set.n=1&set.A=-2&set.x0=3&type=" + type);
+    Opening numbers;  // as a scenario gives them
+    numbers.parameters.set("set.A", -2.0), numbers.parameters.set("set.x0", 3.0);
+    const auto one = open(fmu_uri("space3?set.n=1&type=" + type), fmu_sources(), std::move(numbers));
     ASSERT_EQ(one->info().outputs[0].size, 1);
     EXPECT_NEAR(FmuRun(*one, 1.0, {2.0}).rows.back()[2], 2.0 * (1.0 + 2.0 * std::exp(-2.0)) + 2.0, 1e-8)
         << type;

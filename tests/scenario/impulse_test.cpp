@@ -101,6 +101,59 @@ struct BadImpulse {
   std::vector<std::string> words;
 };
 
+const std::string pushed_pendulum = std::string(TANDEM_SOURCE_DIR) + "/scenarios/pushed_pendulum/";
+
+/// Beside both in one, of a pendulum whose effective mass varies by four times; with that of its start x1 is lost.
+TEST(ImpulseScenario, FollowsAnEffectiveMassThatVaries) {
+  const SceneRun right(pushed_pendulum + "reference.toml",
+                       {"subsystems.whole.parameters.frequency_ratio=45", "span.stop=60"});
+  const auto error = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> settings{"constants.ratio=45", "span.stop=60"};
+    settings.insert(settings.end(), more.begin(), more.end());
+    const SceneRun run(pushed_pendulum + "pushed_pendulum.toml", settings);
+    EXPECT_EQ(run.said().status, 0) << run.said().err;
+    const auto &x = run.column("fast.x1"), &exact = right.column("whole.x1");
+    double errors = 0.0, squares = 0.0;
+    for (std::size_t k = 0; k < x.size(); ++k)
+      errors += (x[k] - exact[k]) * (x[k] - exact[k]), squares += exact[k] * exact[k];
+    return 0.75 * std::sqrt(errors / squares);
+  };
+  EXPECT_LT(error({}), 0.002);  // measured: 0.0012
+  EXPECT_GT(error({"links[0].accelerance=[]"}), 0.1);
+}
+
+TEST(ImpulseScenario, RefusesAnAcceleranceThatIsNoneOfItsLink) {
+  const Scratch folder;
+  const std::string scene = pushed_pendulum + "pushed_pendulum.toml", slow = "subsystems.slow.";
+  for (const BadImpulse& bad : std::vector<BadImpulse>{
+           {"links[0].accelerance=fast.F", {"'fast.F'", "an output of 'slow'"}},
+           {"links[0].accelerance=[\"slow.accelerance\", \"slow.x\"]", {"2 outputs", "1 links"}},
+           {"links[0].accelerance=slow.mass", {"no output", "'mass'"}},
+           {"links[0].accelerance=slow.x", {"x = 10.0", "0.0977", "the same to 1e-6"}},
+           {"links[0].effective_mass=3", {"effective_mass", "given beside accelerance"}}}) {
+    const Said said = tandem(folder, {"run", scene, "--set", bad.setting});
+    EXPECT_EQ(said.status, 2) << bad.setting << ": " << said.err;
+    for (const std::string& word : bad.words)
+      EXPECT_TRUE(contains(said.err, word)) << bad.setting << ": " << said.err;
+  }
+}
+
+/// Where the mechanism lives in another process.
+TEST(ImpulseScenario, HasTheSameBitsWithAnEffectiveMassThatVaries) {
+  const Scratch folder;
+  const std::string scene = pushed_pendulum + "pushed_pendulum.toml", served = TANDEM_COMMAND;
+  const auto rows = [&](const std::string& to, std::vector<std::string> more) {
+    more.insert(more.begin(), {"run", scene, "--output", to, "--set", "span.stop=40"});
+    const Said said = tandem(folder, more);
+    EXPECT_EQ(said.status, 0) << said.err;
+    return read_text(folder.path() / to / "results.csv");
+  };
+  const std::string here = rows("here", {});
+  EXPECT_EQ(rows("served", {"--set", "subsystems.slow.source=spawn:" + served +
+                                         " serve mechanism:" + pushed_pendulum + "pendulum.toml"}),
+            here);
+}
+
 TEST(ImpulseScenario, RefusesWhatItCantCouple) {
   const Scratch folder;
   const std::vector<BadImpulse> all{

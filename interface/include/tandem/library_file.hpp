@@ -2,8 +2,10 @@
 #pragma once
 #include <setjmp.h>  // sigsetjmp
 
+#include <cfenv>
 #include <filesystem>
 #include <string>
+#include <type_traits>
 
 namespace tandem {
 
@@ -38,13 +40,22 @@ class LibraryCall {
 
   /// Makes the call, once. In a program that has called return_from_faults() a fault in it is an
   /// Error(internal) that says what it was. The program is to end soon then, without a call of any library:
-  /// nobody knows what the fault has left behind.
+  /// nobody knows what the fault has left behind. Throws Error(numerical) if the call has changed how this thread rounds
+  /// numbers, and changes it back.
   template <class Call>
   auto make(const Call& call) {
     sigjmp_buf back;
     if (const int signal = sigsetjmp(back, 0); signal != 0) refuse_fault(signal);
     back_ = &back;
-    return call();
+    const int rounding = std::fegetround();
+    if constexpr (std::is_void_v<decltype(call())>) {
+      call();
+      if (std::fegetround() != rounding) refuse_rounding(rounding);
+    } else {
+      auto result = call();
+      if (std::fegetround() != rounding) refuse_rounding(rounding);
+      return result;
+    }
   }
   static void return_from_faults() noexcept;
   /// Then no library is to be called or unloaded any more.
@@ -65,6 +76,7 @@ class LibraryCall {
   static void guard_faults() noexcept;
   static void fault(int signal) noexcept;
   [[noreturn]] static void refuse_fault(int signal);
+  [[noreturn]] static void refuse_rounding(int before);
 
   static constinit thread_local const LibraryCall* current_;
   const char* library_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "accelerances.hpp"
 #include "element_set.hpp"
 #include "equations.hpp"
 #include "measurements.hpp"
@@ -31,6 +32,10 @@ bool has_input(const ForceElement& element, int input) {
   return std::find(all.begin(), all.end(), input) != all.end();
 }
 
+std::string divisor(const std::string& unit) {
+  return unit.find_first_of(" /") == std::string::npos ? unit : "(" + unit + ")";
+}
+
 bool depends_on_accelerations(Kind kind) {
   return kind == Kind::acceleration || kind == Kind::drive_reaction || kind == Kind::reaction ||
          kind == Kind::acceleration_residual;
@@ -46,6 +51,7 @@ Outputs::Outputs(const Mechanism& mechanism, std::vector<Output> outputs)
       parts_(connected_parts(mechanism)),
       force_groups_(force_groups(mechanism)),
       measurements_(std::make_unique<Measurements>(mechanism, outputs_)),
+      accelerances_(std::make_unique<Accelerances>(mechanism, outputs_)),
       reactions_(std::any_of(outputs_.begin(), outputs_.end(),
                              [](const Output& o) { return o.kind == Kind::reaction; })),
       phi_(mechanism.structure().constraints),
@@ -129,6 +135,8 @@ std::string Outputs::unit(int output) const {
       return "rad";
     case Kind::quantity:
       return measurements_->unit(output);
+    case Kind::accelerance:
+      return std::string(length) + "/s^2/" + divisor(in.inputs[static_cast<std::size_t>(o.input)].unit);
     default:
       return "J";
   }
@@ -197,6 +205,7 @@ void Outputs::evaluate(const State& state, double* y) {
 
 void Outputs::prepare(const State& s) {
   measurements_->measure(s);
+  accelerances_->find(s);
   if (has_residuals_) residuals_ = find_residuals_(mechanism_, s);
   if (!reactions_) return;
   mechanism_.constraints(s.q.data(), phi_.data(), jacobian_.data());
@@ -218,6 +227,8 @@ double Outputs::value(int number, const State& s) const {
       return angle(output, s);
     case Kind::quantity:
       return measurements_->value(number);
+    case Kind::accelerance:
+      return accelerances_->value(number);
     case Kind::drive_reaction:
       return -s.lambda[mechanism_.drive_equation(output.drive)];
     case Kind::reaction:
@@ -260,15 +271,20 @@ double Outputs::angle(const Output& output, const State& s) const {
 int Outputs::derivatives(int output) const {
   const Output& o = outputs_[static_cast<std::size_t>(output)];
   if (o.kind == Kind::quantity) return measurements_->follows_inputs(output) ? 0 : 1;
+  if (o.kind == Kind::accelerance) return 1;
   return o.kind == Kind::position ? 2 : o.kind == Kind::velocity ? 1 : 0;
 }
 
 void Outputs::derivatives(const State& s, int order, double* dy) {
-  if (order == 1) measurements_->measure_rates(s);
+  if (order == 1) measurements_->measure_rates(s), accelerances_->find_rates(s);
   for (int k = 0; k < size(); ++k) {
     const Output& output = outputs_[static_cast<std::size_t>(k)];
     if (output.kind == Kind::quantity && derivatives(k) >= order) {
       *dy++ = output.gain * measurements_->rate(k);
+      continue;
+    }
+    if (output.kind == Kind::accelerance) {
+      *dy++ = order == 1 ? output.gain * accelerances_->rate(k) : 0.0;
       continue;
     }
     *dy++ = derivatives(k) < order    ? 0.0

@@ -16,6 +16,7 @@
 #include "tandem/fmi/fmi.hpp"
 #include "tandem/fmi/platform.hpp"
 #include "tandem/input_file.hpp"
+#include "tandem/nearest.hpp"
 #include "tandem/output/files.hpp"
 #include "tandem/output/provenance.hpp"
 #include "tandem/printable.hpp"
@@ -100,6 +101,16 @@ void check_outputs(const SubsystemInfo& info) {
         "'" + info.name +
             "' has no output, so an FMU of it is of no use; allowed is one or more, of a mechanism also by "
             "animate = true, which gives the coordinates of its points");
+}
+
+/// Of the file's [run.inputs], or a member's.
+void check_starts(const Unit& unit) {
+  std::vector<std::string> inputs;
+  for (int k = 0; k < unit.info().input_size(); ++k)
+    inputs.push_back(scalar_at(unit.info().inputs, k).name());
+  for (const auto& [name, value] : unit.manifest().starts)
+    if (std::find(inputs.begin(), inputs.end(), name) == inputs.end())
+      throw Error(ErrorCode::invalid_argument, "run.inputs: " + unknown("input", name, inputs));
 }
 
 void check_target(const ExportSettings& settings) {
@@ -193,6 +204,7 @@ std::vector<std::string> export_fmu(const ExportSettings& settings, const Builti
   const auto made_of = open_unit(folder.path() / resources);
   Unit& unit = *made_of;
   check_outputs(unit.info());
+  check_starts(unit);
   const double start = origin.span ? origin.span->start : 0.0;
   unit.set_span(start);
   const Facts facts{identifier_of(settings.file.stem().string()),

@@ -35,6 +35,7 @@ Origin named(const std::string& source) {
   if (colon != std::string::npos && plain_sources().schemes.contains(scheme))
     return {scheme, source.substr(colon + 1, question - colon - 1), {}, {}};
   if (colon != std::string::npos && !fs::exists(source)) refuse(source, "a source that does not go along");
+  if (fs::path(source).extension() == ".fmu") refuse(source, "an FMU already");
   if (scenario::is_system(source)) refuse(source, "a system of FMUs, which don't go along in another");
   const std::string kind = scenario::kind_alone(source);
   return {kind.empty() ? "scenario" : kind, source, {}, {}};

@@ -22,20 +22,28 @@ bool reads(const SystemMember& member, const scenario::ConnectionEntry& entry) {
   return entry.connection.how && entry.connection.to.starts_with(member.name + ".");
 }
 
-/// A polynomial goes into an FMU of 2.0 as derivatives; more than two of them tandem does not give.
+/// Of the polynomials that it reads; -1: all its inputs are constants.
+int degree_of_inputs(const SystemMember& member, const scenario::Scenario& scenario) {
+  int degree = -1;
+  for (const scenario::ConnectionEntry& entry : scenario.connections)
+    if (entry.connection.to.starts_with(member.name + "."))
+      degree = std::max(degree, entry.connection.how ? entry.connection.how->polynomial_degree() : 0);
+  return degree;
+}
+
+/// A polynomial goes into an FMU of 2.0 as derivatives; more than two of them tandem does not give. A constant, too: then
+/// derivatives of outputs that follow an input at once are known, and the run starts by them.
 void give_derivatives(SystemMember& member, const scenario::Scenario& scenario, fmi::Version version,
                       std::vector<std::string>& told) {
-  if (!member.source) return;
-  int degree = 0;
-  for (const scenario::ConnectionEntry& entry : scenario.connections)
-    if (reads(member, entry)) degree = std::max(degree, entry.connection.how->polynomial_degree());
-  if (degree == 0) return;
+  if (!member.source || member.source->inputs.empty()) return;
+  const int degree = degree_of_inputs(member, scenario);
+  if (degree == 0 || (degree < 0 && version != fmi::Version::two)) return;
   if (version != fmi::Version::two)
     return told.push_back(
         fmt::format("{}: inputs of degree {} are given as their mean over each step, as FMI 3.0 "
                     "has no derivatives of inputs; the run that comes back differs",
                     member.name, degree));
-  const int order = std::min(degree, 2);
+  const int order = std::clamp(degree, 1, 2);
   member.annotation["inputs"] = "derivatives", member.annotation["order"] = std::to_string(order);
   if (order < degree)
     told.push_back(fmt::format("{}: inputs of degree {} are given by derivatives of order {}", member.name,
@@ -77,6 +85,13 @@ void tell_of_samples(const SystemMember& member, std::vector<std::string>& told)
                    ": samples, and comes back as one that integrates itself, with its period for a step");
 }
 
+void tell_of_events(const SystemMember& member, std::vector<std::string>& told) {
+  if (member.source && member.source->abilities.events && !member.source->abilities.sampled)
+    told.push_back(
+        member.name +
+        ": has events, which others see at the ends of its steps alone; the run that comes back differs");
+}
+
 }  // namespace
 
 std::vector<std::string> export_system(const SystemSettings& settings, const Builtins& here) {
@@ -91,6 +106,7 @@ std::vector<std::string> export_system(const SystemSettings& settings, const Bui
     SystemMember& member = members.back();
     give_derivatives(member, scenario, settings.version, told);
     tell_of_samples(member, told);
+    tell_of_events(member, told);
     contents["resources/" + file_of(member.name)] = std::move(member.fmu);
   }
   for (const SystemMember& member : members) tell_of_shorter_steps(member, members, scenario, told);

@@ -12,6 +12,12 @@ std::string numbered(const std::string& port, std::size_t link, std::size_t link
   return links > 1 ? port + "_" + std::to_string(link + 1) : port;
 }
 
+std::string port_of_accelerance(const std::string& surrogate, std::size_t link, std::size_t of,
+                                std::size_t links) {
+  const std::string number = "_" + std::to_string(link + 1) + "_" + std::to_string(of + 1);
+  return surrogate + ".accelerance" + (links > 1 ? number : "");
+}
+
 /// The one that carries this output to an input of that instance.
 ConnectionEntry& connection_of(Scenario& scenario, const LinkEntry& link, const std::string& output,
                                const std::string& reader) {
@@ -65,7 +71,25 @@ void take_over(Scenario& to, const LinkEntry& entry, const std::string& surrogat
   ConnectionEntry& back = connection_of(to, entry, power.back, fast);
   ConnectionEntry position = part(back, power.back, port("position"), Reconstruction::Kind::taylor);
   back.connection.from = port("displacement"), back.connection.how = Reconstruction::parse("hermite");
+  for (std::size_t k = 0; k < entry.effective.accelerance.size(); ++k)
+    to.connections.push_back(part(position, entry.effective.accelerance[k],
+                                  port_of_accelerance(surrogate, link, k, links),
+                                  Reconstruction::Kind::hermite));
   to.connections.push_back(std::move(mean)), to.connections.push_back(std::move(position));
+}
+
+/// All of them tell, or none, and each of all forces.
+void check_accelerance(const std::vector<LinkEntry>& links, const std::string& slow) {
+  for (const LinkEntry& link : links) {
+    const auto& outputs = link.effective.accelerance;
+    if (outputs.size() != (links[0].effective.accelerance.empty() ? 0 : links.size()))
+      refuse(link.place, "accelerance names " + std::to_string(outputs.size()) + " outputs, and subsystem '" +
+                             slow + "' has " + std::to_string(links.size()) +
+                             " links; allowed is one output for each link, at each link or at none");
+    for (const std::string& output : outputs)
+      if (instance_of(output) != slow)
+        refuse(link.place, "accelerance names '" + output + "'; allowed is an output of '" + slow + "'");
+  }
 }
 
 /// Whether the surrogate of these links has springs.
@@ -90,6 +114,7 @@ void couple_by_impulse(const std::string& coupling, Scenario& to) {
            "fast side's "
            "output, and displacement, the slow side's");
   for (const auto& [slow, links] : by_slow) {
+    check_accelerance(links, slow);
     ImpulseEntry impulse{slow, {}, with_stiffness(coupling, links)};
     SubsystemEntry surrogate{slow + "_surrogate", "builtin:impulse_surrogate", {}, {}, links[0].place,
                              links[0].place};

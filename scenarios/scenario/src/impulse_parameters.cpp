@@ -52,6 +52,8 @@ class Asked {
     for (const ImpulseEntry::Link& link : entry.links) {
       forces_.push_back(found(slow_.info().inputs, "input", link.force));
       displacements_.push_back(found(slow_.info().outputs, "output", link.displacement));
+      for (const std::string& one : link.effective.accelerance)
+        accelerances_.push_back(found(slow_.info().outputs, "output", one));
     }
   }
 
@@ -74,12 +76,16 @@ class Asked {
       set(at("velocity", k), derivative(free, k, 1)), set(at("free_acceleration", k), derivative(free, k, 2));
     }
     if (entry_.with_stiffness) set_springs(u0, free);
+    for (std::size_t i = 0; i < accelerances_.size(); ++i) tell_accelerance(i, free);
     for (std::size_t k = 0; k < forces_.size(); ++k) {
       u0[forces_[k].index] = 1.0;
       const Begin pushed = begin_of(slow_, u0, of_);
       u0[forces_[k].index] = 0.0;
-      for (std::size_t i = 0; i < forces_.size(); ++i)
-        set_accelerance(i, k, derivative(pushed, i, 2) - derivative(free, i, 2));
+      const auto found = [&](std::size_t i) { return derivative(pushed, i, 2) - derivative(free, i, 2); };
+      for (std::size_t i = 0; i < forces_.size(); ++i) {
+        if (!accelerances_.empty()) check_told(i * forces_.size() + k, found(i), found(k), free);
+        set_accelerance(i, k, found(i));
+      }
     }
     return std::move(all_);
   }
@@ -125,12 +131,31 @@ class Asked {
   }
 
   double derivative(const Begin& begin, std::size_t link, std::size_t order) const {
-    const double value =
-        begin.row[order * static_cast<std::size_t>(slow_.info().output_size()) + displacements_[link].index];
+    return derivative(begin, displacements_[link], order);
+  }
+  double derivative(const Begin& begin, const ScalarPort& of, std::size_t order) const {
+    const double value = begin.row[order * static_cast<std::size_t>(slow_.info().output_size()) + of.index];
     if (!std::isfinite(value))
-      refuse("starts with a derivative of " + displacements_[link].port->name +
+      refuse("starts with a derivative of " + of.port->name +
              " that is not finite, as another input is not known; allowed is a start value of each");
     return value;
+  }
+
+  void tell_accelerance(std::size_t e, const Begin& free) {
+    const ScalarPort& of = accelerances_[e];
+    if (of.port->derivatives < 1)
+      refuse("gives no derivative of its output " + of.port->name +
+             "; allowed in links.accelerance is one with it");
+    set(at("accelerance_rate", e), derivative(free, of, 1)), set(at("accelerance_unit", e), of.port->unit);
+  }
+
+  /// What the output tells is what a force has been found to do here; own: at its own displacement.
+  void check_told(std::size_t e, double found, double own, const Begin& free) const {
+    const double told = derivative(free, accelerances_[e], 0), off = std::abs(told - found);
+    if (!(off <= 1e-6 * std::max({std::abs(told), std::abs(found), std::abs(own)})))
+      refuse("starts with " + accelerances_[e].port->name + " = " + std::to_string(told) +
+             ", and accelerates by " + std::to_string(found) +
+             " for a force of 1; allowed in links.accelerance is the same to 1e-6");
   }
 
   void set_springs(std::vector<double> u0, const Begin& free) {
@@ -190,7 +215,7 @@ class Asked {
   const Topology& topology_;
   std::function<Subsystem&(int)> subsystem_;
   Subsystem& slow_;
-  std::vector<ScalarPort> forces_, displacements_;
+  std::vector<ScalarPort> forces_, displacements_, accelerances_;
   std::vector<Parameter> all_;
 };
 

@@ -18,6 +18,12 @@ std::unique_ptr<Subsystem> make(const Address&, Parameters& p) {
   }
   for (std::size_t k = 1; k <= links * links; ++k)
     c.accelerance.push_back(p.number("accelerance." + std::to_string(k), 0.0));
+  const std::size_t rates = p.numbers("accelerance_rate.").size();
+  for (std::size_t k = 1; k <= rates; ++k) {
+    const std::string at = "." + std::to_string(k);
+    c.accelerance_rate.push_back(p.number("accelerance_rate" + at, 0.0));
+    c.accelerance_units.push_back(p.text("accelerance_unit" + at, ""));
+  }
   for (const auto& [at, value] : p.numbers("stiffness."))
     c.stiffness.push_back(value), c.damping.push_back(p.number("damping." + at, 0.0));
   c.trapezoidal = p.flag("trapezoidal", false);
@@ -31,7 +37,8 @@ void add_impulse(Builtins& builtins) {
   builtins.models["impulse_surrogate"] = {
       words_by(Setter::operator_only,
                {"own_step", "slow_step", "fast_period", "force_unit.*", "displacement_unit.*", "velocity.*",
-                "free_acceleration.*", "accelerance.*", "stiffness.*", "damping.*", "trapezoidal", "degree"}),
+                "free_acceleration.*", "accelerance.*", "accelerance_rate.*", "accelerance_unit.*",
+                "stiffness.*", "damping.*", "trapezoidal", "degree"}),
       make};
 }
 

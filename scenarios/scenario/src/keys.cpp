@@ -142,6 +142,13 @@ void of_links(KeyList& to) {
            "at the "
            "start.",
            {.unit = "kg or kg m^2"})
+      .may("accelerance", edge,
+           "In place of `effective_mass`, where it varies: the output of the slow side that is the "
+           "acceleration of the "
+           "displacement by an effort of 1, with a derivative. Of several links on that side an output for "
+           "each of "
+           "their efforts, in the order of the file.",
+           {.allowed = "\"instance.port\", or an array of them"})
       .may("effective_stiffness", positive,
            "Likewise its own springs, and with them `impulse` is `impulse_stiffness`: for fast sides that "
            "are not light "

@@ -29,6 +29,16 @@ StatedLink read_effort(Section& section) {
   return {*effort, *section.text("displacement"), PowerLink::Kind::displacement};
 }
 
+/// One output, or several.
+std::vector<std::string> read_accelerance(Section& section) {
+  const toml::node* node = section.node("accelerance");
+  if (!node) return {};
+  if (section.node("effective_mass"))
+    section.wrong("effective_mass", "given beside accelerance", "one of them");
+  if (node->is_string()) return {*section.text("accelerance")};
+  return section.texts("accelerance");
+}
+
 }  // namespace
 
 LinkEntry read_link(Section& section) {
@@ -36,7 +46,7 @@ LinkEntry read_link(Section& section) {
   LinkEntry entry{stiffness ? read_spring(section, *stiffness) : read_effort(section),
                   section.place(),
                   {section.positive("effective_mass"), section.positive("effective_stiffness"),
-                   section.positive("effective_damping")}};
+                   section.positive("effective_damping"), read_accelerance(section)}};
   section.refuse_unknown();
   return entry;
 }

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "tandem/scenario/assembly.hpp"
@@ -22,13 +23,21 @@ struct JudgedOutput {
   scenario::Measure measure;
 };
 
+/// By "instance.port".
+std::map<std::string, Port> outputs_of(const Topology& topology) {
+  std::map<std::string, Port> all;
+  for (int i = 0; i < topology.size(); ++i)
+    for (const Port& port : topology.info(i).outputs) all[topology.name(i) + "." + port.name] = port;
+  return all;
+}
+
 /// Writes the study of a scenario.
 class Writer {
  public:
   Writer(const scenario::Scenario& scenario, const Builtins& builtins, Varied varied)
       : scenario_(scenario),
         varied_(varied),
-        topology_(scenario::Parts(scenario, builtins, scenario::Code::run).topology()) {
+        outputs_(outputs_of(scenario::Parts(scenario, builtins, scenario::Code::run).topology())) {
     if (scenario.connections.empty())
       throw Error(
           ErrorCode::invalid_argument,
@@ -81,10 +90,16 @@ axes = [
     return free_connections().empty() ? std::vector<std::string>{"stated"} : Reconstruction::words();
   }
 
+  /// Null: it is not there.
+  const Port* output(const std::string& name) const {
+    const auto found = outputs_.find(name.substr(0, name.find('[')));
+    return found == outputs_.end() ? nullptr : &found->second;
+  }
+
   /// Its reconstruction is varied: that of an output that is not held, without a lag.
   bool is_free(std::size_t k) const {
     const auto& entry = scenario_.connections[k];
-    const Port* port = topology_.output_port(entry.connection.from);
+    const Port* port = output(entry.connection.from);
     const bool given =
         varied_ == Varied::left_out && stated(fmt::format("/connections/{}/reconstruction", k));
     return !given && !(port && port->held) && entry.connection.lag == Lag::none;
@@ -97,7 +112,7 @@ axes = [
     }
     for (const auto& entry : scenario_.connections) {
       const std::string& from = entry.connection.from;
-      const Port* port = topology_.output_port(from);
+      const Port* port = output(from);
       const bool is_vector = port && port->size > 1 && !from.ends_with("]");
       for (int k = 0; k < (is_vector ? port->size : 1); ++k)
         add(is_vector ? fmt::format("{}[{}]", from, k) : from);
@@ -142,7 +157,7 @@ floor = true
 )toml";
     for (std::size_t k = 0; k < scenario_.connections.size(); ++k) {
       const Connection& one = scenario_.connections[k].connection;
-      if (const Port* port = topology_.output_port(one.from); is_free(k) && port && port->derivatives == 0)
+      if (const Port* port = output(one.from); is_free(k) && port && port->derivatives == 0)
         text += fmt::format("\"connections[{}].reconstruction\" = \"lagrange3\"\n", one.to);
     }
     return text;
@@ -213,7 +228,7 @@ best = 1
 
   const scenario::Scenario& scenario_;
   const Varied varied_;
-  const Topology topology_;
+  const std::map<std::string, Port> outputs_;
   std::vector<std::string> schedules_ = {"slowest-first", "fastest-first", "staggered", "parallel"};
   bool varies_steps_ = true;
   std::vector<JudgedOutput> judged_;

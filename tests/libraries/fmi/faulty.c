@@ -1,5 +1,7 @@
 /* Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause */
-/* x' = -x, and from 0.5 s on what `how` says: 1 a fault, 2 a step without end, 3 words on stdout, 4 an exit. */
+/* x' = -x, and from 0.5 s on what `how` says: 1 a fault, 2 a step without end, 3 words on stdout, 4 an exit, 5 another
+ * way of rounding. At 20 s: 6 a time that is a step ahead, once; 7 one that stays. */
+#include <fenv.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -18,9 +20,11 @@ void compute(fmu_values* m) {
   while (m->w[how] == 2) m->w[how] = m->w[how] == 2 ? 2 : 0;
   if (m->w[how] == 3) puts("a word of the FMU");
   if (m->w[how] == 4) exit(0);
+  if (m->w[how] == 5) fesetround(FE_DOWNWARD);
 }
 void read_indicators(const fmu_values* m, double* z) { (void)m, (void)z; }
 int act(fmu_values* m) {
-  (void)m;
+  if (m->w[how] == 6 && fabs(m->v[t] - 20) < 1e-6) m->v[t] += 0.1;
+  if (m->w[how] == 7 && m->v[t] > 20) m->v[t] = 20;
   return 0;
 }

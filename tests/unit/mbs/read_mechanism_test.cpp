@@ -127,6 +127,8 @@ TEST(ReadMechanism, RefusesElementsWithWhatIsAllowed) {
   EXPECT_TRUE(
       refused("[inputs]\nF = { unit = 'N', value = 2, polynomial = [1] }\n", {"has 2 of value, polynomial"}));
   EXPECT_TRUE(refused("[outputs]\no = { position = 'P.x', velocity = 'P.x' }\n", {"names 2 quantities"}));
+  EXPECT_TRUE(refused("[outputs]\no = { accelerance = 'P.x' }\n", {"input", "a force follows"}));
+  EXPECT_TRUE(refused("[outputs]\no = { position = 'P.x', input = 'F' }\n", {"input", "it is no accelerance"}));
   EXPECT_TRUE(refused("[outputs]\no = { reaction = 'P.x' }\n", {"a point that is not fixed"}));
   EXPECT_TRUE(
       refused("[outputs]\no = { energy = 'all' }\n", {"'all'", "kinetic, potential, total or drift"}));

@@ -106,8 +106,9 @@ class Instance {
     if (!is_good(status)) fail(name, static_cast<Status>(status));
   }
   [[noreturn]] void fail(const std::string& name, Status status);
-  /// `own`: the FMU's time after a step that it says it has taken.
-  void check_time(const OwnStep& s, double own) const;
+  /// `own`: the FMU's time after a step that it says it has taken. A step too much or too little after a hundred that were
+  /// right is the rounding of its own sums, and is told once.
+  void check_time(const OwnStep& s, double own);
 
   bool exchanges() const { return fmu_.settings.kind == Kind::model_exchange; }
   const Offer& offer() const { return offer_of(fmu_.description, fmu_.settings.kind); }
@@ -139,6 +140,8 @@ class Instance {
   Functions functions_;
   void* component_ = nullptr;
   std::set<int> told_of_;
+  std::int64_t right_steps_ = 0;
+  bool told_of_time_ = false;
   std::string failed_;    ///< why it may not be called until it is begun anew
   int made_ = 0;          ///< instances before this one
   bool fresh_ = false;    ///< just instantiated

@@ -55,9 +55,9 @@ std::vector<double> elements_of(const Variable& v, const std::string& word, Para
 /// Of a boolean true or false.
 std::vector<double> numbers_of(const Variable& v, const std::string& word, Parameters& p) {
   const bool flag = v.type == Type::boolean;
-  const std::vector<double> all = !v.dimensions.empty() ? elements_of(v, word, p)
-                                  : flag                ? std::vector<double>{p.flag(word, false) ? 1.0 : 0.0}
-                                                        : std::vector<double>{p.number(word, 0.0)};
+  const std::vector<double> all = !v.dimensions.empty() && v.size > 1 ? elements_of(v, word, p)
+                                  : flag ? std::vector<double>{p.flag(word, false) ? 1.0 : 0.0}
+                                         : std::vector<double>{p.number(word, 0.0)};
   for (const double value : all) check(v, word, value);
   return all;
 }

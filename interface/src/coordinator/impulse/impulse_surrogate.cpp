@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "surrogate_link.hpp"
+#include "tandem/coordinator/impulse/accelerance.hpp"
 #include "tandem/coordinator/impulse/reaction_check.hpp"
 #include "tandem/error.hpp"
 #include "tandem/fixed_step.hpp"
@@ -36,6 +37,10 @@ class Surrogate {
     require(of_.stiffness.empty() ? of_.damping.empty()
                                   : of_.stiffness.size() == matrix && of_.damping.size() == matrix,
             "stiffness and damping are to be matrices of all links");
+    require(of_.accelerance_rate.empty() ||
+                (of_.accelerance_rate.size() == matrix && of_.accelerance_units.size() == matrix),
+            "the rate of the accelerance and its units are to be matrices of all links");
+    next_ = Accelerance(of_.accelerance, std::vector<double>(matrix));
     for (Forces* one : {&forces_[0], &forces_[1], &forces_[2], &stages_[0], &stages_[1], &stages_[2],
                         &stages_[3], &net_, &positions_, &velocities_})
       one->resize(of_.links.size());
@@ -56,7 +61,9 @@ class Surrogate {
 
   std::size_t size() const { return of_.links.size(); }
   double length() const { return end_ - begin_; }
-  void react(const Forces& forces, Forces& accelerations) const;
+  bool varies() const { return !of_.accelerance_rate.empty(); }
+  void read_accelerance(double node, std::span<const Signal> u);
+  void turn_to_next(double s);
   void begin_slow_step(double t);
   void check_slow_side(double t, const Signal& position) const;
   void accelerate(std::size_t stage, double h, const double (&times)[3]);
@@ -72,6 +79,7 @@ class Surrogate {
   double begin_ = 0.0, end_ = 0.0;  ///< of the slow side's step [s]
   bool passed_ = false;             ///< its end, and the slow side has not been heard since
   int steps_ = 0;                   ///< own ones so far, up to degree + 1
+  Accelerance accelerance_, next_;  ///< from the last node on; at the one that is taken
   std::vector<SurrogateLink> links_;
   std::vector<ReactionCheck> checks_;    ///< by link
   double worst_ = 0.0, worst_at_ = 0.0;  ///< error of a check so far, and when [s]
@@ -91,11 +99,16 @@ SubsystemInfo Surrogate::info() const {
   };
   add(info.inputs, "force", &ImpulseCoupling::Link::force_unit, 0);
   add(info.inputs, "position", &ImpulseCoupling::Link::displacement_unit, 0);
+  const int links = static_cast<int>(size());
+  for (int e = 0; varies() && e < links * links; ++e)
+    info.inputs.push_back(
+        {links > 1 ? "accelerance_" + std::to_string(e / links + 1) + "_" + std::to_string(e % links + 1)
+                   : "accelerance",
+         of_.accelerance_units[static_cast<std::size_t>(e)]});
   add(info.outputs, "displacement", &ImpulseCoupling::Link::displacement_unit, 1);
   add(info.outputs, "mean_force", &ImpulseCoupling::Link::force_unit, 0);
-  for (std::size_t k = 0; k < size(); ++k)
+  for (std::size_t k = 0; k < size() && !varies(); ++k)
     info.outputs.push_back({size() > 1 ? "reaction_error_" + std::to_string(k + 1) : "reaction_error", "1"});
-  const int links = static_cast<int>(size());
   for (int k = 0; k < links; ++k) info.feedthrough.push_back({k, links + k});
   return info;
 }
@@ -106,12 +119,13 @@ void Surrogate::start(double t, std::span<const double> u0) {
   const ForceWindow window(hat ? ForceWindow::Kind::hat : ForceWindow::Kind::b_spline, of_.slow_step);
   for (std::size_t k = 0; k < size(); ++k)
     positions_[k] = u0[size() + k], velocities_[k] = of_.links[k].velocity, forces_[0][k] = 0.0;
+  accelerance_ = varies() ? Accelerance(of_.accelerance, of_.accelerance_rate) : next_;
   take_spring(forces_[0], positions_, velocities_, net_);
-  react(net_, stages_[0]);  // what its springs accelerate
+  accelerance_.react(net_, 0.0, stages_[0]);  // what its springs accelerate
   for (std::size_t k = 0; k < size(); ++k) {
     links_.emplace_back(window, positions_[k], velocities_[k],
                         of_.links[k].free_acceleration - stages_[0][k]);
-    checks_.emplace_back(of_.links[k].free_acceleration);
+    if (!varies()) checks_.emplace_back(of_.links[k].free_acceleration);
   }
   tolerance_ = TimeTolerance(t);
   passed_ = false;
@@ -130,13 +144,6 @@ void Surrogate::check_slow_side(double t, const Signal& position) const {
               "impulse coupling: the slow side stands at " + std::to_string(at) +
                   " s where it is to stand at " + std::to_string(t) +
                   " s; allowed is an order in which the surrogate and the fast sides lead it");
-}
-
-void Surrogate::react(const Forces& forces, Forces& accelerations) const {
-  for (std::size_t i = 0; i < size(); ++i) {
-    accelerations[i] = 0.0;
-    for (std::size_t k = 0; k < size(); ++k) accelerations[i] += of_.accelerance[i * size() + k] * forces[k];
-  }
 }
 
 void Surrogate::step(const OwnStep& s, std::span<const Signal> u) {
@@ -164,7 +171,7 @@ void Surrogate::accelerate(std::size_t stage, double h, const double (&times)[3]
     velocities_[k] = links_[k].velocity() + (stage == 0 ? 0.0 : c * stages_[stage - 1][k]);
   }
   take_spring(forces_[at], positions_, velocities_, net_);
-  react(net_, stages_[stage]);
+  accelerance_.react(net_, times[at] - begin_, stages_[stage]);
   for (std::size_t k = 0; k < size(); ++k) stages_[stage][k] += links_[k].acceleration(times[at] - begin_);
 }
 
@@ -179,7 +186,7 @@ void Surrogate::take_spring(const Forces& forces, const Forces& y, const Forces&
 
 void Surrogate::make_up_start(double t, std::span<const Signal> u) {
   for (std::size_t k = 0; k < size(); ++k) net_[k] = u[k].value(t) - forces_[2][k];
-  react(net_, stages_[0]);
+  accelerance_.react(net_, t - begin_, stages_[0]);
   for (std::size_t k = 0; k < size(); ++k)
     links_[k].make_up_start(steps_, of_.own_step, net_[k], stages_[0][k]);
 }
@@ -195,7 +202,8 @@ void Surrogate::pass_node(const OwnStep& s) {
     positions_[k] = links_[k].mean_position(), velocities_[k] = links_[k].mean_velocity();
   }
   take_spring(stages_[0], positions_, velocities_, net_);
-  react(net_, stages_[1]), react(stages_[0], stages_[2]);
+  const double middle = length() / 2.0;
+  accelerance_.react(net_, middle, stages_[1]), accelerance_.react(stages_[0], middle, stages_[2]);
   for (std::size_t k = 0; k < size(); ++k) {
     SurrogateLink& link = links_[k];
     link.foresee(stages_[1][k], length());
@@ -211,23 +219,47 @@ void Surrogate::take_node(double t, std::span<const Signal> u) {
   const bool jumps = of_.slow_step < of_.fast_period;
   check_slow_side(end_, u[size()]);
   const double node = u[size()].segments().back().origin;
-  check_reaction(u, node);
-  react(net_, stages_[1]);
+  varies() ? read_accelerance(node, u) : check_reaction(u, node);
+  const Accelerance& next = varies() ? next_ : accelerance_;
+  accelerance_.react_to(next, length(), net_, stages_[1]);
   for (std::size_t k = 0; k < size(); ++k) {
     const Signal& position = u[size() + k];
     links_[k].take(position.value(node), position.derivative(node), stages_[1][k], t - end_, length(),
                    of_.slow_step, jumps);
   }
+  if (varies()) turn_to_next(t - end_);
   begin_slow_step(node);
   passed_ = false;
+}
+
+void Surrogate::read_accelerance(double node, std::span<const Signal> u) {
+  for (std::size_t e = 0; e < size() * size(); ++e) {
+    const Signal& one = u[2 * size() + e];
+    next_.values()[e] = one.value(node), next_.rates()[e] = one.derivative(node);
+    if (e % (size() + 1) == 0 && !(next_.values()[e] > 0.0))
+      throw Error(ErrorCode::numerical, "impulse coupling: the accelerance of the slow side at its link " +
+                                            std::to_string(e / size() + 1) + " is " +
+                                            std::to_string(next_.values()[e]) +
+                                            " at t = " + std::to_string(node) + " s; allowed is above 0");
+  }
+}
+
+/// From the node on, s before, the force has accelerated otherwise.
+void Surrogate::turn_to_next(double s) {
+  accelerance_.react(forces_[2], length(), stages_[0]),
+      accelerance_.react(forces_[2], length() + s, stages_[1]);
+  next_.react(forces_[2], 0.0, stages_[2]), next_.react(forces_[2], s, stages_[3]);
+  for (std::size_t k = 0; k < size(); ++k)
+    links_[k].make_up(s, stages_[2][k] - stages_[0][k], stages_[3][k] - stages_[1][k]);
+  std::swap(accelerance_, next_);
 }
 
 /// Before the link takes the node, and so its velocity.
 void Surrogate::check_reaction(std::span<const Signal> u, double node) {
   for (std::size_t k = 0; k < size(); ++k) positions_[k] = checks_[k].change_to(links_[k].mean_force());
-  react(positions_, velocities_);
+  accelerance_.react(positions_, 0.0, velocities_);
   for (std::size_t k = 0; k < size(); ++k) positions_[k] = links_[k].mean_force();
-  react(positions_, stages_[1]);
+  accelerance_.react(positions_, 0.0, stages_[1]);
   for (std::size_t k = 0; k < size(); ++k) {
     const Signal& position = u[size() + k];
     checks_[k].take(position.derivative(node) - links_[k].rate(), length(), position.second_derivative(node),
@@ -249,7 +281,7 @@ void Surrogate::outputs(double* y) const {
   for (const SurrogateLink& link : links_) *y++ = link.mean_force();
   for (const ReactionCheck& check : checks_) *y++ = check.error();
   for (const SurrogateLink& link : links_) *y++ = link.velocity();
-  std::fill_n(y, 2 * size(), 0.0);
+  std::fill_n(y, size() + checks_.size(), 0.0);
 }
 
 void Surrogate::write(ByteWriter& to) const {
@@ -257,6 +289,7 @@ void Surrogate::write(ByteWriter& to) const {
   to.put(std::uint8_t{passed_}), to.put(std::int32_t{steps_});
   for (const Forces* one : {&forces_[2], &net_})
     for (const double force : *one) to.put(force);
+  accelerance_.write(to);
   for (const SurrogateLink& link : links_) link.write(to);
   for (const ReactionCheck& check : checks_) check.write(to);
   to.put(worst_), to.put(worst_at_);
@@ -267,6 +300,7 @@ void Surrogate::read(ByteReader& from) {
   passed_ = from.take<std::uint8_t>() != 0, steps_ = from.take<std::int32_t>();
   for (Forces* one : {&forces_[2], &net_})
     for (double& force : *one) force = from.take<double>();
+  accelerance_.read(from);
   for (SurrogateLink& link : links_) link.read(from);
   for (ReactionCheck& check : checks_) check.read(from);
   worst_ = from.take<double>(), worst_at_ = from.take<double>();

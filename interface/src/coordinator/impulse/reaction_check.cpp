@@ -9,7 +9,8 @@ namespace {
 
 /// Of the largest one so far, for a step that tells something of A: below it solvers and rounding have their say.
 constexpr double least_change = 1e-4;
-constexpr double kept = 0.95;  ///< of the weight of a step, when the next one comes
+constexpr double least_part = 0.01;  ///< of the squares of what is measured, by the changes of the force
+constexpr double kept = 0.95;        ///< of the weight of a step, when the next one comes
 
 }  // namespace
 
@@ -34,7 +35,7 @@ void ReactionCheck::add(double f) {
 /// By least squares of m = share * change + c * f.
 double ReactionCheck::error() const {
   const double determinant = cc_ * ff_ - cf_ * cf_;
-  if (count_ < 4.0 || !(determinant > 1e-12 * cc_ * ff_)) return 0.0;
+  if (count_ < 4.0 || !(determinant > 1e-12 * cc_ * ff_) || cc_ < least_part * mm_) return 0.0;
   const double share = (cm_ * ff_ - fm_ * cf_) / determinant, c = (fm_ * cc_ - cm_ * cf_) / determinant;
   const double scatter = std::max(0.0, mm_ - share * cm_ - c * fm_) + 1e-4 * c * c * ff_;
   const double free = count_ - 2.0, errors = 3.0 + 36.0 / std::pow(free, 1.5);  // of few steps more

@@ -97,10 +97,14 @@ void SurrogateLink::follow(double g_mean, double s, double length) {
   const double rate =
       length_ > 0.0 ? (g_mean - g_mean_) / (0.5 * (length + length_)) : (g_mean - g_) / (0.5 * length);
   const double g = g_mean + rate * length / 2.0;
-  const double change = g - g_ - g_rate_ * length, of_rate = rate - g_rate_;
-  v_ += s * (change + s * of_rate / 2.0);
-  y_ += s * s * (change / 2.0 + s * of_rate / 6.0);
+  const double change = g - g_ - g_rate_ * length;
+  make_up(s, change, change + s * (rate - g_rate_));
   g_ = g, g_rate_ = rate, g_mean_ = g_mean;
+}
+
+void SurrogateLink::make_up(double s, double then, double now) {
+  v_ += s * (then + now) / 2.0;
+  y_ += s * s * (2.0 * then + now) / 6.0;
 }
 
 /// All numbers of its own.

@@ -49,6 +49,9 @@ class SurrogateLink {
   void take(double position, double velocity, double reaction, double s, double length, double next,
             bool jumps);
 
+  /// The acceleration since the node, s [s] ago, was off by so much then, and is now.
+  void make_up(double s, double then, double now);
+
   void write(ByteWriter& to) const;
   void read(ByteReader& from);
 

@@ -23,7 +23,7 @@ void keys_of_outputs(KeyList& to) {
   using enum text::Key::Type;
   to.named("outputs", "What is read of it.",
            "An output. It has one of `position`, `velocity`, `acceleration`, `reaction`, `energy`, "
-           "`residual`, `elevation`, `heading` and `element`.")
+           "`residual`, `elevation`, `heading`, `element` and `accelerance`.")
       .may("position", text, "A coordinate.", {.allowed = coordinate})
       .may("velocity", text, "The rate of a coordinate.", {.allowed = coordinate})
       .may("acceleration", text, "The second rate of a coordinate.", {.allowed = coordinate})
@@ -41,6 +41,11 @@ void keys_of_outputs(KeyList& to) {
       .may("heading", edge, "Angle of an edge in that plane, from the first axis.", {.unit = "rad"})
       .may("element", text, "An element, of which it is a `quantity`.")
       .may("quantity", text, "Its name.")
+      .may("accelerance", text,
+           "By how much an input of 1 accelerates a coordinate through its forces at once "
+           "(docs/impulse_coupling.md).",
+           {.allowed = coordinate})
+      .may("input", text, "That input, which only forces follow.")
       .may("gain", number, "The output is the quantity times this.", {.otherwise = "1.0"});
   text::keys_of_limits(to, "at the end of each own step",
                        "the name of an output, or { element = .., quantity = .. }");

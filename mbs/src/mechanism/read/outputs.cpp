@@ -34,8 +34,8 @@ bool read_word(text::Section& section, const std::string& key, const std::pair<c
 
 }  // namespace
 
-/// Exactly one of the keys position, velocity, acceleration, reaction, energy, residual, elevation, heading
-/// and element.
+/// Exactly one of the keys position, velocity, acceleration, reaction, energy, residual, elevation, heading,
+/// element and accelerance.
 void Reader::read_output(const std::string& name, Section& section) {
   port_name(section, name);
   Output output{name, Kind::position};
@@ -66,12 +66,19 @@ void Reader::read_output(const std::string& name, Section& section) {
   } else {
     section.leave_out("quantity", "it is of no element");
   }
+  if (section.node("accelerance")) {
+    read_accelerance(section, output);
+    ++given;
+  } else {
+    section.leave_out("input", "it is no accelerance");
+  }
   output.gain = *section.number("gain");
   if (given != 1)
-    text::refuse(section.place(),
-                 fmt::format("output '{}' names {} quantities; allowed is one of position, velocity, "
-                             "acceleration, reaction, energy, residual, elevation, heading and element",
-                             name, given));
+    text::refuse(
+        section.place(),
+        fmt::format("output '{}' names {} quantities; allowed is one of position, velocity, "
+                    "acceleration, reaction, energy, residual, elevation, heading, element and accelerance",
+                    name, given));
   check_column(section, output);
   to_.outputs.push_back(output);
 }
@@ -103,6 +110,23 @@ void Reader::read_element_quantity(Section& section, const std::string& element,
     text::refuse(section.place("quantity"),
                  section.name("quantity") + ": " + unknown("quantity", name, known));
   output.quantity = static_cast<int>(at - known.begin());
+}
+
+void Reader::read_accelerance(Section& section, Output& output) const {
+  output.kind = Kind::accelerance;
+  output.coordinate = required_coordinate(section, "accelerance");
+  const std::string name = section.required_text("input", "an input that a force follows");
+  output.input = find(inputs_, section, "input", "input", name);
+  const auto acts = [&](const auto& one) { return one.input == output.input; };
+  const auto moves = [&](const NamedElement& e) {
+    const auto& inputs = e.force->inputs();
+    return std::find(inputs.begin(), inputs.end(), output.input) != inputs.end();
+  };
+  if (std::none_of(to_.forces.begin(), to_.forces.end(), acts) ||
+      std::any_of(to_.drives.begin(), to_.drives.end(), acts) ||
+      std::any_of(to_.elements.begin(), to_.elements.end(), moves))
+    section.wrong("input", "'" + name + "', which is not of forces alone",
+                  "an input that only forces follow");
 }
 
 /// Of a drive, of a fixed point along an axis, or on a body at one of its points.

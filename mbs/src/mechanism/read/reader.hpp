@@ -116,6 +116,7 @@ class Reader {
   void read_element_quantity(Section& section, const std::string& element, Output& output) const;
   void read_reaction(Section& section, const std::string& of, Output& output) const;
   void read_body_of_reaction(Section& section, const std::string& name, Output& output) const;
+  void read_accelerance(Section& section, Output& output) const;
   void check_column(const Section& section, const Output& output) const;
   void read_initial(Section& root);
   void read_given(Section& initial, const std::string& key, std::vector<Given>& to);

@@ -19,6 +19,9 @@ struct ImpulseCoupling {
   std::vector<Link> links;
   /// A by rows: the acceleration of a displacement by a force. Of one link it is 1 / effective mass.
   std::vector<double> accelerance;
+  /// Its rate at the start, per second. Empty: A stays as it is. Else A is an input.
+  std::vector<double> accelerance_rate = {};
+  std::vector<std::string> accelerance_units = {};  ///< of that input
   /// Likewise the forces of the slow side's own springs and dampers, by displacements and by their rates. Empty: the
   /// surrogate has none.
   std::vector<double> stiffness, damping;
@@ -36,13 +39,16 @@ struct ImpulseCoupling {
 /// from its last two steps. What the slow side comes to beyond that (the defect) is put in while the next step lasts.
 ///
 /// Inputs: of each link `force`, then of each `position`, the slow side's displacement, in a signal that has its value
-/// and two derivatives at the slow side's last node. Outputs: of each link `displacement` with its rate, then of each
-/// `mean_force`, for the step of the slow side whose end it has reached, then of each `reaction_error` (ReactionCheck).
-/// An error above 0.1 % is remarked upon. With several links "force_1" and so on.
+/// and two derivatives at the slow side's last node. Then, where A varies, `accelerance` with its rate there.
+///
+/// Outputs: of each link `displacement` with its rate, then of each `mean_force`, for the step of the slow side whose end
+/// it has reached. Then, unless A varies, of each `reaction_error` (ReactionCheck); one above 0.1 % is remarked upon.
+/// With several links names have numbers: "force_1", and "accelerance_1_2" for what force 2 accelerates at link 1.
 ///
 /// Throws Error(invalid_argument) for steps and a period that are not finite and above 0, a slow step that is no longer
 /// than the fast one, a degree beyond 1 to 4, and matrices of another size. Its step throws
-/// Error(not_supported) where the slow side does not stand where it is to stand.
+/// Error(not_supported) where the slow side does not stand where it is to stand, Error(numerical) for an A that is not above
+/// 0 on its diagonal.
 std::unique_ptr<Subsystem> impulse_surrogate(ImpulseCoupling coupling);
 
 }  // namespace tandem

@@ -29,8 +29,7 @@ class ReactionCheck {
   void take(double velocity_change, double length, double acceleration, double answer, double change);
 
   /// By how much the share of A is off 1, beyond three standard errors, of few steps more (W. S. Gosset's distribution,
-  /// roughly). 0 also where the forces change too little to tell, and where y is no linear function of what that rule
-  /// integrates and the changes drown in that. A hundredth of what c makes counts as scatter.
+  /// roughly). 0 also where the changes of the force are less than a tenth of what is measured. A hundredth of what c makes counts as scatter.
   /// Steps count the less the longer they are ago, 20 of them altogether. 0 for the first six.
   double error() const;
 

@@ -83,9 +83,10 @@ struct Output {
     position_residual,
     velocity_residual,
     acceleration_residual,
-    elevation,  ///< of an edge over the plane of the first two axes (in the plane: over the first) [rad]
-    heading,    ///< of an edge in that plane, from the first axis, -pi to pi [rad]
-    quantity    ///< of an element
+    elevation,   ///< of an edge over the plane of the first two axes (in the plane: over the first) [rad]
+    heading,     ///< of an edge in that plane, from the first axis, -pi to pi [rad]
+    quantity,    ///< of an element
+    accelerance  ///< by how much an input, through its forces, accelerates a coordinate
   };
   std::string name;
   Kind kind;
@@ -95,6 +96,7 @@ struct Output {
   Edge edge = {};     ///< of elevation and heading
   double gain = 1.0;  ///< the output is the quantity times this
   int element = -1, quantity = -1;
+  int input = -1;  ///< of an accelerance
 };
 
 /// Values of an output, or of a quantity of an element, between which a mechanism is believed. Where it

@@ -10,6 +10,7 @@
 
 namespace tandem::mbs {
 
+class Accelerances;
 class Measurements;
 
 /// Evaluates the outputs that a mechanism's description names, or others.
@@ -35,8 +36,8 @@ class Outputs {
   /// y: one for each output. State: complete, at the time of the mechanism's last at_time(). Positions,
   /// velocities and accelerations are those of the state; reactions are computed from its multipliers.
   void evaluate(const State& state, double* y);
-  /// Derivatives by time that a state has: two of positions, one of velocities and of elements' quantities
-  /// that don't follow an input at once, none of the others.
+  /// Derivatives by time that a state has: two of positions, one of velocities, of accelerances and of elements'
+  /// quantities that don't follow an input at once, none of the others.
   int derivatives(int output) const;
   /// Those of one order, 1 or 2; 0 where there are none.
   void derivatives(const State& state, int order, double* dy);
@@ -67,6 +68,7 @@ class Outputs {
   std::vector<int> parts_;                      ///< by coordinate, a number that connected ones share
   std::vector<std::vector<int>> force_groups_;  ///< coordinates that a force connects
   std::unique_ptr<Measurements> measurements_;
+  std::unique_ptr<Accelerances> accelerances_;
   bool reactions_ = false, has_residuals_ = false;
   std::vector<Support> supports_;  ///< by output; of reactions
   Eigen::VectorXd phi_, force_;

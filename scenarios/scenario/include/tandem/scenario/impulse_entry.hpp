@@ -9,6 +9,8 @@ namespace tandem::scenario {
 /// What a slow side is at a link, as far as it is stated.
 struct Effective {
   std::optional<double> mass, stiffness, damping;
+  /// Outputs that tell what each force on that side accelerates here, in the order of its links.
+  std::vector<std::string> accelerance = {};
 };
 
 /// What an impulse surrogate goes between.

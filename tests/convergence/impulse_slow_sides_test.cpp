@@ -1,0 +1,160 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// Impulse coupling of slow sides of several kinds, beside both sides in one.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "slow_models.hpp"
+#include "tandem/coordinator/coordinator.hpp"
+#include "tandem/coordinator/impulse/impulse_surrogate.hpp"
+
+namespace tandem::test {
+namespace {
+
+struct SlowCase {
+  const char* name;
+  std::function<SlowModel(const Light&)> slow;
+  double to_100, to_1000;  ///< position errors of the trials, in percent
+  double amplitude = 1.0;  ///< of the fast mode
+  double mass_ratio = 0.01, link_damping = 0.0;
+  bool shares_mode = true;  ///< the interface starts with its part of the fast mode
+};
+
+/// One fast mass for each link; the second of another frequency.
+FastMasses fast_side(const SlowCase& c, const Light& of, const VectorXd& y, double phase) {
+  FastMasses f{0.0 * y, 0.0 * y, 0.0 * y, 0.0 * y, 1.0, 2.0 * c.link_damping * of.m1() * fast_frequency,
+               0.01};
+  for (Eigen::Index k = 0; k < y.size(); ++k) {
+    const double a = k == 0 ? c.amplitude : 0.7 * c.amplitude, p = phase + static_cast<double>(k);
+    f.mass[k] = k == 0 ? of.m1() : of.m1() / 0.49, f.ground[k] = of.w2() * of.w2() * of.m1();
+    f.x0[k] = y[k] + a * std::cos(p), f.v0[k] = -fast_frequency * a * std::sin(p);
+  }
+  return f;
+}
+
+class FastRows final : public Observer {
+ public:
+  bool samples(int who, const History& history, std::int64_t first, std::int64_t last) override {
+    for (std::int64_t row = first; who == 0 && row <= last; ++row)
+      x.emplace_back(history.values(row).begin(), history.values(row).end());
+    return true;
+  }
+  std::vector<std::vector<double>> x;
+};
+
+/// By impulse, over 100 fast cycles.
+std::vector<std::vector<double>> coupled(const FastMasses& masses, const SlowModel& model, double ratio) {
+  FixedStep<FastMasses> fast(masses);
+  FixedStep<SlowSide> slow(SlowSide{model, ratio / 100.0});
+  const auto p = model.displacement(model.q).size();
+  ImpulseCoupling c;
+  c.own_step = 0.01, c.slow_step = ratio / 100.0, c.fast_period = 1.0;
+  SlowSide start{model, 1.0};
+  std::vector<double> row(static_cast<std::size_t>(3 * (p + p * p))), none(static_cast<std::size_t>(p));
+  start.start(0.0, none), start.outputs(row.data());
+  const auto* const at = row.data();
+  const auto cells = p * p, stride = p + cells;
+  for (Eigen::Index k = 0; k < p; ++k) c.links.push_back({"N", "m", at[stride + k], at[2 * stride + k]});
+  c.accelerance.assign(at + p, at + p + cells), c.accelerance_rate.assign(at + stride + p, at + 2 * stride);
+  c.accelerance_units.assign(static_cast<std::size_t>(cells), "1/kg");
+  const auto surrogate = impulse_surrogate(c);
+  Topology t;
+  t.add("fast", fast.info()), t.add("slow", slow.info()), t.add("surrogate", surrogate->info());
+  const auto of = [p](std::string port, Eigen::Index k) {
+    return p > 1 ? port + "_" + std::to_string(k + 1) : port;
+  };
+  const auto element = [](const std::string& port, Eigen::Index k, Eigen::Index n) {
+    return n > 1 ? port + "[" + std::to_string(k) + "]" : port;
+  };
+  for (Eigen::Index k = 0; k < p; ++k) {
+    t.connect({element("fast.F", k, p), of("surrogate.force", k), Reconstruction::parse("lagrange3")});
+    t.connect(
+        {of("surrogate.mean_force", k), element("slow.F", k, p), Reconstruction::parse("matched_hold")});
+    t.connect(
+        {element("slow.y", k, p), of("surrogate.position", k), Reconstruction{Reconstruction::Kind::taylor}});
+    t.connect({of("surrogate.displacement", k), element("fast.y", k, p), Reconstruction::parse("hermite")});
+    for (Eigen::Index i = 0; i < p; ++i)
+      t.connect({element("slow.A", k * p + i, cells), of(of("surrogate.accelerance", k), i),
+                 Reconstruction::parse("hermite")});
+  }
+  Coordination how;
+  how.schedule = Schedule::Kind::fastest_first;
+  Coordinator run(t, {&fast, &slow, surrogate.get()}, how, {0.0, 100.0});
+  FastRows rows;
+  run.observe(&rows), run.run();
+  return rows.x;
+}
+
+/// Both in one by the classical method with a quarter of the step: the rms of the difference by that of x, times FR / N.
+double error_beside_one(const FastMasses& f, const SlowModel& m, double ratio,
+                        const std::vector<std::vector<double>>& rows) {
+  VectorXd x = f.x0, v = f.v0, q = m.q, u = m.u;
+  struct Rates {
+    VectorXd x, v, q, u;
+  };
+  const auto rates = [&](const VectorXd& ax, const VectorXd& av, const VectorXd& aq, const VectorXd& au) {
+    const VectorXd pull = f.force(ax, av, m.displacement(aq), m.jacobian(aq) * au);
+    return Rates{av, f.acceleration(ax, av, pull), au, m.acceleration(aq, au, pull)};
+  };
+  double errors = 0.0, squares = x.squaredNorm();
+  const double h = 0.01 / 4.0;
+  for (std::size_t k = 1; k < rows.size(); ++k) {
+    for (int part = 0; part < 4; ++part) {
+      const auto next = [&](const Rates& r, double by) {
+        return rates(x + by * r.x, v + by * r.v, q + by * r.q, u + by * r.u);
+      };
+      const Rates a = rates(x, v, q, u), b = next(a, h / 2), c = next(b, h / 2), d = next(c, h);
+      x += h / 6 * (a.x + 2 * b.x + 2 * c.x + d.x), v += h / 6 * (a.v + 2 * b.v + 2 * c.v + d.v);
+      q += h / 6 * (a.q + 2 * b.q + 2 * c.q + d.q), u += h / 6 * (a.u + 2 * b.u + 2 * c.u + d.u);
+    }
+    for (Eigen::Index i = 0; i < x.size(); ++i)
+      errors += std::pow(rows[k][static_cast<std::size_t>(i)] - x[i], 2), squares += x[i] * x[i];
+  }
+  return ratio / 100.0 * std::sqrt(errors / squares);
+}
+
+double error_of(const SlowCase& c, double ratio, double phase) {
+  const Light of{ratio, c.mass_ratio};
+  SlowModel m = c.slow(of);
+  const FastMasses f = fast_side(c, of, m.displacement(m.q), phase);
+  if (c.shares_mode)
+    m.q[0] -= c.mass_ratio * c.amplitude * std::cos(phase),
+        m.u[0] += c.mass_ratio * fast_frequency * c.amplitude * std::sin(phase);
+  return 100.0 * error_beside_one(f, m, ratio, coupled(f, m, ratio));
+}
+
+class ImpulseSlowSides : public ::testing::TestWithParam<SlowCase> {};
+
+/// Within 1.5 times the errors of independent trials.
+TEST_P(ImpulseSlowSides, AreAsTheTrialsHaveThem) {
+  const SlowCase& c = GetParam();
+  double to_100 = 0.0, to_1000 = 0.0;
+  for (const double ratio :
+       {1.5, 2.2, 4.3, 8.0, 15.0, 30.0, 45.0, 65.0, 90.0, 100.0, 150.0, 300.0, 700.0, 1000.0})
+    for (const double phase : {0.0, 0.8, std::numbers::pi / 2.0}) {
+      const double error = error_of(c, ratio, phase);
+      if (ratio <= 100.0) to_100 = std::max(to_100, error);
+      to_1000 = std::max(to_1000, error);
+    }
+  EXPECT_LT(to_100, 1.5 * c.to_100);
+  EXPECT_LT(to_1000, 1.5 * c.to_1000);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Cases, ImpulseSlowSides,
+    ::testing::Values(
+        SlowCase{"chain", chain, 0.73, 0.97},
+        SlowCase{"inner_5", [](const Light& of) { return inner(of, 5.0); }, 1.6, 1.8},
+        SlowCase{"inner_10", [](const Light& of) { return inner(of, 10.0); }, 1.9, 7.0},
+        SlowCase{"duffing", [](const Light& of) { return duffing(of, 0.01, 1.75); }, 0.15, 0.18},
+        SlowCase{"hard_duffing", [](const Light& of) { return duffing(of, 0.1, 8.5); }, 0.15, 0.24},
+        SlowCase{"pendulum", pendulum, 0.4, 29.0, 1.0, 0.01, 0.0, false},
+        SlowCase{"double_pendulum", double_pendulum, 0.6, 29.0, 1.0, 0.01, 0.0, false},
+        SlowCase{"rotor", rotor, 1.6, 181.0, 0.12, 0.01, 0.0, false}, SlowCase{"bar", bar, 0.24, 0.29},
+        SlowCase{"damped", [](const Light& of) { return damped(of, 0.01); }, 0.15, 0.17, 1.0, 0.01, 0.002},
+        SlowCase{"much_damped", [](const Light& of) { return damped(of, 0.05); }, 0.15, 0.17, 1.0, 0.01,
+                 0.05}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+}  // namespace
+}  // namespace tandem::test

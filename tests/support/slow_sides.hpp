@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// Slow sides of several kinds with light fast masses on springs (the cases of docs/impulse_coupling.md).
+#pragma once
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "tandem/fixed_step.hpp"
+
+namespace tandem::test {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// M(q) q'' = f(q, q') + J^T F with displacements y(q) and J = dy/dq.
+struct SlowModel {
+  std::function<MatrixXd(const VectorXd& q)> mass;
+  std::function<VectorXd(const VectorXd& q, const VectorXd& u)> force;
+  std::function<VectorXd(const VectorXd& q)> displacement;
+  std::function<MatrixXd(const VectorXd& q)> jacobian;
+  VectorXd q, u;  ///< at the start
+
+  VectorXd acceleration(const VectorXd& at, const VectorXd& rate, const VectorXd& pushed) const {
+    return mass(at).llt().solve(force(at, rate) + jacobian(at).transpose() * pushed);
+  }
+  MatrixXd accelerance(const VectorXd& at) const {
+    const MatrixXd j = jacobian(at);
+    return j * mass(at).llt().solve(j.transpose());
+  }
+};
+
+/// It by the trapezoidal rule. Outputs: displacements y, and the matrix A by rows.
+struct SlowSide {
+  SlowModel m;
+  double h;
+  VectorXd q = {}, u = {}, pushed = {};
+
+  int links() const { return static_cast<int>(m.displacement(m.q).size()); }
+  SubsystemInfo info() const {
+    SubsystemInfo all{
+        "slow", {{"F", "N", links()}}, {{"y", "m", links(), 2}, {"A", "1/kg", links() * links(), 1}}, {}, {}};
+    for (int i = 0; i < links(); ++i)
+      for (int k = 0; k < links(); ++k) all.feedthrough.push_back({i, k});
+    return all;
+  }
+  double own_step() const { return h; }
+  void start(double, std::span<const double> u0) {
+    q = m.q, u = m.u;
+    pushed = Eigen::Map<const VectorXd>(u0.data(), static_cast<Eigen::Index>(u0.size()));
+    if (pushed.hasNaN()) pushed.setZero();
+  }
+  void step(const OwnStep& s, std::span<const Signal> in) {
+    for (int k = 0; k < links(); ++k)
+      pushed[k] = in[static_cast<std::size_t>(k)].value(s.begin + 0.5 * s.length);
+    const VectorXd a = m.acceleration(q, u, pushed);
+    VectorXd next = q + s.length * u, rate = u + s.length * a;
+    for (int k = 0; k < 200; ++k) {
+      const VectorXd faster = u + 0.5 * s.length * (a + m.acceleration(next, rate, pushed));
+      const VectorXd farther = q + 0.5 * s.length * (u + faster);
+      const double moved = (farther - next).norm() + (faster - rate).norm();
+      next = farther, rate = faster;
+      if (moved < 1e-15 * (next.norm() + rate.norm())) break;
+    }
+    q = next, u = rate;
+  }
+  /// Rates along the motion by central differences.
+  void outputs(double* y) const {
+    const double by = 1e-5 / (1.0 + u.norm());
+    const MatrixXd j = m.jacobian(q), turned = (m.jacobian(q + by * u) - m.jacobian(q - by * u)) / (2.0 * by);
+    const MatrixXd a = m.accelerance(q),
+                   rate = (m.accelerance(q + by * u) - m.accelerance(q - by * u)) / (2.0 * by);
+    const auto put = [&y](const auto& numbers) {
+      for (Eigen::Index k = 0; k < numbers.size(); ++k) *y++ = numbers(k);
+    };
+    put(m.displacement(q)), put(a), put(VectorXd(j * u)), put(rate);
+    put(VectorXd(j * m.acceleration(q, u, pushed) + turned * u)), put(MatrixXd(0.0 * rate));
+  }
+};
+
+/// Masses m x'' = -ground x - F on springs and dampers, F = k (x - y) + c (x' - y').
+struct FastMasses {
+  VectorXd mass, ground, x0, v0;
+  double stiffness, damping, h;
+  VectorXd x = {}, v = {}, y = {}, w = {};
+
+  SubsystemInfo info() const {
+    const int n = static_cast<int>(mass.size());
+    SubsystemInfo all{"fast", {{"y", "m", n}}, {{"x", "m", n}, {"F", "N", n}}, {}, {}};
+    for (int k = 0; k < n; ++k) all.feedthrough.push_back({n + k, k});
+    return all;
+  }
+  double own_step() const { return h; }
+  void start(double, std::span<const double> u0) {
+    x = x0, v = v0, w = 0.0 * v0;
+    y = Eigen::Map<const VectorXd>(u0.data(), x.size());
+  }
+  void step(const OwnStep& s, std::span<const Signal> in) {
+    const auto a = [&](const VectorXd& at, const VectorXd& rate, double t) {
+      read(in, t);
+      return acceleration(at, rate, force(at, rate, y, w));
+    };
+    const double l = s.length, t = s.begin;
+    const VectorXd a1 = a(x, v, t), v2 = v + l / 2 * a1, a2 = a(x + l / 2 * v, v2, t + l / 2);
+    const VectorXd v3 = v + l / 2 * a2, a3 = a(x + l / 2 * v2, v3, t + l / 2), v4 = v + l * a3;
+    const VectorXd a4 = a(x + l * v3, v4, s.end);
+    x += l / 6 * (v + 2 * v2 + 2 * v3 + v4), v += l / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
+    read(in, s.end);
+  }
+  void outputs(double* to) const {
+    Eigen::Map<VectorXd>(to, x.size()) = x, Eigen::Map<VectorXd>(to + x.size(), x.size()) = force(x, v, y, w);
+  }
+  VectorXd force(const VectorXd& at, const VectorXd& rate, const VectorXd& other,
+                 const VectorXd& other_rate) const {
+    return stiffness * (at - other) + damping * (rate - other_rate);
+  }
+  VectorXd acceleration(const VectorXd& at, const VectorXd&, const VectorXd& pull) const {
+    return (-ground.cwiseProduct(at) - pull).cwiseQuotient(mass);
+  }
+
+ private:
+  void read(std::span<const Signal> in, double t) {
+    for (Eigen::Index k = 0; k < x.size(); ++k) {
+      const Signal& one = in[static_cast<std::size_t>(k)];
+      y[k] = one.value(t), w[k] = one.derivative(t);
+    }
+  }
+};
+
+}  // namespace tandem::test
