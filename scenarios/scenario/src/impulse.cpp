@@ -96,10 +96,10 @@ void check_accelerance(const std::vector<LinkEntry>& links, const std::string& s
 bool with_stiffness(const std::string& coupling, const std::vector<LinkEntry>& links) {
   const auto states = [](const LinkEntry& link) { return link.effective.stiffness.has_value(); };
   const bool stated = links.size() == 1 && states(links[0]);
-  if (coupling == "impulse_stiffness" && !stated)
+  if (coupling == "impulse_stiffness" && links.size() != 1)
     refuse(links[0].place,
-           "impulse_stiffness goes by links.effective_stiffness; allowed is one link with it on a slow side");
-  return stated && coupling != "impulse_plain";
+           "impulse_stiffness is for one link on a slow side; allowed for several is impulse_plain");
+  return coupling == "impulse_stiffness" || (stated && coupling != "impulse_plain");
 }
 
 }  // namespace

@@ -151,8 +151,7 @@ void of_links(KeyList& to) {
            {.allowed = "\"instance.port\", or an array of them"})
       .may("effective_stiffness", positive,
            "Likewise its own springs, and with them `impulse` is `impulse_stiffness`: for fast sides that "
-           "are not light "
-           "beside it.",
+           "are not light beside it. `impulse_stiffness` finds them at the start without it.",
            {.unit = "N/m or N m/rad"})
       .may("effective_damping", positive, "Likewise its own dampers, beside `effective_stiffness`.",
            {.unit = "N s/m or N m s/rad"});
