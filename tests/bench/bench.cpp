@@ -76,6 +76,10 @@ const std::vector<Benchmark>& all() {
      [](const Tick&) {
        return std::vector{exchange(), topologies(), round_threads()};
      }},
+    {"impulse",
+     "whole runs by impulse coupling, beside those by samples of the force",
+     [](const Tick& tick) { return std::vector{impulse(tick)}; },
+     {{"ns_per_fast_step", "the least of 100 runs, in turns"}}},
     {"indicators",
      "whole runs of scenes with their indicators and without",
      [](const Tick& tick) { return std::vector{indicators(tick)}; },

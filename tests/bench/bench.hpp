@@ -57,6 +57,7 @@ Table exchange();
 Table topologies();
 Table round_threads();
 Table indicators(const Tick& tick);
+Table impulse(const Tick& tick);
 Table two_mass();
 std::vector<Table> four_bar_linkage(const Tick& tick);
 std::vector<Table> linkage_errors(const Tick& tick);
