@@ -43,7 +43,9 @@ class FastRows final : public Observer {
 };
 
 /// By impulse, over 100 fast cycles.
-std::vector<std::vector<double>> coupled(const FastMasses& masses, const SlowModel& model, double ratio) {
+std::vector<std::vector<double>> coupled(const FastMasses& masses, const SlowModel& model, double ratio,
+                                         double stiffness = 0.0,
+                                         std::vector<std::string>* remarks = nullptr) {
   FixedStep<FastMasses> fast(masses);
   FixedStep<SlowSide> slow(SlowSide{model, ratio / 100.0});
   const auto p = model.displacement(model.q).size();
@@ -57,6 +59,7 @@ std::vector<std::vector<double>> coupled(const FastMasses& masses, const SlowMod
   for (Eigen::Index k = 0; k < p; ++k) c.links.push_back({"N", "m", at[stride + k], at[2 * stride + k]});
   c.accelerance.assign(at + p, at + p + cells), c.accelerance_rate.assign(at + stride + p, at + 2 * stride);
   c.accelerance_units.assign(static_cast<std::size_t>(cells), "1/kg");
+  if (stiffness > 0.0) c.stiffness = {stiffness}, c.damping = {0.0}, c.trapezoidal = true;
   const auto surrogate = impulse_surrogate(c);
   Topology t;
   t.add("fast", fast.info()), t.add("slow", slow.info()), t.add("surrogate", surrogate->info());
@@ -82,6 +85,7 @@ std::vector<std::vector<double>> coupled(const FastMasses& masses, const SlowMod
   Coordinator run(t, {&fast, &slow, surrogate.get()}, how, {0.0, 100.0});
   FastRows rows;
   run.observe(&rows), run.run();
+  if (remarks) *remarks = surrogate->remarks(100.0);
   return rows.x;
 }
 
@@ -155,6 +159,42 @@ INSTANTIATE_TEST_SUITE_P(
         SlowCase{"much_damped", [](const Light& of) { return damped(of, 0.05); }, 0.15, 0.17, 1.0, 0.01,
                  0.05}),
     [](const auto& info) { return std::string(info.param.name); });
+
+/// With springs in the surrogate, too: they have no force where the scene starts.
+TEST(ImpulseSlowSide, IsTheSameWhereTheSceneIsMoved) {
+  for (const double ratio : {1.5, 4.3, 12.345, 150.0}) {
+    const Light of{ratio};
+    const auto rows = [&](double moved) {
+      SlowModel m = pendulum(of);
+      m.displacement = [y = m.displacement, moved](const VectorXd& q) {
+        return VectorXd(y(q).array() + moved);
+      };
+      FastMasses f = fast_side({"", pendulum, 0.0, 0.0}, of, m.displacement(m.q), 0.8);
+      f.ground.setZero();
+      return coupled(f, m, ratio, of.k());
+    };
+    const auto here = rows(0.0), there = rows(990.0);
+    double largest = 0.0;
+    for (std::size_t k = 0; k < here.size(); ++k)
+      largest = std::max(largest, std::abs(there[k][0] - 990.0 - here[k][0]));
+    EXPECT_LT(largest, 1e-6) << ratio;
+  }
+}
+
+/// And nothing of one that is right.
+TEST(ImpulseSlowSide, TellsOfAnAcceleranceWhoseRateIsWrong) {
+  const Light of{45.0};
+  SlowModel m = pendulum(of);
+  const FastMasses f = fast_side({"", pendulum, 0.0, 0.0}, of, m.displacement(m.q), 0.0);
+  std::vector<std::string> right, wrong;
+  coupled(f, m, of.ratio, 0.0, &right);
+  m.rate_factor = 3.0;
+  coupled(f, m, of.ratio, 0.0, &wrong);
+  EXPECT_TRUE(right.empty());
+  ASSERT_EQ(wrong.size(), 1U);
+  EXPECT_NE(wrong[0].find("the accelerance changes otherwise than its rate says"), std::string::npos)
+      << wrong[0];
+}
 
 }  // namespace
 }  // namespace tandem::test

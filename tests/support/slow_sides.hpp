@@ -19,7 +19,8 @@ struct SlowModel {
   std::function<VectorXd(const VectorXd& q, const VectorXd& u)> force;
   std::function<VectorXd(const VectorXd& q)> displacement;
   std::function<MatrixXd(const VectorXd& q)> jacobian;
-  VectorXd q, u;  ///< at the start
+  VectorXd q, u;             ///< at the start
+  double rate_factor = 1.0;  ///< of what it tells of its accelerance; 1 is right
 
   VectorXd acceleration(const VectorXd& at, const VectorXd& rate, const VectorXd& pushed) const {
     return mass(at).llt().solve(force(at, rate) + jacobian(at).transpose() * pushed);
@@ -69,7 +70,8 @@ struct SlowSide {
     const double by = 1e-5 / (1.0 + u.norm());
     const MatrixXd j = m.jacobian(q), turned = (m.jacobian(q + by * u) - m.jacobian(q - by * u)) / (2.0 * by);
     const MatrixXd a = m.accelerance(q),
-                   rate = (m.accelerance(q + by * u) - m.accelerance(q - by * u)) / (2.0 * by);
+                   rate =
+                       m.rate_factor * (m.accelerance(q + by * u) - m.accelerance(q - by * u)) / (2.0 * by);
     const auto put = [&y](const auto& numbers) {
       for (Eigen::Index k = 0; k < numbers.size(); ++k) *y++ = numbers(k);
     };

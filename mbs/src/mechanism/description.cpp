@@ -32,6 +32,17 @@ bool is_angle(const Description& in, const Coordinate& c) {
   return relative.kind == Relative::Kind::angle || relative.turns;
 }
 
+bool only_forces_follow(const Description& in, int input) {
+  const auto acts = [input](const auto& one) { return one.input == input; };
+  const auto moves = [input](const NamedElement& e) {
+    const auto& inputs = e.force->inputs();
+    return std::find(inputs.begin(), inputs.end(), input) != inputs.end();
+  };
+  return std::any_of(in.forces.begin(), in.forces.end(), acts) &&
+         std::none_of(in.drives.begin(), in.drives.end(), acts) &&
+         std::none_of(in.elements.begin(), in.elements.end(), moves);
+}
+
 Body uniform_rod(const Description& in, std::string name, int a, int b, double mass) {
   const Eigen::Vector3d from = in.entities[a].at, along = in.entities[b].at - from;
   const Eigen::Matrix3d inertia =

@@ -20,6 +20,7 @@
 #include "tandem/output/files.hpp"
 #include "tandem/output/provenance.hpp"
 #include "tandem/printable.hpp"
+#include "tandem/scenario/shortest_step.hpp"
 #include "tandem/transports/temporary_folder.hpp"
 #include "zip.hpp"
 
@@ -122,17 +123,6 @@ void check_target(const ExportSettings& settings) {
     refuse("this version of FMI has no name for this platform; allowed is another version");
 }
 
-/// A step is the difference of two times: of the numbers that are the same but for their rounding the
-/// shortest.
-double without_rounding(double step, double start) {
-  const double most = 4.0 * std::numeric_limits<double>::epsilon() * (std::abs(start) + step);
-  for (int digits = 1; digits < 17; ++digits)
-    if (const double shorter = std::stod(fmt::format("{:.{}e}", step, digits - 1));
-        std::abs(shorter - step) <= most)
-      return shorter;
-  return step;
-}
-
 /// Whatever word a parameter is set to by a list of its file. The start refuses what changes the ports.
 void start_with_each_word(Unit& unit, double t) {
   for (std::size_t k = 0; k < unit.variables().size(); ++k)
@@ -212,7 +202,7 @@ std::vector<std::string> export_fmu(const ExportSettings& settings, const Builti
                     printable(origin.description, longest_text),
                     "tandem " + output::version(),
                     origin.span,
-                    without_rounding(unit.own_step(), start)};
+                    scenario::shortest_step(unit.own_step(), start)};
   start_with_each_word(unit, start);
   check_reads(read, folder.path());
   contents["modelDescription.xml"] = model_description(unit, facts, settings.version);

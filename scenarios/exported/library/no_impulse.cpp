@@ -9,9 +9,9 @@ void couple_by_impulse(const std::string& coupling, Scenario& to) {
          "coordination.coupling is " + coupling + ", which an FMU can't be coupled by; allowed is signals");
 }
 
-std::unique_ptr<Subsystem> surrogate_of(const SubsystemEntry&, const Scenario&, const Topology&,
-                                        const std::vector<std::unique_ptr<Subsystem>>&, const Builtins&) {
-  return nullptr;
+Surrogate surrogate_of(const SubsystemEntry&, const Scenario&, const Topology&,
+                       const std::vector<std::unique_ptr<Subsystem>>&, const Builtins&) {
+  return {};
 }
 
 }  // namespace tandem::scenario

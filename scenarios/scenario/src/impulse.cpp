@@ -12,12 +12,6 @@ std::string numbered(const std::string& port, std::size_t link, std::size_t link
   return links > 1 ? port + "_" + std::to_string(link + 1) : port;
 }
 
-std::string port_of_accelerance(const std::string& surrogate, std::size_t link, std::size_t of,
-                                std::size_t links) {
-  const std::string number = "_" + std::to_string(link + 1) + "_" + std::to_string(of + 1);
-  return surrogate + ".accelerance" + (links > 1 ? number : "");
-}
-
 /// The one that carries this output to an input of that instance.
 ConnectionEntry& connection_of(Scenario& scenario, const LinkEntry& link, const std::string& output,
                                const std::string& reader) {
@@ -71,10 +65,6 @@ void take_over(Scenario& to, const LinkEntry& entry, const std::string& surrogat
   ConnectionEntry& back = connection_of(to, entry, power.back, fast);
   ConnectionEntry position = part(back, power.back, port("position"), Reconstruction::Kind::taylor);
   back.connection.from = port("displacement"), back.connection.how = Reconstruction::parse("hermite");
-  for (std::size_t k = 0; k < entry.effective.accelerance.size(); ++k)
-    to.connections.push_back(part(position, entry.effective.accelerance[k],
-                                  port_of_accelerance(surrogate, link, k, links),
-                                  Reconstruction::Kind::hermite));
   to.connections.push_back(std::move(mean)), to.connections.push_back(std::move(position));
 }
 
@@ -90,6 +80,18 @@ void check_accelerance(const std::vector<LinkEntry>& links, const std::string& s
       if (instance_of(output) != slow)
         refuse(link.place, "accelerance names '" + output + "'; allowed is an output of '" + slow + "'");
   }
+}
+
+/// What the slow side is to tell, unless it is stated: each displacement by each force.
+void ask_for_accelerances(const ImpulseEntry& impulse, Scenario& to) {
+  std::string all;
+  for (const ImpulseEntry::Link& row : impulse.links) {
+    if (row.effective.mass || !row.effective.accelerance.empty()) return;
+    for (const ImpulseEntry::Link& by : impulse.links)
+      all += (all.empty() ? "" : ",") + accelerance_port(row.displacement, by.force);
+  }
+  for (SubsystemEntry& entry : to.subsystems)
+    if (entry.name == impulse.slow) entry.accelerances = all;
 }
 
 /// Whether the surrogate of these links has springs.
@@ -127,6 +129,7 @@ void couple_by_impulse(const std::string& coupling, Scenario& to) {
     }
     to.remarks.push_back("subsystem '" + slow + "' is coupled by " +
                          (impulse.with_stiffness ? "impulse_stiffness" : "impulse_plain"));
+    ask_for_accelerances(impulse, to);
     surrogate.impulse = std::make_shared<const ImpulseEntry>(std::move(impulse));
     to.subsystems.push_back(std::move(surrogate));
     Landing& lands = to.coordination.landing[slow];

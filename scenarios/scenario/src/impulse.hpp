@@ -15,10 +15,15 @@ namespace tandem::scenario {
 /// - coupling: "impulse", "impulse_plain" or "impulse_stiffness".
 void couple_by_impulse(const std::string& coupling, Scenario& to);
 
-/// The surrogate, which goes by how its slow side and its fast ones start; null where one of these was left out. Throws
+/// A surrogate, and the connections to it from outputs that tell the accelerance.
+struct Surrogate {
+  std::unique_ptr<Subsystem> subsystem;
+  std::vector<ConnectionEntry> connections;
+};
+/// It goes by how its slow side and its fast ones start; null where one of these was left out. Throws
 /// Error for sides that it can't stand between.
 /// - subsystems: of the instances.
-std::unique_ptr<Subsystem> surrogate_of(const SubsystemEntry& entry, const Scenario& of,
+Surrogate surrogate_of(const SubsystemEntry& entry, const Scenario& of,
                                         const Topology& topology,
                                         const std::vector<std::unique_ptr<Subsystem>>& subsystems,
                                         const Builtins& builtins);

@@ -1,4 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -10,6 +12,8 @@
 
 namespace tandem::scenario {
 namespace {
+
+std::string text_of(double number) { return fmt::format("{:.6g}", number); }
 
 class Asked {
  public:
@@ -45,8 +49,8 @@ class Asked {
   void set_times(const Begin& free) {
     const double fast = fast_step();
     if (!(free.step > fast))
-      slow_.refuse("has an own step of " + std::to_string(free.step) + " s, and the fast side one of " +
-                   std::to_string(fast) + " s; allowed is a longer one");
+      slow_.refuse("has an own step of " + text_of(free.step) + " s, and the fast side one of " +
+                   text_of(fast) + " s; allowed is a longer one");
     set("own_step", fast), set("slow_step", free.step), set("fast_period", of_.fast_period);
   }
 
@@ -86,8 +90,8 @@ class Asked {
     const Begin pushed = slow_.pushed(k, 1.0);
     const auto found = [&](std::size_t i) { return derivative(pushed, i, 2) - derivative(free, i, 2); };
     for (std::size_t i = 0; i < slow_.links(); ++i) {
-      if (!slow_.accelerances().empty()) check_told(i * slow_.links() + k, found(i), found(k), free);
       set_accelerance(i, k, found(i));
+      if (!slow_.accelerances().empty()) check_told(i * slow_.links() + k, found(i), found(k), free);
     }
   }
 
@@ -95,8 +99,8 @@ class Asked {
   void check_told(std::size_t e, double found, double own, const Begin& free) const {
     const double told = slow_.derivative(free, slow_.accelerances()[e], 0), off = std::abs(told - found);
     if (!(off <= 1e-6 * std::max({std::abs(told), std::abs(found), std::abs(own)})))
-      slow_.refuse("starts with " + slow_.accelerances()[e].port->name + " = " + std::to_string(told) +
-                   ", and accelerates by " + std::to_string(found) +
+      slow_.refuse("starts with " + slow_.accelerances()[e].port->name + " = " + text_of(told) +
+                   ", and accelerates by " + text_of(found) +
                    " for a force of 1; allowed in links.accelerance is the same to 1e-6");
   }
 
@@ -109,8 +113,7 @@ class Asked {
     const double value = i == k && mass ? 1.0 / *mass : found;
     if (i == k && found < 0.0)
       slow_.refuse(
-          "accelerates by " + std::to_string(found) + " for a force of 1 at its input " +
-          slow_.force(k).port->name +
+          "accelerates by " + text_of(found) + " for a force of 1 at its input " + slow_.force(k).port->name +
           "; allowed is above 0, so that a sign of the input or of the output is to be turned (gain = -1)");
     if (i == k && !(value > 0.0))
       slow_.refuse("does not accelerate by its input " + slow_.force(k).port->name +
@@ -126,27 +129,59 @@ class Asked {
   std::vector<Parameter> all_;
 };
 
+/// With the outputs that were asked for, if the slow side has them.
+ImpulseEntry with_told(ImpulseEntry all, const SubsystemInfo& slow) {
+  const auto has = [&](const std::string& name) {
+    return std::any_of(slow.outputs.begin(), slow.outputs.end(),
+                       [&](const Port& port) { return port.name == name; });
+  };
+  for (ImpulseEntry::Link& row : all.links) {
+    const bool stated = row.effective.mass || !row.effective.accelerance.empty();
+    for (std::size_t k = 0; k < all.links.size() && !stated; ++k)
+      if (const std::string port = accelerance_port(row.displacement, all.links[k].force); has(port))
+        row.effective.accelerance.push_back(all.slow + "." + port);
+  }
+  return all;
+}
+
+/// From the outputs that tell the accelerance.
+std::vector<ConnectionEntry> told_to(const SubsystemEntry& surrogate, const ImpulseEntry& of) {
+  std::vector<ConnectionEntry> all;
+  const std::size_t links = of.links.size();
+  for (std::size_t i = 0; i < links; ++i)
+    for (std::size_t k = 0; k < of.links[i].effective.accelerance.size(); ++k) {
+      const std::string number = "_" + std::to_string(i + 1) + "_" + std::to_string(k + 1);
+      all.push_back(
+          {{of.links[i].effective.accelerance[k], surrogate.name + ".accelerance" + (links > 1 ? number : ""),
+            Reconstruction::parse("hermite")},
+           surrogate.place,
+           surrogate.place,
+           surrogate.place,
+           surrogate.place});
+    }
+  return all;
+}
+
 }  // namespace
 
-std::unique_ptr<Subsystem> surrogate_of(const SubsystemEntry& entry, const Scenario& of,
-                                        const Topology& topology,
-                                        const std::vector<std::unique_ptr<Subsystem>>& subsystems,
-                                        const Builtins& builtins) {
-  const auto& links = entry.impulse->links;
+Surrogate surrogate_of(const SubsystemEntry& entry, const Scenario& of, const Topology& topology,
+                       const std::vector<std::unique_ptr<Subsystem>>& subsystems, const Builtins& builtins) {
   const auto subsystem = [&](const std::string& name) {
     const auto number = topology.instance(name);
     if (!number) refuse(entry.place, unknown("subsystem", name, topology.names()));
     return subsystems[static_cast<std::size_t>(*number)].get();
   };
   const auto lacks_fast = [&](const ImpulseEntry::Link& link) { return !subsystem(link.fast); };
-  if (!subsystem(entry.impulse->slow) || std::any_of(links.begin(), links.end(), lacks_fast)) return nullptr;
-  return located(entry.place, [&] {
+  const auto& links = entry.impulse->links;
+  Subsystem* const slow = subsystem(entry.impulse->slow);
+  if (!slow || std::any_of(links.begin(), links.end(), lacks_fast)) return {};
+  const ImpulseEntry impulse = with_told(*entry.impulse, slow->info());
+  return located(entry.place, [&]() -> Surrogate {
+    const auto by_number = [&](int i) -> Subsystem& { return *subsystems[static_cast<std::size_t>(i)]; };
     Opening opening;
-    for (const Parameter& p : Asked(*entry.impulse, of, topology, [&](int i) -> Subsystem& {
-                                return *subsystems[static_cast<std::size_t>(i)];
-                              }).parameters())
+    for (const Parameter& p : Asked(impulse, of, topology, by_number).parameters())
       opening.parameters.set(p.name, p.value);
-    return open(entry.source, builtins, std::move(opening));
+    return {open(entry.source, builtins, std::move(opening)), told_to(entry, impulse)};
   });
 }
 

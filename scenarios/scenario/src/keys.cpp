@@ -148,7 +148,7 @@ void of_links(KeyList& to) {
            "displacement by an effort of 1, with a derivative. Of several links on that side an output for "
            "each of "
            "their efforts, in the order of the file.",
-           {.allowed = "\"instance.port\", or an array of them"})
+           {.allowed = "\"instance.port\""})
       .may("effective_stiffness", positive,
            "Likewise its own springs, and with them `impulse` is `impulse_stiffness`: for fast sides that "
            "are not light beside it. `impulse_stiffness` finds them at the start without it.",

@@ -12,7 +12,7 @@
 namespace tandem::scenario {
 namespace {
 
-const std::string animated = "animate";
+const std::string animated = "animate", telling = "accelerances";
 
 /// use(opening) with errors that name the place in the file, and a subsystem that lives elsewhere: the
 /// address alone may serve several. animate: it is to tell where its points are, unless its own parameters
@@ -29,6 +29,8 @@ auto with_opening(const SubsystemEntry& entry, const Builtins& builtins, bool an
   return located(place_of, [&] {
     if (animate && takes(entry, builtins, animated) && !opening.parameters.has(animated))
       opening.parameters.set(animated, true);
+    if (!entry.accelerances.empty() && takes(entry, builtins, telling) && !opening.parameters.has(telling))
+      opening.parameters.set(telling, entry.accelerances);
     try {
       return use(std::move(opening));
     } catch (const Error& error) {
@@ -80,9 +82,14 @@ Parts::Parts(const Scenario& scenario, const Builtins& builtins, Code code) : sc
           out ? leave_out(entry, builtins) : std::nullopt);
     }
   set_inputs();
+  std::vector<ConnectionEntry> connections = scenario.connections;
   for (const SubsystemEntry& entry : scenario.subsystems)
-    if (entry.impulse) add(entry, surrogate_of(entry, scenario, topology_, subsystems_, builtins), {});
-  for (const ConnectionEntry& entry : scenario.connections)
+    if (entry.impulse) {
+      Surrogate made = surrogate_of(entry, scenario, topology_, subsystems_, builtins);
+      add(entry, std::move(made.subsystem), {});
+      connections.insert(connections.end(), made.connections.begin(), made.connections.end());
+    }
+  for (const ConnectionEntry& entry : connections)
     located([&](const std::string& sentence) { return entry.place_named_in(sentence); },
             [&] { connect(entry); });
   if (scenario.judge) check_output(scenario.judge->place, "judge.quantity: output", scenario.judge->quantity);

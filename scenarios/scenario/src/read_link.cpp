@@ -36,6 +36,7 @@ std::vector<std::string> read_accelerance(Section& section) {
   if (section.node("effective_mass"))
     section.wrong("effective_mass", "given beside accelerance", "one of them");
   if (node->is_string()) return {*section.text("accelerance")};
+  if (!node->is_array()) section.wrong("accelerance", described(*node), "an output, or an array of outputs");
   return section.texts("accelerance");
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tandem/error.hpp"
+#include "tandem/scenario/shortest_step.hpp"
 
 namespace tandem::scenario {
 namespace {
@@ -27,7 +28,7 @@ Begin begin_of(Subsystem& subsystem, std::span<const double> u0, const Scenario&
   Samples y(row.data(), info.row_size(), 1);
   const Clock clock = subsystem.initialize(of.start, of.stop, u0, y);
   row.erase(row.begin(), row.begin() + Samples::header);
-  return {std::move(row), clock.next_time - clock.time};
+  return {std::move(row), shortest_step(clock.next_time - clock.time, of.start)};
 }
 
 SlowSide::SlowSide(const ImpulseEntry& entry, const Scenario& of, const Topology& topology, Subsystem& slow)

@@ -49,8 +49,23 @@ void animate(mbs::Description& d) {
   }
 }
 
+/// Of "x.by.F,y.by.F": an output of that name for each displacement by an input, where both are there and only forces
+/// follow the input.
+void tell_accelerances(const std::string& text, mbs::Description& d) {
+  const std::vector<mbs::Output> outputs = d.outputs;
+  for (const mbs::Output& of : outputs)
+    for (int input = 0; input < static_cast<int>(d.inputs.size()); ++input) {
+      const std::string name = of.name + ".by." + d.inputs[static_cast<std::size_t>(input)].name;
+      const bool wanted = ("," + text + ",").find("," + name + ",") != std::string::npos;
+      if (!wanted || of.kind != mbs::Output::Kind::position || !mbs::only_forces_follow(d, input)) continue;
+      mbs::Output told{name, mbs::Output::Kind::accelerance, of.coordinate};
+      told.gain = of.gain, told.input = input;
+      d.outputs.push_back(told);
+    }
+}
+
 Words mechanism_words() {
-  return words_by(Setter::client, {"step", "animate"}) + stepper_words() +
+  return words_by(Setter::client, {"step", "animate", "accelerances"}) + stepper_words() +
          words_by(Setter::operator_only, {"matrices", "matrices_at", "matrices_format"});
 }
 
@@ -84,6 +99,7 @@ std::unique_ptr<Subsystem> make_mechanism(const SourceFile& file, Parameters& p,
   mbs::Description description = mbs::read_mechanism(document, kinds, given);
   read_view(document, description);  // refuses what is wrong with it
   if (p.flag("animate", false)) animate(description);
+  tell_accelerances(p.text("accelerances", ""), description);
   if (!p.has("step"))
     throw Error(ErrorCode::invalid_argument,
                 "mechanism '" + description.name +

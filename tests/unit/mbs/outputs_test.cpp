@@ -281,11 +281,13 @@ TEST(Outputs, AccelerancesAreWhatAForceAdds) {
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(rate[k], difference[k], 1e-6 * std::abs(rate[k])) << k;
 }
 
-/// Of one mass on a line and of one that redundant equations hold.
+/// Of one mass alone and of one that redundant equations hold, beside one that is far heavier.
 TEST(Outputs, AccelerancesNeedNoRegularEquations) {
   const std::string body =
-      "[points]\nO = { at = [0, 0], fixed = true }\nP = { at = [2, 0] }\n[masses]\nm = { point = 'P', "
-      "mass = 4, free = true }\n[inputs]\nF = { unit = 'N', value = 0 }\n[forces]\nf = { point = 'P', "
+      "[points]\nO = { at = [0, 0], fixed = true }\nP = { at = [2, 0] }\nQ = { at = [5, 0] }\n[masses]\nq = "
+      "{ point = "
+      "'Q', mass = 1e9, free = true }\nm = { point = 'P', mass = 4, free = true }\n[inputs]\nF = { unit = "
+      "'N', value = 0 }\n[forces]\nf = { point = 'P', "
       "direction = [0, 1], magnitude = 'F' }\n[outputs]\nx = { accelerance = 'P.x', input = 'F' }\ny = { "
       "accelerance = 'P.y', input = 'F' }\n";
   for (const std::string& held :

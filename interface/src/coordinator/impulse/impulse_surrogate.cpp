@@ -18,6 +18,8 @@ namespace {
 constexpr double longest_hat = 0.65;
 /// By so much of itself the slow side's answer to a force may differ from what A gives.
 constexpr double largest_reaction_error = 1e-3;
+/// By so much of itself A may change in a step otherwise than by the mean of its rates.
+constexpr double largest_change = 0.01;
 
 void require(bool holds, const std::string& what) {
   if (!holds) throw Error(ErrorCode::invalid_argument, "impulse coupling: " + what);
@@ -42,7 +44,7 @@ class Surrogate {
             "the rate of the accelerance and its units are to be matrices of all links");
     next_ = Accelerance(of_.accelerance, std::vector<double>(matrix));
     for (Forces* one : {&forces_[0], &forces_[1], &forces_[2], &stages_[0], &stages_[1], &stages_[2],
-                        &stages_[3], &net_, &positions_, &velocities_})
+                        &stages_[3], &net_, &positions_, &velocities_, &begin_position_})
       one->resize(of_.links.size());
   }
 
@@ -63,6 +65,7 @@ class Surrogate {
   double length() const { return end_ - begin_; }
   bool varies() const { return !of_.accelerance_rate.empty(); }
   void read_accelerance(double node, std::span<const Signal> u);
+  void check_rate(std::size_t e, double node);
   void turn_to_next(double s);
   void begin_slow_step(double t);
   void check_slow_side(double t, const Signal& position) const;
@@ -87,6 +90,9 @@ class Surrogate {
   std::array<Forces, 4> stages_;         ///< accelerations at the stages of a step; else scratch
   Forces net_;  ///< of a stage; once a node is passed, the means over the slow side's step
   Forces positions_, velocities_;
+  Forces begin_position_;  ///< where its springs have no force: that of the start goes with the rest
+  double changed_ = 0.0,
+         changed_at_ = 0.0;  ///< part of A by which it changed otherwise than by its rate, and when [s]
 };
 
 SubsystemInfo Surrogate::info() const {
@@ -117,13 +123,16 @@ void Surrogate::start(double t, std::span<const double> u0) {
   links_.clear(), checks_.clear(), worst_ = worst_at_ = 0.0;
   const bool hat = of_.stiffness.empty() && of_.slow_step < longest_hat * of_.fast_period;
   const ForceWindow window(hat ? ForceWindow::Kind::hat : ForceWindow::Kind::b_spline, of_.slow_step);
-  for (std::size_t k = 0; k < size(); ++k)
-    positions_[k] = u0[size() + k], velocities_[k] = of_.links[k].velocity, forces_[0][k] = 0.0;
+  for (std::size_t k = 0; k < size(); ++k) {
+    begin_position_[k] = u0[size() + k], velocities_[k] = of_.links[k].velocity;
+    forces_[0][k] = positions_[k] = 0.0;
+  }
   accelerance_ = varies() ? Accelerance(of_.accelerance, of_.accelerance_rate) : next_;
+  changed_ = changed_at_ = 0.0;
   take_spring(forces_[0], positions_, velocities_, net_);
   accelerance_.react(net_, 0.0, stages_[0]);  // what its springs accelerate
   for (std::size_t k = 0; k < size(); ++k) {
-    links_.emplace_back(window, positions_[k], velocities_[k],
+    links_.emplace_back(window, begin_position_[k], velocities_[k],
                         of_.links[k].free_acceleration - stages_[0][k]);
     if (!varies()) checks_.emplace_back(of_.links[k].free_acceleration);
   }
@@ -167,7 +176,7 @@ void Surrogate::accelerate(std::size_t stage, double h, const double (&times)[3]
   const std::size_t at = (stage + 1) / 2;
   const double c = stage == 0 ? 0.0 : stage == 3 ? h : 0.5 * h;
   for (std::size_t k = 0; k < size(); ++k) {
-    positions_[k] = links_[k].position() + (stage == 0 ? 0.0 : c * velocities_[k]);
+    positions_[k] = links_[k].position() - begin_position_[k] + (stage == 0 ? 0.0 : c * velocities_[k]);
     velocities_[k] = links_[k].velocity() + (stage == 0 ? 0.0 : c * stages_[stage - 1][k]);
   }
   take_spring(forces_[at], positions_, velocities_, net_);
@@ -175,7 +184,7 @@ void Surrogate::accelerate(std::size_t stage, double h, const double (&times)[3]
   for (std::size_t k = 0; k < size(); ++k) stages_[stage][k] += links_[k].acceleration(times[at] - begin_);
 }
 
-/// The forces without those of the slow side's own springs and dampers.
+/// The forces without those of the slow side's own springs and dampers; y from the start.
 void Surrogate::take_spring(const Forces& forces, const Forces& y, const Forces& v, Forces& net) const {
   net = forces;
   if (of_.stiffness.empty()) return;
@@ -199,7 +208,8 @@ void Surrogate::pass_node(const OwnStep& s) {
     const ForceIntegrals of =
         links_[k].cut_at_node(s.length, s.end - end_, forces_[0][k], forces_[2][k], length());
     stages_[0][k] = links_[k].pass(of, length(), of_.slow_step);
-    positions_[k] = links_[k].mean_position(), velocities_[k] = links_[k].mean_velocity();
+    positions_[k] = links_[k].mean_position() - begin_position_[k],
+    velocities_[k] = links_[k].mean_velocity();
   }
   take_spring(stages_[0], positions_, velocities_, net_);
   const double middle = length() / 2.0;
@@ -208,7 +218,8 @@ void Surrogate::pass_node(const OwnStep& s) {
     SurrogateLink& link = links_[k];
     link.foresee(stages_[1][k], length());
     const double a = link.middle(length()) + stages_[1][k] - (of_.trapezoidal ? stages_[2][k] : 0.0);
-    positions_[k] -= link.foreseen_mean(a, length()), velocities_[k] -= link.foreseen_speed(length());
+    positions_[k] -= link.foreseen_mean(a, length()) - begin_position_[k],
+        velocities_[k] -= link.foreseen_speed(length());
   }
   take_spring(stages_[0], positions_, velocities_, stages_[3]);
   for (std::size_t k = 0; k < size(); ++k) links_[k].set_mean_force(stages_[3][k]);
@@ -241,14 +252,25 @@ void Surrogate::read_accelerance(double node, std::span<const Signal> u) {
                                             std::to_string(e / size() + 1) + " is " +
                                             std::to_string(next_.values()[e]) +
                                             " at t = " + std::to_string(node) + " s; allowed is above 0");
+    check_rate(e, node);
   }
 }
 
-/// From the node on, s before, the force has accelerated otherwise.
+/// A cubic has the mean of the rates at its ends, but for a third derivative.
+void Surrogate::check_rate(std::size_t e, double node) {
+  const double rate = 0.5 * (accelerance_.rates()[e] + next_.rates()[e]);
+  const double off = std::abs(next_.values()[e] - accelerance_.values()[e] - length() * rate),
+               own = std::abs(accelerance_.values()[e / size() * (size() + 1)]);
+  if (off > changed_ * own) changed_ = off / own, changed_at_ = node;
+}
+
+/// From the node on, s before, the net force has accelerated otherwise.
 void Surrogate::turn_to_next(double s) {
-  accelerance_.react(forces_[2], length(), stages_[0]),
-      accelerance_.react(forces_[2], length() + s, stages_[1]);
-  next_.react(forces_[2], 0.0, stages_[2]), next_.react(forces_[2], s, stages_[3]);
+  for (std::size_t k = 0; k < size(); ++k)
+    positions_[k] = links_[k].position() - begin_position_[k], velocities_[k] = links_[k].velocity();
+  take_spring(forces_[2], positions_, velocities_, net_);
+  accelerance_.react(net_, length(), stages_[0]), accelerance_.react(net_, length() + s, stages_[1]);
+  next_.react(net_, 0.0, stages_[2]), next_.react(net_, s, stages_[3]);
   for (std::size_t k = 0; k < size(); ++k)
     links_[k].make_up(s, stages_[2][k] - stages_[0][k], stages_[3][k] - stages_[1][k]);
   std::swap(accelerance_, next_);
@@ -269,6 +291,11 @@ void Surrogate::check_reaction(std::span<const Signal> u, double node) {
 }
 
 std::vector<std::string> Surrogate::remarks(double) const {
+  if (changed_ > largest_change)
+    return {
+        "the accelerance changes otherwise than its rate says, by up to " + std::to_string(100.0 * changed_) +
+        " % of it in a slow step (at t = " + std::to_string(changed_at_) +
+        " s); allowed is 1 %, so it jumps, its derivative is wrong, or the slow steps are too long for it"};
   if (worst_ <= largest_reaction_error) return {};
   return {"the slow side answers the force otherwise than it does, by up to " +
           std::to_string(100.0 * worst_) + " % (at t = " + std::to_string(worst_at_) +
@@ -292,7 +319,8 @@ void Surrogate::write(ByteWriter& to) const {
   accelerance_.write(to);
   for (const SurrogateLink& link : links_) link.write(to);
   for (const ReactionCheck& check : checks_) check.write(to);
-  to.put(worst_), to.put(worst_at_);
+  for (const double one : begin_position_) to.put(one);
+  for (const double one : {worst_, worst_at_, changed_, changed_at_}) to.put(one);
 }
 
 void Surrogate::read(ByteReader& from) {
@@ -303,7 +331,8 @@ void Surrogate::read(ByteReader& from) {
   accelerance_.read(from);
   for (SurrogateLink& link : links_) link.read(from);
   for (ReactionCheck& check : checks_) check.read(from);
-  worst_ = from.take<double>(), worst_at_ = from.take<double>();
+  for (double& one : begin_position_) one = from.take<double>();
+  for (double* one : {&worst_, &worst_at_, &changed_, &changed_at_}) *one = from.take<double>();
 }
 
 }  // namespace

@@ -117,14 +117,7 @@ void Reader::read_accelerance(Section& section, Output& output) const {
   output.coordinate = required_coordinate(section, "accelerance");
   const std::string name = section.required_text("input", "an input that a force follows");
   output.input = find(inputs_, section, "input", "input", name);
-  const auto acts = [&](const auto& one) { return one.input == output.input; };
-  const auto moves = [&](const NamedElement& e) {
-    const auto& inputs = e.force->inputs();
-    return std::find(inputs.begin(), inputs.end(), output.input) != inputs.end();
-  };
-  if (std::none_of(to_.forces.begin(), to_.forces.end(), acts) ||
-      std::any_of(to_.drives.begin(), to_.drives.end(), acts) ||
-      std::any_of(to_.elements.begin(), to_.elements.end(), moves))
+  if (!only_forces_follow(to_, output.input))
     section.wrong("input", "'" + name + "', which is not of forces alone",
                   "an input that only forces follow");
 }

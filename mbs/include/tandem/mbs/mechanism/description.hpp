@@ -98,6 +98,9 @@ double drawn(const Description& in, const Relative& relative);
 /// True for the coordinate of an angle.
 bool is_angle(const Description& in, const Coordinate& c);
 
+/// Forces follow this input, and neither drives nor elements do.
+bool only_forces_follow(const Description& in, int input);
+
 /// A uniform thin rod between two points.
 Body uniform_rod(const Description& in, std::string name, int a, int b, double mass);
 

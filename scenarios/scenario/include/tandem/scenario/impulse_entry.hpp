@@ -24,4 +24,10 @@ struct ImpulseEntry {
   bool with_stiffness;
 };
 
+/// "x.by.F" of the ports "slow.x" and "slow.F": the output of a mechanism that tells it.
+inline std::string accelerance_port(const std::string& displacement, const std::string& force) {
+  const auto port = [](const std::string& name) { return name.substr(name.find('.') + 1); };
+  return port(displacement) + ".by." + port(force);
+}
+
 }  // namespace tandem::scenario

@@ -48,6 +48,8 @@ struct SubsystemEntry {
   std::vector<std::string> command = {};    ///< a program and its arguments; empty: there is a source
   bool isolated = false;                    ///< in a process of its own
   std::vector<std::string> overrides = {};  ///< of the file that is the source, "KEY=VALUE"
+  /// Outputs that it is to have besides, "x.by.F,...": what an input accelerates, if its source can tell (mechanisms).
+  std::string accelerances = {};
   /// Of a surrogate that coordination.coupling put in: what its parameters are asked of. Else null.
   std::shared_ptr<const ImpulseEntry> impulse = {};
 

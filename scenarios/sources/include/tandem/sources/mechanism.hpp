@@ -19,6 +19,8 @@ std::vector<double> matrix_times(const std::string& name, const std::string& tex
 ///   StepperSettings;
 /// - `animate`, which adds an output for each coordinate of each point and of vectors that move
 ///   (`tandem view` draws them);
+/// - `accelerances`, "x.by.F,..": adds outputs that tell what an input of 1 accelerates at a displacement, where
+///   only forces follow the input (impulse couplings ask for them);
 /// - `matrices`, a folder for the matrices of steps;
 /// - `matrices_at` (times [s] with commas between; by default the start) and `matrices_format` (mtx, ccs).
 ///
