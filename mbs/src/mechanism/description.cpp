@@ -2,6 +2,7 @@
 #include "tandem/mbs/mechanism/description.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 

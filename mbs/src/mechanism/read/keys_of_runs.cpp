@@ -71,6 +71,10 @@ void keys_of_runs(KeyList& to) {
            {.otherwise = number_text(s.index3.threads_from)})
       .may("animate", flag, "Outputs tell where all points are, for `tandem view`; run alone it is true.",
            {.otherwise = "false"})
+      .may("accelerances", text,
+           "Outputs of these names tell what an input of 1 accelerates at a displacement "
+           "(docs/impulse_coupling.md).",
+           {.allowed = "\"x.by.F\", with commas between"})
       .may("matrices", text, "A folder that matrices of its steps are written to.")
       .may("matrices_at", text, "When, with commas between; without it at the start.", {.unit = "s"})
       .may("matrices_format", word, "Of these files.", {.otherwise = "mtx", .words = {"ccs", "mtx"}})

@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+#include "surrogate_link.hpp"
+#include "tandem/coordinator/impulse/accelerance.hpp"
+#include "tandem/coordinator/impulse/impulse_surrogate.hpp"
+#include "tandem/coordinator/impulse/reaction_check.hpp"
+#include "tandem/fixed_step.hpp"
+
+namespace tandem {
+
+/// The model of impulse_surrogate(): its ports and its start, its own steps (surrogate_step.cpp), and what is done where the
+/// slow side passes a node and is heard of it (surrogate_node.cpp).
+class Surrogate {
+ public:
+  explicit Surrogate(ImpulseCoupling coupling);
+
+  SubsystemInfo info() const;
+  double own_step() const { return of_.own_step; }
+  void end_at(double t_stop) { t_stop_ = t_stop; }
+  void start(double t, std::span<const double> u0);
+  void step(const OwnStep& s, std::span<const Signal> u);
+  void outputs(double* y) const;
+  std::vector<std::string> remarks(double t_stop) const;
+  void write(ByteWriter& to) const;
+  void read(ByteReader& from);
+
+ private:
+  using Forces = std::vector<double>;  ///< by link
+
+  std::size_t size() const { return of_.links.size(); }
+  double length() const { return end_ - begin_; }
+  bool varies() const { return !of_.accelerance_rate.empty(); }
+  void read_accelerance(double node, std::span<const Signal> u);
+  void check_rate(std::size_t e, double node);
+  void turn_to_next(double s);
+  void begin_slow_step(double t);
+  void check_slow_side(double t, const Signal& position) const;
+  void accelerate(std::size_t stage, double h, const double (&times)[3]);
+  void take_spring(const Forces& forces, const Forces& y, const Forces& v, Forces& net) const;
+  void make_up_start(double t, std::span<const Signal> u);
+  void take_node(double t, std::span<const Signal> u);
+  void pass_node(const OwnStep& s);
+  void check_reaction(std::span<const Signal> u, double node);
+
+  ImpulseCoupling of_;
+  double t_stop_ = 0.0;
+  TimeTolerance tolerance_;
+  double begin_ = 0.0, end_ = 0.0;  ///< of the slow side's step [s]
+  bool passed_ = false;             ///< its end, and the slow side has not been heard since
+  int steps_ = 0;                   ///< own ones so far, up to degree + 1
+  Accelerance accelerance_, next_;  ///< from the last node on; at the one that is taken
+  std::vector<SurrogateLink> links_;
+  std::vector<ReactionCheck> checks_;    ///< by link
+  double worst_ = 0.0, worst_at_ = 0.0;  ///< error of a check so far, and when [s]
+  std::array<Forces, 3> forces_;         ///< at begin, middle and end of a step
+  std::array<Forces, 4> stages_;         ///< accelerations at the stages of a step; else scratch
+  Forces net_;  ///< of a stage; once a node is passed, the means over the slow side's step
+  Forces positions_, velocities_;
+  Forces begin_position_;  ///< where its springs have no force: that of the start goes with the rest
+  double changed_ = 0.0,
+         changed_at_ = 0.0;  ///< part of A by which it changed otherwise than by its rate, and when [s]
+};
+
+}  // namespace tandem
