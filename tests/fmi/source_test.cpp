@@ -57,8 +57,12 @@ TEST(FmuSource, LooksAtWhatItsLibraryLacks) {
   other[18] = 40;  // of an ARM processor
   EXPECT_EQ(obstacle(changed(scratch, library, other)), none);
   for (std::size_t at = 0; (at = bytes.find("fmi2DoStep", at)) != std::string::npos; ++at) bytes[at] = 'F';
+  bytes += std::string("fmi2DoStep") + '\0';  // words are no functions
   EXPECT_EQ(obstacle(changed(scratch, library, bytes)),
             "the FMU has " + library + ", which lacks the function fmi2DoStep; allowed is one with it");
+  for (const std::size_t kept : {64U, 1000U, 9000U})
+    EXPECT_TRUE(obstacle(changed(scratch, library, bytes.substr(0, kept))).starts_with("the FMU has "))
+        << kept;
   EXPECT_EQ(
       obstacle(changed(scratch, describing,
                        description_with("<CoSimulation ", "<CoSimulation needsExecutionTool=\"true\" "))),

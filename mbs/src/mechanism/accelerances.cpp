@@ -13,8 +13,8 @@ namespace {
 using Eigen::VectorXd;
 using Sparse = Eigen::SparseMatrix<double>;
 
-constexpr double penalty = 1e8;
-constexpr double tolerable = 1e-8;  // of the accelerations without constraints
+constexpr double penalty_of_gradients = 1e8;
+constexpr double small_correction = 1e-8;  // of the accelerations without constraints
 constexpr int most_refinements = 30;
 
 Sparse sparse_of(const Pattern& p, const std::vector<double>& values) {
@@ -46,7 +46,7 @@ class Accelerances::Solver {
       if (const double norm = gradients_.col(c).norm(); norm > 0.0) gradients_.col(c) /= norm;
     Sparse still(mass.rows(), mass.cols());  // what has neither mass nor equation is accelerated by nothing
     still.reserve(Eigen::VectorXi::Constant(mass.cols(), 1));
-    const Sparse matrix = mass_ + penalty * Sparse(gradients_ * gradients_.transpose());
+    const Sparse matrix = mass_ + penalty_of_gradients * Sparse(gradients_ * gradients_.transpose());
     for (int i = 0; i < matrix.rows(); ++i) still.insert(i, i) = matrix.coeff(i, i) == 0.0 ? 1.0 : 0.0;
     const Sparse whole = matrix + still;
     if (!analysed_) solver_.analyzePattern(whole), analysed_ = true;
@@ -61,12 +61,12 @@ class Accelerances::Solver {
     for (int k = 0; k < most_refinements && solver_.info() == Eigen::Success; ++k) {
       const VectorXd off = -(gradients_.transpose() * x);
       const VectorXd dx =
-          solver_.solve(push - mass_ * x - gradients_ * lambda + penalty * (gradients_ * off));
+          solver_.solve(push - mass_ * x - gradients_ * lambda + penalty_of_gradients * (gradients_ * off));
       const double size = dx.norm();
-      if (size <= tolerable * push.norm() && !(size < 0.5 * before)) return scales_.cwiseProduct(x);
+      if (size <= small_correction * push.norm() && !(size < 0.5 * before)) return scales_.cwiseProduct(x);
       if (!(size < 2.0 * before)) break;
       before = size;
-      x += dx, lambda += penalty * (gradients_.transpose() * dx - off);
+      x += dx, lambda += penalty_of_gradients * (gradients_.transpose() * dx - off);
     }
     throw Error(ErrorCode::numerical,
                 "an accelerance can't be told where the mechanism stands: its masses or its "

@@ -1,10 +1,13 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "library_look.hpp"
 
-#include <elf.h>
 #include <fmt/format.h>
+#include <link.h>  // ElfW
 
 #include <cstring>
+#include <optional>
+#include <set>
+#include <string_view>
 #include <vector>
 
 namespace tandem::fmi {
@@ -28,9 +31,40 @@ bool is_for_this_processor(const std::string& bytes) {
          head.e_machine == machine;
 }
 
-/// A name in the table of symbols ends with a zero; it may be the end of a longer one.
-bool has(const std::string& bytes, const std::string& name) {
-  return bytes.find(name + '\0') != std::string::npos;
+/// What stands there, if the file goes so far.
+template <class T>
+std::optional<T> at(std::string_view bytes, std::uint64_t place) {
+  T value;
+  if (place > bytes.size() || bytes.size() - place < sizeof value) return {};
+  std::memcpy(&value, bytes.data() + place, sizeof value);
+  return value;
+}
+
+std::string_view part(std::string_view bytes, const ElfW(Shdr) & section) {
+  return section.sh_offset > bytes.size() ? std::string_view()
+                                          : bytes.substr(section.sh_offset, section.sh_size);
+}
+
+void add_defined(std::string_view symbols, std::string_view strings, std::set<std::string_view>& to) {
+  for (std::uint64_t k = 0; const auto symbol = at<ElfW(Sym)>(symbols, k); k += sizeof *symbol)
+    if (symbol->st_shndx != SHN_UNDEF && symbol->st_name < strings.size()) {
+      const std::string_view rest = strings.substr(symbol->st_name);
+      to.insert(rest.substr(0, rest.find('\0')));
+    }
+}
+
+/// The names that a library defines for others, by its sections of dynamic symbols.
+std::set<std::string_view> defined_names(std::string_view bytes) {
+  std::set<std::string_view> names;
+  const auto head = at<ElfW(Ehdr)>(bytes, 0);
+  const auto section = [&](std::uint64_t number) {
+    return at<ElfW(Shdr)>(bytes, head->e_shoff + number * sizeof(ElfW(Shdr)));
+  };
+  for (int k = 0; head && head->e_shoff < bytes.size() && k < head->e_shnum; ++k)
+    if (const auto one = section(static_cast<std::uint64_t>(k)); one && one->sh_type == SHT_DYNSYM)
+      if (const auto strings = section(one->sh_link))
+        add_defined(part(bytes, *one), part(bytes, *strings), names);
+  return names;
 }
 
 std::vector<std::string> main_functions(const Fmu& fmu) {
@@ -51,8 +85,9 @@ std::string library_obstacle(const Fmu& fmu) {
   const std::string bytes = fmu.archive->text(library, longest_library);
   if (!is_for_this_processor(bytes))
     return fmt::format("has {}, which is no shared library for this processor; allowed is one", library);
+  const auto defined = defined_names(bytes);
   for (const std::string& name : main_functions(fmu))
-    if (!has(bytes, name))
+    if (!defined.contains(name))
       return fmt::format("has {}, which lacks the function {}; allowed is one with it", library, name);
   return {};
 }
