@@ -129,19 +129,22 @@ class Asked {
   std::vector<Parameter> all_;
 };
 
-/// With the outputs that were asked for, if the slow side has them.
-ImpulseEntry with_told(ImpulseEntry all, const SubsystemInfo& slow) {
+/// With the outputs that were asked for, if the slow side has all of them.
+ImpulseEntry with_told(const ImpulseEntry& of, const SubsystemInfo& slow) {
   const auto has = [&](const std::string& name) {
     return std::any_of(slow.outputs.begin(), slow.outputs.end(),
                        [&](const Port& port) { return port.name == name; });
   };
-  for (ImpulseEntry::Link& row : all.links) {
-    const bool stated = row.effective.mass || !row.effective.accelerance.empty();
-    for (std::size_t k = 0; k < all.links.size() && !stated; ++k)
-      if (const std::string port = accelerance_port(row.displacement, all.links[k].force); has(port))
-        row.effective.accelerance.push_back(all.slow + "." + port);
+  ImpulseEntry told = of;
+  for (ImpulseEntry::Link& row : told.links) {
+    if (row.effective.mass || !row.effective.accelerance.empty()) return of;
+    for (const ImpulseEntry::Link& by : of.links) {
+      const std::string port = accelerance_port(row.displacement, by.force);
+      if (!has(port)) return of;
+      row.effective.accelerance.push_back(of.slow + "." + port);
+    }
   }
-  return all;
+  return told;
 }
 
 /// From the outputs that tell the accelerance.
