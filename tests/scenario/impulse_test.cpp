@@ -116,6 +116,17 @@ struct BadImpulse {
   std::vector<std::string> words;
 };
 
+/// Each setting alone.
+void expect_refused(const std::string& scene, const std::vector<BadImpulse>& all) {
+  const Scratch folder;
+  for (const BadImpulse& bad : all) {
+    const Said said = tandem(folder, {"run", scene, "--set", bad.setting});
+    EXPECT_EQ(said.status, 2) << bad.setting << ": " << said.err;
+    for (const std::string& word : bad.words)
+      EXPECT_TRUE(contains(said.err, word)) << bad.setting << ": " << said.err;
+  }
+}
+
 const std::string pushed_pendulum = std::string(TANDEM_SOURCE_DIR) + "/scenarios/pushed_pendulum/";
 
 /// Beside both in one, of a pendulum whose effective mass varies by four times; with that of its start x1 is lost.
@@ -150,19 +161,12 @@ TEST(ImpulseScenario, OfFastSidesThatRattleIsRight) {
 }
 
 TEST(ImpulseScenario, RefusesAnAcceleranceThatIsNoneOfItsLink) {
-  const Scratch folder;
-  const std::string scene = pushed_pendulum + "pushed_pendulum.toml", slow = "subsystems.slow.";
-  for (const BadImpulse& bad :
-       std::vector<BadImpulse>{{"links[0].accelerance=fast.F", {"'fast.F'", "an output of 'slow'"}},
-                               {"links[0].accelerance=[\"slow.x\", \"slow.x\"]", {"2 outputs", "1 links"}},
-                               {"links[0].accelerance=slow.mass", {"no output", "'mass'"}},
-                               {"links[0].accelerance=slow.x", {"x = 10,", "0.0977", "the same to 1e-6"}},
-                               {"links[0].accelerance=3", {"an output, or an array of outputs"}}}) {
-    const Said said = tandem(folder, {"run", scene, "--set", bad.setting});
-    EXPECT_EQ(said.status, 2) << bad.setting << ": " << said.err;
-    for (const std::string& word : bad.words)
-      EXPECT_TRUE(contains(said.err, word)) << bad.setting << ": " << said.err;
-  }
+  expect_refused(pushed_pendulum + "pushed_pendulum.toml",
+                 {{"links[0].accelerance=fast.F", {"'fast.F'", "an output of 'slow'"}},
+                  {"links[0].accelerance=[\"slow.x\", \"slow.x\"]", {"2 outputs", "1 links"}},
+                  {"links[0].accelerance=slow.mass", {"no output", "'mass'"}},
+                  {"links[0].accelerance=slow.x", {"x = 10,", "0.0977", "the same to 1e-6"}},
+                  {"links[0].accelerance=3", {"an output, or an array of outputs"}}});
 }
 
 /// Where the mechanism lives in another process.
@@ -186,7 +190,6 @@ TEST(ImpulseScenario, HasTheSameBitsWithAnEffectiveMassThatVaries) {
 }
 
 TEST(ImpulseScenario, RefusesWhatItCantCouple) {
-  const Scratch folder;
   const std::vector<BadImpulse> all{
       {"subsystems.slow.source=builtin:two_mass.slow", {"'slow' has no input of one number", "'F'"}},
       {"links[0].effort=fast.x1", {"'fast.x1' is read by no connection to 'slow'"}},
@@ -197,12 +200,7 @@ TEST(ImpulseScenario, RefusesWhatItCantCouple) {
       {"subsystems.slow.land=always", {"land", "never"}},
       {"coordination.fast_period=0", {"coordination.fast_period", "above 0"}},
   };
-  for (const BadImpulse& bad : all) {
-    const Said said = tandem(folder, {"run", impulse_scene, "--set", bad.setting});
-    EXPECT_EQ(said.status, 2) << bad.setting << ": " << said.err;
-    for (const std::string& word : bad.words)
-      EXPECT_TRUE(contains(said.err, word)) << bad.setting << ": " << said.err;
-  }
+  expect_refused(impulse_scene, all);
 }
 
 /// The slow side would step with a force that is not known yet.

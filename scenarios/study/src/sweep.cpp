@@ -12,6 +12,7 @@
 #include "fingerprint.hpp"
 #include "hand_out.hpp"
 #include "norm_text.hpp"
+#include "one_at_a_time.hpp"
 #include "plan.hpp"
 #include "row_key.hpp"
 #include "series.hpp"
@@ -20,12 +21,12 @@
 #include "tandem/output/json.hpp"
 #include "tandem/output/lock.hpp"
 #include "tandem/output/parallel.hpp"
-#include "tandem/scenario/parts.hpp"
 #include "told_reference.hpp"
 
 namespace tandem::study {
 namespace fs = std::filesystem;
 
+/// The file is long, as all steps of a sweep share its rows, references and runners.
 class Sweep::Work {
  public:
   Work(const Study& study, const Builtins& builtins, SweepSettings settings)
@@ -88,27 +89,10 @@ class Sweep::Work {
     }
   }
 
-  /// Rows run one at a time where a subsystem may be in this process once, as the first row of each table tells.
   void take_threads() {
     if (settings_.ranks || threads_ == 1) return;
-    for (const Table& table : study_.tables) {
-      const std::string name = table.rows.empty() ? "" : once_per_process(table);
-      if (name.empty()) continue;
-      threads_ = 1;
-      end_.notes.push_back(
-          "subsystem '" + name +
-          "' may be there once in a process (canBeInstantiatedOnlyOncePerProcess), so rows run "
-          "one at a time; with 'isolate = true' several would");
-      return;
-    }
-  }
-  /// Empty for a row that can't be opened: it tells why itself.
-  std::string once_per_process(const Table& table) {
-    try {
-      return scenario::once_per_process(scenes_.of_row(table, table.rows.front()), builtins_);
-    } catch (const Error&) {
-      return {};
-    }
+    const std::string note = one_at_a_time(study_, scenes_, builtins_);
+    if (!note.empty()) threads_ = 1, end_.notes.push_back(note);
   }
 
   /// All that rows need, whether they are kept or not.
