@@ -16,6 +16,7 @@ namespace {
 std::atomic<pid_t> guarded_process = 0;  ///< not one that a library has made, which may end as it likes
 constexpr int of_nobody = -2, not_yet = -1;
 std::atomic<int> own_status = of_nobody;  ///< of a program that says when it ends
+std::atomic<bool> parent_tells = false;
 
 }  // namespace
 
@@ -35,6 +36,10 @@ void LibraryCall::begin_program() noexcept {
   guard_faults();
 }
 
+void LibraryCall::leave_telling_to_parent() noexcept { parent_tells = true; }
+
+bool LibraryCall::tells_itself() noexcept { return !parent_tells; }
+
 void LibraryCall::end_program(int status) noexcept { own_status = status; }
 
 bool LibraryCall::is_any_loaded() noexcept { return ::getpid() == guarded_process; }
@@ -51,8 +56,9 @@ int LibraryCall::refuse_exit(int status) noexcept {
   const bool its_own_end = own_status >= 0;
   if (its_own_end || !(current_ || own_status == not_yet)) return its_own_end ? own_status.load() : status;
   const char* who = current_ ? current_->library_ : "a library that was loaded";
-  own_status = 1;
+  own_status = tells_itself() ? 1 : ended_by_library;
   static_cast<void>(std::fflush(nullptr));
+  if (!tells_itself()) ::_exit(ended_by_library);
   static_cast<void>(std::fprintf(stderr,
                                  "tandem: %s ended the program in the middle of %s; allowed is to return\n",
                                  who, current_ ? "a call" : "the work"));

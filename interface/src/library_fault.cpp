@@ -73,6 +73,7 @@ void LibraryCall::fault(int signal) noexcept {
     ::alarm(seconds_to_end);
     siglongjmp(*current_->back_, signal);
   }
+  if (!tells_itself()) ::raise(signal);
   say("tandem: ");
   say(current_ ? current_->library_ : "a library that was loaded, or tandem itself,");
   say(" ");

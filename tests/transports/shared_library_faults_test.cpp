@@ -232,12 +232,15 @@ TEST(SharedLibrary, IsolatedItIsTheSameAndEndsItsProcessAlone) {
   EXPECT_EQ(own.table, plain.table);
   for (const auto& [how, what] :
        {std::pair{"reaches_for_nothing", "it reached for memory that is not there (signal 11)"},
-        {"exits", "ended with status 1"},
+        {"exits", "was ended by a library in the middle of the work; allowed is to return"},
+        {"exits_in_a_thread", "was ended by a library in the middle of the work"},
+        {"faults_in_a_thread", "was ended by signal 6"},
         {"computes_on", "2 s"}}) {
     const IsolatedRun run = isolated(how, "isolate = true\n");
     EXPECT_EQ(run.status, 1) << how;
     EXPECT_NE(run.said.find("subsystem 'it'"), std::string::npos) << run.said;
     EXPECT_NE(run.said.find(what), std::string::npos) << run.said;
+    EXPECT_EQ(run.said.find("tandem: "), run.said.rfind("tandem: ")) << run.said;
     EXPECT_GE(std::count(run.table.begin(), run.table.end(), '\n'), 2) << how;
   }
 }

@@ -66,6 +66,10 @@ class LibraryCall {
   /// From here on only end_program() gives this program a status.
   static void begin_program() noexcept;
   static void end_program(int status) noexcept;
+  /// For a program that another one has started, which is told by its end: a library's exit is not printed but
+  /// gives it the status ended_by_library, a fault outside of a call its signal.
+  static void leave_telling_to_parent() noexcept;
+  static constexpr int ended_by_library = 113;
   /// If it is not for this thread to end the program: tells so, and ends it with status 1. Else the status to
   /// end with. For who takes the place of _exit().
   static int refuse_exit(int status) noexcept;
@@ -73,6 +77,7 @@ class LibraryCall {
  private:
   /// Whether one is loaded in this process, which is not one that a library has made.
   static bool is_any_loaded() noexcept;
+  static bool tells_itself() noexcept;
   static void guard_faults() noexcept;
   static void fault(int signal) noexcept;
   [[noreturn]] static void refuse_fault(int signal);

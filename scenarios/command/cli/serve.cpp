@@ -47,6 +47,7 @@ void serve_parent(const std::string& number, const ServeOptions& options, const 
     throw Error(ErrorCode::invalid_argument,
                 "the variable TANDEM_FD is '" + number + "'; allowed is the number of a socket that is open");
   LibraryCall::return_from_faults();  // the client is told, as the library's user
+  LibraryCall::leave_telling_to_parent();
   const auto channel = adopt(descriptor, "the program that started this one", socket);
   bool failed = false;
   {

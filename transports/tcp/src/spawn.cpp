@@ -14,6 +14,7 @@
 #include "descriptors.hpp"
 #include "stream.hpp"
 #include "tandem/error.hpp"
+#include "tandem/library_file.hpp"
 #include "tandem/process_group.hpp"
 #include "tandem/start_process.hpp"
 #include "tandem/tcp/tcp.hpp"
@@ -70,6 +71,8 @@ class Program {
     if (!ended_within(0.2)) return who + "closed its socket";
     const int code = end_.si_status;
     if (end_.si_code != CLD_EXITED) return who + "was ended by signal " + std::to_string(code);
+    if (code == LibraryCall::ended_by_library)
+      return who + "was ended by a library in the middle of the work; allowed is to return";
     return who + "ended with status " + std::to_string(code) +
            (code > 128 ? " (signal " + std::to_string(code - 128) + "?)" : "");
   }
