@@ -36,7 +36,7 @@ void LibraryCall::begin_program() noexcept {
   guard_faults();
 }
 
-void LibraryCall::leave_telling_to_parent() noexcept { parent_tells = true; }
+void LibraryCall::set_told_by_parent(bool told) noexcept { parent_tells = told; }
 
 bool LibraryCall::tells_itself() noexcept { return !parent_tells; }
 

@@ -66,9 +66,9 @@ class LibraryCall {
   /// From here on only end_program() gives this program a status.
   static void begin_program() noexcept;
   static void end_program(int status) noexcept;
-  /// For a program that another one has started, which is told by its end: a library's exit is not printed but
-  /// gives it the status ended_by_library, a fault outside of a call its signal.
-  static void leave_telling_to_parent() noexcept;
+  /// Set while another program waits for what this one does: its end tells it then. A library's exit is not
+  /// printed but gives it the status ended_by_library, a fault outside of a call its signal.
+  static void set_told_by_parent(bool told) noexcept;
   static constexpr int ended_by_library = 113;
   /// If it is not for this thread to end the program: tells so, and ends it with status 1. Else the status to
   /// end with. For who takes the place of _exit().

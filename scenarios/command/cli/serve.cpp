@@ -47,7 +47,7 @@ void serve_parent(const std::string& number, const ServeOptions& options, const 
     throw Error(ErrorCode::invalid_argument,
                 "the variable TANDEM_FD is '" + number + "'; allowed is the number of a socket that is open");
   LibraryCall::return_from_faults();  // the client is told, as the library's user
-  LibraryCall::leave_telling_to_parent();
+  LibraryCall::set_told_by_parent(true);
   const auto channel = adopt(descriptor, "the program that started this one", socket);
   bool failed = false;
   {
@@ -58,6 +58,7 @@ void serve_parent(const std::string& number, const ServeOptions& options, const 
     } catch (const Error&) {
       failed = true;
     }
+    LibraryCall::set_told_by_parent(false);  // who has closed its session waits no more
   }
   if (failed) throw CLI::RuntimeError(1);  // whoever has started this program is told, and tells it
 }
