@@ -92,6 +92,16 @@ TEST(FmuCommand, ThatMayBeThereOnceIsSweptAndChecked) {
   EXPECT_TRUE(contains(checked.out, "checks, nothing wrong")) << checked.out + checked.err;
 }
 
+/// Inputs of whole numbers have no value between two.
+TEST(FmuCommand, ACheckLeavesDiscreteInputsConstant) {
+  const Scratch folder;
+  for (const std::string name : {"types", "types3"}) {
+    const Said checked = tandem(folder, {"check", "fmu:" TANDEM_FMUS "/" + name + ".fmu?step=0.1"});
+    EXPECT_TRUE(contains(checked.out, "checks, nothing wrong")) << checked.out + checked.err;
+    EXPECT_FALSE(contains(checked.err, "is rounded to")) << checked.err;
+  }
+}
+
 TEST(FmuCommand, InAProcessOfItsOwnItHasTheSameResults) {
   const Scratch folder;
   folder.write("s.toml", two_masses()), folder.write("i.toml", two_masses("isolate = true\n"));

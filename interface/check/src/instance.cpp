@@ -35,11 +35,11 @@ Instance::Instance(const Subject& of)
     : subsystem(of.open()), t_start_(of.settings.t_start), tolerance_(of.settings.t_start) {
   require(subsystem != nullptr, "there is no subsystem; allowed is one");
   if (can().sampled) throw LeftOut("it is sampled and takes no own steps");
-  make_signals(of.settings.inputs);
+  make_signals(of.settings.inputs, of.settings.constant);
   initialize(u0_);
 }
 
-void Instance::make_signals(const std::vector<double>& inputs) {
+void Instance::make_signals(const std::vector<double>& inputs, const std::vector<bool>& constant) {
   const auto& info = subsystem->info();
   const auto count = static_cast<std::size_t>(info.input_size());
   require(inputs.empty() || inputs.size() == count,
@@ -51,9 +51,10 @@ void Instance::make_signals(const std::vector<double>& inputs) {
     const double start = scalar.port->start_of(scalar.element);
     const double usual = std::isfinite(start) ? start : 1.0 + 0.25 * static_cast<double>(k);
     const double a = inputs.empty() || std::isnan(inputs[k]) ? usual : inputs[k], t = t_start_;
-    pieces_.push_back({{t + 0.13, t, {a, 0.5, -1.0, 0.0}},
-                       {t + 0.31, t, {a, 0.4, -0.5, 0.3}},
-                       {t + 0.5, t, {a, 0.3, 0.2, -0.1}}});
+    const double b = k < constant.size() && constant[k] ? 0.0 : 1.0;
+    pieces_.push_back({{t + 0.13, t, {a, 0.5 * b, -1.0 * b, 0.0}},
+                       {t + 0.31, t, {a, 0.4 * b, -0.5 * b, 0.3 * b}},
+                       {t + 0.5, t, {a, 0.3 * b, 0.2 * b, -0.1 * b}}});
   }
   for (const auto& pieces : pieces_)
     signals_.emplace_back(pieces.data(), 3, 3), u0_.push_back(pieces[0].c[0]);

@@ -65,7 +65,7 @@ class Instance {
   template <class Call>
   Clock call(std::int64_t room, const Call& make);
   void take(const std::vector<double>& memory, const Samples& y, std::int64_t first);
-  void make_signals(const std::vector<double>& inputs);
+  void make_signals(const std::vector<double>& inputs, const std::vector<bool>& constant);
 
   double t_start_;
   TimeTolerance tolerance_;

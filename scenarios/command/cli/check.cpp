@@ -40,18 +40,17 @@ void set_input(const SubsystemInfo& info, const std::string& text, std::vector<d
   throw Error(ErrorCode::invalid_argument, "--input: " + unknown("input", text.substr(0, equals), names));
 }
 
-CheckSettings settings_of(const CheckOptions& options, const Subsystem& subsystem) {
-  CheckSettings settings{options.start, {}};
+CheckSettings settings_of(const CheckOptions& options, const Subsystem& subsystem,
+                          const std::vector<bool>& constant) {
+  CheckSettings settings{options.start, {}, constant};
   settings.inputs.assign(static_cast<std::size_t>(subsystem.info().input_size()), std::nan(""));
   for (const std::string& text : options.inputs) set_input(subsystem.info(), text, settings.inputs);
   return settings;
 }
 
 /// Each in a process of its own where one process can't have several.
-std::function<std::unique_ptr<Subsystem>()> opener(const std::string& source, const Builtins& builtins) {
-  const bool is_code = source_of(source, builtins).code;
-  const auto look = is_code ? look_at(source, builtins, {}) : std::nullopt;
-  const bool isolated = look && look->once_per_process;
+std::function<std::unique_ptr<Subsystem>()> opener(const std::string& source, const Builtins& builtins,
+                                                   bool isolated) {
   return [&, isolated] {
     Opening opening;
     opening.isolated = isolated;
@@ -61,8 +60,10 @@ std::function<std::unique_ptr<Subsystem>()> opener(const std::string& source, co
 
 std::vector<Finding> findings_of(const CheckOptions& options, const Context& context, const Tell& tell) {
   tell(options.source + ", opened");
-  const auto another = opener(options.source, context.builtins);
-  const auto settings = settings_of(options, *another());
+  const bool is_code = source_of(options.source, context.builtins).code;
+  const Look look = (is_code ? look_at(options.source, context.builtins, {}) : std::nullopt).value_or(Look{});
+  const auto another = opener(options.source, context.builtins, look.once_per_process);
+  const auto settings = settings_of(options, *another(), look.discrete);
   std::vector<Finding> findings;
   for (const std::string& name : check_names()) {
     tell(options.source + ", check '" + name + "'");
@@ -98,10 +99,10 @@ void add_check(CLI::App& app, Context& context) {
       ->capture_default_str()
       ->type_name("T");
   command
-      ->add_option(
-          "--input", options->inputs,
-          "Value of an input at the start, from which it moves by about 1 (repeatable; default: its own "
-          "start value, or about 1)")
+      ->add_option("--input", options->inputs,
+                   "Value of an input at the start, from which it moves by about 1 unless an FMU takes "
+                   "constants alone "
+                   "(repeatable; default: its own start value, or about 1)")
       ->type_name("NAME=VALUE")
       ->expected(1)
       ->take_all();

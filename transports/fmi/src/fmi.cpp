@@ -76,12 +76,20 @@ std::string obstacle_of(const Fmu& fmu) {
   return library_obstacle(fmu);
 }
 
+std::vector<bool> discrete_inputs(const Ports& ports) {
+  std::vector<bool> discrete(static_cast<std::size_t>(ports.info.input_size()), false);
+  for (const Seat& seat : ports.discrete)
+    for (int k = 0; k < seat.size; ++k) discrete[static_cast<std::size_t>(seat.place + k)] = true;
+  return discrete;
+}
+
 Look look(const Fmu& fmu) {
   Look seen{fmu.ports.info,
             parameters_of(fmu),
             fmu.settings.step,
             fmu.settings.input_order(),
             offer_of(fmu.description, fmu.settings.kind).once_per_process,
+            discrete_inputs(fmu.ports),
             {described(fmu), "library: " + library_of(fmu), states_sentence(fmu)},
             obstacle_of(fmu)};
   if (!can_tell_its_time(fmu))

@@ -17,6 +17,7 @@ struct CheckSettings {
   /// Scalar inputs at the start, from which they move by about one unit of theirs in half a second; empty, or
   /// NaN for one: the start value of its port, or about 1.
   std::vector<double> inputs = {};
+  std::vector<bool> constant = {};  ///< by scalar input, that it does not move; empty: all do
 };
 
 struct Finding {

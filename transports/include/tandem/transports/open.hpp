@@ -32,6 +32,7 @@ struct Look {
   double own_step = 0.0;               ///< [s]; 0: it has none, and the parameter `step` has to be given
   int input_order = 0;  ///< of a coupling, as inputs are held over a step; 0: they are functions of time
   bool once_per_process = false;  ///< no second one may be in this process at the same time
+  std::vector<bool> discrete = {};  ///< by scalar input, that it takes constants alone; empty: none
   std::vector<std::string> sentences = {};
   std::string obstacle = {};  ///< why it can't be run here; empty: nothing is seen against it
 };
