@@ -181,7 +181,8 @@ TEST(FmuCommand, AUnitThatIsNotSaidIsTold) {
                              "reconstruction = \"lagrange1\"\n[span]\nstop = 1\n");
   const Said said = tandem(folder, {"validate", "s.toml"});
   EXPECT_EQ(said.status, 0) << said.err;
-  EXPECT_TRUE(contains(said.out, "from decay.x, whose unit is not said, to mass.u [m] takes values as they are"))
+  EXPECT_TRUE(
+      contains(said.out, "from decay.x, whose unit is not said, to mass.u [m] takes values as they are"))
       << said.out;
 }
 
