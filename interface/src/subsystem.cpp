@@ -70,6 +70,7 @@ std::optional<std::vector<StateName>> Subsystem::states() const { return {}; }
 void Subsystem::get_states(std::span<double>) const { refuse_numbers(info()); }
 void Subsystem::set_states(std::span<const double>) { refuse_numbers(info()); }
 std::optional<Linearized> Subsystem::linearized() const { return {}; }
+std::shared_ptr<SlowModel> Subsystem::slow_model(std::span<const SlowLink>) const { return nullptr; }
 
 StateId Subsystem::save_state() { refuse(info()); }
 Clock Subsystem::restore_state(StateId) { refuse(info()); }

@@ -174,7 +174,8 @@ TEST(ImpulseScenario, HasTheSameBitsWithAnEffectiveMassThatVaries) {
   const Scratch folder;
   const std::string scene = pushed_pendulum + "pushed_pendulum.toml", served = TANDEM_COMMAND;
   const auto rows = [&](const std::string& to, std::vector<std::string> more) {
-    more.insert(more.begin(), {"run", scene, "--output", to, "--set", "span.stop=40"});
+    more.insert(more.begin(), {"run", scene, "--output", to, "--set", "span.stop=40", "--set",
+                               "coordination.coupling=impulse_plain"});
     const Said said = tandem(folder, more);
     EXPECT_EQ(said.status, 0) << said.err;
     return read_text(folder.path() / to / "results.csv");

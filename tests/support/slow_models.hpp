@@ -26,7 +26,7 @@ inline VectorXd vec(std::initializer_list<double> numbers) {
 }
 
 /// Constant M and K, with one displacement q[0] at y0 for the shape q.
-inline SlowModel linear(const MatrixXd& m, const MatrixXd& k, const VectorXd& q, double damping = 0.0) {
+inline SlowEquations linear(const MatrixXd& m, const MatrixXd& k, const VectorXd& q, double damping = 0.0) {
   return {[m](const VectorXd&) { return m; },
           [k, damping](const VectorXd& at, const VectorXd& u) { return VectorXd(-k * at - damping * u); },
           [](const VectorXd& at) { return VectorXd(at.head(1)); },
@@ -35,13 +35,13 @@ inline SlowModel linear(const MatrixXd& m, const MatrixXd& k, const VectorXd& q,
           0.0 * q};
 }
 
-inline SlowModel damped(const Light& of, double ratio) {
+inline SlowEquations damped(const Light& of, double ratio) {
   return linear(MatrixXd::Constant(1, 1, of.me()), MatrixXd::Constant(1, 1, of.k()), vec({10.0}),
                 2.0 * ratio * of.me() * of.w2());
 }
 
 /// The lowest of five masses in a row has w2; starts in that mode.
-inline SlowModel chain(const Light& of) {
+inline SlowEquations chain(const Light& of) {
   MatrixXd k = 2.0 * MatrixXd::Identity(5, 5);
   k(0, 0) = 1.0;
   for (int i = 0; i < 4; ++i) k(i, i + 1) = k(i + 1, i) = -1.0;
@@ -53,7 +53,7 @@ inline SlowModel chain(const Light& of) {
 }
 
 /// A mass on one nine times as heavy, by a spring of `part` times the slow frequency.
-inline SlowModel inner(const Light& of, double part) {
+inline SlowEquations inner(const Light& of, double part) {
   const double c = part * part * 0.9 * of.k();
   MatrixXd m = of.me() * MatrixXd::Identity(2, 2), k(2, 2);
   m(1, 1) *= 9.0;
@@ -61,15 +61,15 @@ inline SlowModel inner(const Light& of, double part) {
   return linear(m, k, vec({10.0, 10.0}));
 }
 
-inline SlowModel duffing(const Light& of, double beta, double by) {
-  SlowModel all = linear(MatrixXd::Constant(1, 1, of.me()), MatrixXd::Zero(1, 1), vec({10.0}));
+inline SlowEquations duffing(const Light& of, double beta, double by) {
+  SlowEquations all = linear(MatrixXd::Constant(1, 1, of.me()), MatrixXd::Zero(1, 1), vec({10.0}));
   all.force = [k = of.k() / by, beta](const VectorXd& q, const VectorXd&) {
     return vec({-k * (q[0] + beta * q[0] * q[0] * q[0])});
   };
   return all;
 }
 
-inline SlowModel pendulum(const Light& of) {
+inline SlowEquations pendulum(const Light& of) {
   const double l = 10.0 / std::sin(std::numbers::pi / 3.0), g = of.w2() * of.w2() * l, me = of.me();
   return {[=](const VectorXd&) { return MatrixXd::Constant(1, 1, me * l * l); },
           [=](const VectorXd& q, const VectorXd&) { return vec({-me * g * l * std::sin(q[0])}); },
@@ -79,7 +79,7 @@ inline SlowModel pendulum(const Light& of) {
           vec({0.0})};
 }
 
-inline SlowModel double_pendulum(const Light& of) {
+inline SlowEquations double_pendulum(const Light& of) {
   const double l = 10.0, g = 20.0 * of.w2() * of.w2(), me = of.me();
   return {[=](const VectorXd& q) {
             MatrixXd m(2, 2);
@@ -103,7 +103,7 @@ inline SlowModel double_pendulum(const Light& of) {
 }
 
 /// An inertia from 0.5 to 1.5.
-inline SlowModel rotor(const Light& of) {
+inline SlowEquations rotor(const Light& of) {
   const double me = of.me(), k = of.k();
   return {
       [=](const VectorXd& q) { return MatrixXd::Constant(1, 1, me * (1.0 + 0.5 * std::cos(2.0 * q[0]))); },
@@ -117,11 +117,11 @@ inline SlowModel rotor(const Light& of) {
 }
 
 /// It heaves and pitches on two springs, with a link at each end.
-inline SlowModel bar(const Light& of) {
+inline SlowEquations bar(const Light& of) {
   MatrixXd m = 2.0 * of.me() * MatrixXd::Identity(2, 2), k = 2.0 * of.k() * MatrixXd::Identity(2, 2), j(2, 2);
   m(1, 1) /= 3.0, k(1, 1) *= 1.7 * 1.7 / 3.0;
   j << 1.0, -1.0, 1.0, 1.0;
-  SlowModel all = linear(m, k, vec({10.0, 3.0}));
+  SlowEquations all = linear(m, k, vec({10.0, 3.0}));
   all.displacement = [j](const VectorXd& q) { return VectorXd(j * q); };
   all.jacobian = [j](const VectorXd&) { return j; };
   return all;

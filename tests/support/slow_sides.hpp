@@ -2,6 +2,7 @@
 // Slow sides of several kinds with light fast masses on springs (the cases of docs/impulse_coupling.md).
 #pragma once
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -14,7 +15,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// M(q) q'' = f(q, q') + J^T F with displacements y(q) and J = dy/dq.
-struct SlowModel {
+struct SlowEquations {
   std::function<MatrixXd(const VectorXd& q)> mass;
   std::function<VectorXd(const VectorXd& q, const VectorXd& u)> force;
   std::function<VectorXd(const VectorXd& q)> displacement;
@@ -22,8 +23,12 @@ struct SlowModel {
   VectorXd q, u;             ///< at the start
   double rate_factor = 1.0;  ///< of what it tells of its accelerance; 1 is right
 
+  /// pushed: forces on the links, then generalised ones on the coordinates or nothing.
   VectorXd acceleration(const VectorXd& at, const VectorXd& rate, const VectorXd& pushed) const {
-    return mass(at).llt().solve(force(at, rate) + jacobian(at).transpose() * pushed);
+    const MatrixXd j = jacobian(at);
+    VectorXd push = j.transpose() * pushed.head(j.rows());
+    if (pushed.size() > j.rows()) push += pushed.tail(at.size());
+    return mass(at).llt().solve(force(at, rate) + push);
   }
   MatrixXd accelerance(const VectorXd& at) const {
     const MatrixXd j = jacobian(at);
@@ -31,16 +36,24 @@ struct SlowModel {
   }
 };
 
-/// It by the trapezoidal rule. Outputs: displacements y, and the matrix A by rows.
+/// It by the trapezoidal rule. Outputs: displacements y, the matrix A by rows, and coordinates q. Inputs: forces F on the links,
+/// and generalised ones on all coordinates.
 struct SlowSide {
-  SlowModel m;
+  SlowEquations m;
   double h;
-  VectorXd q = {}, u = {}, pushed = {};
+  bool whole = false;                    ///< takes forces on its coordinates
+  VectorXd q = {}, u = {}, pushed = {};  ///< pushed: on the links, then on the coordinates
 
   int links() const { return static_cast<int>(m.displacement(m.q).size()); }
+  int coordinates() const { return static_cast<int>(m.q.size()); }
   SubsystemInfo info() const {
     SubsystemInfo all{
-        "slow", {{"F", "N", links()}}, {{"y", "m", links(), 2}, {"A", "1/kg", links() * links(), 1}}, {}, {}};
+        "slow",
+        {{"F", "N", links()}},
+        {{"y", "m", links(), 2}, {"A", "1/kg", links() * links(), 1}, {"q", "", coordinates(), 2}},
+        {},
+        {}};
+    if (whole) all.inputs.push_back({"reaction", "", coordinates()});
     for (int i = 0; i < links(); ++i)
       for (int k = 0; k < links(); ++k) all.feedthrough.push_back({i, k});
     return all;
@@ -49,20 +62,31 @@ struct SlowSide {
   void start(double, std::span<const double> u0) {
     q = m.q, u = m.u;
     pushed = Eigen::Map<const VectorXd>(u0.data(), static_cast<Eigen::Index>(u0.size()));
-    if (pushed.hasNaN()) pushed.setZero();
+    pushed = pushed.unaryExpr([](double one) { return std::isnan(one) ? 0.0 : one; });
   }
   void step(const OwnStep& s, std::span<const Signal> in) {
-    for (int k = 0; k < links(); ++k)
+    for (Eigen::Index k = 0; k < pushed.size(); ++k)
       pushed[k] = in[static_cast<std::size_t>(k)].value(s.begin + 0.5 * s.length);
+    const double l = s.length;
     const VectorXd a = m.acceleration(q, u, pushed);
-    VectorXd next = q + s.length * u, rate = u + s.length * a;
-    for (int k = 0; k < 200; ++k) {
-      const VectorXd faster = u + 0.5 * s.length * (a + m.acceleration(next, rate, pushed));
-      const VectorXd farther = q + 0.5 * s.length * (u + faster);
-      const double moved = (farther - next).norm() + (faster - rate).norm();
-      next = farther, rate = faster;
-      if (moved < 1e-15 * (next.norm() + rate.norm())) break;
+    const auto rate_at = [&](const VectorXd& at) { return VectorXd(2.0 / l * (at - q) - u); };
+    const auto off = [&](const VectorXd& at) {
+      return VectorXd(rate_at(at) - u - 0.5 * l * (a + m.acceleration(at, rate_at(at), pushed)));
+    };
+    VectorXd next = q + l * u, rate;
+    MatrixXd gradient(q.size(), q.size());
+    for (Eigen::Index k = 0; k < q.size(); ++k) {
+      VectorXd step = VectorXd::Zero(q.size());
+      step[k] = 1e-5;
+      gradient.col(k) = (off(next + step) - off(next - step)) / 2e-5;
     }
+    const Eigen::PartialPivLU<MatrixXd> solver(gradient);
+    for (int k = 0; k < 50; ++k) {
+      const VectorXd by = solver.solve(off(next));
+      next -= by;
+      if (by.norm() < 1e-15 * next.norm()) break;
+    }
+    rate = rate_at(next);
     q = next, u = rate;
   }
   /// Rates along the motion by central differences.
@@ -75,8 +99,9 @@ struct SlowSide {
     const auto put = [&y](const auto& numbers) {
       for (Eigen::Index k = 0; k < numbers.size(); ++k) *y++ = numbers(k);
     };
-    put(m.displacement(q)), put(a), put(VectorXd(j * u)), put(rate);
-    put(VectorXd(j * m.acceleration(q, u, pushed) + turned * u)), put(MatrixXd(0.0 * rate));
+    const VectorXd faster = m.acceleration(q, u, pushed);
+    put(m.displacement(q)), put(a), put(q), put(VectorXd(j * u)), put(rate), put(u);
+    put(VectorXd(j * faster + turned * u)), put(MatrixXd(0.0 * rate)), put(faster);
   }
 };
 

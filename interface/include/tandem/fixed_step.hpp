@@ -29,6 +29,8 @@ namespace tandem {
 /// - `std::optional<std::vector<StateName>> states() const`, `void get_states(std::span<double> x) const` and
 ///   `void set_states(std::span<const double> x)`.
 ///
+/// One that gives its equations has `std::shared_ptr<SlowModel> slow_model(std::span<const SlowLink> links) const`.
+///
 /// With the ability `serializes_state` in its info() it also has:
 /// - `void write(ByteWriter& to) const`: all that its steps go by and that start() does not make.
 /// - `void read(ByteReader& from)`: the same of a model that is made and started alike; refuses another's.

@@ -71,6 +71,10 @@ class SavedModels : public Subsystem {
     if constexpr (requires { model_.linearized(); }) return model_.linearized();
     return {};
   }
+  std::shared_ptr<SlowModel> slow_model(std::span<const SlowLink> links) const override {
+    if constexpr (requires { model_.slow_model(links); }) return model_.slow_model(links);
+    return nullptr;
+  }
 
   StateId save_state() override {
     return info_.abilities.saves_state ? keep(model_, place_) : Subsystem::save_state();

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -12,6 +13,9 @@
 #include "tandem/subsystem_info.hpp"
 
 namespace tandem {
+
+class SlowModel;
+struct SlowLink;
 
 /// Why a call returned.
 enum class Stop {
@@ -132,6 +136,10 @@ class Subsystem {
   /// Its own equations about the states and inputs of initialize(). Precondition: it was called, and no step
   /// was taken since. Nothing: it keeps them to itself, as the base class does.
   virtual std::optional<Linearized> linearized() const;
+  /// Its equations, for an impulse coupling by a surrogate in this process. Precondition: initialize() was called.
+  /// Null: it keeps them to itself, as the base class does.
+  /// - links: forces that are its inputs, and displacements that are its outputs.
+  virtual std::shared_ptr<SlowModel> slow_model(std::span<const SlowLink> links) const;
 
   /// With the ability `saves_state`: copies the whole state. The copy is valid until it is released. The base
   /// class refuses this and the next two with Error(not_supported).

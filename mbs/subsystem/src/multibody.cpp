@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "own_step.hpp"
+#include "slow_mechanism.hpp"
 #include "tandem/mbs/mechanism/freedom.hpp"
 #include "tandem/mbs/mechanism/initial.hpp"
 
@@ -211,6 +212,10 @@ const Independent& Multibody::independent() const {
     m.mechanism.set_inputs(&m.inputs);
   }
   return *m.independent;
+}
+
+std::shared_ptr<SlowModel> Multibody::slow_model(std::span<const SlowLink> links) const {
+  return slow_model_of({machine_, &machine_->mechanism}, machine_->inputs.ports(), links);
 }
 
 std::optional<std::vector<StateName>> Multibody::states() const {

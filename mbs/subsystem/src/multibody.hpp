@@ -28,6 +28,7 @@ class Multibody {
   bool jump(double t, std::span<const Signal> u);
   void outputs(double* y) const;
   std::vector<std::string> remarks(double t_stop) const;
+  std::shared_ptr<SlowModel> slow_model(std::span<const SlowLink> links) const;
   std::optional<std::vector<StateName>> states() const;
   void get_states(std::span<double> x) const;
   void set_states(std::span<const double> x);

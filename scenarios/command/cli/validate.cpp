@@ -29,7 +29,7 @@ void validate(const ValidateOptions& options, const Context& context) {
   assembly.initialize();
   say("{}: ok\n", options.file);
   for (const std::string& note : assembly.notes()) say("note: {}\n", note);
-  say("tandem advise {} tells which scheme to take\n", options.file);
+  if (!scenario::by_impulse(scenario)) say("tandem advise {} tells which scheme to take\n", options.file);
 }
 
 }  // namespace
@@ -37,7 +37,9 @@ void validate(const ValidateOptions& options, const Context& context) {
 void add_validate(CLI::App& app, Context& context) {
   auto* command = app.add_subcommand("validate", "Check a scenario up to its first step");
   auto options = std::make_shared<ValidateOptions>();
-  command->add_option("scenario", options->file, "The scenario, a TOML file or a system of SSP")->required()->type_name("FILE");
+  command->add_option("scenario", options->file, "The scenario, a TOML file or a system of SSP")
+      ->required()
+      ->type_name("FILE");
   command->add_option("--set", options->overrides, "Set a value of the file, as in run (repeatable)")
       ->type_name("KEY=VALUE")
       ->expected(1)

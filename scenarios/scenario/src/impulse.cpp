@@ -49,23 +49,37 @@ ConnectionEntry part(const ConnectionEntry& whole, std::string from, std::string
   return one;
 }
 
+/// Takes a connection of a link out of the reconstruction that is stated for it.
+ConnectionEntry& taken(Scenario& to, const LinkEntry& link, const std::string& output,
+                       const std::string& reader) {
+  ConnectionEntry& one = connection_of(to, link, output, reader);
+  if (one.connection.how)
+    to.remarks.push_back("connection from " + output + " to " + one.connection.to + ": " +
+                         one.connection.how->name() + " is not used, as the link is coupled by impulse");
+  one.connection.how.reset();
+  return one;
+}
+
+/// What the fast side reads of the slow one comes from the surrogate, along its own course.
+void take_back(Scenario& to, const LinkEntry& entry, const std::string& output, const std::string& from) {
+  if (instance_of(output) != instance_of(entry.link.back))
+    refuse(entry.place,
+           "velocity is '" + output + "'; allowed is an output of '" + instance_of(entry.link.back) + "'");
+  ConnectionEntry& back = taken(to, entry, output, instance_of(entry.link.effort));
+  back.connection.from = from, back.connection.how = Reconstruction::parse("hermite");
+}
+
 void take_over(Scenario& to, const LinkEntry& entry, const std::string& surrogate, std::size_t link,
-               std::size_t links, const char* continued) {
+               std::size_t links) {
   const StatedLink& power = entry.link;
-  const std::string fast = instance_of(power.effort), slow = instance_of(power.back);
   const auto port = [&](const char* name) { return surrogate + "." + numbered(name, link, links); };
-  for (const auto& [output, reader] : {std::pair(power.effort, slow), std::pair(power.back, fast)})
-    if (const ConnectionEntry& stated = connection_of(to, entry, output, reader); stated.connection.how)
-      to.remarks.push_back("connection from " + output + " to " + stated.connection.to + ": " +
-                           stated.connection.how->name() + " is not used, as the link is coupled by impulse");
-  ConnectionEntry& force = connection_of(to, entry, power.effort, slow);
+  ConnectionEntry& force = taken(to, entry, power.effort, instance_of(power.back));
   ConnectionEntry mean =
       part(force, port("mean_force"), force.connection.to, Reconstruction::Kind::matched_hold);
-  force.connection.to = port("force"), force.connection.how = Reconstruction::parse(continued);
-  ConnectionEntry& back = connection_of(to, entry, power.back, fast);
-  ConnectionEntry position = part(back, power.back, port("position"), Reconstruction::Kind::taylor);
-  back.connection.from = port("displacement"), back.connection.how = Reconstruction::parse("hermite");
-  to.connections.push_back(std::move(mean)), to.connections.push_back(std::move(position));
+  force.connection.to = port("force");
+  take_back(to, entry, power.back, port("displacement"));
+  if (const auto& velocity = entry.effective.velocity) take_back(to, entry, *velocity, port("velocity"));
+  to.connections.push_back(std::move(mean));
 }
 
 /// All of them tell, or none, and each of all forces.
@@ -82,6 +96,27 @@ void check_accelerance(const std::vector<LinkEntry>& links, const std::string& s
   }
 }
 
+void ask_for_reactions(const ImpulseEntry& impulse, Scenario& to) {
+  for (SubsystemEntry& entry : to.subsystems)
+    if (entry.name == impulse.slow) entry.reactions = displacements_of(impulse);
+}
+
+/// Where a fast side reads more of the slow one than goes through the surrogate, it sees that without its ripple.
+void remark_on_others(const std::string& slow, const std::vector<LinkEntry>& links, Scenario& to) {
+  const auto is_fast = [&](const std::string& reader) {
+    return std::any_of(links.begin(), links.end(),
+                       [&](const LinkEntry& link) { return instance_of(link.link.effort) == reader; });
+  };
+  for (const ConnectionEntry& one : to.connections) {
+    const Connection& c = one.connection;
+    if (instance_of(c.from) != slow || !is_fast(instance_of(c.to))) continue;
+    to.remarks.push_back(
+        "connection from " + c.from + " to " + c.to +
+        ": it goes past the surrogate, so that it has nothing of the fast motion; the rate of a "
+        "displacement goes through it where links.velocity names it");
+  }
+}
+
 /// What the slow side is to tell, unless it is stated: each displacement by each force.
 void ask_for_accelerances(const ImpulseEntry& impulse, Scenario& to) {
   std::string all;
@@ -94,17 +129,33 @@ void ask_for_accelerances(const ImpulseEntry& impulse, Scenario& to) {
     if (entry.name == impulse.slow) entry.accelerances = all;
 }
 
-/// Whether the surrogate of these links has springs.
-bool with_stiffness(const std::string& coupling, const std::vector<LinkEntry>& links) {
-  const auto states = [](const LinkEntry& link) { return link.effective.stiffness.has_value(); };
-  const bool stated = links.size() == 1 && states(links[0]);
+/// Springs are for one link, and where they are stated, or wanted.
+ImpulseEntry::Kind kind_of(const std::string& coupling, const std::vector<LinkEntry>& links) {
+  if (coupling == "impulse_taylor") return ImpulseEntry::Kind::taylor;
+  const bool stated = links.size() == 1 && links[0].effective.stiffness;
   if (coupling == "impulse_stiffness" && links.size() != 1)
     refuse(links[0].place,
-           "impulse_stiffness is for one link on a slow side; allowed for several is impulse_plain");
-  return coupling == "impulse_stiffness" || (stated && coupling != "impulse_plain");
+           "impulse_stiffness is for one link on a slow side; allowed for several are impulse_plain and "
+           "impulse_taylor");
+  const bool springs = coupling == "impulse_stiffness" || (stated && coupling == "impulse");
+  return springs ? ImpulseEntry::Kind::stiffness : ImpulseEntry::Kind::plain;
+}
+
+/// Nothing is stated of it that a Taylor surrogate would not go by.
+bool states_nothing(const std::vector<LinkEntry>& links) {
+  return std::all_of(links.begin(), links.end(), [](const LinkEntry& one) {
+    return !one.effective.mass && !one.effective.stiffness && one.effective.accelerance.empty();
+  });
 }
 
 }  // namespace
+
+std::string displacements_of(const ImpulseEntry& impulse) {
+  std::string all;
+  for (const ImpulseEntry::Link& one : impulse.links)
+    all += (all.empty() ? "" : ",") + one.displacement.substr(one.displacement.find('.') + 1);
+  return all;
+}
 
 void couple_by_impulse(const std::string& coupling, Scenario& to) {
   std::map<std::string, std::vector<LinkEntry>> by_slow;
@@ -117,19 +168,24 @@ void couple_by_impulse(const std::string& coupling, Scenario& to) {
            "output, and displacement, the slow side's");
   for (const auto& [slow, links] : by_slow) {
     check_accelerance(links, slow);
-    ImpulseEntry impulse{slow, {}, with_stiffness(coupling, links)};
+    ImpulseEntry impulse{slow, {}, kind_of(coupling, links)};
+    impulse.may_be_taylor = coupling == "impulse" && states_nothing(links);
+    if (coupling == "impulse_taylor" && !states_nothing(links))
+      refuse(
+          links[0].place,
+          "effective_mass, accelerance or effective_stiffness is stated, and impulse_taylor goes by the slow "
+          "side's own equations; allowed is none of them");
     SubsystemEntry surrogate{slow + "_surrogate", "builtin:impulse_surrogate", {}, {}, links[0].place,
                              links[0].place};
     for (std::size_t k = 0; k < links.size(); ++k) {
       const StatedLink& power = links[k].link;
       const std::string input = connection_of(to, links[k], power.effort, slow).connection.to;
       impulse.links.push_back({instance_of(power.effort), input, power.back, links[k].effective});
-      take_over(to, links[k], surrogate.name, k, links.size(),
-                impulse.with_stiffness ? "lagrange4" : "lagrange3");
+      take_over(to, links[k], surrogate.name, k, links.size());
     }
-    to.remarks.push_back("subsystem '" + slow + "' is coupled by " +
-                         (impulse.with_stiffness ? "impulse_stiffness" : "impulse_plain"));
-    ask_for_accelerances(impulse, to);
+    remark_on_others(slow, links, to);
+    impulse.kind == ImpulseEntry::Kind::taylor ? ask_for_reactions(impulse, to)
+                                               : ask_for_accelerances(impulse, to);
     surrogate.impulse = std::make_shared<const ImpulseEntry>(std::move(impulse));
     to.subsystems.push_back(std::move(surrogate));
     Landing& lands = to.coordination.landing[slow];

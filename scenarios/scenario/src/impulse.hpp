@@ -12,20 +12,27 @@ namespace tandem::scenario {
 /// Puts a surrogate between each slow side and the fast ones that [[links]] names: it stands as one more subsystem at the
 /// end, and the connections of the links go through it. Its parameters are not known yet.
 /// Precondition: `to` is read but for what comes after [coordination].
-/// - coupling: "impulse", "impulse_plain" or "impulse_stiffness".
+/// - coupling: "impulse", "impulse_plain", "impulse_stiffness" or "impulse_taylor".
 void couple_by_impulse(const std::string& coupling, Scenario& to);
 
-/// A surrogate, and the connections to it from outputs that tell the accelerance.
+/// The displacements of this slow side, "x,...", if it is to be opened again with ports for its coordinates: its steps are
+/// so long that "impulse" is by Taylor surrogate. Else nothing.
+std::string wanted_reactions(const SubsystemEntry& slow, const Scenario& of, Subsystem& opened);
+std::string displacements_of(const ImpulseEntry& impulse);
+/// Whether it has these ports, and not too many of them.
+bool has_reactions(const SubsystemInfo& slow);
+
+/// A surrogate, and its connections with the slow side but for the mean forces.
 struct Surrogate {
   std::unique_ptr<Subsystem> subsystem;
   std::vector<ConnectionEntry> connections;
+  std::string coupling;        ///< that it stands for
+  const char* continues = "";  ///< the reconstruction of the force
 };
 /// It goes by how its slow side and its fast ones start; null where one of these was left out. Throws
 /// Error for sides that it can't stand between.
 /// - subsystems: of the instances.
-Surrogate surrogate_of(const SubsystemEntry& entry, const Scenario& of,
-                                        const Topology& topology,
-                                        const std::vector<std::unique_ptr<Subsystem>>& subsystems,
-                                        const Builtins& builtins);
+Surrogate surrogate_of(const SubsystemEntry& entry, const Scenario& of, const Topology& topology,
+                       const std::vector<std::unique_ptr<Subsystem>>& subsystems, const Builtins& builtins);
 
 }  // namespace tandem::scenario

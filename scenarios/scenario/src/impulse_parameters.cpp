@@ -1,14 +1,13 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "impulse_parameters.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
-#include "impulse.hpp"
 #include "slow_side.hpp"
 #include "tandem/error.hpp"
-#include "tandem/nearest.hpp"
 
 namespace tandem::scenario {
 namespace {
@@ -29,7 +28,7 @@ class Asked {
     const Begin free = slow_.free();
     set_times(free);
     for (std::size_t k = 0; k < slow_.links(); ++k) set_link(k, free);
-    if (entry_.with_stiffness) set_springs();
+    if (entry_.kind == ImpulseEntry::Kind::stiffness) set_springs();
     for (std::size_t e = 0; e < slow_.accelerances().size(); ++e) tell_accelerance(e, free);
     for (std::size_t k = 0; k < slow_.links(); ++k) set_accelerances(k, free);
     return std::move(all_);
@@ -47,26 +46,18 @@ class Asked {
   }
 
   void set_times(const Begin& free) {
-    const double fast = fast_step();
+    const double fast = fast_step(entry_, of_, topology_, subsystem_);
     if (!(free.step > fast))
       slow_.refuse("has an own step of " + text_of(free.step) + " s, and the fast side one of " +
                    text_of(fast) + " s; allowed is a longer one");
     set("own_step", fast), set("slow_step", free.step), set("fast_period", of_.fast_period);
-  }
-
-  /// The shortest of the fast sides.
-  double fast_step() {
-    double shortest = of_.stop - of_.start;
-    for (const ImpulseEntry::Link& link : entry_.links) {
-      const int fast = *topology_.instance(link.fast);
-      shortest = std::min(shortest, begin_of(subsystem_(fast), topology_.start(fast), of_).step);
-    }
-    return shortest;
+    if (slow_.has_velocities()) set("tells_velocities", true);
   }
 
   void set_link(std::size_t k, const Begin& free) {
     set(at("force_unit", k), slow_.force(k).port->unit);
     set(at("displacement_unit", k), slow_.displacement(k).port->unit);
+    set(at("velocity_unit", k), slow_.velocity_unit(k));
     set(at("velocity", k), derivative(free, k, 1)), set(at("free_acceleration", k), derivative(free, k, 2));
   }
 
@@ -111,6 +102,7 @@ class Asked {
           "has several links, whose masses depend on each other; allowed is links.effective_mass of one "
           "alone");
     const double value = i == k && mass ? 1.0 / *mass : found;
+    if (mass) set("found", found);
     if (i == k && found < 0.0)
       slow_.refuse(
           "accelerates by " + text_of(found) + " for a force of 1 at its input " + slow_.force(k).port->name +
@@ -129,63 +121,25 @@ class Asked {
   std::vector<Parameter> all_;
 };
 
-/// With the outputs that were asked for, if the slow side has all of them.
-ImpulseEntry with_told(const ImpulseEntry& of, const SubsystemInfo& slow) {
-  const auto has = [&](const std::string& name) {
-    return std::any_of(slow.outputs.begin(), slow.outputs.end(),
-                       [&](const Port& port) { return port.name == name; });
-  };
-  ImpulseEntry told = of;
-  for (ImpulseEntry::Link& row : told.links) {
-    if (row.effective.mass || !row.effective.accelerance.empty()) return of;
-    for (const ImpulseEntry::Link& by : of.links) {
-      const std::string port = accelerance_port(row.displacement, by.force);
-      if (!has(port)) return of;
-      row.effective.accelerance.push_back(of.slow + "." + port);
-    }
-  }
-  return told;
-}
-
-/// From the outputs that tell the accelerance.
-std::vector<ConnectionEntry> told_to(const SubsystemEntry& surrogate, const ImpulseEntry& of) {
-  std::vector<ConnectionEntry> all;
-  const std::size_t links = of.links.size();
-  for (std::size_t i = 0; i < links; ++i)
-    for (std::size_t k = 0; k < of.links[i].effective.accelerance.size(); ++k) {
-      const std::string number = "_" + std::to_string(i + 1) + "_" + std::to_string(k + 1);
-      all.push_back(
-          {{of.links[i].effective.accelerance[k], surrogate.name + ".accelerance" + (links > 1 ? number : ""),
-            Reconstruction::parse("hermite")},
-           surrogate.place,
-           surrogate.place,
-           surrogate.place,
-           surrogate.place});
-    }
-  return all;
-}
-
 }  // namespace
 
-Surrogate surrogate_of(const SubsystemEntry& entry, const Scenario& of, const Topology& topology,
-                       const std::vector<std::unique_ptr<Subsystem>>& subsystems, const Builtins& builtins) {
-  const auto subsystem = [&](const std::string& name) {
-    const auto number = topology.instance(name);
-    if (!number) refuse(entry.place, unknown("subsystem", name, topology.names()));
-    return subsystems[static_cast<std::size_t>(*number)].get();
-  };
-  const auto lacks_fast = [&](const ImpulseEntry::Link& link) { return !subsystem(link.fast); };
-  const auto& links = entry.impulse->links;
-  Subsystem* const slow = subsystem(entry.impulse->slow);
-  if (!slow || std::any_of(links.begin(), links.end(), lacks_fast)) return {};
-  const ImpulseEntry impulse = with_told(*entry.impulse, slow->info());
-  return located(entry.place, [&]() -> Surrogate {
-    const auto by_number = [&](int i) -> Subsystem& { return *subsystems[static_cast<std::size_t>(i)]; };
-    Opening opening;
-    for (const Parameter& p : Asked(impulse, of, topology, by_number).parameters())
-      opening.parameters.set(p.name, p.value);
-    return {open(entry.source, builtins, std::move(opening)), told_to(entry, impulse)};
-  });
+double fast_step(const ImpulseEntry& entry, const Scenario& of, const Topology& topology,
+                 const std::function<Subsystem&(int)>& subsystem) {
+  double shortest = of.stop - of.start;
+  for (const ImpulseEntry::Link& link : entry.links) {
+    const int fast = *topology.instance(link.fast);
+    if (subsystem(fast).info().abilities.sampled)
+      throw Error(ErrorCode::not_supported, "impulse coupling: the fast side '" + link.fast +
+                                                "' is sampled; allowed is one that integrates itself");
+    shortest = std::min(shortest, begin_of(subsystem(fast), topology.start(fast), of).step);
+  }
+  return shortest;
+}
+
+std::vector<Parameter> impulse_parameters(const ImpulseEntry& entry, const Scenario& of,
+                                          const Topology& topology,
+                                          const std::function<Subsystem&(int)>& subsystem) {
+  return Asked(entry, of, topology, subsystem).parameters();
 }
 
 }  // namespace tandem::scenario

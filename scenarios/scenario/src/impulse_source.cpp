@@ -14,7 +14,8 @@ std::unique_ptr<Subsystem> make(const Address&, Parameters& p) {
   for (std::size_t k = 1; k <= links; ++k) {
     const std::string at = "." + std::to_string(k);
     c.links.push_back({p.text("force_unit" + at, ""), p.text("displacement_unit" + at, ""),
-                       p.number("velocity" + at, 0.0), p.number("free_acceleration" + at, 0.0)});
+                       p.number("velocity" + at, 0.0), p.number("free_acceleration" + at, 0.0),
+                       p.text("velocity_unit" + at, "")});
   }
   for (std::size_t k = 1; k <= links * links; ++k)
     c.accelerance.push_back(p.number("accelerance." + std::to_string(k), 0.0));
@@ -27,6 +28,8 @@ std::unique_ptr<Subsystem> make(const Address&, Parameters& p) {
   for (const auto& [at, value] : p.numbers("stiffness."))
     c.stiffness.push_back(value), c.damping.push_back(p.number("damping." + at, 0.0));
   c.trapezoidal = p.flag("trapezoidal", false);
+  c.tells_velocities = p.flag("tells_velocities", false);
+  c.found = p.number("found", 0.0);
   c.degree = static_cast<int>(p.number("degree", 3.0));
   return impulse_surrogate(std::move(c));
 }
@@ -35,10 +38,11 @@ std::unique_ptr<Subsystem> make(const Address&, Parameters& p) {
 
 void add_impulse(Builtins& builtins) {
   builtins.models["impulse_surrogate"] = {
-      words_by(Setter::operator_only,
-               {"own_step", "slow_step", "fast_period", "force_unit.*", "displacement_unit.*", "velocity.*",
-                "free_acceleration.*", "accelerance.*", "accelerance_rate.*", "accelerance_unit.*",
-                "stiffness.*", "damping.*", "trapezoidal", "degree"}),
+      words_by(
+          Setter::operator_only,
+          {"own_step", "slow_step", "fast_period", "force_unit.*", "displacement_unit.*", "velocity_unit.*",
+           "velocity.*", "free_acceleration.*", "accelerance.*", "accelerance_rate.*", "accelerance_unit.*",
+           "stiffness.*", "damping.*", "trapezoidal", "degree", "tells_velocities", "found"}),
       make};
 }
 

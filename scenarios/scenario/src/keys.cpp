@@ -137,6 +137,11 @@ void of_links(KeyList& to) {
           "In place of `flow`, a length or an angle. With `stiffness` both outputs, of the ends of a spring.",
           {.allowed = "\"instance.port\", or two of them"})
       .may("stiffness", positive, "That of the spring between two displacements.", {.unit = "N/m or N m/rad"})
+      .may("velocity", text,
+           "With `coordination.coupling`: the slow side's output that is the rate of `displacement`. Who "
+           "reads it "
+           "beside the displacement on the fast side gets that of the surrogate, as a damper needs.",
+           {.allowed = "\"instance.port\""})
       .may("effective_mass", positive,
            "With `coordination.coupling`: the mass that the effort finds at the slow side. Without it: found "
            "at the "
@@ -189,9 +194,11 @@ void of_coordination(KeyList& to) {
           "What the subsystems exchange. `impulse`: over each of [[links]] the fast side gets a surrogate of "
           "the slow one, and the slow side a mean force (docs/impulse_coupling.md). `impulse_plain`: the "
           "surrogate is "
-          "a mass. `impulse_stiffness`: it has springs and dampers, too. `impulse`: the better that is "
-          "known.",
-          {.otherwise = "signals", .words = {"signals", "impulse", "impulse_plain", "impulse_stiffness"}})
+          "a mass. `impulse_stiffness`: it has springs and dampers, too. `impulse_taylor`: it has the slow "
+          "side's "
+          "own equations. `impulse`: the best that is known.",
+          {.otherwise = "signals",
+           .words = {"signals", "impulse", "impulse_plain", "impulse_stiffness", "impulse_taylor"}})
       .may("fast_period", positive, "Of `impulse`: the shortest period of the coupled system.",
            {.unit = "s"});
 }

@@ -12,7 +12,7 @@
 namespace tandem::scenario {
 namespace {
 
-const std::string animated = "animate", telling = "accelerances";
+const std::string animated = "animate", telling = "accelerances", reacting = "reactions";
 
 /// use(opening) with errors that name the place in the file, and a subsystem that lives elsewhere: the
 /// address alone may serve several. animate: it is to tell where its points are, unless its own parameters
@@ -31,6 +31,8 @@ auto with_opening(const SubsystemEntry& entry, const Builtins& builtins, bool an
       opening.parameters.set(animated, true);
     if (!entry.accelerances.empty() && takes(entry, builtins, telling) && !opening.parameters.has(telling))
       opening.parameters.set(telling, entry.accelerances);
+    if (!entry.reactions.empty() && takes(entry, builtins, reacting))
+      opening.parameters.set(reacting, entry.reactions);
     try {
       return use(std::move(opening));
     } catch (const Error& error) {
@@ -78,7 +80,7 @@ Parts::Parts(const Scenario& scenario, const Builtins& builtins, Code code) : sc
   for (const SubsystemEntry& entry : scenario.subsystems)
     if (!entry.impulse) {
       const bool out = code == Code::leave_out && is_code(entry, builtins);
-      add(entry, out ? nullptr : opened(entry, builtins, scenario.animate),
+      add(entry, out ? nullptr : opened_for(scenario, entry, builtins),
           out ? leave_out(entry, builtins) : std::nullopt);
     }
   set_inputs();
@@ -86,8 +88,8 @@ Parts::Parts(const Scenario& scenario, const Builtins& builtins, Code code) : sc
   for (const SubsystemEntry& entry : scenario.subsystems)
     if (entry.impulse) {
       Surrogate made = surrogate_of(entry, scenario, topology_, subsystems_, builtins);
+      if (made.subsystem) take(entry, made, connections);
       add(entry, std::move(made.subsystem), {});
-      connections.insert(connections.end(), made.connections.begin(), made.connections.end());
     }
   for (const ConnectionEntry& entry : connections)
     located([&](const std::string& sentence) { return entry.place_named_in(sentence); },
@@ -119,6 +121,27 @@ std::unique_ptr<Subsystem> Parts::opened(const SubsystemEntry& entry, const Buil
                                          bool animate) {
   return with_opening(entry, builtins, animate,
                       [&](Opening opening) { return open(entry.source, builtins, std::move(opening)); });
+}
+
+std::unique_ptr<Subsystem> Parts::opened_for(const Scenario& scenario, const SubsystemEntry& entry,
+                                             const Builtins& builtins) {
+  auto one = opened(entry, builtins, scenario.animate);
+  if (!takes(entry, builtins, reacting)) return one;
+  SubsystemEntry with_reactions = entry;
+  with_reactions.reactions = wanted_reactions(entry, scenario, *one);
+  if (with_reactions.reactions.empty()) return one;
+  with_reactions.accelerances.clear();
+  auto again = opened(with_reactions, builtins, scenario.animate);
+  return has_reactions(again->info()) ? std::move(again) : std::move(one);
+}
+
+void Parts::take(const SubsystemEntry& entry, const Surrogate& made,
+                 std::vector<ConnectionEntry>& connections) {
+  couplings_.push_back("subsystem '" + entry.impulse->slow + "' is coupled by " + made.coupling);
+  for (ConnectionEntry& one : connections)
+    if (one.connection.to.starts_with(entry.name + ".force"))
+      one.connection.how = Reconstruction::parse(made.continues);
+  connections.insert(connections.end(), made.connections.begin(), made.connections.end());
 }
 
 /// Its address is shown as who decides whether it may be run has to see it.
@@ -221,6 +244,7 @@ void Parts::add_notes_of_degrees(std::vector<std::string>& notes) const {
 
 std::vector<std::string> Parts::notes() const {
   std::vector<std::string> all = scenario_.remarks;
+  all.insert(all.end(), couplings_.begin(), couplings_.end());
   add_notes_of_units(all);
   add_notes_of_degrees(all);
   for (int i = 0; i < topology_.size(); ++i)

@@ -44,10 +44,11 @@ std::vector<std::string> read_accelerance(Section& section) {
 
 LinkEntry read_link(Section& section) {
   const auto stiffness = section.positive("stiffness");
-  LinkEntry entry{stiffness ? read_spring(section, *stiffness) : read_effort(section),
-                  section.place(),
-                  {section.positive("effective_mass"), section.positive("effective_stiffness"),
-                   section.positive("effective_damping"), read_accelerance(section)}};
+  LinkEntry entry{
+      stiffness ? read_spring(section, *stiffness) : read_effort(section),
+      section.place(),
+      {section.positive("effective_mass"), section.positive("effective_stiffness"),
+       section.positive("effective_damping"), read_accelerance(section), section.text("velocity")}};
   section.refuse_unknown();
   return entry;
 }

@@ -34,10 +34,10 @@ Begin begin_of(Subsystem& subsystem, std::span<const double> u0, const Scenario&
 SlowSide::SlowSide(const ImpulseEntry& entry, const Scenario& of, const Topology& topology, Subsystem& slow)
     : entry_(entry), of_(of), slow_(slow) {
   for (const ImpulseEntry::Link& link : entry.links) {
-    forces_.push_back(found(slow.info().inputs, "input", link.force));
-    displacements_.push_back(found(slow.info().outputs, "output", link.displacement));
+    forces_.push_back(found(slow.info().inputs, "input", port_of(link.force)));
+    displacements_.push_back(found(slow.info().outputs, "output", port_of(link.displacement)));
     for (const std::string& one : link.effective.accelerance)
-      accelerances_.push_back(found(slow.info().outputs, "output", one));
+      accelerances_.push_back(found(slow.info().outputs, "output", port_of(one)));
   }
   check();
   const int instance = *topology.instance(entry.slow);
@@ -48,10 +48,20 @@ SlowSide::SlowSide(const ImpulseEntry& entry, const Scenario& of, const Topology
   for (const ScalarPort& force : forces_) u0_[force.index] = 0.0;
 }
 
+bool SlowSide::has_velocities() const {
+  return std::any_of(entry_.links.begin(), entry_.links.end(),
+                     [](const ImpulseEntry::Link& one) { return one.effective.velocity.has_value(); });
+}
+
+std::string SlowSide::velocity_unit(std::size_t link) const {
+  const auto& velocity = entry_.links[link].effective.velocity;
+  return velocity ? output(port_of(*velocity)).port->unit : "";
+}
+
 ScalarPort SlowSide::found(const std::vector<Port>& ports, const char* what, const std::string& name) const {
-  const auto one = scalar_port(ports, port_of(name));
+  const auto one = scalar_port(ports, name);
   if (!one)
-    refuse("has no " + std::string(what) + " of one number with the name '" + port_of(name) +
+    refuse("has no " + std::string(what) + " of one number with the name '" + name +
            "'; allowed is one, or an element of an array");
   return *one;
 }

@@ -32,8 +32,13 @@ class SlowSide {
   std::size_t links() const { return forces_.size(); }
   const ScalarPort& force(std::size_t link) const { return forces_[link]; }
   const ScalarPort& displacement(std::size_t link) const { return displacements_[link]; }
+  /// Whether velocities are wanted at some links, and the unit of one.
+  bool has_velocities() const;
+  std::string velocity_unit(std::size_t link) const;
   /// Outputs that tell what forces accelerate, by rows of links; empty: there are none.
   const std::vector<ScalarPort>& accelerances() const { return accelerances_; }
+  /// An output of one number. Throws Error(not_supported) if there is none of that name.
+  ScalarPort output(const std::string& name) const { return found(slow_.info().outputs, "output", name); }
   [[noreturn]] void refuse(const std::string& why) const;
 
   /// Its start without a force at the links, and with one.

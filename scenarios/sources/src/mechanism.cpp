@@ -11,6 +11,7 @@
 #include "tandem/error.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
 #include "tandem/mbs/subsystem.hpp"
+#include "tandem/nearest.hpp"
 #include "tandem/sources/file_parameters.hpp"
 #include "tandem/sources/run_table.hpp"
 #include "tandem/sources/stepper.hpp"
@@ -49,23 +50,58 @@ void animate(mbs::Description& d) {
   }
 }
 
-/// Of "x.by.F,y.by.F": an output of that name for each displacement by an input, where both are there and only forces
-/// follow the input.
+/// With commas between.
+std::vector<std::string> words_of(const std::string& text) {
+  std::vector<std::string> all;
+  for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {
+    end = text.find(',', begin);
+    all.push_back(text.substr(begin, end == std::string::npos ? end : end - begin));
+  }
+  return all;
+}
+
+/// Names of inputs or outputs.
+template <class Ports>
+std::vector<std::string> names_of(const Ports& ports) {
+  std::vector<std::string> all;
+  for (const auto& one : ports) all.push_back(one.name);
+  return all;
+}
+
+void check_name(const char* parameter, const char* what, const std::string& name,
+                const std::vector<std::string>& known) {
+  if (std::find(known.begin(), known.end(), name) == known.end())
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("parameter '{}': {}", parameter, unknown(what, name, known)));
+}
+
+/// Of "x.by.F,y.by.F": an output of that name for each displacement by an input, where only forces follow the input.
 void tell_accelerances(const std::string& text, mbs::Description& d) {
   const std::vector<mbs::Output> outputs = d.outputs;
-  for (const mbs::Output& of : outputs)
-    for (int input = 0; input < static_cast<int>(d.inputs.size()); ++input) {
-      const std::string name = of.name + ".by." + d.inputs[static_cast<std::size_t>(input)].name;
-      const bool wanted = ("," + text + ",").find("," + name + ",") != std::string::npos;
-      if (!wanted || of.kind != mbs::Output::Kind::position || !mbs::only_forces_follow(d, input)) continue;
-      mbs::Output told{name, mbs::Output::Kind::accelerance, of.coordinate};
-      told.gain = of.gain, told.input = input;
-      d.outputs.push_back(told);
-    }
+  const auto of_outputs = names_of(outputs), of_inputs = names_of(d.inputs);
+  for (const std::string& name : words_of(text)) {
+    const auto by = name.find(".by.");
+    const std::string of = name.substr(0, by), force = by == std::string::npos ? "" : name.substr(by + 4);
+    check_name("accelerances", "output", of, of_outputs),
+        check_name("accelerances", "input", force, of_inputs);
+    const auto output = std::find(of_outputs.begin(), of_outputs.end(), of) - of_outputs.begin();
+    const auto input =
+        static_cast<int>(std::find(of_inputs.begin(), of_inputs.end(), force) - of_inputs.begin());
+    const mbs::Output& y = outputs[static_cast<std::size_t>(output)];
+    if (y.kind != mbs::Output::Kind::position || !mbs::only_forces_follow(d, input)) continue;
+    mbs::Output told{name, mbs::Output::Kind::accelerance, y.coordinate};
+    told.gain = y.gain, told.input = input;
+    d.outputs.push_back(told);
+  }
+}
+
+void take_reactions(const std::string& text, mbs::Description& d) {
+  for (const std::string& name : words_of(text)) check_name("reactions", "output", name, names_of(d.outputs));
+  mbs::take_reactions(d, words_of(text));
 }
 
 Words mechanism_words() {
-  return words_by(Setter::client, {"step", "animate", "accelerances"}) + stepper_words() +
+  return words_by(Setter::client, {"step", "animate", "accelerances", "reactions"}) + stepper_words() +
          words_by(Setter::operator_only, {"matrices", "matrices_at", "matrices_format"});
 }
 
@@ -99,7 +135,8 @@ std::unique_ptr<Subsystem> make_mechanism(const SourceFile& file, Parameters& p,
   mbs::Description description = mbs::read_mechanism(document, kinds, given);
   read_view(document, description);  // refuses what is wrong with it
   if (p.flag("animate", false)) animate(description);
-  tell_accelerances(p.text("accelerances", ""), description);
+  if (p.has("accelerances")) tell_accelerances(p.text("accelerances", ""), description);
+  if (p.has("reactions")) take_reactions(p.text("reactions", ""), description);
   if (!p.has("step"))
     throw Error(ErrorCode::invalid_argument,
                 "mechanism '" + description.name +

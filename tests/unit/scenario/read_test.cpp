@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "refusal.hpp"
 #include "scratch.hpp"
 #include "tandem/scenario/scenario.hpp"

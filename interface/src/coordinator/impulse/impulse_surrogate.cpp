@@ -2,41 +2,25 @@
 #include "tandem/coordinator/impulse/impulse_surrogate.hpp"
 
 #include <algorithm>
-#include <cmath>
 
+#include "coupling_times.hpp"
 #include "surrogate.hpp"
-#include "tandem/error.hpp"
 
 namespace tandem {
-namespace {
-
-/// So many fast periods a step of the slow side may be long for the window of the fewest steps.
-constexpr double longest_hat = 0.65;
-
-void require(bool holds, const std::string& what) {
-  if (!holds) throw Error(ErrorCode::invalid_argument, "impulse coupling: " + what);
-}
-
-}  // namespace
-
 Surrogate::Surrogate(ImpulseCoupling coupling) : of_(std::move(coupling)) {
-  const auto above_zero = [](double one) { return std::isfinite(one) && one > 0.0; };
-  require(above_zero(of_.own_step) && above_zero(of_.slow_step) && above_zero(of_.fast_period),
-          "own steps and the fast period are to be above 0 s");
-  require(of_.slow_step > of_.own_step, "the slow side's own step is not longer than the fast side's");
-  require(of_.degree >= 1 && of_.degree <= 4, "the force is continued by a polynomial of degree 1 to 4");
-  require(!of_.links.empty() && of_.accelerance.size() == of_.links.size() * of_.links.size(),
-          "the accelerance is to be a matrix of all links");
+  check_times(of_);
+  require_of_coupling(!of_.links.empty() && of_.accelerance.size() == of_.links.size() * of_.links.size(),
+                      "the accelerance is to be a matrix of all links");
   const std::size_t matrix = of_.links.size() * of_.links.size();
-  require(of_.stiffness.empty() ? of_.damping.empty()
-                                : of_.stiffness.size() == matrix && of_.damping.size() == matrix,
-          "stiffness and damping are to be matrices of all links");
-  require(of_.accelerance_rate.empty() ||
-              (of_.accelerance_rate.size() == matrix && of_.accelerance_units.size() == matrix),
-          "the rate of the accelerance and its units are to be matrices of all links");
+  require_of_coupling(of_.stiffness.empty() ? of_.damping.empty()
+                                            : of_.stiffness.size() == matrix && of_.damping.size() == matrix,
+                      "stiffness and damping are to be matrices of all links");
+  require_of_coupling(of_.accelerance_rate.empty() ||
+                          (of_.accelerance_rate.size() == matrix && of_.accelerance_units.size() == matrix),
+                      "the rate of the accelerance and its units are to be matrices of all links");
   next_ = Accelerance(of_.accelerance, std::vector<double>(matrix));
   for (Forces* one : {&forces_[0], &forces_[1], &forces_[2], &stages_[0], &stages_[1], &stages_[2],
-                      &stages_[3], &net_, &positions_, &velocities_, &begin_position_})
+                      &stages_[3], &net_, &positions_, &velocities_, &begin_position_, &accelerations_})
     one->resize(of_.links.size());
 }
 
@@ -58,6 +42,7 @@ SubsystemInfo Surrogate::info() const {
          of_.accelerance_units[static_cast<std::size_t>(e)]});
   add(info.outputs, "displacement", &ImpulseCoupling::Link::displacement_unit, 1);
   add(info.outputs, "mean_force", &ImpulseCoupling::Link::force_unit, 0);
+  if (of_.tells_velocities) add(info.outputs, "velocity", &ImpulseCoupling::Link::velocity_unit, 1);
   for (std::size_t k = 0; k < size() && !varies(); ++k)
     info.outputs.push_back({size() > 1 ? "reaction_error_" + std::to_string(k + 1) : "reaction_error", "1"});
   for (int k = 0; k < links; ++k) info.feedthrough.push_back({k, links + k});
@@ -66,8 +51,9 @@ SubsystemInfo Surrogate::info() const {
 
 void Surrogate::start(double t, std::span<const double> u0) {
   links_.clear(), checks_.clear(), worst_ = worst_at_ = 0.0;
-  const bool hat = of_.stiffness.empty() && of_.slow_step < longest_hat * of_.fast_period;
-  const ForceWindow window(hat ? ForceWindow::Kind::hat : ForceWindow::Kind::b_spline, of_.slow_step);
+  const ForceWindow window(
+      of_.stiffness.empty() ? window_for(of_.slow_step, of_.fast_period) : ForceWindow::Kind::b_spline,
+      of_.slow_step);
   for (std::size_t k = 0; k < size(); ++k) {
     begin_position_[k] = u0[size() + k], velocities_[k] = of_.links[k].velocity;
     forces_[0][k] = positions_[k] = 0.0;
@@ -79,6 +65,7 @@ void Surrogate::start(double t, std::span<const double> u0) {
   for (std::size_t k = 0; k < size(); ++k) {
     links_.emplace_back(window, begin_position_[k], velocities_[k],
                         of_.links[k].free_acceleration - stages_[0][k]);
+    accelerations_[k] = of_.links[k].free_acceleration;
     if (!varies()) checks_.emplace_back(of_.links[k].free_acceleration);
   }
   tolerance_ = TimeTolerance(t);
@@ -89,17 +76,23 @@ void Surrogate::start(double t, std::span<const double> u0) {
 
 void Surrogate::outputs(double* y) const {
   for (const SurrogateLink& link : links_) *y++ = link.position();
+  const auto put_velocities = [&] {
+    for (const SurrogateLink& link : links_) *y++ = link.velocity();
+  };
   for (const SurrogateLink& link : links_) *y++ = link.mean_force();
+  if (of_.tells_velocities) put_velocities();
   for (const ReactionCheck& check : checks_) *y++ = check.error();
-  for (const SurrogateLink& link : links_) *y++ = link.velocity();
-  std::fill_n(y, size() + checks_.size(), 0.0);
+  put_velocities();
+  y = std::fill_n(y, size(), 0.0);
+  if (of_.tells_velocities) y = std::copy(accelerations_.begin(), accelerations_.end(), y);
+  std::fill_n(y, checks_.size(), 0.0);
 }
 
 void Surrogate::write(ByteWriter& to) const {
   to.put(begin_);
   to.put(std::uint8_t{passed_}), to.put(std::int32_t{steps_});
-  for (const Forces* one : {&forces_[2], &net_})
-    for (const double force : *one) to.put(force);
+  for (const Forces* one : {&forces_[2], &net_, &accelerations_})
+    for (const double number : *one) to.put(number);
   accelerance_.write(to);
   for (const SurrogateLink& link : links_) link.write(to);
   for (const ReactionCheck& check : checks_) check.write(to);
@@ -110,8 +103,8 @@ void Surrogate::write(ByteWriter& to) const {
 void Surrogate::read(ByteReader& from) {
   begin_slow_step(from.take<double>());
   passed_ = from.take<std::uint8_t>() != 0, steps_ = from.take<std::int32_t>();
-  for (Forces* one : {&forces_[2], &net_})
-    for (double& force : *one) force = from.take<double>();
+  for (Forces* one : {&forces_[2], &net_, &accelerations_})
+    for (double& number : *one) number = from.take<double>();
   accelerance_.read(from);
   for (SurrogateLink& link : links_) link.read(from);
   for (ReactionCheck& check : checks_) check.read(from);

@@ -41,6 +41,7 @@ class Surrogate {
   void check_slow_side(double t, const Signal& position) const;
   void accelerate(std::size_t stage, double h, const double (&times)[3]);
   void take_spring(const Forces& forces, const Forces& y, const Forces& v, Forces& net) const;
+  void find_accelerations(double t);
   void make_up_start(double t, std::span<const Signal> u);
   void take_node(double t, std::span<const Signal> u);
   void pass_node(const OwnStep& s);
@@ -60,6 +61,7 @@ class Surrogate {
   std::array<Forces, 4> stages_;         ///< accelerations at the stages of a step; else scratch
   Forces net_;  ///< of a stage; once a node is passed, the means over the slow side's step
   Forces positions_, velocities_;
+  Forces accelerations_;   ///< at the end of the last own step, if velocities are told
   Forces begin_position_;  ///< where its springs have no force: that of the start goes with the rest
   double changed_ = 0.0,
          changed_at_ = 0.0;  ///< part of A by which it changed otherwise than by its rate, and when [s]

@@ -2,15 +2,6 @@
 #include "surrogate_link.hpp"
 
 namespace tandem {
-namespace {
-
-/// A cubic through two values with their rates, at x of a step h long, 0 <= x <= 1.
-double hermite(double h, double x, double y0, double d0, double y1, double d1) {
-  const double u = 1.0 - x;
-  return u * u * ((1.0 + 2.0 * x) * y0 + x * h * d0) + x * x * ((1.0 + 2.0 * u) * y1 - u * h * d1);
-}
-
-}  // namespace
 
 SurrogateLink::SurrogateLink(ForceWindow window, double position, double velocity, double g)
     : y_(position),
@@ -22,38 +13,23 @@ SurrogateLink::SurrogateLink(ForceWindow window, double position, double velocit
       window_(window) {}
 
 void SurrogateLink::step(double h, const double (&f)[3], const double (&a)[4]) {
-  before_ = sum_, before_sum_ = sum_position_, before_position_ = y_, before_velocity_ = v_;
-  sum_.third += h * (before_.second + h * (before_.first / 2.0 + h * (f[0] + f[1]) / 12.0));
-  sum_.second += h * (before_.first + h * (f[0] + 2.0 * f[1]) / 6.0);
-  sum_.first += h * (f[0] + 4.0 * f[1] + f[2]) / 6.0;
+  before_sum_ = sum_position_, before_position_ = y_, before_velocity_ = v_;
+  forces_.step(h, f);
   sum_position_ += h * (y_ + h * (v_ / 2.0 + h * (a[0] + a[1]) / 12.0));
   y_ += h * (v_ + h * (a[0] + a[1] + a[2]) / 6.0);
   v_ += h * (a[0] + 2.0 * (a[1] + a[2]) + a[3]) / 6.0;
 }
 
-/// The polynomials of steps n and n + 1 differ by binomial(t / h, n) times what was missed; its integrals from 0 to n.
 void SurrogateLink::make_up_start(int steps, double h, double missed, double reaction) {
-  constexpr ForceIntegrals of[] = {{1.0 / 2.0, 1.0 / 6.0, 1.0 / 24.0},
-                                   {1.0 / 3.0, 0.0, -1.0 / 15.0},
-                                   {3.0 / 8.0, 3.0 / 20.0, 9.0 / 80.0},
-                                   {14.0 / 45.0, 0.0, -8.0 / 63.0}};
-  const ForceIntegrals& one = of[steps - 1];
-  sum_.third += h * h * h * one.third * missed;
-  sum_.second += h * h * one.second * missed;
-  sum_.first += h * one.first * missed;
-  y_ += h * h * one.second * reaction;
-  v_ += h * one.first * reaction;
+  const ForceIntegrals of = missed_at_start(steps, h);
+  forces_.add({of.first * missed, of.second * missed, of.third * missed});
+  y_ += of.second * reaction, v_ += of.first * reaction;
 }
 
 ForceIntegrals SurrogateLink::cut_at_node(double h, double s, double force_before, double force_now,
                                           double length) {
+  const ForceIntegrals node = forces_.cut_at_node(h, s, force_before, force_now);
   const double x = (h - s) / h;
-  const ForceIntegrals node{hermite(h, x, before_.first, force_before, sum_.first, force_now),
-                            hermite(h, x, before_.second, before_.first, sum_.second, sum_.first),
-                            hermite(h, x, before_.third, before_.second, sum_.third, sum_.second)};
-  sum_.third -= node.third + s * (node.second + s * node.first / 2.0);
-  sum_.second -= node.second + s * node.first;
-  sum_.first -= node.first;
   const double position = hermite(h, x, before_position_, before_velocity_, y_, v_);
   const double all = hermite(h, x, before_sum_, before_position_, sum_position_, y_);
   mean_position_ = all / length, mean_velocity_ = (position - from_position_) / length;
@@ -74,21 +50,13 @@ double SurrogateLink::foreseen_mean(double acceleration, double length) const {
 
 void SurrogateLink::take(double position, double velocity, double reaction, double s, double length,
                          double next, bool jumps) {
-  put_in({position - foreseen_, velocity - foreseen_rate_, next}, s, length, jumps);
+  const DefectPulse defect(position - foreseen_, velocity - foreseen_rate_, next);
+  if (jumps)
+    y_ += defect.free(s), v_ += defect.free_rate(), from_position_ += defect.free(0.0);
+  else
+    pulse_.turn_to(defect, s, y_, v_);
   follow((velocity - rate_) / length - reaction, s, length);
   at_ = position, rate_ = velocity, length_ = length;
-}
-
-/// The last pulse, which went on past its end, goes over into the free motion of its defect.
-void SurrogateLink::put_in(const DefectPulse& pulse, double s, double length, bool jumps) {
-  if (jumps) {
-    y_ += pulse.free(s), v_ += pulse.free_rate(), from_position_ += pulse.free(0.0);
-    return;
-  }
-  const double end = length + s;
-  y_ += pulse.value(s) - (pulse_.value(end) - pulse_.free(end));
-  v_ += pulse.rate(s) - (pulse_.rate(end) - pulse_.free_rate());
-  pulse_ = pulse;
 }
 
 /// What remains of the acceleration is a straight line through its means over two steps; the change since the node is
@@ -109,13 +77,7 @@ void SurrogateLink::make_up(double s, double then, double now) {
 
 /// All numbers of its own.
 std::vector<double*> SurrogateLink::numbers() {
-  return {&sum_.first,
-          &sum_.second,
-          &sum_.third,
-          &before_.first,
-          &before_.second,
-          &before_.third,
-          &y_,
+  return {&y_,
           &v_,
           &at_,
           &rate_,
@@ -138,12 +100,12 @@ std::vector<double*> SurrogateLink::numbers() {
 void SurrogateLink::write(ByteWriter& to) const {
   SurrogateLink copy = *this;
   for (const double* one : copy.numbers()) to.put(*one);
-  pulse_.write(to), window_.write(to);
+  forces_.write(to), pulse_.write(to), window_.write(to);
 }
 
 void SurrogateLink::read(ByteReader& from) {
   for (double* one : numbers()) *one = from.take<double>();
-  pulse_.read(from), window_.read(from);
+  forces_.read(from), pulse_.read(from), window_.read(from);
 }
 
 }  // namespace tandem

@@ -2,8 +2,8 @@
 #pragma once
 #include <vector>
 
+#include "step_integrals.hpp"
 #include "tandem/coordinator/impulse/defect_pulse.hpp"
-#include "tandem/coordinator/impulse/force_window.hpp"
 
 namespace tandem {
 
@@ -57,14 +57,13 @@ class SurrogateLink {
 
  private:
   std::vector<double*> numbers();
-  void put_in(const DefectPulse& pulse, double s, double length, bool jumps);
   void follow(double g_mean, double s, double length);
 
-  ForceIntegrals sum_, before_;  ///< since the last node; at the begin of the last step
-  double y_, v_;                 ///< of the surrogate
-  double at_, rate_;             ///< of the slow side at its last node
-  double g_, g_rate_ = 0.0;      ///< there, and its change [1/s]
-  double g_mean_ = 0.0;          ///< over the step before
+  StepIntegrals forces_;
+  double y_, v_;             ///< of the surrogate
+  double at_, rate_;         ///< of the slow side at its last node
+  double g_, g_rate_ = 0.0;  ///< there, and its change [1/s]
+  double g_mean_ = 0.0;      ///< over the step before
   double foreseen_ = 0.0, foreseen_rate_ = 0.0, mean_force_ = 0.0;
   double sum_position_ = 0.0, before_sum_ = 0.0;          ///< integral of y_, as of the force
   double before_position_ = 0.0, before_velocity_ = 0.0;  ///< at the begin of the last step

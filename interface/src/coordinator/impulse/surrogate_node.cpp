@@ -118,16 +118,23 @@ void Surrogate::check_reaction(std::span<const Signal> u, double node) {
 }
 
 std::vector<std::string> Surrogate::remarks(double) const {
+  std::vector<std::string> all;
+  if (const double stated = of_.accelerance[0];
+      of_.found > 0.0 && std::abs(stated / of_.found - 1.0) > largest_reaction_error)
+    all.push_back("the slow side's effective mass is stated as " + std::to_string(1.0 / stated) +
+                  ", and is " + std::to_string(1.0 / of_.found) +
+                  " at the start, as a force of 1 finds it; allowed is the same to 0.1 %");
   if (changed_ > largest_change)
-    return {
+    all.push_back(
         "the accelerance changes otherwise than its rate says, by up to " + std::to_string(100.0 * changed_) +
         " % of it in a slow step (at t = " + std::to_string(changed_at_) +
-        " s); allowed is 1 %, so it jumps, its derivative is wrong, or the slow steps are too long for it"};
-  if (worst_ <= largest_reaction_error) return {};
-  return {"the slow side answers the force otherwise than it does, by up to " +
-          std::to_string(100.0 * worst_) + " % (at t = " + std::to_string(worst_at_) +
-          " s); allowed is 0.1 %, so its effective mass is another one, or varies, "
-          "and the results are off"};
+        " s); allowed is 1 %, so it jumps, its derivative is wrong, or the slow steps are too long for it");
+  else if (worst_ > largest_reaction_error)
+    all.push_back("the slow side answers the force otherwise than it does, by up to " +
+                  std::to_string(100.0 * worst_) + " % (at t = " + std::to_string(worst_at_) +
+                  " s); allowed is 0.1 %, so its effective mass is another one, or varies, "
+                  "and the results are off");
+  return all;
 }
 
 }  // namespace tandem

@@ -14,6 +14,7 @@ void Surrogate::step(const OwnStep& s, std::span<const Signal> u) {
   for (std::size_t k = 0; k < size(); ++k)
     links_[k].step(s.length, {forces_[0][k], forces_[1][k], forces_[2][k]},
                    {stages_[0][k], stages_[1][k], stages_[2][k], stages_[3][k]});
+  if (of_.tells_velocities) find_accelerations(s.end);
   if (tolerance_.before(s.end, end_)) return;
   check_slow_side(begin_, u[size()]);
   pass_node(s);
@@ -39,6 +40,15 @@ void Surrogate::take_spring(const Forces& forces, const Forces& y, const Forces&
   for (std::size_t i = 0; i < size(); ++i)
     for (std::size_t k = 0; k < size(); ++k)
       net[i] -= of_.stiffness[i * size() + k] * y[k] + of_.damping[i * size() + k] * v[k];
+}
+
+/// At the end of an own step.
+void Surrogate::find_accelerations(double t) {
+  for (std::size_t k = 0; k < size(); ++k)
+    positions_[k] = links_[k].position() - begin_position_[k], velocities_[k] = links_[k].velocity();
+  take_spring(forces_[2], positions_, velocities_, net_);
+  accelerance_.react(net_, t - begin_, accelerations_);
+  for (std::size_t k = 0; k < size(); ++k) accelerations_[k] += links_[k].acceleration(t - begin_);
 }
 
 void Surrogate::make_up_start(double t, std::span<const Signal> u) {

@@ -75,6 +75,11 @@ void keys_of_runs(KeyList& to) {
            "Outputs of these names tell what an input of 1 accelerates at a displacement "
            "(docs/impulse_coupling.md).",
            {.allowed = "\"x.by.F\", with commas between"})
+      .may("reactions", text,
+           "Of these positions, and of as many coordinates as the others follow, an output `coordinate.NAME` "
+           "and an "
+           "input `reaction.NAME`, for `impulse_taylor` (docs/impulse_coupling.md).",
+           {.allowed = "names of outputs, with commas between"})
       .may("matrices", text, "A folder that matrices of its steps are written to.")
       .may("matrices_at", text, "When, with commas between; without it at the start.", {.unit = "s"})
       .may("matrices_format", word, "Of these files.", {.otherwise = "mtx", .words = {"ccs", "mtx"}})

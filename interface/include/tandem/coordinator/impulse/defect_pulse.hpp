@@ -29,6 +29,15 @@ class DefectPulse {
   double free(double s) const { return a_ + b_ * (s / length_ - 1.0); }
   double free_rate() const { return b_ / length_; }
 
+  /// The next one begins, s ago, where this one ends, and went on past its end: it goes over into its free motion. Of a
+  /// position and a velocity that have it in them.
+  void turn_to(const DefectPulse& next, double s, double& position, double& velocity) {
+    const double end = length_ + s;
+    position += next.value(s) - (value(end) - free(end));
+    velocity += next.rate(s) - (rate(end) - free_rate());
+    *this = next;
+  }
+
   void write(ByteWriter& to) const { to.put(a_), to.put(b_), to.put(length_); }
   void read(ByteReader& from) {
     for (double* one : {&a_, &b_, &length_}) *one = from.take<double>();

@@ -15,10 +15,14 @@ struct ImpulseCoupling {
     std::string force_unit, displacement_unit;
     double velocity = 0.0;           ///< of the displacement at the start, per second
     double free_acceleration = 0.0;  ///< the same without any of these forces
+    std::string velocity_unit = {};
   };
   std::vector<Link> links;
   /// A by rows: the acceleration of a displacement by a force. Of one link it is 1 / effective mass.
   std::vector<double> accelerance;
+  /// Where A of the only link is stated: what a force has been found to accelerate at the start. Else 0. A difference of
+  /// more than 0.1 % is remarked upon.
+  double found = 0.0;
   /// Its rate at the start, per second. Empty: A stays as it is. Else A is an input.
   std::vector<double> accelerance_rate = {};
   std::vector<std::string> accelerance_units = {};  ///< of that input
@@ -26,10 +30,11 @@ struct ImpulseCoupling {
   /// surrogate has none.
   std::vector<double> stiffness, damping;
   bool trapezoidal = false;  ///< the slow side's rule takes the mean of the positions at the ends of its step
-  int degree = 3;            ///< of the polynomial that continues the force, 1 to 4
-  double own_step = 0.0;     ///< h [s]: of the fast side
-  double slow_step = 0.0;    ///< H [s], h or more
-  double fast_period = 0.0;  ///< T_f [s]: the shortest of the coupled system
+  bool tells_velocities = false;  ///< outputs `velocity`
+  int degree = 3;                 ///< of the polynomial that continues the force, 1 to 4
+  double own_step = 0.0;          ///< h [s]: of the fast side
+  double slow_step = 0.0;         ///< H [s], h or more
+  double fast_period = 0.0;       ///< T_f [s]: the shortest of the coupled system
 };
 
 /// Stands for a slow side beside the fast one. It carries that side's reaction to the fast force within its step, and gives it
@@ -42,7 +47,7 @@ struct ImpulseCoupling {
 /// and two derivatives at the slow side's last node. Then, where A varies, `accelerance` with its rate there.
 ///
 /// Outputs: of each link `displacement` with its rate, then of each `mean_force`, for the step of the slow side whose end
-/// it has reached. Then, unless A varies, of each `reaction_error` (ReactionCheck); one above 0.1 % is remarked upon.
+/// it has reached, then, if they are wanted, of each `velocity`, that rate, with its own. Then, unless A varies, of each `reaction_error` (ReactionCheck); one above 0.1 % is remarked upon.
 /// With several links names have numbers: "force_1", and "accelerance_1_2" for what force 2 accelerates at link 1.
 ///
 /// Throws Error(invalid_argument) for steps and a period that are not finite and above 0, a slow step that is no longer

@@ -40,6 +40,11 @@ struct SubsystemSettings {
 /// Throws Error for a step that is not finite and above 0, and for what Mechanism and make_stepper() refuse.
 std::unique_ptr<Subsystem> make_subsystem(Description description, const SubsystemSettings& settings);
 
+/// Gives independent coordinates that all others follow an output "coordinate.NAME" and an input "reaction.NAME", a
+/// generalised force on each, where that can be: those of these outputs first, which are positions, then relative ones. The
+/// subsystem has a slow_model() then, of links that are forces and these displacements. Elements with states can't.
+void take_reactions(Description& description, const std::vector<std::string>& displacements);
+
 /// A model that is no mechanism, and how it begins.
 struct NamedModel {
   std::string name;

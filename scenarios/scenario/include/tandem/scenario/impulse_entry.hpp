@@ -11,17 +11,26 @@ struct Effective {
   std::optional<double> mass, stiffness, damping;
   /// Outputs that tell what each force on that side accelerates here, in the order of its links.
   std::vector<std::string> accelerance = {};
+  std::optional<std::string> velocity = {};  ///< the output that is the displacement's rate
 };
 
 /// What an impulse surrogate goes between.
 struct ImpulseEntry {
+  enum class Kind { plain, stiffness, taylor };
   struct Link {
     std::string fast, force, displacement;  ///< instance; input and output of the slow side
     Effective effective;
   };
   std::string slow;  ///< instance
   std::vector<Link> links;
-  bool with_stiffness;
+  Kind kind;
+  bool may_be_taylor = false;  ///< where the slow side has what that needs, and its steps are long
+
+  const char* name() const {
+    return kind == Kind::taylor      ? "impulse_taylor"
+           : kind == Kind::stiffness ? "impulse_stiffness"
+                                     : "impulse_plain";
+  }
 };
 
 /// "x.by.F" of the ports "slow.x" and "slow.F": the output of a mechanism that tells it.

@@ -14,6 +14,8 @@ namespace tandem::scenario {
 /// Of sources that are code (Source::code), which run it when they are opened.
 enum class Code { run, leave_out };
 
+struct Surrogate;
+
 /// The subsystems of a scenario opened, and the connections between them checked. What is left out is in the
 /// topology as far as it was looked at, else without ports; of its connections then the other end is looked
 /// for. Errors name the file and line that is to blame.
@@ -45,6 +47,9 @@ class Parts {
 
  private:
   void add(const SubsystemEntry& entry, std::unique_ptr<Subsystem> subsystem, std::optional<Look> look);
+  static std::unique_ptr<Subsystem> opened_for(const Scenario& scenario, const SubsystemEntry& entry,
+                                               const Builtins& builtins);
+  void take(const SubsystemEntry& entry, const Surrogate& made, std::vector<ConnectionEntry>& connections);
   std::optional<Look> leave_out(const SubsystemEntry& entry, const Builtins& builtins);
   const SubsystemInfo& info(std::size_t instance) const;
   bool is_left_out(const std::string& port) const;
@@ -60,7 +65,7 @@ class Parts {
   std::deque<std::optional<Look>> looks_;  ///< of what was left out
   SubsystemInfo no_ports_;                 ///< of that where nothing was seen
   Topology topology_;
-  std::vector<std::string> left_out_;
+  std::vector<std::string> left_out_, couplings_;
 };
 
 /// Whether its source itself has a parameter of this name, besides those of the model.

@@ -50,6 +50,7 @@ struct SubsystemEntry {
   std::vector<std::string> overrides = {};  ///< of the file that is the source, "KEY=VALUE"
   /// Outputs that it is to have besides, "x.by.F,...": what an input accelerates, if its source can tell (mechanisms).
   std::string accelerances = {};
+  std::string reactions = {};  ///< displacements, "x,...", for ports of its coordinates likewise
   /// Of a surrogate that coordination.coupling put in: what its parameters are asked of. Else null.
   std::shared_ptr<const ImpulseEntry> impulse = {};
 

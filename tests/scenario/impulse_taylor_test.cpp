@@ -1,0 +1,141 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// Impulse couplings by the slow side's own equations, and dampers in links.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "scene_run.hpp"
+
+namespace tandem::test {
+namespace {
+
+const std::string taylor_scene = std::string(TANDEM_SOURCE_DIR) + "/scenarios/pushed_pendulum/";
+
+double error_beside(const std::vector<double>& right, const std::vector<double>& x) {
+  double errors = 0.0, squares = 0.0;
+  for (std::size_t k = 0; k < x.size(); ++k)
+    errors += std::pow(x[k] - right[k], 2), squares += right[k] * right[k];
+  return std::sqrt(errors / squares);
+}
+
+/// Where a slow step is half a fast period, and a whole one.
+TEST(ImpulseTaylorScenario, IsRightWhereAMassThatIsToldIsNot) {
+  for (const char* ratio : {"49.5", "98"}) {
+    const std::string of = std::string("constants.ratio=") + ratio;
+    const SceneRun right(taylor_scene + "reference.toml",
+                         {std::string("subsystems.whole.parameters.frequency_ratio=") + ratio});
+    const SceneRun best(taylor_scene + "pushed_pendulum.toml", {of}),
+        plain(taylor_scene + "pushed_pendulum.toml", {of, "coordination.coupling=impulse_plain"});
+    ASSERT_EQ(best.said().status, 0) << best.said().err;
+    EXPECT_TRUE(contains(best.said().err, "subsystem 'slow' is coupled by impulse_taylor"))
+        << best.said().err;
+    const double factor = std::stod(ratio) / 100.0;
+    EXPECT_LT(factor * error_beside(right.column("whole.x1"), best.column("fast.x1")), 0.003) << ratio;
+    EXPECT_GT(factor * error_beside(right.column("whole.x1"), plain.column("fast.x1")), 0.004) << ratio;
+  }
+}
+
+/// Below 0.3 fast periods to a slow step a mass that is told is as good, and costs less.
+TEST(ImpulseTaylorScenario, IsLeftOutWhereStepsAreShort) {
+  const SceneRun run(taylor_scene + "pushed_pendulum.toml", {"constants.ratio=20", "span.stop=10"});
+  EXPECT_TRUE(contains(run.said().err, "subsystem 'slow' is coupled by impulse_plain")) << run.said().err;
+}
+
+/// Also in the middle of a slow step, which takes 98 fast ones.
+TEST(ImpulseTaylorScenario, GoesOnFromACheckpointWithTheSameBits) {
+  const Scratch folder;
+  const auto run = [&](std::vector<std::string> more) {
+    more.insert(more.begin(),
+                {"run", taylor_scene + "pushed_pendulum.toml", "--quiet", "--set", "constants.ratio=98"});
+    return tandem(folder, more);
+  };
+  ASSERT_EQ(run({"--output", "whole", "--set", "span.stop=30"}).status, 0);
+  ASSERT_EQ(run({"--output", "cut", "--set", "span.stop=30", "--checkpoint-every", "7.3"}).status, 0);
+  EXPECT_EQ(read_text(folder.path() / "cut/results.csv"), read_text(folder.path() / "whole/results.csv"));
+  const Said said = run({"--output", "cut", "--set", "span.stop=30", "--resume", "cut/checkpoint"});
+  ASSERT_EQ(said.status, 0) << said.err;
+  EXPECT_EQ(read_text(folder.path() / "cut/results.csv"), read_text(folder.path() / "whole/results.csv"));
+}
+
+TEST(ImpulseTaylorScenario, RefusesASideThatKeepsItsEquations) {
+  const Scratch folder;
+  const Said said =
+      tandem(folder, {"run", two_mass_file("impulse.toml"), "--set", "coordination.coupling=impulse_taylor"});
+  EXPECT_EQ(said.status, 2);
+  EXPECT_TRUE(contains(said.err, "does not give its equations")) << said.err;
+}
+
+/// A mass of 3 kg on a spring and a damper of 1 % beside a wagon of 300 kg, against the closed form.
+struct Damped {
+  explicit Damped(const std::string& link, double step) {
+    folder.write(
+        "piston.toml",
+        "[parameters]\nm = { value = 3.0, unit = 'kg' }\nk = { value = 11844.0, unit = 'N/m' }\nc = { value "
+        "= 3.77, unit = 'N s/m' }\n[inputs]\nxc = { unit = 'm' }\nvc = { unit = 'm/s' "
+        "}\n[outputs]\nx1 = { unit = 'm' }\nF = { unit = 'N' }\n[blocks.F]\nkind = 'sum'\ninputs = ['x1', "
+        "'xc', "
+        "'v1', 'vc']\ngains = ['$k', '$(-k)', '$c', '$(-c)']\n[blocks.v1]\nkind = 'integrator'\ninput = "
+        "'a'\n[blocks.a]\nkind = 'sum'\ninputs = ['F']\ngains = ['$(-1/m)']\n[blocks.x1]\nkind = "
+        "'integrator'\ninput = 'v1'\ninitial = 0.01\n[run]\nstep = 0.001\n");
+    folder.write(
+        "wagon.toml",
+        "dimension = 2\n[points]\nP = { at = [0, 0] }\n[masses]\nload = { point = 'P', mass = 300, free = "
+        "true "
+        "}\n[inputs]\nF = { unit = 'N' }\n[forces.push]\npoint = 'P'\ndirection = [1, 0]\nmagnitude = "
+        "'F'\n[outputs]\nx = { position = 'P.x' }\nv = { velocity = 'P.x' }\n[run]\nstep = " +
+            std::to_string(step) + "\n");
+    folder.write(
+        "s.toml",
+        "[subsystems.fast]\nsource = 'diagram:piston.toml'\n[subsystems.slow]\nsource = "
+        "'mechanism:wagon.toml'\n[[connections]]\nfrom = 'fast.F'\nto = 'slow.F'\n[[connections]]\nfrom = "
+        "'slow.x'\nto = 'fast.xc'\n[[connections]]\nfrom = 'slow.v'\nto = 'fast.vc'\nreconstruction = "
+        "'lagrange3'\n[[links]]\neffort = "
+        "'fast.F'\ndisplacement = 'slow.x'\n" +
+            link + "[coordination]\ncoupling = 'impulse'\nfast_period = 0.1\n[span]\nstop = 5.0\n");
+  }
+  double error() {
+    said = tandem(folder, {"run", "s.toml", "--output", "o"});
+    EXPECT_EQ(said.status, 0) << said.err;
+    const auto table = text::TimeTable::read(folder.path() / "o");
+    const auto x = std::find(table.names.begin(), table.names.end(), "fast.x1") - table.names.begin();
+    const double mass = 3.0 * 300.0 / 303.0, w = std::sqrt(11844.0 / mass), d = 0.5 * 3.77 / mass,
+                 wd = std::sqrt(w * w - d * d);
+    std::vector<double> right;
+    for (const double t : table.times)
+      right.push_back(
+          0.01 * (3.0 + 300.0 * std::exp(-d * t) * (std::cos(wd * t) + d / wd * std::sin(wd * t))) / 303.0);
+    return error_beside(right, table.columns[static_cast<std::size_t>(x)]);
+  }
+  Scratch folder;
+  Said said;
+};
+
+/// A damper needs the rate with its ripple; without it, or with samples of the slow side's, its force is another one.
+TEST(ImpulseScenario, OfADamperIsRightWithTheVelocityOfTheSurrogate) {
+  for (const double step : {0.02, 0.05, 0.09, 0.3}) {
+    Damped with("velocity = 'slow.v'\n", step), without("", step);
+    EXPECT_LT(with.error(), 0.002) << step;
+    EXPECT_GT(without.error(), 0.004) << step;
+    EXPECT_FALSE(contains(with.said.err, "goes past the surrogate")) << with.said.err;
+    EXPECT_TRUE(contains(without.said.err, "slow.v to fast.vc: it goes past the surrogate"))
+        << without.said.err;
+  }
+}
+
+/// Grams for kilograms: no reaction tells it then, but that of the start.
+TEST(ImpulseScenario, NotesAStatedMassThatTheStartDoesNotFind) {
+  const SceneRun run(two_mass_file("impulse.toml"), {"span.stop=20", "links[0].effective_mass=2564.7"});
+  EXPECT_TRUE(contains(run.said().err, "effective mass is stated as 2564.7")) << run.said().err;
+}
+
+TEST(ImpulseScenario, RefusesAccelerancesOfNamesThatAreNotThere) {
+  const Scratch folder;
+  const Said said =
+      tandem(folder, {"info", "mechanism:" + taylor_scene + "pendulum.toml?accelerances=x.by.G"});
+  EXPECT_EQ(said.status, 2);
+  EXPECT_TRUE(contains(said.err, "'accelerances'") && contains(said.err, "'G'")) << said.err;
+}
+
+}  // namespace
+}  // namespace tandem::test
