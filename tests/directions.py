@@ -21,7 +21,7 @@ FLOORS = {
     "sources": ("scenarios/sources",
                 ["interface", "text", "transports", "mbs", "functions", "mbs_subsystem", "engine", "engine_subsystem"]),
     "output": ("scenarios/output", ["interface"]),
-    "exported": ("scenarios/exported", ["interface", "text", "transports", "mbs", "engine", "sources", "scenario"]),
+    "exported": ("scenarios/exported", ["interface", "text", "transports", "mbs", "mbs_subsystem", "engine", "sources", "scenario"]),
     "ssp": ("scenarios/ssp", ["interface", "text", "transports"]),
     "export": ("scenarios/export", ["interface", "text", "transports", "output", "sources", "exported", "scenario"]),
     "scenario": ("scenarios/scenario",

@@ -26,7 +26,8 @@ std::vector<Coupled> couplings() {
   return {{"two_mass, lagrange3", two_mass, ratio, samples},
           {"two_mass, impulse_plain", two_mass, ratio, {}},
           {"two_mass, impulse_stiffness", two_mass, ratio, {"coordination.coupling=impulse_stiffness"}},
-          {"pushed_pendulum, impulse_plain", pendulum, constant, {}}};
+          {"pushed_pendulum, impulse_plain", pendulum, constant, {"coordination.coupling=impulse_plain"}},
+          {"pushed_pendulum, impulse_taylor", pendulum, constant, {"coordination.coupling=impulse_taylor"}}};
 }
 
 struct Spent {

@@ -141,7 +141,7 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"coupling",
             "schedule = \"slowest-first\"",
             "coupling = \"impuls\"",
-            {"'impuls'", "signals, impulse, impulse_plain or impulse_stiffness"}},
+            {"'impuls'", "signals, impulse, impulse_plain, impulse_stiffness or impulse_taylor"}},
         Bad{"impulse_without_period",
             "schedule = \"slowest-first\"",
             "coupling = \"impulse\"",

@@ -25,7 +25,7 @@ TEST(ImpulseTaylorScenario, IsRightWhereAMassThatIsToldIsNot) {
     const std::string of = std::string("constants.ratio=") + ratio;
     const SceneRun right(taylor_scene + "reference.toml",
                          {std::string("subsystems.whole.parameters.frequency_ratio=") + ratio});
-    const SceneRun best(taylor_scene + "pushed_pendulum.toml", {of}),
+    const SceneRun best(taylor_scene + "pushed_pendulum.toml", {of, "coordination.coupling=impulse_taylor"}),
         plain(taylor_scene + "pushed_pendulum.toml", {of, "coordination.coupling=impulse_plain"});
     ASSERT_EQ(best.said().status, 0) << best.said().err;
     EXPECT_TRUE(contains(best.said().err, "subsystem 'slow' is coupled by impulse_taylor"))
@@ -36,26 +36,74 @@ TEST(ImpulseTaylorScenario, IsRightWhereAMassThatIsToldIsNot) {
   }
 }
 
-/// Below 0.3 fast periods to a slow step a mass that is told is as good, and costs less.
-TEST(ImpulseTaylorScenario, IsLeftOutWhereStepsAreShort) {
-  const SceneRun run(taylor_scene + "pushed_pendulum.toml", {"constants.ratio=20", "span.stop=10"});
-  EXPECT_TRUE(contains(run.said().err, "subsystem 'slow' is coupled by impulse_plain")) << run.said().err;
+/// A wagon on a spring that another force G moves, with a fast mass on it.
+struct Moved {
+  explicit Moved(double step) {
+    folder.write(
+        "piston.toml",
+        "[inputs]\nxc = { unit = 'm' }\n[outputs]\nx1 = { unit = 'm' }\nF = { unit = 'N' }\n[blocks.F]\nkind "
+        "= "
+        "'sum'\ninputs = ['x1', 'xc']\ngains = [12000, -12000]\n[blocks.v1]\nkind = 'integrator'\ninput = "
+        "'a'\n[blocks.a]\nkind = 'sum'\ninputs = ['F']\ngains = [-0.33]\n[blocks.x1]\nkind = "
+        "'integrator'\ninput = 'v1'\ninitial = 0.01\n[run]\nstep = 0.001\n");
+    folder.write(
+        "moving.toml",
+        "[outputs]\nG = { unit = 'N' }\n[blocks.G]\nkind = 'integrator'\ninput = 'w'\n[blocks.w]\nkind = "
+        "'integrator'\ninput = 'b'\ninitial = 800\n[blocks.b]\nkind = 'gain'\ninput = 'G'\ngain = "
+        "-64\n[run]\nstep = 0.001\n");
+    folder.write(
+        "wagon.toml",
+        "dimension = 2\n[points]\nO = { at = [-1, 0], fixed = true }\nP = { at = [0, 0] }\n[masses]\nload = "
+        "{ "
+        "point = 'P', mass = 300, free = true }\n[springs]\ns = { points = ['O', 'P'], free = 1, stiffness = "
+        "3000, "
+        "damping = 30 }\n[inputs]\nF = { unit = 'N' }\nG = { unit = 'N', value = 0 }\n[forces]\nf = { point "
+        "= "
+        "'P', direction = [1, 0], magnitude = 'F' }\ng = { point = 'P', direction = [1, 0], magnitude = 'G' "
+        "}\n[outputs]\nx = { position = 'P.x' }\n[run]\nstep = " +
+            std::to_string(step) + "\n");
+    folder.write(
+        "s.toml",
+        "[subsystems.fast]\nsource = 'diagram:piston.toml'\n[subsystems.moving]\nsource = "
+        "'diagram:moving.toml'\n[subsystems.slow]\nsource = 'mechanism:wagon.toml'\n[[connections]]\nfrom = "
+        "'fast.F'\nto = 'slow.F'\n[[connections]]\nfrom = 'slow.x'\nto = 'fast.xc'\n[[connections]]\nfrom = "
+        "'moving.G'\nto = 'slow.G'\nreconstruction = 'lagrange3'\n[[links]]\neffort = 'fast.F'\ndisplacement "
+        "= "
+        "'slow.x'\n[coordination]\ncoupling = 'impulse_taylor'\nfast_period = 0.1\n[span]\nstop = 3.0\n");
+  }
+  std::vector<double> x(const std::string& to, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> words{"run", "s.toml", "--quiet", "--output", to};
+    words.insert(words.end(), more.begin(), more.end());
+    const Said said = tandem(folder, words);
+    EXPECT_EQ(said.status, 0) << said.err;
+    const auto table = text::TimeTable::read(folder.path() / to);
+    const auto at = std::find(table.names.begin(), table.names.end(), "slow_surrogate.displacement") -
+                    table.names.begin();
+    return table.columns.at(static_cast<std::size_t>(at));
+  }
+  std::string rows(const std::string& of) const { return read_text(folder.path() / of / "results.csv"); }
+  Scratch folder;
+};
+
+/// Other inputs change what the polynomials are of: second order, too.
+TEST(ImpulseTaylorScenario, FollowsOtherInputsToSecondOrder) {
+  const std::vector<double> right = Moved(0.00125).x("o");
+  const double coarse = error_beside(right, Moved(0.02).x("o")),
+               fine = error_beside(right, Moved(0.01).x("o"));
+  EXPECT_LT(coarse, 0.005);
+  EXPECT_GT(std::log2(coarse / fine), 1.8);
 }
 
-/// Also in the middle of a slow step, which takes 98 fast ones.
+/// Also in the middle of a slow step, and between one and what the surrogate makes of it.
 TEST(ImpulseTaylorScenario, GoesOnFromACheckpointWithTheSameBits) {
-  const Scratch folder;
-  const auto run = [&](std::vector<std::string> more) {
-    more.insert(more.begin(),
-                {"run", taylor_scene + "pushed_pendulum.toml", "--quiet", "--set", "constants.ratio=98"});
-    return tandem(folder, more);
-  };
-  ASSERT_EQ(run({"--output", "whole", "--set", "span.stop=30"}).status, 0);
-  ASSERT_EQ(run({"--output", "cut", "--set", "span.stop=30", "--checkpoint-every", "7.3"}).status, 0);
-  EXPECT_EQ(read_text(folder.path() / "cut/results.csv"), read_text(folder.path() / "whole/results.csv"));
-  const Said said = run({"--output", "cut", "--set", "span.stop=30", "--resume", "cut/checkpoint"});
-  ASSERT_EQ(said.status, 0) << said.err;
-  EXPECT_EQ(read_text(folder.path() / "cut/results.csv"), read_text(folder.path() / "whole/results.csv"));
+  Moved scene(0.09);
+  scene.x("whole");
+  for (const char* every : {"0.13", "0.31", "0.9", "1.07"}) {
+    scene.x("cut", {"--checkpoint-every", every});
+    EXPECT_EQ(scene.rows("cut"), scene.rows("whole")) << every;
+    scene.x("cut", {"--resume", "cut/checkpoint"});
+    EXPECT_EQ(scene.rows("cut"), scene.rows("whole")) << every;
+  }
 }
 
 TEST(ImpulseTaylorScenario, RefusesASideThatKeepsItsEquations) {

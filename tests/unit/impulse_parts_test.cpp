@@ -9,6 +9,7 @@
 
 #include "tandem/coordinator/impulse/defect_pulse.hpp"
 #include "tandem/coordinator/impulse/force_window.hpp"
+#include "tandem/coordinator/impulse/quadratic_map.hpp"
 
 namespace tandem::test {
 namespace {
@@ -113,6 +114,29 @@ TEST(DefectPulse, BeginsSmoothlyAndEndsAsTheFreeMotionOfItsDefect) {
     EXPECT_NEAR((pulse.value(s + 1e-6) - pulse.value(s - 1e-6)) / 2e-6, pulse.rate(s), 1e-8);
     EXPECT_NEAR((pulse.rate(s + 1e-6) - pulse.rate(s - 1e-6)) / 2e-6, pulse.acceleration(s), 1e-8);
   }
+}
+
+/// Exact for a quadratic; its rest is of third order otherwise.
+TEST(QuadraticMap, IsTheTaylorPolynomialOfSecondOrder) {
+  const auto quadratic = [](std::span<const double> x, std::span<double> y) {
+    y[0] = 1.0 + 2.0 * x[0] - 3.0 * x[2] + 0.5 * x[0] * x[0] + 4.0 * x[0] * x[1] - 7.0 * x[1] * x[2];
+    y[1] = x[2] * x[2] - x[1];
+  };
+  const auto curved = [](std::span<const double> x, std::span<double> y) {
+    y[0] = std::exp(x[0] - x[1]) * std::cos(x[2]), y[1] = std::sin(x[0] * x[1] + x[2]);
+  };
+  std::vector<double> x = {0.3, -0.6, 0.2}, y(2), exact(2);
+  const std::vector<double> steps(3, 1e-4);
+  const auto off = [&](const auto& f, double size) {
+    QuadraticMap map(3, 2);
+    map.expand(x, steps, f);
+    const std::vector<double> d = {size, -0.7 * size, 0.4 * size};
+    map.values(d, y);
+    f(std::vector<double>{x[0] + d[0], x[1] + d[1], x[2] + d[2]}, exact);
+    return std::hypot(y[0] - exact[0], y[1] - exact[1]);
+  };
+  EXPECT_LT(off(quadratic, 2.0), 1e-6);
+  EXPECT_NEAR(std::log2(off(curved, 0.04) / off(curved, 0.02)), 3.0, 0.1);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ class SlowModel {
   /// By so much of each coordinate the equations change notably; finite, above 0.
   virtual std::vector<double> units() const = 0;
 
-  /// From here on f is that at time t [s], with all other inputs as the side has them.
+  /// At a node of the side, time t [s]: from here on f is that of then, with all other inputs as the side has them.
   virtual void stand_at(double t) = 0;
   /// M^-1 f; u = q'.
   virtual void accelerations(std::span<const double> q, std::span<const double> u, std::span<double> a) = 0;
@@ -40,7 +40,7 @@ class SlowModel {
   virtual void motions(std::span<const double> q, std::span<const double> u, std::span<double> y,
                        std::span<double> rates) = 0;
 
-  /// What its answers go by besides, to the last bit: nothing, unless told otherwise.
+  /// What its answers go by since stand_at(), to the last bit: nothing, unless told otherwise. Always so many bytes.
   virtual void write(ByteWriter&) const {}
   virtual void read(ByteReader&) {}
 };

@@ -137,7 +137,7 @@ class Subsystem {
   /// was taken since. Nothing: it keeps them to itself, as the base class does.
   virtual std::optional<Linearized> linearized() const;
   /// Its equations, for an impulse coupling by a surrogate in this process. Precondition: initialize() was called.
-  /// Null: it keeps them to itself, as the base class does.
+  /// Null: it keeps them to itself, as the base class does. They go by where it stands, so it is to outlive them.
   /// - links: forces that are its inputs, and displacements that are its outputs.
   virtual std::shared_ptr<SlowModel> slow_model(std::span<const SlowLink> links) const;
 

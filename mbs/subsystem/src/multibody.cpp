@@ -215,7 +215,13 @@ const Independent& Multibody::independent() const {
 }
 
 std::shared_ptr<SlowModel> Multibody::slow_model(std::span<const SlowLink> links) const {
-  return slow_model_of({machine_, &machine_->mechanism}, machine_->inputs.ports(), links);
+  const std::vector<int>& ports = machine_->inputs.ports();
+  const auto where = [this, &ports](Eigen::VectorXd& q, std::vector<InputValue>& inputs) {
+    q = moving_.state().q;
+    for (std::size_t port = 0; port < ports.size(); ++port)
+      inputs[static_cast<std::size_t>(ports[port])] = inputs_[port];
+  };
+  return slow_model_of(machine_->mechanism.description(), where, ports, links);
 }
 
 std::optional<std::vector<StateName>> Multibody::states() const {

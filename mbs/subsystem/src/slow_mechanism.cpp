@@ -2,6 +2,7 @@
 #include "slow_mechanism.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "tandem/bytes.hpp"
 #include "tandem/mbs/mechanism/constrained_accelerations.hpp"
@@ -10,7 +11,7 @@
 namespace tandem::mbs {
 namespace {
 
-const std::string reaction = "reaction.";
+const std::string reaction = "reaction.", coordinate = "coordinate.";
 
 void copy(const Eigen::VectorXd& from, std::span<double> to) {
   std::copy_n(from.begin(), to.size(), to.begin());
@@ -31,14 +32,14 @@ std::vector<Coordinate> coordinates_of(const Description& d) {
 }
 
 /// An output of a coordinate and an input of a force on it.
-void take(Description& d, const Coordinate& coordinate, const std::string& name) {
-  d.outputs.push_back({"coordinate." + name, Output::Kind::position, coordinate});
+void take(Description& d, const Coordinate& of, const std::string& name) {
+  d.outputs.push_back({coordinate + name, Output::Kind::position, of});
   Input input{reaction + name, ""};
   input.value = 0.0;
-  Force force{input.name, Force::Kind::relative, coordinate.relative};
-  if (coordinate.entity >= 0) {
-    force.kind = Force::Kind::point, force.index = coordinate.entity;
-    force.direction[coordinate.axis] = 1.0;
+  Force force{input.name, Force::Kind::relative, of.relative};
+  if (of.entity >= 0) {
+    force.kind = Force::Kind::point, force.index = of.entity;
+    force.direction[of.axis] = 1.0;
   }
   force.input = static_cast<int>(d.inputs.size());
   d.inputs.push_back(std::move(input)), d.forces.push_back(std::move(force));
@@ -46,17 +47,27 @@ void take(Description& d, const Coordinate& coordinate, const std::string& name)
 
 }  // namespace
 
-SlowMechanism::SlowMechanism(std::shared_ptr<const Mechanism> live, std::vector<Link> links,
+SlowMechanism::SlowMechanism(const Description& description, WhereItIs where, std::vector<Link> links,
                              std::vector<int> variables)
-    : live_(std::move(live)),
+    : where_(std::move(where)),
       links_(std::move(links)),
-      own_(live_->description()),
+      own_(description),
       reduced_(own_, std::move(variables), own_.described_state().q),
-      silent_(live_->description().inputs.size()) {
+      silent_(description.inputs.size()),
+      inputs_(silent_.size()) {
   for (const Link& link : links_) silent_[static_cast<std::size_t>(link.input)] = true;
   for (std::size_t k = 0; k < silent_.size(); ++k)
-    if (live_->description().inputs[k].name.starts_with(reaction)) silent_[k] = true;
+    if (description.inputs[k].name.starts_with(reaction)) silent_[k] = true;
   own_.set_inputs(this);
+}
+
+/// Others than the independent coordinates are looked for from where the mechanism has them that moves.
+void SlowMechanism::stand_at(double t) {
+  Eigen::VectorXd q;
+  where_(q, inputs_);
+  time_ = t;
+  reduced_.begin_at(q);
+  own_.at_time(t);
 }
 
 /// Those with a function of time are its own.
@@ -65,7 +76,7 @@ void SlowMechanism::at(double, std::span<InputValue> values) {
     if (silent_[k])
       values[k] = {};
     else if (!own_.description().inputs[k].function)
-      values[k] = live_->inputs()[k];
+      values[k] = inputs_[k];
 }
 
 std::vector<std::string> SlowMechanism::named(const char* prefix) const {
@@ -117,31 +128,41 @@ void SlowMechanism::motions(std::span<const double> q, std::span<const double> u
 }
 
 void SlowMechanism::write(ByteWriter& to) const {
+  to.put(time_);
   to.put_doubles({reduced_.q().data(), static_cast<std::size_t>(reduced_.q().size())});
+  for (const InputValue& one : inputs_) to.put_doubles(std::array{one.value, one.rate, one.acceleration});
 }
 
 void SlowMechanism::read(ByteReader& from) {
+  time_ = from.take<double>();
   Eigen::VectorXd q = reduced_.q();
   for (double& one : q) one = from.take<double>();
+  for (InputValue& one : inputs_) one = {from.take<double>(), from.take<double>(), from.take<double>()};
   reduced_.begin_at(q);
+  own_.at_time(time_);
 }
 
-std::shared_ptr<SlowModel> slow_model_of(std::shared_ptr<const Mechanism> live, const std::vector<int>& ports,
+std::shared_ptr<SlowModel> slow_model_of(const Description& d, WhereItIs where, const std::vector<int>& ports,
                                          std::span<const SlowLink> links) {
-  const Description& d = live->description();
+  const Numbering numbering(d);
+  const auto takes_force = [&](const std::string& name) {
+    return std::any_of(d.inputs.begin(), d.inputs.end(),
+                       [&](const Input& one) { return one.name == reaction + name; });
+  };
   std::vector<int> variables;
   for (const Output& o : d.outputs)
-    if (o.name.starts_with("coordinate.")) variables.push_back(live->numbering().of(o.coordinate));
+    if (o.name.starts_with(coordinate) && takes_force(o.name.substr(coordinate.size())))
+      variables.push_back(numbering.of(o.coordinate));
   std::vector<SlowMechanism::Link> all;
   for (const SlowLink& link : links) {
     const int input = ports[static_cast<std::size_t>(link.force)];
     const Output& y = d.outputs[static_cast<std::size_t>(link.displacement)];
-    const int variable = y.kind == Output::Kind::position ? live->numbering().of(y.coordinate) : -1;
+    const int variable = y.kind == Output::Kind::position ? numbering.of(y.coordinate) : -1;
     const bool has_port = std::find(variables.begin(), variables.end(), variable) != variables.end();
     if (!has_port || !only_forces_follow(d, input)) return nullptr;
     all.push_back({input, variable, y.gain});
   }
-  return std::make_shared<SlowMechanism>(std::move(live), std::move(all), std::move(variables));
+  return std::make_shared<SlowMechanism>(d, std::move(where), std::move(all), std::move(variables));
 }
 
 void take_reactions(Description& d, const std::vector<std::string>& displacements) {

@@ -9,10 +9,6 @@ void couple_by_impulse(const std::string& coupling, Scenario& to) {
          "coordination.coupling is " + coupling + ", which an FMU can't be coupled by; allowed is signals");
 }
 
-std::string wanted_reactions(const SubsystemEntry&, const Scenario&, Subsystem&) { return {}; }
-
-bool has_reactions(const SubsystemInfo&) { return false; }
-
 Surrogate surrogate_of(const SubsystemEntry&, const Scenario&, const Topology&,
                        const std::vector<std::unique_ptr<Subsystem>>&, const Builtins&) {
   return {};

@@ -5,7 +5,7 @@
 
 namespace tandem::mbs {
 
-std::shared_ptr<SlowModel> slow_model_of(std::shared_ptr<const Mechanism>, const std::vector<int>&,
+std::shared_ptr<SlowModel> slow_model_of(const Description&, WhereItIs, const std::vector<int>&,
                                          std::span<const SlowLink>) {
   return nullptr;
 }

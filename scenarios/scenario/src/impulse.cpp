@@ -96,9 +96,13 @@ void check_accelerance(const std::vector<LinkEntry>& links, const std::string& s
   }
 }
 
+/// Ports for its coordinates, those of the displacements first.
 void ask_for_reactions(const ImpulseEntry& impulse, Scenario& to) {
+  std::string all;
+  for (const ImpulseEntry::Link& one : impulse.links)
+    all += (all.empty() ? "" : ",") + one.displacement.substr(one.displacement.find('.') + 1);
   for (SubsystemEntry& entry : to.subsystems)
-    if (entry.name == impulse.slow) entry.reactions = displacements_of(impulse);
+    if (entry.name == impulse.slow) entry.reactions = all;
 }
 
 /// Where a fast side reads more of the slow one than goes through the surrogate, it sees that without its ripple.
@@ -150,13 +154,6 @@ bool states_nothing(const std::vector<LinkEntry>& links) {
 
 }  // namespace
 
-std::string displacements_of(const ImpulseEntry& impulse) {
-  std::string all;
-  for (const ImpulseEntry::Link& one : impulse.links)
-    all += (all.empty() ? "" : ",") + one.displacement.substr(one.displacement.find('.') + 1);
-  return all;
-}
-
 void couple_by_impulse(const std::string& coupling, Scenario& to) {
   std::map<std::string, std::vector<LinkEntry>> by_slow;
   for (const LinkEntry& link : to.links)
@@ -169,7 +166,6 @@ void couple_by_impulse(const std::string& coupling, Scenario& to) {
   for (const auto& [slow, links] : by_slow) {
     check_accelerance(links, slow);
     ImpulseEntry impulse{slow, {}, kind_of(coupling, links)};
-    impulse.may_be_taylor = coupling == "impulse" && states_nothing(links);
     if (coupling == "impulse_taylor" && !states_nothing(links))
       refuse(
           links[0].place,

@@ -15,13 +15,6 @@ namespace tandem::scenario {
 /// - coupling: "impulse", "impulse_plain", "impulse_stiffness" or "impulse_taylor".
 void couple_by_impulse(const std::string& coupling, Scenario& to);
 
-/// The displacements of this slow side, "x,...", if it is to be opened again with ports for its coordinates: its steps are
-/// so long that "impulse" is by Taylor surrogate. Else nothing.
-std::string wanted_reactions(const SubsystemEntry& slow, const Scenario& of, Subsystem& opened);
-std::string displacements_of(const ImpulseEntry& impulse);
-/// Whether it has these ports, and not too many of them.
-bool has_reactions(const SubsystemInfo& slow);
-
 /// A surrogate, and its connections with the slow side but for the mean forces.
 struct Surrogate {
   std::unique_ptr<Subsystem> subsystem;

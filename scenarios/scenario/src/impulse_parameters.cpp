@@ -47,9 +47,7 @@ class Asked {
 
   void set_times(const Begin& free) {
     const double fast = fast_step(entry_, of_, topology_, subsystem_);
-    if (!(free.step > fast))
-      slow_.refuse("has an own step of " + text_of(free.step) + " s, and the fast side one of " +
-                   text_of(fast) + " s; allowed is a longer one");
+    slow_.require_longer_step(free.step, fast);
     set("own_step", fast), set("slow_step", free.step), set("fast_period", of_.fast_period);
     if (slow_.has_velocities()) set("tells_velocities", true);
   }
@@ -103,13 +101,7 @@ class Asked {
           "alone");
     const double value = i == k && mass ? 1.0 / *mass : found;
     if (mass) set("found", found);
-    if (i == k && found < 0.0)
-      slow_.refuse(
-          "accelerates by " + text_of(found) + " for a force of 1 at its input " + slow_.force(k).port->name +
-          "; allowed is above 0, so that a sign of the input or of the output is to be turned (gain = -1)");
-    if (i == k && !(value > 0.0))
-      slow_.refuse("does not accelerate by its input " + slow_.force(k).port->name +
-                   " at once; allowed is one whose acceleration follows the force, or links.effective_mass");
+    if (i == k) slow_.require_reaction(k, found < 0.0 ? found : value);
     set(at("accelerance", i * slow_.links() + k), value);
   }
 

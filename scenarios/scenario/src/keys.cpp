@@ -196,7 +196,7 @@ void of_coordination(KeyList& to) {
           "surrogate is "
           "a mass. `impulse_stiffness`: it has springs and dampers, too. `impulse_taylor`: it has the slow "
           "side's "
-          "own equations. `impulse`: the best that is known.",
+          "own equations. `impulse`: the better of the first two that is known.",
           {.otherwise = "signals",
            .words = {"signals", "impulse", "impulse_plain", "impulse_stiffness", "impulse_taylor"}})
       .may("fast_period", positive, "Of `impulse`: the shortest period of the coupled system.",

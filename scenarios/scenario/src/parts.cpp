@@ -80,7 +80,7 @@ Parts::Parts(const Scenario& scenario, const Builtins& builtins, Code code) : sc
   for (const SubsystemEntry& entry : scenario.subsystems)
     if (!entry.impulse) {
       const bool out = code == Code::leave_out && is_code(entry, builtins);
-      add(entry, out ? nullptr : opened_for(scenario, entry, builtins),
+      add(entry, out ? nullptr : opened(entry, builtins, scenario.animate),
           out ? leave_out(entry, builtins) : std::nullopt);
     }
   set_inputs();
@@ -121,18 +121,6 @@ std::unique_ptr<Subsystem> Parts::opened(const SubsystemEntry& entry, const Buil
                                          bool animate) {
   return with_opening(entry, builtins, animate,
                       [&](Opening opening) { return open(entry.source, builtins, std::move(opening)); });
-}
-
-std::unique_ptr<Subsystem> Parts::opened_for(const Scenario& scenario, const SubsystemEntry& entry,
-                                             const Builtins& builtins) {
-  auto one = opened(entry, builtins, scenario.animate);
-  if (!takes(entry, builtins, reacting)) return one;
-  SubsystemEntry with_reactions = entry;
-  with_reactions.reactions = wanted_reactions(entry, scenario, *one);
-  if (with_reactions.reactions.empty()) return one;
-  with_reactions.accelerances.clear();
-  auto again = opened(with_reactions, builtins, scenario.animate);
-  return has_reactions(again->info()) ? std::move(again) : std::move(one);
 }
 
 void Parts::take(const SubsystemEntry& entry, const Surrogate& made,
@@ -217,6 +205,10 @@ void Parts::add_notes_of_units(std::vector<std::string>& notes) const {
   for (const Line& line : topology_.lines()) {
     const Scalar from = scalar_at(topology_.info(line.source).outputs, line.output);
     const Scalar to = scalar_at(topology_.info(line.reader).inputs, line.input);
+    const auto is_surrogate = [&](int i) {
+      return scenario_.subsystems[static_cast<std::size_t>(i)].impulse != nullptr;
+    };
+    if (is_surrogate(line.source) || is_surrogate(line.reader)) continue;
     if (from.port->unit.empty() == to.port->unit.empty() || from.element > 0) continue;
     const auto end = [&](int instance, const Port& port) {
       return topology_.name(instance) + "." + port.name +

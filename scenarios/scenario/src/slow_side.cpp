@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "slow_side.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -17,6 +19,8 @@ std::optional<ScalarPort> scalar_port(const std::vector<Port>& ports, const std:
       if (Scalar{&port, e}.name() == name) return ScalarPort{&port, index};
   return {};
 }
+
+std::string six_digits(double number) { return fmt::format("{:.6g}", number); }
 
 std::string port_of(const std::string& name) { return name.substr(name.find('.') + 1); }
 
@@ -78,6 +82,22 @@ void SlowSide::check() const {
 
 void SlowSide::refuse(const std::string& why) const {
   throw Error(ErrorCode::not_supported, "impulse coupling: the slow side '" + entry_.slow + "' " + why);
+}
+
+void SlowSide::require_reaction(std::size_t link, double acceleration) const {
+  const std::string& input = force(link).port->name;
+  if (acceleration < 0.0)
+    refuse("accelerates by " + six_digits(acceleration) + " for a force of 1 at its input " + input +
+           "; allowed is above 0, so that a sign of the input or of the output is to be turned (gain = -1)");
+  if (!(acceleration > 0.0))
+    refuse("does not accelerate by its input " + input +
+           " at once; allowed is one whose acceleration follows the force, or links.effective_mass");
+}
+
+void SlowSide::require_longer_step(double own, double fast) const {
+  if (!(own > fast))
+    refuse("has an own step of " + six_digits(own) + " s, and the fast side one of " + six_digits(fast) +
+           " s; allowed is a longer one");
 }
 
 Begin SlowSide::pushed(std::size_t link, double force) {

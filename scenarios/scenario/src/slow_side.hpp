@@ -39,6 +39,10 @@ class SlowSide {
   const std::vector<ScalarPort>& accelerances() const { return accelerances_; }
   /// An output of one number. Throws Error(not_supported) if there is none of that name.
   ScalarPort output(const std::string& name) const { return found(slow_.info().outputs, "output", name); }
+  /// Throws Error(not_supported) that names them for a force of 1 at that link that does not accelerate it forward, and for steps
+  /// that are no longer than those of the fast side [s].
+  void require_reaction(std::size_t link, double acceleration) const;
+  void require_longer_step(double own, double fast) const;
   [[noreturn]] void refuse(const std::string& why) const;
 
   /// Its start without a force at the links, and with one.

@@ -1,7 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 // The surrogates of an impulse coupling, made from how their sides start.
 #include <algorithm>
-#include <cmath>
 
 #include "impulse.hpp"
 #include "impulse_parameters.hpp"
@@ -13,10 +12,8 @@
 namespace tandem::scenario {
 namespace {
 
-/// From so many fast periods on a slow step sees aliases of the ripple where its effective mass varies.
-constexpr double long_step = 0.3;
-/// Their polynomials have terms with the square of it.
-constexpr int most_coordinates = 16;
+/// Each node takes some evaluations with the square of it, and a step as many terms.
+constexpr std::size_t most_coordinates = 16;
 
 /// With the outputs that were asked for, if the slow side has all of them.
 ImpulseEntry with_told(const ImpulseEntry& of, const SubsystemInfo& slow) {
@@ -92,17 +89,39 @@ std::shared_ptr<SlowModel> model_of(SlowSide& slow, const Subsystem& subsystem) 
   return subsystem.slow_model(links);
 }
 
+/// What a force at each link accelerates at its displacement is to be above 0.
+void check_signs(const SlowSide& slow, SlowModel& model, const std::vector<double>& q) {
+  const std::size_t n = q.size(), p = slow.links();
+  std::vector<double> pushes(n * p), a(n), y(p), rates(p);
+  model.pushes(q, pushes);
+  for (std::size_t k = 0; k < p; ++k) {
+    model.answer(q, std::span(pushes).subspan(k * n, n), a);
+    model.motions(q, a, y, rates);
+    slow.require_reaction(k, rates[k]);
+  }
+}
+
 TaylorCoupling taylor_of(const Sides& sides, SlowSide& slow, std::shared_ptr<SlowModel> model) {
   TaylorCoupling c;
   const Begin begin = slow.free();
   for (std::size_t k = 0; k < slow.links(); ++k)
     c.links.push_back({slow.force(k).port->unit, slow.displacement(k).port->unit, slow.velocity_unit(k)});
-  for (const std::string& coordinate : model->coordinates())
-    c.velocities.push_back(slow.derivative(begin, slow.output(coordinate), 1));
+  std::vector<double> q;
+  for (const std::string& coordinate : model->coordinates()) {
+    const ScalarPort port = slow.output(coordinate);
+    slow.derivative(begin, port, 2);  // it is known
+    q.push_back(slow.derivative(begin, port, 0)), c.velocities.push_back(slow.derivative(begin, port, 1));
+  }
+  if (q.size() > most_coordinates)
+    slow.refuse("has " + std::to_string(q.size()) + " coordinates; allowed with impulse_taylor are up to " +
+                std::to_string(most_coordinates));
+  model->stand_at(sides.of.start);
+  check_signs(slow, *model, q);
   c.model = std::move(model), c.tells_velocities = slow.has_velocities();
   c.slow_step = begin.step, c.fast_period = sides.of.fast_period;
   c.own_step = fast_step(sides.entry, sides.of, sides.topology,
                          [&](int i) -> Subsystem& { return sides.numbered(i); });
+  slow.require_longer_step(begin.step, c.own_step);
   return c;
 }
 
@@ -124,20 +143,16 @@ std::vector<ConnectionEntry> with_coordinates(const SubsystemEntry& surrogate, c
   return all;
 }
 
-/// By the slow side's own equations, if it gives them and the scene wants them.
-std::optional<Surrogate> by_taylor(const SubsystemEntry& entry, const Sides& sides) {
-  const bool wanted = sides.entry.kind == ImpulseEntry::Kind::taylor;
-  if (!wanted && !sides.entry.may_be_taylor) return {};
+Surrogate by_taylor(const SubsystemEntry& entry, const Sides& sides) {
   Subsystem& subsystem = *sides.named(sides.entry.slow);
   SlowSide slow(sides.entry, sides.of, sides.topology, subsystem);
   const auto model = model_of(slow, subsystem);
-  if (!model && wanted)
+  if (!model)
     slow.refuse(
         "does not give its equations; allowed with impulse_taylor are mechanisms whose links are forces and "
-        "positions, and models of this program that give them");
-  if (!model) return {};
-  return Surrogate{taylor_surrogate(taylor_of(sides, slow, model)),
-                   with_coordinates(entry, sides.entry.slow, *model), "impulse_taylor", "lagrange4"};
+        "positions of their own, and models of this program that give them");
+  return {taylor_surrogate(taylor_of(sides, slow, model)), with_coordinates(entry, sides.entry.slow, *model),
+          sides.entry.name(), "lagrange4"};
 }
 
 Surrogate by_parameters(const SubsystemEntry& entry, const Sides& sides, const Builtins& builtins) {
@@ -152,30 +167,13 @@ Surrogate by_parameters(const SubsystemEntry& entry, const Sides& sides, const B
 
 }  // namespace
 
-std::string wanted_reactions(const SubsystemEntry& slow, const Scenario& of, Subsystem& opened) {
-  for (const SubsystemEntry& one : of.subsystems) {
-    if (!one.impulse || one.impulse->slow != slow.name || !one.impulse->may_be_taylor) continue;
-    const std::vector<double> unknown_inputs(static_cast<std::size_t>(opened.info().input_size()),
-                                             std::nan(""));
-    const double step = begin_of(opened, unknown_inputs, of).step;
-    return step >= long_step * of.fast_period ? displacements_of(*one.impulse) : "";
-  }
-  return "";
-}
-
-bool has_reactions(const SubsystemInfo& slow) {
-  const auto count = std::count_if(slow.inputs.begin(), slow.inputs.end(),
-                                   [](const Port& one) { return one.name.starts_with("reaction."); });
-  return count > 0 && count <= most_coordinates;
-}
-
 Surrogate surrogate_of(const SubsystemEntry& entry, const Scenario& of, const Topology& topology,
                        const std::vector<std::unique_ptr<Subsystem>>& subsystems, const Builtins& builtins) {
   return located(entry.place, [&]() -> Surrogate {
     const Sides sides{*entry.impulse, of, topology, subsystems};
     if (!sides.are_there()) return {};
-    if (auto made = by_taylor(entry, sides)) return std::move(*made);
-    return by_parameters(entry, sides, builtins);
+    return entry.impulse->kind == ImpulseEntry::Kind::taylor ? by_taylor(entry, sides)
+                                                             : by_parameters(entry, sides, builtins);
   });
 }
 

@@ -68,10 +68,9 @@ void Surrogate::start(double t, std::span<const double> u0) {
     accelerations_[k] = of_.links[k].free_acceleration;
     if (!varies()) checks_.emplace_back(of_.links[k].free_acceleration);
   }
-  tolerance_ = TimeTolerance(t);
   passed_ = false;
   steps_ = 0;
-  begin_slow_step(t);
+  slow_.start(t, of_.slow_step);
 }
 
 void Surrogate::outputs(double* y) const {
@@ -89,7 +88,7 @@ void Surrogate::outputs(double* y) const {
 }
 
 void Surrogate::write(ByteWriter& to) const {
-  to.put(begin_);
+  to.put(slow_.begin());
   to.put(std::uint8_t{passed_}), to.put(std::int32_t{steps_});
   for (const Forces* one : {&forces_[2], &net_, &accelerations_})
     for (const double number : *one) to.put(number);
@@ -101,7 +100,7 @@ void Surrogate::write(ByteWriter& to) const {
 }
 
 void Surrogate::read(ByteReader& from) {
-  begin_slow_step(from.take<double>());
+  slow_.begin_at(from.take<double>());
   passed_ = from.take<std::uint8_t>() != 0, steps_ = from.take<std::int32_t>();
   for (Forces* one : {&forces_[2], &net_, &accelerations_})
     for (double& number : *one) number = from.take<double>();

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "slow_step.hpp"
 #include "surrogate_link.hpp"
 #include "tandem/coordinator/impulse/accelerance.hpp"
 #include "tandem/coordinator/impulse/impulse_surrogate.hpp"
@@ -20,7 +21,7 @@ class Surrogate {
 
   SubsystemInfo info() const;
   double own_step() const { return of_.own_step; }
-  void end_at(double t_stop) { t_stop_ = t_stop; }
+  void end_at(double t_stop) { slow_.end_at(t_stop); }
   void start(double t, std::span<const double> u0);
   void step(const OwnStep& s, std::span<const Signal> u);
   void outputs(double* y) const;
@@ -32,13 +33,10 @@ class Surrogate {
   using Forces = std::vector<double>;  ///< by link
 
   std::size_t size() const { return of_.links.size(); }
-  double length() const { return end_ - begin_; }
   bool varies() const { return !of_.accelerance_rate.empty(); }
   void read_accelerance(double node, std::span<const Signal> u);
   void check_rate(std::size_t e, double node);
   void turn_to_next(double s);
-  void begin_slow_step(double t);
-  void check_slow_side(double t, const Signal& position) const;
   void accelerate(std::size_t stage, double h, const double (&times)[3]);
   void take_spring(const Forces& forces, const Forces& y, const Forces& v, Forces& net) const;
   void find_accelerations(double t);
@@ -48,10 +46,8 @@ class Surrogate {
   void check_reaction(std::span<const Signal> u, double node);
 
   ImpulseCoupling of_;
-  double t_stop_ = 0.0;
-  TimeTolerance tolerance_;
-  double begin_ = 0.0, end_ = 0.0;  ///< of the slow side's step [s]
-  bool passed_ = false;             ///< its end, and the slow side has not been heard since
+  SlowStep slow_;
+  bool passed_ = false;             ///< the end of the slow side's step, and that has not been heard since
   int steps_ = 0;                   ///< own ones so far, up to degree + 1
   Accelerance accelerance_, next_;  ///< from the last node on; at the one that is taken
   std::vector<SurrogateLink> links_;

@@ -14,39 +14,26 @@ constexpr double largest_change = 0.01;
 
 }  // namespace
 
-/// The last one ends where the run does.
-void Surrogate::begin_slow_step(double t) { begin_ = t, end_ = std::min(t + of_.slow_step, t_stop_); }
-
-/// The slow side stands at its newest sample.
-void Surrogate::check_slow_side(double t, const Signal& position) const {
-  const double at = position.segments().back().origin;
-  if (!tolerance_.before(at, t) && !tolerance_.before(t, at)) return;
-  throw Error(ErrorCode::not_supported,
-              "impulse coupling: the slow side stands at " + std::to_string(at) +
-                  " s where it is to stand at " + std::to_string(t) +
-                  " s; allowed is an order in which the surrogate and the fast sides lead it");
-}
-
 /// The slow side has its spring at the mean position of its own rule, y_m = (y + y_e) / 2 - a H^2 / 12 with y_e where it
 /// will come to; what that is off goes into its input. The trapezoidal rule has no such term: there a is the
 /// acceleration without A F, so that its own error on the smooth motion is made up for.
 void Surrogate::pass_node(const OwnStep& s) {
   for (std::size_t k = 0; k < size(); ++k) {
     const ForceIntegrals of =
-        links_[k].cut_at_node(s.length, s.end - end_, forces_[0][k], forces_[2][k], length());
-    stages_[0][k] = links_[k].pass(of, length(), of_.slow_step);
+        links_[k].cut_at_node(s.length, s.end - slow_.end(), forces_[0][k], forces_[2][k], slow_.length());
+    stages_[0][k] = links_[k].pass(of, slow_.length(), of_.slow_step);
     positions_[k] = links_[k].mean_position() - begin_position_[k],
     velocities_[k] = links_[k].mean_velocity();
   }
   take_spring(stages_[0], positions_, velocities_, net_);
-  const double middle = length() / 2.0;
+  const double middle = slow_.length() / 2.0;
   accelerance_.react(net_, middle, stages_[1]), accelerance_.react(stages_[0], middle, stages_[2]);
   for (std::size_t k = 0; k < size(); ++k) {
     SurrogateLink& link = links_[k];
-    link.foresee(stages_[1][k], length());
-    const double a = link.middle(length()) + stages_[1][k] - (of_.trapezoidal ? stages_[2][k] : 0.0);
-    positions_[k] -= link.foreseen_mean(a, length()) - begin_position_[k],
-        velocities_[k] -= link.foreseen_speed(length());
+    link.foresee(stages_[1][k], slow_.length());
+    const double a = link.middle(slow_.length()) + stages_[1][k] - (of_.trapezoidal ? stages_[2][k] : 0.0);
+    positions_[k] -= link.foreseen_mean(a, slow_.length()) - begin_position_[k],
+        velocities_[k] -= link.foreseen_speed(slow_.length());
   }
   take_spring(stages_[0], positions_, velocities_, stages_[3]);
   for (std::size_t k = 0; k < size(); ++k) links_[k].set_mean_force(stages_[3][k]);
@@ -55,18 +42,18 @@ void Surrogate::pass_node(const OwnStep& s) {
 
 void Surrogate::take_node(double t, std::span<const Signal> u) {
   const bool jumps = of_.slow_step < of_.fast_period;
-  check_slow_side(end_, u[size()]);
+  slow_.require_slow_side_at(slow_.end(), u[size()]);
   const double node = u[size()].segments().back().origin;
   varies() ? read_accelerance(node, u) : check_reaction(u, node);
   const Accelerance& next = varies() ? next_ : accelerance_;
-  accelerance_.react_to(next, length(), net_, stages_[1]);
+  accelerance_.react_to(next, slow_.length(), net_, stages_[1]);
   for (std::size_t k = 0; k < size(); ++k) {
     const Signal& position = u[size() + k];
-    links_[k].take(position.value(node), position.derivative(node), stages_[1][k], t - end_, length(),
-                   of_.slow_step, jumps);
+    links_[k].take(position.value(node), position.derivative(node), stages_[1][k], t - slow_.end(),
+                   slow_.length(), of_.slow_step, jumps);
   }
-  if (varies()) turn_to_next(t - end_);
-  begin_slow_step(node);
+  if (varies()) turn_to_next(t - slow_.end());
+  slow_.begin_at(node);
   passed_ = false;
 }
 
@@ -86,7 +73,7 @@ void Surrogate::read_accelerance(double node, std::span<const Signal> u) {
 /// A cubic has the mean of the rates at its ends, but for a third derivative.
 void Surrogate::check_rate(std::size_t e, double node) {
   const double rate = 0.5 * (accelerance_.rates()[e] + next_.rates()[e]);
-  const double off = std::abs(next_.values()[e] - accelerance_.values()[e] - length() * rate),
+  const double off = std::abs(next_.values()[e] - accelerance_.values()[e] - slow_.length() * rate),
                own = std::abs(accelerance_.values()[e / size() * (size() + 1)]);
   if (off > changed_ * own) changed_ = off / own, changed_at_ = node;
 }
@@ -96,7 +83,8 @@ void Surrogate::turn_to_next(double s) {
   for (std::size_t k = 0; k < size(); ++k)
     positions_[k] = links_[k].position() - begin_position_[k], velocities_[k] = links_[k].velocity();
   take_spring(forces_[2], positions_, velocities_, net_);
-  accelerance_.react(net_, length(), stages_[0]), accelerance_.react(net_, length() + s, stages_[1]);
+  accelerance_.react(net_, slow_.length(), stages_[0]),
+      accelerance_.react(net_, slow_.length() + s, stages_[1]);
   next_.react(net_, 0.0, stages_[2]), next_.react(net_, s, stages_[3]);
   for (std::size_t k = 0; k < size(); ++k)
     links_[k].make_up(s, stages_[2][k] - stages_[0][k], stages_[3][k] - stages_[1][k]);
@@ -111,8 +99,8 @@ void Surrogate::check_reaction(std::span<const Signal> u, double node) {
   accelerance_.react(positions_, 0.0, stages_[1]);
   for (std::size_t k = 0; k < size(); ++k) {
     const Signal& position = u[size() + k];
-    checks_[k].take(position.derivative(node) - links_[k].rate(), length(), position.second_derivative(node),
-                    stages_[1][k], velocities_[k]);
+    checks_[k].take(position.derivative(node) - links_[k].rate(), slow_.length(),
+                    position.second_derivative(node), stages_[1][k], velocities_[k]);
     if (const double error = checks_[k].error(); error > worst_) worst_ = error, worst_at_ = node;
   }
 }

@@ -15,8 +15,8 @@ void Surrogate::step(const OwnStep& s, std::span<const Signal> u) {
     links_[k].step(s.length, {forces_[0][k], forces_[1][k], forces_[2][k]},
                    {stages_[0][k], stages_[1][k], stages_[2][k], stages_[3][k]});
   if (of_.tells_velocities) find_accelerations(s.end);
-  if (tolerance_.before(s.end, end_)) return;
-  check_slow_side(begin_, u[size()]);
+  if (slow_.goes_on_after(s.end)) return;
+  slow_.require_slow_side_at(slow_.begin(), u[size()]);
   pass_node(s);
 }
 
@@ -29,8 +29,9 @@ void Surrogate::accelerate(std::size_t stage, double h, const double (&times)[3]
     velocities_[k] = links_[k].velocity() + (stage == 0 ? 0.0 : c * stages_[stage - 1][k]);
   }
   take_spring(forces_[at], positions_, velocities_, net_);
-  accelerance_.react(net_, times[at] - begin_, stages_[stage]);
-  for (std::size_t k = 0; k < size(); ++k) stages_[stage][k] += links_[k].acceleration(times[at] - begin_);
+  accelerance_.react(net_, times[at] - slow_.begin(), stages_[stage]);
+  for (std::size_t k = 0; k < size(); ++k)
+    stages_[stage][k] += links_[k].acceleration(times[at] - slow_.begin());
 }
 
 /// The forces without those of the slow side's own springs and dampers; y from the start.
@@ -47,13 +48,13 @@ void Surrogate::find_accelerations(double t) {
   for (std::size_t k = 0; k < size(); ++k)
     positions_[k] = links_[k].position() - begin_position_[k], velocities_[k] = links_[k].velocity();
   take_spring(forces_[2], positions_, velocities_, net_);
-  accelerance_.react(net_, t - begin_, accelerations_);
-  for (std::size_t k = 0; k < size(); ++k) accelerations_[k] += links_[k].acceleration(t - begin_);
+  accelerance_.react(net_, t - slow_.begin(), accelerations_);
+  for (std::size_t k = 0; k < size(); ++k) accelerations_[k] += links_[k].acceleration(t - slow_.begin());
 }
 
 void Surrogate::make_up_start(double t, std::span<const Signal> u) {
   for (std::size_t k = 0; k < size(); ++k) net_[k] = u[k].value(t) - forces_[2][k];
-  accelerance_.react(net_, t - begin_, stages_[0]);
+  accelerance_.react(net_, t - slow_.begin(), stages_[0]);
   for (std::size_t k = 0; k < size(); ++k)
     links_[k].make_up_start(steps_, of_.own_step, net_[k], stages_[0][k]);
 }

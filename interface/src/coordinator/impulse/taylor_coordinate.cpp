@@ -25,18 +25,18 @@ void TaylorCoordinate::take(double q, double u, double lacks, double s, double l
   else
     pulse_.turn_to(defect, s, z_, v_);
   const double sigma = lacks / (length * length * length);
-  lacks_ = (first_ ? sigma : 2.0 * sigma - sigma_) * next * next * next;
+  cubic_ = first_ ? sigma : 2.0 * sigma - sigma_;
   sigma_ = sigma, first_ = false, at_ = q, rate_ = u;
 }
 
 void TaylorCoordinate::write(ByteWriter& to) const {
-  for (const double one : {z_, v_, at_, rate_, foreseen_, foreseen_rate_, lacks_, sigma_}) to.put(one);
+  for (const double one : {z_, v_, at_, rate_, foreseen_, foreseen_rate_, cubic_, sigma_}) to.put(one);
   to.put(std::uint8_t{first_});
   pulse_.write(to), integrals_.write(to), window_.write(to);
 }
 
 void TaylorCoordinate::read(ByteReader& from) {
-  for (double* one : {&z_, &v_, &at_, &rate_, &foreseen_, &foreseen_rate_, &lacks_, &sigma_})
+  for (double* one : {&z_, &v_, &at_, &rate_, &foreseen_, &foreseen_rate_, &cubic_, &sigma_})
     *one = from.take<double>();
   first_ = from.take<std::uint8_t>() != 0;
   pulse_.read(from), integrals_.read(from), window_.read(from);

@@ -20,8 +20,7 @@ class TaylorCoordinate {
 
   /// What is put in of the last defect, and what the polynomial lacks.
   double pulse(double s) const { return pulse_.acceleration(s); }
-  double lacked(double s, double length) const { return lacks_ * (s / length) * (s / length) * (s / length); }
-  double lacks() const { return lacks_; }  ///< at the end of the slow side's step
+  double lacked(double s) const { return cubic_ * s * s * s; }
 
   /// A step of the classical Runge-Kutta method: the acceleration at its four stages, and the pulse there.
   void step(double h, const double (&a)[4], const double (&pulse)[3]);
@@ -43,7 +42,7 @@ class TaylorCoordinate {
 
  private:
   double z_, v_, at_, rate_, foreseen_ = 0.0, foreseen_rate_ = 0.0;
-  double lacks_ = 0.0,
+  double cubic_ = 0.0,
          sigma_ = 0.0;  ///< sigma: what it lacks at the last node, by the cube of the step before
   bool first_ = true;
   DefectPulse pulse_;

@@ -22,7 +22,8 @@ TaylorCoupling checked(TaylorCoupling of) {
 
 TaylorSurrogate::TaylorSurrogate(TaylorCoupling coupling)
     : of_(checked(std::move(coupling))), model_(of_.model, of_.slow_step) {
-  for (Numbers* one : {&samples_[0], &samples_[1], &samples_[2], &places_, &velocities_, &accelerations_})
+  for (Numbers* one : {&samples_[0], &samples_[1], &samples_[2], &places_, &velocities_, &accelerations_,
+                       &moved_places_, &moved_velocities_})
     one->resize(links());
   for (Numbers* one : {&stages_[0], &stages_[1], &stages_[2], &stages_[3], &reaction_, &z_, &v_, &a_, &b_})
     one->resize(size());
@@ -58,16 +59,14 @@ void TaylorSurrogate::start(double t, std::span<const double> u0) {
   }
   for (std::size_t k = 0; k < links(); ++k) forces_.push_back({{}, window});
   const bool known = std::none_of(z_.begin(), z_.end(), [](double one) { return std::isnan(one); });
+  model_ = TaylorModel(of_.model, of_.slow_step);
   if (known) model_.expand(t, z_, of_.velocities);
   std::fill(reaction_.begin(), reaction_.end(), 0.0);
-  tolerance_ = TimeTolerance(t);
   passed_ = false, steps_ = 0;
-  begin_slow_step(t);
+  slow_.start(t, of_.slow_step);
   std::fill(samples_[2].begin(), samples_[2].end(), 0.0);
   find_outputs(t);
 }
-
-void TaylorSurrogate::begin_slow_step(double t) { begin_ = t, end_ = std::min(t + of_.slow_step, t_stop_); }
 
 void TaylorSurrogate::outputs(double* y) const {
   y = std::copy(places_.begin(), places_.end(), y);
@@ -80,7 +79,7 @@ void TaylorSurrogate::outputs(double* y) const {
 }
 
 void TaylorSurrogate::write(ByteWriter& to) const {
-  to.put(begin_), to.put(std::uint8_t{passed_}), to.put(std::int32_t{steps_});
+  to.put(slow_.begin()), to.put(std::uint8_t{passed_}), to.put(std::int32_t{steps_});
   to.put_doubles(samples_[2]), to.put_doubles(reaction_);
   for (const TaylorCoordinate& one : coordinates_) one.write(to);
   for (const Force& one : forces_) one.integrals.write(to), one.window.write(to), to.put(one.mean);
@@ -88,7 +87,7 @@ void TaylorSurrogate::write(ByteWriter& to) const {
 }
 
 void TaylorSurrogate::read(ByteReader& from) {
-  begin_slow_step(from.take<double>());
+  slow_.begin_at(from.take<double>());
   passed_ = from.take<std::uint8_t>() != 0, steps_ = from.take<std::int32_t>();
   for (Numbers* all : {&samples_[2], &reaction_})
     for (double& one : *all) one = from.take<double>();

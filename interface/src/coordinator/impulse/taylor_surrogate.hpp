@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "slow_step.hpp"
 #include "step_integrals.hpp"
 #include "tandem/coordinator/impulse/taylor_surrogate.hpp"
 #include "tandem/fixed_step.hpp"
@@ -18,7 +19,7 @@ class TaylorSurrogate {
 
   SubsystemInfo info() const;
   double own_step() const { return of_.own_step; }
-  void end_at(double t_stop) { t_stop_ = t_stop; }
+  void end_at(double t_stop) { slow_.end_at(t_stop); }
   void start(double t, std::span<const double> u0);
   void step(const OwnStep& s, std::span<const Signal> u);
   void outputs(double* y) const;
@@ -35,32 +36,30 @@ class TaylorSurrogate {
 
   std::size_t links() const { return of_.links.size(); }
   std::size_t size() const { return of_.velocities.size(); }
-  double length() const { return end_ - begin_; }
   bool jumps() const { return of_.slow_step < of_.fast_period; }
-  void begin_slow_step(double t);
-  void check_slow_side(double t, const Signal& coordinate) const;
   void begin_stage(std::size_t stage, double h, double s);
   void find_outputs(double t);
+  void find_accelerations(double s);
   void make_up_start(double t, std::span<const Signal> u);
   void pass_node(const OwnStep& s);
   void find_reaction();
+  void find_lacks(double node, const Numbers& q, const Numbers& rates, Numbers& lacks);
   void take_node(double t, std::span<const Signal> u);
   void turn_to_next(double s, const Numbers& before);
 
   TaylorCoupling of_;
   TaylorModel model_;
-  double t_stop_ = 0.0;
-  TimeTolerance tolerance_;
-  double begin_ = 0.0, end_ = 0.0;  ///< of the slow side's step [s]
-  bool passed_ = false;             ///< its end, and the slow side has not been heard since
-  int steps_ = 0;                   ///< own ones so far, up to degree + 1
+  SlowStep slow_;
+  bool passed_ = false;  ///< the end of the slow side's step, and that has not been heard since
+  int steps_ = 0;        ///< own ones so far, up to degree + 1
   std::vector<TaylorCoordinate> coordinates_;
   std::vector<Force> forces_;
   Numbers reaction_;                ///< generalised forces on the slow side
   std::array<Numbers, 3> samples_;  ///< of the forces, at begin, middle and end of a step
   std::array<Numbers, 4> stages_;   ///< accelerations at the stages of a step
   Numbers places_, velocities_,
-      accelerations_;      ///< of the links' displacements, at the end of the last own step
+      accelerations_;  ///< of the links' displacements, at the end of the last own step
+  Numbers moved_places_, moved_velocities_;
   Numbers z_, v_, a_, b_;  ///< scratch: n numbers
 };
 

@@ -46,8 +46,12 @@ struct ImpulseCoupling {
 /// Inputs: of each link `force`, then of each `position`, the slow side's displacement, in a signal that has its value
 /// and two derivatives at the slow side's last node. Then, where A varies, `accelerance` with its rate there.
 ///
-/// Outputs: of each link `displacement` with its rate, then of each `mean_force`, for the step of the slow side whose end
-/// it has reached, then, if they are wanted, of each `velocity`, that rate, with its own. Then, unless A varies, of each `reaction_error` (ReactionCheck); one above 0.1 % is remarked upon.
+/// Outputs:
+/// - of each link `displacement` with its rate;
+/// - of each `mean_force`, for the step of the slow side whose end it has reached;
+/// - if they are wanted, of each `velocity`, the rate of the displacement, with its own;
+/// - unless A varies, of each `reaction_error` (ReactionCheck); one above 0.1 % is remarked upon.
+///
 /// With several links names have numbers: "force_1", and "accelerance_1_2" for what force 2 accelerates at link 1.
 ///
 /// Throws Error(invalid_argument) for steps and a period that are not finite and above 0, a slow step that is no longer

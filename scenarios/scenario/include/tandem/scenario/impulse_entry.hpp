@@ -24,7 +24,6 @@ struct ImpulseEntry {
   std::string slow;  ///< instance
   std::vector<Link> links;
   Kind kind;
-  bool may_be_taylor = false;  ///< where the slow side has what that needs, and its steps are long
 
   const char* name() const {
     return kind == Kind::taylor      ? "impulse_taylor"

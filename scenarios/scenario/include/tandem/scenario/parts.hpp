@@ -47,8 +47,6 @@ class Parts {
 
  private:
   void add(const SubsystemEntry& entry, std::unique_ptr<Subsystem> subsystem, std::optional<Look> look);
-  static std::unique_ptr<Subsystem> opened_for(const Scenario& scenario, const SubsystemEntry& entry,
-                                               const Builtins& builtins);
   void take(const SubsystemEntry& entry, const Surrogate& made, std::vector<ConnectionEntry>& connections);
   std::optional<Look> leave_out(const SubsystemEntry& entry, const Builtins& builtins);
   const SubsystemInfo& info(std::size_t instance) const;

@@ -49,6 +49,7 @@ class QuadraticMap {
     }
   }
 
+  double value(std::size_t number) const { return terms_[number]; }  ///< at x
   /// So far beside x.
   void values(std::span<const double> d, std::span<double> y) const {
     std::copy_n(terms_.begin(), values_, y.begin());
