@@ -40,12 +40,8 @@ class ConstrainedAccelerations::Solver {
     scales_ = scales_of(mass);
     mass_ = scales_.asDiagonal() * mass * scales_.asDiagonal();
     gradients_ = scales_.asDiagonal() * gradients;
-    lengths_.resize(gradients_.cols());
-    for (Eigen::Index c = 0; c < gradients_.cols(); ++c) {
-      const double norm = gradients_.col(c).norm();
-      lengths_[c] = norm > 0.0 ? norm : 1.0;
-      gradients_.col(c) /= lengths_[c];
-    }
+    for (Eigen::Index c = 0; c < gradients_.cols(); ++c)
+      if (const double norm = gradients_.col(c).norm(); norm > 0.0) gradients_.col(c) /= norm;
     Sparse still(mass.rows(), mass.cols());  // what has neither mass nor equation is accelerated by nothing
     still.reserve(Eigen::VectorXi::Constant(mass.cols(), 1));
     const Sparse matrix = mass_ + penalty_of_gradients * Sparse(gradients_ * gradients_.transpose());
@@ -55,19 +51,16 @@ class ConstrainedAccelerations::Solver {
     solver_.factorize(whole);
   }
 
-  VectorXd accelerations(const VectorXd& b, const VectorXd& gamma) const {
+  VectorXd accelerations(const VectorXd& b) const {
     const VectorXd push = scales_.cwiseProduct(b);
-    VectorXd wanted = VectorXd::Zero(gradients_.cols());
-    if (gamma.size() > 0) wanted = -gamma.cwiseQuotient(lengths_);
     VectorXd x = VectorXd::Zero(b.size()), lambda = VectorXd::Zero(gradients_.cols());
-    const double large = push.norm() + wanted.norm();
     double before = std::numeric_limits<double>::infinity();
     for (int k = 0; k < most_refinements && solver_.info() == Eigen::Success; ++k) {
-      const VectorXd off = wanted - gradients_.transpose() * x;
+      const VectorXd off = -(gradients_.transpose() * x);
       const VectorXd dx =
           solver_.solve(push - mass_ * x - gradients_ * lambda + penalty_of_gradients * (gradients_ * off));
       const double size = dx.norm();
-      if (size <= small_correction * large && !(size < 0.5 * before)) return scales_.cwiseProduct(x);
+      if (size <= small_correction * push.norm() && !(size < 0.5 * before)) return scales_.cwiseProduct(x);
       if (!(size < 2.0 * before)) break;
       before = size;
       x += dx, lambda += penalty_of_gradients * (gradients_.transpose() * dx - off);
@@ -78,7 +71,7 @@ class ConstrainedAccelerations::Solver {
   }
 
  private:
-  VectorXd scales_, lengths_;
+  VectorXd scales_;
   Sparse mass_, gradients_;
   bool analysed_ = false;
   Eigen::SimplicialLDLT<Sparse> solver_;
@@ -98,9 +91,7 @@ void ConstrainedAccelerations::stand_at(const VectorXd& q) {
   solver_->set(sparse_of(s.mass.pattern, s.mass.values), sparse_of(s.jacobian, jacobian_));
 }
 
-VectorXd ConstrainedAccelerations::of(const VectorXd& b, const VectorXd& gamma) const {
-  return solver_->accelerations(b, gamma);
-}
+VectorXd ConstrainedAccelerations::of(const VectorXd& b) const { return solver_->accelerations(b); }
 
 VectorXd push_of(const Mechanism& mechanism, int input, const VectorXd& q) {
   const Description& in = mechanism.description();

@@ -10,9 +10,9 @@ namespace tandem::mbs {
 
 /// The accelerations x = q'' of generalised forces b along what the constraints leave, where a model stands:
 ///
-///     M x + Phi_q^T lambda = b,  Phi_q x = -gamma,
+///     M x + Phi_q^T lambda = b,  Phi_q x = 0,
 ///
-/// of gamma = 0 x = (M^-1 - M^-1 Phi_q^T (Phi_q M^-1 Phi_q^T)^-1 Phi_q M^-1) b. That needs neither a regular M nor
+/// x = (M^-1 - M^-1 Phi_q^T (Phi_q M^-1 Phi_q^T)^-1 Phi_q M^-1) b. That needs neither a regular M nor
 /// independent equations: solved by (M + alpha Phi_q^T Phi_q) dx = r + alpha Phi_q^T s, dlambda = alpha (Phi_q dx - s) from
 /// the residuals r and s of both equations, until dx falls no more. Coordinates are scaled to masses of 1, gradients to a
 /// length of 1.
@@ -24,9 +24,8 @@ class ConstrainedAccelerations {
 
   /// At positions q, all coordinates of them. Factorizes; allocates.
   void stand_at(const Eigen::VectorXd& q);
-  /// Of the variables. gamma: one for each constraint, or none, which are zeros. Throws Error(numerical) if they can't
-  /// be told.
-  Eigen::VectorXd of(const Eigen::VectorXd& b, const Eigen::VectorXd& gamma = {}) const;
+  /// Of the variables. Throws Error(numerical) if they can't be told.
+  Eigen::VectorXd of(const Eigen::VectorXd& b) const;
 
  private:
   class Solver;
