@@ -33,21 +33,17 @@ std::vector<std::vector<double>> coupled(const FastMasses& masses, const SlowEqu
   const auto surrogate = impulse_surrogate(c);
   Topology t;
   t.add("fast", fast.info()), t.add("slow", slow.info()), t.add("surrogate", surrogate->info());
-  const auto of = [p](std::string port, Eigen::Index k) {
-    return p > 1 ? port + "_" + std::to_string(k + 1) : port;
-  };
-  const auto element = [](const std::string& port, Eigen::Index k, Eigen::Index n) {
-    return n > 1 ? port + "[" + std::to_string(k) + "]" : port;
-  };
   for (Eigen::Index k = 0; k < p; ++k) {
-    t.connect({element("fast.F", k, p), of("surrogate.force", k), Reconstruction::parse("lagrange3")});
     t.connect(
-        {of("surrogate.mean_force", k), element("slow.F", k, p), Reconstruction::parse("matched_hold")});
-    t.connect(
-        {element("slow.y", k, p), of("surrogate.position", k), Reconstruction{Reconstruction::Kind::taylor}});
-    t.connect({of("surrogate.displacement", k), element("fast.y", k, p), Reconstruction::parse("hermite")});
+        {element("fast.F", k, p), numbered("surrogate.force", k, p), Reconstruction::parse("lagrange3")});
+    t.connect({numbered("surrogate.mean_force", k, p), element("slow.F", k, p),
+               Reconstruction::parse("matched_hold")});
+    t.connect({element("slow.y", k, p), numbered("surrogate.position", k, p),
+               Reconstruction{Reconstruction::Kind::taylor}});
+    t.connect({numbered("surrogate.displacement", k, p), element("fast.y", k, p),
+               Reconstruction::parse("hermite")});
     for (Eigen::Index i = 0; i < p; ++i)
-      t.connect({element("slow.A", k * p + i, cells), of(of("surrogate.accelerance", k), i),
+      t.connect({element("slow.A", k * p + i, cells), numbered(numbered("surrogate.accelerance", k, p), i, p),
                  Reconstruction::parse("hermite")});
   }
   Coordination how;

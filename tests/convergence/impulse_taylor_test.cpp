@@ -68,17 +68,13 @@ std::vector<std::vector<double>> coupled_by_taylor(const FastMasses& masses, con
   const auto surrogate = taylor_surrogate(c);
   Topology t;
   t.add("fast", fast.info()), t.add("slow", slow.info()), t.add("surrogate", surrogate->info());
-  const auto of = [p](std::string port, Eigen::Index k) {
-    return p > 1 ? port + "_" + std::to_string(k + 1) : port;
-  };
-  const auto element = [](const std::string& port, Eigen::Index k, Eigen::Index size) {
-    return size > 1 ? port + "[" + std::to_string(k) + "]" : port;
-  };
   for (Eigen::Index k = 0; k < p; ++k) {
-    t.connect({element("fast.F", k, p), of("surrogate.force", k), Reconstruction::parse("lagrange4")});
     t.connect(
-        {of("surrogate.mean_force", k), element("slow.F", k, p), Reconstruction::parse("matched_hold")});
-    t.connect({of("surrogate.displacement", k), element("fast.y", k, p), Reconstruction::parse("hermite")});
+        {element("fast.F", k, p), numbered("surrogate.force", k, p), Reconstruction::parse("lagrange4")});
+    t.connect({numbered("surrogate.mean_force", k, p), element("slow.F", k, p),
+               Reconstruction::parse("matched_hold")});
+    t.connect({numbered("surrogate.displacement", k, p), element("fast.y", k, p),
+               Reconstruction::parse("hermite")});
   }
   for (Eigen::Index i = 0; i < n; ++i) {
     const std::string coordinate = c.model->coordinates()[static_cast<std::size_t>(i)],

@@ -3,6 +3,7 @@
 #pragma once
 #include <cmath>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "slow_models.hpp"
@@ -67,6 +68,14 @@ inline double error_beside_one(const FastMasses& f, const SlowEquations& m, doub
       errors += std::pow(rows[k][static_cast<std::size_t>(i)] - x[i], 2), squares += x[i] * x[i];
   }
   return ratio / 100.0 * std::sqrt(errors / squares);
+}
+
+/// Ports of several links: "force_1", "y[0]".
+inline std::string numbered(const std::string& port, Eigen::Index k, Eigen::Index links) {
+  return links > 1 ? port + "_" + std::to_string(k + 1) : port;
+}
+inline std::string element(const std::string& port, Eigen::Index k, Eigen::Index size) {
+  return size > 1 ? port + "[" + std::to_string(k) + "]" : port;
 }
 
 }  // namespace tandem::test
