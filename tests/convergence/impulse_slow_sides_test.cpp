@@ -46,22 +46,13 @@ std::vector<std::vector<double>> coupled(const FastMasses& masses, const SlowEqu
       t.connect({element("slow.A", k * p + i, cells), numbered(numbered("surrogate.accelerance", k, p), i, p),
                  Reconstruction::parse("hermite")});
   }
-  Coordination how;
-  how.schedule = Schedule::Kind::fastest_first;
-  Coordinator run(t, {&fast, &slow, surrogate.get()}, how, {0.0, 100.0});
-  FastRows rows;
-  run.observe(&rows), run.run();
+  auto rows = fast_rows(t, {&fast, &slow, surrogate.get()});
   if (remarks) *remarks = surrogate->remarks(100.0);
-  return rows.x;
+  return rows;
 }
 
 double error_of(const SlowCase& c, double ratio, double phase) {
-  const Light of{ratio, c.mass_ratio};
-  SlowEquations m = c.slow(of);
-  const FastMasses f = fast_side(c, of, m.displacement(m.q), phase);
-  if (c.shares_mode)
-    m.q[0] -= c.mass_ratio * c.amplitude * std::cos(phase),
-        m.u[0] += c.mass_ratio * fast_frequency * c.amplitude * std::sin(phase);
+  const auto [m, f] = start_of(c, ratio, phase);
   return 100.0 * error_beside_one(f, m, ratio, coupled(f, m, ratio));
 }
 

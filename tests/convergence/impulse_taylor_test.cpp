@@ -84,21 +84,11 @@ std::vector<std::vector<double>> coupled_by_taylor(const FastMasses& masses, con
     t.connect(
         {element("surrogate.reaction", i, n), "slow." + reaction, Reconstruction::parse("matched_hold")});
   }
-  Coordination how;
-  how.schedule = Schedule::Kind::fastest_first;
-  Coordinator run(t, {&fast, &slow, surrogate.get()}, how, {0.0, 100.0});
-  FastRows rows;
-  run.observe(&rows), run.run();
-  return rows.x;
+  return fast_rows(t, {&fast, &slow, surrogate.get()});
 }
 
 double taylor_error_of(const SlowCase& c, double ratio, double phase) {
-  const Light of{ratio, c.mass_ratio};
-  SlowEquations m = c.slow(of);
-  const FastMasses f = fast_side(c, of, m.displacement(m.q), phase);
-  if (c.shares_mode)
-    m.q[0] -= c.mass_ratio * c.amplitude * std::cos(phase),
-        m.u[0] += c.mass_ratio * fast_frequency * c.amplitude * std::sin(phase);
+  const auto [m, f] = start_of(c, ratio, phase);
   return 100.0 * error_beside_one(f, m, ratio, coupled_by_taylor(f, m, ratio));
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "fast_masses.hpp"
 #include "slow_models.hpp"
 #include "tandem/coordinator/coordinator.hpp"
 
@@ -32,6 +33,21 @@ inline FastMasses fast_side(const SlowCase& c, const Light& of, const VectorXd& 
   return f;
 }
 
+/// Both sides at the start.
+struct StartOfCase {
+  SlowEquations slow;
+  FastMasses fast;
+};
+inline StartOfCase start_of(const SlowCase& c, double ratio, double phase) {
+  const Light of{ratio, c.mass_ratio};
+  SlowEquations m = c.slow(of);
+  const FastMasses f = fast_side(c, of, m.displacement(m.q), phase);
+  if (c.shares_mode)
+    m.q[0] -= c.mass_ratio * c.amplitude * std::cos(phase),
+        m.u[0] += c.mass_ratio * fast_frequency * c.amplitude * std::sin(phase);
+  return {m, f};
+}
+
 class FastRows final : public Observer {
  public:
   bool samples(int who, const History& history, std::int64_t first, std::int64_t last) override {
@@ -41,6 +57,16 @@ class FastRows final : public Observer {
   }
   std::vector<std::vector<double>> x;
 };
+
+/// Over 100 fast cycles, of the first subsystem, the fast one.
+inline std::vector<std::vector<double>> fast_rows(const Topology& t, std::vector<Subsystem*> subsystems) {
+  Coordination how;
+  how.schedule = Schedule::Kind::fastest_first;
+  Coordinator run(t, std::move(subsystems), how, {0.0, 100.0});
+  FastRows rows;
+  run.observe(&rows), run.run();
+  return rows.x;
+}
 
 /// Both in one by the classical method with a quarter of the step: the rms of the difference by that of x, times FR / N.
 inline double error_beside_one(const FastMasses& f, const SlowEquations& m, double ratio,

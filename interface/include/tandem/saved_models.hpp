@@ -36,7 +36,7 @@ concept GivesStates =
     };
 
 /// What FixedStep and Sampled have in common: a model, its place in time, and saved copies of both. Place has
-/// clock(), write() and read().
+/// clock(), write() and read(). (Long by the calls of Subsystem that it hands on to the model, each in one place.)
 template <class Model, class Place>
 class SavedModels : public Subsystem {
  public:

@@ -46,7 +46,8 @@ struct Figure {
   std::int64_t count;
 };
 
-/// A system that integrates itself with its own step, or a sampled one.
+/// A system that integrates itself with its own step, or a sampled one. (One file, as it is the whole contract: whoever
+/// writes a subsystem reads it from end to end.)
 ///
 /// Order of calls on one instance:
 /// 1. The constructor. info() is constant from then on.

@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "accelerances.hpp"
 
+#include "tandem/mbs/mechanism/push.hpp"
+
 namespace tandem::mbs {
 
 using Eigen::VectorXd;

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "tandem/mbs/mechanism/constrained_accelerations.hpp"
+#include "constrained_accelerations.hpp"
 #include "tandem/mbs/mechanism/mechanism.hpp"
 
 namespace tandem::mbs {

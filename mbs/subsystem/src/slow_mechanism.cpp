@@ -5,7 +5,7 @@
 #include <array>
 
 #include "tandem/bytes.hpp"
-#include "tandem/mbs/mechanism/constrained_accelerations.hpp"
+#include "tandem/mbs/mechanism/push.hpp"
 #include "tandem/mbs/subsystem.hpp"
 
 namespace tandem::mbs {

@@ -82,8 +82,8 @@ void tell_accelerances(const std::string& text, mbs::Description& d) {
   for (const std::string& name : words_of(text)) {
     const auto by = name.find(".by.");
     const std::string of = name.substr(0, by), force = by == std::string::npos ? "" : name.substr(by + 4);
-    check_name("accelerances", "output", of, of_outputs),
-        check_name("accelerances", "input", force, of_inputs);
+    check_name("accelerances", "output", of, of_outputs);
+    check_name("accelerances", "input", force, of_inputs);
     const auto output = std::find(of_outputs.begin(), of_outputs.end(), of) - of_outputs.begin();
     const auto input =
         static_cast<int>(std::find(of_inputs.begin(), of_inputs.end(), force) - of_inputs.begin());

@@ -1,7 +1,4 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-#include <cmath>
-
-#include "tandem/error.hpp"
 #include "taylor_surrogate.hpp"
 
 namespace tandem {

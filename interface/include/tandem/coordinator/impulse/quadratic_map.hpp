@@ -12,38 +12,28 @@ namespace tandem {
 /// The second-order Taylor polynomial of a function of several variables with several values.
 class QuadraticMap {
  public:
-  QuadraticMap() = default;
   QuadraticMap(std::size_t variables, std::size_t values)
       : variables_(variables),
         values_(values),
         terms_((1 + variables + variables * (variables + 1) / 2) * values),
-        scratch_(5 * values) {}
+        scratch_((2 + variables) * values) {}
 
   /// About x by central differences, by steps[j] in variable j. f(x, y) gives the values; x is as it was afterwards.
   template <class Function>
   void expand(std::span<double> x, std::span<const double> steps, const Function& f) {
-    const std::span<double> here = term(0), all(scratch_);
-    const auto part = [&](std::size_t k) { return all.subspan(k * values_, values_); };
-    const auto moved = [&](std::size_t j, std::size_t k, double sign, std::span<double> y) {
-      const double xj = x[j], xk = x[k];
-      x[j] += sign * steps[j], x[k] += j == k ? 0.0 : sign * steps[k];
-      f(x, y);
-      x[j] = xj, x[k] = xk;
-    };
-    f(x, here);
-    std::vector<double> sums(variables_ * values_);  // f(x + e_j) + f(x - e_j) - 2 f(x)
+    f(x, term(0));
     for (std::size_t j = 0; j < variables_; ++j) {
-      moved(j, j, 1.0, part(0)), moved(j, j, -1.0, part(1));
+      look(x, steps, j, j, f);
       for (std::size_t i = 0; i < values_; ++i) {
-        sums[j * values_ + i] = part(0)[i] + part(1)[i] - 2.0 * here[i];
-        term(1 + j)[i] = (part(0)[i] - part(1)[i]) / (2.0 * steps[j]);
-        pair(j, j)[i] = sums[j * values_ + i] / (2.0 * steps[j] * steps[j]);
+        scratch(2 + j)[i] = scratch(0)[i] + scratch(1)[i] - 2.0 * term(0)[i];
+        term(1 + j)[i] = (scratch(0)[i] - scratch(1)[i]) / (2.0 * steps[j]);
+        pair(j, j)[i] = scratch(2 + j)[i] / (2.0 * steps[j] * steps[j]);
       }
       for (std::size_t k = 0; k < j; ++k) {
-        moved(j, k, 1.0, part(0)), moved(j, k, -1.0, part(1));
+        look(x, steps, j, k, f);
         for (std::size_t i = 0; i < values_; ++i)
           pair(j, k)[i] =
-              (part(0)[i] + part(1)[i] - 2.0 * here[i] - sums[j * values_ + i] - sums[k * values_ + i]) /
+              (scratch(0)[i] + scratch(1)[i] - 2.0 * term(0)[i] - scratch(2 + j)[i] - scratch(2 + k)[i]) /
               (2.0 * steps[j] * steps[k]);
       }
     }
@@ -65,6 +55,22 @@ class QuadraticMap {
   }
 
  private:
+  /// A step forward in j and k, and one back.
+  template <class Function>
+  void look(std::span<double> x, std::span<const double> steps, std::size_t j, std::size_t k,
+            const Function& f) {
+    const double xj = x[j], xk = x[k];
+    for (const double sign : {1.0, -1.0}) {
+      x[j] = xj + sign * steps[j];
+      if (k != j) x[k] = xk + sign * steps[k];
+      f(x, scratch(sign > 0.0 ? 0 : 1));
+    }
+    x[j] = xj, x[k] = xk;
+  }
+  /// What f gives a step on, and back; then of each variable f(x + e_j) + f(x - e_j) - 2 f(x).
+  std::span<double> scratch(std::size_t number) {
+    return std::span(scratch_).subspan(number * values_, values_);
+  }
   std::size_t place(std::size_t j, std::size_t k) const { return 1 + variables_ + j * (j + 1) / 2 + k; }
   std::span<double> term(std::size_t number) { return std::span(terms_).subspan(number * values_, values_); }
   std::span<double> pair(std::size_t j, std::size_t k) { return term(place(j, k)); }
@@ -73,7 +79,7 @@ class QuadraticMap {
     for (std::size_t i = 0; i < values_; ++i) y[i] += factor * term[i];
   }
 
-  std::size_t variables_ = 0, values_ = 0;
+  std::size_t variables_, values_;
   std::vector<double>
       terms_;  ///< the value, the gradients, and the halves of second derivatives that go with d_j d_k
   std::vector<double> scratch_;

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "tandem/mbs/mechanism/mechanism.hpp"
+#include "tandem/mbs/model.hpp"
 
 namespace tandem::mbs {
 
@@ -34,8 +34,5 @@ class ConstrainedAccelerations {
   std::vector<double> jacobian_;
   Eigen::VectorXd phi_;
 };
-
-/// The generalised forces on the variables of an input of 1, which only forces follow.
-Eigen::VectorXd push_of(const Mechanism& mechanism, int input, const Eigen::VectorXd& q);
 
 }  // namespace tandem::mbs
