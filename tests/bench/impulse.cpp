@@ -23,11 +23,12 @@ std::vector<Coupled> couplings() {
   const std::vector<std::string> samples = {
       "coordination.coupling=signals", "coordination.schedule=slowest-first",
       "connections.reconstruction=lagrange3", "span.diverged_beyond=1e100"};
-  return {{"two_mass by lagrange3", two_mass, ratio, samples},
-          {"two_mass by impulse_plain", two_mass, ratio, {}},
-          {"two_mass by impulse_stiffness", two_mass, ratio, {"coordination.coupling=impulse_stiffness"}},
-          {"pushed_pendulum by impulse_plain", pendulum, constant, {"coordination.coupling=impulse_plain"}},
-          {"pushed_pendulum by impulse_taylor", pendulum, constant, {"coordination.coupling=impulse_taylor"}}};
+  return {
+      {"two_mass by lagrange3", two_mass, ratio, samples},
+      {"two_mass by impulse_plain", two_mass, ratio, {}},
+      {"two_mass by impulse_stiffness", two_mass, ratio, {"coordination.coupling=impulse_stiffness"}},
+      {"pushed_pendulum by impulse_plain", pendulum, constant, {"coordination.coupling=impulse_plain"}},
+      {"pushed_pendulum by impulse_taylor", pendulum, constant, {"coordination.coupling=impulse_taylor"}}};
 }
 
 struct Spent {
