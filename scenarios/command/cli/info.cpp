@@ -169,7 +169,8 @@ struct InfoOptions {
 };
 
 void print_scenario(const InfoOptions& options, const Context& context) {
-  const auto scenario = as_it_is_stated(scenario::read(options.what, options.overrides));
+  const auto scenario = as_it_is_stated(scenario::read(options.what, options.overrides), context.builtins,
+                                        options.run_programs);
   const scenario::Parts parts(scenario, context.builtins,
                               options.run_programs ? scenario::Code::run : scenario::Code::leave_out);
   const Topology& topology = parts.topology();

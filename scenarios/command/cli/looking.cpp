@@ -5,12 +5,16 @@
 
 #include "cli/say.hpp"
 #include "tandem/scenario/taken.hpp"
+#include "tandem/stability/fast_period.hpp"
 #include "tandem/text/time_table.hpp"
 
 namespace tandem::cli {
 
-scenario::Scenario as_it_is_stated(scenario::Scenario scenario) {
-  if (!scenario.chooses) return scenario;
+scenario::Scenario as_it_is_stated(scenario::Scenario scenario, const Builtins& builtins, bool run_programs) {
+  if (!scenario.chooses)
+    return run_programs || !scenario::names_code(scenario, builtins)
+               ? stability::with_fast_period(std::move(scenario), builtins)
+               : scenario;
   say("note: coordination.scheme is auto: what is left out is taken when it runs, and has its usual value "
       "here\n");
   return scenario::with_usual(std::move(scenario));

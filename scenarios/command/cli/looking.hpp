@@ -7,8 +7,9 @@ namespace tandem::cli {
 
 // What `validate`, `info` and `run --dry-run` share: they look at a scenario that may be a stranger's.
 
-/// A scenario that chooses (coordination.scheme = "auto"), with usual values for what it leaves out; it is said.
-scenario::Scenario as_it_is_stated(scenario::Scenario scenario);
+/// A scenario that chooses (coordination.scheme = "auto"), with usual values for what it leaves out; it is said. One that lacks
+/// its fast period, with it, if that takes no code or run_programs.
+scenario::Scenario as_it_is_stated(scenario::Scenario scenario, const Builtins& builtins, bool run_programs);
 
 /// The option by which they open sources that are code.
 CLI::Option* add_run_programs(CLI::App& command, bool& run_programs);

@@ -19,6 +19,7 @@
 #include "tandem/scenario/run.hpp"
 #include "tandem/scenario/taken.hpp"
 #include "tandem/sources/mechanism.hpp"
+#include "tandem/stability/fast_period.hpp"
 
 namespace tandem::cli {
 namespace {
@@ -45,6 +46,7 @@ Scenario scenario_of(const RunOptions& options, const Context& context) {
     scenario = options.resume.empty()
                    ? advised(scenario, folder_of(options) / "advice", context)
                    : scenario::with_taken(scenario, scenario::Checkpoint::taken(options.resume));
+  scenario = stability::with_fast_period(std::move(scenario), without_matrices(context.builtins));
   return with_matrices(std::move(scenario), options.matrices, context.builtins);
 }
 
@@ -129,9 +131,9 @@ void run_to_results(const RunOptions& options, const Context& context) {
 
 void run_dry(const RunOptions& options, const Context& context) {
   const Builtins builtins = without_matrices(context.builtins);
-  const Scenario scenario =
-      with_matrices(as_it_is_stated(scenario::read(options.file, overrides_of(options))), options.matrices,
-                    context.builtins);
+  const Scenario scenario = with_matrices(
+      as_it_is_stated(scenario::read(options.file, overrides_of(options)), builtins, options.run_programs),
+      options.matrices, context.builtins);
   const fs::path folder = folder_of(options);
   if (options.run_programs || !scenario::names_code(scenario, builtins)) {
     tell_notes(scenario::Run::check(scenario, builtins, settings_of(options)));

@@ -10,6 +10,7 @@
 #include "cli/sweep_study.hpp"
 #include "tandem/charts/draw.hpp"
 #include "tandem/sources/mechanism.hpp"
+#include "tandem/stability/fast_period.hpp"
 #include "tandem/stability/largest_step.hpp"
 #include "tandem/stability/modes.hpp"
 #include "tandem/study/stability_map.hpp"
@@ -43,6 +44,7 @@ void tell(const scenario::Scenario& scenario, const stability::Stability& all) {
   for (const stability::Identified& one : all.step.identified)
     say("{} {}: a linear model of order {} stands for it, which leaves {:.2g} of its responses\n", one.name,
         one.sampled ? "is sampled" : "keeps its states to itself", one.order, one.residual);
+  for (const std::string& remark : scenario.remarks) say("note: {}\n", remark);
   if (!all.step.linear) say("note: subsystems are not linear; this is about the state at the start\n");
   say("spectral radius: {:.10g}\n\n", all.radius);
   if (!all.unknown.empty()) return say("modes: not known; {}\n", all.unknown);
@@ -119,8 +121,9 @@ void add_stability(CLI::App& app, Context& context) {
   command->footer("Exit status: 0, also of an unstable one; 2 for what is wrong before.");
   command->callback([options, &context] {
     if (!options->map.empty()) return draw_map(*options, context);
-    const auto scenario = scenario::read(options->file, options->overrides);
     const Builtins builtins = without_matrices(context.builtins);
+    const auto scenario =
+        stability::with_fast_period(scenario::read(options->file, options->overrides), builtins);
     tell(scenario, stability::stability(scenario, builtins));
     tell_largest(scenario, builtins);
   });

@@ -17,8 +17,9 @@ struct ValidateOptions {
 };
 
 void validate(const ValidateOptions& options, const Context& context) {
-  const auto scenario = as_it_is_stated(scenario::read(options.file, options.overrides));
   const Builtins builtins = without_matrices(context.builtins);
+  const auto scenario =
+      as_it_is_stated(scenario::read(options.file, options.overrides), builtins, options.run_programs);
   if (!options.run_programs && scenario::names_code(scenario, builtins))
     return check_in_part(scenario, builtins, true);
   scenario::Assembly assembly(scenario, builtins);

@@ -8,6 +8,7 @@
 #include "tandem/scenario/about.hpp"
 #include "tandem/scenario/assembly.hpp"
 #include "tandem/scenario/run.hpp"
+#include "tandem/stability/fast_period.hpp"
 
 namespace tandem::scenario {
 namespace {
@@ -90,7 +91,7 @@ Ladder::Ladder(const Scenario& scene, const std::vector<std::string>& overrides,
     if (is_results(entry.file))
       rung.results = read_results(entry);
     else
-      rung.scenario = read_rung(entry, overrides);
+      rung.scenario = stability::with_fast_period(read_rung(entry, overrides), builtins_);
     take_quantities(rung);
   }
   check_richest();

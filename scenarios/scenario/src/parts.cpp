@@ -76,6 +76,10 @@ Parts::Parts(const Scenario& scenario, const Builtins& builtins, Code code) : sc
   if (scenario.chooses)
     refuse(scenario.place("coordination.scheme"),
            "coordination.scheme is auto, and no scheme has been taken; allowed here is stated");
+  if (code == Code::run && lacks_fast_period(scenario))
+    refuse(scenario.place("coordination.coupling"),
+           "coordination.fast_period is not stated, and has not been found; allowed here is a number above 0 "
+           "[s]");
   if (scenario.animate) check_animation(builtins);
   for (const SubsystemEntry& entry : scenario.subsystems)
     if (!entry.impulse) {

@@ -106,6 +106,10 @@ bool by_impulse(const Scenario& scenario) {
                      [](const SubsystemEntry& one) { return one.impulse != nullptr; });
 }
 
+bool lacks_fast_period(const Scenario& scenario) {
+  return by_impulse(scenario) && scenario.fast_period == 0.0;
+}
+
 void refuse_impulse(const Scenario& scenario, const std::string& what) {
   if (by_impulse(scenario))
     refuse(scenario.place("coordination.coupling"),

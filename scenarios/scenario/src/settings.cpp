@@ -50,8 +50,7 @@ void read_coupling(Section& section, Scenario& to) {
   const bool impulse = *section.text("coupling") != "signals";
   const auto period = section.positive("fast_period");
   if (!impulse) return;
-  if (!period) section.missing("fast_period");
-  to.fast_period = *period;
+  to.fast_period = period.value_or(0.0);
   Coordination& c = to.coordination;
   if (to.chooses)
     section.wrong("scheme", "auto",

@@ -78,6 +78,19 @@ std::optional<Scenario> with_step(const Scenario& scenario, std::size_t which, c
   return {};
 }
 
+/// Those that have one of their own: a surrogate of an impulse coupling goes by its fast side's. The slow side's stays longer
+/// all the while.
+std::vector<std::size_t> in_order(const Scenario& scenario, const std::vector<double>& steps, bool grow) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    if (!std::isnan(steps[i]) && !scenario.subsystems[i].impulse) order.push_back(i);
+  if (by_impulse(scenario))
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return grow ? steps[a] > steps[b] : steps[a] < steps[b];
+    });
+  return order;
+}
+
 }  // namespace
 
 void scale_each_step(Scenario& scenario, const Builtins& builtins,
@@ -85,8 +98,7 @@ void scale_each_step(Scenario& scenario, const Builtins& builtins,
   const auto steps = own_steps(scenario, builtins);
   double shortest = std::numeric_limits<double>::infinity();
   for (const double step : steps) shortest = std::fmin(shortest, step);
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    if (std::isnan(steps[i])) continue;
+  for (const std::size_t i : in_order(scenario, steps, factor(shortest, shortest) > 1.0)) {
     refuse_in_address(scenario.subsystems[i]);
     const double by = factor(steps[i], shortest);
     auto other = with_step(scenario, i, builtins, steps[i], steps[i] * by);

@@ -171,7 +171,7 @@ Surrogate surrogate_of(const SubsystemEntry& entry, const Scenario& of, const To
                        const std::vector<std::unique_ptr<Subsystem>>& subsystems, const Builtins& builtins) {
   return located(entry.place, [&]() -> Surrogate {
     const Sides sides{*entry.impulse, of, topology, subsystems};
-    if (!sides.are_there()) return {};
+    if (!sides.are_there() || lacks_fast_period(of)) return {};
     return entry.impulse->kind == ImpulseEntry::Kind::taylor ? by_taylor(entry, sides)
                                                              : by_parameters(entry, sides, builtins);
   });

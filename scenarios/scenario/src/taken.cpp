@@ -23,10 +23,11 @@ bool is_of_a_scheme(const std::string& taken) {
   const auto equals = taken.find('=');
   const std::string key = taken.substr(0, equals),
                     value = equals < taken.size() ? taken.substr(equals + 1) : "";
-  if (key == "coordination.schedule" || key == "coordination.order") return true;
+  if (key == "coordination.schedule" || key == "coordination.order" || key == "coordination.coupling")
+    return true;
   if (key.starts_with("connections[") && key.ends_with("].reconstruction")) return true;
   return is_number(value) &&
-         (key == "coordination.communication_step" ||
+         (key == "coordination.communication_step" || key == "coordination.fast_period" ||
           (key.starts_with("subsystems.") && key.find(".parameters.") != std::string::npos));
 }
 
@@ -43,7 +44,9 @@ Scenario with_taken(const Scenario& scenario, std::vector<std::string> taken) {
     if (!is_of_a_scheme(one))
       refuse(scenario.place("coordination.scheme"),
              "coordination.scheme = auto took '" + printable(one, 200) +
-                 "'; allowed are a schedule, an order, reconstructions and numbers of steps");
+                 "'; allowed are a schedule, an order, a coupling, its period, reconstructions and numbers of "
+                 "steps");
+  taken.insert(taken.begin(), scenario.taken.begin(), scenario.taken.end());
   auto all = scenario.overrides;
   all.insert(all.end(), taken.begin(), taken.end());
   all.emplace_back("coordination.scheme=stated");

@@ -17,7 +17,7 @@ using scenario::Scenario;
 bool is_stable(Scenario scenario, const Builtins& builtins, double rate, double factor) {
   scenario::scale_steps(scenario, builtins, factor);
   const SuperStep step = super_step(scenario, builtins);
-  return is_stable(step, spectral_radius(step.map), rate);
+  return is_stable(step, step.radius(), rate);
 }
 
 double smallest_factor(const SuperStep& step) {

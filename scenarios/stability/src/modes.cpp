@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "tandem/error.hpp"
+#include "tandem/stability/fast_period.hpp"
 #include "trial.hpp"
 #include "undivided.hpp"
 
@@ -34,11 +36,28 @@ Pairs pairs_of(const Eigen::MatrixXd& map, const std::vector<Index>& rows) {
   return pairs;
 }
 
-std::vector<Index> states_in(const SuperStep& step) {
-  std::vector<Index> rows;
-  for (std::size_t k = 0; k < step.coordinates.size(); ++k)
-    if (step.coordinates[k].age < 0) rows.push_back(static_cast<Index>(k));
-  return rows;
+/// States by which modes are told: their numbers in the system undivided, and in the map.
+struct Told {
+  std::vector<Index> whole, map;
+};
+
+/// The slow side of an impulse coupling stands at its nodes without the fast motion, and its surrogate is no part of the
+/// system undivided.
+Told told_by(const SuperStep& step, const scenario::Scenario& scenario) {
+  const auto is_slow = [&](int i) {
+    return std::any_of(scenario.subsystems.begin(), scenario.subsystems.end(), [&](const auto& one) {
+      return one.impulse && one.impulse->slow == scenario.subsystems[static_cast<std::size_t>(i)].name;
+    });
+  };
+  Told told;
+  Index state = 0;
+  for (std::size_t k = 0; k < step.coordinates.size(); ++k) {
+    const Coordinate& c = step.coordinates[k];
+    if (c.age >= 0 || scenario.subsystems[static_cast<std::size_t>(c.subsystem)].impulse) continue;
+    if (!is_slow(c.subsystem)) told.whole.push_back(state), told.map.push_back(static_cast<Index>(k));
+    ++state;
+  }
+  return told;
 }
 
 /// |a* b|^2 / (a* a)(b* b), of vectors that are scaled alike.
@@ -49,12 +68,15 @@ double likeness(const VectorXcd& a, const VectorXcd& b) {
 
 class Matching {
  public:
-  Matching(const Undivided& whole, const SuperStep& step)
+  Matching(const Undivided& whole, const SuperStep& step, const Told& told)
       : period_(step.period), taken_(static_cast<std::size_t>(step.map.cols())) {
     std::vector<Index> all(whole.names.size());
-    for (std::size_t k = 0; k < all.size(); ++k) all[k] = static_cast<Index>(k);
-    true_ = pairs_of(whole.rates, all), here_ = pairs_of(step.map, states_in(step));
-    parts_ = true_.vectors.cwiseProduct(true_.vectors.fullPivLu().inverse().transpose()).cwiseAbs();
+    std::iota(all.begin(), all.end(), Index{0});
+    const Eigen::MatrixXcd vectors = pairs_of(whole.rates, all).vectors;
+    parts_ = vectors.cwiseProduct(vectors.fullPivLu().inverse().transpose()).cwiseAbs();
+    true_ = pairs_of(whole.rates, told.whole), here_ = pairs_of(step.map, told.map);
+    for (std::size_t k = 0; k < taken_.size(); ++k)
+      taken_[k] = step.is_offset(here_.values[static_cast<Index>(k)]);
     const Eigen::VectorXd largest = true_.vectors.cwiseAbs().rowwise().maxCoeff();
     for (Pairs* pairs : {&true_, &here_})
       for (Index k = 0; k < largest.size(); ++k)
@@ -136,12 +158,13 @@ Stability stability(const scenario::Scenario& scenario, const Builtins& builtins
                 scenario.file.string() +
                     ": no subsystem gives its states, or has inputs by which they could be found; "
                     "allowed are those that do");
-  all.radius = spectral_radius(all.step.map);
-  const Trial trial(scenario, builtins);
+  all.radius = all.step.radius();
+  const scenario::Scenario apart = scenario::by_impulse(scenario) ? by_signals(scenario) : scenario;
+  const Trial trial(apart, builtins);
   try {
     const Undivided whole = undivided(trial, all.step.linear);
     all.states = whole.names;
-    all.modes = Matching(whole, all.step).modes();
+    all.modes = Matching(whole, all.step, told_by(all.step, scenario)).modes();
     constexpr double rounding = 1e-8;  // of a damping ratio
     for (const Mode& mode : all.modes)
       if (mode.damping < -rounding) all.rate = std::max(all.rate, mode.rate);

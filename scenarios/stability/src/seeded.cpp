@@ -45,13 +45,13 @@ class SeededSteps final : public Seeded {
   TimeGrid grid_;
   std::int64_t given_ = 0;
   std::int64_t before_ =
-      0;  ///< samples up to `begin` of the run before, which tells this one which of them is the newest
+      0;  ///< samples up to `begin` of the run before, which tells this one which of them is the newest; 0: all
   bool entered_ = false;
 };
 
 void SeededSteps::give(Samples& y) {
   const bool here = !grid_.tolerance().before(grid_.time(), begin());
-  newest_.push_back(past(before_ - 1 - given_++));
+  newest_.push_back(past(std::max<std::int64_t>(before_ - 1 - given_++, 0)));
   std::copy(newest_.back().begin(), newest_.back().end(), y.append(here ? begin() : grid_.time()));
 }
 

@@ -54,8 +54,9 @@ Eigen::MatrixXd differences(Trial& trial, double part) {
 /// subsystems leave of their iterations.
 void differentiate(Trial& trial, const std::string& file, SuperStep& to) {
   constexpr double small = 6e-6, large = 6e-5, most = 1e-3;
-  to.map = differences(trial, small);
-  to.unsettled = std::abs(spectral_radius(to.map) - spectral_radius(differences(trial, large)));
+  SuperStep other = to;
+  to.map = differences(trial, small), other.map = differences(trial, large);
+  to.unsettled = std::abs(to.radius() - other.radius());
   if (!(to.unsettled <= most))
     throw Error(
         ErrorCode::not_supported,
@@ -75,6 +76,7 @@ SuperStep super_step(const scenario::Scenario& scenario, const Builtins& builtin
   for (int i = 0; i < trial.topology().size(); ++i)
     step.sampled.push_back(trial.topology().info(i).abilities.sampled);
   step.coordinates = trial.coordinates(), step.identified = trial.identified();
+  step.carries_offsets = scenario::by_impulse(scenario);
   step.linear = is_linear(trial);
   if (step.linear)
     step.map = columns(trial);
@@ -91,9 +93,18 @@ double SuperStep::rounding() const {
   return most;
 }
 
-double spectral_radius(const Eigen::MatrixXd& map) {
+bool SuperStep::is_offset(std::complex<double> multiplier) const {
+  constexpr double apart = 1e-4;  // the fourth root of rounding: so many may be 1
+  return carries_offsets && std::abs(multiplier - 1.0) <= apart;
+}
+
+double SuperStep::radius() const {
   if (map.size() == 0) return 0.0;
-  return Eigen::EigenSolver<Eigen::MatrixXd>(map, false).eigenvalues().cwiseAbs().maxCoeff();
+  const Eigen::VectorXcd all = Eigen::EigenSolver<Eigen::MatrixXd>(map, false).eigenvalues();
+  double largest = carries_offsets ? 1.0 : 0.0;
+  for (const std::complex<double>& one : all)
+    if (!is_offset(one)) largest = std::max(largest, std::abs(one));
+  return largest;
 }
 
 }  // namespace tandem::stability

@@ -11,7 +11,6 @@ Trial::Trial(const scenario::Scenario& scenario, const Builtins& builtins)
     : scenario_(scenario),
       parts_(scenario, builtins, scenario::Code::run),
       coordination_(scenario.coordination) {
-  scenario::refuse_impulse(scenario, "the map of a super-step");
   coordination_.start = StartKind::cold;
   coordination_.diverged_beyond = std::numeric_limits<double>::infinity();
   for (int i = 0; i < parts_.topology().size(); ++i) {

@@ -29,7 +29,11 @@ void Trial::begin() {
   std::int64_t before = 1;
   for (int i = 0; i < topology.size(); ++i) {
     const double offset = is_sampled(i) ? identify_sampled(i) : 0.0;
-    if (!subsystem(i).states()) identify(i);
+    if (!subsystem(i).states()) {
+      if (scenario_.subsystems[static_cast<std::size_t>(i)].impulse)
+        refuse(i, "has the slow side's own equations in it, and keeps its states to itself");
+      identify(i);
+    }
     states_.push_back(*subsystem(i).states());
     ages_.push_back(samples_read(i));
     const std::int64_t steps = period_.steps[static_cast<std::size_t>(i)];

@@ -9,6 +9,7 @@
 #include "tandem/nearest.hpp"
 #include "tandem/printable.hpp"
 #include "tandem/scenario/steps.hpp"
+#include "tandem/stability/fast_period.hpp"
 
 namespace tandem::study {
 namespace {
@@ -31,6 +32,7 @@ bool RowRunner::OneRun::begin() {
   try {
     all_.scenes_.scale_steps(scenario_, row_);
     if (finer_) scenario::scale_steps(scenario_, all_.builtins_, 0.5);
+    scenario_ = stability::with_fast_period(std::move(scenario_), all_.builtins_);
     assembly_.emplace(scenario_, all_.builtins_);
   } catch (const Error& error) {
     return end("refused", error.what()), false;

@@ -11,7 +11,7 @@ namespace tandem::study {
 
 void RowRunner::OneRun::tell_stability(const Metric& metric) {
   if (metric.of == "spectral_radius")
-    return set(metric.name, stability::spectral_radius(stability::super_step(scenario_, all_.builtins_).map));
+    return set(metric.name, stability::super_step(scenario_, all_.builtins_).radius());
   if (!stability_) stability_ = stability::stability(scenario_, all_.builtins_);
   if (!stability_->unknown.empty()) throw Error(ErrorCode::not_supported, stability_->unknown);
   const auto off = [&](const stability::Mode& mode) {

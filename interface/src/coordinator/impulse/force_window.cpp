@@ -48,6 +48,10 @@ double ForceWindow::b_spline(const ForceIntegrals& of, double length, double nex
   return moved;
 }
 
+std::array<double*, 6> ForceWindow::numbers() {
+  return {&boxes_[0].mean, &boxes_[1].mean, &boxes_[2].mean, &slope_, &middle_, &rate_};
+}
+
 void ForceWindow::write(ByteWriter& to) const {
   for (const Box& box : boxes_) to.put(box.mean), to.put(box.length);
   to.put(slope_), to.put(middle_), to.put(rate_);

@@ -87,30 +87,6 @@ void Surrogate::outputs(double* y) const {
   std::fill_n(y, checks_.size(), 0.0);
 }
 
-void Surrogate::write(ByteWriter& to) const {
-  to.put(slow_.begin());
-  to.put(std::uint8_t{passed_}), to.put(std::int32_t{steps_});
-  for (const Forces* one : {&forces_[2], &net_, &accelerations_})
-    for (const double number : *one) to.put(number);
-  accelerance_.write(to);
-  for (const SurrogateLink& link : links_) link.write(to);
-  for (const ReactionCheck& check : checks_) check.write(to);
-  for (const double one : begin_position_) to.put(one);
-  for (const double one : {worst_, worst_at_, changed_, changed_at_}) to.put(one);
-}
-
-void Surrogate::read(ByteReader& from) {
-  slow_.begin_at(from.take<double>());
-  passed_ = from.take<std::uint8_t>() != 0, steps_ = from.take<std::int32_t>();
-  for (Forces* one : {&forces_[2], &net_, &accelerations_})
-    for (double& number : *one) number = from.take<double>();
-  accelerance_.read(from);
-  for (SurrogateLink& link : links_) link.read(from);
-  for (ReactionCheck& check : checks_) check.read(from);
-  for (double& one : begin_position_) one = from.take<double>();
-  for (double* one : {&worst_, &worst_at_, &changed_, &changed_at_}) *one = from.take<double>();
-}
-
 std::unique_ptr<Subsystem> impulse_surrogate(ImpulseCoupling coupling) {
   return std::make_unique<FixedStep<Surrogate>>(Surrogate(std::move(coupling)));
 }

@@ -1,5 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <array>
+
 #include "tandem/bytes.hpp"
 #include "tandem/coordinator/impulse/force_window.hpp"
 
@@ -37,13 +39,16 @@ class StepIntegrals {
     return node;
   }
 
+  std::array<double*, 6> numbers() {
+    return {&sum_.first, &sum_.second, &sum_.third, &before_.first, &before_.second, &before_.third};
+  }
+
   void write(ByteWriter& to) const {
     for (const ForceIntegrals* one : {&sum_, &before_})
       to.put(one->first), to.put(one->second), to.put(one->third);
   }
   void read(ByteReader& from) {
-    for (ForceIntegrals* one : {&sum_, &before_})
-      one->first = from.take<double>(), one->second = from.take<double>(), one->third = from.take<double>();
+    for (double* one : numbers()) *one = from.take<double>();
   }
 
  private:

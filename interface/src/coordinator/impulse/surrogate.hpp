@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,8 @@
 
 namespace tandem {
 
-/// The model of impulse_surrogate(): its ports and its start, its own steps (surrogate_step.cpp), and what is done where the
-/// slow side passes a node and is heard of it (surrogate_node.cpp).
+/// The model of impulse_surrogate(): its ports and its start, its own steps (surrogate_step.cpp), what is done where the slow
+/// side passes a node and is heard of it (surrogate_node.cpp), and its states as bytes and as numbers (surrogate_states.cpp).
 class Surrogate {
  public:
   explicit Surrogate(ImpulseCoupling coupling);
@@ -26,6 +27,10 @@ class Surrogate {
   void step(const OwnStep& s, std::span<const Signal> u);
   void outputs(double* y) const;
   std::vector<std::string> remarks(double t_stop) const;
+  /// At a node that it has reached and not heard of, or at the start.
+  std::optional<std::vector<StateName>> states() const;
+  void get_states(std::span<double> x) const;
+  void set_states(std::span<const double> x);
   void write(ByteWriter& to) const;
   void read(ByteReader& from);
 
@@ -43,6 +48,7 @@ class Surrogate {
   void make_up_start(double t, std::span<const Signal> u);
   void take_node(double t, std::span<const Signal> u);
   void pass_node(const OwnStep& s);
+  std::vector<double*> numbers();
   void check_reaction(std::span<const Signal> u, double node);
 
   ImpulseCoupling of_;

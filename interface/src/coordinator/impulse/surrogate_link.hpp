@@ -52,11 +52,17 @@ class SurrogateLink {
   /// The acceleration since the node, s [s] ago, was off by so much then, and is now.
   void make_up(double s, double then, double now);
 
+  /// What it goes on from at a node that has not been heard of, but for the lengths of steps.
+  std::vector<double*> numbers();
+  /// Makes the start such a node: in a step before it, `length` long, it accelerated as it does now.
+  void begin_at_node(double acceleration, double length);
+  /// Before its numbers are put: steps were `length` long.
+  void go_on(double length) { length_ = length, pulse_ = DefectPulse(0.0, 0.0, length); }
+
   void write(ByteWriter& to) const;
   void read(ByteReader& from);
 
  private:
-  std::vector<double*> numbers();
   void follow(double g_mean, double s, double length);
 
   StepIntegrals forces_;

@@ -1,5 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <array>
+
 #include "tandem/bytes.hpp"
 
 namespace tandem {
@@ -37,6 +39,9 @@ class DefectPulse {
     velocity += next.rate(s) - (rate(end) - free_rate());
     *this = next;
   }
+
+  /// What it keeps but for its length.
+  std::array<double*, 2> numbers() { return {&a_, &b_}; }
 
   void write(ByteWriter& to) const { to.put(a_), to.put(b_), to.put(length_); }
   void read(ByteReader& from) {

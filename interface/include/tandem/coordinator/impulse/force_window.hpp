@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <array>
 
 namespace tandem {
 
@@ -32,6 +33,9 @@ class ForceWindow {
   /// - of: over that step.
   /// - length, next [s]: of that step, and of the coming one.
   double pass(const ForceIntegrals& of, double length, double next);
+
+  /// What it keeps but for the lengths of steps.
+  std::array<double*, 6> numbers();
 
   void write(ByteWriter& to) const;
   void read(ByteReader& from);

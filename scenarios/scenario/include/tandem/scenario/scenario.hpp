@@ -109,7 +109,7 @@ struct Scenario {
   std::vector<ConnectionEntry> connections;
   std::vector<LinkEntry> links;  ///< besides those that are found by their units
   Coordination coordination;
-  double fast_period = 0.0;  ///< [s]: the shortest of the coupled system; 0: not stated
+  double fast_period = 0.0;  ///< [s]: the shortest of the coupled system; 0: not known
   bool chooses = false;      ///< coordination.scheme is auto: what is left out has to be taken before it runs
   std::optional<Reconstruction> otherwise;  ///< of connections that have none and are not of held outputs
   double start = 0.0, stop = 0.0;           ///< [s]
@@ -122,7 +122,7 @@ struct Scenario {
   std::vector<std::string> plots;  ///< outputs that `tandem view` plots at first
 
   std::vector<std::string> overrides;  ///< "KEY=VALUE"
-  std::vector<std::string> taken;      ///< likewise, by coordination.scheme = "auto"
+  std::vector<std::string> taken;      ///< likewise, by coordination.scheme = "auto" or as a fast period
   std::vector<std::string> remarks;    ///< of a system of SSP what its user should know
   std::string values;                  ///< the file with the overrides in it, as JSON
   /// Of single keys by their path, "coordination.order"; absent: the file.
@@ -136,6 +136,8 @@ struct Scenario {
 
 /// Whether coordination.coupling has put surrogates in.
 bool by_impulse(const Scenario& scenario);
+/// Whether it has, and the fast period has to be found before it runs (stability/fast_period.hpp).
+bool lacks_fast_period(const Scenario& scenario);
 /// Refuses what is to be done with such a scenario, "the map of a super-step", for whoever does not know the coupling.
 void refuse_impulse(const Scenario& scenario, const std::string& what);
 

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <Eigen/Dense>
+#include <complex>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -46,6 +47,13 @@ struct SuperStep {
   /// Of differences: how far the spectral radius by ten times larger ones lies.
   double unsettled = 0.0;
 
+  /// By how much a surrogate of an impulse coupling and its slow side lie apart, and at which speed, is carried on as it is.
+  /// These multipliers are 1, several times over, and rounding takes them apart.
+  bool carries_offsets = false;
+  bool is_offset(std::complex<double> multiplier) const;
+
+  /// Spectral radius of the map: above 1 what a run carries grows without end. Offsets that are carried do not count.
+  double radius() const;
   /// What the modulus of an eigenvalue may be above 1 and mean 1.
   double rounding() const;
 };
@@ -62,8 +70,5 @@ struct SuperStep {
 SuperStep super_step(const scenario::Scenario& scenario, const Builtins& builtins);
 constexpr std::int64_t most_steps = 1000;
 constexpr double most_steps_of_all = 1e5;  ///< of the smallest, but for one of the largest
-
-/// The largest modulus of the map's eigenvalues: above 1 what a run carries grows without end.
-double spectral_radius(const Eigen::MatrixXd& map);
 
 }  // namespace tandem::stability

@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "tandem/stability/fast_period.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <numbers>
+
+#include "tandem/error.hpp"
+#include "tandem/scenario/taken.hpp"
+#include "trial.hpp"
+#include "undivided.hpp"
+
+namespace tandem::stability {
+namespace {
+
+/// [s]
+double shortest_period(const scenario::Scenario& scenario, const Builtins& builtins) {
+  const Trial trial(scenario, builtins);
+  const Eigen::MatrixXd rates = undivided(trial, false).rates;
+  const double fastest =
+      rates.size() > 0 ? Eigen::EigenSolver<Eigen::MatrixXd>(rates, false).eigenvalues().imag().maxCoeff()
+                       : 0.0;
+  if (!(fastest > 0.0)) throw Error(ErrorCode::not_supported, "the system undivided does not swing");
+  return 2.0 * std::numbers::pi / fastest;
+}
+
+}  // namespace
+
+scenario::Scenario by_signals(const scenario::Scenario& scenario) {
+  return scenario::with_usual(scenario::with_taken(scenario, {"coordination.coupling=signals"}));
+}
+
+scenario::Scenario with_fast_period(scenario::Scenario scenario, const Builtins& builtins) {
+  if (!scenario::lacks_fast_period(scenario)) return scenario;
+  try {
+    scenario.fast_period = shortest_period(by_signals(scenario), builtins);
+  } catch (const Error& error) {
+    scenario::refuse(
+        scenario.place("coordination.coupling"),
+        fmt::format("coordination.fast_period is not stated, and can't be found: {}; allowed is a "
+                    "number above 0 [s]",
+                    error.what()),
+        error.code());
+  }
+  scenario.taken.push_back(fmt::format("coordination.fast_period={}", scenario.fast_period));
+  scenario.remarks.push_back(fmt::format(
+      "coordination.fast_period is {:.6g} s, the shortest of the system undivided", scenario.fast_period));
+  return scenario;
+}
+
+}  // namespace tandem::stability
