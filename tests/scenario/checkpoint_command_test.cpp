@@ -44,6 +44,8 @@ void goes_on(const Arguments& what, const std::string& every, const char* rows =
 TEST(CheckpointCommand, ScenesGoOnToTheSameFiles) {
   goes_on({two_mass_file("two_mass.toml")}, "30");
   goes_on({two_mass_file("impulse.toml")}, "100");
+  goes_on({two_mass_file("impulse.toml"), "--set", "parameters.frequency_ratio=60", "--set", "span.stop=60"},
+          "25");
   goes_on({scene("pushed_pendulum/pushed_pendulum.toml")}, "40");
   goes_on({scene("engine_linkage/engine_linkage.toml"), "--set", "span.stop=0.5"}, "0.13");
   goes_on({scene("split_pendulum/split_pendulum.toml"), "--set", "span.stop=0.5"}, "0.13");

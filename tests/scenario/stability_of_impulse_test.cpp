@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
+
 #include "long_run.hpp"
 #include "refusal.hpp"
 #include "tandem/stability/fast_period.hpp"
@@ -51,6 +53,66 @@ TEST(StabilityOfImpulse, TheMapMovesWhatStandsInARunAsTheRunDoes) {
       const VectorXd from = after(one, step, 12), to = after(one, step, 13);
       EXPECT_LE((step.map * from - to).norm(), 1e-11 * to.norm()) << ratio << ' ' << more.size();
     }
+}
+
+/// Of the closed form: both frequencies, and the fast one goes on as it is. 3e-4 is the trapezoidal rule's error of the slow one.
+TEST(StabilityOfImpulse, ModesAreThoseOfTheSystemUndivided) {
+  for (const Settings& more : {Settings(), heavy})
+    for (const double ratio : {25.0, 62.5, 300.0}) {
+      const auto found = stability::stability(by_impulse(ratio, more), sources());
+      ASSERT_EQ(found.modes.size(), 2U) << found.unknown;
+      EXPECT_NEAR(found.modes[0].frequency, 1.0, 1e-6);
+      EXPECT_NEAR(found.modes[1].frequency, 1.0 / ratio, 1e-8);
+      for (const auto& mode : found.modes) {
+        EXPECT_TRUE(mode.is_kept()) << ratio;
+        EXPECT_NEAR(mode.detuning(), 0.0, 4e-4) << ratio << ' ' << mode.frequency;
+        EXPECT_NEAR(mode.growth, 1.0, 2e-5) << ratio << ' ' << mode.frequency;
+      }
+    }
+}
+
+/// What is found to grow does so in a run. At mass ratio 1, without stiffness and with 20 steps a cycle, that is much.
+TEST(StabilityOfImpulse, AHeavyFastSideGrowsAsTheRadiusSays) {
+  const auto one = by_impulse(60.0, {"parameters.c23_over_c21=-10", "parameters.steps_per_cycle=20",
+                                     "coordination.coupling=impulse_stiffness"});
+  const SuperStep step = stability::super_step(one, sources());
+  ASSERT_GT(step.radius(), 1.001);
+  const Eigen::EigenSolver<Eigen::MatrixXd> left(step.map.transpose());
+  Eigen::Index most;
+  left.eigenvalues().cwiseAbs().maxCoeff(&most);
+  const Eigen::VectorXcd way = left.eigenvectors().col(most);
+  const auto at = [&](int k) { return std::abs(way.conjugate().dot(after(one, step, k))); };
+  EXPECT_NEAR(std::log(at(1500) / at(500)) / 1000.0, std::log(step.radius()), 1e-6);
+}
+
+/// Of fast sides of mass m on a spring between them the coupled frequency is known.
+TEST(StabilityOfImpulse, FindsTheFastPeriodThatIsNotStated) {
+  for (const double ratio : {1.5, 60.0, 1000.0}) {
+    auto one = by_impulse(ratio);
+    one.fast_period = 0.0;
+    const auto found = stability::with_fast_period(one, sources());
+    EXPECT_NEAR(found.fast_period, 1.0, 1e-6) << ratio;
+    EXPECT_FALSE(scenario::lacks_fast_period(found));
+    EXPECT_EQ(found.taken.size(), 1U);
+  }
+}
+
+/// All steps in proportion: the surrogate's is that of the fast side.
+TEST(StabilityOfImpulse, TellsTheLargestStep) {
+  const auto found = stability::largest_step(
+      by_impulse(60.0, {"parameters.c23_over_c21=-10", "parameters.steps_per_cycle=100",
+                        "coordination.coupling=impulse_stiffness"}),
+      sources());
+  EXPECT_EQ(found.whose, "fast");
+  EXPECT_EQ(found.step, 0.01);
+  EXPECT_GT(found.factor, 0.0);
+}
+
+TEST(StabilityOfImpulse, RefusesASurrogateThatKeepsItsStates) {
+  const auto pendulum =
+      scene("pushed_pendulum/pushed_pendulum.toml", {"coordination.coupling=impulse_taylor"});
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"slow_surrogate", "keeps its states to itself"},
+                      [&] { stability::super_step(pendulum, sources()); }));
 }
 
 }  // namespace

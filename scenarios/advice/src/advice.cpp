@@ -11,7 +11,9 @@
 #include "tandem/charts/csv_table.hpp"
 #include "tandem/error.hpp"
 #include "tandem/scenario/steps.hpp"
+#include "tandem/stability/fast_period.hpp"
 #include "tandem/stability/modes.hpp"
+#include "tandem/study/impulse_offer.hpp"
 #include "tandem/study/standing.hpp"
 
 namespace tandem::advice {
@@ -63,6 +65,19 @@ Steps steps_of(const Choice& choice, const scenario::Scenario& scenario, const B
   return all;
 }
 
+/// Over a link that is coupled by impulse goes no reconstruction.
+std::vector<std::string> free_of(const Choice& choice, const scenario::Scenario& scenario,
+                                 const Builtins& builtins, study::Varied varied) {
+  auto all = study::free_connections(scenario, builtins, varied);
+  if (choice.is_impulse())
+    std::erase_if(all, [&](const std::string& to) { return study::is_of_link(scenario, to); });
+  return all;
+}
+
+std::string reconstruction_of(const Choice& choice) {
+  return choice.is_impulse() ? "lagrange3" : choice.reconstruction;
+}
+
 std::string percent(double part) {
   return std::abs(part) < 1e-4
              ? "stays as it is"
@@ -98,8 +113,9 @@ Ranking ranking(const std::filesystem::path& file) {
 std::vector<std::string> taken(const Choice& choice, const scenario::Scenario& scenario,
                                const Builtins& builtins, study::Varied varied) {
   std::vector<std::string> all = {"coordination.schedule=" + choice.schedule};
-  for (const std::string& to : study::free_connections(scenario, builtins, varied))
-    all.push_back(fmt::format("connections[{}].reconstruction={}", to, choice.reconstruction));
+  if (choice.is_impulse()) all = study::impulse_overrides();
+  for (const std::string& to : free_of(choice, scenario, builtins, varied))
+    all.push_back(fmt::format("connections[{}].reconstruction={}", to, reconstruction_of(choice)));
   const Steps steps = steps_of(choice, scenario, builtins);
   if (steps.communication)
     all.push_back(fmt::format("coordination.communication_step={}", *steps.communication));
@@ -111,20 +127,21 @@ std::vector<std::string> taken(const Choice& choice, const scenario::Scenario& s
 std::string lines(const Choice& choice, const scenario::Scenario& scenario, const Builtins& builtins,
                   study::Varied varied) {
   const Steps steps = steps_of(choice, scenario, builtins);
-  std::string text = fmt::format("[coordination]\nschedule = \"{}\"\n", choice.schedule);
+  std::string text = fmt::format("[coordination]\n{}schedule = \"{}\"\n",
+                                 choice.is_impulse() ? "coupling = \"impulse\"\n" : "", choice.schedule);
   if (steps.communication) text += fmt::format("communication_step = {}\n", *steps.communication);
-  const auto free = study::free_connections(scenario, builtins, varied);
+  const auto free = free_of(choice, scenario, builtins, varied);
   for (const auto& entry : scenario.connections)
     if (std::find(free.begin(), free.end(), entry.connection.to) != free.end())
       text += fmt::format("\n[[connections]]\nfrom = \"{}\"\nto = \"{}\"\nreconstruction = \"{}\"\n",
-                          entry.connection.from, entry.connection.to, choice.reconstruction);
+                          entry.connection.from, entry.connection.to, reconstruction_of(choice));
   for (const Changed& one : steps.own)
     text += fmt::format("\n[subsystems.{}.parameters]\n{} = {}\n", one.subsystem, one.parameter, one.value);
   return text;
 }
 
 std::string reason(const scenario::Scenario& chosen, const Builtins& builtins) try {
-  const auto found = stability::stability(chosen, builtins);
+  const auto found = stability::stability(stability::with_fast_period(chosen, builtins), builtins);
   if (found.modes.empty() || found.modes.front().frequency <= 0.0) return "";
   const stability::Mode& fastest = found.modes.front();
   const double largest = found.step.period / static_cast<double>(*std::min_element(found.step.steps.begin(),

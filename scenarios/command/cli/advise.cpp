@@ -40,7 +40,6 @@ void tell_all(const advice::Ranking& ranking, std::size_t most) {
 
 void advise(const AdviseOptions& options, const Context& context) {
   const auto scenario = scenario::read(options.file, options.overrides);
-  scenario::refuse_impulse(scenario, "advise");
   const auto folder =
       options.output.empty() ? results_of(options.file) / scenario.file.stem() / "advice" : options.output;
   Adviser adviser(scenario, folder, options.threads, context);

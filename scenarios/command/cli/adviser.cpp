@@ -13,6 +13,8 @@
 #include "tandem/scenario/assembly.hpp"
 #include "tandem/scenario/taken.hpp"
 #include "tandem/sources/mechanism.hpp"
+#include "tandem/stability/fast_period.hpp"
+#include "tandem/study/impulse_offer.hpp"
 
 namespace tandem::cli {
 
@@ -26,7 +28,9 @@ Adviser::Adviser(const scenario::Scenario& asked, std::filesystem::path folder, 
                  const Context& context)
     : varied_(asked.chooses ? study::Varied::left_out : study::Varied::all),
       builtins_(without_matrices(context.builtins)),
-      scenario_(asked.chooses ? scenario::with_usual(asked) : asked),
+      scenario_(asked.chooses                 ? scenario::with_usual(asked)
+                : scenario::by_impulse(asked) ? stability::by_signals(asked)
+                                              : asked),
       folder_(std::move(folder)),
       threads_(threads),
       advised_(context),
@@ -39,6 +43,9 @@ std::vector<std::string> Adviser::look() {
   scenario::Assembly assembly(scenario_, advised_.builtins);
   assembly.initialize();
   auto lines = of_models();
+  if (!scenario_.links.empty())
+    if (const auto why = study::impulse_obstacle(scenario_, builtins_); !why.empty())
+      lines.push_back("no impulse coupling is tried: " + why);
   if (varied_ == study::Varied::left_out) set_order(assembly.coordinator());
   if (order_.empty())
     for (const std::string& line : advice::on_leading(assembly.coordinator())) lines.push_back(line);
@@ -119,7 +126,8 @@ scenario::Scenario advised(const scenario::Scenario& asked, const std::filesyste
   if (!context.quiet) {
     for (const std::string& line : lines) say("{}\n", line);
     say("coordination.scheme = auto takes {}; its error is {:.3g} of the tolerance{}, by {}\n", words(choice),
-        choice.error, adviser.cheapest() ? "" : ", and no other is within it", (folder / "schemes.csv").string());
+        choice.error, adviser.cheapest() ? "" : ", and no other is within it",
+        (folder / "schemes.csv").string());
   }
   return scenario::with_taken(asked, adviser.taken(choice));
 }

@@ -199,7 +199,10 @@ void of_coordination(KeyList& to) {
           "own equations. `impulse`: the better of the first two that is known.",
           {.otherwise = "signals",
            .words = {"signals", "impulse", "impulse_plain", "impulse_stiffness", "impulse_taylor"}})
-      .may("fast_period", positive, "Of `impulse`: the shortest period of the coupled system.",
+      .may("fast_period", positive,
+           "Of `impulse`: the shortest period of the coupled system. Without it: that of the system "
+           "undivided about "
+           "the start (docs/stability.md).",
            {.unit = "s"});
 }
 

@@ -34,7 +34,7 @@ scenario::Scenario by_signals(const scenario::Scenario& scenario) {
 scenario::Scenario with_fast_period(scenario::Scenario scenario, const Builtins& builtins) {
   if (!scenario::lacks_fast_period(scenario)) return scenario;
   try {
-    scenario.fast_period = shortest_period(by_signals(scenario), builtins);
+    scenario::take_fast_period(scenario, shortest_period(by_signals(scenario), builtins));
   } catch (const Error& error) {
     scenario::refuse(
         scenario.place("coordination.coupling"),
@@ -43,9 +43,6 @@ scenario::Scenario with_fast_period(scenario::Scenario scenario, const Builtins&
                     error.what()),
         error.code());
   }
-  scenario.taken.push_back(fmt::format("coordination.fast_period={}", scenario.fast_period));
-  scenario.remarks.push_back(fmt::format(
-      "coordination.fast_period is {:.6g} s, the shortest of the system undivided", scenario.fast_period));
   return scenario;
 }
 

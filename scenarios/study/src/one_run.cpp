@@ -30,9 +30,9 @@ RowRunner::OneRun::OneRun(const RowRunner& all, const FileValues& row, std::vect
 
 bool RowRunner::OneRun::begin() {
   try {
+    scenario_ = stability::with_fast_period(std::move(scenario_), all_.builtins_);
     all_.scenes_.scale_steps(scenario_, row_);
     if (finer_) scenario::scale_steps(scenario_, all_.builtins_, 0.5);
-    scenario_ = stability::with_fast_period(std::move(scenario_), all_.builtins_);
     assembly_.emplace(scenario_, all_.builtins_);
   } catch (const Error& error) {
     return end("refused", error.what()), false;

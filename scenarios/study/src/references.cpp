@@ -9,7 +9,6 @@
 #include "tandem/nearest.hpp"
 #include "tandem/scenario/assembly.hpp"
 #include "tandem/scenario/steps.hpp"
-#include "tandem/stability/fast_period.hpp"
 
 namespace tandem::study {
 namespace {
@@ -115,16 +114,11 @@ void References::make(std::size_t which, const std::function<bool()>& going) {
   run.reference->file.empty() ? simulate(run, going) : read(run);
 }
 
-scenario::Scenario References::scenario_of(const ReferenceRun& run) {
-  return stability::with_fast_period(scenes_.of_reference(*run.reference, *run.table, run.per, run.columns),
-                                     builtins_);
-}
-
 double References::expected_seconds(std::size_t which) {
   constexpr double patience = 0.5;  // [s]
   const ReferenceRun& run = *runs_[which];
   if (!run.reference->file.empty()) return 0.0;
-  const auto scenario = scenario_of(run);
+  const auto scenario = scenes_.of_reference(*run.reference, *run.table, run.per, run.columns);
   scenario::Assembly assembly(scenario, builtins_);
   assembly.initialize();
   const double once = study::expected_seconds(assembly, scenario.start, scenario.stop, patience);
@@ -147,7 +141,7 @@ void References::read(ReferenceRun& run) const {
 }
 
 void References::simulate(ReferenceRun& run, const std::function<bool()>& going) {
-  const scenario::Scenario scenario = scenario_of(run);
+  scenario::Scenario scenario = scenes_.of_reference(*run.reference, *run.table, run.per, run.columns);
   scenario::Scenario finer = scenario;
   if (run.reference->floor)
     located(run.reference->place, [&] { scenario::scale_steps(finer, builtins_, 0.5); });

@@ -54,8 +54,6 @@ class References {
   void add_kept(const Kept& kept, const std::string& reference, std::vector<std::string>& to) const;
   void read(ReferenceRun& run) const;
   void simulate(ReferenceRun& run, const std::function<bool()>& going);
-  /// As it runs.
-  scenario::Scenario scenario_of(const ReferenceRun& run);
   OutputTables tables_of(ReferenceRun& run, const scenario::Scenario& scenario,
                          const std::function<bool()>& going) const;
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "tandem/scenario/steps.hpp"
+#include "tandem/stability/fast_period.hpp"
 
 namespace tandem::study {
 namespace {
@@ -115,6 +116,7 @@ Scenario Scenes::of_reference(const Reference& reference, const Table& table, co
   for (const Given& with : reference.with) values[with.name] = column_value(with, per);
   const Given& name = reference.scenario ? *reference.scenario : name_of(table);
   Scenario scenario = with(file(name, values), set_of(reference, table, columns), values);
+  scenario = stability::with_fast_period(std::move(scenario), builtins_);
   if (!reference.scenario) scale_steps(scenario, values);
   return alone(std::move(scenario));
 }

@@ -10,6 +10,8 @@
 
 #include "tandem/scenario/assembly.hpp"
 #include "tandem/scenario/steps.hpp"
+#include "tandem/stability/fast_period.hpp"
+#include "tandem/study/impulse_offer.hpp"
 
 namespace tandem::study {
 namespace {
@@ -58,21 +60,40 @@ class Writer {
     find_judged();
     varies_steps_ = scenario::can_scale_steps(scenario_, builtins);
     if (varied_ == Varied::left_out) leave_stated(builtins);
+    offers_impulse_ = may_be_impulse() && impulse_obstacle(scenario_, builtins).empty();
+    const auto all = words();
     return head() + reconstructions() +
-           fmt::format(R"toml(
-[[tables.schemes.blocks]]
-axes = [
-  {{ schedule = ["{}"] }},
-  {{ reconstruction = ["{}"] }},
-  {{ steps = [{}] }},
-]
-)toml",
-                       fmt::join(schedules_, "\", \""), fmt::join(words(), "\", \""),
-                       varies_steps_ ? "0.5, 1, 2" : "1") +
+           block(schedules_, all, all, std::vector<std::string>(all.size(), "signals")) +
+           (offers_impulse_ ? block({"fastest-first"}, {"impulse"}, {"lagrange3"}, {"impulse"}) : "") +
            reference() + metrics() + charts();
   }
 
  private:
+  using Words = std::vector<std::string>;
+
+  /// how: the reconstruction that is set.
+  std::string block(const Words& schedules, const Words& reconstructions, const Words& how,
+                    const Words& couplings) const {
+    const auto listed = [](const Words& all) { return fmt::format("[\"{}\"]", fmt::join(all, "\", \"")); };
+    const std::string more =
+        offers_impulse_ ? fmt::format(", how = {}, coupling = {}", listed(how), listed(couplings)) : "";
+    return fmt::format(R"toml(
+[[tables.schemes.blocks]]
+axes = [
+  {{ schedule = {} }},
+  {{ reconstruction = {}{} }},
+  {{ steps = [{}] }},
+]
+)toml",
+                       listed(schedules), listed(reconstructions), more, varies_steps_ ? "0.5, 1, 2" : "1");
+  }
+
+  /// Of what is left out: where neither the coupling nor another schedule is stated.
+  bool may_be_impulse() const {
+    return !scenario_.links.empty() && (varied_ == Varied::all || !stated("/coordination/coupling")) &&
+           std::find(schedules_.begin(), schedules_.end(), "fastest-first") != schedules_.end();
+  }
+
   /// What is stated is not varied.
   void leave_stated(const Builtins& builtins) {
     if (stated("/coordination/schedule"))
@@ -134,27 +155,30 @@ columns = ["schedule", "reconstruction", "steps", "error", "reference_error", "e
 
 [set]
 "coordination.schedule" = "$schedule"
-{})toml",
+{}{})toml",
         scenario_.file.filename().string(),
+        offers_impulse_ ? "\"coordination.coupling\" = \"$coupling\"\n" : "",
         stated("/coordination/scheme") ? "\"coordination.scheme\" = \"stated\"\n" : "");
   }
 
   std::string reconstructions() const {
     std::string text;
     for (const std::string& to : free_connections())
-      text += fmt::format("\"connections[{}].reconstruction\" = \"$reconstruction\"\n", to);
+      text += fmt::format("\"connections[{}].reconstruction\" = \"${}\"\n", to,
+                          offers_impulse_ ? "how" : "reconstruction");
     return text;
   }
 
   /// Hermite where there are derivatives, else lagrange3.
   std::string reference() const {
-    std::string text = R"toml(
+    std::string text = fmt::format(R"toml(
 [references.fine]
-with = { schedule = "fastest-first", reconstruction = "hermite", steps = 0.0625 }
+with = {{ schedule = "fastest-first", reconstruction = "hermite", steps = 0.0625{} }}
 floor = true
 
 [references.fine.set]
-)toml";
+)toml",
+                                   offers_impulse_ ? ", how = \"hermite\", coupling = \"impulse\"" : "");
     for (std::size_t k = 0; k < scenario_.connections.size(); ++k) {
       const Connection& one = scenario_.connections[k].connection;
       if (const Port* port = output(one.from); is_free(k) && port && port->derivatives == 0)
@@ -230,7 +254,7 @@ best = 1
   const Varied varied_;
   const std::map<std::string, Port> outputs_;
   std::vector<std::string> schedules_ = {"slowest-first", "fastest-first", "staggered", "parallel"};
-  bool varies_steps_ = true;
+  bool varies_steps_ = true, offers_impulse_ = false;
   std::vector<JudgedOutput> judged_;
 };
 
@@ -241,8 +265,8 @@ bool states(const scenario::Scenario& scenario, const std::string& path) {
 }
 
 std::string standing_study(const scenario::Scenario& scenario, const Builtins& builtins, Varied varied) {
-  scenario::refuse_impulse(scenario, "the standing study");
-  return Writer(scenario, builtins, varied).text(builtins);
+  const auto apart = scenario::by_impulse(scenario) ? stability::by_signals(scenario) : scenario;
+  return Writer(apart, builtins, varied).text(builtins);
 }
 
 std::vector<std::string> free_connections(const scenario::Scenario& scenario, const Builtins& builtins,

@@ -43,7 +43,8 @@ double ReactionCheck::error() const {
 }
 
 void ReactionCheck::write(ByteWriter& to) const {
-  for (const double* one : ReactionCheck(*this).numbers()) to.put(*one);
+  ReactionCheck copy = *this;
+  for (const double* one : copy.numbers()) to.put(*one);
 }
 
 void ReactionCheck::read(ByteReader& from) {

@@ -1,0 +1,20 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string>
+#include <vector>
+
+#include "tandem/scenario/scenario.hpp"
+#include "tandem/transports/open.hpp"
+
+namespace tandem::study {
+
+/// What makes a scenario that is coupled by signals one of impulse coupling, as overrides.
+std::vector<std::string> impulse_overrides();
+
+/// Why an impulse coupling can't be tried with a scenario that is coupled by signals. Empty: it can.
+std::string impulse_obstacle(const scenario::Scenario& scenario, const Builtins& builtins);
+
+/// Whether an input, "fast.x2", is fed by an output of its [[links]].
+bool is_of_link(const scenario::Scenario& scenario, const std::string& to);
+
+}  // namespace tandem::study

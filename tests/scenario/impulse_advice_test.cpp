@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// An impulse coupling as a candidate: of advice, of standing studies, and of a scenario that chooses.
+#include <gtest/gtest.h>
+
+#include "command.hpp"
+#include "tandem/charts/csv_table.hpp"
+
+namespace tandem::test {
+namespace {
+
+/// The two-mass test at ratio 60, where every coupling of samples fails, without a coupling and a fast period.
+class ImpulseAdvice : public testing::Test {
+ protected:
+  ImpulseAdvice() {
+    text_ = read_text(two_mass_file("impulse.toml"));
+    replace("frequency_ratio = 300.0", "frequency_ratio = 60.0\nsteps_per_cycle = 100");
+    replace("fast_period = 1.0", "");
+    replace("stop = 300.0", "stop = 30.0");
+  }
+  void replace(const std::string& a, const std::string& b) {
+    const auto at = text_.find(a);
+    ASSERT_NE(at, std::string::npos) << a;
+    text_.replace(at, a.size(), b);
+  }
+  void by_samples() {
+    replace("coupling = \"impulse\"", "coupling = \"signals\"");
+    for (const char* to : {"to = \"slow.F\"", "to = \"fast.x2\""})
+      replace(to, std::string(to) + "\nreconstruction = \"lagrange3\"");
+  }
+  Said x(const std::vector<std::string>& words) {
+    folder_.write("s.toml", text_);
+    return tandem(folder_, words);
+  }
+  std::string text(const std::string& file) { return read_text(folder_.path() / file); }
+
+  Scratch folder_;
+  std::string text_;
+};
+
+TEST_F(ImpulseAdvice, FindsItWhereSamplesFail) {
+  for (const char* coupling : {"coupling = \"impulse\"", "coupling = \"signals\""}) {
+    if (coupling == std::string("coupling = \"signals\"")) by_samples();
+    const Said said = x({"advise", "s.toml", "--output", "a"});
+    ASSERT_EQ(said.status, 0) << said.err;
+    const auto at = said.out.find("cheapest within the tolerance:");
+    ASSERT_NE(at, std::string::npos) << said.out;
+    EXPECT_NE(said.out.find("fastest-first, impulse, steps x 2", at), std::string::npos) << said.out;
+    EXPECT_NE(said.out.find("0.833 of the largest steps a cycle", at), std::string::npos) << said.out;
+    EXPECT_TRUE(text("a/advice.toml").starts_with("[coordination]\ncoupling = \"impulse\"\n"));
+    EXPECT_EQ(text("a/advice.toml").find("[[connections]]"), std::string::npos) << "links have none";
+  }
+}
+
+TEST_F(ImpulseAdvice, OfAStandingStudyIsAReferenceAtAnyRatio) {
+  for (const char* ratio : {"25", "300"}) {
+    const Said said =
+        x({"sweep", "s.toml", "--output", "o", "--set", std::string("parameters.frequency_ratio=") + ratio});
+    ASSERT_EQ(said.status, 0) << said.err;
+    const auto table = charts::CsvTable::read(
+        folder_.path() / "o/schemes.csv", {"reconstruction", "steps", "error", "reference_error", "status"});
+    std::size_t impulse = 0;
+    for (std::size_t k = 0; k < table.size(); ++k) {
+      if (table[k].text("reconstruction") != "impulse") continue;
+      ++impulse;
+      EXPECT_EQ(table[k].text("status"), "ok");
+      EXPECT_LT(table[k].number("reference_error"), 0.05) << ratio;
+    }
+    EXPECT_EQ(impulse, 3U) << said.out;
+  }
+}
+
+TEST_F(ImpulseAdvice, AScenarioThatChoosesTakesIt) {
+  replace("coupling = \"impulse\"", "scheme = \"auto\"");
+  text_ += "\n[judge]\nquantity = \"fast.F\"\ntolerance = 0.01\n";
+  Said said = x({"run", "s.toml", "--output", "whole"});
+  ASSERT_EQ(said.status, 0) << said.err;
+  EXPECT_TRUE(contains(said.err, "coordination.fast_period is 1 s")) << said.err;
+  for (const char* taken : {"\"coordination.coupling=impulse\"", "\"coordination.fast_period=0.99999"})
+    EXPECT_TRUE(contains(text("whole/results.json"), taken));
+  ASSERT_EQ(x({"run", "s.toml", "--output", "cut", "--checkpoint-every", "7"}).status, 0);
+  said = x({"run", "s.toml", "--output", "cut", "--resume", "cut/checkpoint"});
+  ASSERT_EQ(said.status, 0) << said.err;
+  for (const char* name : {"results.csv", "results.json"})
+    EXPECT_EQ(text(std::string("cut/") + name), text(std::string("whole/") + name));
+  said = x({"run", "s.toml", "--set", "coordination.coupling=signals"});
+  EXPECT_TRUE(contains(said.out, "auto takes ")) << said.err;
+  EXPECT_FALSE(contains(said.out, "impulse")) << said.out;
+}
+
+TEST_F(ImpulseAdvice, TellsWhyItIsNotTried) {
+  by_samples();
+  replace("displacement = \"slow.x2\"", "displacement = \"slow.v2\"");
+  const Said said = x({"advise", "s.toml", "--output", "a"});
+  EXPECT_TRUE(contains(said.out, "no impulse coupling is tried: ")) << said.out << said.err;
+}
+
+TEST_F(ImpulseAdvice, SaysWhereAFastPeriodIsToBeStated) {
+  replace("builtin:two_mass.fast_force", "diagram:gear.toml");
+  folder_.write("gear.toml", read_text(TANDEM_SOURCE_DIR "/scenarios/rattling/gear.toml"));
+  replace("steps_per_cycle = 100", "");
+  const Said said = x({"run", "s.toml"});
+  EXPECT_EQ(said.status, 2) << said.err;
+  for (const char* words :
+       {"coordination.fast_period is not stated, and can't be found", "'fast'", "above 0 [s]"})
+    EXPECT_TRUE(contains(said.err, words)) << said.err;
+}
+
+}  // namespace
+}  // namespace tandem::test
