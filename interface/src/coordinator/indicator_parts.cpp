@@ -1,18 +1,22 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "indicator_parts.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "tandem/subsystem_info.hpp"
 
 namespace tandem {
 
-Indicators::Parts::Parts(const Coordinator& run, const std::vector<PowerLink>& links) : run_(run) {
+Indicators::Parts::Parts(const Coordinator& run, const std::vector<PowerLink>& links,
+                         const std::vector<int>& left_out)
+    : run_(run) {
   const Topology& topology = run.topology();
   for (std::size_t k = 0; k < topology.lines().size(); ++k) {
     const Line& line = topology.lines()[k];
     const Port& output = *scalar_at(topology.info(line.source).outputs, line.output).port;
-    if (output.held || topology.just_before(line)) continue;
+    const bool out = std::count(left_out.begin(), left_out.end(), static_cast<int>(k)) > 0;
+    if (out || output.held || topology.just_before(line)) continue;
     const std::string input = topology.input_name(line.reader, line.input);
     const bool sum = topology.lines_to(line.reader, line.input).size() > 1;
     const std::string from = sum ? ":" + topology.output_name(line.source, line.output) : "";

@@ -17,7 +17,7 @@ class Indicators::Parts {
     LineDefect* defect;
   };
 
-  Parts(const Coordinator& run, const std::vector<PowerLink>& links);
+  Parts(const Coordinator& run, const std::vector<PowerLink>& links, const std::vector<int>& left_out);
 
   /// Of a run whose first samples are at t_start [s]; once.
   void begin(double t_start);

@@ -5,8 +5,8 @@
 
 namespace tandem {
 
-Indicators::Indicators(const Coordinator& run, std::vector<PowerLink> links)
-    : parts_(std::make_unique<Parts>(run, links)) {}
+Indicators::Indicators(const Coordinator& run, std::vector<PowerLink> links, std::vector<int> left_out)
+    : parts_(std::make_unique<Parts>(run, links, left_out)) {}
 Indicators::~Indicators() = default;
 
 bool Indicators::samples(int subsystem, const History& history, std::int64_t first, std::int64_t last) {

@@ -40,20 +40,36 @@ std::unique_ptr<Recorder> Assembly::recorder(const std::filesystem::path& direct
                  [&] { return std::make_unique<Recorder>(*coordinator_, recording); });
 }
 
-/// The links that it states, and those that are found of other lines. What an impulse coupling exchanges is off by
-/// intent: a mean force, and a motion without its ripple.
+/// What a surrogate of an impulse coupling exchanges with its slow side is off by intent: a mean force, and a motion without
+/// its ripple.
+std::vector<int> Assembly::off_by_intent() const {
+  std::vector<int> all;
+  for (std::size_t k = 0; k < topology().lines().size(); ++k) {
+    const auto is = [&](int surrogate, int slow) {
+      const auto& impulse = scenario_.subsystems[static_cast<std::size_t>(surrogate)].impulse;
+      return impulse && impulse->slow == topology().name(slow);
+    };
+    const Line& line = topology().lines()[k];
+    if (is(line.source, line.reader) || is(line.reader, line.source)) all.push_back(static_cast<int>(k));
+  }
+  return all;
+}
+
+/// The links that it states, and those that are found of other lines.
 std::unique_ptr<Indicators> Assembly::indicators() const {
+  const auto left_out = off_by_intent();
   std::vector<PowerLink> links;
   for (const LinkEntry& entry : scenario_.links)
     located(entry.place, [&] { links.push_back(power_link(topology(), entry.link)); });
   const auto taken = [&](int line) {
-    return std::any_of(links.begin(), links.end(),
+    return std::count(left_out.begin(), left_out.end(), line) > 0 ||
+           std::any_of(links.begin(), links.end(),
                        [line](const PowerLink& one) { return one.effort == line || one.back == line; });
   };
   for (const PowerLink& link : power_links(topology()))
     if (!taken(link.effort) && !taken(link.back)) links.push_back(link);
-  if (scenario_.indicators == Indication::off || by_impulse(scenario_)) return nullptr;
-  return std::make_unique<Indicators>(*coordinator_, links);
+  if (scenario_.indicators == Indication::off) return nullptr;
+  return std::make_unique<Indicators>(*coordinator_, links, left_out);
 }
 
 void Assembly::initialize() {

@@ -145,6 +145,10 @@ ImpulseEntry::Kind kind_of(const std::string& coupling, const std::vector<LinkEn
   return springs ? ImpulseEntry::Kind::stiffness : ImpulseEntry::Kind::plain;
 }
 
+bool stands_in(const std::vector<std::string>& all, const std::string& name) {
+  return std::find(all.begin(), all.end(), name) != all.end();
+}
+
 /// Nothing is stated of it that a Taylor surrogate would not go by.
 bool states_nothing(const std::vector<LinkEntry>& links) {
   return std::all_of(links.begin(), links.end(), [](const LinkEntry& one) {
@@ -163,6 +167,7 @@ void couple_by_impulse(const std::string& coupling, Scenario& to) {
            "coordination.coupling is impulse, and there are no [[links]]; allowed is a link with effort, the "
            "fast side's "
            "output, and displacement, the slow side's");
+  std::vector<LinkEntry> coupled;
   for (const auto& [slow, links] : by_slow) {
     check_accelerance(links, slow);
     ImpulseEntry impulse{slow, {}, kind_of(coupling, links)};
@@ -178,11 +183,15 @@ void couple_by_impulse(const std::string& coupling, Scenario& to) {
       const std::string input = connection_of(to, links[k], power.effort, slow).connection.to;
       impulse.links.push_back({instance_of(power.effort), input, power.back, links[k].effective});
       take_over(to, links[k], surrogate.name, k, links.size());
+      coupled.push_back(links[k]);
+      coupled.back().link.back = surrogate.name + "." + numbered("displacement", k, links.size());
     }
     remark_on_others(slow, links, to);
     impulse.kind == ImpulseEntry::Kind::taylor ? ask_for_reactions(impulse, to)
                                                : ask_for_accelerances(impulse, to);
     surrogate.impulse = std::make_shared<const ImpulseEntry>(std::move(impulse));
+    if (auto& order = to.coordination.order; !order.empty() && !stands_in(order, surrogate.name))
+      order.push_back(surrogate.name);  // it leads
     to.subsystems.push_back(std::move(surrogate));
     Landing& lands = to.coordination.landing[slow];
     if (lands == Landing::always)
@@ -192,8 +201,7 @@ void couple_by_impulse(const std::string& coupling, Scenario& to) {
                  "are to be equal");
     lands = Landing::never;
   }
-  to.links.clear();
-  to.remarks.push_back("indicators are not written, as they do not know an impulse coupling");
+  to.links = std::move(coupled);
 }
 
 }  // namespace tandem::scenario

@@ -33,7 +33,8 @@ class Indicators final : public Observer {
   static constexpr double most_windows = 1000.0, most_cells = 1e6;
 
   /// `run` must outlive it. It is to be told of all that the run does from Coordinator::initialize on.
-  Indicators(const Coordinator& run, std::vector<PowerLink> links);
+  /// - left_out: lines of the topology that have no defect by intent.
+  Indicators(const Coordinator& run, std::vector<PowerLink> links, std::vector<int> left_out = {});
   ~Indicators() override;
 
   bool samples(int subsystem, const History& history, std::int64_t first, std::int64_t last) override;

@@ -34,6 +34,7 @@ class Assembly {
 
  private:
   void add_positions(std::vector<std::string>& ports) const;
+  std::vector<int> off_by_intent() const;
 
   const Scenario& scenario_;
   Parts parts_;
