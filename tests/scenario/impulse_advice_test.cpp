@@ -2,7 +2,9 @@
 // An impulse coupling as a candidate: of advice, of standing studies, and of a scenario that chooses.
 #include <gtest/gtest.h>
 
-#include "command.hpp"
+#include <cmath>
+
+#include "scene_run.hpp"
 #include "tandem/charts/csv_table.hpp"
 
 namespace tandem::test {
@@ -85,6 +87,30 @@ TEST_F(ImpulseAdvice, AScenarioThatChoosesTakesIt) {
   said = x({"run", "s.toml", "--set", "coordination.coupling=signals"});
   EXPECT_TRUE(contains(said.out, "auto takes ")) << said.err;
   EXPECT_FALSE(contains(said.out, "impulse")) << said.out;
+}
+
+/// Beside the exact motion. Of the surrogate's outputs the slow side's stand for the true ones.
+TEST_F(ImpulseAdvice, AnEstimateIsTheTrueError) {
+  text_ += "\n[judge]\nquantity = \"slow_surrogate.displacement\"\ntolerance = 0.01\n";
+  for (const char* ratio : {"60", "300"}) {
+    const std::string set = std::string("parameters.frequency_ratio=") + ratio;
+    const SceneRun exact(two_mass_file("exact.toml"), {set, "span.stop=100"});
+    const Said said =
+        x({"run", "s.toml", "--estimate", "--output", "o", "--set", set, "--set", "span.stop=100"});
+    ASSERT_EQ(said.status, 0) << said.err;
+    const auto found =
+        charts::CsvTable::read(folder_.path() / "o/results.csv", {"slow_surrogate.displacement"});
+    const auto& wanted = exact.column("exact.x2");
+    double largest = 0.0, peak = 0.0;
+    for (std::size_t k = 0; k < wanted.size(); ++k) {
+      largest = std::max(largest, std::abs(found[k].number("slow_surrogate.displacement") - wanted[k]));
+      peak = std::max(peak, std::abs(wanted[k]));
+    }
+    const std::string head = "estimate: slow_surrogate.displacement is off by ";
+    const auto at = said.out.find(head);
+    ASSERT_NE(at, std::string::npos) << said.out;
+    EXPECT_NEAR(std::stod(said.out.substr(at + head.size())), largest / peak, 0.05 * largest / peak) << ratio;
+  }
 }
 
 TEST_F(ImpulseAdvice, TellsWhyItIsNotTried) {

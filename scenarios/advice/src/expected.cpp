@@ -8,6 +8,7 @@
 #include "tandem/identification/models.hpp"
 #include "tandem/scenario/steps.hpp"
 #include "tandem/scenario/traces.hpp"
+#include "tandem/stability/fast_period.hpp"
 
 namespace tandem::advice {
 namespace {
@@ -28,6 +29,7 @@ void reconstruct(Scenario& scenario, const Builtins& builtins) {
 /// The scenario as its models run it.
 Scenario finer(Scenario scenario, const Builtins& builtins) {
   static constexpr double part = 1.0 / 16.0;
+  if (scenario::by_impulse(scenario)) scenario = stability::by_signals(scenario);
   scenario.coordination.schedule = Schedule::Kind::fastest_first;
   reconstruct(scenario, builtins);
   scenario::scale_each_step(scenario, builtins,
@@ -35,7 +37,8 @@ Scenario finer(Scenario scenario, const Builtins& builtins) {
   return scenario;
 }
 
-text::TimeTable table_of(const Scenario& scenario, const Builtins& builtins,
+/// called: its output's name. That of a surrogate has another one where no surrogate is.
+text::TimeTable table_of(const Scenario& scenario, const std::string& called, const Builtins& builtins,
                          const std::function<bool()>& going) {
   const std::string& quantity = scenario.judge->quantity;
   Assembly assembly(scenario, builtins);
@@ -44,7 +47,9 @@ text::TimeTable table_of(const Scenario& scenario, const Builtins& builtins,
   assembly.initialize();
   while (assembly.coordinator().round())
     if (going && !going()) throw Error(ErrorCode::not_supported, "interrupted");
-  return traces.of(quantity);
+  text::TimeTable table = traces.of(quantity);
+  for (std::string& name : table.names) name.replace(name.find(quantity), quantity.size(), called);
+  return table;
 }
 
 }  // namespace
@@ -59,7 +64,7 @@ scenario::Expectation expected(const Scenario& scenario, const Builtins& builtin
       throw Error(ErrorCode::not_supported, "[judge] lets the output be late as a whole");
     identification::Models models(identification::Models::Without::refused);
     const Builtins modelled = models.replacing(builtins);
-    all.table = table_of(finer(scenario, modelled), modelled, going);
+    all.table = table_of(finer(scenario, modelled), scenario.judge->quantity, modelled, going);
   } catch (const Error& error) {
     all.why_not = error.what();
   }

@@ -209,7 +209,6 @@ Scenario scenario_of(const Document& document, const std::vector<std::string>& o
            "record.indicators is estimate, of the output that [judge] names, and there is no [judge]; "
            "allowed are raw "
            "and off");
-  if (scenario.indicators == Indication::estimate) refuse_impulse(scenario, "an estimate");
   scenario.overrides = overrides;
   scenario.values = to_json(document.table()).dump(-1, ' ', false, Json::error_handler_t::replace);
   return scenario;

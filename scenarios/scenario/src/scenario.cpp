@@ -110,10 +110,4 @@ bool lacks_fast_period(const Scenario& scenario) {
   return by_impulse(scenario) && scenario.fast_period == 0.0;
 }
 
-void refuse_impulse(const Scenario& scenario, const std::string& what) {
-  if (by_impulse(scenario))
-    refuse(scenario.place("coordination.coupling"),
-           "coordination.coupling is impulse, which " + what + " does not know; allowed is signals");
-}
-
 }  // namespace tandem::scenario

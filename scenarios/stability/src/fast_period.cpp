@@ -25,10 +25,30 @@ double shortest_period(const scenario::Scenario& scenario, const Builtins& built
   return 2.0 * std::numbers::pi / fastest;
 }
 
+/// The slow side's output that one of a surrogate stands for; else the same.
+std::string without_surrogate(const scenario::Scenario& scenario, const std::string& output) {
+  for (const auto& entry : scenario.subsystems) {
+    if (!entry.impulse) continue;
+    const auto& links = entry.impulse->links;
+    for (std::size_t k = 0; k < links.size(); ++k) {
+      const std::string number = links.size() > 1 ? fmt::format("_{}", k + 1) : "";
+      if (output == entry.name + ".displacement" + number) return links[k].displacement;
+      const auto& velocity = links[k].effective.velocity;
+      if (velocity && output == entry.name + ".velocity" + number) return *velocity;
+    }
+  }
+  return output;
+}
+
 }  // namespace
 
 scenario::Scenario by_signals(const scenario::Scenario& scenario) {
-  return scenario::with_usual(scenario::with_taken(scenario, {"coordination.coupling=signals"}));
+  auto apart = scenario::with_usual(scenario::with_taken(scenario, {"coordination.coupling=signals"}));
+  for (auto& entry : apart.connections)
+    entry.connection.from = without_surrogate(scenario, entry.connection.from);
+  if (apart.judge) apart.judge->quantity = without_surrogate(scenario, apart.judge->quantity);
+  apart.plots.clear(), apart.recording.ports.clear();
+  return apart;
 }
 
 scenario::Scenario with_fast_period(scenario::Scenario scenario, const Builtins& builtins) {

@@ -159,9 +159,9 @@ Stability stability(const scenario::Scenario& scenario, const Builtins& builtins
                     ": no subsystem gives its states, or has inputs by which they could be found; "
                     "allowed are those that do");
   all.radius = all.step.radius();
-  const scenario::Scenario apart = scenario::by_impulse(scenario) ? by_signals(scenario) : scenario;
-  const Trial trial(apart, builtins);
   try {
+    const scenario::Scenario apart = scenario::by_impulse(scenario) ? by_signals(scenario) : scenario;
+    const Trial trial(apart, builtins);
     const Undivided whole = undivided(trial, all.step.linear);
     all.states = whole.names;
     all.modes = Matching(whole, all.step, told_by(all.step, scenario)).modes();
@@ -169,7 +169,7 @@ Stability stability(const scenario::Scenario& scenario, const Builtins& builtins
     for (const Mode& mode : all.modes)
       if (mode.damping < -rounding) all.rate = std::max(all.rate, mode.rate);
   } catch (const Error& error) {
-    if (error.code() != ErrorCode::not_supported) throw;
+    if (error.code() != ErrorCode::not_supported && !scenario::by_impulse(scenario)) throw;
     all.unknown = error.what();
   }
   return all;

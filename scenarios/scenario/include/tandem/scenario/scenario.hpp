@@ -138,8 +138,6 @@ struct Scenario {
 bool by_impulse(const Scenario& scenario);
 /// Whether it has, and the fast period has to be found before it runs (stability/fast_period.hpp).
 bool lacks_fast_period(const Scenario& scenario);
-/// Refuses what is to be done with such a scenario, "the map of a super-step", for whoever does not know the coupling.
-void refuse_impulse(const Scenario& scenario, const std::string& what);
 
 /// "mechanism" of a file with a dimension, points, bodies, ..., "diagram" of one with blocks, "" else: of a
 /// scenario.

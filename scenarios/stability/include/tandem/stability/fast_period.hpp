@@ -10,7 +10,8 @@ namespace tandem::stability {
 /// that system is not known or does not swing.
 scenario::Scenario with_fast_period(scenario::Scenario scenario, const Builtins& builtins);
 
-/// The same scenario, coupled by signals, with usual reconstructions where it has none.
+/// The same scenario, coupled by signals, with usual reconstructions where it has none. What goes by outputs of a surrogate
+/// goes by those of its slow side; nothing is plotted or recorded of it.
 scenario::Scenario by_signals(const scenario::Scenario& scenario);
 
 }  // namespace tandem::stability
