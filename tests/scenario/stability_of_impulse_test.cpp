@@ -97,21 +97,43 @@ TEST(StabilityOfImpulse, FindsTheFastPeriodThatIsNotStated) {
   }
 }
 
-/// All steps in proportion: the surrogate's is that of the fast side.
-TEST(StabilityOfImpulse, TellsTheLargestStep) {
-  const auto found = stability::largest_step(
-      by_impulse(60.0, {"parameters.c23_over_c21=-10", "parameters.steps_per_cycle=100",
-                        "coordination.coupling=impulse_stiffness"}),
-      sources());
-  EXPECT_EQ(found.whose, "fast");
-  EXPECT_EQ(found.step, 0.01);
-  EXPECT_GT(found.factor, 0.0);
+/// At ratio 100 the fast mode's multiplier is 1, as those of offsets are; a map does not know the time.
+TEST(StabilityOfImpulse, IsTheSameFromAnyStartAndAtAnyMultiplier) {
+  const auto found = [](const scenario::Scenario& one) {
+    const auto all = stability::stability(one, sources());
+    EXPECT_EQ(all.modes.size(), 2U) << all.unknown;
+    for (const auto& mode : all.modes) EXPECT_NEAR(mode.detuning(), 0.0, 4e-4) << mode.frequency;
+    return all;
+  };
+  const double radius = found(by_impulse(62.5)).radius,
+               damping = found(by_impulse(62.5)).modes[0].scheme_damping;
+  for (const double start : {0.1, -0.3333, 0.6, 3.0, 7.0, -30.0, 1000.0}) {
+    auto one = by_impulse(62.5);
+    one.start = start, one.stop = start + 300.0;
+    const auto here = found(one);
+    EXPECT_NEAR(here.radius, radius, 1e-9) << start;
+    EXPECT_NEAR(here.modes[0].scheme_damping, damping, 1e-10) << start;
+  }
+  for (const double ratio : {62.5000001, 62.49999, 100.0 / 3.0, 33.3333333333})
+    EXPECT_NEAR(found(by_impulse(ratio)).modes[0].scheme_damping, 0.0, 1e-5) << ratio;
+  for (const auto& [ratio, steps] : {std::pair("100", "100"), {"400", "200"}, {"1000", "1000"}})
+    for (const Settings& more : {Settings(), heavy}) {
+      Settings all = more;
+      all.push_back(std::string("parameters.steps_per_cycle=") + steps);
+      const auto here = found(by_impulse(std::stod(ratio), all));
+      EXPECT_NEAR(here.modes[0].growth, 1.0, 1e-5) << ratio;
+    }
+}
+
+TEST(StabilityOfImpulse, SearchesForNoLargestStep) {
+  EXPECT_TRUE(refuses(ErrorCode::not_supported, {"grows and dies out by turns"},
+                      [] { stability::largest_step(by_impulse(60.0), sources()); }));
 }
 
 TEST(StabilityOfImpulse, RefusesASurrogateThatKeepsItsStates) {
   const auto pendulum =
       scene("pushed_pendulum/pushed_pendulum.toml", {"coordination.coupling=impulse_taylor"});
-  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"slow_surrogate", "keeps its states to itself"},
+  EXPECT_TRUE(refuses(ErrorCode::not_supported, {"slow_surrogate", "keeps its states to itself"},
                       [&] { stability::super_step(pendulum, sources()); }));
 }
 

@@ -27,8 +27,10 @@ TEST(StandardStreams, AnErrorOneThatIsFullLosesNoResults) {
 TEST(StandardStreams, AnOutputOneThatIsFullIsToldWithStatusOne) {
   const Scratch folder;
   const std::string err = (folder.path() / "err.txt").string();
-  EXPECT_EQ(status_of("list", " >/dev/full 2>" + shell_quoted(err)), 1);
-  EXPECT_EQ(read_text(err), "tandem: standard output can't be written, so not all was told\n");
+  for (const char* little_and_much : {"list", "help scenario"}) {
+    EXPECT_EQ(status_of(little_and_much, " >/dev/full 2>" + shell_quoted(err)), 1);
+    EXPECT_EQ(read_text(err), "tandem: standard output can't be written, so not all was told\n");
+  }
 }
 
 /// Under a limit of its addresses: 200 MB are less than OpenBLAS wants for a thread of its own, which tried

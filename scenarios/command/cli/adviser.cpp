@@ -44,8 +44,8 @@ std::vector<std::string> Adviser::look() {
   assembly.initialize();
   auto lines = of_models();
   if (!scenario_.links.empty())
-    if (const auto why = study::impulse_obstacle(scenario_, builtins_); !why.empty())
-      lines.push_back("no impulse coupling is tried: " + why);
+    if (const auto offer = study::impulse_offer(scenario_, builtins_); !offer.holds())
+      lines.push_back("no impulse coupling is tried: " + offer.obstacle);
   if (varied_ == study::Varied::left_out) set_order(assembly.coordinator());
   if (order_.empty())
     for (const std::string& line : advice::on_leading(assembly.coordinator())) lines.push_back(line);

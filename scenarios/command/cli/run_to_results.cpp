@@ -39,13 +39,25 @@ std::vector<std::string> overrides_of(const RunOptions& options) {
   return all;
 }
 
+/// What it took stays.
+Scenario with_taken_before(const Scenario& scenario, const fs::path& checkpoint) {
+  const auto taken = scenario::Checkpoint::taken(checkpoint);
+  const auto key = [](const std::string& text) { return text.substr(0, text.find('=')); };
+  for (const std::string& one : scenario.overrides)
+    for (const std::string& other : taken)
+      if (key(one) == key(other))
+        throw Error(ErrorCode::invalid_argument,
+                    fmt::format("--set {}: the run of checkpoint '{}' took {}; allowed is to leave it so",
+                                one, checkpoint.string(), other));
+  return scenario::with_taken(scenario, taken);
+}
+
 /// What it leaves to be taken is taken; of a run that is resumed it was.
 Scenario scenario_of(const RunOptions& options, const Context& context) {
   Scenario scenario = scenario::read(options.file, overrides_of(options));
   if (scenario.chooses)
-    scenario = options.resume.empty()
-                   ? advised(scenario, folder_of(options) / "advice", context)
-                   : scenario::with_taken(scenario, scenario::Checkpoint::taken(options.resume));
+    scenario = options.resume.empty() ? advised(scenario, folder_of(options) / "advice", context)
+                                      : with_taken_before(scenario, options.resume);
   scenario = stability::with_fast_period(std::move(scenario), without_matrices(context.builtins));
   return with_matrices(std::move(scenario), options.matrices, context.builtins);
 }

@@ -2,6 +2,7 @@
 #pragma once
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <string>
 #include <utility>
 
@@ -9,11 +10,12 @@
 
 namespace tandem::cli {
 
-/// To standard output, as fmt::print: but names and texts in it may be a stranger's, so that control
-/// characters other than ends of lines are shown as such.
+/// To standard output. Names and texts in it may be a stranger's, so that control characters other than ends of lines are
+/// shown as such. Where it can't be written, the command's end tells.
 template <class... Values>
 void say(fmt::format_string<Values...> form, Values&&... values) {
-  fmt::print("{}", printable_lines(fmt::format(form, std::forward<Values>(values)...)));
+  const std::string text = printable_lines(fmt::format(form, std::forward<Values>(values)...));
+  std::fwrite(text.data(), 1, text.size(), stdout);
 }
 
 }  // namespace tandem::cli

@@ -144,8 +144,11 @@ class Models::Modelled final : public Subsystem {
 
   Clock initialize(double t_start, double t_stop, std::span<const double> u0, Samples& y) override {
     active_ = real_.get();
-    const Clock clock = real_->initialize(t_start, t_stop, u0, y);
-    if (std::any_of(u0.begin(), u0.end(), [](double u) { return std::isnan(u); })) return clock;
+    Clock clock = real_->initialize(t_start, t_stop, u0, y);
+    if (std::any_of(u0.begin(), u0.end(), [](double u) { return std::isnan(u); })) {
+      if (entry_.step > 0.0) clock.next_time = t_start + entry_.step;  // as it will be
+      return clock;
+    }
     std::call_once(entry_.found, [&] { entry_.find(*real_, clock, t_stop, u0); });
     all_.refuse_without(entry_.stand);
     if (entry_.model) {

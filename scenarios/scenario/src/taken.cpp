@@ -74,7 +74,7 @@ void take_fast_period(Scenario& scenario, double period) {
   values["coordination"]["fast_period"] = period;
   scenario.values = values.dump();
   scenario.fast_period = period;
-  scenario.taken.push_back(fmt::format("coordination.fast_period={}", period));
+  scenario.taken.push_back(fmt::format("coordination.fast_period={:#}", period));
   remark_on_period(scenario);
 }
 

@@ -2,9 +2,12 @@
 #include "tandem/stability/fast_period.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <numbers>
+#include <set>
 
 #include "tandem/error.hpp"
 #include "tandem/scenario/taken.hpp"
@@ -14,16 +17,44 @@
 namespace tandem::stability {
 namespace {
 
-/// [s]
-double shortest_period(const scenario::Scenario& scenario, const Builtins& builtins) {
-  const Trial trial(scenario, builtins);
-  const Eigen::MatrixXd rates = undivided(trial, false).rates;
-  const double fastest =
-      rates.size() > 0 ? Eigen::EigenSolver<Eigen::MatrixXd>(rates, false).eigenvalues().imag().maxCoeff()
-                       : 0.0;
-  if (!(fastest > 0.0)) throw Error(ErrorCode::not_supported, "the system undivided does not swing");
+/// Instances on the fast end of a link.
+std::set<std::string> fast_sides(const scenario::Scenario& scenario) {
+  std::set<std::string> all;
+  for (const auto& entry : scenario.subsystems)
+    if (entry.impulse)
+      for (const auto& link : entry.impulse->links) all.insert(link.fast);
+  return all;
+}
+
+/// How much states of these take part in each mode, beside what takes part most.
+Eigen::VectorXd parts_of(const std::set<std::string>& instances, const Undivided& whole,
+                         const Eigen::MatrixXcd& modes) {
+  const Eigen::MatrixXd parts = modes.cwiseProduct(modes.fullPivLu().inverse().transpose()).cwiseAbs();
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(parts.cols());
+  for (Eigen::Index k = 0; k < parts.rows(); ++k) {
+    const std::string& name = whole.names[static_cast<std::size_t>(k)];
+    if (instances.contains(name.substr(0, name.find('.')))) all += parts.row(k).transpose();
+  }
+  return all.cwiseQuotient(parts.colwise().maxCoeff().transpose());
+}
+
+/// Of modes in which fast sides take part [s].
+double shortest_period(const std::set<std::string>& instances, const Trial& trial) {
+  constexpr double least = 0.01;
+  const Undivided whole = undivided(trial, false, Sampled::left_out);
+  double fastest = 0.0;
+  if (whole.rates.size() > 0) {
+    const Eigen::EigenSolver<Eigen::MatrixXd> solver(whole.rates);
+    const Eigen::VectorXd parts = parts_of(instances, whole, solver.eigenvectors());
+    for (Eigen::Index k = 0; k < parts.size(); ++k)
+      if (parts[k] >= least) fastest = std::max(fastest, solver.eigenvalues()[k].imag());
+  }
+  if (!(fastest > 0.0)) throw Error(ErrorCode::not_supported, "the fast sides do not swing");
   return 2.0 * std::numbers::pi / fastest;
 }
+
+/// What models of sides differ by, wherever these live, is below the last digit.
+double four_digits(double period) { return std::stod(fmt::format("{:.3e}", period)); }
 
 /// The slow side's output that one of a surrogate stands for; else the same.
 std::string without_surrogate(const scenario::Scenario& scenario, const std::string& output) {
@@ -40,10 +71,20 @@ std::string without_surrogate(const scenario::Scenario& scenario, const std::str
   return output;
 }
 
+/// As an array of TOML.
+std::string order_of_sides(const scenario::Scenario& scenario, std::vector<std::string> order) {
+  for (const auto& entry : scenario.subsystems)
+    if (entry.impulse) std::erase(order, entry.name);
+  return fmt::format("[\"{}\"]", fmt::join(order, "\", \""));
+}
+
 }  // namespace
 
 scenario::Scenario by_signals(const scenario::Scenario& scenario) {
-  auto apart = scenario::with_usual(scenario::with_taken(scenario, {"coordination.coupling=signals"}));
+  std::vector<std::string> other = {"coordination.coupling=signals"};
+  if (const auto& order = scenario.coordination.order; !order.empty())
+    other.push_back("coordination.order=" + order_of_sides(scenario, order));
+  auto apart = scenario::with_usual(scenario::with_taken(scenario, std::move(other)));
   for (auto& entry : apart.connections)
     entry.connection.from = without_surrogate(scenario, entry.connection.from);
   if (apart.judge) apart.judge->quantity = without_surrogate(scenario, apart.judge->quantity);
@@ -54,8 +95,11 @@ scenario::Scenario by_signals(const scenario::Scenario& scenario) {
 scenario::Scenario with_fast_period(scenario::Scenario scenario, const Builtins& builtins) {
   if (!scenario::lacks_fast_period(scenario)) return scenario;
   try {
-    scenario::take_fast_period(scenario, shortest_period(by_signals(scenario), builtins));
+    const scenario::Scenario apart = by_signals(scenario);
+    const double period = shortest_period(fast_sides(scenario), Trial(apart, builtins));
+    scenario::take_fast_period(scenario, four_digits(period));
   } catch (const Error& error) {
+    if (error.code() != ErrorCode::not_supported) throw;
     scenario::refuse(
         scenario.place("coordination.coupling"),
         fmt::format("coordination.fast_period is not stated, and can't be found: {}; allowed is a "

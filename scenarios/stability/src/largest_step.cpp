@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "tandem/error.hpp"
 #include "tandem/scenario/steps.hpp"
 #include "tandem/stability/modes.hpp"
 
@@ -64,6 +65,10 @@ std::size_t leader(const Scenario& scenario, const SuperStep& step) {
 }  // namespace
 
 LargestStep largest_step(const Scenario& scenario, const Builtins& builtins) {
+  if (scenario::by_impulse(scenario))
+    throw Error(
+        ErrorCode::not_supported,
+        "an impulse coupling grows and dies out by turns as steps change, by 1e-8 to 1e-5 each super-step");
   const Stability here = stability(scenario, builtins);
   const SuperStep& step = here.step;
   const double smallest = smallest_factor(step),

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
+#include <optional>
 
 #include "tandem/error.hpp"
 #include "tandem/stability/fast_period.hpp"
@@ -41,9 +41,9 @@ struct Told {
   std::vector<Index> whole, map;
 };
 
-/// The slow side of an impulse coupling stands at its nodes without the fast motion, and its surrogate is no part of the
-/// system undivided.
-Told told_by(const SuperStep& step, const scenario::Scenario& scenario) {
+/// slow: also of the slow sides of impulse couplings, which stand at their nodes without the fast motion. Surrogates are no part
+/// of the system undivided.
+Told told_by(const SuperStep& step, const scenario::Scenario& scenario, bool slow) {
   const auto is_slow = [&](int i) {
     return std::any_of(scenario.subsystems.begin(), scenario.subsystems.end(), [&](const auto& one) {
       return one.impulse && one.impulse->slow == scenario.subsystems[static_cast<std::size_t>(i)].name;
@@ -54,7 +54,7 @@ Told told_by(const SuperStep& step, const scenario::Scenario& scenario) {
   for (std::size_t k = 0; k < step.coordinates.size(); ++k) {
     const Coordinate& c = step.coordinates[k];
     if (c.age >= 0 || scenario.subsystems[static_cast<std::size_t>(c.subsystem)].impulse) continue;
-    if (!is_slow(c.subsystem)) told.whole.push_back(state), told.map.push_back(static_cast<Index>(k));
+    if (slow || !is_slow(c.subsystem)) told.whole.push_back(state), told.map.push_back(static_cast<Index>(k));
     ++state;
   }
   return told;
@@ -66,42 +66,58 @@ double likeness(const VectorXcd& a, const VectorXcd& b) {
   return both > 0.0 ? std::norm(a.dot(b)) / both : 0.0;
 }
 
-class Matching {
- public:
-  Matching(const Undivided& whole, const SuperStep& step, const Told& told)
-      : period_(step.period), taken_(static_cast<std::size_t>(step.map.cols())) {
-    std::vector<Index> all(whole.names.size());
-    std::iota(all.begin(), all.end(), Index{0});
-    const Eigen::MatrixXcd vectors = pairs_of(whole.rates, all).vectors;
-    parts_ = vectors.cwiseProduct(vectors.fullPivLu().inverse().transpose()).cwiseAbs();
-    true_ = pairs_of(whole.rates, told.whole), here_ = pairs_of(step.map, told.map);
-    for (std::size_t k = 0; k < taken_.size(); ++k)
-      taken_[k] = step.is_offset(here_.values[static_cast<Index>(k)]);
-    const Eigen::VectorXd largest = true_.vectors.cwiseAbs().rowwise().maxCoeff();
-    for (Pairs* pairs : {&true_, &here_})
+/// Modes of the system undivided and of the scheme, by states that are scaled alike.
+struct Both {
+  Both(const Undivided& whole, const SuperStep& step, const Told& told)
+      : exact(pairs_of(whole.rates, told.whole)), here(pairs_of(step.map, told.map)) {
+    const Eigen::VectorXd largest = exact.vectors.cwiseAbs().rowwise().maxCoeff();
+    for (Pairs* pairs : {&exact, &here})
       for (Index k = 0; k < largest.size(); ++k)
         if (largest[k] > 0.0) pairs->vectors.row(k) /= largest[k];
+  }
+  double alike(Index k, Index j) const { return likeness(here.vectors.col(j), exact.vectors.col(k)); }
+  Pairs exact, here;
+};
+
+class Matching {
+ public:
+  Matching(const Undivided& whole, const SuperStep& step, const scenario::Scenario& scenario)
+      : period_(step.period),
+        taken_(static_cast<std::size_t>(step.map.cols())),
+        by_nearness_(step.offsets > 0),
+        all_(whole, step, told_by(step, scenario, true)) {
+    if (step.offsets > 0) fast_.emplace(whole, step, told_by(step, scenario, false));
+    const Eigen::MatrixXcd vectors = Eigen::EigenSolver<Eigen::MatrixXd>(whole.rates).eigenvectors();
+    parts_ = vectors.cwiseProduct(vectors.fullPivLu().inverse().transpose()).cwiseAbs();
   }
 
   /// One of each pair of conjugates, the fastest first.
   std::vector<Mode> modes() {
     std::vector<Mode> all;
-    for (Index k = 0; k < true_.values.size(); ++k)
-      if (true_.values[k].imag() >= 0.0) all.push_back(mode(k));
+    for (Index k = 0; k < all_.exact.values.size(); ++k)
+      if (all_.exact.values[k].imag() >= 0.0) all.push_back(mode(k));
     std::stable_sort(all.begin(), all.end(),
                      [](const Mode& a, const Mode& b) { return a.frequency > b.frequency; });
     return all;
   }
 
  private:
-  /// The scheme's pair that is most like a true one, and near it: likeness alone does not tell conjugates.
+  double alike(Index k, Index j) const {
+    const double all = all_.alike(k, j);
+    return fast_ ? std::max(all, fast_->alike(k, j)) : all;
+  }
+
+  /// The scheme's pair that is most like a true one, and near it: likeness alone does not tell conjugates. An impulse coupling
+  /// errs by little, and offsets are like any slow mode.
   Index best_for(Index k) {
+    const double of_likeness = by_nearness_ ? 0.05 : 1.0, of_nearness = by_nearness_ ? 1.0 : 0.25;
     Index best = 0;
     double most = -1.0;
-    const Complex expected = std::exp(true_.values[k] * period_);
-    for (Index j = 0; j < here_.values.size(); ++j) {
-      const double far = std::abs(here_.values[j] - expected) / (1.0 + std::abs(here_.values[j]));
-      const double score = likeness(here_.vectors.col(j), true_.vectors.col(k)) - far / 4.0;
+    const Complex expected = std::exp(all_.exact.values[k] * period_);
+    for (Index j = 0; j < all_.here.values.size(); ++j) {
+      const Complex lambda = all_.here.values[j];
+      const double far = std::abs(lambda - expected) / (1.0 + std::abs(lambda));
+      const double score = of_likeness * alike(k, j) - of_nearness * far;
       if (!taken_[static_cast<std::size_t>(j)] && score > most) most = score, best = j;
     }
     taken_[static_cast<std::size_t>(best)] = 1;
@@ -110,7 +126,7 @@ class Matching {
 
   Mode mode(Index k) {
     const Index j = best_for(k);
-    const Complex mu = true_.values[k], lambda = here_.values[j];
+    const Complex mu = all_.exact.values[k], lambda = all_.here.values[j];
     constexpr double turn = 2.0 * std::numbers::pi;
     const double size = std::abs(mu), growth = std::abs(lambda);
     const double late = std::arg(lambda * std::exp(Complex(0.0, -mu.imag() * period_)));
@@ -121,12 +137,14 @@ class Matching {
             .scheme_damping = size > 0.0 ? -std::log(growth) / (period_ * size) : 0.0,
             .growth = growth,
             .parts = parts_.col(k),
-            .likeness = likeness(here_.vectors.col(j), true_.vectors.col(k))};
+            .likeness = alike(k, j)};
   }
 
   double period_;
   std::vector<char> taken_;
-  Pairs true_, here_;
+  bool by_nearness_;
+  Both all_;
+  std::optional<Both> fast_;  ///< by the fast sides' states alone
   /// Of states in true modes: the product of a state in the mode and of the mode in the state, which has no unit
   /// (I. J. Perez-Arriaga et al., IEEE Trans. Power Apparatus and Systems 101, 1982).
   Eigen::MatrixXd parts_;
@@ -164,7 +182,7 @@ Stability stability(const scenario::Scenario& scenario, const Builtins& builtins
     const Trial trial(apart, builtins);
     const Undivided whole = undivided(trial, all.step.linear);
     all.states = whole.names;
-    all.modes = Matching(whole, all.step, told_by(all.step, scenario)).modes();
+    all.modes = Matching(whole, all.step, scenario).modes();
     constexpr double rounding = 1e-8;  // of a damping ratio
     for (const Mode& mode : all.modes)
       if (mode.damping < -rounding) all.rate = std::max(all.rate, mode.rate);

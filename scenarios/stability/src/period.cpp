@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -11,14 +12,15 @@
 namespace tandem::stability {
 namespace {
 
-/// Of n of the largest.
+/// Of n of the largest, up to the first that ends: what ends later is cut.
 Period period_of(std::int64_t n, double largest, const std::vector<double>& lengths) {
   constexpr double rounding = 1e-12;  // relative: steps are quotients and products of few numbers
   Period period;
+  period.length = std::numeric_limits<double>::infinity();
   for (const double h : lengths) {
     const double ratio = static_cast<double>(n) * largest / h, steps = std::round(ratio);
     period.steps.push_back(static_cast<std::int64_t>(steps));
-    period.length = std::max(period.length, steps * h);
+    period.length = std::min(period.length, steps * h);
     if (const double apart = std::abs(ratio - steps); apart > rounding * steps)
       period.apart = std::max(period.apart, apart);
   }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <random>
 
 #include "difference.hpp"
@@ -50,6 +51,19 @@ Eigen::MatrixXd differences(Trial& trial, double part) {
   return map;
 }
 
+/// Numbers of surrogates that stay what they are, as their coupling has no use for them.
+int kept_numbers(const SuperStep& step, const scenario::Scenario& scenario) {
+  constexpr double rounding = 1e-9;
+  int count = 0;
+  for (std::size_t k = 0; k < step.coordinates.size(); ++k) {
+    if (!scenario.subsystems[static_cast<std::size_t>(step.coordinates[k].subsystem)].impulse) continue;
+    const auto row = static_cast<Eigen::Index>(k);
+    const Eigen::RowVectorXd unit = Eigen::RowVectorXd::Unit(step.map.cols(), row);
+    if ((step.map.row(row) - unit).cwiseAbs().maxCoeff() <= rounding) ++count;
+  }
+  return count;
+}
+
 /// The smaller change is the cube root of rounding, where both errors of a difference meet. By a larger one it is seen what
 /// subsystems leave of their iterations.
 void differentiate(Trial& trial, const std::string& file, SuperStep& to) {
@@ -76,34 +90,35 @@ SuperStep super_step(const scenario::Scenario& scenario, const Builtins& builtin
   for (int i = 0; i < trial.topology().size(); ++i)
     step.sampled.push_back(trial.topology().info(i).abilities.sampled);
   step.coordinates = trial.coordinates(), step.identified = trial.identified();
-  step.carries_offsets = scenario::by_impulse(scenario);
+  for (const auto& one : scenario.subsystems)
+    if (one.impulse) step.offsets += 2 * static_cast<int>(one.impulse->links.size());
   step.linear = is_linear(trial);
   if (step.linear)
     step.map = columns(trial);
   else
     differentiate(trial, scenario.file.string(), step);
+  step.offsets += kept_numbers(step, scenario);
   for (const Identified& one : step.identified) step.linear = step.linear && one.linear;
   return step;
 }
 
 double SuperStep::rounding() const {
   constexpr double of_differences = 1e-6;  // two eigenvalues that meet at 1, and 1e-11 in the map
-  double most = linear ? 1e-9 : std::max(of_differences, unsettled);
+  constexpr double of_offsets = 1e-7;      // likewise, and 1e-14
+  double most = linear ? (offsets > 0 ? of_offsets : 1e-9) : std::max(of_differences, unsettled);
   for (const Identified& one : identified) most = std::max(most, 10.0 * one.residual);
   return most;
 }
 
-bool SuperStep::is_offset(std::complex<double> multiplier) const {
-  const double apart = linear ? 1e-6 : 1e-5;  // two that meet, and 1e-13 in the map, by differences 1e-11
-  return carries_offsets && std::abs(multiplier - 1.0) <= apart;
-}
-
 double SuperStep::radius() const {
   if (map.size() == 0) return 0.0;
-  const Eigen::VectorXcd all = Eigen::EigenSolver<Eigen::MatrixXd>(map, false).eigenvalues();
-  double largest = carries_offsets ? 1.0 : 0.0;
-  for (const std::complex<double>& one : all)
-    if (!is_offset(one)) largest = std::max(largest, std::abs(one));
+  const Eigen::VectorXcd values = Eigen::EigenSolver<Eigen::MatrixXd>(map, false).eigenvalues();
+  std::vector<std::complex<double>> all(values.begin(), values.end());
+  std::sort(all.begin(), all.end(),
+            [](const auto& a, const auto& b) { return std::abs(a - 1.0) < std::abs(b - 1.0); });
+  double largest = offsets > 0 ? 1.0 : 0.0;
+  for (std::size_t k = static_cast<std::size_t>(offsets); k < all.size(); ++k)
+    largest = std::max(largest, std::abs(all[k]));
   return largest;
 }
 

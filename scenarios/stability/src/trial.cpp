@@ -22,7 +22,8 @@ Trial::Trial(const scenario::Scenario& scenario, const Builtins& builtins)
 
 void Trial::refuse(int instance, const std::string& what) const {
   scenario::refuse(scenario_.subsystems[static_cast<std::size_t>(instance)].place,
-                   fmt::format("subsystem '{}' {}", parts_.topology().name(instance), what));
+                   fmt::format("subsystem '{}' {}", parts_.topology().name(instance), what),
+                   ErrorCode::not_supported);
 }
 
 /// Each subsystem with its part of z.

@@ -7,6 +7,7 @@
 #include "starting.hpp"
 #include "tandem/identification/identify.hpp"
 #include "tandem/identification/surrogate.hpp"
+#include "tandem/scenario/shortest_step.hpp"
 #include "trial.hpp"
 
 namespace tandem::stability {
@@ -22,7 +23,8 @@ void Trial::begin() {
   run.initialize();
   for (int i = 0; i < topology.size(); ++i) {
     const SubsystemInfo& info = topology.info(i);
-    own_steps_.push_back(info.abilities.sampled ? info.sampling.period : run.own_step(i));
+    own_steps_.push_back(info.abilities.sampled ? info.sampling.period
+                                                : scenario::shortest_step(run.own_step(i), scenario_.start));
     inputs_.push_back(starting[static_cast<std::size_t>(i)].inputs());
   }
   find_period();

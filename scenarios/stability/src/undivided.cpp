@@ -34,18 +34,25 @@ MatrixXd connections(const Topology& topology) {
   return l;
 }
 
+LinearSide nothing(const SubsystemInfo& of) {
+  const int inputs = of.input_size(), outputs = of.output_size();
+  return {MatrixXd(0, 0), MatrixXd(0, inputs), MatrixXd(outputs, 0), MatrixXd::Zero(outputs, inputs)};
+}
+
 }  // namespace
 
-Undivided undivided(const Trial& trial, bool is_linear) {
+Undivided undivided(const Trial& trial, bool is_linear, Sampled sampled) {
   Undivided all;
   LinearSide sum;
   for (int i = 0; i < trial.topology().size(); ++i) {
-    if (trial.topology().info(i).abilities.sampled)
+    const SubsystemInfo& info = trial.topology().info(i);
+    if (info.abilities.sampled && sampled == Sampled::refused)
       throw Error(ErrorCode::not_supported,
                   "subsystem '" + trial.topology().name(i) +
                       "' is sampled, and the system undivided is known without such");
-    const LinearSide one = linear_side(trial, i, is_linear);
+    const LinearSide one = info.abilities.sampled ? nothing(info) : linear_side(trial, i, is_linear);
     append(sum.g, one.g), append(sum.b, one.b), append(sum.c, one.c), append(sum.d, one.d);
+    if (info.abilities.sampled) continue;
     for (const StateName& state : trial.states(i))
       all.names.push_back(trial.topology().name(i) + '.' + state.name);
   }

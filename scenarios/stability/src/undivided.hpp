@@ -20,7 +20,9 @@ struct Undivided {
 /// and by Richardson's extrapolation of G and b over three such steps, in which the integrator's own error goes.
 /// With y = C x + D u from the same steps and u = L y of the connections: rates = G + b (1 - L D)^-1 L C. Lags are
 /// left out. is_linear: the differences may be large. Throws Error(not_supported) for connections that make a loop at once,
-/// and for a subsystem that follows rates of its inputs (a prescribed motion): constant inputs tell nothing of these.
-Undivided undivided(const Trial& trial, bool is_linear);
+/// for a subsystem that follows rates of its inputs (a prescribed motion), as constant inputs tell nothing of these, and for one
+/// that is sampled, unless it is left out: its outputs then stay.
+enum class Sampled { refused, left_out };
+Undivided undivided(const Trial& trial, bool is_linear, Sampled sampled = Sampled::refused);
 
 }  // namespace tandem::stability

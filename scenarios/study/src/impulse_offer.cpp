@@ -14,12 +14,13 @@ std::vector<std::string> impulse_overrides() {
   return {"coordination.coupling=impulse", "coordination.schedule=fastest-first"};
 }
 
-std::string impulse_obstacle(const scenario::Scenario& scenario, const Builtins& builtins) try {
-  const auto coupled = scenario::with_usual(scenario::with_taken(scenario, impulse_overrides()));
-  scenario::Parts(stability::with_fast_period(coupled, builtins), builtins, scenario::Code::run);
-  return "";
+ImpulseOffer impulse_offer(const scenario::Scenario& scenario, const Builtins& builtins) try {
+  const auto coupled = stability::with_fast_period(
+      scenario::with_usual(scenario::with_taken(scenario, impulse_overrides())), builtins);
+  scenario::Parts(coupled, builtins, scenario::Code::run);
+  return {coupled.fast_period};
 } catch (const Error& error) {
-  return error.what();
+  return {0.0, error.what()};
 }
 
 bool is_of_link(const scenario::Scenario& scenario, const std::string& to) {

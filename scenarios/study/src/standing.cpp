@@ -57,10 +57,13 @@ class Writer {
   }
 
   std::string text(const Builtins& builtins) {
-    find_judged();
     varies_steps_ = scenario::can_scale_steps(scenario_, builtins);
     if (varied_ == Varied::left_out) leave_stated(builtins);
-    offers_impulse_ = may_be_impulse() && impulse_obstacle(scenario_, builtins).empty();
+    if (may_be_impulse()) {
+      const ImpulseOffer offer = impulse_offer(scenario_, builtins);
+      offers_impulse_ = offer.holds(), fast_period_ = offer.fast_period;
+    }
+    find_judged();
     const auto all = words();
     return head() + reconstructions() +
            block(schedules_, all, all, std::vector<std::string>(all.size(), "signals")) +
@@ -88,9 +91,16 @@ axes = [
                        listed(schedules), listed(reconstructions), more, varies_steps_ ? "0.5, 1, 2" : "1");
   }
 
-  /// Of what is left out: where neither the coupling nor another schedule is stated.
+  /// Of what is left out: where neither the coupling, nor another schedule, nor how a link is reconstructed is stated.
   bool may_be_impulse() const {
+    const auto free = free_connections();
+    const auto is_left = [&](const scenario::ConnectionEntry& one) {
+      const std::string& to = one.connection.to;
+      return !is_of_link(scenario_, to) || std::find(free.begin(), free.end(), to) != free.end();
+    };
+    const auto& all = scenario_.connections;
     return !scenario_.links.empty() && (varied_ == Varied::all || !stated("/coordination/coupling")) &&
+           std::all_of(all.begin(), all.end(), is_left) &&
            std::find(schedules_.begin(), schedules_.end(), "fastest-first") != schedules_.end();
   }
 
@@ -133,11 +143,19 @@ axes = [
     }
     for (const auto& entry : scenario_.connections) {
       const std::string& from = entry.connection.from;
+      if (offers_impulse_ && is_back_of_link(from)) continue;
       const Port* port = output(from);
       const bool is_vector = port && port->size > 1 && !from.ends_with("]");
       for (int k = 0; k < (is_vector ? port->size : 1); ++k)
         add(is_vector ? fmt::format("{}[{}]", from, k) : from);
     }
+  }
+
+  /// By impulse it has not what the fast side does to it; its surrogate has.
+  bool is_back_of_link(const std::string& output) const {
+    return std::any_of(scenario_.links.begin(), scenario_.links.end(), [&](const scenario::LinkEntry& one) {
+      return output == one.link.back || output == one.effective.velocity;
+    });
   }
 
   void add(const std::string& output) {
@@ -156,9 +174,17 @@ columns = ["schedule", "reconstruction", "steps", "error", "reference_error", "e
 [set]
 "coordination.schedule" = "$schedule"
 {}{})toml",
-        scenario_.file.filename().string(),
-        offers_impulse_ ? "\"coordination.coupling\" = \"$coupling\"\n" : "",
+        scenario_.file.filename().string(), couplings(),
         stated("/coordination/scheme") ? "\"coordination.scheme\" = \"stated\"\n" : "");
+  }
+
+  /// Of a scenario that states another one, too.
+  std::string couplings() const {
+    return offers_impulse_
+               ? fmt::format("\"coordination.coupling\" = \"$coupling\"\n\"coordination.fast_period\" = {}\n",
+                             fast_period_)
+           : stated("/coordination/coupling") ? "\"coordination.coupling\" = \"signals\"\n"
+                                              : "";
   }
 
   std::string reconstructions() const {
@@ -255,6 +281,7 @@ best = 1
   const std::map<std::string, Port> outputs_;
   std::vector<std::string> schedules_ = {"slowest-first", "fastest-first", "staggered", "parallel"};
   bool varies_steps_ = true, offers_impulse_ = false;
+  double fast_period_ = 0.0;
   std::vector<JudgedOutput> judged_;
 };
 

@@ -19,6 +19,8 @@ class SlowStep {
     begin_at(t);
   }
   void begin_at(double t) { begin_ = t, end_ = std::min(t + length_, t_stop_); }
+  /// It stands at its begin: the step has ended there.
+  void make_end_of_begin() { end_ = begin_, begin_ -= length_; }
 
   double begin() const { return begin_; }
   double end() const { return end_; }

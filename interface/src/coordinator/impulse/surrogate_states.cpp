@@ -65,7 +65,7 @@ void Surrogate::set_states(std::span<const double> x) {
   std::size_t k = 0;
   for (double* one : numbers()) *one = x[k++];
   passed_ = true, steps_ = of_.degree + 1;
-  slow_.begin_at(slow_.begin() - of_.slow_step);
+  slow_.make_end_of_begin();
 }
 
 }  // namespace tandem

@@ -5,9 +5,10 @@
 
 namespace tandem::stability {
 
-/// The scenario with coordination.fast_period, where an impulse coupling lacks it: the shortest period of the system undivided,
-/// about its start, as one that has been taken. Another scenario stays as it is. Throws Error, at coordination.coupling, where
-/// that system is not known or does not swing.
+/// The scenario with coordination.fast_period, where an impulse coupling lacks it: the shortest period of the system undivided
+/// in which fast sides take part, about its start, to four digits, as one that has been taken. Another scenario stays as it
+/// is. Throws Error(not_supported), at coordination.coupling, where that system is not known or does not swing, else as
+/// opening the scenario does.
 scenario::Scenario with_fast_period(scenario::Scenario scenario, const Builtins& builtins);
 
 /// The same scenario, coupled by signals, with usual reconstructions where it has none. What goes by outputs of a surrogate

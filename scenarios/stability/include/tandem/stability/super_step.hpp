@@ -1,7 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <Eigen/Dense>
-#include <complex>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -47,12 +46,11 @@ struct SuperStep {
   /// Of differences: how far the spectral radius by ten times larger ones lies.
   double unsettled = 0.0;
 
-  /// By how much a surrogate of an impulse coupling and its slow side lie apart, and at which speed, is carried on as it is.
-  /// These multipliers are 1, several times over, and rounding takes them apart.
-  bool carries_offsets = false;
-  bool is_offset(std::complex<double> multiplier) const;
+  /// By how much a surrogate of an impulse coupling and its slow side lie apart, and at which speed, is carried on as it is: two
+  /// multipliers of 1 for each link, which rounding takes apart. So many, with those of numbers that it has no use for.
+  int offsets = 0;
 
-  /// Spectral radius of the map: above 1 what a run carries grows without end. Offsets that are carried do not count.
+  /// Spectral radius of the map: above 1 what a run carries grows without end. Offsets do not count.
   double radius() const;
   /// What the modulus of an eigenvalue may be above 1 and mean 1.
   double rounding() const;

@@ -11,8 +11,14 @@ namespace tandem::study {
 /// What makes a scenario that is coupled by signals one of impulse coupling, as overrides.
 std::vector<std::string> impulse_overrides();
 
-/// Why an impulse coupling can't be tried with a scenario that is coupled by signals. Empty: it can.
-std::string impulse_obstacle(const scenario::Scenario& scenario, const Builtins& builtins);
+/// Whether an impulse coupling can be tried with a scenario that is coupled by signals.
+struct ImpulseOffer {
+  double fast_period;         ///< [s], stated or found
+  std::string obstacle = {};  ///< why not; empty: it can
+
+  bool holds() const { return obstacle.empty(); }
+};
+ImpulseOffer impulse_offer(const scenario::Scenario& scenario, const Builtins& builtins);
 
 /// Whether an input, "fast.x2", is fed by an output of its [[links]].
 bool is_of_link(const scenario::Scenario& scenario, const std::string& to);
