@@ -218,6 +218,7 @@ TEST(ImpulseScenario, RefusesWhatItCantCouple) {
       {"coordination.order=[\"slow\", \"slow_surrogate\"]", {"'fast' is missing"}},
       {"subsystems.slow.land=always", {"land", "never"}},
       {"coordination.fast_period=0", {"coordination.fast_period", "above 0"}},
+      {"links[0].effective_damping=1", {"effective_damping", "beside effective_stiffness"}},
   };
   expect_refused(impulse_scene, all);
 }

@@ -7,6 +7,7 @@
 
 #include "long_run.hpp"
 #include "refusal.hpp"
+#include "scratch.hpp"
 #include "tandem/stability/fast_period.hpp"
 #include "tandem/stability/largest_step.hpp"
 #include "tandem/stability/modes.hpp"
@@ -15,6 +16,64 @@ namespace tandem::stability_tests {
 namespace {
 
 using namespace test;
+
+const char* const inner_mechanism = R"toml(
+name = "two"
+dimension = 2
+[parameters]
+m = { value = 1, unit = "kg" }
+w = { value = 1, unit = "rad/s" } # of the slow side as a whole
+times = { value = 1, unit = "1" }
+[points]
+O = { at = [-10, 0], fixed = true }
+P = { at = [20, 0] }
+Q = { at = [10, 0] }
+[masses]
+p = { point = "P", mass = "$m" }
+q = { point = "Q", mass = "$(9*m)" }
+[springs]
+inner = { points = ["Q", "P"], stiffness = "$(0.9*m*(times*w)^2)", free = 10 }
+ground = { points = ["O", "Q"], stiffness = "$(10*m*w^2)", free = 20 }
+[inputs.F]
+unit = "N"
+[forces.push]
+point = "P"
+direction = [1, 0]
+magnitude = "F"
+[outputs.x]
+position = "P.x"
+[run]
+step = 1
+formulation = "null_space"
+integrator = "newmark"
+)toml";
+
+const char* const inner_scene = R"toml(
+name = "inner"
+[constants]
+times = 10
+w1 = 6.283185307179586
+[subsystems.fast]
+source = "builtin:two_mass.fast_force"
+parameters = { frequency_ratio = 100 }
+[subsystems.slow]
+source = "mechanism:two.toml"
+parameters = { m = "$(101/(0.9999*w1^2))", w = "$(w1/100)", times = "$times" }
+[[connections]]
+from = "fast.F"
+to = "slow.F"
+[[connections]]
+from = "slow.x"
+to = "fast.x2"
+offset = -10
+[[links]]
+effort = "fast.F"
+displacement = "slow.x"
+[coordination]
+coupling = "impulse"
+[span]
+stop = 100.0
+)toml";
 
 scenario::Scenario by_impulse(double ratio, const Settings& more = {}) {
   Settings all = {fmt::format("parameters.frequency_ratio={}", ratio)};
@@ -123,6 +182,21 @@ TEST(StabilityOfImpulse, IsTheSameFromAnyStartAndAtAnyMultiplier) {
       const auto here = found(by_impulse(std::stod(ratio), all));
       EXPECT_NEAR(here.modes[0].growth, 1.0, 1e-5) << ratio;
     }
+}
+
+/// A mass on a spring within the slow side, of 10 and of 20 times its frequency: the surrogate lacks it.
+TEST(StabilityOfImpulse, TellsOfAnInnerModeThatTheSurrogateLacks) {
+  const Scratch folder;
+  folder.write("two.toml", inner_mechanism);
+  folder.write("s.toml", inner_scene);
+  const auto growth = [&](const char* times) {
+    const auto one = scenario::read(folder.path() / "s.toml", {std::string("constants.times=") + times});
+    const auto all = stability::stability(stability::with_fast_period(one, sources()), sources());
+    EXPECT_NEAR(all.modes.at(1).frequency, 0.01 * std::stod(times), 0.01 * 0.01 * std::stod(times));
+    return all.modes.at(1).growth;
+  };
+  EXPECT_NEAR(growth("10"), 1.00028, 5e-5);
+  EXPECT_NEAR(growth("20"), 1.00265, 2e-4);
 }
 
 TEST(StabilityOfImpulse, SearchesForNoLargestStep) {

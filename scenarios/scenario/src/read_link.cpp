@@ -50,6 +50,8 @@ LinkEntry read_link(Section& section) {
       {section.positive("effective_mass"), section.positive("effective_stiffness"),
        section.positive("effective_damping"), read_accelerance(section), section.text("velocity")}};
   section.refuse_unknown();
+  if (entry.effective.damping && !entry.effective.stiffness)
+    section.wrong("effective_damping", "given alone", "it beside effective_stiffness");
   return entry;
 }
 

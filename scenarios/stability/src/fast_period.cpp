@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <numbers>
 #include <set>
@@ -26,29 +25,19 @@ std::set<std::string> fast_sides(const scenario::Scenario& scenario) {
   return all;
 }
 
-/// How much states of these take part in each mode, beside what takes part most.
-Eigen::VectorXd parts_of(const std::set<std::string>& instances, const Undivided& whole,
-                         const Eigen::MatrixXcd& modes) {
-  const Eigen::MatrixXd parts = modes.cwiseProduct(modes.fullPivLu().inverse().transpose()).cwiseAbs();
-  Eigen::VectorXd all = Eigen::VectorXd::Zero(parts.cols());
-  for (Eigen::Index k = 0; k < parts.rows(); ++k) {
-    const std::string& name = whole.names[static_cast<std::size_t>(k)];
-    if (instances.contains(name.substr(0, name.find('.')))) all += parts.row(k).transpose();
-  }
-  return all.cwiseQuotient(parts.colwise().maxCoeff().transpose());
-}
-
 /// Of modes in which fast sides take part [s].
 double shortest_period(const std::set<std::string>& instances, const Trial& trial) {
-  constexpr double least = 0.01;
+  constexpr double least = 0.01;  // beside the state that takes part most
   const Undivided whole = undivided(trial, false, Sampled::left_out);
+  const auto [rates, parts] = participation(whole);
   double fastest = 0.0;
-  if (whole.rates.size() > 0) {
-    const Eigen::EigenSolver<Eigen::MatrixXd> solver(whole.rates);
-    const Eigen::VectorXd parts = parts_of(instances, whole, solver.eigenvectors());
-    for (Eigen::Index k = 0; k < parts.size(); ++k)
-      if (parts[k] >= least) fastest = std::max(fastest, solver.eigenvalues()[k].imag());
-  }
+  for (Eigen::Index mode = 0; mode < parts.cols(); ++mode)
+    for (Eigen::Index k = 0; k < parts.rows(); ++k) {
+      const std::string& state = whole.names[static_cast<std::size_t>(k)];
+      if (instances.contains(state.substr(0, state.find('.'))) &&
+          parts(k, mode) >= least * parts.col(mode).maxCoeff())
+        fastest = std::max(fastest, rates[mode].imag());
+    }
   if (!(fastest > 0.0)) throw Error(ErrorCode::not_supported, "the fast sides do not swing");
   return 2.0 * std::numbers::pi / fastest;
 }

@@ -87,8 +87,7 @@ class Matching {
         by_nearness_(step.offsets > 0),
         all_(whole, step, told_by(step, scenario, true)) {
     if (step.offsets > 0) fast_.emplace(whole, step, told_by(step, scenario, false));
-    const Eigen::MatrixXcd vectors = Eigen::EigenSolver<Eigen::MatrixXd>(whole.rates).eigenvectors();
-    parts_ = vectors.cwiseProduct(vectors.fullPivLu().inverse().transpose()).cwiseAbs();
+    parts_ = participation(whole).parts;
   }
 
   /// One of each pair of conjugates, the fastest first.
@@ -145,9 +144,7 @@ class Matching {
   bool by_nearness_;
   Both all_;
   std::optional<Both> fast_;  ///< by the fast sides' states alone
-  /// Of states in true modes: the product of a state in the mode and of the mode in the state, which has no unit
-  /// (I. J. Perez-Arriaga et al., IEEE Trans. Power Apparatus and Systems 101, 1982).
-  Eigen::MatrixXd parts_;
+  Eigen::MatrixXd parts_;     ///< of states in true modes
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "undivided.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include "linear_side.hpp"
@@ -62,6 +63,13 @@ Undivided undivided(const Trial& trial, bool is_linear, Sampled sampled) {
     throw Error(ErrorCode::not_supported, "the connections make a loop at once that has no solution");
   all.rates = sum.g + sum.b * loop.solve(l * sum.c);
   return all;
+}
+
+Participation participation(const Undivided& whole) {
+  if (whole.rates.size() == 0) return {};
+  const Eigen::EigenSolver<MatrixXd> solver(whole.rates);
+  const Eigen::MatrixXcd modes = solver.eigenvectors();
+  return {solver.eigenvalues(), modes.cwiseProduct(modes.fullPivLu().inverse().transpose()).cwiseAbs()};
 }
 
 }  // namespace tandem::stability

@@ -25,4 +25,12 @@ struct Undivided {
 enum class Sampled { refused, left_out };
 Undivided undivided(const Trial& trial, bool is_linear, Sampled sampled = Sampled::refused);
 
+/// Its modes: their rates [1/s], and by columns how much each state takes part, the product of a state in the mode and of the
+/// mode in the state, which has no unit (I. J. Perez-Arriaga et al., IEEE Trans. Power Apparatus and Systems 101, 1982).
+struct Participation {
+  Eigen::VectorXcd rates;
+  Eigen::MatrixXd parts;
+};
+Participation participation(const Undivided& whole);
+
 }  // namespace tandem::stability

@@ -23,14 +23,20 @@ ImpulseOffer impulse_offer(const scenario::Scenario& scenario, const Builtins& b
   return {0.0, error.what()};
 }
 
+bool is_back_of_link(const scenario::Scenario& scenario, const std::string& output) {
+  return std::any_of(scenario.links.begin(), scenario.links.end(), [&](const scenario::LinkEntry& one) {
+    return output == one.link.back || output == one.effective.velocity;
+  });
+}
+
 bool is_of_link(const scenario::Scenario& scenario, const std::string& to) {
-  const auto of_link = [](const scenario::LinkEntry& one, const std::string& from) {
-    return from == one.link.effort || from == one.link.back || from == one.effective.velocity;
+  const auto is_effort = [&](const std::string& from) {
+    return std::any_of(scenario.links.begin(), scenario.links.end(),
+                       [&](const scenario::LinkEntry& one) { return from == one.link.effort; });
   };
   return std::any_of(scenario.connections.begin(), scenario.connections.end(), [&](const auto& entry) {
-    return entry.connection.to == to &&
-           std::any_of(scenario.links.begin(), scenario.links.end(),
-                       [&](const auto& one) { return of_link(one, entry.connection.from); });
+    const std::string& from = entry.connection.from;
+    return entry.connection.to == to && (is_effort(from) || is_back_of_link(scenario, from));
   });
 }
 

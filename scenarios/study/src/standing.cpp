@@ -143,19 +143,12 @@ axes = [
     }
     for (const auto& entry : scenario_.connections) {
       const std::string& from = entry.connection.from;
-      if (offers_impulse_ && is_back_of_link(from)) continue;
+      if (offers_impulse_ && is_back_of_link(scenario_, from)) continue;
       const Port* port = output(from);
       const bool is_vector = port && port->size > 1 && !from.ends_with("]");
       for (int k = 0; k < (is_vector ? port->size : 1); ++k)
         add(is_vector ? fmt::format("{}[{}]", from, k) : from);
     }
-  }
-
-  /// By impulse it has not what the fast side does to it; its surrogate has.
-  bool is_back_of_link(const std::string& output) const {
-    return std::any_of(scenario_.links.begin(), scenario_.links.end(), [&](const scenario::LinkEntry& one) {
-      return output == one.link.back || output == one.effective.velocity;
-    });
   }
 
   void add(const std::string& output) {

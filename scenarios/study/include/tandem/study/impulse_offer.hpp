@@ -22,5 +22,8 @@ ImpulseOffer impulse_offer(const scenario::Scenario& scenario, const Builtins& b
 
 /// Whether an input, "fast.x2", is fed by an output of its [[links]].
 bool is_of_link(const scenario::Scenario& scenario, const std::string& to);
+/// Whether an output is the displacement or the velocity of one of them. By impulse it has not what the fast side does to it;
+/// its surrogate has.
+bool is_back_of_link(const scenario::Scenario& scenario, const std::string& output);
 
 }  // namespace tandem::study
