@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 #include "scene_run.hpp"
 #include "tandem/charts/csv_table.hpp"
@@ -46,11 +47,29 @@ TEST_F(ImpulseAdvice, FindsItWhereSamplesFail) {
     ASSERT_EQ(said.status, 0) << said.err;
     const auto at = said.out.find("cheapest within the tolerance:");
     ASSERT_NE(at, std::string::npos) << said.out;
-    EXPECT_NE(said.out.find("fastest-first, impulse, steps x 2", at), std::string::npos) << said.out;
+    EXPECT_NE(said.out.find("fastest-first, impulse_stiffness, steps x 2", at), std::string::npos)
+        << said.out;
     EXPECT_NE(said.out.find("0.833 of the largest steps a cycle", at), std::string::npos) << said.out;
-    EXPECT_TRUE(text("a/advice.toml").starts_with("[coordination]\ncoupling = \"impulse\"\n"));
+    EXPECT_TRUE(text("a/advice.toml").starts_with("[coordination]\ncoupling = \"impulse_stiffness\"\n"));
     EXPECT_EQ(text("a/advice.toml").find("[[connections]]"), std::string::npos) << "links have none";
   }
+}
+
+/// A mechanism that is not linear runs itself: the mass that it tells and its equations do, the stiffness of its start does not.
+TEST_F(ImpulseAdvice, RanksTheKindsOfOneThatRunsItself) {
+  const Said said = tandem(
+      folder_,
+      {"advise", TANDEM_SOURCE_DIR "/scenarios/pushed_pendulum/pushed_pendulum.toml", "--output", "a"});
+  ASSERT_EQ(said.status, 0) << said.err;
+  std::map<std::string, double> errors;
+  const auto table =
+      charts::CsvTable::read(folder_.path() / "a/schemes.csv", {"reconstruction", "error", "status"});
+  for (std::size_t k = 0; k < table.size(); ++k)
+    if (table[k].text("status") == "ok" && table[k].text("reconstruction").starts_with("impulse"))
+      errors[table[k].text("reconstruction")] = table[k].number("error");
+  EXPECT_LT(errors.at("impulse"), 0.5);
+  EXPECT_LT(errors.at("impulse_taylor"), 0.5);
+  EXPECT_GT(errors.at("impulse_stiffness"), 1.0);
 }
 
 TEST_F(ImpulseAdvice, OfAStandingStudyIsAReferenceAtAnyRatio) {
@@ -77,7 +96,8 @@ TEST_F(ImpulseAdvice, AScenarioThatChoosesTakesIt) {
   Said said = x({"run", "s.toml", "--output", "whole"});
   ASSERT_EQ(said.status, 0) << said.err;
   EXPECT_TRUE(contains(said.err, "coordination.fast_period is 1 s")) << said.err;
-  for (const char* taken : {"\"coordination.coupling=impulse\"", "\"coordination.fast_period=1.0\""})
+  for (const char* taken :
+       {"\"coordination.coupling=impulse_stiffness\"", "\"coordination.fast_period=1.0\""})
     EXPECT_TRUE(contains(text("whole/results.json"), taken));
   ASSERT_EQ(x({"run", "s.toml", "--output", "cut", "--checkpoint-every", "7"}).status, 0);
   said = x({"run", "s.toml", "--output", "cut", "--resume", "cut/checkpoint"});

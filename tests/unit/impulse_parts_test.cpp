@@ -2,6 +2,7 @@
 // The mean force of an impulse coupling, and its pulse.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -68,6 +69,54 @@ TEST(ForceWindow, GivesTheWholeImpulseOfAnySteps) {
       largest = std::max(largest, std::abs(given - f.first(t)));
     }
     EXPECT_LT(largest, 3.0) << "of " << f.first(t);
+  }
+}
+
+/// By how much the double integral of a force is off that of its mean forces, at the nodes.
+std::vector<double> defects(Kind kind, const Force& f, double h, int nodes) {
+  ForceWindow window(kind, h);
+  std::vector<double> all;
+  double x = 0.0, v = 0.0;
+  for (int n = 0; n < nodes; ++n) {
+    const double mean = window.pass(f.over(n * h, h), h, h);
+    x += h * (v + h * mean / 2.0), v += h * mean;
+    all.push_back(f.second((n + 1) * h) - x);
+  }
+  return all;
+}
+
+/// T the second difference of the double integral Q: d_(n+1) - 2 d_n + d_(n-1) = h^2 / 4 (T_n - 2 T_(n-1) + T_(n-2)), so
+/// d_n = h^2 T_(n-1) / 4. It is bounded at every frequency, also where a step is a whole number of periods.
+TEST(ForceWindow, LeavesAQuarterOfASecondDifferenceAtTheNodes) {
+  constexpr double h = 0.4;
+  for (const double turns : {0.03, 0.31, 0.5, 0.97, 1.0, 1.0001, 2.0, 3.7, 10.0, 123.4}) {
+    const Force f{0.0, 3.0, 2.0 * std::numbers::pi * turns / h};
+    const auto d = defects(Kind::hat, f, h, 400);
+    for (int n = 3; n < 400; ++n) {
+      const auto q = [&](int k) { return f.second(k * h); };
+      const double t = (q(n - 1) - 2.0 * q(n - 2) + q(n - 3)) / (h * h);
+      ASSERT_NEAR(d[static_cast<std::size_t>(n - 2)], h * h * t / 4.0, 1e-9) << turns << ' ' << n;
+    }
+  }
+}
+
+/// The other window leaves the ripple itself, and as little of it.
+TEST(ForceWindow, LeavesNoMoreAfterManySteps) {
+  constexpr double h = 0.4;
+  const auto largest = [](const std::vector<double>& d, std::size_t from, std::size_t to) {
+    double most = 0.0;
+    for (std::size_t k = from; k < to; ++k) most = std::max(most, std::abs(d[k]));
+    return most;
+  };
+  std::mt19937 random(26);
+  std::uniform_real_distribution<double> any(std::log(0.01), std::log(100.0));
+  for (int k = 0; k < 200; ++k) {
+    const double turns = k < 20 ? k / 2.0 + 0.5 : std::exp(any(random));
+    const Force f{0.0, 3.0, 2.0 * std::numbers::pi * turns / h};
+    for (const Kind kind : {Kind::hat, Kind::b_spline}) {
+      const auto d = defects(kind, f, h, 4000);
+      EXPECT_LE(largest(d, 2000, 4000), 1.02 * largest(d, 0, 2000) + 1e-8) << turns;
+    }
   }
 }
 

@@ -164,7 +164,7 @@ void RunStart::note_tie(const std::vector<int>& group) const {
   for (std::size_t k = 0; k < std::min<std::size_t>(group.size(), 4); ++k)
     names += (k > 0 ? ", '" : "'") + topology_.name(group[k]) + "'";
   if (group.size() > 4) names += " and " + std::to_string(group.size() - 4) + " more";
-  const bool by_name = tie(group.front()) == tie(group.back());
+  const bool by_name = tie(group.front()) == tie(group.back()) && tie(group.front()) != Tie::feeds_through;
   run_.notes_.push_back("subsystems " + names + " have the same own step and lead in this order, " +
                         (by_name ? "by name"
                                  : "as who switches leads, who feeds inputs through at once follows what it "

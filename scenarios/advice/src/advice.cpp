@@ -113,7 +113,7 @@ Ranking ranking(const std::filesystem::path& file) {
 std::vector<std::string> taken(const Choice& choice, const scenario::Scenario& scenario,
                                const Builtins& builtins, study::Varied varied) {
   std::vector<std::string> all = {"coordination.schedule=" + choice.schedule};
-  if (choice.is_impulse()) all = study::impulse_overrides();
+  if (choice.is_impulse()) all = study::impulse_overrides(choice.reconstruction);
   for (const std::string& to : free_of(choice, scenario, builtins, varied))
     all.push_back(fmt::format("connections[{}].reconstruction={}", to, reconstruction_of(choice)));
   const Steps steps = steps_of(choice, scenario, builtins);
@@ -127,8 +127,9 @@ std::vector<std::string> taken(const Choice& choice, const scenario::Scenario& s
 std::string lines(const Choice& choice, const scenario::Scenario& scenario, const Builtins& builtins,
                   study::Varied varied) {
   const Steps steps = steps_of(choice, scenario, builtins);
-  std::string text = fmt::format("[coordination]\n{}schedule = \"{}\"\n",
-                                 choice.is_impulse() ? "coupling = \"impulse\"\n" : "", choice.schedule);
+  const std::string coupling =
+      choice.is_impulse() ? fmt::format("coupling = \"{}\"\n", choice.reconstruction) : "";
+  std::string text = fmt::format("[coordination]\n{}schedule = \"{}\"\n", coupling, choice.schedule);
   if (steps.communication) text += fmt::format("communication_step = {}\n", *steps.communication);
   const auto free = free_of(choice, scenario, builtins, varied);
   for (const auto& entry : scenario.connections)

@@ -163,6 +163,10 @@ class Models::Modelled final : public Subsystem {
   Clock advance(double t_limit, bool land, std::span<const Signal> u, Samples& y) override {
     return active_->advance(t_limit, land, u, y);
   }
+  /// Of what runs itself.
+  std::shared_ptr<SlowModel> slow_model(std::span<const SlowLink> links) const override {
+    return active_ == real_.get() ? real_->slow_model(links) : nullptr;
+  }
   StateId save_state() override { return active_->save_state(); }
   Clock restore_state(StateId id) override { return active_->restore_state(id); }
   void release_state(StateId id) override { active_->release_state(id); }

@@ -200,9 +200,8 @@ void of_coordination(KeyList& to) {
           {.otherwise = "signals",
            .words = {"signals", "impulse", "impulse_plain", "impulse_stiffness", "impulse_taylor"}})
       .may("fast_period", positive,
-           "Of `impulse`: the shortest period of the coupled system. Without it: that of the system "
-           "undivided about "
-           "the start (docs/stability.md).",
+           "Of `impulse`: the shortest period of the coupled system. Without it: that of the system undivided, "
+           "about the start, in which a fast side takes part (docs/impulse_coupling.md).",
            {.unit = "s"});
 }
 

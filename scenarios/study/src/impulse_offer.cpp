@@ -10,17 +10,46 @@
 
 namespace tandem::study {
 
-std::vector<std::string> impulse_overrides() {
-  return {"coordination.coupling=impulse", "coordination.schedule=fastest-first"};
+namespace {
+
+/// With its fast period; throws where it can't be opened.
+scenario::Scenario coupled_by(const std::string& coupling, const scenario::Scenario& scenario,
+                              const Builtins& builtins) {
+  auto coupled = stability::with_fast_period(
+      scenario::with_usual(scenario::with_taken(scenario, impulse_overrides(coupling))), builtins);
+  scenario::Parts(coupled, builtins, scenario::Code::run);
+  return coupled;
 }
 
-ImpulseOffer impulse_offer(const scenario::Scenario& scenario, const Builtins& builtins) try {
-  const auto coupled = stability::with_fast_period(
-      scenario::with_usual(scenario::with_taken(scenario, impulse_overrides())), builtins);
-  scenario::Parts(coupled, builtins, scenario::Code::run);
-  return {coupled.fast_period};
-} catch (const Error& error) {
-  return {0.0, error.what()};
+/// A stiffness that is stated is in `impulse` already.
+std::vector<std::string> others(const scenario::Scenario& scenario) {
+  const bool stated = std::any_of(scenario.links.begin(), scenario.links.end(),
+                                  [](const auto& one) { return one.effective.stiffness.has_value(); });
+  return stated ? std::vector<std::string>{"impulse_taylor"}
+                : std::vector<std::string>{"impulse_stiffness", "impulse_taylor"};
+}
+
+}  // namespace
+
+std::vector<std::string> impulse_overrides(const std::string& coupling) {
+  return {"coordination.coupling=" + coupling, "coordination.schedule=fastest-first"};
+}
+
+ImpulseOffer impulse_offer(const scenario::Scenario& scenario, const Builtins& builtins) {
+  ImpulseOffer offer;
+  try {
+    offer.fast_period = coupled_by("impulse", scenario, builtins).fast_period;
+    offer.couplings = {"impulse"};
+  } catch (const Error& error) {
+    offer.obstacle = error.what();
+    return offer;
+  }
+  for (const std::string& one : others(scenario)) try {
+      coupled_by(one, scenario, builtins);
+      offer.couplings.push_back(one);
+    } catch (const Error&) {
+    }
+  return offer;
 }
 
 bool is_back_of_link(const scenario::Scenario& scenario, const std::string& output) {

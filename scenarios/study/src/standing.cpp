@@ -59,16 +59,11 @@ class Writer {
   std::string text(const Builtins& builtins) {
     varies_steps_ = scenario::can_scale_steps(scenario_, builtins);
     if (varied_ == Varied::left_out) leave_stated(builtins);
-    if (may_be_impulse()) {
-      const ImpulseOffer offer = impulse_offer(scenario_, builtins);
-      offers_impulse_ = offer.holds(), fast_period_ = offer.fast_period;
-    }
+    if (may_be_impulse()) offer_ = impulse_offer(scenario_, builtins);
     find_judged();
     const auto all = words();
-    return head() + reconstructions() +
-           block(schedules_, all, all, std::vector<std::string>(all.size(), "signals")) +
-           (offers_impulse_ ? block({"fastest-first"}, {"impulse"}, {"lagrange3"}, {"impulse"}) : "") +
-           reference() + metrics() + charts();
+    return head() + reconstructions() + block(schedules_, all, all, Words(all.size(), "signals")) +
+           of_impulse() + reference() + metrics() + charts();
   }
 
  private:
@@ -79,7 +74,7 @@ class Writer {
                     const Words& couplings) const {
     const auto listed = [](const Words& all) { return fmt::format("[\"{}\"]", fmt::join(all, "\", \"")); };
     const std::string more =
-        offers_impulse_ ? fmt::format(", how = {}, coupling = {}", listed(how), listed(couplings)) : "";
+        offer_.holds() ? fmt::format(", how = {}, coupling = {}", listed(how), listed(couplings)) : "";
     return fmt::format(R"toml(
 [[tables.schemes.blocks]]
 axes = [
@@ -89,6 +84,11 @@ axes = [
 ]
 )toml",
                        listed(schedules), listed(reconstructions), more, varies_steps_ ? "0.5, 1, 2" : "1");
+  }
+
+  std::string of_impulse() const {
+    const Words& all = offer_.couplings;
+    return all.empty() ? "" : block({"fastest-first"}, all, Words(all.size(), "lagrange3"), all);
   }
 
   /// Of what is left out: where neither the coupling, nor another schedule, nor how a link is reconstructed is stated.
@@ -143,7 +143,7 @@ axes = [
     }
     for (const auto& entry : scenario_.connections) {
       const std::string& from = entry.connection.from;
-      if (offers_impulse_ && is_back_of_link(scenario_, from)) continue;
+      if (offer_.holds() && is_back_of_link(scenario_, from)) continue;
       const Port* port = output(from);
       const bool is_vector = port && port->size > 1 && !from.ends_with("]");
       for (int k = 0; k < (is_vector ? port->size : 1); ++k)
@@ -173,9 +173,9 @@ columns = ["schedule", "reconstruction", "steps", "error", "reference_error", "e
 
   /// Of a scenario that states another one, too.
   std::string couplings() const {
-    return offers_impulse_
+    return offer_.holds()
                ? fmt::format("\"coordination.coupling\" = \"$coupling\"\n\"coordination.fast_period\" = {}\n",
-                             fast_period_)
+                             offer_.fast_period)
            : stated("/coordination/coupling") ? "\"coordination.coupling\" = \"signals\"\n"
                                               : "";
   }
@@ -184,7 +184,7 @@ columns = ["schedule", "reconstruction", "steps", "error", "reference_error", "e
     std::string text;
     for (const std::string& to : free_connections())
       text += fmt::format("\"connections[{}].reconstruction\" = \"${}\"\n", to,
-                          offers_impulse_ ? "how" : "reconstruction");
+                          offer_.holds() ? "how" : "reconstruction");
     return text;
   }
 
@@ -197,7 +197,7 @@ floor = true
 
 [references.fine.set]
 )toml",
-                                   offers_impulse_ ? ", how = \"hermite\", coupling = \"impulse\"" : "");
+                                   offer_.holds() ? ", how = \"hermite\", coupling = \"impulse\"" : "");
     for (std::size_t k = 0; k < scenario_.connections.size(); ++k) {
       const Connection& one = scenario_.connections[k].connection;
       if (const Port* port = output(one.from); is_free(k) && port && port->derivatives == 0)
@@ -273,8 +273,8 @@ best = 1
   const Varied varied_;
   const std::map<std::string, Port> outputs_;
   std::vector<std::string> schedules_ = {"slowest-first", "fastest-first", "staggered", "parallel"};
-  bool varies_steps_ = true, offers_impulse_ = false;
-  double fast_period_ = 0.0;
+  bool varies_steps_ = true;
+  ImpulseOffer offer_;
   std::vector<JudgedOutput> judged_;
 };
 

@@ -75,24 +75,28 @@ void SurrogateLink::make_up(double s, double then, double now) {
   y_ += s * s * (2.0 * then + now) / 6.0;
 }
 
+std::vector<double*> SurrogateLink::own_numbers() {
+  return {&y_,
+          &v_,
+          &at_,
+          &rate_,
+          &g_,
+          &g_rate_,
+          &g_mean_,
+          &foreseen_,
+          &foreseen_rate_,
+          &mean_force_,
+          &sum_position_,
+          &before_sum_,
+          &before_position_,
+          &before_velocity_,
+          &from_position_,
+          &mean_position_,
+          &mean_velocity_};
+}
+
 std::vector<double*> SurrogateLink::numbers() {
-  std::vector<double*> all = {&y_,
-                              &v_,
-                              &at_,
-                              &rate_,
-                              &g_,
-                              &g_rate_,
-                              &g_mean_,
-                              &foreseen_,
-                              &foreseen_rate_,
-                              &mean_force_,
-                              &sum_position_,
-                              &before_sum_,
-                              &before_position_,
-                              &before_velocity_,
-                              &from_position_,
-                              &mean_position_,
-                              &mean_velocity_};
+  std::vector<double*> all = own_numbers();
   for (double* one : forces_.numbers()) all.push_back(one);
   for (double* one : pulse_.numbers()) all.push_back(one);
   for (double* one : window_.numbers()) all.push_back(one);
@@ -106,13 +110,13 @@ void SurrogateLink::begin_at_node(double acceleration, double length) {
 
 void SurrogateLink::write(ByteWriter& to) const {
   SurrogateLink copy = *this;
-  for (const double* one : copy.numbers()) to.put(*one);
-  to.put(length_), pulse_.write(to), window_.write(to);
+  for (const double* one : copy.own_numbers()) to.put(*one);
+  to.put(length_), forces_.write(to), pulse_.write(to), window_.write(to);
 }
 
 void SurrogateLink::read(ByteReader& from) {
-  for (double* one : numbers()) *one = from.take<double>();
-  length_ = from.take<double>(), pulse_.read(from), window_.read(from);
+  for (double* one : own_numbers()) *one = from.take<double>();
+  length_ = from.take<double>(), forces_.read(from), pulse_.read(from), window_.read(from);
 }
 
 }  // namespace tandem

@@ -63,6 +63,7 @@ class SurrogateLink {
   void read(ByteReader& from);
 
  private:
+  std::vector<double*> own_numbers();
   void follow(double g_mean, double s, double length);
 
   StepIntegrals forces_;

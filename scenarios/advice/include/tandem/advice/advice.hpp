@@ -13,13 +13,13 @@ namespace tandem::advice {
 
 /// A scheme of the standing study (study/standing.hpp), with what is predicted of it.
 struct Choice {
-  std::string schedule, reconstruction;  ///< "impulse": coupled so
+  std::string schedule, reconstruction;  ///< "impulse", "impulse_taylor": coupled so
   double steps;      ///< times all own steps and the communication step
   double error;      ///< as a part of the tolerance
   double exchanges;  ///< calls of subsystems
   double own_steps;  ///< of all subsystems together
 
-  bool is_impulse() const { return reconstruction == "impulse"; }
+  bool is_impulse() const { return reconstruction.starts_with("impulse"); }
 };
 
 struct Ranking {

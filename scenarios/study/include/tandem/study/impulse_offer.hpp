@@ -8,15 +8,17 @@
 
 namespace tandem::study {
 
-/// What makes a scenario that is coupled by signals one of impulse coupling, as overrides.
-std::vector<std::string> impulse_overrides();
+/// What makes a scenario that is coupled by signals one of impulse coupling, as overrides. coupling: a word of
+/// coordination.coupling.
+std::vector<std::string> impulse_overrides(const std::string& coupling);
 
-/// Whether an impulse coupling can be tried with a scenario that is coupled by signals.
+/// Which impulse couplings can be tried with a scenario that is coupled by signals.
 struct ImpulseOffer {
-  double fast_period;         ///< [s], stated or found
-  std::string obstacle = {};  ///< why not; empty: it can
+  std::vector<std::string> couplings = {};  ///< words of coordination.coupling, the first is `impulse`; empty: none
+  double fast_period = 0.0;                 ///< [s], stated or found
+  std::string obstacle = {};                ///< why none
 
-  bool holds() const { return obstacle.empty(); }
+  bool holds() const { return !couplings.empty(); }
 };
 ImpulseOffer impulse_offer(const scenario::Scenario& scenario, const Builtins& builtins);
 

@@ -14,7 +14,8 @@ enum class Varied { all, left_out };
 
 /// The study of a scenario that has none, as a text in the language of studies. It has every schedule with
 /// one reconstruction for all connections, and own steps halved, as they are and doubled; at most 96 rows. Three more
-/// have the reconstruction "impulse", where the scenario has [[links]] with which it can be coupled so.
+/// have the reconstruction "impulse", where the scenario has [[links]] with which it can be coupled so; and three each
+/// "impulse_stiffness" and "impulse_taylor".
 /// Held outputs keep their reconstruction. Its table is `schemes`, its reference fastest-first with steps of
 /// a sixteenth. Rows are judged by the scenario's [judge], else by every connected output, 1 % of its peak.
 /// Of steps none is varied where the scenario states one. Throws Error for a scenario that can't be opened, has no
