@@ -140,6 +140,41 @@ TEST_F(ImpulseAdvice, TellsWhyItIsNotTried) {
   EXPECT_TRUE(contains(said.out, "no impulse coupling is tried: ")) << said.out << said.err;
 }
 
+/// A damper whose rate does not come by the link: no impulse row, and no reference that runs away.
+TEST_F(ImpulseAdvice, IsNotTriedWhereARateGoesPastTheSurrogate) {
+  folder_.write("fast.toml", R"toml(
+name = "fast"
+[inputs]
+x = { unit = "m" }
+w = { unit = "m/s" }
+[outputs]
+F = { unit = "N" }
+[blocks]
+stretch = { kind = "sum", inputs = ["x1", "x"], gains = [1, -1] }
+speed = { kind = "sum", inputs = ["v1", "w"], gains = [1, -1] }
+spring = { kind = "gain", input = "stretch", gain = 1 }
+damper = { kind = "gain", input = "speed", gain = 0.01 }
+F = { kind = "sum", inputs = ["spring", "damper"] }
+a1 = { kind = "gain", input = "F", gain = -39 }
+v1 = { kind = "integrator", input = "a1", initial = 0 }
+x1 = { kind = "integrator", input = "v1", initial = 11 }
+[run]
+step = 0.01
+)toml");
+  replace("builtin:two_mass.fast_force", "diagram:fast.toml");
+  replace("[parameters] # of every subsystem\nfrequency_ratio = 60.0\nsteps_per_cycle = 100", "");
+  replace("builtin:two_mass.slow_force\"",
+          "builtin:two_mass.slow_force\"\nparameters = { frequency_ratio = 60 }");
+  replace("to = \"fast.x2\"",
+          "to = \"fast.x\"\n\n[[connections]]\nfrom = \"slow.v2\"\nto = \"fast.w\"\n"
+          "reconstruction = \"lagrange1\"");
+  const Said said = x({"advise", "s.toml", "--output", "a"});
+  ASSERT_EQ(said.status, 0) << said.err;
+  EXPECT_TRUE(contains(said.out, "connection from slow.v2 to fast.w: it goes past the surrogate"))
+      << said.out;
+  EXPECT_FALSE(contains(said.out, "impulse, steps")) << said.out;
+}
+
 TEST_F(ImpulseAdvice, SaysWhereAFastPeriodIsToBeStated) {
   replace("builtin:two_mass.fast_force", "diagram:gear.toml");
   folder_.write("gear.toml", read_text(TANDEM_SOURCE_DIR "/scenarios/rattling/gear.toml"));

@@ -12,7 +12,7 @@
 namespace tandem::stability {
 namespace {
 
-/// Of n of the largest, up to the first that ends: what ends later is cut.
+/// Of n of the largest.
 Period period_of(std::int64_t n, double largest, const std::vector<double>& lengths) {
   constexpr double rounding = 1e-12;  // relative: steps are quotients and products of few numbers
   Period period;
@@ -20,7 +20,7 @@ Period period_of(std::int64_t n, double largest, const std::vector<double>& leng
   for (const double h : lengths) {
     const double ratio = static_cast<double>(n) * largest / h, steps = std::round(ratio);
     period.steps.push_back(static_cast<std::int64_t>(steps));
-    period.length = std::min(period.length, steps * h);
+    period.length = std::min(period.length, steps * h), period.last = std::max(period.last, steps * h);
     if (const double apart = std::abs(ratio - steps); apart > rounding * steps)
       period.apart = std::max(period.apart, apart);
   }

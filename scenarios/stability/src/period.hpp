@@ -6,7 +6,8 @@
 namespace tandem::stability {
 
 struct Period {
-  double length = 0.0;                   ///< [s]: that of all its steps of the length for which it is longest
+  double length = 0.0;  ///< [s]: up to where the first of the lengths ends; the last steps of others are cut
+  double last = 0.0;    ///< [s]: up to where the last of them ends
   std::vector<std::int64_t> steps = {};  ///< of each length in it
   double apart = 0.0;                    ///< by how much their ends lie apart, at most, as a part of a step
 };

@@ -53,6 +53,8 @@ void Trial::find_period() {
   if (coordination_.communication_step && coordination_.schedule == Schedule::Kind::parallel)
     lengths.push_back(*coordination_.communication_step);
   period_ = common_period(lengths);
+  for (int i = 0; i < topology().size(); ++i)
+    if (is_sampled(i)) period_.length = period_.last;  // an instant can't be cut
 }
 
 /// One that keeps its states to itself gets a surrogate, and that its start.

@@ -12,12 +12,32 @@ namespace tandem::study {
 
 namespace {
 
+/// A rate of a displacement that goes to the fast side by itself lacks what that side does, and its damper feeds on it.
+void refuse_past_surrogate(const scenario::Scenario& scenario, const Topology& topology) {
+  const auto instance = [](const std::string& port) { return port.substr(0, port.find('.')); };
+  const auto unit = [&](const std::string& name) {
+    const Port* port = topology.output_port(name);
+    return port ? port->unit : "";
+  };
+  const auto goes_past = [&](const Connection& c, const StatedLink& link) {
+    return instance(c.from) == instance(link.back) && instance(c.to) == instance(link.effort) &&
+           unit(c.from) == unit(link.back) + "/s";
+  };
+  for (const auto& entry : scenario.connections)
+    for (const auto& one : scenario.links)
+      if (const Connection& c = entry.connection;
+          !is_back_of_link(scenario, c.from) && goes_past(c, one.link))
+        scenario::refuse(entry.place, "connection from " + c.from + " to " + c.to +
+                                          ": it goes past the surrogate; allowed is a rate that "
+                                          "links.velocity names");
+}
+
 /// With its fast period; throws where it can't be opened.
 scenario::Scenario coupled_by(const std::string& coupling, const scenario::Scenario& scenario,
                               const Builtins& builtins) {
   auto coupled = stability::with_fast_period(
       scenario::with_usual(scenario::with_taken(scenario, impulse_overrides(coupling))), builtins);
-  scenario::Parts(coupled, builtins, scenario::Code::run);
+  refuse_past_surrogate(scenario, scenario::Parts(coupled, builtins, scenario::Code::run).topology());
   return coupled;
 }
 
