@@ -6,9 +6,9 @@
 
 #include "tandem/error.hpp"
 #include "tandem/identification/models.hpp"
+#include "tandem/scenario/by_signals.hpp"
 #include "tandem/scenario/steps.hpp"
 #include "tandem/scenario/traces.hpp"
-#include "tandem/stability/fast_period.hpp"
 
 namespace tandem::advice {
 namespace {
@@ -29,7 +29,7 @@ void reconstruct(Scenario& scenario, const Builtins& builtins) {
 /// The scenario as its models run it.
 Scenario finer(Scenario scenario, const Builtins& builtins) {
   static constexpr double part = 1.0 / 16.0;
-  if (scenario::by_impulse(scenario)) scenario = stability::by_signals(scenario);
+  scenario = scenario::by_signals(scenario);
   scenario.coordination.schedule = Schedule::Kind::fastest_first;
   reconstruct(scenario, builtins);
   scenario::scale_each_step(scenario, builtins,

@@ -11,9 +11,9 @@
 #include "cli/sweep_study.hpp"
 #include "tandem/advice/leading.hpp"
 #include "tandem/scenario/assembly.hpp"
+#include "tandem/scenario/by_signals.hpp"
 #include "tandem/scenario/taken.hpp"
 #include "tandem/sources/mechanism.hpp"
-#include "tandem/stability/fast_period.hpp"
 #include "tandem/study/impulse_offer.hpp"
 
 namespace tandem::cli {
@@ -28,9 +28,7 @@ Adviser::Adviser(const scenario::Scenario& asked, std::filesystem::path folder, 
                  const Context& context)
     : varied_(asked.chooses ? study::Varied::left_out : study::Varied::all),
       builtins_(without_matrices(context.builtins)),
-      scenario_(asked.chooses                 ? scenario::with_usual(asked)
-                : scenario::by_impulse(asked) ? stability::by_signals(asked)
-                                              : asked),
+      scenario_(asked.chooses ? scenario::with_usual(asked) : scenario::by_signals(asked)),
       folder_(std::move(folder)),
       threads_(threads),
       advised_(context),

@@ -8,10 +8,6 @@ namespace {
 
 std::string instance_of(const std::string& port) { return port.substr(0, port.find('.')); }
 
-std::string numbered(const std::string& port, std::size_t link, std::size_t links) {
-  return links > 1 ? port + "_" + std::to_string(link + 1) : port;
-}
-
 /// The one that carries this output to an input of that instance.
 ConnectionEntry& connection_of(Scenario& scenario, const LinkEntry& link, const std::string& output,
                                const std::string& reader) {

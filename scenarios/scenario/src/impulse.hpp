@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "tandem/coordinator/topology.hpp"
@@ -14,6 +15,11 @@ namespace tandem::scenario {
 /// Precondition: `to` is read but for what comes after [coordination].
 /// - coupling: "impulse", "impulse_plain", "impulse_stiffness" or "impulse_taylor".
 void couple_by_impulse(const std::string& coupling, Scenario& to);
+
+/// A surrogate's port of a link: of several links ports have numbers, "force_1".
+inline std::string numbered(const std::string& port, std::size_t link, std::size_t links) {
+  return links > 1 ? port + "_" + std::to_string(link + 1) : port;
+}
 
 /// A surrogate, and its connections with the slow side but for the mean forces.
 struct Surrogate {

@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "tandem/error.hpp"
-#include "tandem/stability/fast_period.hpp"
+#include "tandem/scenario/by_signals.hpp"
 #include "trial.hpp"
 #include "undivided.hpp"
 
@@ -175,7 +175,7 @@ Stability stability(const scenario::Scenario& scenario, const Builtins& builtins
                     "allowed are those that do");
   all.radius = all.step.radius();
   try {
-    const scenario::Scenario apart = scenario::by_impulse(scenario) ? by_signals(scenario) : scenario;
+    const scenario::Scenario apart = scenario::by_signals(scenario);
     const Trial trial(apart, builtins);
     const Undivided whole = undivided(trial, all.step.linear);
     all.states = whole.names;

@@ -14,6 +14,9 @@ struct Undivided {
   std::vector<std::string> names;
 };
 
+/// What becomes of sampled subsystems.
+enum class Sampled { refused, left_out };
+
 /// From what each subsystem makes of its own states and of constant inputs over one step, which is shortened by
 /// halves (where it lands) until no mode turns by more than half a radian in it:
 ///   [x; u] moves by E = exp([G b; 0 0] h), so [G b; 0 0] = log(E) / h,
@@ -22,7 +25,6 @@ struct Undivided {
 /// left out. is_linear: the differences may be large. Throws Error(not_supported) for connections that make a loop at once,
 /// for a subsystem that follows rates of its inputs (a prescribed motion), as constant inputs tell nothing of these, and for one
 /// that is sampled, unless it is left out: its outputs then stay.
-enum class Sampled { refused, left_out };
 Undivided undivided(const Trial& trial, bool is_linear, Sampled sampled = Sampled::refused);
 
 /// Its modes: their rates [1/s], and by columns how much each state takes part, the product of a state in the mode and of the

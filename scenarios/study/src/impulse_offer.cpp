@@ -9,7 +9,6 @@
 #include "tandem/stability/fast_period.hpp"
 
 namespace tandem::study {
-
 namespace {
 
 /// A rate of a displacement that goes to the fast side by itself lacks what that side does, and its damper feeds on it.

@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "tandem/scenario/assembly.hpp"
+#include "tandem/scenario/by_signals.hpp"
 #include "tandem/scenario/steps.hpp"
-#include "tandem/stability/fast_period.hpp"
 #include "tandem/study/impulse_offer.hpp"
 
 namespace tandem::study {
@@ -285,7 +285,7 @@ bool states(const scenario::Scenario& scenario, const std::string& path) {
 }
 
 std::string standing_study(const scenario::Scenario& scenario, const Builtins& builtins, Varied varied) {
-  const auto apart = scenario::by_impulse(scenario) ? stability::by_signals(scenario) : scenario;
+  const auto apart = scenario::by_signals(scenario);
   return Writer(apart, builtins, varied).text(builtins);
 }
 

@@ -11,8 +11,4 @@ namespace tandem::stability {
 /// opening the scenario does.
 scenario::Scenario with_fast_period(scenario::Scenario scenario, const Builtins& builtins);
 
-/// The same scenario, coupled by signals, with usual reconstructions where it has none. What goes by outputs of a surrogate
-/// goes by those of its slow side; nothing is plotted or recorded of it.
-scenario::Scenario by_signals(const scenario::Scenario& scenario);
-
 }  // namespace tandem::stability
