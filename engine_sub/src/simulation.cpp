@@ -36,6 +36,7 @@ Simulation::Simulation(const Program& program, InputSource* inputs, std::unique_
 
 void Simulation::start(double t, bool with_events) {
   system_.image() = system_.program().image;
+  system_.react(nullptr);
   start_ = time_ = t;
   begun_ = false;
   for (const Delay* d : delays_) past(*d).clear();
@@ -275,6 +276,12 @@ void Simulation::happened(const std::string& block) {
   throw Error(ErrorCode::numerical,
               fmt::format("{} chatters at t = {} s: more than {} events in one step",
                           system_.program().named(block), time_, settings_.most_events));
+}
+
+void Simulation::react(const tandem_reaction* reaction) {
+  const int before = system_.size();
+  system_.react(reaction);
+  if (system_.size() != before) integrator_->restart(system_, time_, Restart::state);
 }
 
 const std::vector<double>& Simulation::keep() {

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "loop_solver.hpp"
+#include "tandem/error.hpp"
 
 namespace tandem::engine {
 namespace {
@@ -28,6 +29,26 @@ System::System(const Program& program, InputSource* inputs)
 }
 
 System::~System() = default;
+
+void System::react(const tandem_reaction* reaction) {
+  reaction_ = reaction;
+  reacting_ = reaction ? reaction->states : 0;
+  if (reacting_ > program_.room())
+    throw Error(ErrorCode::not_supported,
+                "its inputs react by " + std::to_string(reacting_) + " states; allowed are up to " +
+                    std::to_string(program_.room()) + ", six for each input or output");
+  if (reaction) std::copy_n(reaction->begin, reacting_, image_.data() + program_.states);
+  outputs_now_.resize(program_.outputs.size());
+}
+
+void System::read_reaction_rates(double* dz) {
+  for (int k = 0; k < reaction_->outputs; ++k) {
+    const auto output = static_cast<std::size_t>(reaction_->output[k]);
+    outputs_now_[output] = image_[static_cast<std::size_t>(program_.outputs[output])];
+  }
+  tandem_reaction_rates(reaction_, image_[static_cast<std::size_t>(program_.time)],
+                        image_.data() + program_.states, outputs_now_.data(), dz);
+}
 
 /// To the bit.
 bool System::inputs_change(double t) {

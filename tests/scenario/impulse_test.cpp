@@ -28,7 +28,10 @@ TEST(ImpulseScenario, IsRightWhereTheSlowStepTakesFastPeriods) {
 /// Few fast steps show where the force is continued; what goes to the slow side and back is no defect.
 TEST(ImpulseScenario, HasTheIndicatorsOfTheFastSide) {
   const auto said = [](const char* steps) {
-    return SceneRun(impulse_scene, {std::string("parameters.steps_per_cycle=") + steps}).said().out;
+    return SceneRun(impulse_scene, {std::string("parameters.steps_per_cycle=") + steps,
+                                    "coordination.carrier=surrogate"})
+        .said()
+        .out;
   };
   for (const auto& [steps, defect] : {std::pair("100", "defect 0.0015 "), {"20", "defect 0.035 "}}) {
     EXPECT_TRUE(contains(said(steps), std::string(defect) + "of the input's peak (slow_surrogate.force"))
@@ -228,8 +231,8 @@ TEST(ImpulseScenario, EndsWhereTheSlowSideRunsAhead) {
   const Scratch folder;
   for (const char* order :
        {R"(["slow_surrogate", "slow", "fast"])", R"(["fast", "slow_surrogate", "slow"])"}) {
-    const Said said =
-        tandem(folder, {"run", impulse_scene, "--set", std::string("coordination.order=") + order});
+    const Said said = tandem(folder, {"run", impulse_scene, "--set", "coordination.carrier=surrogate", "--set",
+                                      std::string("coordination.order=") + order});
     EXPECT_EQ(said.status, 1) << said.err;
     EXPECT_TRUE(contains(said.err, "the slow side stands at 3.000000 s")) << said.err;
   }

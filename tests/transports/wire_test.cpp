@@ -12,6 +12,8 @@
 namespace tandem::wire {
 namespace {
 
+constexpr Scalars one_input{1, 1, false};
+
 using test::refuses;
 using Bytes = std::vector<std::byte>;
 
@@ -143,7 +145,7 @@ TEST(Wire, TheCodecReadsTheBytesOfThePage) {
   read_initialize(payload(page[4]), 1, start);
   EXPECT_EQ(start.u0, std::vector<double>{0.5});
   Advance advance;
-  read_advance(payload(page[6]), 1, advance);
+  read_advance(payload(page[6]), one_input, advance);
   EXPECT_EQ(advance.t_limit, 0.5);
   EXPECT_EQ(advance.signals[0].value(0.125), 0.625);
   EXPECT_EQ(advance.signals[0].value(0.5), 0.25);
@@ -216,7 +218,7 @@ TEST(Wire, APayloadThatIsCutAnywhereOrGoesOnIsRefused) {
   });
   refuses_each_cut(page[6], [](auto p) {
     Advance request;
-    read_advance(p, 1, request);
+    read_advance(p, one_input, request);
   });
   refuses_each_cut(page[7], [](auto p) {
     double memory[32];
@@ -241,7 +243,7 @@ TEST(Wire, NumbersThatMakeNoSenseAreRefusedBeforeAnythingIsAllocatedForThem) {
   const auto reading = [](const Bytes& b) {
     return [b] {
       Advance request;
-      read_advance(payload(b), 1, request);
+      read_advance(payload(b), one_input, request);
     };
   };
   const std::size_t at = header_size;

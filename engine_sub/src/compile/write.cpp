@@ -27,8 +27,10 @@ class Writer {
   Program write() {
     for (const auto& [name, value] : loops_.guess)
       guesses_[d_.resolved(d_.named(name, loops_.where))] = value;
-    for (const auto kind : {Slot::Kind::state, Slot::Kind::time, Slot::Kind::input, Slot::Kind::held,
-                            Slot::Kind::result, Slot::Kind::constant, Slot::Kind::past})
+    place(Slot::Kind::state);
+    leave_room();
+    for (const auto kind : {Slot::Kind::time, Slot::Kind::input, Slot::Kind::held, Slot::Kind::result,
+                            Slot::Kind::constant, Slot::Kind::past})
       place(kind);
     write_states();
     write_operations();
@@ -65,6 +67,15 @@ class Writer {
         program_.signal_names.resize(program_.image.size());
         program_.signal_blocks.resize(program_.image.size(), d_.signals[s].block);
       }
+  }
+
+  /// For six states of a reaction for each input, or output.
+  void leave_room() {
+    const auto inputs = std::count_if(d_.signals.begin(), d_.signals.end(),
+                                      [](const Slot& s) { return s.kind == Slot::Kind::input; });
+    program_.image.resize(program_.image.size() + 6 * std::min<std::size_t>(inputs, outputs_.size()));
+    program_.signal_names.resize(program_.image.size());
+    program_.signal_blocks.resize(program_.image.size());
   }
 
   void write_states() {

@@ -17,7 +17,7 @@ void SignalInputs::at(double t, double* values) {
   if (signals_.empty())
     std::copy(constants_.begin(), constants_.end(), values);
   else
-    for (const Signal& signal : courses_.empty() ? signals_ : courses_) *values++ = signal.value(t);
+    for (const Signal& signal : courses_.empty() ? signals_ : courses_) *values++ = signal.value(t, z_);
 }
 
 bool SignalInputs::jump_at(double t) {
@@ -34,7 +34,7 @@ double SignalInputs::begin_course(double t) {
     const auto segments = signal.segments();
     std::size_t k = 0;
     while (k + 1 < segments.size() && segments[k].end <= now) ++k;
-    courses_.emplace_back(&segments[k], 1, signal.degree());
+    courses_.push_back(Signal(&segments[k], 1, signal.degree()).with(signal.reactive()));
     if (k + 1 < segments.size()) end = std::min(end, segments[k].end);
   }
   return end;
@@ -93,6 +93,7 @@ SubsystemInfo DiagramModel::info() const {
   SubsystemInfo info;
   info.name = m.diagram.name;
   info.abilities.serializes_state = m.simulation.keeps_exactly();
+  info.abilities.reactive_inputs = !m.program.sampled() && m.simulation.takes_reaction();
   info.abilities.events = !m.program.sampled() && m.program.jumps();
   for (const Input& input : m.diagram.inputs) info.inputs.push_back({input.name, input.unit});
   for (std::size_t k = 0; k < m.diagram.outputs.size(); ++k) {
@@ -141,9 +142,17 @@ Simulation& DiagramModel::resume() {
   return simulation;
 }
 
-bool DiagramModel::step_to_event(OwnStep& s, std::span<const Signal> u) {
-  machine_->inputs.set(u);
+void DiagramModel::react(const Reaction* reaction) {
+  if (reaction || !reaction_states().empty()) resume().react(reaction);
+}
+
+void DiagramModel::set_inputs(std::span<const Signal> u) {
+  machine_->inputs.set(u, reaction_states().data());
   std::fill(hidden_.begin(), hidden_.end(), false);
+}
+
+bool DiagramModel::step_to_event(OwnStep& s, std::span<const Signal> u) {
+  set_inputs(u);
   Simulation& simulation = resume();
   if (!simulation.run_to_jump(s.end)) return false;
   s.end = simulation.time();
@@ -156,8 +165,7 @@ void DiagramModel::outputs_before(double* y) const {
 
 bool DiagramModel::jump(double, std::span<const Signal> u) {
   if (program().feedthrough.empty()) return false;
-  machine_->inputs.set(u);
-  std::fill(hidden_.begin(), hidden_.end(), false);
+  set_inputs(u);
   return resume().jump();
 }
 

@@ -13,7 +13,10 @@ namespace tandem::engine {
 /// Inputs of a diagram from the signals of a call, or constants.
 class SignalInputs final : public InputSource {
  public:
-  void set(std::span<const Signal> signals) { signals_ = signals, courses_.clear(); }
+  /// z: the states of the reaction that some of them have, where they stand; else null.
+  void set(std::span<const Signal> signals, const double* z = nullptr) {
+    signals_ = signals, z_ = z, courses_.clear();
+  }
   void set_constants(std::span<const double> values) {
     constants_.assign(values.begin(), values.end()), signals_ = {}, courses_.clear();
   }
@@ -23,6 +26,7 @@ class SignalInputs final : public InputSource {
 
  private:
   std::span<const Signal> signals_;
+  const double* z_ = nullptr;
   std::vector<Signal> courses_;  ///< the segment of each that is followed
   std::vector<double> constants_;
 };
@@ -37,6 +41,8 @@ class DiagramModel {
   SubsystemInfo info() const;
   double own_step() const { return step_; }
   void start(double t, std::span<const double> u0);
+  void react(const Reaction* reaction);
+  std::span<const double> reaction_states() const { return machine_->simulation.reaction_states(); }
   bool step_to_event(OwnStep& s, std::span<const Signal> u);
   void outputs_before(double* y) const;
   bool jump(double t, std::span<const Signal> u);
@@ -67,6 +73,7 @@ class DiagramModel {
 
   /// What it was when it was kept, else what it is.
   const std::vector<double>& image() const { return kept_.empty() ? machine_->simulation.signals() : kept_; }
+  void set_inputs(std::span<const Signal> u);
   /// Goes on with the state that is kept.
   Simulation& resume();
 

@@ -10,8 +10,8 @@ namespace {
 
 std::vector<checks::Check> all() {
   std::vector<checks::Check> list;
-  for (const auto* theme :
-       {&checks::starts, &checks::steps, &checks::events, &checks::states, &checks::samples})
+  for (const auto* theme : {&checks::starts, &checks::steps, &checks::events, &checks::states,
+                            &checks::samples, &checks::reactions})
     list.insert(list.end(), theme->begin(), theme->end());
   return list;
 }

@@ -13,6 +13,6 @@ struct Check {
 };
 
 // By theme, one file each.
-extern const std::vector<Check> starts, steps, events, states, samples;
+extern const std::vector<Check> starts, steps, events, states, samples, reactions;
 
 }  // namespace tandem::checks

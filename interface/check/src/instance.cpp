@@ -72,6 +72,14 @@ Clock Instance::initialize_at(double t) {
   return initialize(u0);
 }
 
+void Instance::react(const tandem_reactive_input* by, std::int32_t states) {
+  signals_[0] = signals_[0].with(by), states_ = states;
+}
+
+void Instance::raise_first_input(double by) {
+  for (Segment& one : pieces_[0]) one.c[0] += by;
+}
+
 Clock Instance::call_once(double t_limit, bool land, std::int64_t room) {
   return clock = call(room, [&](Samples& y) { return subsystem->advance(t_limit, land, signals_, y); });
 }
@@ -98,7 +106,7 @@ void Instance::go_to(double t_limit, bool land, std::int64_t room) {
 /// Rows of earlier calls may stand before.
 template <class Call>
 Clock Instance::call(std::int64_t room, const Call& make) {
-  const std::int64_t stride = subsystem->info().row_size(), first = rows.empty() ? 0 : 1;
+  const std::int64_t stride = subsystem->info().row_size() + states_, first = rows.empty() ? 0 : 1;
   std::vector<double> memory(static_cast<std::size_t>((room + first + 1) * stride), untouched);
   Samples y(memory.data(), stride, room + first, first);
   const Clock result = make(y);
@@ -116,7 +124,7 @@ Clock Instance::call(std::int64_t room, const Call& make) {
 }
 
 void Instance::take(const std::vector<double>& memory, const Samples& y, std::int64_t first) {
-  const std::int64_t stride = subsystem->info().row_size();
+  const std::int64_t stride = y.stride();
   for (std::int64_t k = 0; k < static_cast<std::int64_t>(memory.size()); ++k)
     require(
         (k >= first * stride && k < y.size() * stride) || memory[static_cast<std::size_t>(k)] == untouched,

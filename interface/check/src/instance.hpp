@@ -51,6 +51,11 @@ class Instance {
   /// As many calls as it takes to get there, each with that much room.
   void go_to(double t_limit, bool land = false, std::int64_t room = 1'000);
 
+  /// From here on its first input has this besides, and rows end with so many states; null: nothing.
+  void react(const tandem_reactive_input* by, std::int32_t states);
+  /// From here on, by so much.
+  void raise_first_input(double by);
+
   const Abilities& can() const { return subsystem->info().abilities; }
   double step() const { return clock.next_time - clock.time; }
   /// A time some steps ahead that is no node.
@@ -72,6 +77,7 @@ class Instance {
   std::vector<std::vector<Segment>> pieces_;
   std::vector<Signal> signals_;
   std::vector<double> u0_;
+  std::int64_t states_ = 0;  ///< of a reaction
 };
 
 /// All rows up to t by one advance of another instance.

@@ -55,6 +55,7 @@ class FixedStep final : public SavedModels<Model, GridPlace> {
 
   Clock advance(double t_limit, bool land, std::span<const Signal> u, Samples& y) override {
     jumps_.begin(u, place_.time());
+    if constexpr (Reacts<Model>) model_.react(reaction_of(u));
     if (!y.full() && have_jumped(u)) take_jump(y);
     while (has_room(y)) {
       if (is_finished()) return place_.clock(Stop::finished);
@@ -66,7 +67,7 @@ class FixedStep final : public SavedModels<Model, GridPlace> {
       if (pass_jumps() && take_jump(y)) continue;
       if (integrate(s)) return stop_at(s.end, y);
       move_to(s.end);
-      model_.outputs(y.append(place_.time()));
+      put_row(y.append(place_.time()));
     }
     return place_.clock(Stop::samples_full);
   }
@@ -95,8 +96,7 @@ class FixedStep final : public SavedModels<Model, GridPlace> {
   /// A second row where it stands and inputs have jumped. False: no output has with them.
   bool take_jump(Samples& y) {
     if constexpr (TakesJumps<Model>)
-      if (model_.jump(place_.time(), jumps_.inputs()))
-        return model_.outputs(y.append(place_.time(), true)), true;
+      if (model_.jump(place_.time(), jumps_.inputs())) return put_row(y.append(place_.time(), true)), true;
     return false;
   }
 
@@ -127,11 +127,19 @@ class FixedStep final : public SavedModels<Model, GridPlace> {
     if constexpr (HasEvents<Model>) {
       if (place_.tolerance().before(place_.time(), t)) {
         move_to(t);
-        model_.outputs_before(y.append(place_.time()));
+        double* const row = y.append(place_.time());
+        model_.outputs_before(row), put_reaction(row);
       }
-      model_.outputs(y.append(place_.time(), true));
+      put_row(y.append(place_.time(), true));
     }
     return place_.clock(is_finished() ? Stop::finished : Stop::event);
+  }
+
+  void put_row(double* row) const { model_.outputs(row), put_reaction(row); }
+  /// Behind the derivatives.
+  void put_reaction([[maybe_unused]] double* row) const {
+    if constexpr (Reacts<Model>)
+      std::ranges::copy(model_.reaction_states(), row + this->info_.row_size() - Samples::header);
   }
 
   bool is_finished() const {

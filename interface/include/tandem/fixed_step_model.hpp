@@ -40,6 +40,17 @@ concept TakesJumps = requires(Model& model, double t, std::span<const Signal> u)
   { model.jump(t, u) } -> std::same_as<bool>;
 };
 
+/// A model with the ability `reactive_inputs` in its info(): it integrates the states of a reaction (reaction.h) along with
+/// its own.
+/// - `void react(const Reaction* reaction)`: before the first step of a call; null: no input reacts. It has the states
+///   at the begin, and is valid during the call.
+/// - `std::span<const double> reaction_states() const`: those where the model stands.
+template <class Model>
+concept Reacts = requires(Model& model, const Model& same, const Reaction* reaction) {
+  model.react(reaction);
+  { same.reaction_states() } -> std::convertible_to<std::span<const double>>;
+};
+
 /// A model that may come to an end of its own, after which it takes no more steps.
 /// - `bool finished() const`: after a step or an event, it has come to its end.
 template <class Model>

@@ -11,6 +11,8 @@ extern "C" {
 
 #define TANDEM_MAX_COEFFICIENTS 6
 
+struct tandem_reactive_input; /* tandem/reaction.h */
+
 /* One polynomial piece of an input: it holds for t <= end (the tolerance for rounding is already added to
  * end), and its value is sum over k of c[k] * (t - origin)^k. */
 typedef struct tandem_segment {
@@ -30,12 +32,13 @@ static inline int tandem_segment_jumps(const tandem_segment* s) {
 
 /* One input over the span of one `advance`: `count` >= 1 segments, ends ascending. The last one goes on
  * beyond its end. Coefficients above `degree` are zero. A break belongs to the segment before it. `reactive`
- * is NULL; it is kept for inputs that react to the subsystem's own output. */
+ * is NULL but for a subsystem with TANDEM_REACTIVE_INPUTS: what the input has besides, as an answer to the
+ * subsystem's own outputs (tandem/reaction.h). */
 typedef struct tandem_signal {
   const tandem_segment* segments;
   int32_t count;
   int32_t degree;
-  const void* reactive;
+  const struct tandem_reactive_input* reactive;
 } tandem_signal;
 
 /* The piece that holds at t [s]: the first whose end is at or past t, else the last. */

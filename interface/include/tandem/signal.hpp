@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "tandem/signal.h"
+#include "tandem/reaction.h"
 #include "tandem/time_grid.hpp"
 
 namespace tandem {
@@ -67,9 +67,30 @@ class Signal {
   }
   std::int32_t degree() const { return data_.degree; }
 
+  /// What it has besides, as an answer to the subsystem's outputs; null: nothing. What value() and its like give is
+  /// without it.
+  const tandem_reactive_input* reactive() const { return data_.reactive; }
+  /// The same with such an answer, which outlives it.
+  Signal with(const tandem_reactive_input* reactive) const {
+    Signal other = *this;
+    other.data_.reactive = reactive;
+    return other;
+  }
+  /// Value at t [s], the answer included; z: the states of the reaction.
+  double value(double t, const double* z) const { return tandem_reactive_value(&data_, t, z); }
+
  private:
   tandem_signal data_{nullptr, 0, 0, nullptr};
 };
 static_assert(sizeof(Signal) == sizeof(tandem_signal), "a Signal crosses the C interface without a copy");
+
+/// By which some inputs answer the subsystem's outputs (reaction.h).
+using Reaction = tandem_reaction;
+/// That of a call; null: none of its inputs does.
+inline const Reaction* reaction_of(std::span<const Signal> u) {
+  for (const Signal& one : u)
+    if (one.reactive()) return one.reactive()->reaction;
+  return nullptr;
+}
 
 }  // namespace tandem

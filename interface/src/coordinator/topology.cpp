@@ -55,13 +55,25 @@ std::optional<int> Topology::instance(std::string_view name) const {
   return found == numbers_.end() ? std::nullopt : std::optional(found->second);
 }
 
+Topology::Named Topology::named(std::string_view text, std::size_t dot) const {
+  const auto guest = guests_.find(std::string(text.substr(0, dot)));
+  if (guest != guests_.end()) return {guest->second, std::string(text)};
+  return {instance(text.substr(0, dot)), std::string(text.substr(dot + 1))};
+}
+
+std::string Topology::full_name(int instance, const std::string& port) const {
+  if (guests_.empty()) return name(instance) + "." + port;
+  const auto guest = guests_.find(port.substr(0, port.find('.')));
+  return guest != guests_.end() && guest->second == instance ? port : name(instance) + "." + port;
+}
+
 const Port* Topology::output_port(std::string_view output) const {
   const auto dot = output.find('.');
-  const auto number = instance(output.substr(0, dot));
-  if (dot == std::string_view::npos || !number) return nullptr;
-  const std::string_view name = output.substr(dot + 1);
+  if (dot == std::string_view::npos) return nullptr;
+  const auto [number, name] = named(output, dot);
+  if (!number) return nullptr;
   const Numbers& numbers = at(*number).outputs.numbers;
-  const auto found = numbers.find(std::string(name.substr(0, name.find('['))));
+  const auto found = numbers.find(name.substr(0, name.find('[')));
   return found == numbers.end() ? nullptr : &info(*number).outputs[static_cast<std::size_t>(found->second)];
 }
 
@@ -69,8 +81,7 @@ Topology::Place Topology::find(std::string_view text, bool output) const {
   const auto dot = text.find('.');
   if (dot == std::string_view::npos)
     refuse_topology("port '" + std::string(text) + "' is not of the form instance.port");
-  const std::string instance_name(text.substr(0, dot));
-  std::string port_name(text.substr(dot + 1));
+  auto [number, port_name] = named(text, dot);
   int element = -1;
   if (const auto bracket = port_name.find('['); bracket != std::string::npos) {
     const char* first = port_name.data() + bracket + 1;
@@ -82,7 +93,7 @@ Topology::Place Topology::find(std::string_view text, bool output) const {
                       "' has an index that is not a whole number from 0 in brackets");
     port_name.resize(bracket);
   }
-  const auto number = instance(instance_name);
+  const std::string instance_name(text.substr(0, dot));
   if (!number) refuse_topology(unknown("subsystem", instance_name, names()));
   const PortIndex& index = output ? at(*number).outputs : at(*number).inputs;
   const auto& ports = output ? info(*number).outputs : info(*number).inputs;
@@ -229,16 +240,16 @@ void Topology::check_span(TimeSpan span) const {
 }
 
 std::string Topology::input_name(int instance, int input) const {
-  return name(instance) + "." + scalar_at(info(instance).inputs, input).name();
+  return full_name(instance, scalar_at(info(instance).inputs, input).name());
 }
 std::string Topology::output_name(int instance, int output) const {
-  return name(instance) + "." + scalar_at(info(instance).outputs, output).name();
+  return full_name(instance, scalar_at(info(instance).outputs, output).name());
 }
 
 std::vector<std::string> Topology::output_names(int instance) const {
   std::vector<std::string> names;
   for (const Port& port : info(instance).outputs)
-    for (int e = 0; e < port.size; ++e) names.push_back(name(instance) + "." + Scalar{&port, e}.name());
+    for (int e = 0; e < port.size; ++e) names.push_back(full_name(instance, Scalar{&port, e}.name()));
   return names;
 }
 

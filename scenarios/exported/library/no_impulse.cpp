@@ -10,7 +10,14 @@ void couple_by_impulse(const std::string& coupling, Scenario& to) {
 }
 
 Surrogate surrogate_of(const SubsystemEntry&, const Scenario&, const Topology&,
-                       const std::vector<std::unique_ptr<Subsystem>>&, const Builtins&) {
+                       const std::vector<std::unique_ptr<Subsystem>>&) {
+  return {};
+}
+
+std::string reactive_obstacle(const Scenario&, const Topology&, const std::vector<Surrogate>&) { return {}; }
+
+std::vector<Guest> make_reactive(const Scenario&, const Topology&, std::vector<Surrogate>&,
+                                 std::vector<std::unique_ptr<Subsystem>>&) {
   return {};
 }
 

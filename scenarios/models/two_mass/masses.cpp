@@ -19,7 +19,7 @@ SubsystemInfo FastMass::info() const {
                      {{"x2", "m"}},
                      {{"x1", "m", 1, 2}, {"v1", "m/s", 1, 1}},
                      {},
-                     {.serializes_state = true}};
+                     {.reactive_inputs = true, .serializes_state = true}};
   if (!options_.force) return info;
   info.outputs.push_back({"F", "N"});
   info.feedthrough.push_back({2, 0});
@@ -34,9 +34,56 @@ double FastMass::acceleration(double x1, double x2) const {
   return (model_.k2 * x2 - (model_.k1 + model_.k2) * x1) / model_.m1;
 }
 
+double FastMass::force(double x1, double x2, double a2) const {
+  return model_.k2 * (x1 - x2) - options_.carried_mass * a2;
+}
+
 void FastMass::take_inputs(double x2, double a2) {
   a1_ = acceleration(x1_, x2);
-  force_ = model_.k2 * (x1_ - x2) - options_.carried_mass * a2;
+  force_ = force(x1_, x2, a2);
+}
+
+/// Its states with those of a reaction, as ClassicalSteps sees them.
+struct FastMass::Joint {
+  FastMass& mass;
+  std::span<const Signal> u;
+  double begin;  ///< [s]
+
+  double x2(double t) const { return u[0].value(t, mass.joint_.data() + 2); }
+  double a2(double t) const { return u.size() > 1 ? u[1].value(t, mass.joint_.data() + 2) : 0.0; }
+  int size() const { return static_cast<int>(mass.joint_.size()); }
+  double* states() const { return mass.joint_.data(); }
+  void rates(double t, double* dx) const {
+    const double* const x = mass.joint_.data();
+    const double y[] = {x[0], x[1], mass.force(x[0], x2(t), a2(t))};
+    dx[0] = x[1], dx[1] = mass.acceleration(x[0], x2(t));
+    tandem_reaction_rates(mass.reaction_, t, x + 2, y, dx + 2);
+  }
+  void read_rates(double* dx) const { rates(begin, dx); }
+  void evaluate(double) const {}
+  void evaluate_again(double) const {}
+  int changed() const { return -1; }
+  double watched(int) const { return 0.0; }
+};
+
+void FastMass::react(const Reaction* reaction) {
+  reaction_ = reaction;
+  if (!reaction) return;
+  joint_.resize(2);
+  joint_.insert(joint_.end(), reaction->begin, reaction->begin + reaction->states);
+  steps_.resize(static_cast<int>(joint_.size()));
+}
+
+std::span<const double> FastMass::reaction_states() const {
+  return reaction_ ? std::span(joint_).subspan(2) : std::span<const double>();
+}
+
+void FastMass::step_with_reaction(const OwnStep& s, std::span<const Signal> u) {
+  joint_[0] = x1_, joint_[1] = v1_;
+  Joint joint{*this, u, s.begin};
+  steps_.advance(joint, s.begin, s.end, false);
+  x1_ = joint_[0], v1_ = joint_[1];
+  take_inputs(joint.x2(s.end), joint.a2(s.end));
 }
 
 void FastMass::start(double t, std::span<const double> u0) {
@@ -47,6 +94,7 @@ void FastMass::start(double t, std::span<const double> u0) {
 }
 
 void FastMass::step(const OwnStep& s, std::span<const Signal> u) {
+  if (reaction_) return step_with_reaction(s, u);
   const double h = s.length, half = 0.5 * h;
   const double begin = u[0].value(s.begin), middle = u[0].value(s.begin + half), end = u[0].value(s.end);
   const double k1 = acceleration(x1_, begin);

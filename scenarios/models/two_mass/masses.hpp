@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "tandem/classical_steps.hpp"
 #include "tandem/fixed_step.hpp"
 #include "tandem/transports/open.hpp"
 #include "two_mass/model.hpp"
@@ -11,7 +12,7 @@ namespace tandem::two_mass {
 ///   m1 x1'' = -k1 x1 - k2 (x1 - x2)
 /// Input x2; outputs x1 (with x1', x1''), v1 (with x1''). With `force`: also F = k2 (x1 - x2), the force on
 /// mass 2, which follows x2 at once. With `carried_mass` > 0 that much of mass 2 rides here: input a2 = x2''
-/// too, and F = k2 (x1 - x2) - carried_mass a2.
+/// too, and F = k2 (x1 - x2) - carried_mass a2. Inputs may react (reaction.h).
 class FastMass {
  public:
   struct Options {
@@ -23,6 +24,8 @@ class FastMass {
   SubsystemInfo info() const;
   double own_step() const { return model_.h1; }
   void start(double t, std::span<const double> u0);
+  void react(const Reaction* reaction);
+  std::span<const double> reaction_states() const;
   void step(const OwnStep& s, std::span<const Signal> u);
   void outputs(double* y) const;
   std::optional<std::vector<StateName>> states() const;
@@ -33,12 +36,18 @@ class FastMass {
 
  private:
   double acceleration(double x1, double x2) const;
+  double force(double x1, double x2, double a2) const;
   void take_inputs(double x2, double a2);
+  struct Joint;
+  void step_with_reaction(const OwnStep& s, std::span<const Signal> u);
 
   Model model_;
   Options options_;
-  double x1_ = 0.0, v1_ = 0.0;     ///< state
-  double a1_ = 0.0, force_ = 0.0;  ///< with the inputs at the end of the last step
+  double x1_ = 0.0, v1_ = 0.0;          ///< state
+  double a1_ = 0.0, force_ = 0.0;       ///< with the inputs at the end of the last step
+  const Reaction* reaction_ = nullptr;  ///< of this call
+  std::vector<double> joint_ = {};      ///< x1, v1, and the states of the reaction
+  ClassicalSteps<Joint> steps_ = {};
 };
 
 /// The slow side: mass 2 by the trapezoidal rule, solved exactly.

@@ -10,7 +10,7 @@ Assembly::Assembly(const Scenario& scenario, const Builtins& builtins, bool prof
     : scenario_(scenario), parts_(scenario, builtins, Code::run) {
   std::vector<Subsystem*> subsystems;
   for (int i = 0; i < topology().size(); ++i) subsystems.push_back(&subsystem(i));
-  Coordination coordination = scenario.coordination;
+  Coordination coordination = parts_.coordination();
   coordination.profile = profile;
   coordination.threads = threads;
   coordinator_ = located([&](const std::string& sentence) { return scenario_.place_named_in(sentence); },
@@ -44,13 +44,18 @@ std::unique_ptr<Recorder> Assembly::recorder(const std::filesystem::path& direct
 /// its ripple.
 std::vector<int> Assembly::off_by_intent() const {
   std::vector<int> all;
+  if (!by_impulse(scenario_)) return all;
   for (std::size_t k = 0; k < topology().lines().size(); ++k) {
-    const auto is = [&](int surrogate, int slow) {
-      const auto& impulse = scenario_.subsystems[static_cast<std::size_t>(surrogate)].impulse;
-      return impulse && impulse->slow == topology().name(slow);
-    };
     const Line& line = topology().lines()[k];
-    if (is(line.source, line.reader) || is(line.reader, line.source)) all.push_back(static_cast<int>(k));
+    const std::string from = topology().output_name(line.source, line.output),
+                      to = topology().input_name(line.reader, line.input);
+    for (const SubsystemEntry& entry : scenario_.subsystems) {
+      if (!entry.impulse) continue;
+      const auto is = [&](const std::string& surrogate, const std::string& slow) {
+        return surrogate.starts_with(entry.name + ".") && slow.starts_with(entry.impulse->slow + ".");
+      };
+      if (is(from, to) || is(to, from)) all.push_back(static_cast<int>(k));
+    }
   }
   return all;
 }
@@ -60,7 +65,8 @@ std::unique_ptr<Indicators> Assembly::indicators() const {
   const auto left_out = off_by_intent();
   std::vector<PowerLink> links;
   for (const LinkEntry& entry : scenario_.links)
-    located(entry.place, [&] { links.push_back(power_link(topology(), entry.link)); });
+    if (!parts_.reactive())  // else they are inside of the fast sides
+      located(entry.place, [&] { links.push_back(power_link(topology(), entry.link)); });
   const auto taken = [&](int line) {
     return std::count(left_out.begin(), left_out.end(), line) > 0 ||
            std::any_of(links.begin(), links.end(),
@@ -78,13 +84,23 @@ void Assembly::initialize() {
   of_parts_ = parts_.notes();
 }
 
+namespace {
+
+void add_once(std::vector<std::string>& notes, const std::string& note) {
+  if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+}
+
+}  // namespace
+
 std::vector<std::string> Assembly::notes() const {
   std::vector<std::string> all = coordinator_->notes();
   all.insert(all.end(), of_parts_.begin(), of_parts_.end());
-  for (std::size_t k = 0; k < scenario_.subsystems.size(); ++k)
-    if (scenario_.subsystems[k].impulse)  // which knows more as the run goes on
-      for (const std::string& remark : subsystem(static_cast<int>(k)).remarks(scenario_.stop))
-        all.push_back("subsystem '" + topology().name(static_cast<int>(k)) + "': " + remark);
+  for (const SubsystemEntry& entry : scenario_.subsystems) {
+    if (!entry.impulse) continue;
+    const int who = parts_.carrier_of(entry);  // which knows more as the run goes on
+    for (const std::string& remark : subsystem(who).remarks(scenario_.stop))
+      add_once(all, parts_.note_of(who, remark));
+  }
   return all;
 }
 

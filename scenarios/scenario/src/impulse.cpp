@@ -172,7 +172,7 @@ void couple_by_impulse(const std::string& coupling, Scenario& to) {
           links[0].place,
           "effective_mass, accelerance or effective_stiffness is stated, and impulse_taylor goes by the slow "
           "side's own equations; allowed is none of them");
-    SubsystemEntry surrogate{slow + "_surrogate", "builtin:impulse_surrogate", {}, {}, links[0].place,
+    SubsystemEntry surrogate{slow + "_surrogate", std::string("builtin:") + impulse_model, {}, {}, links[0].place,
                              links[0].place};
     for (std::size_t k = 0; k < links.size(); ++k) {
       const StatedLink& power = links[k].link;

@@ -1,9 +1,11 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "tandem/coordinator/impulse/impulse_surrogate.hpp"
 #include "tandem/coordinator/topology.hpp"
 #include "tandem/scenario/scenario.hpp"
 #include "tandem/transports/open.hpp"
@@ -25,13 +27,28 @@ inline std::string numbered(const std::string& port, std::size_t link, std::size
 struct Surrogate {
   std::unique_ptr<Subsystem> subsystem;
   std::vector<ConnectionEntry> connections;
-  std::string coupling;        ///< that it stands for
-  const char* continues = "";  ///< the reconstruction of the force
+  std::string coupling;                    ///< that it stands for
+  const char* continues = "";              ///< the reconstruction of the force
+  std::optional<ImpulseCoupling> by = {};  ///< none: by the slow side's own equations
 };
 /// It goes by how its slow side and its fast ones start; null where one of these was left out. Throws
 /// Error for sides that it can't stand between.
 /// - subsystems: of the instances.
 Surrogate surrogate_of(const SubsystemEntry& entry, const Scenario& of, const Topology& topology,
-                       const std::vector<std::unique_ptr<Subsystem>>& subsystems, const Builtins& builtins);
+                       const std::vector<std::unique_ptr<Subsystem>>& subsystems);
+
+/// What keeps the fast sides from integrating these surrogates along; empty: they can. Each stands in the topology beside
+/// its sides, with its connections.
+/// - made: those of the scenario's entries, in their order.
+std::string reactive_obstacle(const Scenario& of, const Topology& topology,
+                              const std::vector<Surrogate>& made);
+/// A surrogate that is a part of its fast side.
+struct Guest {
+  std::string name;
+  int instance;
+};
+/// The fast sides with their surrogates. Precondition: there is no obstacle.
+std::vector<Guest> make_reactive(const Scenario& of, const Topology& topology, std::vector<Surrogate>& made,
+                                 std::vector<std::unique_ptr<Subsystem>>& subsystems);
 
 }  // namespace tandem::scenario

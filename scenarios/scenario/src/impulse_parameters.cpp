@@ -24,54 +24,43 @@ class Asked {
         subsystem_(subsystem),
         slow_(entry, of, topology, subsystem(*topology.instance(entry.slow))) {}
 
-  std::vector<Parameter> parameters() {
+  ImpulseCoupling coupling() {
     const Begin free = slow_.free();
     set_times(free);
-    for (std::size_t k = 0; k < slow_.links(); ++k) set_link(k, free);
+    const std::size_t links = slow_.links();
+    for (std::size_t k = 0; k < links; ++k)
+      c_.links.push_back({slow_.force(k).port->unit, slow_.displacement(k).port->unit, derivative(free, k, 1),
+                          derivative(free, k, 2), slow_.velocity_unit(k)});
     if (entry_.kind == ImpulseEntry::Kind::stiffness) set_springs();
-    for (std::size_t e = 0; e < slow_.accelerances().size(); ++e) tell_accelerance(e, free);
-    for (std::size_t k = 0; k < slow_.links(); ++k) set_accelerances(k, free);
-    return std::move(all_);
+    for (const ScalarPort& one : slow_.accelerances()) tell_accelerance(one, free);
+    c_.accelerance.resize(links * links);
+    for (std::size_t k = 0; k < links; ++k) set_accelerances(k, free);
+    return std::move(c_);
   }
 
  private:
-  void set(std::string name, Parameters::Value value) {
-    all_.push_back({std::move(name), std::move(value), {}});
-  }
-  static std::string at(const char* name, std::size_t k) {
-    return std::string(name) + "." + std::to_string(k + 1);
-  }
   double derivative(const Begin& begin, std::size_t link, std::size_t order) const {
     return slow_.derivative(begin, slow_.displacement(link), order);
   }
 
   void set_times(const Begin& free) {
-    const double fast = fast_step(entry_, of_, topology_, subsystem_);
-    slow_.require_longer_step(free.step, fast);
-    set("own_step", fast), set("slow_step", free.step), set("fast_period", of_.fast_period);
-    if (slow_.has_velocities()) set("tells_velocities", true);
-  }
-
-  void set_link(std::size_t k, const Begin& free) {
-    set(at("force_unit", k), slow_.force(k).port->unit);
-    set(at("displacement_unit", k), slow_.displacement(k).port->unit);
-    set(at("velocity_unit", k), slow_.velocity_unit(k));
-    set(at("velocity", k), derivative(free, k, 1)), set(at("free_acceleration", k), derivative(free, k, 2));
+    c_.own_step = fast_step(entry_, of_, topology_, subsystem_), c_.slow_step = free.step;
+    slow_.require_longer_step(c_.slow_step, c_.own_step);
+    c_.fast_period = of_.fast_period, c_.tells_velocities = slow_.has_velocities();
   }
 
   void set_springs() {
     const Springs found = springs_of(slow_, entry_.links[0].effective);
-    set("stiffness.1", found.stiffness), set("damping.1", found.damping), set("degree", 4.0);
-    set("trapezoidal", found.trapezoidal);
+    c_.stiffness = {found.stiffness}, c_.damping = {found.damping};
+    c_.degree = 4, c_.trapezoidal = found.trapezoidal;
   }
 
-  void tell_accelerance(std::size_t e, const Begin& free) {
-    const ScalarPort& of = slow_.accelerances()[e];
+  void tell_accelerance(const ScalarPort& of, const Begin& free) {
     if (of.port->derivatives < 1)
       slow_.refuse("gives no derivative of its output " + of.port->name +
                    "; allowed in links.accelerance is one with it");
-    set(at("accelerance_rate", e), slow_.derivative(free, of, 1)),
-        set(at("accelerance_unit", e), of.port->unit);
+    c_.accelerance_rate.push_back(slow_.derivative(free, of, 1)),
+        c_.accelerance_units.push_back(of.port->unit);
   }
 
   /// What a force of 1 at link k accelerates.
@@ -100,9 +89,9 @@ class Asked {
           "has several links, whose masses depend on each other; allowed is links.effective_mass of one "
           "alone");
     const double value = i == k && mass ? 1.0 / *mass : found;
-    if (mass) set("found", found);
+    if (mass) c_.found = found;
     if (i == k) slow_.require_reaction(k, found < 0.0 ? found : value);
-    set(at("accelerance", i * slow_.links() + k), value);
+    c_.accelerance[i * slow_.links() + k] = value;
   }
 
   const ImpulseEntry& entry_;
@@ -110,7 +99,7 @@ class Asked {
   const Topology& topology_;
   std::function<Subsystem&(int)> subsystem_;
   SlowSide slow_;
-  std::vector<Parameter> all_;
+  ImpulseCoupling c_;
 };
 
 }  // namespace
@@ -128,10 +117,9 @@ double fast_step(const ImpulseEntry& entry, const Scenario& of, const Topology& 
   return shortest;
 }
 
-std::vector<Parameter> impulse_parameters(const ImpulseEntry& entry, const Scenario& of,
-                                          const Topology& topology,
-                                          const std::function<Subsystem&(int)>& subsystem) {
-  return Asked(entry, of, topology, subsystem).parameters();
+ImpulseCoupling impulse_coupling(const ImpulseEntry& entry, const Scenario& of, const Topology& topology,
+                                 const std::function<Subsystem&(int)>& subsystem) {
+  return Asked(entry, of, topology, subsystem).coupling();
 }
 
 }  // namespace tandem::scenario

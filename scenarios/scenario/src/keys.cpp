@@ -199,8 +199,16 @@ void of_coordination(KeyList& to) {
           "own equations. `impulse`: the better of the first two that is known.",
           {.otherwise = "signals",
            .words = {"signals", "impulse", "impulse_plain", "impulse_stiffness", "impulse_taylor"}})
+      .may("carrier", word,
+           "Of `impulse`: how the slow side's reaction reaches the fast one. `reactive`: the fast side "
+           "integrates "
+           "the surrogate along with its own states, for which it has reactive inputs. `surrogate`: a "
+           "subsystem "
+           "beside it, which exchanges with it at each of its steps. `automatic`: the first where it can be.",
+           {.otherwise = "automatic", .words = {"automatic", "reactive", "surrogate"}})
       .may("fast_period", positive,
-           "Of `impulse`: the shortest period of the coupled system. Without it: that of the system undivided, "
+           "Of `impulse`: the shortest period of the coupled system. Without it: that of the system "
+           "undivided, "
            "about the start, in which a fast side takes part (docs/impulse_coupling.md).",
            {.unit = "s"});
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "impulse.hpp"
 #include "tandem/error.hpp"
@@ -81,23 +82,10 @@ Parts::Parts(const Scenario& scenario, const Builtins& builtins, Code code) : sc
            "coordination.fast_period is not stated, and has not been found; allowed here is a number above 0 "
            "[s]");
   if (scenario.animate) check_animation(builtins);
-  for (const SubsystemEntry& entry : scenario.subsystems)
-    if (!entry.impulse) {
-      const bool out = code == Code::leave_out && is_code(entry, builtins);
-      add(entry, out ? nullptr : opened(entry, builtins, scenario.animate),
-          out ? leave_out(entry, builtins) : std::nullopt);
-    }
-  set_inputs();
-  std::vector<ConnectionEntry> connections = scenario.connections;
-  for (const SubsystemEntry& entry : scenario.subsystems)
-    if (entry.impulse) {
-      Surrogate made = surrogate_of(entry, scenario, topology_, subsystems_, builtins);
-      if (made.subsystem) take(entry, made, connections);
-      add(entry, std::move(made.subsystem), {});
-    }
-  for (const ConnectionEntry& entry : connections)
-    located([&](const std::string& sentence) { return entry.place_named_in(sentence); },
-            [&] { connect(entry); });
+  open_sides(builtins, code);
+  put_instances();
+  Connections connections = scenario.connections;
+  by_impulse(scenario) ? couple(connections) : put_connections(connections);
   if (scenario.judge) check_output(scenario.judge->place, "judge.quantity: output", scenario.judge->quantity);
   for (const std::string& name : scenario.plots)
     check_output(scenario.place("view.plots"), "view.plots: output", name);
@@ -105,10 +93,88 @@ Parts::Parts(const Scenario& scenario, const Builtins& builtins, Code code) : sc
           [&] { topology_.check(); });
 }
 
-void Parts::add(const SubsystemEntry& entry, std::unique_ptr<Subsystem> subsystem, std::optional<Look> look) {
-  subsystems_.push_back(std::move(subsystem));
-  looks_.push_back(std::move(look));
-  located(entry.place, [&] { topology_.add(entry.name, info(subsystems_.size() - 1)); });
+void Parts::open_sides(const Builtins& builtins, Code code) {
+  for (const SubsystemEntry& entry : scenario_.subsystems) {
+    if (entry.impulse) continue;
+    const bool out = code == Code::leave_out && is_code(entry, builtins);
+    auto subsystem = out ? nullptr : opened(entry, builtins, scenario_.animate);
+    keep(std::move(subsystem), out ? leave_out(entry, builtins) : std::nullopt);
+  }
+}
+
+void Parts::keep(std::unique_ptr<Subsystem> subsystem, std::optional<Look> look) {
+  subsystems_.push_back(std::move(subsystem)), looks_.push_back(std::move(look));
+}
+
+void Parts::put_instances() {
+  for (std::size_t i = 0; i < subsystems_.size(); ++i) put_instance(i);
+  set_inputs();
+}
+
+void Parts::put_instance(std::size_t instance) {
+  const SubsystemEntry& entry = scenario_.subsystems[instance];
+  located(entry.place, [&] { topology_.add(entry.name, info(instance)); });
+}
+
+void Parts::put_connections(const Connections& all) {
+  for (const ConnectionEntry& entry : all)
+    located([&](const std::string& sentence) { return entry.place_named_in(sentence); },
+            [&] { connect(entry); });
+}
+
+/// Beside their sides first, as there all that is said of them is checked.
+void Parts::couple(Connections& connections) {
+  std::vector<Surrogate> all;
+  for (const SubsystemEntry& entry : scenario_.subsystems)
+    if (entry.impulse) all.push_back(made(entry, connections));
+  put_connections(connections);
+  reactive_ = can_be_reactive(all);
+  if (reactive_) put_guests(make_reactive(scenario_, topology_, all, subsystems_), connections);
+}
+
+Surrogate Parts::made(const SubsystemEntry& entry, Connections& connections) {
+  Surrogate one = surrogate_of(entry, scenario_, topology_, subsystems_);
+  if (one.subsystem) {
+    couplings_.push_back("subsystem '" + entry.impulse->slow + "' is coupled by " + one.coupling);
+    for (ConnectionEntry& to : connections)
+      if (to.connection.to.starts_with(entry.name + ".force"))
+        to.connection.how = Reconstruction::parse(one.continues);
+    connections.insert(connections.end(), one.connections.begin(), one.connections.end());
+  }
+  keep(std::move(one.subsystem), {});
+  put_instance(subsystems_.size() - 1);
+  return one;
+}
+
+bool Parts::can_be_reactive(const std::vector<Surrogate>& made) const {
+  if (scenario_.carrier == Carrier::surrogate) return false;
+  const std::string obstacle = reactive_obstacle(scenario_, topology_, made);
+  if (scenario_.carrier == Carrier::reactive && !obstacle.empty())
+    refuse(scenario_.place("coordination.carrier"),
+           "coordination.carrier is reactive, and " + obstacle + "; allowed is surrogate");
+  return obstacle.empty();
+}
+
+/// In place of the surrogates, whose connections with the fast sides are inside of these.
+void Parts::put_guests(const std::vector<Guest>& guests, Connections& connections) {
+  subsystems_.resize(subsystems_.size() - guests.size()), looks_.resize(subsystems_.size());
+  std::vector<std::string> driven;
+  for (const Guest& guest : guests) {
+    const std::string fast = topology_.name(guest.instance) + ".", surrogate = guest.name + ".";
+    couplings_.push_back("subsystem '" + topology_.name(guest.instance) + "' integrates '" + guest.name +
+                         "' along");
+    std::erase_if(connections, [&](const ConnectionEntry& one) {
+      const auto& [from, to] = std::tie(one.connection.from, one.connection.to);
+      const bool back = from.starts_with(surrogate) && to.starts_with(fast);
+      if (back) driven.push_back(to);
+      return back || (from.starts_with(fast) && to.starts_with(surrogate));
+    });
+  }
+  topology_ = Topology();
+  put_instances();
+  for (const Guest& guest : guests) topology_.add_guest(guest.name, guest.instance);
+  for (const std::string& input : driven) topology_.set_start(input, 0.0);
+  put_connections(connections);
 }
 
 void Parts::check_animation(const Builtins& builtins) const {
@@ -125,15 +191,6 @@ std::unique_ptr<Subsystem> Parts::opened(const SubsystemEntry& entry, const Buil
                                          bool animate) {
   return with_opening(entry, builtins, animate,
                       [&](Opening opening) { return open(entry.source, builtins, std::move(opening)); });
-}
-
-void Parts::take(const SubsystemEntry& entry, const Surrogate& made,
-                 std::vector<ConnectionEntry>& connections) {
-  couplings_.push_back("subsystem '" + entry.impulse->slow + "' is coupled by " + made.coupling);
-  for (ConnectionEntry& one : connections)
-    if (one.connection.to.starts_with(entry.name + ".force"))
-      one.connection.how = Reconstruction::parse(made.continues);
-  connections.insert(connections.end(), made.connections.begin(), made.connections.end());
 }
 
 /// Its address is shown as who decides whether it may be run has to see it.
@@ -193,6 +250,13 @@ void Parts::check_output(const Place& place, const std::string& what, const std:
     refuse(place, unknown(what, name, known));
 }
 
+Coordination Parts::coordination() const {
+  Coordination all = scenario_.coordination;
+  for (const SubsystemEntry& entry : scenario_.subsystems)
+    if (entry.impulse && reactive_) std::erase(all.order, entry.name);
+  return all;
+}
+
 void Parts::check_each() const {
   std::vector<std::string> ports = scenario_.recording.ports;
   std::erase_if(ports, [this](const std::string& port) { return is_left_out(port); });
@@ -205,14 +269,21 @@ void Parts::check_each() const {
     if (Subsystem* one = subsystem(i)) located(place_of, [&] { start(*one, topology_, i, span); });
 }
 
+bool Parts::is_of_surrogate(const Line& line) const {
+  if (!by_impulse(scenario_)) return false;
+  const std::string from = topology_.output_name(line.source, line.output),
+                    to = topology_.input_name(line.reader, line.input);
+  return std::any_of(
+      scenario_.subsystems.begin(), scenario_.subsystems.end(), [&](const SubsystemEntry& one) {
+        return one.impulse && (from.starts_with(one.name + ".") || to.starts_with(one.name + "."));
+      });
+}
+
 void Parts::add_notes_of_units(std::vector<std::string>& notes) const {
   for (const Line& line : topology_.lines()) {
     const Scalar from = scalar_at(topology_.info(line.source).outputs, line.output);
     const Scalar to = scalar_at(topology_.info(line.reader).inputs, line.input);
-    const auto is_surrogate = [&](int i) {
-      return scenario_.subsystems[static_cast<std::size_t>(i)].impulse != nullptr;
-    };
-    if (is_surrogate(line.source) || is_surrogate(line.reader)) continue;
+    if (is_of_surrogate(line)) continue;
     if (from.port->unit.empty() == to.port->unit.empty() || from.element > 0) continue;
     const auto end = [&](int instance, const Port& port) {
       return topology_.name(instance) + "." + port.name +
@@ -246,8 +317,15 @@ std::vector<std::string> Parts::notes() const {
   for (int i = 0; i < topology_.size(); ++i)
     if (const Subsystem* one = subsystem(i))
       for (const std::string& remark : one->remarks(scenario_.stop))
-        all.push_back("subsystem '" + topology_.name(i) + "': " + remark);
+        all.push_back(note_of(i, remark));
   return all;
+}
+
+std::string Parts::note_of(int instance, const std::string& remark) const {
+  for (const SubsystemEntry& entry : scenario_.subsystems)
+    if (entry.impulse && reactive_ && remark.starts_with(entry.name + ": "))
+      return "subsystem '" + entry.name + "'" + remark.substr(entry.name.size());
+  return "subsystem '" + topology_.name(instance) + "': " + remark;
 }
 
 std::string once_per_process(const Scenario& scenario, const Builtins& builtins) {

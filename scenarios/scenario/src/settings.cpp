@@ -49,7 +49,11 @@ void check_order(const Section& section, const Scenario& scenario) {
 void read_coupling(Section& section, Scenario& to) {
   const bool impulse = *section.text("coupling") != "signals";
   const auto period = section.positive("fast_period");
+  const std::string carrier = *section.text("carrier");
   if (!impulse) return;
+  to.carrier = carrier == "reactive"    ? Carrier::reactive
+               : carrier == "surrogate" ? Carrier::surrogate
+                                        : Carrier::automatic;
   to.fast_period = period.value_or(0.0);
   Coordination& c = to.coordination;
   if (to.chooses)
@@ -63,7 +67,8 @@ void read_coupling(Section& section, Scenario& to) {
 }
 
 void read_coordination(Section& section, Scenario& to) {
-  note_places(section, {"scheme", "schedule", "order", "communication_step", "start", "coupling"}, to);
+  note_places(section, {"scheme", "schedule", "order", "communication_step", "start", "coupling", "carrier"},
+              to);
   to.chooses = *section.text("scheme") == "auto";
   Coordination& c = to.coordination;
   c.schedule = Schedule::parse(*section.text("schedule"));

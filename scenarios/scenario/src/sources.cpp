@@ -2,7 +2,6 @@
 #include "tandem/scenario/sources.hpp"
 
 #include "tandem/error.hpp"
-#include "tandem/scenario/impulse_source.hpp"
 #include "tandem/scenario/nested.hpp"
 #include "tandem/shared_library/shared_library.hpp"
 #include "tandem/sources/diagram.hpp"
@@ -40,7 +39,11 @@ Builtins sources(const SourceSettings& settings) {
   all.schemes["mechanism"] = mechanism_source({}, settings.tell);
   all.schemes["diagram"] = diagram_source({}, settings.tell);
   add_nested(all);
-  add_impulse(all);
+  all.models[impulse_model] = {{}, [](const Address&, Parameters&) -> std::unique_ptr<Subsystem> {
+                                 throw Error(ErrorCode::not_supported,
+                                             "an impulse surrogate can't be opened by itself; allowed is "
+                                             "coordination.coupling, which puts it between two sides");
+                               }};
   all.schemes["functions"] = functions_source();
   add_shared_library(all);
   add_tcp(all, settings.allow_plaintext);

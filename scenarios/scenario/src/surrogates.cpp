@@ -155,25 +155,23 @@ Surrogate by_taylor(const SubsystemEntry& entry, const Sides& sides) {
           sides.entry.name(), "lagrange4"};
 }
 
-Surrogate by_parameters(const SubsystemEntry& entry, const Sides& sides, const Builtins& builtins) {
+Surrogate by_numbers(const SubsystemEntry& entry, const Sides& sides) {
   const ImpulseEntry impulse = with_told(sides.entry, sides.named(sides.entry.slow)->info());
-  Opening opening;
-  for (const Parameter& p : impulse_parameters(impulse, sides.of, sides.topology,
-                                               [&](int i) -> Subsystem& { return sides.numbered(i); }))
-    opening.parameters.set(p.name, p.value);
-  return {open(entry.source, builtins, std::move(opening)), told_to(entry, impulse), impulse.name(),
-          impulse.kind == ImpulseEntry::Kind::stiffness ? "lagrange4" : "lagrange3"};
+  ImpulseCoupling coupling = impulse_coupling(impulse, sides.of, sides.topology,
+                                              [&](int i) -> Subsystem& { return sides.numbered(i); });
+  return {impulse_surrogate(coupling), told_to(entry, impulse), impulse.name(),
+          coupling.stiffness.empty() ? "lagrange3" : "lagrange4", coupling};
 }
 
 }  // namespace
 
 Surrogate surrogate_of(const SubsystemEntry& entry, const Scenario& of, const Topology& topology,
-                       const std::vector<std::unique_ptr<Subsystem>>& subsystems, const Builtins& builtins) {
+                       const std::vector<std::unique_ptr<Subsystem>>& subsystems) {
   return located(entry.place, [&]() -> Surrogate {
     const Sides sides{*entry.impulse, of, topology, subsystems};
     if (!sides.are_there() || lacks_fast_period(of)) return {};
     return entry.impulse->kind == ImpulseEntry::Kind::taylor ? by_taylor(entry, sides)
-                                                             : by_parameters(entry, sides, builtins);
+                                                             : by_numbers(entry, sides);
   });
 }
 

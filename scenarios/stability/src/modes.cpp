@@ -53,7 +53,7 @@ Told told_by(const SuperStep& step, const scenario::Scenario& scenario, bool slo
   Index state = 0;
   for (std::size_t k = 0; k < step.coordinates.size(); ++k) {
     const Coordinate& c = step.coordinates[k];
-    if (c.age >= 0 || scenario.subsystems[static_cast<std::size_t>(c.subsystem)].impulse) continue;
+    if (c.age >= 0 || is_of_surrogate(c, scenario)) continue;
     if (slow || !is_slow(c.subsystem)) told.whole.push_back(state), told.map.push_back(static_cast<Index>(k));
     ++state;
   }

@@ -56,7 +56,7 @@ int kept_numbers(const SuperStep& step, const scenario::Scenario& scenario) {
   constexpr double rounding = 1e-9;
   int count = 0;
   for (std::size_t k = 0; k < step.coordinates.size(); ++k) {
-    if (!scenario.subsystems[static_cast<std::size_t>(step.coordinates[k].subsystem)].impulse) continue;
+    if (!is_of_surrogate(step.coordinates[k], scenario)) continue;
     const auto row = static_cast<Eigen::Index>(k);
     const Eigen::RowVectorXd unit = Eigen::RowVectorXd::Unit(step.map.cols(), row);
     if ((step.map.row(row) - unit).cwiseAbs().maxCoeff() <= rounding) ++count;
@@ -82,6 +82,15 @@ void differentiate(Trial& trial, const std::string& file, SuperStep& to) {
 }
 
 }  // namespace
+
+/// Of one that is a subsystem, or a part of its fast side.
+bool is_of_surrogate(const Coordinate& c, const scenario::Scenario& scenario) {
+  return std::any_of(scenario.subsystems.begin(), scenario.subsystems.end(), [&](const auto& entry) {
+    if (!entry.impulse) return false;
+    const std::string own = entry.name + ".";
+    return c.name.starts_with(own) || c.name.starts_with(entry.impulse->links[0].fast + "." + own);
+  });
+}
 
 SuperStep super_step(const scenario::Scenario& scenario, const Builtins& builtins) {
   Trial trial(scenario, builtins);

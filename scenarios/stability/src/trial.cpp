@@ -10,7 +10,7 @@ namespace tandem::stability {
 Trial::Trial(const scenario::Scenario& scenario, const Builtins& builtins)
     : scenario_(scenario),
       parts_(scenario, builtins, scenario::Code::run),
-      coordination_(scenario.coordination) {
+      coordination_(parts_.coordination()) {
   coordination_.start = StartKind::cold;
   coordination_.diverged_beyond = std::numeric_limits<double>::infinity();
   for (int i = 0; i < parts_.topology().size(); ++i) {

@@ -13,6 +13,9 @@
 
 namespace tandem::stability {
 
+/// Whether it is a number of the surrogate of an impulse coupling.
+bool is_of_surrogate(const Coordinate& c, const scenario::Scenario& scenario);
+
 /// Runs of a scenario over one super-step from any states and past samples.
 class Trial {
  public:

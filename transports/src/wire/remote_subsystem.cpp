@@ -63,6 +63,7 @@ RemoteSubsystem::RemoteSubsystem(std::unique_ptr<Channel> channel, const std::st
     DeclaredParameters declared = std::move(info_.parameters);
     info_ = read_info(exchange(Type::info).payload, capabilities_);
     info_.parameters = std::move(declared);
+    if ((capabilities_ & carries_reactions) == 0) info_.abilities.reactive_inputs = false;
   });
 }
 
@@ -189,7 +190,7 @@ bool RemoteSubsystem::start_advance(double t_limit, bool land, std::span<const S
   goal_ = t_limit;
   told([&] {
     begin(Type::advance);
-    put_advance(frame_, {t_limit, land, room(y)}, u);
+    put_advance(frame_, {t_limit, land, room(y)}, u, info_.abilities.reactive_inputs);
     send();
   });
   return true;

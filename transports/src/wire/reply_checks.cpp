@@ -21,6 +21,8 @@ std::string seconds(double value) { return text_of(value) + " s"; }
 }
 
 [[noreturn]] void refuse_value(const SubsystemInfo& info, int column, const std::string& when) {
+  if (column >= info.row_size() - Samples::header)
+    refuse_reply("gives a state of the reaction not finite at " + when);
   refuse_reply("gives " + scalar_at(info.outputs, column % info.output_size()).name() +
                (column >= info.output_size() ? " (a derivative)" : "") + " not finite at " + when);
 }

@@ -94,7 +94,7 @@ static std::uint32_t degree_to_send(const Signal& u) {
   return jumps ? TANDEM_MAX_COEFFICIENTS - 1 : static_cast<std::uint32_t>(u.degree());
 }
 
-void put_advance(Writer& frame, const Goal& goal, std::span<const Signal> inputs) {
+void put_advance(Writer& frame, const Goal& goal, std::span<const Signal> inputs, bool react) {
   frame.put(goal.t_limit);
   frame.put(std::uint32_t{goal.land ? 1U : 0U});
   frame.put(static_cast<std::uint32_t>(inputs.size()));
@@ -109,9 +109,12 @@ void put_advance(Writer& frame, const Goal& goal, std::span<const Signal> inputs
       frame.put_doubles({s.c, degree + std::size_t{1}});
     }
   }
+  if (react) put_reaction(frame, inputs);
 }
 
-void read_advance(std::span<const std::byte> payload, int inputs, Advance& request, std::uint64_t most) {
+void read_advance(std::span<const std::byte> payload, const Scalars& scalars, Advance& request,
+                  std::uint64_t most) {
+  const int inputs = scalars.inputs;
   Reader in(payload, "advance");
   request.t_limit = in.take<double>();
   check_finite(in, request.t_limit, "a t_limit");
@@ -125,6 +128,8 @@ void read_advance(std::span<const std::byte> payload, int inputs, Advance& reque
   request.signals.clear();
   request.signals.reserve(static_cast<std::size_t>(inputs));
   for (int i = 0; i < inputs; ++i) request.signals.push_back(read_signal(in, request.segments));
+  request.reaction.view.states = 0;
+  if (scalars.react) read_reaction(in, scalars, request);
   in.end();
 }
 

@@ -216,10 +216,10 @@ void Session::require_carried() const {
 
 /// Rows for one reply: as many as are asked for and fit. They are made where the reply has them, and the
 /// system gives their memory page by page, as they come.
-Samples Session::rows(std::uint64_t room) {
-  const auto stride = static_cast<std::uint64_t>(subsystem_->info().row_size());
+Samples Session::rows(const Room& room) {
+  const auto stride = static_cast<std::uint64_t>(subsystem_->info().row_size() + room.states);
   const std::uint64_t fit = (longest_ - samples_head) / (8 * stride);
-  const std::uint64_t capacity = std::min(room, fit);
+  const std::uint64_t capacity = std::min(room.rows, fit);
   if (capacity == 0)
     throw Error(ErrorCode::invalid_argument,
                 "there is room for no row of " + std::to_string(8 * stride) + " bytes in a reply");
@@ -227,7 +227,7 @@ Samples Session::rows(std::uint64_t room) {
 }
 
 template <class Call>
-void Session::reply_with_rows(std::uint64_t room, const Call& call) {
+void Session::reply_with_rows(const Room& room, const Call& call) {
   channel_.forget();
   reply(Type::samples);
   Samples y = rows(room);
@@ -247,14 +247,15 @@ void Session::reply_with_rows(std::uint64_t room, const Call& call) {
 void Session::initialize(const Frame& request) {
   read_initialize(request.payload, subsystem_->info().input_size(), initialize_);
   initialized_ = true;
-  reply_with_rows(initialize_.room, [&](Samples& y) {
+  reply_with_rows({initialize_.room, 0}, [&](Samples& y) {
     return subsystem_->initialize(initialize_.t_start, initialize_.t_stop, initialize_.u0, y);
   });
 }
 
 void Session::advance(const Frame& request) {
-  read_advance(request.payload, subsystem_->info().input_size(), advance_, channel_.longest());
-  reply_with_rows(advance_.room, [&](Samples& y) {
+  const Scalars scalars = Scalars::of(subsystem_->info(), carries(carries_reactions));
+  read_advance(request.payload, scalars, advance_, channel_.longest());
+  reply_with_rows({advance_.room, advance_.reaction.view.states}, [&](Samples& y) {
     return subsystem_->advance(advance_.t_limit, advance_.land, advance_.signals, y);
   });
 }

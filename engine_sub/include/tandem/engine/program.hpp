@@ -88,10 +88,13 @@ struct Course {
 };
 
 /// A diagram compiled: operations in the order of evaluation. All that changes during a run stands in one
-/// image of doubles: states first, then time, inputs, held values, signs, results of operations, constants,
-/// what delays remember, and what is remembered of the run itself.
+/// image of doubles: states first, then room for those of a reaction, then time, inputs, held values, signs, results of
+/// operations, constants, what delays remember, and what is remembered of the run itself.
 struct Program {
   int states = 0, time = 0;
+  int room() const {
+    return time - states;
+  }                                  ///< slots behind the states, for those of a reaction (reaction.h)
   std::vector<int> inputs, outputs;  ///< Slots.
   std::vector<int> rates;            ///< By state: the slot of its derivative.
   std::vector<Course> courses;       ///< By output.

@@ -73,6 +73,10 @@ class Simulation {
   void restore(double t, std::span<const double> state);
   /// Its states where it stands; all signals follow, and the integrator starts anew.
   void put_states(std::span<const double> x);
+  /// System::react(), for steps from here on. Precondition: takes_reaction().
+  void react(const tandem_reaction* reaction);
+  bool takes_reaction() const { return integrator_->takes_reaction() && system_.program().room() > 0; }
+  std::span<const double> reaction_states() const { return system_.reaction_states(); }
   /// Whether keep() leaves what follows as it would be without it.
   bool keeps_exactly() const { return integrator_->goes_by_image(); }
 

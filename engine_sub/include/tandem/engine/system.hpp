@@ -1,11 +1,13 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "tandem/differential_system.hpp"
 #include "tandem/engine/program.hpp"
+#include "tandem/reaction.h"
 
 namespace tandem::engine {
 
@@ -38,21 +40,30 @@ class System final : public DifferentialSystem {
   System(const System&) = delete;
   System& operator=(const System&) = delete;
 
-  int size() const override { return program_.states; }
+  int size() const override { return program_.states + reacting_; }
   double* states() override { return image_.data(); }
   std::vector<std::string> state_names() const override { return program_.state_names; }
   const Program& program() const { return program_; }
   std::vector<double>& image() { return image_; }
   const std::vector<double>& image() const { return image_; }
 
+  /// From here on its states are followed by those of a reaction, which is valid until the next call of this; null: by
+  /// none. Throws Error(not_supported) where there is no room for them.
+  void react(const tandem_reaction* reaction);
+  std::span<const double> reaction_states() const {
+    return std::span(image_).subspan(static_cast<std::size_t>(program_.states),
+                                     static_cast<std::size_t>(reacting_));
+  }
+
   /// Derivatives at t and the image's states.
   void rates(double t, double* dx) override {
     set_time(t);
-    run(0, program_.rate_operations);
+    run(0, reaction_ ? program_.step_operations : program_.rate_operations);
     read_rates(dx);
   }
-  void read_rates(double* dx) const {
+  void read_rates(double* dx) {
     for (const int slot : program_.rates) *dx++ = image_[static_cast<std::size_t>(slot)];
+    if (reaction_) read_reaction_rates(dx);
   }
   double begin_course(double t) { return inputs_->begin_course(t); }
   bool inputs_jump_at(double t) { return inputs_ && inputs_->jump_at(t); }
@@ -95,6 +106,7 @@ class System final : public DifferentialSystem {
   void run_with_loops(int first, int last);
   double band(const Crossing& crossing, double times) const;
   bool inputs_change(double t);
+  void read_reaction_rates(double* dz);
   void set_time(double t) {
     image_[static_cast<std::size_t>(program_.time)] = t;
     if (inputs_) inputs_->at(t, image_.data() + program_.time + 1);
@@ -102,7 +114,9 @@ class System final : public DifferentialSystem {
 
   const Program& program_;
   InputSource* inputs_;
-  std::vector<double> image_, inputs_now_;
+  std::vector<double> image_, inputs_now_, outputs_now_;
+  const tandem_reaction* reaction_ = nullptr;
+  int reacting_ = 0;  ///< its states
   std::vector<std::unique_ptr<LoopSolver>> loops_;
 };
 

@@ -23,6 +23,9 @@ class Topology {
   /// port that is not there.
   int add(const std::string& name, const SubsystemInfo& info);
 
+  /// An instance stands for another one, too: its ports "other.x" are called so, and not "instance.other.x".
+  void add_guest(const std::string& other, int instance) { guests_[other] = instance; }
+
   /// Checks and adds a connection. Throws Error for:
   /// - an unknown instance or port, an index out of range;
   /// - sizes or units that differ;
@@ -122,6 +125,13 @@ class Topology {
     int first, count;  ///< flattened
   };
   const Instance& at(int i) const { return instances_[static_cast<std::size_t>(i)]; }
+  /// An instance or one that it stands for, and its port.
+  struct Named {
+    std::optional<int> instance;
+    std::string port;
+  };
+  Named named(std::string_view text, std::size_t dot) const;
+  std::string full_name(int instance, const std::string& port) const;
   static PortIndex indexed(const std::vector<Port>& ports);
   Place find(std::string_view text, bool output) const;
   void connect_scalars(Line line, bool add, const Place& from, const Place& to);
@@ -130,7 +140,7 @@ class Topology {
   void check_loops() const;
 
   std::vector<Instance> instances_;
-  Numbers numbers_;  ///< of instances
+  Numbers numbers_, guests_;  ///< of instances, by their names, and by those that they stand for
   std::vector<Line> lines_;
 };
 

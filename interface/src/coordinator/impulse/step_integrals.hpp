@@ -23,6 +23,9 @@ class StepIntegrals {
     sum_.second += h * (before_.first + h * (f[0] + 2.0 * f[1]) / 6.0);
     sum_.first += h * (f[0] + 4.0 * f[1] + f[2]) / 6.0;
   }
+  const ForceIntegrals& now() const { return sum_; }
+  /// Another own step has brought them here.
+  void go_to(const ForceIntegrals& now) { before_ = sum_, sum_ = now; }
   void add(const ForceIntegrals& more) {
     sum_.first += more.first, sum_.second += more.second, sum_.third += more.third;
   }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "reaction_numbers.hpp"
 #include "slow_step.hpp"
 #include "surrogate_link.hpp"
 #include "tandem/coordinator/impulse/accelerance.hpp"
@@ -16,6 +17,9 @@ namespace tandem {
 
 /// The model of impulse_surrogate(): its ports and its start, its own steps (surrogate_step.cpp), what is done where the slow
 /// side passes a node and is heard of it (surrogate_node.cpp), and its states as bytes and as numbers (surrogate_states.cpp).
+///
+/// Where the fast side integrates it along (ReactiveSide) it takes no own steps: it says by what (describe) and follows
+/// (surrogate_reaction.cpp).
 class Surrogate {
  public:
   explicit Surrogate(ImpulseCoupling coupling);
@@ -26,6 +30,19 @@ class Surrogate {
   void start(double t, std::span<const double> u0);
   void step(const OwnStep& s, std::span<const Signal> u);
   void outputs(double* y) const;
+
+  const ImpulseCoupling& coupling() const { return of_; }
+  std::size_t size() const { return of_.links.size(); }  ///< links
+  double node() const { return slow_.end(); }            ///< the next one of the slow side [s]
+  /// Before a call of the fast side, at t: it hears of the slow side if that has passed a node.
+  void prepare(double t, std::span<const Signal> u);
+  /// By what it goes, of the forces of its links.
+  void describe(ReactionNumbers& to) const;
+  /// After a step of the fast side: the forces at its end, and the states of the reaction.
+  void follow(const OwnStep& s, std::span<const double> forces, const double* z, std::span<const Signal> u);
+  /// The forces jump where it stands.
+  void jump_to(std::span<const double> forces);
+
   std::vector<std::string> remarks(double t_stop) const;
   /// At a node that it has reached and not heard of, or at the start.
   std::optional<std::vector<StateName>> states() const;
@@ -37,7 +54,6 @@ class Surrogate {
  private:
   using Forces = std::vector<double>;  ///< by link
 
-  std::size_t size() const { return of_.links.size(); }
   bool varies() const { return !of_.accelerance_rate.empty(); }
   void read_accelerance(double node, std::span<const Signal> u);
   void check_rate(std::size_t e, double node);
@@ -47,6 +63,7 @@ class Surrogate {
   void find_accelerations(double t);
   void make_up_start(double t, std::span<const Signal> u);
   void take_node(double t, std::span<const Signal> u);
+  void end_step(const OwnStep& s, std::span<const Signal> u);
   void pass_node(const OwnStep& s);
   std::vector<double*> numbers();
   void check_reaction(std::span<const Signal> u, double node);

@@ -20,6 +20,17 @@ void SurrogateLink::step(double h, const double (&f)[3], const double (&a)[4]) {
   v_ += h * (a[0] + 2.0 * (a[1] + a[2]) + a[3]) / 6.0;
 }
 
+void SurrogateLink::get_states(double* z) const {
+  const ForceIntegrals& of = forces_.now();
+  for (const double one : {of.first, of.second, of.third, y_, v_, sum_position_}) *z++ = one;
+}
+
+void SurrogateLink::go_to(const double* z) {
+  before_sum_ = sum_position_, before_position_ = y_, before_velocity_ = v_;
+  forces_.go_to({z[force_first], z[force_second], z[force_third]});
+  y_ = z[at], v_ = z[rate_of], sum_position_ = z[position_sum];
+}
+
 void SurrogateLink::make_up_start(int steps, double h, double missed, double reaction) {
   const ForceIntegrals of = missed_at_start(steps, h);
   forces_.add({of.first * missed, of.second * missed, of.third * missed});

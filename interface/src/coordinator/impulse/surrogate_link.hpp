@@ -19,6 +19,16 @@ class SurrogateLink {
   /// A step of the classical Runge-Kutta method: the force at its begin, middle and end, and the acceleration at its
   /// four stages.
   void step(double h, const double (&force)[3], const double (&acceleration)[4]);
+  /// What it integrates, where the fast side does that: integrals of the force, position, velocity, integral of position.
+  static constexpr std::size_t states = 6;
+  enum State : std::size_t { force_first, force_second, force_third, at, rate_of, position_sum };
+  void get_states(double* z) const;
+  /// After an own step of the fast side.
+  void go_to(const double* z);
+  /// What is put in of the last defect: its acceleration, c0 + c1 s + c2 s^2 + c3 s^3.
+  std::array<double, 4> pulse() const { return pulse_.polynomial(); }
+  double smooth() const { return g_; }            ///< acceleration at the node
+  double smooth_rate() const { return g_rate_; }  ///< and its change
   /// After one of the first four steps: the polynomial of the force that it went by missed the force at its end by so
   /// much; and A times that.
   void make_up_start(int steps, double h, double missed, double reaction);

@@ -14,6 +14,10 @@ void Surrogate::step(const OwnStep& s, std::span<const Signal> u) {
   for (std::size_t k = 0; k < size(); ++k)
     links_[k].step(s.length, {forces_[0][k], forces_[1][k], forces_[2][k]},
                    {stages_[0][k], stages_[1][k], stages_[2][k], stages_[3][k]});
+  end_step(s, u);
+}
+
+void Surrogate::end_step(const OwnStep& s, std::span<const Signal> u) {
   if (of_.tells_velocities) find_accelerations(s.end);
   if (slow_.goes_on_after(s.end)) return;
   slow_.require_slow_side_at(slow_.begin(), u[size()]);

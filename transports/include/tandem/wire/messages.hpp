@@ -15,9 +15,10 @@ namespace tandem::wire {
 // right with Error(invalid_argument), before it allocates anything that is not there.
 
 /// Bits of the capabilities: its sender speaks of held outputs and of sampled subsystems, of the parameters
-/// that a kind declares, of nominal values. What both sides speak of is told.
-constexpr std::uint32_t carries_held = 1, carries_parameters = 2, carries_nominal = 4,
-                        all_capabilities = carries_held | carries_parameters | carries_nominal;
+/// that a kind declares, of nominal values, of inputs that react. What both sides speak of is told.
+constexpr std::uint32_t carries_held = 1, carries_parameters = 2, carries_nominal = 4, carries_reactions = 8,
+                        all_capabilities =
+                            carries_held | carries_parameters | carries_nominal | carries_reactions;
 
 /// The first request and its reply.
 struct Hello {
@@ -44,13 +45,31 @@ void put_initialize(Writer& frame, const Initialize& request);
 /// Into `request`, whose memory is used again. inputs: scalars that there are.
 void read_initialize(std::span<const std::byte> payload, int inputs, Initialize& request);
 
-/// A request to advance, as it is read: signals are views of the segments.
+/// Numbers of a reaction, as it is read: what it points to.
+struct ReadReaction {
+  std::vector<std::int32_t> outputs;
+  std::vector<double> numbers, rows;
+  std::vector<tandem_reactive_input> inputs;
+  Reaction view = {};
+};
+
+/// A request to advance, as it is read: signals are views of the segments, and of the reaction.
 struct Advance {
   double t_limit = 0.0;  ///< [s]
   bool land = false;
   std::uint64_t room = 0;  ///< rows that the reply may have
   std::vector<Signal> signals;
   std::vector<Segment> segments;
+  ReadReaction reaction;
+};
+/// How many a subsystem has; with `react` inputs that may react.
+struct Scalars {
+  int inputs, outputs;
+  bool react;
+  /// carries: the wire carries reactions.
+  static Scalars of(const SubsystemInfo& info, bool carries) {
+    return {info.input_size(), info.output_size(), carries && info.abilities.reactive_inputs};
+  }
 };
 /// What the request asks for besides the inputs.
 struct Goal {
@@ -58,10 +77,14 @@ struct Goal {
   bool land;
   std::uint64_t room;
 };
-void put_advance(Writer& frame, const Goal& goal, std::span<const Signal> inputs);
+/// react: of a subsystem with reactive inputs, where both sides speak of them.
+void put_advance(Writer& frame, const Goal& goal, std::span<const Signal> inputs, bool react = false);
 /// most: bytes of memory that the signals may take.
-void read_advance(std::span<const std::byte> payload, int inputs, Advance& request,
+void read_advance(std::span<const std::byte> payload, const Scalars& scalars, Advance& request,
                   std::uint64_t most = usual_longest);
+/// What stands behind the signals of one whose inputs may react.
+void put_reaction(Writer& frame, std::span<const Signal> inputs);
+void read_reaction(ByteReader& in, const Scalars& scalars, Advance& to);
 
 /// A request to sample: Subsystem::sample.
 struct Sample {

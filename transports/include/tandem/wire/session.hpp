@@ -47,9 +47,14 @@ class Session {
   void advance(const Frame& request);
   void sample(const Frame& request);
   void require_carried() const;
-  Samples rows(std::uint64_t room);
+  /// For rows that end with so many states of a reaction.
+  struct Room {
+    std::uint64_t rows;
+    std::int32_t states;
+  };
+  Samples rows(const Room& room);
   template <class Call>
-  void reply_with_rows(std::uint64_t room, const Call& call);
+  void reply_with_rows(const Room& room, const Call& call);
   void reply(Type type);
   void send();
   void send_error(const Error& error);

@@ -32,6 +32,8 @@ class Integrator {
   /// Whether it goes by the system's image alone, so that restart() changes nothing of what follows: it has
   /// neither a past of steps nor lengths of its own.
   virtual bool goes_by_image() const { return false; }
+  /// Whether the states of a reaction can follow those of the system (System::react), and come and go.
+  virtual bool takes_reaction() const { return false; }
   virtual Statistics statistics() const = 0;
 };
 

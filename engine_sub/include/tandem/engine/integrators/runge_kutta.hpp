@@ -13,6 +13,7 @@ class RungeKutta4 final : public Integrator {
   void restart(System& system, double t, Restart why) override;
   double advance(System& system, double t, double t_end) override;
   bool goes_by_image() const override { return true; }
+  bool takes_reaction() const override { return true; }
   Statistics statistics() const override;
 
  private:

@@ -37,6 +37,8 @@ class Accelerance {
 
   std::span<double> values() { return a_; }
   std::span<double> rates() { return rate_; }
+  std::span<const double> values() const { return a_; }
+  std::span<const double> rates() const { return rate_; }
 
   void write(ByteWriter& to) const { to.put_doubles(a_), to.put_doubles(rate_); }
   void read(ByteReader& from) {

@@ -27,6 +27,11 @@ class DefectPulse {
     const double x = s / length_;
     return x * (6.0 * c3() + x * (12.0 * c4() + x * 20.0 * c5())) / (length_ * length_);
   }
+  /// The same as c0 + c1 s + c2 s^2 + c3 s^3.
+  std::array<double, 4> polynomial() const {
+    const double square = length_ * length_, cube = square * length_;
+    return {0.0, 6.0 * c3() / cube, 12.0 * c4() / (square * square), 20.0 * c5() / (square * cube)};
+  }
   /// The free motion, s [s] from the begin.
   double free(double s) const { return a_ + b_ * (s / length_ - 1.0); }
   double free_rate() const { return b_ / length_; }

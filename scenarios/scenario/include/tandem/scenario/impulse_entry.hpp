@@ -6,6 +6,16 @@
 
 namespace tandem::scenario {
 
+/// The source of the entry that a surrogate has among subsystems: "builtin:" and this.
+inline constexpr const char* impulse_model = "impulse_surrogate";
+
+/// How the reaction of a slow side reaches the fast one: by its reactive inputs (reaction.h), or by a surrogate beside it.
+enum class Carrier {
+  automatic,  ///< the first where the fast side has them
+  reactive,
+  surrogate
+};
+
 /// What a slow side is at a link, as far as it is stated.
 struct Effective {
   std::optional<double> mass, stiffness, damping;

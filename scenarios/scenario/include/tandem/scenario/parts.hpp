@@ -15,6 +15,7 @@ namespace tandem::scenario {
 enum class Code { run, leave_out };
 
 struct Surrogate;
+struct Guest;
 
 /// The subsystems of a scenario opened, and the connections between them checked. What is left out is in the
 /// topology as far as it was looked at, else without ports; of its connections then the other end is looked
@@ -34,10 +35,20 @@ class Parts {
   }
   /// A sentence with its place for each that was left out.
   const std::vector<std::string>& left_out() const { return left_out_; }
+  /// Whether the surrogates of an impulse coupling are parts of the fast sides: they are no instances.
+  bool reactive() const { return reactive_; }
+  /// That of the scenario, for these instances.
+  Coordination coordination() const;
+  /// Where the surrogate of an entry is: its own instance, or that of its fast side.
+  int carrier_of(const SubsystemEntry& entry) const {
+    return *topology_.instance(reactive_ ? entry.impulse->links[0].fast : entry.name);
+  }
 
   /// What a run checks beyond that of each subsystem alone: recorded outputs, and its start with what is
   /// known of its inputs.
   void check_each() const;
+  /// A remark of a subsystem with its name, or that of the surrogate which is a part of it.
+  std::string note_of(int instance, const std::string& remark) const;
   /// After a start: what the subsystems remark (Subsystem::remarks), and connections with one unit only.
   std::vector<std::string> notes() const;
 
@@ -46,11 +57,20 @@ class Parts {
                                            bool animate = false);
 
  private:
-  void add(const SubsystemEntry& entry, std::unique_ptr<Subsystem> subsystem, std::optional<Look> look);
-  void take(const SubsystemEntry& entry, const Surrogate& made, std::vector<ConnectionEntry>& connections);
+  using Connections = std::vector<ConnectionEntry>;
+  void open_sides(const Builtins& builtins, Code code);
+  void keep(std::unique_ptr<Subsystem> subsystem, std::optional<Look> look);
+  void put_instances();
+  void put_instance(std::size_t instance);
+  void put_connections(const Connections& all);
+  void couple(Connections& connections);
+  Surrogate made(const SubsystemEntry& entry, Connections& connections);
+  bool can_be_reactive(const std::vector<Surrogate>& made) const;
+  void put_guests(const std::vector<Guest>& guests, Connections& connections);
   std::optional<Look> leave_out(const SubsystemEntry& entry, const Builtins& builtins);
   const SubsystemInfo& info(std::size_t instance) const;
   bool is_left_out(const std::string& port) const;
+  bool is_of_surrogate(const Line& line) const;
   void add_notes_of_units(std::vector<std::string>& notes) const;
   void add_notes_of_degrees(std::vector<std::string>& notes) const;
   void check_animation(const Builtins& builtins) const;
@@ -64,6 +84,7 @@ class Parts {
   SubsystemInfo no_ports_;                 ///< of that where nothing was seen
   Topology topology_;
   std::vector<std::string> left_out_, couplings_;
+  bool reactive_ = false;
 };
 
 /// Whether its source itself has a parameter of this name, besides those of the model.

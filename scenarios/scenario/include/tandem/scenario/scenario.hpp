@@ -109,8 +109,9 @@ struct Scenario {
   std::vector<ConnectionEntry> connections;
   std::vector<LinkEntry> links;  ///< besides those that are found by their units
   Coordination coordination;
-  double fast_period = 0.0;  ///< [s]: the shortest of the coupled system; 0: not known
-  bool chooses = false;      ///< coordination.scheme is auto: what is left out has to be taken before it runs
+  double fast_period = 0.0;              ///< [s]: the shortest of the coupled system; 0: not known
+  Carrier carrier = Carrier::automatic;  ///< of impulse couplings
+  bool chooses = false;  ///< coordination.scheme is auto: what is left out has to be taken before it runs
   std::optional<Reconstruction> otherwise;  ///< of connections that have none and are not of held outputs
   double start = 0.0, stop = 0.0;           ///< [s]
   Recording recording;                      ///< without its directory
