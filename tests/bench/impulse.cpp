@@ -20,14 +20,22 @@ struct Coupled {
 std::vector<Coupled> couplings() {
   const std::string two_mass = "two_mass/impulse.toml", pendulum = "pushed_pendulum/pushed_pendulum.toml";
   const std::string ratio = "parameters.frequency_ratio", constant = "constants.ratio";
+  const std::string surrogate = "coordination.carrier=surrogate",
+                    stiffness = "coordination.coupling=impulse_stiffness";
   const std::vector<std::string> samples = {
       "coordination.coupling=signals", "coordination.schedule=slowest-first",
       "connections.reconstruction=lagrange3", "span.diverged_beyond=1e100"};
   return {
       {"two_mass by lagrange3", two_mass, ratio, samples},
       {"two_mass by impulse_plain", two_mass, ratio, {}},
-      {"two_mass by impulse_stiffness", two_mass, ratio, {"coordination.coupling=impulse_stiffness"}},
+      {"two_mass by impulse_plain, surrogate", two_mass, ratio, {surrogate}},
+      {"two_mass by impulse_stiffness", two_mass, ratio, {stiffness}},
+      {"two_mass by impulse_stiffness, surrogate", two_mass, ratio, {stiffness, surrogate}},
       {"pushed_pendulum by impulse_plain", pendulum, constant, {"coordination.coupling=impulse_plain"}},
+      {"pushed_pendulum by impulse_plain, surrogate",
+       pendulum,
+       constant,
+       {"coordination.coupling=impulse_plain", surrogate}},
       {"pushed_pendulum by impulse_taylor", pendulum, constant, {"coordination.coupling=impulse_taylor"}}};
 }
 

@@ -239,6 +239,33 @@ TEST(Check, LeavesOutWhatASubsystemSaysItCanNot) {
       << findings[3].sentence;
 }
 
+/// It takes no notice of them at all.
+TEST(Check, FindsInputsThatDoNotReact) {
+  const Faults says{.info = [](auto& i) { i.abilities.reactive_inputs = true; }};
+  EXPECT_EQ(found(says, "states of a reaction are integrated along", {"z0' = 1", "t = 0.01 s", "0.51"}), "");
+  EXPECT_EQ(found(says, "a reaction follows the outputs", {"z0' = its first output"}), "");
+  EXPECT_EQ(found(says, "an answer is a part of its input", {"with an answer of 0.5"}), "");
+  const Faults alone{.info = [](auto& i) { i.abilities.reactive_inputs = true, i.inputs.clear(); }};
+  EXPECT_EQ(found(alone, "a reaction follows the outputs", {"its inputs may react, and has none"}), "");
+}
+
+/// z' = 1, but from one call to the next it goes on from what it has itself.
+TEST(Check, FindsAReactionThatIsKept) {
+  auto z = std::make_shared<double>(0.0);
+  const auto keeps = [z](Subsystem& s, double t, bool land, Signals u, Samples& y) {
+    const std::int64_t first = y.size();
+    const Clock clock = s.advance(t, land, u, y);
+    for (std::int64_t row = first; reaction_of(u) && row < y.size(); ++row) {
+      double* const end = y.rows() + y.stride() * (row + 1);
+      end[-2] = end[-1] = *z += 0.01;
+    }
+    return clock;
+  };
+  const Faults faults{.info = [](auto& i) { i.abilities.reactive_inputs = true; }, .advance = keeps};
+  EXPECT_EQ(found(faults, "nothing of a reaction is kept between calls", {"step by step", "to the last bit"}),
+            "");
+}
+
 TEST(Check, TakesInputsAndOneCheckByItsName) {
   const auto open = [] { return std::make_unique<FixedStep<Sum>>(Sum()); };
   EXPECT_TRUE(check("times rise", open, {1e4, {3.0, std::numeric_limits<double>::quiet_NaN()}}).empty());
