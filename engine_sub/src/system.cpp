@@ -42,9 +42,11 @@ void System::react(const tandem_reaction* reaction) {
 }
 
 void System::read_reaction_rates(double* dz) {
-  for (int k = 0; k < reaction_->outputs; ++k) {
-    const auto output = static_cast<std::size_t>(reaction_->output[k]);
-    outputs_now_[output] = image_[static_cast<std::size_t>(program_.outputs[output])];
+  for (int k = 0; k < reaction_->terms; ++k) {
+    const int output = reaction_->term[k].from - reacting_;
+    if (output < 0) continue;
+    const auto number = static_cast<std::size_t>(output);
+    outputs_now_[number] = image_[static_cast<std::size_t>(program_.outputs[number])];
   }
   tandem_reaction_rates(reaction_, image_[static_cast<std::size_t>(program_.time)],
                         image_.data() + program_.states, outputs_now_.data(), dz);

@@ -11,14 +11,22 @@ namespace {
 
 constexpr double some_steps = 40.5;  // own steps
 
-/// Two states, by the first output, that answer by the first input: a0 and a1 are rows of A.
+/// Two states, of which the first input has `gain` times the first.
 struct TwoStates {
-  std::vector<double> a, b, c, row;
-  std::vector<double> begin = {0.5, -0.25}, zeros = {0.0, 0.0};
-  std::int32_t output = 0;
+  static constexpr std::int32_t first_output = 2;  ///< as where a term is from
+  std::vector<tandem_reaction_term> terms;
+  std::vector<tandem_reaction_course> courses;
+  double gain = 0.0;
+  std::vector<double> begin = {0.5, -0.25};
 
   Reaction at(double origin) const {
-    return {2, 1, &output, origin, a.data(), b.data(), zeros.data(), c.data(), begin.data()};
+    return {2,
+            static_cast<std::int32_t>(terms.size()),
+            static_cast<std::int32_t>(courses.size()),
+            origin,
+            terms.data(),
+            courses.data(),
+            begin.data()};
   }
 };
 
@@ -32,7 +40,7 @@ bool may_react(const Instance& it) {
 /// All calls that it takes, each from the states of the newest row. one_by_one: a call for each own step.
 void go_to(Instance& it, double t_limit, TwoStates of, bool one_by_one) {
   const Reaction reaction = of.at(it.clock.time);
-  const tandem_reactive_input input{&reaction, of.row.data()};
+  const tandem_reactive_input input{&reaction, 0, of.gain};
   while (!it.tolerance().before(t_limit, it.clock.next_time) && it.clock.stop != Stop::finished) {
     it.react(&input, reaction.states);
     it.call_once(one_by_one ? it.clock.next_time : t_limit);
@@ -40,13 +48,11 @@ void go_to(Instance& it, double t_limit, TwoStates of, bool one_by_one) {
   }
 }
 
-const std::vector<double> none(8, 0.0);
-
 void integrate_along(const Subject& of) {
   Instance it(of);
   if (!may_react(it)) return;
   const double begin = it.clock.time;
-  go_to(it, it.ahead(some_steps), {{0, 0, 1, 0}, {0, 0}, {1, 0, 0, 0, 0, 0, 0, 0}, {0, 0}}, false);
+  go_to(it, it.ahead(some_steps), {{{1, 0, 1.0, 0.0}}, {{0, 0, {1.0, 0.0, 0.0, 0.0}}}}, false);
   for (std::size_t k = 1; k < it.rows.size(); ++k) {
     const std::vector<double>& row = it.rows[k];
     const double s = row[0] - begin, expected[] = {0.5 + s, -0.25 + s * (0.5 + s / 2.0)};
@@ -64,7 +70,7 @@ void follow_the_outputs(const Subject& of) {
   Instance it(of);
   if (!may_react(it)) return;
   if (it.can().events) throw LeftOut("its outputs may jump");
-  go_to(it, it.ahead(some_steps), {{0, 0, 0, 0}, {1, 0}, none, {0, 0}}, false);
+  go_to(it, it.ahead(some_steps), {{{0, TwoStates::first_output, 1.0, 0.0}}, {}}, false);
   double fine = 0.5, coarse = 0.5;
   const auto y = [&](std::size_t k) { return it.rows[k][2]; };
   const auto area = [&](std::size_t a, std::size_t b) {
@@ -86,7 +92,7 @@ void add_to_the_input(const Subject& of) {
   if (!of.settings.constant.empty() && of.settings.constant[0])
     throw LeftOut("its first input is to be constant");
   const double end = it.ahead(some_steps);
-  go_to(it, end, {{0, 0, 0, 0}, {0, 0}, none, {1, 0}}, false);
+  go_to(it, end, {{}, {}, 1.0}, false);
   other.raise_first_input(0.5);
   other.go_to(end);
   require(it.rows.size() == other.rows.size(), "an answer that is constant makes it take other steps");
@@ -104,7 +110,11 @@ void keep_nothing(const Subject& of) {
   Instance one(of), many(of);
   if (!may_react(one)) return;
   const double end = one.ahead(some_steps);
-  const TwoStates by{{-1, 0, 1, -2}, {1, 0.5}, {0.1, 0, 0, 0.2, 0, 0.3, 0, 0}, {0.01, 0.02}};
+  constexpr std::int32_t y = TwoStates::first_output;
+  const TwoStates by{
+      {{0, 0, -1.0, 0.0}, {1, 0, 1.0, 0.5}, {1, 1, -2.0, 0.0}, {0, y, 1.0, 0.0}, {1, y, 0.5, 0.1}},
+      {{0, 0, {0.1, 0.0, 0.0, 0.2}}, {1, 0, {0.0, 0.3, 0.0, 0.0}}},
+      0.01};
   go_to(one, end, by, false), go_to(many, end, by, true);
   require_same(many.rows, one.rows, "with inputs that react, step by step");
 }

@@ -10,55 +10,58 @@
 extern "C" {
 #endif
 
-/* The states z go by
- *
- *   z' = A z + (B0 + B1 s) y + c0 + c1 s + c2 s^2 + c3 s^3,   s = t - origin
- *
- * with some of the subsystem's outputs y at the same time, none of which follows at once from an input without
- * reaction that is not known. Events do not change them.
- *
- * Each row of samples ends with z at its time, behind the derivatives: its stride is so much longer. */
+/* (factor + rate s) w is a part of the derivative of state `to`: w is state `from`, or, from `states` on, the
+ * subsystem's scalar output number from - states, at the same time and with the inputs that follow from it. */
+typedef struct tandem_reaction_term {
+  int32_t to, from;
+  double factor, rate;
+} tandem_reaction_term;
+
+/* c[0] + c[1] s + c[2] s^2 + c[3] s^3 is a part of the derivative of state `to`. */
+typedef struct tandem_reaction_course {
+  int32_t to, reserved;
+  double c[4];
+} tandem_reaction_course;
+
+/* Linear differential equations of the states z, with s = t - origin. Events do not change z. Each row of samples
+ * ends with z at its time, behind the derivatives: its stride is so much longer. */
 typedef struct tandem_reaction {
-  int32_t states;        /* n, at most six for each scalar input, or output, whichever are fewer */
-  int32_t outputs;       /* p */
-  const int32_t* output; /* p scalar outputs, y */
-  double origin;         /* [s] */
-  const double* a;       /* A, n x n by rows [1/s] */
-  const double* b0;      /* n x p */
-  const double* b1;      /* n x p */
-  const double* c;       /* n x 4 */
-  const double* begin;   /* z at the begin of the call */
+  int32_t states; /* at most six for each scalar input, or output, whichever are fewer */
+  int32_t terms, courses;
+  double origin; /* [s] */
+  const tandem_reaction_term* term;
+  const tandem_reaction_course* course;
+  const double* begin; /* z at the begin of the call */
 } tandem_reaction;
 
-/* What an input has beside its polynomial: row . z. All inputs that have it go by the same reaction. */
+/* What an input has beside its polynomial: gain times a state. All inputs that have it go by the same reaction.
+ * Derivatives of a signal are without it. */
 typedef struct tandem_reactive_input {
   const tandem_reaction* reaction;
-  const double* row; /* n */
+  int32_t state;
+  double gain;
 } tandem_reactive_input;
 
-/* z' at t [s]. y: all scalar outputs of the subsystem. */
+/* dz/dt at t [s]. y: all scalar outputs of the subsystem. */
 static inline void tandem_reaction_rates(const tandem_reaction* r, double t, const double* z, const double* y,
                                          double* rates) {
   const double s = t - r->origin;
-  const double *a = r->a, *b0 = r->b0, *b1 = r->b1, *c = r->c;
-  int32_t i, k;
-  for (i = 0; i < r->states; ++i, c += 4) {
-    double sum = (c[0] + c[1] * s) + s * s * (c[2] + c[3] * s);
-    for (k = 0; k < r->outputs; ++k) sum += (*b0++ + s * *b1++) * y[r->output[k]];
-    for (k = 0; k < r->states; ++k) sum += *a++ * z[k];
-    rates[i] = sum;
+  const tandem_reaction_term *term = r->term, *end = term + r->terms;
+  int32_t k;
+  for (k = 0; k < r->states; ++k) rates[k] = 0.0;
+  for (k = 0; k < r->courses; ++k) {
+    const double* const c = r->course[k].c;
+    rates[r->course[k].to] += (c[0] + c[1] * s) + s * s * (c[2] + c[3] * s);
   }
+  for (; term < end; ++term)
+    rates[term->to] += (term->factor + term->rate * s) *
+                       (term->from < r->states ? z[term->from] : y[term->from - r->states]);
 }
 
 /* The value of an input at t [s] with these states; z may be NULL where it does not react. */
 static inline double tandem_reactive_value(const tandem_signal* u, double t, const double* z) {
-  double value = tandem_signal_value(u, t);
-  if (u->reactive) {
-    const double* row = u->reactive->row;
-    int32_t k;
-    for (k = 0; k < u->reactive->reaction->states; ++k) value += row[k] * z[k];
-  }
-  return value;
+  const double value = tandem_signal_value(u, t);
+  return u->reactive ? value + u->reactive->gain * z[u->reactive->state] : value;
 }
 
 #ifdef __cplusplus

@@ -55,8 +55,8 @@ struct FastMass::Joint {
   double* states() const { return mass.joint_.data(); }
   void rates(double t, double* dx) const {
     const double* const x = mass.joint_.data();
-    const double y[] = {x[0], x[1], mass.force(x[0], x2(t), a2(t))};
-    dx[0] = x[1], dx[1] = mass.acceleration(x[0], x2(t));
+    const double at = x2(t), y[] = {x[0], x[1], mass.force(x[0], at, a2(t))};
+    dx[0] = x[1], dx[1] = mass.acceleration(x[0], at);
     tandem_reaction_rates(mass.reaction_, t, x + 2, y, dx + 2);
   }
   void read_rates(double* dx) const { rates(begin, dx); }

@@ -8,40 +8,49 @@
 namespace tandem::wire {
 namespace {
 
-std::size_t size(std::int32_t count) { return static_cast<std::size_t>(count); }
+constexpr std::uint64_t term_size = 24, course_size = 40, input_size = 16;  // bytes on the wire
 
-/// Of the matrices and the states, of n states by p outputs.
-std::size_t count_numbers(std::size_t n, std::size_t p) { return n * (n + 2 * p + 5); }
-
-void take_finite(Reader& in, std::span<double> numbers) {
-  in.take_doubles(numbers);
-  if (std::any_of(numbers.begin(), numbers.end(), [](double one) { return !std::isfinite(one); }))
-    in.refuse("has a reaction that is not finite");
+double take_finite(Reader& in) {
+  const auto value = in.take<double>();
+  if (!std::isfinite(value)) in.refuse("has a reaction that is not finite");
+  return value;
 }
 
-std::int32_t take_index(Reader& in, const char* what, int scalars) {
+std::int32_t take_index(Reader& in, const char* what, std::int64_t count) {
   const auto index = in.take<std::int32_t>();
-  if (index < 0 || index >= scalars)
+  if (index < 0 || index >= count)
     in.refuse("has a reaction by the " + std::string(what) + " " + std::to_string(index) +
-              "; allowed are 0 to " + std::to_string(scalars - 1));
+              "; allowed are 0 to " + std::to_string(count - 1));
   return index;
 }
 
-/// The rows stand still under the inputs.
-void read_inputs(Reader& in, const Scalars& scalars, std::size_t states, Advance& to) {
-  const std::uint64_t count = in.take_count(4 + 8 * states);
+void read_terms(Reader& in, const Scalars& scalars, ReadReaction& to) {
+  const auto n = static_cast<std::int64_t>(to.begin.size());
+  to.terms.resize(in.take_count(term_size));
+  for (tandem_reaction_term& one : to.terms) {
+    one.to = take_index(in, "state", n), one.from = take_index(in, "state or output", n + scalars.outputs);
+    one.factor = take_finite(in), one.rate = take_finite(in);
+  }
+  to.courses.resize(in.take_count(course_size));
+  for (tandem_reaction_course& one : to.courses) {
+    one.to = take_index(in, "state", n), one.reserved = in.take<std::int32_t>();
+    for (double& c : one.c) c = take_finite(in);
+  }
+}
+
+/// They stand still under the signals.
+void read_inputs(Reader& in, Advance& to) {
+  const std::uint64_t count = in.take_count(input_size);
   if (count == 0 || count > to.signals.size())
     in.refuse("has a reaction of " + std::to_string(count) + " inputs; allowed are 1 to " +
               std::to_string(to.signals.size()));
-  to.reaction.rows.resize(count * states);
   to.reaction.inputs.resize(count);
-  for (std::size_t k = 0; k < count; ++k) {
-    Signal& signal = to.signals[size(take_index(in, "input", scalars.inputs))];
+  for (tandem_reactive_input& one : to.reaction.inputs) {
+    Signal& signal = to.signals[static_cast<std::size_t>(take_index(in, "input", std::ssize(to.signals)))];
     if (signal.reactive()) in.refuse("has a reaction of one input twice");
-    const std::span row = std::span(to.reaction.rows).subspan(k * states, states);
-    take_finite(in, row);
-    to.reaction.inputs[k] = {&to.reaction.view, row.data()};
-    signal = signal.with(&to.reaction.inputs[k]);
+    one.reaction = &to.reaction.view;
+    one.state = take_index(in, "state", std::ssize(to.reaction.begin)), one.gain = take_finite(in);
+    signal = signal.with(&one);
   }
 }
 
@@ -51,46 +60,43 @@ void put_reaction(Writer& frame, std::span<const Signal> u) {
   const Reaction* const r = reaction_of(u);
   frame.put(r ? static_cast<std::uint32_t>(r->states) : 0U);
   if (!r) return;
-  const std::size_t n = size(r->states), p = size(r->outputs);
   frame.put(r->origin);
-  frame.put(static_cast<std::uint32_t>(p));
-  for (std::size_t k = 0; k < p; ++k) frame.put(r->output[k]);
-  for (const auto& [numbers, count] :
-       {std::pair{r->a, n * n}, {r->b0, n * p}, {r->b1, n * p}, {r->c, 4 * n}, {r->begin, n}})
-    frame.put_doubles({numbers, count});
+  frame.put_doubles({r->begin, static_cast<std::size_t>(r->states)});
+  frame.put(static_cast<std::uint32_t>(r->terms));
+  for (const tandem_reaction_term& one : std::span(r->term, static_cast<std::size_t>(r->terms)))
+    frame.put(one.to), frame.put(one.from), frame.put(one.factor), frame.put(one.rate);
+  frame.put(static_cast<std::uint32_t>(r->courses));
+  for (const tandem_reaction_course& one : std::span(r->course, static_cast<std::size_t>(r->courses)))
+    frame.put(one.to), frame.put(one.reserved), frame.put_doubles(one.c);
   frame.put(static_cast<std::uint32_t>(
       std::count_if(u.begin(), u.end(), [](const Signal& one) { return one.reactive() != nullptr; })));
-  for (std::size_t k = 0; k < u.size(); ++k) {
-    if (!u[k].reactive()) continue;
-    frame.put(static_cast<std::int32_t>(k));
-    frame.put_doubles({u[k].reactive()->row, n});
-  }
+  for (std::size_t k = 0; k < u.size(); ++k)
+    if (const tandem_reactive_input* one = u[k].reactive())
+      frame.put(static_cast<std::int32_t>(k)), frame.put(one->state), frame.put(one->gain);
 }
 
 void read_reaction(Reader& in, const Scalars& scalars, Advance& to) {
-  const std::uint32_t n = in.take<std::uint32_t>();
+  const auto n = in.take<std::uint32_t>();
   const auto most = 6 * static_cast<std::uint64_t>(std::min(scalars.inputs, scalars.outputs));
   if (n > most)
     in.refuse("has a reaction of " + std::to_string(n) + " states; allowed are up to " +
               std::to_string(most));
-  to.reaction.view.states = static_cast<std::int32_t>(n);
+  ReadReaction& read = to.reaction;
+  read.view.states = static_cast<std::int32_t>(n);
   if (n == 0) return;
-  Reaction& r = to.reaction.view;
-  r.origin = in.take<double>();
-  if (!std::isfinite(r.origin)) in.refuse("has a reaction that is not finite");
-  const std::uint64_t p = in.take_count(4);
-  if (p > static_cast<std::uint64_t>(scalars.outputs))
-    in.refuse("has a reaction by " + std::to_string(p) + " outputs; allowed are up to " +
-              std::to_string(scalars.outputs));
-  to.reaction.outputs.resize(p);
-  for (std::int32_t& one : to.reaction.outputs) one = take_index(in, "output", scalars.outputs);
-  if (in.left() / 8 < count_numbers(n, p)) in.refuse("has a reaction that is longer than it");
-  to.reaction.numbers.resize(count_numbers(n, p));
-  take_finite(in, to.reaction.numbers);
-  r.outputs = static_cast<std::int32_t>(p), r.output = to.reaction.outputs.data();
-  r.a = to.reaction.numbers.data(), r.b0 = r.a + n * n, r.b1 = r.b0 + n * p, r.c = r.b1 + n * p,
-  r.begin = r.c + 4 * std::size_t{n};
-  read_inputs(in, scalars, n, to);
+  read.view.origin = take_finite(in);
+  if (n > in.left() / sizeof(double)) in.refuse("has a reaction that is longer than it");
+  read.begin.resize(n);
+  for (double& one : read.begin) one = take_finite(in);
+  read_terms(in, scalars, read);
+  read.view = {read.view.states,
+               static_cast<std::int32_t>(read.terms.size()),
+               static_cast<std::int32_t>(read.courses.size()),
+               read.view.origin,
+               read.terms.data(),
+               read.courses.data(),
+               read.begin.data()};
+  read_inputs(in, to);
 }
 
 }  // namespace tandem::wire

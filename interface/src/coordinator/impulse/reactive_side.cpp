@@ -4,28 +4,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "coupling_times.hpp"
 
 namespace tandem {
-namespace {
-
-std::vector<std::int32_t> efforts(const std::vector<ReactiveLink>& links) {
-  std::vector<std::int32_t> all;
-  for (const ReactiveLink& link : links) all.push_back(link.effort.port);
-  return all;
-}
-
-}  // namespace
-
 ReactiveSide::ReactiveSide(std::unique_ptr<Subsystem> fast, ImpulseCoupling coupling,
                            std::vector<ReactiveLink> links, const std::string& surrogate)
     : fast_(std::move(fast)),
       name_(surrogate),
       links_(std::move(links)),
       surrogate_(std::move(coupling)),
-      numbers_(SurrogateLink::states * links_.size(), efforts(links_)),
+      terms_(SurrogateLink::states * links_.size()),
       of_fast_(inputs()),
       forces_(links_.size()) {
   require_of_coupling(links_.size() == surrogate_.size(), "the fast side has another number of links");
@@ -33,7 +22,7 @@ ReactiveSide::ReactiveSide(std::unique_ptr<Subsystem> fast, ImpulseCoupling coup
   add_ports();
   of_surrogate_.resize(static_cast<std::size_t>(surrogate_.info().input_size()));
   surrogate_row_.resize(static_cast<std::size_t>(surrogate_.info().row_size() - Samples::header));
-  add_rows();
+  add_answers();
 }
 
 void ReactiveSide::add_ports() {
@@ -54,22 +43,17 @@ void ReactiveSide::add_ports() {
   for (int k = 0; k < links; ++k) info_.feedthrough.push_back({fast_->info().output_size() + k, inputs + k});
 }
 
-/// Of C, by input: a displacement, then its velocity.
-void ReactiveSide::add_rows() {
+/// Of displacements, and of velocities.
+void ReactiveSide::add_answers() {
   using enum SurrogateLink::State;
+  const auto add = [&](const ReactiveLink::End& end, std::size_t state) {
+    const Segment offset{std::numeric_limits<double>::infinity(), 0.0, {end.offset}};
+    answers_.push_back({end.port, offset, {&reaction_, static_cast<std::int32_t>(state), end.gain}});
+  };
   for (std::size_t k = 0; k < links_.size(); ++k) {
-    add_row(links_[k].displacement, k, at);
-    if (links_[k].velocity) add_row(*links_[k].velocity, k, rate_of);
+    add(links_[k].displacement, k * SurrogateLink::states + at);
+    if (links_[k].velocity) add(*links_[k].velocity, k * SurrogateLink::states + rate_of);
   }
-  reaction_ = numbers_.view();
-  for (Answer& one : answers_) one.reactive = {&reaction_, one.row.data()};
-}
-
-void ReactiveSide::add_row(const ReactiveLink::End& end, std::size_t link, std::size_t state) {
-  Answer one{end.port, std::vector<double>(numbers_.states()), {}, {}};
-  one.row[link * SurrogateLink::states + state] = end.gain;
-  one.offset = {std::numeric_limits<double>::infinity(), 0.0, {end.offset}};
-  answers_.push_back(std::move(one));
 }
 
 std::vector<std::string> ReactiveSide::remarks(double t_stop) const {
@@ -83,10 +67,10 @@ Clock ReactiveSide::initialize(double t_start, double t_stop, std::span<const do
   of_fast.resize(inputs());
   std::ranges::copy(u0.subspan(inputs()), of_surrogate.begin() + std::ssize(links_));
   surrogate_.end_at(t_stop), surrogate_.start(t_start, of_surrogate);
-  surrogate_.describe(numbers_);
+  surrogate_.describe(links_, terms_);
   for (const Answer& one : answers_)
     of_fast[static_cast<std::size_t>(one.input)] =
-        one.offset.c[0] + std::inner_product(one.row.begin(), one.row.end(), numbers_.begin(), 0.0);
+        Signal(&one.offset, 1, 0).with(&one.reactive).value(t_start, terms_.begin());
   tolerance_ = TimeTolerance(t_start);
   Samples rows = room_for(1, 0);
   clock_ = fast_->initialize(t_start, t_stop, of_fast, rows);
@@ -120,7 +104,7 @@ Clock ReactiveSide::advance(double t_limit, bool land, std::span<const Signal> u
     if (!can_step(t_limit, land)) return {clock_.time, clock_.next_time, Stop::limit};
     set_reaction();
     const double limit = limit_for(t_limit), before = clock_.time;
-    Samples rows = room_for(std::min(y.room(), steps_to(limit) + least), numbers_.states());
+    Samples rows = room_for(std::min(y.room(), steps_to(limit) + least), terms_.states());
     clock_ = fast_->advance(limit, land && limit == t_limit, of_fast_, rows);
     take_rows(rows, before, y);
     const bool has_stopped = clock_.stop == Stop::event || clock_.stop == Stop::finished;
@@ -139,10 +123,8 @@ void ReactiveSide::set_inputs(std::span<const Signal> u) {
 
 void ReactiveSide::set_reaction() {
   surrogate_.prepare(clock_.time, of_surrogate_);
-  surrogate_.describe(numbers_);
-  for (std::size_t k = 0; k < links_.size(); ++k)
-    numbers_.scale(k, links_[k].effort.gain, links_[k].effort.offset);
-  reaction_ = numbers_.view();
+  surrogate_.describe(links_, terms_);
+  reaction_ = terms_.view();
 }
 
 /// For so many rows of the fast side, with states of the reaction behind each. What is not written there is not a number.
@@ -163,7 +145,7 @@ void ReactiveSide::take_rows(const Samples& rows, double before, Samples& y) {
   for (std::int64_t row = 0; row < rows.size(); ++row) {
     const double t = rows.time(row);
     read_forces(rows, row);
-    const double* const z = rows.values(row).last(numbers_.states()).data();
+    const double* const z = rows.values(row).last(terms_.states()).data();
     if (t > before)
       surrogate_.follow({before, t, t - before}, forces_, z, of_surrogate_);
     else

@@ -34,15 +34,13 @@ class ReactiveSide final : public Subsystem {
   /// Of an input of the fast side that answers its outputs.
   struct Answer {
     int input;
-    std::vector<double> row;  ///< by state of the reaction
     Segment offset;
     tandem_reactive_input reactive;
   };
   std::size_t inputs() const { return static_cast<std::size_t>(fast_->info().input_size()); }
   std::size_t outputs() const { return static_cast<std::size_t>(fast_->info().output_size()); }
   void add_ports();
-  void add_rows();
-  void add_row(const ReactiveLink::End& end, std::size_t link, std::size_t state);
+  void add_answers();
   void set_inputs(std::span<const Signal> u);
   void set_reaction();
   bool can_step(double t_limit, bool land) const;
@@ -60,7 +58,7 @@ class ReactiveSide final : public Subsystem {
   SubsystemInfo info_;
   Clock clock_{};
   TimeTolerance tolerance_;
-  ReactionNumbers numbers_;
+  ReactionTerms terms_;
   Reaction reaction_{};
   std::vector<Answer> answers_;
   std::vector<Signal> of_fast_, of_surrogate_;  ///< inputs of a call

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "reaction_numbers.hpp"
+#include "reaction_terms.hpp"
 #include "slow_step.hpp"
 #include "surrogate_link.hpp"
 #include "tandem/coordinator/impulse/accelerance.hpp"
-#include "tandem/coordinator/impulse/impulse_surrogate.hpp"
 #include "tandem/coordinator/impulse/reaction_check.hpp"
+#include "tandem/coordinator/impulse/reactive_side.hpp"
 #include "tandem/fixed_step.hpp"
 
 namespace tandem {
@@ -36,8 +36,8 @@ class Surrogate {
   double node() const { return slow_.end(); }            ///< the next one of the slow side [s]
   /// Before a call of the fast side, at t: it hears of the slow side if that has passed a node.
   void prepare(double t, std::span<const Signal> u);
-  /// By what it goes, of the forces of its links.
-  void describe(ReactionNumbers& to) const;
+  /// By what it goes.
+  void describe(std::span<const ReactiveLink> links, ReactionTerms& to) const;
   /// After a step of the fast side: the forces at its end, and the states of the reaction.
   void follow(const OwnStep& s, std::span<const double> forces, const double* z, std::span<const Signal> u);
   /// The forces jump where it stands.
@@ -63,6 +63,7 @@ class Surrogate {
   void find_accelerations(double t);
   void make_up_start(double t, std::span<const Signal> u);
   void take_node(double t, std::span<const Signal> u);
+  void describe_acceleration(std::size_t i, std::span<const ReactiveLink> links, ReactionTerms& to) const;
   void end_step(const OwnStep& s, std::span<const Signal> u);
   void pass_node(const OwnStep& s);
   std::vector<double*> numbers();

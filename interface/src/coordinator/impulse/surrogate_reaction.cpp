@@ -11,31 +11,43 @@ void Surrogate::prepare(double t, std::span<const Signal> u) {
 
 /// Of each link P' = F, Q' = P, U' = Q, y' = v, R' = y, and
 /// v' = (A_n + A'_n s) (F - K (y - y_begin) - C v) + g + g' s + e''(s). With K and C the rate A' is 0.
-void Surrogate::describe(ReactionNumbers& to) const {
+void Surrogate::describe(std::span<const ReactiveLink> links, ReactionTerms& to) const {
   using enum SurrogateLink::State;
   const auto row = [](std::size_t link, SurrogateLink::State state) {
     return link * SurrogateLink::states + state;
   };
-  to.clear(), to.set_origin(slow_.begin());
+  to.clear(slow_.begin());
   for (std::size_t i = 0; i < size(); ++i) {
-    to.b0(row(i, force_first), i) = 1.0;
-    to.a(row(i, force_second), row(i, force_first)) = to.a(row(i, force_third), row(i, force_second)) = 1.0;
-    to.a(row(i, at), row(i, rate_of)) = to.a(row(i, position_sum), row(i, at)) = 1.0;
-    const std::size_t v = row(i, rate_of);
-    const auto pulse = links_[i].pulse();
-    for (std::size_t power = 0; power < pulse.size(); ++power) to.c(v, power) = pulse[power];
-    to.c(v, 0) += links_[i].smooth(), to.c(v, 1) += links_[i].smooth_rate();
-    for (std::size_t k = 0; k < size(); ++k) {
-      const std::size_t e = i * size() + k;
-      to.b0(v, k) = accelerance_.values()[e], to.b1(v, k) = accelerance_.rates()[e];
-      for (std::size_t j = 0; j < size() && !of_.stiffness.empty(); ++j) {
-        const double spring = accelerance_.values()[e] * of_.stiffness[k * size() + j];
-        to.a(v, row(j, at)) -= spring, to.c(v, 0) += spring * begin_position_[j];
-        to.a(v, row(j, rate_of)) -= accelerance_.values()[e] * of_.damping[k * size() + j];
-      }
-    }
+    const ReactiveLink::End& f = links[i].effort;
+    to.add_output(row(i, force_first), f.port, f.gain, 0.0);
+    to.add(row(i, force_second), row(i, force_first), 1.0),
+        to.add(row(i, force_third), row(i, force_second), 1.0);
+    to.add(row(i, at), row(i, rate_of), 1.0), to.add(row(i, position_sum), row(i, at), 1.0);
+    if (f.offset != 0.0) to.add_course(row(i, force_first), {f.offset});
+    describe_acceleration(i, links, to);
     links_[i].get_states(to.begin() + i * SurrogateLink::states);
   }
+}
+
+void Surrogate::describe_acceleration(std::size_t i, std::span<const ReactiveLink> links,
+                                      ReactionTerms& to) const {
+  using enum SurrogateLink::State;
+  const std::size_t v = i * SurrogateLink::states + rate_of;
+  auto course = links_[i].pulse();
+  course[0] += links_[i].smooth(), course[1] += links_[i].smooth_rate();
+  for (std::size_t k = 0; k < size(); ++k) {
+    const std::size_t e = i * size() + k;
+    const ReactiveLink::End& f = links[k].effort;
+    const double a = accelerance_.values()[e], rate = accelerance_.rates()[e];
+    to.add_output(v, f.port, a * f.gain, rate * f.gain);
+    course[0] += a * f.offset, course[1] += rate * f.offset;
+    for (std::size_t j = 0; j < size() && !of_.stiffness.empty(); ++j) {
+      const double spring = a * of_.stiffness[k * size() + j];
+      to.add(v, j * SurrogateLink::states + at, -spring), course[0] += spring * begin_position_[j];
+      to.add(v, j * SurrogateLink::states + rate_of, -a * of_.damping[k * size() + j]);
+    }
+  }
+  to.add_course(v, course);
 }
 
 void Surrogate::jump_to(std::span<const double> forces) {

@@ -47,8 +47,9 @@ void read_initialize(std::span<const std::byte> payload, int inputs, Initialize&
 
 /// Numbers of a reaction, as it is read: what it points to.
 struct ReadReaction {
-  std::vector<std::int32_t> outputs;
-  std::vector<double> numbers, rows;
+  std::vector<double> begin;
+  std::vector<tandem_reaction_term> terms;
+  std::vector<tandem_reaction_course> courses;
   std::vector<tandem_reactive_input> inputs;
   Reaction view = {};
 };
