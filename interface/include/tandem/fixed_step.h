@@ -72,6 +72,20 @@ static inline tandem_status tandem_stop_at(tandem_instance* self, double t, tand
   return tandem_tell(self, TANDEM_STOP_EVENT, clock);
 }
 
+/* Of the inputs of a call. */
+static inline tandem_status tandem_take_reaction(tandem_instance* self) {
+  size_t i;
+  self->reaction = NULL;
+  for (i = 0; i < self->input_count && !self->reaction; ++i)
+    if (self->u[i].reactive) self->reaction = self->u[i].reactive->reaction;
+  if (!self->reaction) return TANDEM_OK;
+  if (self->reaction->states < 0 || (size_t)self->reaction->states > 6 * self->input_count)
+    return tandem_refuse(self, TANDEM_NOT_SUPPORTED, "its inputs react by %d states; allowed are up to %d",
+                         (int)self->reaction->states, (int)(6 * self->input_count));
+  memcpy(self->z, self->reaction->begin, (size_t)self->reaction->states * sizeof(double));
+  return TANDEM_OK;
+}
+
 static inline tandem_status tandem_fixed_advance(void* made, double t_limit, int32_t land,
                                                  const tandem_signal* u, tandem_samples* y,
                                                  tandem_clock* clock) {
@@ -79,6 +93,7 @@ static inline tandem_status tandem_fixed_advance(void* made, double t_limit, int
   const tandem_place* const now = self->now;
   const int64_t rows = self->info.abilities & TANDEM_EVENTS ? 2 : 1; /* that a step may give */
   self->u = u;
+  if (tandem_take_reaction(self) != TANDEM_OK) return TANDEM_NOT_SUPPORTED;
   tandem_find_jump(self, now->time);
   while (y->size + rows <= y->capacity) {
     const int whole = !tandem_before(self, t_limit, now->next);

@@ -8,6 +8,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 
+#include "tandem/reaction.h"
 #include "tandem/subsystem.h"
 
 /* Where an instance stands. Its state follows. */
@@ -17,11 +18,15 @@ typedef struct tandem_place {
   int32_t cut, kept; /* the last step ended before its node; of a saved one: it is not released */
 } tandem_place;
 
-/* What the model's functions are given, for its first three members. */
+/* What the model's functions are given, for its first five members. */
 typedef struct tandem_instance {
   const double* p;          /* the values of the parameters, in their order; NAN of a word */
   const char* const* words; /* their texts */
   void* state;              /* of as many bytes as the model says */
+  /* With TANDEM_REACTIVE_INPUTS, NULL where no input of the call reacts; and its states, which are right where `step`
+   * begins, and which it takes along. */
+  const tandem_reaction* reaction;
+  double* z;
   const struct tandem_model* model;
   tandem_info info;
   struct tandem_values* values;

@@ -18,8 +18,9 @@ static inline tandem_status tandem_make(const tandem_model* model, const char* p
   self->now = (tandem_place*)calloc(1, self->place_size);
   self->signals = (tandem_signal*)calloc(self->input_count + 1, sizeof(tandem_signal));
   self->constants = (tandem_segment*)calloc(self->input_count + 1, sizeof(tandem_segment));
+  self->z = (double*)calloc(6 * self->input_count + 1, sizeof(double));
   self->values = tandem_read_parameters(model->parameters, model->parameter_count, parameters);
-  if (!self->now || !self->signals || !self->constants || !self->values)
+  if (!self->now || !self->signals || !self->constants || !self->z || !self->values)
     return tandem_refuse(self, TANDEM_INTERNAL, "there is no memory for an instance");
   if (self->values->error[0]) return tandem_refuse(self, TANDEM_INVALID_ARGUMENT, "%s", self->values->error);
   self->p = self->values->p;
@@ -32,6 +33,7 @@ static inline void tandem_destroy(void* made) {
   tandem_instance* const self = (tandem_instance*)made;
   free(self->values);
   free(self->constants);
+  free(self->z);
   free(self->signals);
   free(self->now);
   free(self->saved);
@@ -43,7 +45,7 @@ static inline const char* tandem_error_of(void* made) { return ((tandem_instance
 static inline const int32_t* tandem_held(void* made) { return ((tandem_instance*)made)->model->held; }
 static inline const double* tandem_nominal(void* made) { return ((tandem_instance*)made)->model->nominal; }
 
-/* A row with what `outputs` gives. */
+/* A row with what `outputs` gives; it ends with the states of a reaction. */
 static inline void tandem_append(const tandem_instance* self,
                                  void (*outputs)(const tandem_instance*, double*), double jump,
                                  tandem_samples* y) {
@@ -51,6 +53,8 @@ static inline void tandem_append(const tandem_instance* self,
   row[0] = self->now->time;
   row[1] = jump;
   outputs(self, row + 2);
+  if (self->reaction)
+    memcpy(row + y->stride - self->reaction->states, self->z, (size_t)self->reaction->states * sizeof(double));
 }
 
 /* Puts it there, with the first row. */
@@ -61,6 +65,7 @@ static inline tandem_status tandem_begin(tandem_instance* self, tandem_place pla
     return tandem_refuse(self, TANDEM_INVALID_ARGUMENT, "the own step is %g s; allowed is one above 0",
                          place.h);
   *self->now = place;
+  self->reaction = NULL;
   if ((status = self->model->start(self, place.time, u0)) != TANDEM_OK) return status;
   tandem_append(self, self->model->outputs, 0.0, y);
   return tandem_tell(self, TANDEM_STOP_LIMIT, clock);

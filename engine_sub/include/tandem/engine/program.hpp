@@ -88,8 +88,8 @@ struct Course {
 };
 
 /// A diagram compiled: operations in the order of evaluation. All that changes during a run stands in one
-/// image of doubles: states first, then room for those of a reaction, then time, inputs, held values, signs, results of
-/// operations, constants, what delays remember, and what is remembered of the run itself.
+/// image of doubles. States are first, then there is room for those of a reaction. Time, inputs, held values, signs,
+/// results of operations and constants follow, then what delays remember, and what is remembered of the run itself.
 struct Program {
   int states = 0, time = 0;
   int room() const {
