@@ -19,7 +19,7 @@ TEST(CheckCommand, FindsNothingWrongWithOurOwn) {
         "diagram:" TANDEM_SOURCE_DIR "/scenarios/engine/kart_power_train.toml?step=1e-3"}) {
     const Said said = tandem(folder, {"check", source});
     EXPECT_EQ(said.status, 0) << said.out << said.err;
-    EXPECT_TRUE(contains(said.out, "27 checks, nothing wrong")) << said.out;
+    EXPECT_TRUE(contains(said.out, "31 checks, nothing wrong")) << said.out;
   }
 }
 

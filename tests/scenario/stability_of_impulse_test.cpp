@@ -104,7 +104,8 @@ VectorXd after(scenario::Scenario one, const SuperStep& step, int super_steps) {
 }
 
 TEST(StabilityOfImpulse, TheMapMovesWhatStandsInARunAsTheRunDoes) {
-  for (const Settings& more : {Settings(), heavy})
+  const Settings beside = {"coordination.carrier=surrogate"};
+  for (const Settings& more : {Settings(), heavy, beside})
     for (const double ratio : {1.5, 7.0, 25.0, 62.5, 101.0, 300.0}) {
       const auto one = by_impulse(ratio, more);
       const SuperStep step = stability::super_step(one, sources());
@@ -133,7 +134,8 @@ TEST(StabilityOfImpulse, ModesAreThoseOfTheSystemUndivided) {
 /// What is found to grow does so in a run. At mass ratio 1, without stiffness and with 20 steps a cycle, that is much.
 TEST(StabilityOfImpulse, AHeavyFastSideGrowsAsTheRadiusSays) {
   const auto one = by_impulse(60.0, {"parameters.c23_over_c21=-10", "parameters.steps_per_cycle=20",
-                                     "coordination.coupling=impulse_stiffness"});
+                                     "coordination.coupling=impulse_stiffness",
+                                     "coordination.carrier=surrogate"});
   const SuperStep step = stability::super_step(one, sources());
   ASSERT_GT(step.radius(), 1.001);
   const Eigen::EigenSolver<Eigen::MatrixXd> left(step.map.transpose());

@@ -80,6 +80,13 @@ void Instance::raise_first_input(double by) {
   for (Segment& one : pieces_[0]) one.c[0] += by;
 }
 
+void Instance::let_last_input_jump(double t) {
+  const double a = pieces_.back()[0].c[0];
+  Segment after{t_start_ + 1e6, t, {a + 0.125}};
+  mark_jump(after, true);
+  pieces_.back() = {{t, t_start_, {a}}, after, after};
+}
+
 Clock Instance::call_once(double t_limit, bool land, std::int64_t room) {
   return clock = call(room, [&](Samples& y) { return subsystem->advance(t_limit, land, signals_, y); });
 }

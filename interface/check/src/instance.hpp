@@ -55,6 +55,8 @@ class Instance {
   void react(const tandem_reactive_input* by, std::int32_t states);
   /// From here on, by so much.
   void raise_first_input(double by);
+  /// From here on its last input is constant but for a jump at t, which is known before.
+  void let_last_input_jump(double t);
 
   const Abilities& can() const { return subsystem->info().abilities; }
   double step() const { return clock.next_time - clock.time; }

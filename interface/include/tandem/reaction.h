@@ -24,7 +24,7 @@ typedef struct tandem_reaction_course {
 } tandem_reaction_course;
 
 /* Linear differential equations of the states z, with s = t - origin. Events do not change z. Each row of samples
- * ends with z at its time, behind the derivatives: its stride is so much longer. */
+ * ends with z at its time, behind the derivatives: its stride is exactly so much longer. */
 typedef struct tandem_reaction {
   int32_t states; /* at most six for each scalar input, or output, whichever are fewer */
   int32_t terms, courses;

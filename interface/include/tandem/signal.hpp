@@ -59,7 +59,7 @@ class Signal {
   /// From its jump at `t` on, whose value there is the one after; the whole signal if it has none there.
   Signal from_jump_at(double t) const {
     const tandem_signal from = tandem_signal_from_jump(&data_, t);
-    return {from.segments, from.count, from.degree};
+    return Signal(from.segments, from.count, from.degree).with(from.reactive);
   }
 
   std::span<const Segment> segments() const {

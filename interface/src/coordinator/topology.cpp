@@ -51,8 +51,9 @@ Topology::PortIndex Topology::indexed(const std::vector<Port>& ports) {
 }
 
 std::optional<int> Topology::instance(std::string_view name) const {
-  const auto found = numbers_.find(std::string(name));
-  return found == numbers_.end() ? std::nullopt : std::optional(found->second);
+  for (const Numbers* numbers : {&numbers_, &guests_})
+    if (const auto found = numbers->find(std::string(name)); found != numbers->end()) return found->second;
+  return {};
 }
 
 Topology::Named Topology::named(std::string_view text, std::size_t dot) const {

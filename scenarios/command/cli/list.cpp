@@ -10,6 +10,7 @@
 #include "tandem/coordinator/reconstruction.hpp"
 #include "tandem/coordinator/schedule.hpp"
 #include "tandem/scenario/file_text.hpp"
+#include "tandem/scenario/impulse_entry.hpp"
 
 namespace tandem::cli {
 namespace {
@@ -49,7 +50,8 @@ void print_scenarios(const fs::path& folder, bool asked) {
 
 void print_words(const Context& context) {
   say("sources:\n");
-  for (const auto& [name, source] : context.builtins.models) say("  builtin:{}\n", name);
+  for (const auto& [name, source] : context.builtins.models)
+    if (name != scenario::impulse_model) say("  builtin:{}\n", name);
   for (const auto& [scheme, source] : context.builtins.schemes)
     say("  {}:{}\n", scheme, source.elsewhere ? "..." : "FILE");
   say("schedules:");

@@ -135,7 +135,7 @@ class Models::Modelled final : public Subsystem {
  public:
   Modelled(std::unique_ptr<Subsystem> real, const Models& all, Entry& entry)
       : real_(std::move(real)), all_(all), entry_(entry), info_(real_->info()) {
-    info_.abilities.serializes_state = false;
+    info_.abilities.serializes_state = info_.abilities.reactive_inputs = false;
   }
 
   const SubsystemInfo& info() const override { return info_; }
@@ -214,6 +214,7 @@ Source Models::replacing(Source source) {
 Builtins Models::replacing(Builtins all) {
   for (auto* list : {&all.models, &all.schemes})
     for (auto& [name, source] : *list) source = replacing(source);
+  all.stand_ins = true;
   return all;
 }
 

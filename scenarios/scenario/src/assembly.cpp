@@ -97,7 +97,7 @@ std::vector<std::string> Assembly::notes() const {
   all.insert(all.end(), of_parts_.begin(), of_parts_.end());
   for (const SubsystemEntry& entry : scenario_.subsystems) {
     if (!entry.impulse) continue;
-    const int who = parts_.carrier_of(entry);  // which knows more as the run goes on
+    const int who = *topology().instance(entry.name);  // which knows more as the run goes on
     for (const std::string& remark : subsystem(who).remarks(scenario_.stop))
       add_once(all, parts_.note_of(who, remark));
   }

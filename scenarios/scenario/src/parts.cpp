@@ -85,7 +85,7 @@ Parts::Parts(const Scenario& scenario, const Builtins& builtins, Code code) : sc
   open_sides(builtins, code);
   put_instances();
   Connections connections = scenario.connections;
-  by_impulse(scenario) ? couple(connections) : put_connections(connections);
+  by_impulse(scenario) ? couple(connections, builtins.stand_ins) : put_connections(connections);
   if (scenario.judge) check_output(scenario.judge->place, "judge.quantity: output", scenario.judge->quantity);
   for (const std::string& name : scenario.plots)
     check_output(scenario.place("view.plots"), "view.plots: output", name);
@@ -123,12 +123,12 @@ void Parts::put_connections(const Connections& all) {
 }
 
 /// Beside their sides first, as there all that is said of them is checked.
-void Parts::couple(Connections& connections) {
+void Parts::couple(Connections& connections, bool stand_ins) {
   std::vector<Surrogate> all;
   for (const SubsystemEntry& entry : scenario_.subsystems)
     if (entry.impulse) all.push_back(made(entry, connections));
   put_connections(connections);
-  reactive_ = can_be_reactive(all);
+  reactive_ = can_be_reactive(all, stand_ins);
   if (reactive_) put_guests(make_reactive(scenario_, topology_, all, subsystems_), connections);
 }
 
@@ -146,13 +146,18 @@ Surrogate Parts::made(const SubsystemEntry& entry, Connections& connections) {
   return one;
 }
 
-bool Parts::can_be_reactive(const std::vector<Surrogate>& made) const {
-  if (scenario_.carrier == Carrier::surrogate) return false;
+/// What is left out is not looked at, and what stands in for others may have no reactive inputs.
+bool Parts::can_be_reactive(const std::vector<Surrogate>& made, bool stand_ins) {
+  const auto is_left_out = [](const Surrogate& one) { return one.coupling.empty(); };
+  if (scenario_.carrier == Carrier::surrogate || std::any_of(made.begin(), made.end(), is_left_out))
+    return false;
   const std::string obstacle = reactive_obstacle(scenario_, topology_, made);
-  if (scenario_.carrier == Carrier::reactive && !obstacle.empty())
+  if (obstacle.empty()) return true;
+  if (scenario_.carrier == Carrier::reactive && !stand_ins)
     refuse(scenario_.place("coordination.carrier"),
            "coordination.carrier is reactive, and " + obstacle + "; allowed is surrogate");
-  return obstacle.empty();
+  couplings_.push_back("coordination.carrier is surrogate, as " + obstacle);
+  return false;
 }
 
 /// In place of the surrogates, whose connections with the fast sides are inside of these.
@@ -316,8 +321,7 @@ std::vector<std::string> Parts::notes() const {
   add_notes_of_degrees(all);
   for (int i = 0; i < topology_.size(); ++i)
     if (const Subsystem* one = subsystem(i))
-      for (const std::string& remark : one->remarks(scenario_.stop))
-        all.push_back(note_of(i, remark));
+      for (const std::string& remark : one->remarks(scenario_.stop)) all.push_back(note_of(i, remark));
   return all;
 }
 

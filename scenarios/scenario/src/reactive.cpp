@@ -38,8 +38,13 @@ struct Beside {
     }
     return all;
   }
+  /// Slowest first: what comes later leads.
+  bool stands_before(const std::string& slow, const std::vector<std::string>& order) const {
+    const auto place = [&](const std::string& name) { return std::find(order.begin(), order.end(), name); };
+    return !order.empty() && place(slow) > place(fast());
+  }
   /// Empty: there is none.
-  std::string obstacle(const SubsystemInfo& of_fast) const {
+  std::string obstacle(const SubsystemInfo& of_fast, const std::vector<std::string>& order) const {
     const auto& links = entry.impulse->links;
     const auto other =
         std::find_if(links.begin(), links.end(), [&](const auto& one) { return one.fast != fast(); });
@@ -48,6 +53,8 @@ struct Beside {
     if (!made.by) return "the surrogate of '" + entry.impulse->slow + "' goes by that side's own equations";
     if (other != links.end())
       return "'" + entry.impulse->slow + "' has links with '" + fast() + "' and with '" + other->fast + "'";
+    if (stands_before(entry.impulse->slow, order))
+      return "coordination.order puts '" + entry.impulse->slow + "' ahead of '" + fast() + "'";
     if (!of_fast.abilities.reactive_inputs) return "'" + fast() + "' has no reactive inputs";
     if (!made.by->stiffness.empty() && !made.by->accelerance_rate.empty())
       return "'" + entry.impulse->slow + "' has a stiffness and an accelerance that varies";
@@ -66,8 +73,8 @@ std::string reactive_obstacle(const Scenario& of, const Topology& topology,
   for (const SubsystemEntry& entry : of.subsystems) {
     if (!entry.impulse) continue;
     const Beside one{entry, made[k++], topology};
-    if (one.made.coupling.empty()) return "'" + entry.impulse->slow + "' or its fast side is left out";
-    if (auto why = one.obstacle(topology.info(one.fast_instance())); !why.empty()) return why;
+    if (auto why = one.obstacle(topology.info(one.fast_instance()), of.coordination.order); !why.empty())
+      return why;
     if (std::count(taken.begin(), taken.end(), one.fast()) > 0)
       return "'" + one.fast() + "' has links with two slow sides";
     taken.push_back(one.fast());

@@ -27,7 +27,8 @@ bool is_of_a_scheme(const std::string& taken) {
   const auto equals = taken.find('=');
   const std::string key = taken.substr(0, equals),
                     value = equals < taken.size() ? taken.substr(equals + 1) : "";
-  if (key == "coordination.schedule" || key == "coordination.order" || key == "coordination.coupling")
+  if (key == "coordination.schedule" || key == "coordination.order" || key == "coordination.coupling" ||
+      key == "coordination.carrier")
     return true;
   if (key.starts_with("connections[") && key.ends_with("].reconstruction")) return true;
   return is_number(value) &&
@@ -54,11 +55,11 @@ Scenario with_usual(Scenario scenario) {
 Scenario with_taken(const Scenario& scenario, std::vector<std::string> taken) {
   for (const std::string& one : taken)
     if (!is_of_a_scheme(one))
-      refuse(
-          scenario.place("coordination.scheme"),
-          "coordination.scheme = auto took '" + printable(one, 200) +
-              "'; allowed are a schedule, an order, a coupling, its period, reconstructions and numbers of "
-              "steps");
+      refuse(scenario.place("coordination.scheme"),
+             "coordination.scheme = auto took '" + printable(one, 200) +
+                 "'; allowed are a schedule, an order, a coupling, its carrier and period, reconstructions "
+                 "and numbers of "
+                 "steps");
   taken.insert(taken.begin(), scenario.taken.begin(), scenario.taken.end());
   auto all = scenario.overrides;
   all.insert(all.end(), taken.begin(), taken.end());

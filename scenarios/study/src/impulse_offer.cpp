@@ -51,7 +51,8 @@ std::vector<std::string> others(const scenario::Scenario& scenario) {
 }  // namespace
 
 std::vector<std::string> impulse_overrides(const std::string& coupling) {
-  return {"coordination.coupling=" + coupling, "coordination.schedule=fastest-first"};
+  return {"coordination.coupling=" + coupling, "coordination.carrier=automatic",
+          "coordination.schedule=fastest-first"};
 }
 
 ImpulseOffer impulse_offer(const scenario::Scenario& scenario, const Builtins& builtins) {

@@ -23,8 +23,8 @@ std::string mass(const std::string& inputs, const std::string& u, const std::str
          "'], gains = [5, -5] }\na = { kind = 'sum', inputs = ['x', 'F'], gains = [-9, -1] }\n"
          "v = { kind = 'integrator', input = 'a', initial = 3, reset = 'hit', reset_to = -2 }\n"
          "x = { kind = 'integrator', input = 'v' }\nhit = { kind = 'sum', inputs = ['x', 1], gains = [1, "
-         "-0.8] }\n"
-         "[outputs]\nx = { unit = '1' }\nF = { unit = '1' }\n" +
+         "-0.5] }\n"
+         "[outputs]\nx = { unit = '1' }\nF = { unit = '1' }\nv = { unit = '1' }\n" +
          (more.empty() ? "" : "z = { unit = '1' }\n");
 }
 const std::string inside =
@@ -72,9 +72,9 @@ TEST(DiagramWithReaction, IsAsOneThatHasItInside) {
   ASSERT_EQ(found.size(), expected.size());
   int events = 0;
   for (std::size_t k = 0; k < found.size(); ++k) {
-    for (const std::size_t column : {0U, 1U, 2U, 3U})
+    for (const std::size_t column : {0U, 1U, 2U, 3U, 4U})
       EXPECT_NEAR(found[k][column], expected[k][column], 1e-10);
-    EXPECT_NEAR(found[k][found[k].size() - 2], expected[k][4], 1e-10);
+    EXPECT_NEAR(found[k][found[k].size() - 2], expected[k][5], 1e-10);
     events += found[k][1] == 1.0 ? 1 : 0;
   }
   EXPECT_GT(events, 1);

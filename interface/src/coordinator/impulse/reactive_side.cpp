@@ -75,15 +75,15 @@ Clock ReactiveSide::initialize(double t_start, double t_stop, std::span<const do
   Samples rows = room_for(1, 0);
   clock_ = fast_->initialize(t_start, t_stop, of_fast, rows);
   read_forces(rows, 0);
-  surrogate_.jump_to(forces_);
+  surrogate_.jump_to(t_start, forces_);
   put_row(rows, 0, y);
   return clock_;
 }
 
 /// Own steps after the next one, up to the first that reaches t.
 std::int64_t ReactiveSide::steps_to(double t) const {
-  constexpr double rounding = 1e-9;  // of a step
-  const double steps = std::ceil((t - clock_.next_time) / surrogate_.coupling().own_step - rounding);
+  const double far = t - clock_.next_time - tolerance_.width(t, clock_.next_time);
+  const double steps = std::ceil(far / surrogate_.coupling().own_step);
   return static_cast<std::int64_t>(std::max(steps, 0.0));
 }
 
@@ -149,7 +149,7 @@ void ReactiveSide::take_rows(const Samples& rows, double before, Samples& y) {
     if (t > before)
       surrogate_.follow({before, t, t - before}, forces_, z, of_surrogate_);
     else
-      surrogate_.jump_to(forces_);
+      surrogate_.jump_to(t, forces_);
     put_row(rows, row, y);
     before = t;
   }

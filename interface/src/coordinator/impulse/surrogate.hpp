@@ -40,8 +40,8 @@ class Surrogate {
   void describe(std::span<const ReactiveLink> links, ReactionTerms& to) const;
   /// After a step of the fast side: the forces at its end, and the states of the reaction.
   void follow(const OwnStep& s, std::span<const double> forces, const double* z, std::span<const Signal> u);
-  /// The forces jump where it stands.
-  void jump_to(std::span<const double> forces);
+  /// The forces jump at t, where it stands.
+  void jump_to(double t, std::span<const double> forces);
 
   std::vector<std::string> remarks(double t_stop) const;
   /// At a node that it has reached and not heard of, or at the start.

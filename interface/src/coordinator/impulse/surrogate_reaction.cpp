@@ -50,14 +50,15 @@ void Surrogate::describe_acceleration(std::size_t i, std::span<const ReactiveLin
   to.add_course(v, course);
 }
 
-void Surrogate::jump_to(std::span<const double> forces) {
+void Surrogate::jump_to(double t, std::span<const double> forces) {
   std::copy(forces.begin(), forces.end(), forces_[2].begin());
+  if (of_.tells_velocities) find_accelerations(t);
 }
 
 void Surrogate::follow(const OwnStep& s, std::span<const double> forces, const double* z,
                        std::span<const Signal> u) {
   forces_[0] = forces_[2];
-  jump_to(forces);
+  std::copy(forces.begin(), forces.end(), forces_[2].begin());
   for (SurrogateLink& link : links_) link.go_to(z), z += SurrogateLink::states;
   end_step(s, u);
 }

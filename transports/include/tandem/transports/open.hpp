@@ -59,6 +59,7 @@ struct Builtins {
   /// A program and its first arguments, which serves the source that is its next argument to the process that
   /// starts it, for what is isolated. Empty: there is none.
   std::vector<std::string> server = {};
+  bool stand_ins = false;  ///< what is opened stands in the place of what is named, and may do less
 };
 
 /// What a URI is opened with.

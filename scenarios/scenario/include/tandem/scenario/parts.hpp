@@ -39,10 +39,6 @@ class Parts {
   bool reactive() const { return reactive_; }
   /// That of the scenario, for these instances.
   Coordination coordination() const;
-  /// Where the surrogate of an entry is: its own instance, or that of its fast side.
-  int carrier_of(const SubsystemEntry& entry) const {
-    return *topology_.instance(reactive_ ? entry.impulse->links[0].fast : entry.name);
-  }
 
   /// What a run checks beyond that of each subsystem alone: recorded outputs, and its start with what is
   /// known of its inputs.
@@ -63,9 +59,9 @@ class Parts {
   void put_instances();
   void put_instance(std::size_t instance);
   void put_connections(const Connections& all);
-  void couple(Connections& connections);
+  void couple(Connections& connections, bool stand_ins);
   Surrogate made(const SubsystemEntry& entry, Connections& connections);
-  bool can_be_reactive(const std::vector<Surrogate>& made) const;
+  bool can_be_reactive(const std::vector<Surrogate>& made, bool stand_ins);
   void put_guests(const std::vector<Guest>& guests, Connections& connections);
   std::optional<Look> leave_out(const SubsystemEntry& entry, const Builtins& builtins);
   const SubsystemInfo& info(std::size_t instance) const;
