@@ -67,7 +67,7 @@ class FixedStep final : public SavedModels<Model, GridPlace> {
       if (pass_jumps() && take_jump(y)) continue;
       if (integrate(s)) return stop_at(s.end, y);
       move_to(s.end);
-      put_row(y.append(place_.time()));
+      put_row(y);
     }
     return place_.clock(Stop::samples_full);
   }
@@ -96,7 +96,7 @@ class FixedStep final : public SavedModels<Model, GridPlace> {
   /// A second row where it stands and inputs have jumped. False: no output has with them.
   bool take_jump(Samples& y) {
     if constexpr (TakesJumps<Model>)
-      if (model_.jump(place_.time(), jumps_.inputs())) return put_row(y.append(place_.time(), true)), true;
+      if (model_.jump(place_.time(), jumps_.inputs())) return put_row(y, true), true;
     return false;
   }
 
@@ -128,18 +128,23 @@ class FixedStep final : public SavedModels<Model, GridPlace> {
       if (place_.tolerance().before(place_.time(), t)) {
         move_to(t);
         double* const row = y.append(place_.time());
-        model_.outputs_before(row), put_reaction(row);
+        model_.outputs_before(row), put_reaction(row, y.stride());
       }
-      put_row(y.append(place_.time(), true));
+      put_row(y, true);
     }
     return place_.clock(is_finished() ? Stop::finished : Stop::event);
   }
 
-  void put_row(double* row) const { model_.outputs(row), put_reaction(row); }
-  /// Behind the derivatives.
-  void put_reaction([[maybe_unused]] double* row) const {
-    if constexpr (Reacts<Model>)
-      std::ranges::copy(model_.reaction_states(), row + this->info_.row_size() - Samples::header);
+  void put_row(Samples& y, bool jump = false) const {
+    double* const row = y.append(place_.time(), jump);
+    model_.outputs(row), put_reaction(row, y.stride());
+  }
+  /// At its end.
+  void put_reaction([[maybe_unused]] double* row, [[maybe_unused]] std::int64_t stride) const {
+    if constexpr (Reacts<Model>) {
+      const std::span<const double> z = model_.reaction_states();
+      std::copy(z.begin(), z.end(), row + stride - Samples::header - std::ssize(z));
+    }
   }
 
   bool is_finished() const {

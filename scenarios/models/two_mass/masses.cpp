@@ -74,10 +74,6 @@ void FastMass::react(const Reaction* reaction) {
   steps_.resize(static_cast<int>(joint_.size()));
 }
 
-std::span<const double> FastMass::reaction_states() const {
-  return reaction_ ? std::span(joint_).subspan(2) : std::span<const double>();
-}
-
 void FastMass::step_with_reaction(const OwnStep& s, std::span<const Signal> u) {
   joint_[0] = x1_, joint_[1] = v1_;
   Joint joint{*this, u, s.begin};

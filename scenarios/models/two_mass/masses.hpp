@@ -25,7 +25,9 @@ class FastMass {
   double own_step() const { return model_.h1; }
   void start(double t, std::span<const double> u0);
   void react(const Reaction* reaction);
-  std::span<const double> reaction_states() const;
+  std::span<const double> reaction_states() const {
+    return reaction_ ? std::span(joint_).subspan(2) : std::span<const double>();
+  }
   void step(const OwnStep& s, std::span<const Signal> u);
   void outputs(double* y) const;
   std::optional<std::vector<StateName>> states() const;

@@ -60,7 +60,7 @@ class Topology {
   void check_span(TimeSpan span) const;
 
   int size() const { return static_cast<int>(instances_.size()); }
-  /// The number of an instance, or of that which stands for one of this name; none: there is none.
+  /// The number of an instance, or of the one that stands for another of this name; none: there is none.
   std::optional<int> instance(std::string_view name) const;
   /// The port of an output, "slow.x1" or "slow.x[2]"; null: there is none. The index is not looked at.
   const Port* output_port(std::string_view output) const;
