@@ -6,6 +6,7 @@ system of SSP."""
 
 import pathlib
 import re
+import struct
 import sys
 import zipfile
 
@@ -26,8 +27,20 @@ def messages(page, side):
 
 
 def with_small_payloads(message):
-    """Of 64 MiB each session would take memory for as many rows, and three of four seconds would go into that."""
+    """Of 64 MiB each session would take memory for as many rows, and three of four seconds would go into that. A hello
+    (type 1) tells it."""
+    if message[8:12] != (1).to_bytes(4, "little"):
+        return message
     return message.replace((1 << 26).to_bytes(8, "little"), (1 << 12).to_bytes(8, "little"))
+
+
+def with_reaction(message):
+    """Its input reacts by one state: z' = x + 0, u has half of z besides. Of a request to advance (type 4)."""
+    if message[8:12] != (4).to_bytes(4, "little"):
+        return message
+    more = struct.pack("<Idd", 1, 0.0, 0.5) + struct.pack("<Iiidd", 1, 0, 1, 1.0, 0.0)
+    more += struct.pack("<Iiidddd", 1, 0, 0, 0.0, 0.0, 0.0, 0.0) + struct.pack("<Iiid", 1, 0, 0, 0.5)
+    return (len(message) - 16 + len(more)).to_bytes(8, "little") + message[8:] + more
 
 
 def kind(text):
@@ -76,10 +89,12 @@ def main(folder):
         place = folder / target
         place.mkdir(parents=True, exist_ok=True)
         for which, page in enumerate(sessions()):
-            session = b""
+            session = reacting = b""
             for number, message in enumerate(messages(page, side)):
                 session += with_small_payloads(message)
+                reacting += with_reaction(with_small_payloads(message))
                 (place / f"{which}{number:02}").write_bytes(session)
+                (place / f"{which}{number:02}r").write_bytes(reacting)
             assert session, f"docs/wire_protocol.md has no example of a {side}"
 
 

@@ -7,10 +7,12 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace tandem;
-  const auto channel = fuzz::channel_of(data, size);
-  try {
-    wire::Session(*channel, [](const std::string&) { return std::make_unique<fuzz::Sum>(); }).serve();
-  } catch (const Error&) {  // what has to come of bytes that are not right
-  }
+  for (const bool reacts : {false, true}) try {
+      const auto channel = fuzz::channel_of(data, size);
+      wire::Session(*channel, [&](const std::string&) {
+        return std::make_unique<fuzz::Sum>(reacts);
+      }).serve();
+    } catch (const Error&) {  // what has to come of bytes that are not right
+    }
   return 0;
 }

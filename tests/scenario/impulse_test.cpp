@@ -28,8 +28,8 @@ TEST(ImpulseScenario, IsRightWhereTheSlowStepTakesFastPeriods) {
 /// Few fast steps show where the force is continued; what goes to the slow side and back is no defect.
 TEST(ImpulseScenario, HasTheIndicatorsOfTheFastSide) {
   const auto said = [](const char* steps) {
-    return SceneRun(impulse_scene, {std::string("parameters.steps_per_cycle=") + steps,
-                                    "coordination.carrier=surrogate"})
+    return SceneRun(impulse_scene,
+                    {std::string("parameters.steps_per_cycle=") + steps, "coordination.carrier=surrogate"})
         .said()
         .out;
   };
@@ -45,6 +45,33 @@ TEST(ImpulseScenario, TakesAnOrderOfTheSidesAlone) {
   const SceneRun whole(impulse_scene, {"span.stop=30"}),
       stated(impulse_scene, {"span.stop=30", "coordination.order=[\"slow\", \"fast\"]"});
   EXPECT_EQ(stated.column("fast.x1"), whole.column("fast.x1")) << stated.said().err;
+}
+
+/// By both carriers there is one: with reactive inputs it is that of the fast side.
+TEST(ImpulseScenario, HasTheClockOfTheSurrogate) {
+  const SceneRun beside(impulse_scene,
+                        {"span.stop=9", "record.clock=slow_surrogate", "coordination.carrier=surrogate"}),
+      along(impulse_scene, {"span.stop=9", "record.clock=slow_surrogate"});
+  EXPECT_EQ(beside.column("time"), along.column("time")) << along.said().err;
+}
+
+/// By itself `reactive` where the fast side can; a note tells why not. Stated, it is refused.
+TEST(ImpulseScenario, TakesTheCarrierThatItsSidesHave) {
+  const auto notes = [](std::vector<std::string> settings) {
+    settings.push_back("span.stop=9");
+    const SceneRun run(impulse_scene, settings);
+    EXPECT_EQ(run.said().status, 0) << run.said().err;
+    return run.said().err;
+  };
+  EXPECT_TRUE(contains(notes({}), "'fast' integrates 'slow_surrogate' along"));
+  EXPECT_FALSE(contains(notes({"coordination.carrier=surrogate"}), "along"));
+  const std::string order = "coordination.order=[\"fast\", \"slow\"]";
+  EXPECT_TRUE(
+      contains(notes({order}), "carrier is surrogate, as coordination.order puts 'slow' ahead of 'fast'"));
+  const Said refused = SceneRun(impulse_scene, {order, "coordination.carrier=reactive"}).said();
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_TRUE(contains(refused.err, "coordination.carrier is reactive, and coordination.order puts"))
+      << refused.err;
 }
 
 /// Of the slow side's mass the fourth digit is off, or it is right.
@@ -231,8 +258,8 @@ TEST(ImpulseScenario, EndsWhereTheSlowSideRunsAhead) {
   const Scratch folder;
   for (const char* order :
        {R"(["slow_surrogate", "slow", "fast"])", R"(["fast", "slow_surrogate", "slow"])"}) {
-    const Said said = tandem(folder, {"run", impulse_scene, "--set", "coordination.carrier=surrogate", "--set",
-                                      std::string("coordination.order=") + order});
+    const Said said = tandem(folder, {"run", impulse_scene, "--set", "coordination.carrier=surrogate",
+                                      "--set", std::string("coordination.order=") + order});
     EXPECT_EQ(said.status, 1) << said.err;
     EXPECT_TRUE(contains(said.err, "the slow side stands at 3.000000 s")) << said.err;
   }

@@ -35,12 +35,12 @@ std::string unknown_output(const std::vector<std::string>& outputs, const std::v
 }
 
 Recorder::Recorder(const Coordinator& run, Recording what) : run_(run), what_(std::move(what)) {
-  std::vector<std::string> instances;
-  for (int i = 0; i < run.topology().size(); ++i) instances.push_back(run.topology().name(i));
-  const auto it = std::find(instances.begin(), instances.end(), what_.clock);
-  if (!what_.clock.empty() && it == instances.end())
-    throw Error(ErrorCode::invalid_argument, unknown("clock", what_.clock, instances));
-  if (!what_.clock.empty()) clock_ = static_cast<int>(it - instances.begin());
+  if (!what_.clock.empty()) {
+    const auto clock = run.topology().instance(what_.clock);
+    if (!clock)
+      throw Error(ErrorCode::invalid_argument, unknown("clock", what_.clock, run.topology().names()));
+    clock_ = *clock;
+  }
   if (const auto why = unknown_output(run.topology().output_names(), what_.ports); !why.empty())
     throw Error(ErrorCode::invalid_argument, why);
   choose_columns();

@@ -92,9 +92,8 @@ struct Course {
 /// results of operations and constants follow, then what delays remember, and what is remembered of the run itself.
 struct Program {
   int states = 0, time = 0;
-  int room() const {
-    return time - states;
-  }                                  ///< slots behind the states, for those of a reaction (reaction.h)
+  /// Slots behind the states, for those of a reaction (reaction.h).
+  int room() const { return time - states; }
   std::vector<int> inputs, outputs;  ///< Slots.
   std::vector<int> rates;            ///< By state: the slot of its derivative.
   std::vector<Course> courses;       ///< By output.
