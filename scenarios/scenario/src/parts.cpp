@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "impulse.hpp"
 #include "tandem/error.hpp"
@@ -122,66 +121,6 @@ void Parts::put_connections(const Connections& all) {
             [&] { connect(entry); });
 }
 
-/// Beside their sides first, as there all that is said of them is checked.
-void Parts::couple(Connections& connections, bool stand_ins) {
-  std::vector<Surrogate> all;
-  for (const SubsystemEntry& entry : scenario_.subsystems)
-    if (entry.impulse) all.push_back(made(entry, connections));
-  put_connections(connections);
-  reactive_ = can_be_reactive(all, stand_ins);
-  if (reactive_) put_guests(make_reactive(scenario_, topology_, all, subsystems_), connections);
-}
-
-Surrogate Parts::made(const SubsystemEntry& entry, Connections& connections) {
-  Surrogate one = surrogate_of(entry, scenario_, topology_, subsystems_);
-  if (one.subsystem) {
-    couplings_.push_back("subsystem '" + entry.impulse->slow + "' is coupled by " + one.coupling);
-    for (ConnectionEntry& to : connections)
-      if (to.connection.to.starts_with(entry.name + ".force"))
-        to.connection.how = Reconstruction::parse(one.continues);
-    connections.insert(connections.end(), one.connections.begin(), one.connections.end());
-  }
-  keep(std::move(one.subsystem), {});
-  put_instance(subsystems_.size() - 1);
-  return one;
-}
-
-/// What is left out is not looked at, and what stands in for others may have no reactive inputs.
-bool Parts::can_be_reactive(const std::vector<Surrogate>& made, bool stand_ins) {
-  const auto is_left_out = [](const Surrogate& one) { return one.coupling.empty(); };
-  if (scenario_.carrier == Carrier::surrogate || std::any_of(made.begin(), made.end(), is_left_out))
-    return false;
-  const std::string obstacle = reactive_obstacle(scenario_, topology_, made);
-  if (obstacle.empty()) return true;
-  if (scenario_.carrier == Carrier::reactive && !stand_ins)
-    refuse(scenario_.place("coordination.carrier"),
-           "coordination.carrier is reactive, and " + obstacle + "; allowed is surrogate");
-  couplings_.push_back("coordination.carrier is surrogate, as " + obstacle);
-  return false;
-}
-
-/// In place of the surrogates, whose connections with the fast sides are inside of these.
-void Parts::put_guests(const std::vector<Guest>& guests, Connections& connections) {
-  subsystems_.resize(subsystems_.size() - guests.size()), looks_.resize(subsystems_.size());
-  std::vector<std::string> driven;
-  for (const Guest& guest : guests) {
-    const std::string fast = topology_.name(guest.instance) + ".", surrogate = guest.name + ".";
-    couplings_.push_back("subsystem '" + topology_.name(guest.instance) + "' integrates '" + guest.name +
-                         "' along");
-    std::erase_if(connections, [&](const ConnectionEntry& one) {
-      const auto& [from, to] = std::tie(one.connection.from, one.connection.to);
-      const bool back = from.starts_with(surrogate) && to.starts_with(fast);
-      if (back) driven.push_back(to);
-      return back || (from.starts_with(fast) && to.starts_with(surrogate));
-    });
-  }
-  topology_ = Topology();
-  put_instances();
-  for (const Guest& guest : guests) topology_.add_guest(guest.name, guest.instance);
-  for (const std::string& input : driven) topology_.set_start(input, 0.0);
-  put_connections(connections);
-}
-
 void Parts::check_animation(const Builtins& builtins) const {
   const auto& all = scenario_.subsystems;
   const bool any = std::any_of(all.begin(), all.end(),
@@ -255,13 +194,6 @@ void Parts::check_output(const Place& place, const std::string& what, const std:
     refuse(place, unknown(what, name, known));
 }
 
-Coordination Parts::coordination() const {
-  Coordination all = scenario_.coordination;
-  for (const SubsystemEntry& entry : scenario_.subsystems)
-    if (entry.impulse && reactive_) std::erase(all.order, entry.name);
-  return all;
-}
-
 void Parts::check_each() const {
   std::vector<std::string> ports = scenario_.recording.ports;
   std::erase_if(ports, [this](const std::string& port) { return is_left_out(port); });
@@ -272,16 +204,6 @@ void Parts::check_each() const {
   located(place_of, [&] { topology_.check_span(span); });
   for (int i = 0; i < topology_.size(); ++i)
     if (Subsystem* one = subsystem(i)) located(place_of, [&] { start(*one, topology_, i, span); });
-}
-
-bool Parts::is_of_surrogate(const Line& line) const {
-  if (!by_impulse(scenario_)) return false;
-  const std::string from = topology_.output_name(line.source, line.output),
-                    to = topology_.input_name(line.reader, line.input);
-  return std::any_of(
-      scenario_.subsystems.begin(), scenario_.subsystems.end(), [&](const SubsystemEntry& one) {
-        return one.impulse && (from.starts_with(one.name + ".") || to.starts_with(one.name + "."));
-      });
 }
 
 void Parts::add_notes_of_units(std::vector<std::string>& notes) const {
@@ -323,13 +245,6 @@ std::vector<std::string> Parts::notes() const {
     if (const Subsystem* one = subsystem(i))
       for (const std::string& remark : one->remarks(scenario_.stop)) all.push_back(note_of(i, remark));
   return all;
-}
-
-std::string Parts::note_of(int instance, const std::string& remark) const {
-  for (const SubsystemEntry& entry : scenario_.subsystems)
-    if (entry.impulse && reactive_ && remark.starts_with(entry.name + ": "))
-      return "subsystem '" + entry.name + "'" + remark.substr(entry.name.size());
-  return "subsystem '" + topology_.name(instance) + "': " + remark;
 }
 
 std::string once_per_process(const Scenario& scenario, const Builtins& builtins) {
