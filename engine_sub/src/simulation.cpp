@@ -278,28 +278,4 @@ void Simulation::happened(const std::string& block) {
                           system_.program().named(block), time_, settings_.most_events));
 }
 
-void Simulation::react(const tandem_reaction* reaction) {
-  const int before = system_.size();
-  system_.react(reaction);
-  if (system_.size() != before) integrator_->restart(system_, time_, Restart::state);
-}
-
-const std::vector<double>& Simulation::keep() {
-  integrator_->restart(system_, time_, Restart::state);
-  return system_.image();
-}
-
-void Simulation::restore(double t, std::span<const double> state) {
-  std::copy(state.begin(), state.end(), system_.image().begin());
-  time_ = t;
-  begun_ = t != start_;
-  integrator_->restart(system_, t, Restart::state);
-}
-
-void Simulation::put_states(std::span<const double> x) {
-  std::copy(x.begin(), x.end(), system_.states());
-  system_.evaluate(time_);
-  integrator_->restart(system_, time_, Restart::state);
-}
-
 }  // namespace tandem::engine

@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-// The codec, against the bytes that docs/wire_protocol.md shows, and against bytes that are not right.
+// The codec, against the bytes that docs/wire_protocol.md shows, and against bytes that are not right. (One file, as all of it
+// goes by the page's frames.)
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -20,20 +20,7 @@ namespace tandem {
 ///   it.
 /// - `void outputs(double* y) const`: outputs, then derivatives, as the state is.
 ///
-/// What it may have besides, for events, jumps and ends, stands in fixed_step_model.hpp.
-///
-/// A model that can't be copied once it has started has `bool keeps_state() const`: whether it has the ability
-/// `saves_state`.
-///
-/// A model that gives its states as numbers (Subsystem::states) has:
-/// - `std::optional<std::vector<StateName>> states() const`, `void get_states(std::span<double> x) const` and
-///   `void set_states(std::span<const double> x)`.
-///
-/// One that gives its equations has `std::shared_ptr<SlowModel> slow_model(std::span<const SlowLink> links) const`.
-///
-/// With the ability `serializes_state` in its info() it also has:
-/// - `void write(ByteWriter& to) const`: all that its steps go by and that start() does not make.
-/// - `void read(ByteReader& from)`: the same of a model that is made and started alike; refuses another's.
+/// What it may have besides stands in fixed_step_model.hpp.
 template <class Model>
 class FixedStep final : public SavedModels<Model, GridPlace> {
   using Base = SavedModels<Model, GridPlace>;

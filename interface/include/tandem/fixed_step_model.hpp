@@ -7,7 +7,21 @@
 #include "tandem/subsystem.hpp"
 #include "tandem/time_grid.hpp"
 
-/// What a model for FixedStep (fixed_step.hpp) may have besides what it has to have.
+/// What a model for FixedStep (fixed_step.hpp) may have besides what it has to have: for events, jumps, ends and reactions by
+/// the concepts below, and these.
+///
+/// A model that can't be copied once it has started has `bool keeps_state() const`: whether it has the ability
+/// `saves_state`.
+///
+/// A model that gives its states as numbers (Subsystem::states) has:
+/// - `std::optional<std::vector<StateName>> states() const`, `void get_states(std::span<double> x) const` and
+///   `void set_states(std::span<const double> x)`.
+///
+/// One that gives its equations has `std::shared_ptr<SlowModel> slow_model(std::span<const SlowLink> links) const`.
+///
+/// With the ability `serializes_state` in its info() it also has:
+/// - `void write(ByteWriter& to) const`: all that its steps go by and that start() does not make.
+/// - `void read(ByteReader& from)`: the same of a model that is made and started alike; refuses another's.
 namespace tandem {
 
 /// One own step from `begin` to `end` [s]; length is h, or less where a step is cut.

@@ -16,7 +16,7 @@ Surrogate surrogate_of(const SubsystemEntry&, const Scenario&, const Topology&,
 
 std::string reactive_obstacle(const Scenario&, const Topology&, const std::vector<Surrogate>&) { return {}; }
 
-std::vector<Guest> make_reactive(const Scenario&, const Topology&, std::vector<Surrogate>&,
+std::vector<Guest> make_reactive(const Scenario&, const Topology&, const std::vector<Surrogate>&,
                                  std::vector<std::unique_ptr<Subsystem>>&) {
   return {};
 }

@@ -5,6 +5,13 @@
 #include <unordered_set>
 
 namespace tandem::scenario {
+namespace {
+
+void add_once(std::vector<std::string>& notes, const std::string& note) {
+  if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+}
+
+}  // namespace
 
 Assembly::Assembly(const Scenario& scenario, const Builtins& builtins, bool profile, int threads)
     : scenario_(scenario), parts_(scenario, builtins, Code::run) {
@@ -83,14 +90,6 @@ void Assembly::initialize() {
           [&] { coordinator_->initialize(); });
   of_parts_ = parts_.notes();
 }
-
-namespace {
-
-void add_once(std::vector<std::string>& notes, const std::string& note) {
-  if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
-}
-
-}  // namespace
 
 std::vector<std::string> Assembly::notes() const {
   std::vector<std::string> all = coordinator_->notes();

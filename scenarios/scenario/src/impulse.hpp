@@ -48,7 +48,8 @@ struct Guest {
   int instance;
 };
 /// The fast sides with their surrogates. Precondition: there is no obstacle.
-std::vector<Guest> make_reactive(const Scenario& of, const Topology& topology, std::vector<Surrogate>& made,
+std::vector<Guest> make_reactive(const Scenario& of, const Topology& topology,
+                                 const std::vector<Surrogate>& made,
                                  std::vector<std::unique_ptr<Subsystem>>& subsystems);
 
 }  // namespace tandem::scenario

@@ -82,13 +82,14 @@ std::string reactive_obstacle(const Scenario& of, const Topology& topology,
   return {};
 }
 
-std::vector<Guest> make_reactive(const Scenario& of, const Topology& topology, std::vector<Surrogate>& made,
+std::vector<Guest> make_reactive(const Scenario& of, const Topology& topology,
+                                 const std::vector<Surrogate>& made,
                                  std::vector<std::unique_ptr<Subsystem>>& subsystems) {
   std::vector<Guest> guests;
   std::size_t k = 0;
   for (const SubsystemEntry& entry : of.subsystems) {
     if (!entry.impulse) continue;
-    Surrogate& one = made[k++];
+    const Surrogate& one = made[k++];
     const Beside beside{entry, one, topology};
     auto& fast = subsystems[static_cast<std::size_t>(beside.fast_instance())];
     std::vector<ReactiveLink> links = beside.reactive_links();

@@ -92,12 +92,11 @@ struct Course {
 /// results of operations and constants follow, then what delays remember, and what is remembered of the run itself.
 struct Program {
   int states = 0, time = 0;
-  /// Slots behind the states, for those of a reaction (reaction.h).
-  int room() const { return time - states; }
-  std::vector<int> inputs, outputs;  ///< Slots.
-  std::vector<int> rates;            ///< By state: the slot of its derivative.
-  std::vector<Course> courses;       ///< By output.
-  std::vector<int> output_rates;     ///< By output: the slot of its derivative, -1; empty if there is none.
+  int room() const { return time - states; }  ///< slots for the states of a reaction
+  std::vector<int> inputs, outputs;           ///< Slots.
+  std::vector<int> rates;                     ///< By state: the slot of its derivative.
+  std::vector<Course> courses;                ///< By output.
+  std::vector<int> output_rates;  ///< By output: the slot of its derivative, -1; empty if there is none.
   /// Of a program whose outputs change at its periodic events alone, which has no state but what is held: no
   /// two of its instants are nearer to each other [s]. 0 of any other.
   double shortest_period = 0.0;

@@ -130,8 +130,7 @@ struct Scenario {
   std::map<std::string, Place> places;
 
   Place place(const std::string& key) const;
-  /// The place that an error's sentence is about: of the connection, key or subsystem that it names, else the
-  /// file.
+  /// The place of what an error's sentence names: a connection, a key or a subsystem, else the file.
   Place place_named_in(const std::string& sentence) const;
 };
 
