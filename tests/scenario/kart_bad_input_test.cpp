@@ -56,11 +56,15 @@ TEST(KartBadInput, SpeedsOfShiftsOutOfOrderAreRefused) {
           {"clutch_gearbox.toml:26", "from 'second' to 'third' is 7", "above 11.2"});
 }
 
-TEST(KartBadInput, AThrottleBeyondItsPlateIsRefused) {
-  for (const char* value : {"-1", "50.5"})
-    ChangedScene("engine/throttle_kart.toml", "[3, 3, 10.5", std::string("[3, 3, ") + value)
-        .refuses(validate,
-                 {"throttle_kart.toml:6", std::string("an array with ") + value, "allowed is 0 to 50"});
+TEST(KartBadInput, AThrottleBeyondItsPlateEndsTheRun) {
+  const Scratch folder;
+  for (const char* value : {"-1", "50.5"}) {
+    const Said said = test::tandem(folder, {"run", TANDEM_SOURCE_DIR "/scenarios/kart/kart.toml", "--set",
+                                            std::string("subsystems.engine.inputs.throttle=") + value});
+    EXPECT_EQ(said.status, 1) << said.err;
+    EXPECT_TRUE(contains(said.err, "limit 'engine.manifold.throttle'")) << said.err;
+    EXPECT_TRUE(contains(said.err, "the plate turns from 0 to 50 deg")) << said.err;
+  }
 }
 
 TEST(KartBadInput, ANegativeMassIsRefused) {

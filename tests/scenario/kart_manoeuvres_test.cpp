@@ -46,6 +46,16 @@ TEST(KartManoeuvres, ASlalomSwingsBothWays) {
   EXPECT_NEAR(-*least / *most, 1.0, 0.1);
 }
 
+/// The throttle is an input: whoever gives it drives.
+TEST(KartManoeuvres, AControllerHoldsTheSpeedByTheThrottle) {
+  const SceneRun run(kart_folder + "cruise.toml");
+  ASSERT_EQ(run.said().status, 0) << run.said().err;
+  const auto& time = run.column("time");
+  const auto before = std::lower_bound(time.begin(), time.end(), 8.0 - 1e-9) - time.begin();
+  EXPECT_NEAR(run.column("kart.speed").at(static_cast<std::size_t>(before)), 9.0, 0.15);
+  EXPECT_NEAR(run.last("kart.speed"), 12.0, 0.2);
+}
+
 /// Beside the turn's: load goes to the front, the nose dives.
 TEST(KartManoeuvres, BrakingInATurnLoadsTheFront) {
   const SceneRun run(kart_folder + "braking_in_turn.toml");
