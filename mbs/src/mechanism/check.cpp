@@ -178,7 +178,8 @@ void check_relatives(const Description& in) {
 /// Without a variable there is nothing to assemble.
 void check_moving(const Description& in) {
   const auto fixed = [](const Entity& e) { return e.fixed; };
-  if (std::all_of(in.entities.begin(), in.entities.end(), fixed))
+  const auto free = [](const Relative& r) { return r.kind == Relative::Kind::free; };
+  if (std::ranges::all_of(in.entities, fixed) && std::ranges::none_of(in.relatives, free))
     refuse(in.entities.empty() ? "" : in.entities.back().where,
            "every point and vector is fixed; allowed is a mechanism with one that moves");
 }

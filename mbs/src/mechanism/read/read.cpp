@@ -43,8 +43,10 @@ Description Reader::read() {
   root.section("view");  // for whoever draws it
   root.refuse_unknown();
   refuse_unused_inputs(root);
-  if (to_.bodies.empty() && to_.masses.empty())
-    root.missing("rods", "a table [rods.NAME], [bodies.NAME] or [masses.NAME] for each body");
+  if (to_.bodies.empty() && to_.masses.empty() && to_.inertias.empty())
+    root.missing("rods",
+                 "a table [rods.NAME], [bodies.NAME] or [masses.NAME] for each body, or [coordinates.NAME] "
+                 "with inertia");
   return std::move(to_);
 }
 
