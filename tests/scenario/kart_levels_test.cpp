@@ -17,19 +17,14 @@ using test::SceneRun;
 /// Pitch [deg] over the manoeuvre, the kart at 1 ms. Its plate's angle over that of the start is scaled.
 std::vector<double> coupled_pitch(const std::string& source, double scale,
                                   std::vector<std::string> settings = {}) {
-  const test::Scratch folder;
   std::string values;
   for (const double angle : {3.0, 3.0, 10.5, 10.5, 4.5, 4.5, 14.0, 14.0})
     values += fmt::format("{}, ", 3.0 + scale * (angle - 3.0));
-  folder.write("throttle.toml",
-               "[blocks]\nplate = { kind = \"piecewise_linear\", times = [0, 0.5, 1.2, 4, "
-               "4.5, 7.75, 8.05, 10], values = [" +
-                   values +
-                   "], low = 0, high = 50 }\n[outputs]\nthrottle = { unit = \"deg\", "
-                   "from = \"plate\" }\n");
   settings.insert(settings.end(),
                   {"subsystems.kart.source=" + source, "subsystems.kart.parameters.step=1e-3",
-                   "subsystems.engine.parameters.throttle=" + (folder.path() / "throttle.toml").string()});
+                   "subsystems.engine.inputs.throttle={ times = [0, 0.5, 1.2, 4, 4.5, 7.75, 8.05, 10], "
+                   "values = [" +
+                       values + "] }"});
   const SceneRun run(kart_folder + "kart.toml", settings);
   EXPECT_EQ(run.said().status, 0) << run.said().err;
   auto pitch = run.column("kart.pitch");

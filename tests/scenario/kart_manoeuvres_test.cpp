@@ -50,7 +50,7 @@ TEST(KartManoeuvres, ASlalomSwingsBothWays) {
 TEST(KartManoeuvres, AControllerHoldsTheSpeedByTheThrottle) {
   const SceneRun run(kart_folder + "cruise.toml");
   ASSERT_EQ(run.said().status, 0) << run.said().err;
-  const auto& time = run.column("time");
+  const auto& time = run.times();
   const auto before = std::lower_bound(time.begin(), time.end(), 8.0 - 1e-9) - time.begin();
   EXPECT_NEAR(run.column("kart.speed").at(static_cast<std::size_t>(before)), 9.0, 0.15);
   EXPECT_NEAR(run.last("kart.speed"), 12.0, 0.2);

@@ -23,6 +23,7 @@ class SceneRun {
     const auto at = std::find(table_.names.begin(), table_.names.end(), name) - table_.names.begin();
     return table_.columns.at(static_cast<std::size_t>(at));
   }
+  const std::vector<double>& times() const { return table_.times; }
   double last(const std::string& name) const { return column(name).back(); }
 
  private:

@@ -26,13 +26,16 @@ Swings swings(const std::string& text) {
   return found;
 }
 
-const Replaced no_rolling = {{"rolling = 0.02", "rolling = 0"}};
+const Replaced no_rolling_in_the_plane = {{"rolling = 0.02", "rolling = 0"}};
+const Replaced no_rolling = {{"rolling = { value = 0.02", "rolling = { value = 0"}};
 
 /// Wheel rates and dampers of level ii; springs carry the sprung mass alone at their length at rest.
-const Replaced springs_of_level_ii = {{"stiffness = 13500, damping = 410, free = 0.34990",
-                                       "stiffness = 13796, damping = 379.5, free = 0.348112"},
-                                      {"stiffness = 16600, damping = 500, free = 0.38519",
-                                       "stiffness = 17049, damping = 462, free = 0.382755"}};
+const Replaced springs_of_level_ii = {{"spring_front = { value = 13500", "spring_front = { value = 13796"},
+                                      {"damper_front = { value = 410", "damper_front = { value = 379.5"},
+                                      {"free_front = { value = 0.34990", "free_front = { value = 0.348112"},
+                                      {"spring_rear = { value = 16600", "spring_rear = { value = 17049"},
+                                      {"damper_rear = { value = 500", "damper_rear = { value = 462"},
+                                      {"free_rear = { value = 0.38519", "free_rear = { value = 0.382755"}};
 
 /// Arms weigh nothing, the uprights have their mass at the wheel centres.
 const Replaced mass_at_wheels = {{"mass = 0.3 }", "mass = 1e-6 }"},
@@ -55,7 +58,7 @@ Swings of_level_iii(const std::vector<Replaced>& without) {
 
 /// What is left is the arcs on which the arms lead the wheels: 0.1 % of the frequencies.
 TEST(KartLevels, LevelIIIWithoutWhatItHasMoreSwingsAsLevelII) {
-  const Swings plane = swings(kart_text("plane", no_rolling));
+  const Swings plane = swings(kart_text("plane", no_rolling_in_the_plane));
   const Swings space =
       of_level_iii({without_lateral, no_rolling, springs_of_level_ii, mass_at_wheels, no_turning_inertia});
   for (const auto& [ii, iii] : {std::pair(plane.heave, space.heave), {plane.pitch, space.pitch}}) {
