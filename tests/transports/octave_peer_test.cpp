@@ -46,6 +46,33 @@ TEST(OctavePeer, AnErrorOfTheModelIsOneSentence) {
                       [] { open(spawned_octave("mass2.m", "&m=1"), all_sources()); }));
 }
 
+/// A model of one output, `x`, whose struct has these lines besides.
+std::unique_ptr<Subsystem> small_model(const std::string& lines) {
+  const Scratch folder;
+  const auto file =
+      folder.write("small.m",
+                   "1;\nfunction m = make (p)\n  m.name = 'small';\n  m.inputs = {};\n  m.h = 1;\n"
+                   "  m.start = @(t, u) 1;\n  m.step = @(x, t, e, h, u) x;\n  m.values = @(x) x;\n" +
+                       lines + "endfunction\nexit (tandem_serve (@make, {}));\n");
+  auto words = octave_program("mass2.m");
+  words.back() = file.string();
+  std::string line = "spawn:";
+  for (const std::string& word : words) line += word + " ";
+  return open(line + "?deadline=30", all_sources());
+}
+
+TEST(OctavePeer, OutputsHaveTheirUsualMagnitudes) {
+  EXPECT_EQ(small_model("  m.outputs = {'x', 'N', 0, 2.5e5};\n")->info().outputs[0].nominal, 2.5e5);
+  EXPECT_EQ(small_model("  m.outputs = {'x', 'N'};\n")->info().outputs[0].nominal, 1.0);
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"a nominal value of an output is no number above 0"},
+                      [] { small_model("  m.outputs = {'x', 'N', 0, -1};\n"); }));
+}
+
+TEST(OctavePeer, AFieldThatIsMisspeltIsRefused) {
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"the model's field 'latancy' is not known", "latency"},
+                      [] { small_model("  m.outputs = {'x', 'N'};\n  m.latancy = 1;\n"); }));
+}
+
 /// What Octave prints in a folder of its own after these words of a command.
 std::string printed(const std::vector<std::string>& words, const Scratch& folder) {
   std::string line = "cd '" + folder.path().string() + "' && HOME='" + folder.path().string() + "'";

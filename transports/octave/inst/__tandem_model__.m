@@ -11,6 +11,11 @@ function model = __tandem_model__ (make, declared, text)
   if (! isempty (lacks))
     error ("the model has no field '%s'; needed are %s", lacks{1}, strjoin (wanted, ", "));
   endif
+  known = [wanted, {"feedthrough", "sampled", "offset", "latency"}];
+  others = setdiff (fieldnames (model)', known);
+  if (! isempty (others))
+    error ("the model's field '%s' is not known; allowed are %s", others{1}, strjoin (known, ", "));
+  endif
   if (! ischar (model.name))
     error ("the model's name is no text");
   endif
@@ -28,8 +33,11 @@ function model = __tandem_model__ (make, declared, text)
       error ("model '%s': %s is no function handle", model.name, field{1});
     endif
   endfor
-  model.inputs = ports (model, "inputs", NaN);
-  model.outputs = ports (model, "outputs", 0);
+  model.inputs = ports (model, "inputs", {NaN});
+  model.outputs = ports (model, "outputs", {0, 1});
+  if (! all ([model.outputs{:,4}] > 0) || ! all (isfinite ([model.outputs{:,4}])))
+    error ("model '%s': a nominal value of an output is no number above 0", model.name);
+  endif
   model.feedthrough = feedthrough (model);
 endfunction
 
@@ -85,20 +93,21 @@ function parameters = read_parameters (text)
   endfor
 endfunction
 
-function rows = ports (model, field, third)
+## A row for each: name, unit and numbers, of which the last ones may be left out.
+function rows = ports (model, field, usual)
   rows = model.(field);
+  most = 2 + columns (usual);
   if (isempty (rows))
-    rows = cell (0, 3);
+    rows = cell (0, most);
   endif
-  if (columns (rows) == 2)
-    rows(:,3) = {third};
+  if (! iscell (rows) || columns (rows) < 2 || columns (rows) > most || ! iscellstr (rows(:,1:2))
+      || ! all (cellfun (@(x) isnumeric (x) && isscalar (x), rows(:,3:end))(:)))
+    error ("model '%s': %s is not a cell array with a row {name, unit} for each, and up to %d numbers behind them",
+           model.name, field, most - 2);
   endif
-  if (! iscell (rows) || columns (rows) != 3 || ! iscellstr (rows(:,1:2))
-      || ! all (cellfun (@(x) isnumeric (x) && isscalar (x), rows(:,3))))
-    error ("model '%s': %s is not a cell array with a row {name, unit} or {name, unit, number} for each",
-           model.name, field);
-  endif
-  rows(:,3) = cellfun (@double, rows(:,3), "UniformOutput", false);
+  given = columns (rows);
+  rows(:,given+1:most) = repmat (usual(given-1:end), size (rows, 1), 1);
+  rows(:,3:end) = cellfun (@double, rows(:,3:end), "UniformOutput", false);
 endfunction
 
 function pairs = feedthrough (model)

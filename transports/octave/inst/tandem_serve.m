@@ -13,7 +13,8 @@
 ##
 ##   name         its name
 ##   inputs       a row for each input: {"name", "unit"} or {"name", "unit", start}
-##   outputs      a row for each output: {"name", "unit"} or {"name", "unit", how many time derivatives it gives}
+##   outputs      a row for each output: {"name", "unit"}, behind it how many time derivatives it gives (0), and its
+##                usual magnitude (1)
 ##   feedthrough  pairs [output, input] of numbers from 1; may be left out
 ##   h            length of its own step, in s
 ##   start        state = start (t, u0): the state at the start, any value of Octave; u0 has NaN where nothing is known

@@ -23,6 +23,15 @@ static tandem_port* ports_of(const mxArray* cells, int32_t* count, int inputs) {
   return ports;
 }
 
+double* nominal_of(const mxArray* user) {
+  const mxArray* const cells = mxGetField(user, 0, "outputs");
+  const size_t rows = mxGetM(cells);
+  double* const all = calloc(rows + 1, sizeof *all);
+  size_t k;
+  for (k = 0; all && k < rows; ++k) all[k] = mxGetScalar(mxGetCell(cells, k + 3 * rows));
+  return all;
+}
+
 int read_info(const mxArray* user, tandem_info* info) {
   const mxArray* const pairs = mxGetField(user, 0, "feedthrough");
   const size_t count = mxGetM(pairs);

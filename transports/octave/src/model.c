@@ -18,6 +18,7 @@ typedef struct grid {
 typedef struct model {
   mxArray *user, *state;
   tandem_info info;
+  double* nominal;
   double h, offset, latency; /* the last two of a sampled one */
   double origin;             /* of the grid: the start, or the first instant */
   grid grid;
@@ -77,16 +78,19 @@ static tandem_status create(const char* parameters, void** self) {
   s->h = mxGetScalar(field(s, "h"));
   s->offset = mxGetScalar(field(s, "offset"));
   s->latency = mxGetScalar(field(s, "latency"));
-  return read_info(s->user, &s->info) ? TANDEM_OK : refuse(s, TANDEM_INTERNAL, "no memory%s", "");
+  s->nominal = nominal_of(s->user);
+  return read_info(s->user, &s->info) && s->nominal ? TANDEM_OK : refuse(s, TANDEM_INTERNAL, "no memory%s", "");
 }
 
 /* The arrays of Octave go with the call of "serve". */
 static void destroy(void* self) {
   model* const s = self;
   free_info(&s->info);
+  free(s->nominal);
   free(s);
 }
 static const tandem_info* info(void* self) { return &((model*)self)->info; }
+static const double* nominal(void* self) { return ((model*)self)->nominal; }
 static const char* last_error(void* self) { return ((model*)self)->error; }
 
 /* Width within which two times are the same, as subsystem.h says. */
@@ -303,6 +307,7 @@ static const tandem_subsystem_api model_api = {
     .sampling = sampling,
     .sample = sample,
     .parameters = parameters_of,
+    .nominal = nominal,
 };
 
 const tandem_subsystem_api* octave_model(mxArray* make, mxArray* parameters) {

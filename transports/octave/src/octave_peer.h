@@ -13,6 +13,8 @@ const tandem_subsystem_api* octave_model(mxArray* make, mxArray* parameters);
 /* What such a struct says of itself, without its texts, which are Octave's; 0 if there is no memory. */
 int read_info(const mxArray* user, tandem_info* info);
 void free_info(tandem_info* info);
+/* The usual magnitudes of its outputs, for free(); NULL if there is no memory. */
+double* nominal_of(const mxArray* user);
 /* The rows of __tandem_declared__.m, in memory that is Octave's. */
 tandem_parameter* parameters_in(const mxArray* cells);
 /* As tandem_info.m gives it. */
