@@ -51,10 +51,15 @@ void LibraryCall::refuse_rounding(int before) {
               "as it was");
 }
 
+void LibraryCall::return_from_exit() noexcept {
+  if (is_any_loaded() && tells_itself()) return_to_call(by_exit);
+}
+
 int LibraryCall::refuse_exit(int status) noexcept {
   if (!is_any_loaded()) return status;
   const bool its_own_end = own_status >= 0;
   if (its_own_end || !(current_ || own_status == not_yet)) return its_own_end ? own_status.load() : status;
+  return_from_exit();
   const char* who = current_ ? current_->library_ : "a library that was loaded";
   own_status = tells_itself() ? 1 : ended_by_library;
   static_cast<void>(std::fflush(nullptr));

@@ -61,6 +61,13 @@ void LibraryCall::guard_faults() noexcept {
       ::sigaction(one.signal, &ours, nullptr);
 }
 
+void LibraryCall::return_to_call(int cause) noexcept {
+  if (!returns || !current_ || !current_->back_) return;
+  faulted = true;
+  ::alarm(seconds_to_end);
+  siglongjmp(*current_->back_, cause);
+}
+
 /// By calls alone that a handler may make. A fault where no library is loaded ends the program as it would
 /// without a handler: there is none any more.
 void LibraryCall::fault(int signal) noexcept {
@@ -68,11 +75,7 @@ void LibraryCall::fault(int signal) noexcept {
     ::raise(signal);
     return;
   }
-  if (returns && current_ && current_->back_) {
-    faulted = true;
-    ::alarm(seconds_to_end);
-    siglongjmp(*current_->back_, signal);
-  }
+  return_to_call(signal);
   if (!tells_itself()) ::raise(signal);
   say("tandem: ");
   say(current_ ? current_->library_ : "a library that was loaded, or tandem itself,");
@@ -84,6 +87,8 @@ void LibraryCall::fault(int signal) noexcept {
 }
 
 void LibraryCall::refuse_fault(int signal) {
+  if (signal == by_exit)
+    throw Error(ErrorCode::internal, "it ended the program; allowed is to return. It is not called again");
   throw Error(ErrorCode::internal, std::string("it ") + what(signal) + " (signal " + std::to_string(signal) +
                                        "), and is not called again");
 }

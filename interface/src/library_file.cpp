@@ -72,7 +72,7 @@ void check_library_file(const std::filesystem::path& file, const std::string& na
   InputFile in(file, "library");
   Header header{};
   const bool whole_header = take(in, std::span(&header, 1));
-  if (!is_elf(header)) return;  // the loader says so
+  if (!is_elf(header) || (whole_header && header.e_type != ET_DYN)) return;  // the loader says so
   const std::uint64_t size = whole_header ? size_of_segments(in, header) : 0;
   if (size == 0 || in.size() < size)
     throw Error(ErrorCode::input_output,

@@ -1,8 +1,10 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 // A library of which every entry breaks the contract in its own way; x' = 0 otherwise, with a step of 0.1 s.
+// The file is long, as the ways are many and the entries of one library.
 #include <unistd.h>
 
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
@@ -138,6 +140,17 @@ const tandem_subsystem_api* reaches_for_nothing() {
   static const tandem_subsystem_api api =
       with([](void* self, double, std::int32_t, const tandem_signal*, tandem_samples* y, tandem_clock* c) {
         return after_ten(self, y, c, [] { *static_cast<volatile int*>(nullptr) = 1; });
+      });
+  return &api;
+}
+
+/// And closes a pipe that it writes to, which is a signal.
+const tandem_subsystem_api* goes_elsewhere() {
+  static const tandem_subsystem_api api =
+      with([](void* self, double, std::int32_t, const tandem_signal*, tandem_samples* y, tandem_clock* c) {
+        return after_ten(self, y, c, [] {
+          if (::chdir("/") == 0) std::raise(SIGPIPE);
+        });
       });
   return &api;
 }

@@ -39,9 +39,9 @@ class LibraryCall {
   LibraryCall& operator=(const LibraryCall&) = delete;
 
   /// Makes the call, once. In a program that has called return_from_faults() a fault in it is an
-  /// Error(internal) that says what it was. The program is to end soon then, without a call of any library:
-  /// nobody knows what the fault has left behind. Throws Error(numerical) if the call has changed how this thread rounds
-  /// numbers, and changes it back.
+  /// Error(internal) that says what it was, and so is its end of the program. The program is to end soon then,
+  /// without a call of any library: nobody knows what the fault has left behind. Throws Error(numerical) if the
+  /// call has changed how this thread rounds numbers, and changes it back.
   template <class Call>
   auto make(const Call& call) {
     sigjmp_buf back;
@@ -73,6 +73,9 @@ class LibraryCall {
   /// If it is not for this thread to end the program: tells so, and ends it with status 1. Else the status to
   /// end with. For who takes the place of _exit().
   static int refuse_exit(int status) noexcept;
+  /// If this thread is in a call that faults return from: does not return, but ends the call so. For who takes
+  /// the place of exit().
+  static void return_from_exit() noexcept;
 
  private:
   /// Whether one is loaded in this process, which is not one that a library has made.
@@ -80,6 +83,9 @@ class LibraryCall {
   static bool tells_itself() noexcept;
   static void guard_faults() noexcept;
   static void fault(int signal) noexcept;
+  /// Where this thread is in a call that faults return from: there, with this cause.
+  static void return_to_call(int cause) noexcept;
+  static constexpr int by_exit = -1;  ///< the cause that is no signal
   [[noreturn]] static void refuse_fault(int signal);
   [[noreturn]] static void refuse_rounding(int before);
 

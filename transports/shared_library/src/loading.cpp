@@ -7,13 +7,22 @@
 namespace tandem {
 namespace {
 
-/// What the system's loader says within what Boost says.
-std::string said_by_loader(const std::string& text) {
-  const std::string before = "message: ", after = "): ";
-  const auto begin = text.find(before), end = text.rfind(after);
-  return begin < end && end != std::string::npos
-             ? text.substr(begin + before.size(), end - begin - before.size())
-             : text;
+/// In words of the user's, of what the system's loader says.
+std::string why_not_loaded(const std::string& said) {
+  const auto named = [&](const std::string& before) {
+    const auto begin = said.find(before) + before.size();
+    return "'" + said.substr(begin, said.find_first_of(":) \n", begin) - begin) + "'";
+  };
+  const std::string symbol = "undefined symbol: ", needed = "cannot open shared object file";
+  if (said.find(symbol) != std::string::npos)
+    return "it needs the function " + named(symbol) + ", which neither it nor a library that it names has";
+  if (said.find("invalid ELF header") != std::string::npos ||
+      said.find("file too short") != std::string::npos || said.find("wrong ELF class") != std::string::npos ||
+      said.find("only ET_DYN") != std::string::npos)
+    return "it is no shared library of this machine's kind";
+  if (said.find(needed) != std::string::npos)
+    return "a library that it needs is not found: " + named("message: ");
+  return "the system's loader refuses it";
 }
 
 }  // namespace
@@ -36,7 +45,7 @@ boost::dll::shared_library load_library(const std::filesystem::path& file, const
   try {
     return boost::dll::shared_library(from, load_mode::rtld_now | load_mode::rtld_local | how);
   } catch (const std::exception& error) {
-    throw Error(ErrorCode::input_output, name + " can't be loaded: " + said_by_loader(error.what()));
+    throw Error(ErrorCode::input_output, name + " can't be loaded: " + why_not_loaded(error.what()));
   }
 }
 
