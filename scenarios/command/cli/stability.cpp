@@ -5,6 +5,7 @@
 #include <cmath>
 #include <thread>
 
+#include "cli/positive.hpp"
 #include "cli/say.hpp"
 #include "cli/study_file.hpp"
 #include "cli/sweep_study.hpp"
@@ -67,8 +68,9 @@ void tell_largest(const scenario::Scenario& scenario, const Builtins& builtins) 
     else if (std::isinf(largest.factor))
       say("\nlargest stable step: any, up to {} times the scenario's steps\n", largest_factor);
     else
-      say("\nlargest stable step: {:.6g} s, {} ({:.6g} s here), the others in proportion\n",
-          largest.factor * largest.step, whose, largest.step);
+      say("\nlargest stable step: {}{:.6g} s, {} ({:.6g} s here), the others in proportion\n",
+          largest.beyond.empty() ? "" : "at least ", largest.factor * largest.step, whose, largest.step);
+    if (!largest.beyond.empty()) say("longer steps could not be looked at: {}\n", largest.beyond);
   } catch (const Error& error) {
     say("\nlargest stable step: not known; {}\n", error.what());
   }
@@ -100,7 +102,9 @@ void add_stability(CLI::App& app, Context& context) {
   auto* command = app.add_subcommand(
       "stability", "Tell whether a scenario's scheme is stable, and what it does to each mode");
   auto options = std::make_shared<StabilityOptions>();
-  command->add_option("scenario", options->file, "The scenario, a TOML file or a system of SSP")->required()->type_name("FILE");
+  command->add_option("scenario", options->file, "The scenario, a TOML file or a system of SSP")
+      ->required()
+      ->type_name("FILE");
   command->add_option("--set", options->overrides, "Set a value of the file, as in run (repeatable)")
       ->type_name("KEY=VALUE")
       ->expected(1)
@@ -117,7 +121,7 @@ void add_stability(CLI::App& app, Context& context) {
                    "Of --map: folder for the table and the chart (default: results/FOLDER, that of the file)")
       ->type_name("DIR");
   command->add_option("--threads", options->threads, "Of --map: rows that are made at a time")
-      ->check(CLI::Range(1U, 1024U));
+      ->check(threads);
   command->footer("Exit status: 0, also of an unstable one; 2 for what is wrong before.");
   command->callback([options, &context] {
     if (!options->map.empty()) return draw_map(*options, context);

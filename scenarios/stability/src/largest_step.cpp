@@ -15,32 +15,52 @@ namespace {
 
 using scenario::Scenario;
 
-bool is_stable(Scenario scenario, const Builtins& builtins, double rate, double factor) {
-  scenario::scale_steps(scenario, builtins, factor);
-  const SuperStep step = super_step(scenario, builtins);
-  return is_stable(step, step.radius(), rate);
+double smallest_factor(const Stability& here) {
+  const SuperStep& step = here.step;
+  if (std::ranges::find(step.sampled, true) != step.sampled.end())
+    return is_stable(step, here.radius, here.rate) ? 1.0 : 1.0 / 16.0;
+  return step.linear ? 1e-3 : 1.0 / 32.0;
 }
 
-double smallest_factor(const SuperStep& step) {
-  const bool samples = std::find(step.sampled.begin(), step.sampled.end(), true) != step.sampled.end();
-  return samples ? 1.0 / 16.0 : step.linear ? 1e-3 : 1.0 / 32.0;
-}
+/// A scan, then bisection.
+class Search {
+ public:
+  Search(const Scenario& scenario, const Builtins& builtins, double rate)
+      : scenario_(scenario), builtins_(builtins), rate_(rate) {}
 
-double largest_factor_of(const Scenario& scenario, const Builtins& builtins, double rate, double smallest) {
-  constexpr double scan = 1.1, precision = 1e-6;
-  double good = smallest;
-  if (!is_stable(scenario, builtins, rate, good)) return 0.0;
-  double bad = good * scan;
-  for (; is_stable(scenario, builtins, rate, bad); bad *= scan) {
-    if (bad > largest_factor) return std::numeric_limits<double>::infinity();
-    good = bad;
+  /// The factor; `beyond` says why no larger one could be looked at.
+  double from(double smallest, std::string& beyond) const {
+    constexpr double scan = 1.1, precision = 1e-6;
+    if (!is_stable(smallest)) return 0.0;
+    double good = smallest, bad = good * scan;
+    try {
+      for (; is_stable(bad); bad *= scan) {
+        if (bad > largest_factor) return std::numeric_limits<double>::infinity();
+        good = bad;
+      }
+    } catch (const Error& error) {
+      beyond = error.what();
+      return good;
+    }
+    while (bad > good * (1.0 + precision)) {
+      const double middle = std::sqrt(good * bad);
+      (is_stable(middle) ? good : bad) = middle;
+    }
+    return good;
   }
-  while (bad > good * (1.0 + precision)) {
-    const double middle = std::sqrt(good * bad);
-    (is_stable(scenario, builtins, rate, middle) ? good : bad) = middle;
+
+ private:
+  bool is_stable(double factor) const {
+    Scenario scaled = scenario_;
+    scenario::scale_steps(scaled, builtins_, factor);
+    const SuperStep step = super_step(scaled, builtins_);
+    return stability::is_stable(step, step.radius(), rate_);
   }
-  return good;
-}
+
+  const Scenario& scenario_;
+  const Builtins& builtins_;
+  double rate_;
+};
 
 /// The first of an order that is given, or the one with the longest own step, or the shortest where that leads.
 std::size_t leader(const Scenario& scenario, const SuperStep& step) {
@@ -71,18 +91,19 @@ LargestStep largest_step(const Scenario& scenario, const Builtins& builtins) {
         "an impulse coupling grows and dies out by turns as steps change, by 1e-8 to 1e-5 each super-step");
   const Stability here = stability(scenario, builtins);
   const SuperStep& step = here.step;
-  const double smallest = smallest_factor(step),
-               factor = largest_factor_of(scenario, builtins, here.rate, smallest);
+  const double smallest = smallest_factor(here);
+  std::string beyond;
+  const double factor = Search(scenario, builtins, here.rate).from(smallest, beyond);
   const auto length = [&](std::size_t i) { return step.period / static_cast<double>(step.steps[i]); };
   if (scenario.coordination.schedule == Schedule::Kind::parallel) {
     double largest = 0.0;
     for (std::size_t i = 0; i < step.steps.size(); ++i)
       if (!step.sampled[i]) largest = std::max(largest, length(i));
     return {factor, smallest, "communication step",
-            scenario.coordination.communication_step.value_or(largest)};
+            scenario.coordination.communication_step.value_or(largest), beyond};
   }
   const std::size_t first = leader(scenario, step);
-  return {factor, smallest, scenario.subsystems[first].name, length(first)};
+  return {factor, smallest, scenario.subsystems[first].name, length(first), beyond};
 }
 
 }  // namespace tandem::stability
