@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""directions.py: whether the sources of each floor include no more than what stands below it, and the upper floor's
-targets name their sources."""
+"""directions.py: whether the sources of each floor include no more than what stands below it, the upper floor's
+targets name their sources, and the exported scenario library's headers show no type of another library."""
 import pathlib
 import re
 import sys
@@ -37,7 +37,7 @@ FLOORS = {
                ["interface", "text", "transports", "mbs", "mbs_subsystem", "engine", "engine_subsystem", "sources",
                 "output", "scenario", "study"]),
     "view": ("scenarios/view",
-             ["interface", "text", "mbs", "sources", "output", "scenario", "models"]),
+             ["interface", "text", "transports", "mbs", "sources", "output", "scenario", "models"]),
     "command": ("scenarios/command", None),  # all
 }
 LISTED = ["output", "ssp", "exported", "export", "scenario", "charts", "identification", "stability", "study", "advice", "models", "view", "command", "sources"]
@@ -92,9 +92,29 @@ def unlisted(files):
                 yield f"{file.relative_to(ROOT)} is in no target"
 
 
+def foreign_types():
+    """Headers of the exported scenario library that reach one of another library."""
+    folder = ROOT / "scenarios/scenario"
+    roots = [folder / "include", *(ROOT / top / "include" for top in ("interface", "interface/text", "transports"))]
+    exported = re.findall(r"include/(tandem/\S+\.hpp)", (folder / "CMakeLists.txt").read_text())
+
+    def reached(name, seen):
+        file = next((root / name for root in roots if (root / name).exists()), None)
+        if file and name not in seen:
+            seen.add(name)
+            for inner in re.findall(r'^#include [<"]([^>"]+)[>"]', file.read_text(), re.M):
+                yield inner
+                yield from reached(inner, seen)
+
+    for name in exported:
+        for inner in reached(name, set()):
+            if inner.split("/")[0] in ("toml++", "fmt", "nlohmann", "boost", "Eigen", "spdlog", "muParser.h"):
+                yield f"{name} of the exported scenario library reaches {inner}"
+
+
 def main():
     files = list(sources())
-    wrong = [*wrong_includes(files), *unlisted(files)]
+    wrong = [*wrong_includes(files), *unlisted(files), *foreign_types()]
     print(*wrong, sep="\n") if wrong else print(f"{len(files)} files")
     return bool(wrong) or len(files) < 400
 

@@ -15,8 +15,12 @@
 namespace tandem {
 namespace {
 
+std::string not_written(const std::filesystem::path& file, const std::string& why) {
+  return "file '" + file.string() + "' can't be written: " + why;
+}
+
 [[noreturn]] void fail(const std::filesystem::path& file, const std::string& why) {
-  throw Error(ErrorCode::input_output, "file '" + file.string() + "' can't be written: " + why);
+  throw Error(ErrorCode::input_output, not_written(file, why));
 }
 
 int flags_of(OutputFile::Begin begin) {
@@ -55,7 +59,11 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::require(bool done) const {
-  if (!done) fail(path_, std::generic_category().message(errno));
+  if (done) return;
+  const int number = errno;
+  const std::string why = number == EISDIR ? "it is a folder" : std::generic_category().message(number);
+  if (number == ENOSPC || number == EDQUOT || number == EFBIG) throw NoRoom(not_written(path_, why));
+  fail(path_, why);
 }
 
 void OutputFile::write(std::string_view bytes) {

@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <string_view>
 
@@ -18,6 +19,7 @@
 #include "cli/log_file.hpp"
 #include "sources/all.hpp"
 #include "sources/this_program.hpp"
+#include "tandem/coordinator/bounds.hpp"
 #include "tandem/error.hpp"
 #include "tandem/library_file.hpp"
 #include "tandem/nearest.hpp"
@@ -82,6 +84,11 @@ std::vector<std::string> commands(const CLI::App& app) {
   return names;
 }
 
+std::string command_of(const CLI::App& app) {
+  const auto used = app.get_subcommands();
+  return used.empty() ? "tandem" : "tandem " + used.front()->get_name();
+}
+
 tandem::Builtins sources(const tandem::cli::Context& context) {
   tandem::Builtins all = tandem::all_sources(
       {context.allow_plaintext, [](const std::string& what) { spdlog::warn("{}", what); }});
@@ -135,7 +142,8 @@ int run(int argc, char** argv) {
     if (app.get_subcommands().empty() && !rest.empty() && !rest[0].starts_with('-'))
       throw tandem::Error(tandem::ErrorCode::invalid_argument,
                           tandem::unknown("command", rest[0], commands(app)));
-    app.exit(error);
+    if (error.get_name() == "RuntimeError") return 2;  // it is told
+    spdlog::error("tandem: {}; {} --help tells what is allowed", error.what(), command_of(app));
     return 2;
   }
   return 0;
@@ -149,12 +157,21 @@ int run_and_report(int argc, char** argv) {
   } catch (const tandem::cli::RunFailed& failure) {
     spdlog::error("tandem: {}", failure.what());
     return 1;
+  } catch (const tandem::NoRoom& full) {
+    spdlog::error("tandem: {}", full.what());
+    return 1;
+  } catch (const tandem::Diverged& diverged) {
+    spdlog::error("tandem: {}", diverged.what());
+    return 1;
+  } catch (const std::filesystem::filesystem_error& error) {
+    spdlog::error("tandem: '{}': {}", error.path1().string(), error.code().message());
+    return 2;
   } catch (const std::bad_alloc& shortage) {
     spdlog::error("tandem: {}", tandem::sentence_of(shortage));
     return 1;
   } catch (const std::exception& error) {
     spdlog::error("tandem: {}", error.what());
-    return 2;
+    return tandem::LibraryCall::has_faulted() ? 1 : 2;
   }
 }
 

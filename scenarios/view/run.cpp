@@ -11,6 +11,8 @@
 #include "tandem/mbs/mechanism/read.hpp"
 #include "tandem/scenario/about.hpp"
 #include "tandem/text/file_parameters.hpp"
+#include "tandem/transports/open.hpp"
+#include "tandem/transports/source_uri.hpp"
 
 namespace tandem::view {
 namespace {
@@ -21,23 +23,31 @@ namespace fs = std::filesystem;
   throw Error(code, sentence);
 }
 
-/// Name and source of each subsystem; a mechanism that ran alone is its own source.
-std::vector<std::pair<std::string, std::string>> sources(const nlohmann::json& values, const fs::path& file) {
-  std::vector<std::pair<std::string, std::string>> all;
+struct RunSource {
+  std::string instance, uri;
+};
+
+/// Of each subsystem; a mechanism that ran alone is its own source.
+std::vector<RunSource> sources(const nlohmann::json& values, const fs::path& file) {
+  std::vector<RunSource> all;
   if (values.contains("dimension"))
-    all.emplace_back(file.stem().string(), "mechanism:" + file.filename().string());
+    all.push_back({file.stem().string(), "mechanism:" + file.filename().string()});
   if (values.contains("subsystems"))
     for (const auto& [name, entry] : values["subsystems"].items())
-      all.emplace_back(name, entry.value("source", ""));
+      all.push_back({name, entry.value("source", "")});
   return all;
 }
 
-/// What the run gave to a mechanism: in the scenario's tables of parameters, or in the table [run] of its
-/// file.
-std::optional<text::FileValue> value_of(const nlohmann::json& values, const std::string& instance,
-                                        const std::string& name) {
+/// What the run gave to a mechanism: in its URI, in the scenario's tables of parameters, or in the table [run]
+/// of its file.
+std::optional<text::FileValue> value_of(const RunSource& source, Parameters& of_uri,
+                                        const text::FileParameter& parameter, const nlohmann::json& values) {
+  const std::string& name = parameter.name;
+  if (of_uri.has(name))
+    return std::holds_alternative<double>(parameter.value) ? text::FileValue(of_uri.number(name, 0.0))
+                                                           : text::FileValue(of_uri.text(name, ""));
   const nlohmann::json subsystems = values.value("subsystems", nlohmann::json::object());
-  const nlohmann::json own = subsystems.value(instance, nlohmann::json::object());
+  const nlohmann::json own = subsystems.value(source.instance, nlohmann::json::object());
   for (const auto& table :
        {own.value("parameters", nlohmann::json::object()),
         values.value(subsystems.empty() ? "run" : "parameters", nlohmann::json::object())})
@@ -48,17 +58,19 @@ std::optional<text::FileValue> value_of(const nlohmann::json& values, const std:
   return std::nullopt;
 }
 
-RunMechanism read_mechanism(const std::string& instance, const fs::path& file, const fs::path& results,
+RunMechanism read_mechanism(const RunSource& source, const fs::path& folder, const fs::path& results,
                             const nlohmann::json& values) {
+  const fs::path file = folder / SourceUri(source.uri).place;
   if (!fs::exists(file))
     refuse(
         fmt::format("file '{}' of the mechanism '{}', which {} names, is not there; run 'tandem view' in "
                     "the folder where 'tandem run' was run, or say --plots-only",
-                    file.string(), instance, (results / "results.json").string()));
+                    file.string(), source.instance, (results / "results.json").string()));
   const text::Document document(file);
+  Parameters of_uri = query_of(source.uri);
   const auto given = text::given_values(
-      document, [&](const text::FileParameter& p) { return value_of(values, instance, p.name); });
-  RunMechanism mechanism{instance, file, mbs::read_mechanism(document, element_kinds(), given), {}};
+      document, [&](const text::FileParameter& p) { return value_of(source, of_uri, p, values); });
+  RunMechanism mechanism{source.instance, file, mbs::read_mechanism(document, element_kinds(), given), {}};
   mechanism.view = read_view(document, mechanism.description);
   return mechanism;
 }
@@ -118,12 +130,9 @@ void read_mechanisms(Run& run) {
   if (!run.about.contains("scenario")) return;
   const nlohmann::json& scenario = run.about["scenario"];  // with values: read_about()
   const fs::path file = scenario.value("file", "");
-  constexpr std::string_view scheme = "mechanism:";
-  for (const auto& [name, source] : sources(scenario["values"], file)) {
-    if (!source.starts_with(scheme)) continue;
-    const std::string path = source.substr(scheme.size(), source.find('?') - scheme.size());
-    run.mechanisms.push_back(read_mechanism(name, file.parent_path() / path, run.place, scenario["values"]));
-  }
+  for (const RunSource& source : sources(scenario["values"], file))
+    if (SourceUri(source.uri).scheme == "mechanism")
+      run.mechanisms.push_back(read_mechanism(source, file.parent_path(), run.place, scenario["values"]));
   const auto order = order_of(run);
   const auto place = [&](const RunMechanism& mechanism) {
     const auto it = order.find(mechanism.instance);

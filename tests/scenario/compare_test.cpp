@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "command.hpp"
+#include "refusal.hpp"
+#include "tandem/scenario/comparison.hpp"
 
 namespace tandem {
 namespace {
@@ -52,6 +54,24 @@ TEST_F(CompareCommand, BadInputIsStatusTwo) {
   refused({"compare", "a.csv", "broken.csv"}, "broken.csv:3: column 2 holds something else");
   refused({"compare", "a.csv", "nowhere.csv"}, "'nowhere.csv' is not there");
   refused({"compare", "a.csv", "b.csv", "--tolerance", "-1"}, "--tolerance");
+  refused({"compare", "a.csv", "b.csv", "--from", "nan"}, "times from nan to inf s are to be compared");
+  refused({"compare", "a.csv", "b.csv", "--to", "nan"}, "times from -inf to nan s are to be compared");
+  refused({"compare", "a.csv", "b.csv", "--from", "3"}, "from 3 to inf s count");
+  for (const char* shift : {"0", "-1", "nan", "inf", "x"})
+    refused({"compare", "a.csv", "b.csv", "--shift", shift}, "tandem: --shift: '");
+}
+
+/// The sum of three tenths is later than 0.3 by rounding.
+TEST_F(CompareCommand, AWindowEndsWithRounding) {
+  folder.write("c.csv", "time,x\n0,1\n0.30000000000000004,7\n");
+  folder.write("d.csv", "time,x\n0,1\n0.30000000000000004,1\n");
+  EXPECT_EQ(tandem(folder, {"compare", "c.csv", "d.csv", "--to", "0.3"}).status, 1);
+}
+
+TEST(Comparison, ATableWithoutRowsIsRefused) {
+  const text::TimeTable none{"none", {}, {"x"}, {{}}};
+  EXPECT_TRUE(test::refuses(ErrorCode::invalid_argument, {"none has no rows"},
+                            [&] { scenario::compare(none, none); }));
 }
 
 }  // namespace

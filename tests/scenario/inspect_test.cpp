@@ -167,8 +167,7 @@ TEST(Help, EveryCommandExplainsItsOptions) {
   expect_words(tandem(folder, {"validate", "--help"}), {"--set"});
   expect_words(tandem(folder, {"info", "--help"}), {"SOURCE|FILE"});
   expect_words(tandem(folder, {"list", "--help"}), {"DIR"});
-  expect_words(tandem(folder, {"sweep", "--help"}),
-               {"study", "--table", "--resume", "--threads", "--where"});
+  expect_words(tandem(folder, {"sweep", "--help"}), {"study", "--table", "--resume", "--threads", "--where"});
   expect_words(tandem(folder, {"ladder", "--help"}), {"--set", "--output", "--repetitions", "Exit status"});
   expect_words(tandem(folder, {"chart", "--help"}), {"study", "--results", "--png", "gnuplot"});
   expect_words(tandem(folder, {"bench", "--help"}), {"exchange", "two_mass", "--output"});

@@ -94,5 +94,72 @@ TEST(LadderCommand, TakesANumberForAQuantityThatAModelDoesNotMove) {
   EXPECT_TRUE(contains(wrong.err, "the output, or the number, that it is here")) << wrong.err;
 }
 
+/// One sine in rad and in degrees, and as a file whose heading has the unit: none is off.
+class LadderUnits : public testing::Test {
+ protected:
+  LadderUnits() {
+    for (const auto& [unit, amplitude] : {std::pair{"rad", "1"}, {"deg", "57.29577951308232"}})
+      folder.write(std::string(unit) + ".toml",
+                   std::string("[blocks]\ny = { kind = 'sine', frequency = 1, amplitude = ") + amplitude +
+                       " }\n[outputs]\ny = { unit = '" + unit + "' }\n");
+  }
+  Said climb(const std::string& richest, const std::vector<std::string>& more = {}) const {
+    folder.write(
+        "l.toml",
+        "[subsystems.d]\nsource = 'diagram:rad.toml'\nparameters = { step = 0.125 }\n[span]\nstop = 1\n"
+        "[[ladder.judged]]\nquantity = 'd.y'\ntolerance = 1e-9\nunit = 'deg'\n"
+        "[[ladder.rungs]]\nname = 'first'\nset = ['subsystems.d.source=diagram:deg.toml']\n"
+        "[[ladder.rungs]]\nname = 'rich'\n" +
+            richest);
+    std::vector<std::string> words = {"ladder", "l.toml", "--output", "o", "--repetitions", "0"};
+    words.insert(words.end(), more.begin(), more.end());
+    return tandem(folder, words);
+  }
+  const Scratch folder;
+};
+
+TEST_F(LadderUnits, AreThoseOfTheJudgeForEachRung) {
+  const Said said = climb("");
+  ASSERT_EQ(said.status, 0) << said.err;
+  EXPECT_TRUE(contains(said.out, "simplest within the tolerances: first")) << said.out;
+}
+
+TEST_F(LadderUnits, AreThoseOfTheHeadingOfAFile) {
+  ASSERT_EQ(climb("").status, 0);
+  std::string rows = read_text(folder.path() / "o/first/results.csv");
+  folder.write("in_deg.csv", "time,d.y [deg]" + rows.substr(rows.find('\n')));
+  Said said = climb("file = 'in_deg.csv'\n");
+  ASSERT_EQ(said.status, 0) << said.err;
+  EXPECT_TRUE(contains(said.out, "simplest within the tolerances: first")) << said.out;
+  folder.write("in_kg.csv", "time,d.y [kg]" + rows.substr(rows.find('\n')));
+  said = climb("file = 'in_kg.csv'\n");
+  EXPECT_EQ(said.status, 2);
+  EXPECT_TRUE(contains(said.err, "rung 'rich' gives d.y in 'kg'")) << said.err;
+  said = climb("file = 'o/first'\n");
+  EXPECT_EQ(said.status, 2);
+  EXPECT_TRUE(contains(said.err, "where the ladder writes")) << said.err;
+}
+
+TEST_F(LadderUnits, AndTolerancesAreSetFromTheCommandLine) {
+  ASSERT_EQ(climb("", {"--set", "ladder.judged[0].tolerance=7"}).status, 0);
+  EXPECT_TRUE(contains(read_text(folder.path() / "o/ladder.csv"), ",7,"))
+      << read_text(folder.path() / "o/ladder.csv");
+  EXPECT_EQ(climb("", {"--set", "ladder.judged[0].tolerace=7"}).status, 2);
+}
+
+/// What an earlier ladder said is not beside rows that it does not know.
+TEST_F(LadderUnits, AnOldVerdictGoesBeforeTheFirstRun) {
+  ASSERT_EQ(climb("").status, 0);
+  folder.write("grows.toml",
+               "[blocks]\nfast = { kind = 'gain', input = 'y', gain = 100 }\n"
+               "y = { kind = 'integrator', input = 'fast', initial = 1 }\n[outputs]\ny = { unit = 'rad' }\n");
+  const Said said =
+      climb("set = ['subsystems.d.source=diagram:grows.toml', 'subsystems.d.parameters.step=1e-3']\n");
+  EXPECT_EQ(said.status, 1) << said.out << said.err;
+  EXPECT_TRUE(contains(said.err, "the richest rung 'rich' failed")) << said.err;
+  for (const char* name : {"ladder.csv", "verdict.txt", "ladder.json"})
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "o" / name)) << name;
+}
+
 }  // namespace
 }  // namespace tandem

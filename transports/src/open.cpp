@@ -6,16 +6,13 @@
 #include "tandem/error.hpp"
 #include "tandem/nearest.hpp"
 #include "tandem/printable.hpp"
+#include "tandem/transports/source_uri.hpp"
 
 namespace tandem {
 namespace {
 
-/// Takes "?key=value&key=value" off the end of `text` into `parameters`.
-void take_query(const std::string& uri, std::string& text, Parameters& parameters) {
-  const auto mark = text.find('?');
-  if (mark == std::string::npos) return;
-  parameters.read(text.substr(mark + 1), "source '" + uri + "'");
-  text.resize(mark);
+void take_query(const std::string& uri, Parameters& to) {
+  if (uri.find('?') != std::string::npos) to.read(SourceUri(uri).query, "source '" + uri + "'");
 }
 
 [[noreturn]] void refuse_builtin(const std::string& name, const Builtins& builtins) {
@@ -33,15 +30,10 @@ std::string schemes(const Builtins& builtins) {
 
 /// A URI taken apart, with its parameters beside the others; those that are the source's own are declared.
 Address taken_apart(const std::string& uri, const Source& source, Opening& opening) {
-  const auto colon = uri.find(':');
-  Address address{uri,
-                  uri.substr(0, colon),
-                  uri.substr(colon + 1),
-                  opening.folder,
-                  opening.command,
-                  opening.overrides,
-                  opening.isolated};
-  take_query(uri, address.place, opening.parameters);
+  const SourceUri parts(uri);
+  Address address{
+      uri, parts.scheme, parts.place, opening.folder, opening.command, opening.overrides, opening.isolated};
+  take_query(uri, opening.parameters);
   opening.parameters.declare(source.words);
   opening.parameters.refuse_foreign(address.name());
   return address;
@@ -86,16 +78,14 @@ std::unique_ptr<Subsystem> open_isolated(std::string uri, const Source& source, 
 }  // namespace
 
 const Source& source_of(const std::string& uri, const Builtins& builtins) {
-  const auto colon = uri.find(':');
-  const std::string scheme = uri.substr(0, colon);
-  if (scheme == "builtin" && colon != std::string::npos) {
-    const std::string name = uri.substr(colon + 1, uri.find('?') - colon - 1);
-    const auto model = builtins.models.find(name);
-    if (model == builtins.models.end()) refuse_builtin(name, builtins);
+  const SourceUri parts(uri);
+  if (parts.scheme == "builtin") {
+    const auto model = builtins.models.find(parts.place);
+    if (model == builtins.models.end()) refuse_builtin(parts.place, builtins);
     return model->second;
   }
-  const auto source = builtins.schemes.find(scheme);
-  if (colon == std::string::npos || source == builtins.schemes.end())
+  const auto source = builtins.schemes.find(parts.scheme);
+  if (source == builtins.schemes.end())
     throw Error(ErrorCode::invalid_argument,
                 "source '" + uri + "' has a scheme that is not known; allowed is " + schemes(builtins));
   return source->second;
@@ -122,8 +112,7 @@ std::optional<Look> look_at(const std::string& uri, const Builtins& builtins, Op
 
 Parameters query_of(const std::string& uri) {
   Parameters all;
-  std::string text = uri;
-  take_query(uri, text, all);
+  take_query(uri, all);
   return all;
 }
 

@@ -66,12 +66,11 @@ bool is_plain(const std::string& text, const char* signs) {
               "parameter '" + name + "' is " + text_of(value) + "; allowed is a number " + allowed);
 }
 
-/// "prefix.*" stands for all that begin with "prefix.".
+}  // namespace
+
 bool stands_for(const std::string& word, const std::string& name) {
   return word.ends_with(".*") ? name.starts_with(word.substr(0, word.size() - 1)) : word == name;
 }
-
-}  // namespace
 
 Words words_by(Setter setter, std::initializer_list<const char*> names) {
   Words all;

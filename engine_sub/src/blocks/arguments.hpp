@@ -21,7 +21,9 @@ class Arguments {
     return {table, to_, language_, table_ + "." + key};
   }
 
-  bool has(const std::string& key) const { return block_.values.count(key) != 0; }
+  bool has(const std::string& key) const {
+    return block_.values.contains(key) || block_.tables.contains(key);
+  }
   int wire(const std::string& key);
   std::vector<int> wires(const std::string& key);
   double number(const std::string& key);

@@ -27,6 +27,12 @@ class Error : public std::runtime_error {
   ErrorCode code_;
 };
 
+/// A file that is written has no room: the disk is full, or the file is as large as files may be.
+class NoRoom final : public Error {
+ public:
+  explicit NoRoom(const std::string& sentence) : Error(ErrorCode::input_output, sentence) {}
+};
+
 /// What an exception says, in words that a user of the library understands: "there is no memory for it".
 std::string sentence_of(const std::exception& exception);
 

@@ -40,6 +40,7 @@ class RecorderFile {
   /// Flushes and closes; a second call does nothing.
   void close();
   const std::filesystem::path& path() const { return path_; }
+  bool has_rows() const { return size_ > head_size_; }  ///< after flush()
   /// After flush(): all of it. What has come since the last call is read from the file.
   Beginning written();
 

@@ -44,9 +44,13 @@ void Recorder::open_files() {
 void Recorder::close() {
   if (files_.empty()) return;
   if (!closed_) write_waiting(true);
+  for (auto& file : files_) {
+    if (!file) continue;
+    file->close();
+    if (!closed_ && !file->has_rows())
+      notes_.push_back("file '" + file->path().string() + "' has no rows: none was to be recorded");
+  }
   closed_ = true;
-  for (auto& file : files_)
-    if (file) file->close();
 }
 
 /// Writes the rows that no further sample can change; with `all`, the others too.

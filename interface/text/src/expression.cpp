@@ -63,6 +63,8 @@ std::string shown(const FileValue& value) {
   return "'" + std::get<std::string>(value) + "'";
 }
 
+bool is_reserved(const std::string& name) { return name == "_pi" || name == "_e"; }
+
 class Expression::Compiled {
  public:
   Compiled(std::string text, const FileValues& constants) : text_(std::move(text)) {

@@ -64,6 +64,9 @@ std::vector<FileParameter> read_parameters(Section& root, const GivenValues& giv
   std::vector<FileParameter> all;
   if (auto table = root.section("parameters"))
     for (auto& [name, section] : table->with(values).named_sections()) {
+      if (is_reserved(name))
+        refuse(section.place(),
+               "parameter '" + name + "' has a name that expressions have already; allowed is another");
       all.push_back(read_parameter(name, given, section));
       values.set(name, all.back().value);
     }
@@ -85,6 +88,24 @@ std::vector<FileParameter> parameters_of(const Document& document, const GivenVa
   Values own;
   Section root(document, language);
   return read_parameters(root, given, own);
+}
+
+Values values_in_run(const Document& document,
+                     const std::function<std::optional<FileValue>(const FileParameter&)>& find) {
+  const auto in_run = [&](const FileParameter& p) -> std::optional<FileValue> {
+    const auto node = document.table()["run"][p.name];
+    if (const auto number = node.value<double>()) return *number;
+    if (!node.is_string() || Values::refers(*node.node())) return std::nullopt;
+    return Values::literal(*node.value<std::string>());
+  };
+  const GivenValues given = given_values(document, [&](const FileParameter& p) {
+    const auto found = find(p);
+    return found ? found : in_run(p);
+  });
+  Values own;
+  for (const FileParameter& parameter : parameters_of(document, given))
+    own.set(parameter.name, parameter.value);
+  return own;
 }
 
 GivenValues given_values(const Document& document,

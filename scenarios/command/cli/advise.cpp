@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "cli/adviser.hpp"
+#include "cli/positive.hpp"
 #include "cli/say.hpp"
 #include "cli/study_file.hpp"
 #include "tandem/output/files.hpp"
@@ -69,14 +70,15 @@ void add_advise(CLI::App& app, Context& context) {
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->take_all();
-  command->add_option("--show", options->shown, "So many schemes, the best first (default: 10)");
+  command->add_option("--show", options->shown, "So many schemes, the best first (default: 10)")
+      ->check(whole);
   command
       ->add_option("--output", options->output,
                    "Folder for the table of all schemes and for the lines of the best, advice.toml (default: "
                    "results/FOLDER/SCENARIO/advice)")
       ->type_name("DIR");
   command->add_option("--threads", options->threads, "Number of threads (default: all cores)")
-      ->check(CLI::Range(1U, 1024U));
+      ->check(threads);
   command->footer("A scenario is code: the programs and libraries that it names are run with your rights.");
   command->callback([options, &context] { advise(*options, context); });
 }

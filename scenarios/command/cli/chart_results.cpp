@@ -2,6 +2,7 @@
 #include "cli/chart_results.hpp"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <cmath>
@@ -82,7 +83,10 @@ charts::Drawing plotted(const std::vector<fs::path>& results, const std::vector<
   std::string text = "results,time";
   for (const std::string& column : all) text += ',' + charts::csv_cell(column);
   text += '\n';
+  charts::Chart chart;
   for (const fs::path& one : results) {
+    if (const std::string what = scenario::unfinished(one); !what.empty())
+      spdlog::warn("note: {}", chart.notes.emplace_back(what));
     text += rows_of(with_all(one, columns), one.string(), all);
     if (all.size() > columns.size() && fs::is_regular_file(one / "indicators.csv"))
       text += rows_of(text::TimeTable::read(one / "indicators.csv"), one.string(), all);
@@ -90,7 +94,6 @@ charts::Drawing plotted(const std::vector<fs::path>& results, const std::vector<
   output::make_folder(folder);
   output::replace_text(folder / "plot.csv", text);
   output::replace_text(folder / "plot.json", about(results.front()).dump(2) + '\n');
-  charts::Chart chart;
   chart.name = chart.table = "plot";
   chart.kind = charts::Chart::Kind::traces;
   chart.series = {"results"};

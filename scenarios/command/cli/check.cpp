@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "cli/commands.hpp"
+#include "cli/positive.hpp"
 #include "cli/own_process.hpp"
 #include "cli/say.hpp"
 #include "tandem/error.hpp"
@@ -96,6 +97,7 @@ void add_check(CLI::App& app, Context& context) {
       ->required()
       ->type_name("SOURCE");
   command->add_option("--start", options->start, "Time of the start [s]")
+      ->check(finite)
       ->capture_default_str()
       ->type_name("T");
   command

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "cli/commands.hpp"
+#include "cli/positive.hpp"
 #include "cli/say.hpp"
 #include "tandem/error.hpp"
 #include "tandem/nearest.hpp"
@@ -50,9 +51,10 @@ std::vector<std::pair<fs::path, fs::path>> pairs_of(const CompareOptions& option
 
 void compare(const CompareOptions& options, const Context& context) {
   std::string worst;
+  const auto pairs = pairs_of(options);
   for (const std::string& place : {options.a, options.b})
     if (const std::string what = scenario::unfinished(place); !what.empty()) spdlog::warn("note: {}", what);
-  for (const auto& [file_a, file_b] : pairs_of(options)) {
+  for (const auto& [file_a, file_b] : pairs) {
     const auto a = text::TimeTable::read(file_a), b = text::TimeTable::read(file_b);
     const auto comparison = scenario::compare(a, b, options.columns, options.measure);
     if (!context.quiet) say("{}", scenario::text(comparison));
@@ -96,7 +98,7 @@ void add_compare(CLI::App& app, Context& context) {
   command
       ->add_option("--shift", options->measure.shift,
                    "A may be this much earlier or later as a whole, in s; by how much it is is told")
-      ->check(CLI::PositiveNumber)
+      ->check(positive)
       ->type_name("TIME");
   command->footer(
       "Compared at the times of the one with fewer rows where both cover the time; where the other has no "

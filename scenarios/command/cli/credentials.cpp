@@ -42,7 +42,9 @@ void write_new(const fs::path& folder, const KeyFile& key) {
   const int descriptor =
       ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, key.secret ? 0600 : 0644);
   if (descriptor < 0)
-    refuse_key(file, std::string(std::strerror(errno)) + "; allowed is a file that is not there yet");
+    refuse_key(file, errno == ENOENT   ? "there is no such folder, and it can't be made"
+                     : errno == EEXIST ? "it is there; allowed is a file that is not there yet"
+                                       : std::strerror(errno));
   const ssize_t written = ::write(descriptor, key.text.data(), key.text.size());
   const int why = errno;
   ::close(descriptor);
@@ -83,6 +85,9 @@ void write_kind(const fs::path& folder, const std::vector<KeyFile>& files, const
 }
 
 void make_keys(const KeysOptions& options) {
+  if (constexpr double most = 36500.0; options.days > most)
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("--days is {}; allowed is a number up to {}", options.days, most));
   std::error_code code;
   fs::create_directories(options.folder, code);
   if (has_tls())
@@ -113,7 +118,7 @@ void add_keys(CLI::App& app, Context&) {
       ->type_name("DIR")
       ->capture_default_str();
   command->add_option("--days", options->days, "How long the certificates are valid, up to a whole second")
-      ->check(positive & CLI::Range(0.0, 36500.0))
+      ->check(positive)
       ->capture_default_str();
   command->callback([options] { make_keys(*options); });
 }

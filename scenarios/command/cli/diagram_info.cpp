@@ -5,13 +5,14 @@
 
 #include <set>
 
+#include "cli/check_run.hpp"
 #include "cli/print_parameter.hpp"
 #include "cli/say.hpp"
 #include "engine_models/compiled.hpp"
 #include "tandem/engine/compile.hpp"
-#include "tandem/engine/read.hpp"
 #include "tandem/nearest.hpp"
 #include "tandem/scenario/scenario.hpp"
+#include "tandem/sources/diagram.hpp"
 #include "tandem/text/document.hpp"
 
 namespace tandem::cli {
@@ -46,8 +47,10 @@ const char* word_of(engine::Limit::OnLeaving what) {
 
 bool is_diagram(const std::filesystem::path& file) { return scenario::kind_alone(file) == "diagram"; }
 
-void print_diagram(const text::Document& document) {
-  engine::Description diagram = engine::read_diagram(document);
+void print_diagram(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                   const Builtins& builtins) {
+  Parameters none;
+  engine::Description diagram = describe_diagram({file, {}, overrides}, none);
   diagram.kinds = engine_models::compiled_kinds();
   const engine::Program program = engine::compile(diagram);
   say("{}: a diagram of {} blocks, {} operations\n", diagram.name, diagram.blocks.size(),
@@ -67,6 +70,9 @@ void print_diagram(const text::Document& document) {
       program.periodics.size(), listed(event_blocks(program)));
   for (const std::string& block : program.left_out)
     say("  block '{}' feeds no output and is left out\n", block);
+  text::Document document(file);
+  document.set(overrides);
+  check_run(document, overrides, builtins);
 }
 
 }  // namespace tandem::cli

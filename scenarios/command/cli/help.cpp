@@ -36,8 +36,27 @@ void print(const std::string& language, const Keys& keys, const Key& key) {
   if (!inner.empty()) say("  keys: {}\n", fmt::join(inner, ", "));
 }
 
+/// "connections[fast.x2].gain" of --set is "connections.gain".
+std::string without_brackets(std::string key) {
+  for (auto open = key.find('['); open != std::string::npos; open = key.find('[')) {
+    const auto close = key.find(']', open);
+    key.erase(open, close == std::string::npos ? close : close - open + 1);
+  }
+  return key;
+}
+
+/// Of a name alone, in whatever table.
+bool print_all_called(const std::string& name) {
+  bool found = false;
+  for (const auto& [language, keys] : scenario::languages())
+    for (const Key& key : keys.all())
+      if (text::name_of(key) == name) print(language, keys, key), found = true;
+  return found;
+}
+
 /// A language, or a key of any of them.
-void help(const std::string& asked) {
+void help(const std::string& words) {
+  const std::string asked = without_brackets(words);
   if (const auto language = scenario::languages().find(asked); language != scenario::languages().end())
     return say("{}", language->second.page());
   bool found = false;
@@ -46,7 +65,7 @@ void help(const std::string& asked) {
       print(name, keys, *key);
       found = true;
     }
-  if (found) return;
+  if (found || print_all_called(asked)) return;
   const std::string table = asked.substr(0, asked.find_first_of(".["));
   for (const auto& [name, keys] : scenario::languages())
     if (!keys.matching(table).empty()) keys.refuse(asked);

@@ -43,8 +43,9 @@ std::vector<std::string> scalar_names(const std::vector<Port>& ports) {
 void print_outputs(const SubsystemInfo& info) {
   say("  outputs:{}\n", info.outputs.empty() ? " none" : "");
   for (const Port& port : info.outputs)
-    say("    {}{}  unit {}, {}\n", port.name, shape(port), unit(port),
-        port.held ? "held" : fmt::format("{} time derivatives", port.derivatives));
+    say("    {}{}  unit {}, {}{}\n", port.name, shape(port), unit(port),
+        port.held ? "held" : fmt::format("{} time derivatives", port.derivatives),
+        port.nominal == 1.0 ? "" : fmt::format(", usual magnitude {}", port.nominal));
   say("  feedthrough:{}\n", info.feedthrough.empty() ? " none" : "");
   const auto outputs = scalar_names(info.outputs), inputs = scalar_names(info.inputs);
   for (const Feedthrough& f : info.feedthrough)
@@ -240,9 +241,10 @@ void add_info(CLI::App& app, Context& context) {
       throw Error(ErrorCode::invalid_argument, "--dot belongs to a diagram; " + options->what + " is none");
     if (!mechanism && !diagram) return print_scenario(*options, looking);
     if (mechanism) return print_mechanism(options->what, options->overrides, looking.builtins);
+    if (!options->dot) return print_diagram(options->what, options->overrides, looking.builtins);
     text::Document file{std::filesystem::path(options->what)};
     file.set(options->overrides);
-    options->dot ? print_dot(file) : print_diagram(file);
+    print_dot(file);
   });
 }
 

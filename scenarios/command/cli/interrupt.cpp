@@ -1,7 +1,10 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "cli/interrupt.hpp"
 
+#include <unistd.h>
+
 #include <csignal>
+#include <string_view>
 
 namespace tandem::cli {
 namespace {
@@ -15,9 +18,20 @@ void leave_to_system() {
   if (hears_hangup) static_cast<void>(std::signal(SIGHUP, SIG_DFL));
 }
 
+constexpr unsigned seconds_to_wait = 2;
+
+/// A call that runs now may last, or never end.
+extern "C" void tell_waiting(int) {
+  constexpr std::string_view text =
+      "tandem: interrupted, and waits for a call that runs to end; a second signal ends all at once\n";
+  static_cast<void>(!::write(STDERR_FILENO, text.data(), text.size()));
+}
+
 extern "C" void note_signal(int) {
   seen = 1;
   leave_to_system();
+  static_cast<void>(std::signal(SIGALRM, tell_waiting));
+  ::alarm(seconds_to_wait);
 }
 
 }  // namespace
@@ -30,7 +44,10 @@ InterruptGuard::InterruptGuard() {
   if (!hears_hangup) static_cast<void>(std::signal(SIGHUP, SIG_IGN));
 }
 
-InterruptGuard::~InterruptGuard() { leave_to_system(); }
+InterruptGuard::~InterruptGuard() {
+  leave_to_system();
+  if (seen != 0) ::alarm(0);
+}
 
 bool InterruptGuard::interrupted() { return seen != 0; }
 

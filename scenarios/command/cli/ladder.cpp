@@ -49,12 +49,19 @@ std::vector<scenario::RungRun> run_rungs(scenario::Ladder& ladder, const fs::pat
 }
 
 void climb(const LadderOptions& options, const Context& context) {
-  const auto scene = scenario::read(options.file, {});
-  scenario::Ladder ladder(scene, options.overrides, context.builtins);
+  std::vector<std::string> of_scene, of_rungs;
+  for (const std::string& one : options.overrides)
+    (one.starts_with("ladder.") ? of_scene : of_rungs).push_back(one);
+  const auto scene = scenario::read(options.file, of_scene);
+  scenario::Ladder ladder(scene, of_rungs, context.builtins);
   const fs::path folder =
       options.output.empty() ? fs::path("results") / "ladder" / options.file.stem() : options.output;
+  ladder.check_folder(folder);
   const KeptFolder kept(folder);
+  for (const char* of_before : {"ladder.csv", "verdict.txt", "ladder.json"}) fs::remove(folder / of_before);
   const auto runs = run_rungs(ladder, folder, options.repetitions, !context.quiet);
+  if (const scenario::RungRun& richest = runs.back(); !richest.failure.empty())
+    throw RunFailed("the richest rung '" + richest.name + "' failed: " + richest.failure);
   const auto columns = ladder.columns(runs);
   output::write_text(folder / "ladder.csv",
                      std::string(scenario::ladder_header) + "\n" + scenario::ladder_rows(runs, columns));
@@ -78,7 +85,9 @@ void add_ladder(CLI::App& app, Context& context) {
   command->add_option("scenario", options->file, "A scenario with a table [ladder], a TOML file")
       ->required()
       ->type_name("FILE");
-  command->add_option("--set", options->overrides, "Set a value of each rung, as in run (repeatable)")
+  command
+      ->add_option("--set", options->overrides,
+                   "Set a value of each rung, or ladder.KEY, as in run (repeatable)")
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->take_all();
@@ -94,7 +103,7 @@ void add_ladder(CLI::App& app, Context& context) {
       "ladder --results DIR`\n"
       "draws differences against processor time. docs/ladder.md tells of the table [ladder].\n"
       "A scenario is code: the programs and libraries that its rungs name are run with your rights.\n"
-      "Exit status: 0; 1 if it was interrupted; 2 for bad input, or if the richest rung fails.");
+      "Exit status: 0; 1 if it was interrupted, or if the richest rung fails; 2 for bad input.");
   command->callback([options, &context] { climb(*options, context); });
 }
 

@@ -9,7 +9,7 @@
 #include "cli/say.hpp"
 #include "tandem/coordinator/reconstruction.hpp"
 #include "tandem/coordinator/schedule.hpp"
-#include "tandem/scenario/file_text.hpp"
+#include "tandem/scenario/document_of.hpp"
 #include "tandem/scenario/impulse_entry.hpp"
 
 namespace tandem::cli {

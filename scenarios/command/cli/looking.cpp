@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include "cli/say.hpp"
+#include "tandem/scenario/run.hpp"
 #include "tandem/scenario/taken.hpp"
 #include "tandem/stability/fast_period.hpp"
-#include "tandem/text/time_table.hpp"
 
 namespace tandem::cli {
 
@@ -28,8 +28,7 @@ CLI::Option* add_run_programs(CLI::App& command, bool& run_programs) {
 
 void check_in_part(const scenario::Scenario& scenario, const Builtins& builtins, bool reference) {
   const scenario::Parts parts(scenario, builtins, scenario::Code::leave_out);
-  if (reference && scenario.reference)
-    scenario::located(scenario.reference->place, [&] { text::TimeTable::read(scenario.reference->file); });
+  if (reference && scenario.reference) scenario::reference_of(scenario);
   parts.check_each();
   say("{}", in_part(scenario, parts));
   for (const std::string& note : parts.notes()) say("note: {}\n", note);

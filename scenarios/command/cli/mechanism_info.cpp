@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/check_run.hpp"
 #include "cli/print_parameter.hpp"
 #include "cli/say.hpp"
 #include "sources/elements.hpp"
@@ -16,9 +17,8 @@
 #include "tandem/mbs/mechanism/read.hpp"
 #include "tandem/mbs/sparse/tangent.hpp"
 #include "tandem/nearest.hpp"
-#include "tandem/scenario/parts.hpp"
 #include "tandem/scenario/scenario.hpp"
-#include "tandem/sources/view_table.hpp"
+#include "tandem/sources/mechanism.hpp"
 #include "tandem/text/document.hpp"
 
 namespace tandem::cli {
@@ -97,22 +97,6 @@ void print_start(mbs::Mechanism& mechanism, double start) {
       say("    {} = {:.6g} {}\n", outputs.name(k), values[static_cast<std::size_t>(k)], outputs.unit(k));
 }
 
-/// Without a stop the mechanism is a part of a scenario, which may give the step.
-void check_run(const text::Document& document, const std::vector<std::string>& overrides,
-               const Builtins& builtins) {
-  const std::filesystem::path file = document.file();
-  const toml::table* run = document.table()["run"].as_table();
-  if (!run) return;
-  if (run->contains("stop")) {
-    scenario::Parts::opened(scenario::read(file, overrides).subsystems[0], builtins);
-    return;
-  }
-  Opening opening{{}, file.parent_path(), {}, overrides};
-  if (!run->contains("step")) opening.parameters.set("step", 1.0);
-  text::located(document.place(*run),
-                [&] { open("mechanism:" + file.filename().string(), builtins, std::move(opening)); });
-}
-
 }  // namespace
 
 std::string take_unknown_inputs_as_zero(mbs::Description& description) {
@@ -135,8 +119,8 @@ void print_mechanism(const std::filesystem::path& file, const std::vector<std::s
                      const Builtins& builtins) {
   text::Document document(file);
   document.set(overrides);
-  mbs::Description description = mbs::read_mechanism(document, element_kinds());
-  read_view(document, description);
+  Parameters none;
+  mbs::Description description = describe_mechanism({file, {}, overrides}, none, element_kinds());
   const std::string told = take_unknown_inputs_as_zero(description);
   mbs::Mechanism mechanism(description);
   const double start = start_of(document);

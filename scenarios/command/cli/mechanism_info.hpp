@@ -18,9 +18,7 @@ double start_of(const text::Document& mechanism);
 std::string take_unknown_inputs_as_zero(mbs::Description& description);
 
 /// Prints variables, constraints, degrees of freedom, redundant and contradictory equations and the filling
-/// of the tangent. Then throws Error for what a run of it would refuse: a start that can't be, and what its
-/// table [run] says.
-/// overrides: "KEY=VALUE".
+/// of the tangent, then checks its run. overrides: "KEY=VALUE".
 void print_mechanism(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                      const Builtins& builtins);
 

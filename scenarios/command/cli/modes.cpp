@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/check_run.hpp"
 #include "cli/commands.hpp"
 #include "cli/mechanism_info.hpp"
 #include "cli/say.hpp"
@@ -13,7 +14,9 @@
 #include "tandem/mbs/mechanism/initial.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
 #include "tandem/nearest.hpp"
+#include "tandem/scenario/parts.hpp"
 #include "tandem/scenario/scenario.hpp"
+#include "tandem/sources/mechanism.hpp"
 #include "tandem/text/file_parameters.hpp"
 
 namespace tandem::cli {
@@ -57,29 +60,21 @@ void print_modes(mbs::Description description, double start) {
 }
 
 /// Of a mechanism alone, with any values of its file set.
-void print_modes_of_file(const std::string& file, const std::vector<std::string>& overrides) {
+void print_modes_of_file(const std::string& file, const std::vector<std::string>& overrides,
+                         const Builtins& builtins) {
   text::Document document{std::filesystem::path(file)};
   document.set(overrides);
-  print_modes(mbs::read_mechanism(document, element_kinds()), start_of(document));
+  check_run(document, overrides, builtins);
+  Parameters none;
+  print_modes(describe_mechanism({file, {}, overrides}, none, element_kinds()), start_of(document));
 }
 
 /// What the scenario says of the mechanism: parameters, and inputs at the start.
-mbs::Description described(const std::filesystem::path& file, const scenario::SubsystemEntry& entry,
-                           double start) {
-  const auto value = [&](const std::string& name) -> std::optional<text::FileValue> {
-    for (const scenario::Parameter& p : entry.parameters)
-      if (p.name == name) {
-        if (const auto* text = std::get_if<std::string>(&p.value)) return *text;
-        if (const auto* number = std::get_if<double>(&p.value)) return *number;
-      }
-    return std::nullopt;
-  };
-  auto d = text::located(entry.source_place, [&] {
-    const text::Document document(file);
-    return mbs::read_mechanism(
-        document, element_kinds(),
-        text::given_values(document, [&](const text::FileParameter& p) { return value(p.name); }));
-  });
+mbs::Description described(const scenario::SubsystemEntry& entry, double start, const Builtins& builtins) {
+  scenario::Parts::opened(entry, builtins);  // all that it is given is right
+  Parameters given = query_of(entry.source);
+  for (const scenario::Parameter& p : entry.parameters) given.set(p.name, p.value);
+  auto d = describe_mechanism({entry.file(), {}, entry.overrides}, given, element_kinds());
   std::vector<std::string> names;
   for (const mbs::Input& input : d.inputs) names.push_back(input.name);
   for (const scenario::InputEntry& input : entry.inputs) {
@@ -90,14 +85,13 @@ mbs::Description described(const std::filesystem::path& file, const scenario::Su
   return d;
 }
 
-void print_modes_of_scenario(const std::string& file, const std::vector<std::string>& overrides) {
+void print_modes_of_scenario(const std::string& file, const std::vector<std::string>& overrides,
+                             const Builtins& builtins) {
   const auto scenario = scenario::read(file, overrides);
-  const std::string scheme = "mechanism:";
   bool any = false;
   for (const auto& s : scenario.subsystems) {
-    if (!s.source.starts_with(scheme)) continue;
-    const auto mechanism = scenario.file.parent_path() / s.source.substr(scheme.size());
-    print_modes(described(mechanism, s, scenario.start), scenario.start);
+    if (s.scheme() != "mechanism") continue;
+    print_modes(described(s, scenario.start, builtins), scenario.start);
     any = true;
   }
   if (!any)
@@ -112,7 +106,7 @@ struct ModesOptions {
 
 }  // namespace
 
-void add_modes(CLI::App& app, Context&) {
+void add_modes(CLI::App& app, Context& context) {
   auto* command = app.add_subcommand(
       "modes", "Linearize a mechanism about its start: frequency, damping and shape of its modes");
   auto options = std::make_shared<ModesOptions>();
@@ -124,9 +118,10 @@ void add_modes(CLI::App& app, Context&) {
       ->expected(1)
       ->take_all();
   command->footer("Exit status: 0, or 2 for what is not right.");
-  command->callback([options] {
+  command->callback([options, &context] {
     const auto& [what, overrides] = *options;
-    is_mechanism(what) ? print_modes_of_file(what, overrides) : print_modes_of_scenario(what, overrides);
+    is_mechanism(what) ? print_modes_of_file(what, overrides, context.builtins)
+                       : print_modes_of_scenario(what, overrides, context.builtins);
   });
 }
 

@@ -1,15 +1,16 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <CLI/CLI.hpp>
+#include <cmath>
 
 namespace tandem::cli {
 
-// In place of CLI::PositiveNumber and CLI::NonNegativeNumber, which let NaN pass.
+// In place of CLI::PositiveNumber and CLI::NonNegativeNumber, which let NaN and infinity pass.
 
 inline const CLI::Validator positive(
     [](const std::string& text) {
       double value = 0.0;
-      const bool sound = CLI::detail::lexical_cast(text, value) && value > 0.0;
+      const bool sound = CLI::detail::lexical_cast(text, value) && value > 0.0 && std::isfinite(value);
       return sound ? std::string() : "'" + text + "' is given; allowed is a number above 0";
     },
     "POSITIVE");
@@ -17,9 +18,41 @@ inline const CLI::Validator positive(
 inline const CLI::Validator not_negative(
     [](const std::string& text) {
       double value = 0.0;
-      const bool sound = CLI::detail::lexical_cast(text, value) && value >= 0.0;
+      const bool sound = CLI::detail::lexical_cast(text, value) && value >= 0.0 && std::isfinite(value);
       return sound ? std::string() : "'" + text + "' is given; allowed is a number from 0";
     },
     "NONNEGATIVE");
+
+inline const CLI::Validator finite(
+    [](const std::string& text) {
+      double value = 0.0;
+      const bool sound = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
+      return sound ? std::string() : "'" + text + "' is given; allowed is a finite number";
+    },
+    "FINITE");
+
+inline const CLI::Validator whole(
+    [](const std::string& text) {
+      const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+      return digits ? std::string() : "'" + text + "' is given; allowed is a whole number from 0";
+    },
+    "WHOLE");
+
+inline const CLI::Validator threads(
+    [](const std::string& text) {
+      unsigned value = 0;
+      const bool sound = whole(text).empty() && CLI::detail::lexical_cast(text, value);
+      return sound && value >= 1 && value <= 1024
+                 ? std::string()
+                 : "'" + text + "' is given; allowed is a whole number from 1 to 1024";
+    },
+    "1 TO 1024");
+
+inline const CLI::Validator named(
+    [](const std::string& text) {
+      return text.empty() ? std::string("no name is given; allowed is a name of one letter or more")
+                          : std::string();
+    },
+    "");
 
 }  // namespace tandem::cli

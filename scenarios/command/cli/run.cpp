@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "cli/looking.hpp"
+#include "cli/positive.hpp"
 #include "cli/run_to_results.hpp"
 
 namespace tandem::cli {
@@ -40,6 +41,7 @@ void add_run(CLI::App& app, Context& context) {
       ->take_all();
   command
       ->add_option("--output", options->output, "Folder of the results (default: results/NAME of the file)")
+      ->check(named)
       ->type_name("DIR");
   auto* dry = command->add_flag("--dry-run", options->dry,
                                 "Check everything up to the first step, and write nothing");
@@ -56,7 +58,7 @@ void add_run(CLI::App& app, Context& context) {
           "Threads that make calls of a round at the same time, where these last above some 2 us; the "
           "results are the same")
       ->type_name("N")
-      ->check(CLI::Range(1, 1024))
+      ->check(threads)
       ->capture_default_str();
   command->add_flag("--no-reference", options->no_reference,
                     "Don't compare with the reference that the scenario names");

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <csignal>
 #include <memory>
 
 #include "cli/adviser.hpp"
@@ -129,6 +130,7 @@ void tell(const Scenario& scenario, const scenario::Run& run, const RunEnd& end,
 
 void run_to_results(const RunOptions& options, const Context& context) {
   LibraryCall::return_from_faults();
+  std::signal(SIGPIPE, [](int) {});  // a library's; who reads what is told may be gone, too
   const Scenario scenario = scenario_of(options, context);
   const auto kept = kept_of_matrices(options);
   scenario::Run run(scenario, context.builtins, settings_of(options, scenario, context));

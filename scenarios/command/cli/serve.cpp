@@ -63,14 +63,27 @@ void serve_parent(const std::string& number, const ServeOptions& options, const 
   if (failed) throw CLI::RuntimeError(1);  // whoever has started this program is told, and tells it
 }
 
-/// Refused at once, not when the first session begins, if it is not there. Otherwise the error is only told:
-/// it may need parameters that a client gives.
+/// Whether a sentence names a parameter of the source, or its value: a client can't give it anew.
+bool is_about_own(const std::string& sentence, const std::string& source) {
+  Parameters own = query_of(source);
+  const auto names = own.names("");
+  return std::ranges::any_of(names, [&](const std::string& name) {
+    return sentence.find("'" + name + "'") != std::string::npos ||
+           sentence.find("'" + own.text(name, "") + "'") != std::string::npos;
+  });
+}
+
+/// What no parameter of a client mends is refused at once, not when the first session begins. Otherwise the error is
+/// only told.
 void try_source(const std::string& source, const Context& context) {
   source_of(source, context.builtins);
   try {
     open(source, context.builtins);
   } catch (const Error& error) {
-    if (error.code() == ErrorCode::input_output) throw;
+    const Source& made_by = source_of(source, context.builtins);
+    const bool lacks = made_by.code || made_by.elsewhere ||
+                       std::string(error.what()).find("parameter step") != std::string::npos;
+    if (error.code() == ErrorCode::input_output || !lacks || is_about_own(error.what(), source)) throw;
     spdlog::warn(
         "tandem: opened without a client's parameters this source has an error: {}; each session opens "
         "it anew, with those of its client",
@@ -111,7 +124,8 @@ void serve(ServeOptions options, const Context& context) {
   };
   options.server.log = [](const std::string& sentence) { spdlog::info("{}", sentence); };
   say("serving {} at {}\n", options.source, listener->address());
-  static_cast<void>(std::fflush(stdout));
+  if (std::fflush(stdout) != 0)
+    throw RunFailed("standard output can't be written, so nobody knows the address");
   wire::Server(*listener, maker(options.source, context), options.server).run(InterruptGuard::interrupted);
 }
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "cli/study_file.hpp"
 
-#include "tandem/scenario/file_text.hpp"
+#include "tandem/scenario/document_of.hpp"
 #include "tandem/scenario/taken.hpp"
 #include "tandem/study/standing.hpp"
 

@@ -3,6 +3,7 @@
 #include <thread>
 
 #include "cli/commands.hpp"
+#include "cli/positive.hpp"
 #include "cli/study_file.hpp"
 #include "cli/sweep_study.hpp"
 #include "tandem/error.hpp"
@@ -23,7 +24,8 @@ void sweep(const SweepOptions& options, const Context& context) {
   const auto file = study_path(options.study);
   if (!std::filesystem::exists(file))
     throw Error(ErrorCode::input_output,
-                "'" + options.study + "' is no file, and there is no " + file.string());
+                "'" + options.study + "' is no file" +
+                    (file == options.study ? "" : ", and there is no " + file.string()));
   sweep_study({file, options.output, options.overrides, options.tables, options.where, options.threads,
                options.resume, options.dry, "", options.seed},
               context);
@@ -49,7 +51,8 @@ void add_sweep(CLI::App& app, Context& context) {
   command
       ->add_option("--where", options->where, "Run only the rows for which this expression of columns holds")
       ->type_name("EXPRESSION");
-  command->add_option("--seed", options->seed, "Of the values that a study draws: other ones (default: 0)");
+  command->add_option("--seed", options->seed, "Of the values that a study draws: other ones (default: 0)")
+      ->check(whole);
   command->add_flag(
       "--dry-run", options->dry,
       "Tell the rows, the references, what is refused and about how long it takes, for which the first "
@@ -61,7 +64,7 @@ void add_sweep(CLI::App& app, Context& context) {
   command->add_flag("--resume", options->resume,
                     "Keep the rows that are there, if study, scenario and program are the same");
   command->add_option("--threads", options->threads, "Number of threads (default: all cores)")
-      ->check(CLI::Range(1U, 1024U));
+      ->check(threads);
   command->footer("A scenario is code: the programs and libraries that it names are run with your rights.");
   command->callback([options, &context] { sweep(*options, context); });
 }

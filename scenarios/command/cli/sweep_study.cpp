@@ -67,6 +67,7 @@ StudyFile found(const StudySweep& settings, const Context& context) {
 
 void sweep_study(const StudySweep& settings, const Context& context) {
   auto [study, standing, folder] = found(settings, context);
+  if (!standing && settings.study.empty()) study::refuse_without_effect(settings.overrides, study);
   if (!settings.output.empty()) folder = settings.output;
   if (!settings.tables.empty()) study.keep_tables(settings.tables);
   if (!settings.where.empty()) study.keep_rows(settings.where);

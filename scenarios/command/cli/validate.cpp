@@ -5,6 +5,7 @@
 #include "cli/say.hpp"
 #include "tandem/scenario/assembly.hpp"
 #include "tandem/scenario/comparison.hpp"
+#include "tandem/scenario/run.hpp"
 #include "tandem/sources/mechanism.hpp"
 
 namespace tandem::cli {
@@ -25,8 +26,7 @@ void validate(const ValidateOptions& options, const Context& context) {
   scenario::Assembly assembly(scenario, builtins);
   const auto recorder = assembly.recorder(".");
   const auto indicators = assembly.indicators();
-  if (scenario.reference)
-    scenario::located(scenario.reference->place, [&] { text::TimeTable::read(scenario.reference->file); });
+  if (scenario.reference) scenario::reference_of(scenario);
   assembly.initialize();
   say("{}: ok\n", options.file);
   for (const std::string& note : assembly.notes()) say("note: {}\n", note);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "cli/commands.hpp"
+#include "cli/positive.hpp"
 #include "cli/say.hpp"
 #include "tandem/error.hpp"
 #include "tandem/output/files.hpp"
@@ -26,8 +27,8 @@ struct ViewOptions {
 constexpr double large = 50e6;  ///< bytes from which a page is told to be slow to open
 
 view::Run read(const fs::path& place, bool plots_only) {
-  if (const std::string what = scenario::unfinished(place); !what.empty()) spdlog::warn("note: {}", what);
   view::Run run = view::read_run(place);
+  if (const std::string what = scenario::unfinished(place); !what.empty()) spdlog::warn("note: {}", what);
   if (plots_only) return run;
   view::read_mechanisms(run);
   view::check_positions(run);
@@ -102,7 +103,7 @@ void add_view(CLI::App& app, Context& context) {
       ->add_option("--every", options->every,
                    "Keep one of each N rows, 1 all of them (default: all, and of too many the smallest and "
                    "largest values)")
-      ->check(CLI::PositiveNumber)
+      ->check(positive)
       ->type_name("N");
   command->add_flag("--plots-only", options->plots_only, "Leave the mechanisms out");
   command->footer(

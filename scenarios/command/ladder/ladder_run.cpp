@@ -46,7 +46,9 @@ void add_constants(text::TimeTable& table, const LadderRung& rung) {
   }
 }
 
-bool is_results(const std::filesystem::path& file) { return file.extension() == ".csv"; }
+bool is_results(const std::filesystem::path& file) {
+  return file.extension() == ".csv" || file.extension() == ".npy" || std::filesystem::is_directory(file);
+}
 
 /// Runs alone what it is judged by: no other results are compared or drawn.
 Scenario read_rung(const LadderRung& entry, const std::vector<std::string>& overrides) {
@@ -69,17 +71,30 @@ text::TimeTable read_results(const LadderRung& entry) {
   });
 }
 
-/// With the names of the judged quantities.
-text::TimeTable renamed(text::TimeTable table, const LadderRung& entry,
-                        const std::vector<std::string>& quantities) {
-  for (std::string& column : table.names)
-    for (const std::string& quantity : quantities) {
-      const std::string& own = name_in(entry, quantity);
-      if (column == own) column = quantity;
-      if (column == "der(" + own + ")") column = "der(" + quantity + ")";
-    }
-  add_constants(table, entry);
-  return table;
+/// Columns of a file of results, and their units: "NAME [UNIT]" has one.
+std::map<std::string, std::string> columns_of(text::TimeTable& table) {
+  std::map<std::string, std::string> units;
+  for (std::string& name : table.names) {
+    const auto at = name.find(" [");
+    const bool has_unit = at != std::string::npos && name.ends_with(']');
+    const std::string unit = has_unit ? name.substr(at + 2, name.size() - at - 3) : "";
+    if (has_unit) name.resize(at);
+    units[name] = unit;
+  }
+  return units;
+}
+
+/// Column by column, with the names of the judged quantities, in the units that these are compared in.
+void rename(text::TimeTable& table, const LadderRung& entry, const std::string& quantity,
+            const UnitConversion& to) {
+  const std::string own = name_in(entry, quantity);
+  for (std::size_t k = 0; k < table.names.size(); ++k) {
+    std::string& column = table.names[k];
+    const bool derivative = column == "der(" + own + ")";
+    if (column != own && !derivative) continue;
+    column = derivative ? "der(" + quantity + ")" : quantity;
+    for (double& value : table.columns[k]) value = to.factor * value + (derivative ? 0.0 : to.shift);
+  }
 }
 
 }  // namespace
@@ -87,7 +102,7 @@ text::TimeTable renamed(text::TimeTable table, const LadderRung& entry,
 Ladder::Ladder(const Scenario& scene, const std::vector<std::string>& overrides, const Builtins& builtins)
     : entry_(ladder_of(scene)), builtins_(builtins) {
   for (const LadderRung& entry : entry_.rungs) {
-    Rung& rung = rungs_.emplace_back(Rung{entry, {}, {}, {}});
+    Rung& rung = rungs_.emplace_back(Rung{entry, {}, {}, {}, {}});
     if (is_results(entry.file))
       rung.results = read_results(entry);
     else
@@ -103,13 +118,14 @@ void Ladder::take_quantities(Rung& rung) {
   if (rung.scenario)
     known = outputs_of(Assembly(*rung.scenario, builtins_).topology());
   else
-    for (const std::string& name : rung.results->names) known[name];
+    known = columns_of(*rung.results);
   for (const LadderQuantity& q : entry_.quantities) {
     if (rung.entry.constants.contains(q.quantity)) continue;
     const std::string& own = name_in(rung.entry, q.quantity);
     if (known.contains(own)) {
       rung.quantities.push_back(q.quantity);
-      if (rung.scenario) units_[q.quantity] = known[own];
+      rung.units[q.quantity] = known[own];
+      if (rung.scenario || !units_.contains(q.quantity)) units_[q.quantity] = known[own];
     } else if (rung.entry.outputs.contains(q.quantity)) {
       refuse(rung.entry.place, "rung '" + rung.entry.name + "' has no output " + own);
     }
@@ -131,13 +147,14 @@ void Ladder::check_richest() const {
         !richest.entry.constants.contains(q.quantity))
       refuse(q.place, "the richest rung '" + richest.entry.name + "' gives no " + q.quantity);
     factor(q);
+    for (const Rung& rung : rungs_) conversion_of(rung, q.quantity);
   }
 }
 
 /// From the unit of its output, which is that of the richest rung that is a scenario, to that of the judge.
 double Ladder::factor(const LadderQuantity& judged) const {
   const auto it = units_.find(judged.quantity);
-  const std::string unit = it == units_.end() ? judged.unit : it->second;
+  const std::string unit = it == units_.end() || it->second.empty() ? judged.unit : it->second;
   const auto conversion = convert_unit(unit, judged.unit.empty() ? unit : judged.unit);
   if (!conversion)
     refuse(judged.place, "unit '" + judged.unit + "' of " + judged.quantity + ", which is in '" + unit +
@@ -145,12 +162,44 @@ double Ladder::factor(const LadderQuantity& judged) const {
   return conversion->factor;
 }
 
+/// From the unit of a rung's output to that of the richest rung that is a scenario.
+UnitConversion Ladder::conversion_of(const Rung& rung, const std::string& quantity) const {
+  const auto it = rung.units.find(quantity);
+  if (it == rung.units.end() || it->second.empty()) return {1.0, 0.0};
+  const auto conversion = convert_unit(it->second, units_.at(quantity));
+  if (!conversion)
+    refuse(rung.entry.place, "rung '" + rung.entry.name + "' gives " + quantity + " in '" + it->second +
+                                 "', a richer one in '" + units_.at(quantity) +
+                                 "'; allowed is a unit of the same quantity");
+  return *conversion;
+}
+
+/// The judged quantities by their names.
+text::TimeTable Ladder::judged_of(const Rung& rung, text::TimeTable table) const {
+  for (const std::string& quantity : rung.quantities)
+    rename(table, rung.entry, quantity, conversion_of(rung, quantity));
+  add_constants(table, rung.entry);
+  return table;
+}
+
+void Ladder::check_folder(const std::filesystem::path& folder) const {
+  const auto whole = std::filesystem::weakly_canonical(folder);
+  for (const Rung& rung : rungs_) {
+    if (!rung.results) continue;
+    const auto from = std::filesystem::weakly_canonical(rung.results->file).lexically_relative(whole);
+    if (!from.empty() && *from.begin() != "..")
+      refuse(rung.entry.place, "rung '" + rung.entry.name + "' is read from " + rung.results->file.string() +
+                                   ", where the ladder writes; allowed is a file outside of " +
+                                   folder.string());
+  }
+}
+
 RungRun Ladder::run(std::size_t index, const std::filesystem::path& folder,
                     const std::function<bool()>& going) {
   const Rung& rung = rungs_[index];
   RungRun result{rung.entry.name, {}, "", 0.0};
   if (!rung.scenario) {
-    result.table = renamed(*rung.results, rung.entry, rung.quantities);
+    result.table = judged_of(rung, *rung.results);
     return result;
   }
   const auto own = folder / rung.entry.name;
@@ -158,7 +207,7 @@ RungRun Ladder::run(std::size_t index, const std::filesystem::path& folder,
       scenario::run(*rung.scenario, builtins_, {.folder = own, .compares = false}, {.going = going});
   if (end.status == "interrupted") throw Error(ErrorCode::numerical, end.status);
   if (end.status == "ok")
-    result.table = renamed(text::TimeTable::read(own), rung.entry, rung.quantities);
+    result.table = judged_of(rung, text::TimeTable::read(own));
   else
     result.failure = end.message;
   return result;

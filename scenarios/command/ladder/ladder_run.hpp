@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "ladder/ladder.hpp"
+#include "tandem/coordinator/units.hpp"
 #include "tandem/transports/open.hpp"
 
 namespace tandem::scenario {
@@ -16,6 +17,8 @@ class Ladder {
   Ladder(const Scenario& scene, const std::vector<std::string>& overrides, const Builtins& builtins);
 
   std::size_t size() const { return rungs_.size(); }
+  /// Throws Error if a rung's results lie where runs of the ladder in this folder write.
+  void check_folder(const std::filesystem::path& folder) const;
   /// Runs a rung, which leaves results.csv in folder/NAME; one that fails numerically is told in the result.
   /// going is asked between rounds: false ends it with Error(numerical).
   RungRun run(std::size_t rung, const std::filesystem::path& folder, const std::function<bool()>& going);
@@ -29,17 +32,20 @@ class Ladder {
   struct Rung {
     const LadderRung& entry;
     std::optional<Scenario> scenario;
-    std::optional<text::TimeTable> results;  ///< where it is no scenario
-    std::vector<std::string> quantities;     ///< that it gives over time
+    std::optional<text::TimeTable> results;    ///< where it is no scenario
+    std::vector<std::string> quantities;       ///< that it gives over time
+    std::map<std::string, std::string> units;  ///< of these; empty where a file has none
   };
   void take_quantities(Rung& rung);
   void check_richest() const;
   double factor(const LadderQuantity& judged) const;
+  UnitConversion conversion_of(const Rung& rung, const std::string& quantity) const;
+  text::TimeTable judged_of(const Rung& rung, text::TimeTable table) const;
 
   const LadderEntry& entry_;
   const Builtins& builtins_;
   std::vector<Rung> rungs_;
-  std::map<std::string, std::string> units_;  ///< by quantity
+  std::map<std::string, std::string> units_;  ///< by quantity, in which it is compared
 };
 
 }  // namespace tandem::scenario

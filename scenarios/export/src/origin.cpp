@@ -9,6 +9,7 @@
 #include "tandem/scenario/scenario.hpp"
 #include "tandem/text/document.hpp"
 #include "tandem/text/file_parameters.hpp"
+#include "tandem/transports/source_uri.hpp"
 
 namespace tandem::exported {
 namespace {
@@ -30,11 +31,9 @@ const Builtins& plain_sources() {
 
 /// The parts of a URI, or a file with what it is.
 Origin named(const std::string& source) {
-  const auto colon = source.find(':'), question = source.find('?');
-  const std::string scheme = source.substr(0, colon);
-  if (colon != std::string::npos && plain_sources().schemes.contains(scheme))
-    return {scheme, source.substr(colon + 1, question - colon - 1), {}, {}};
-  if (colon != std::string::npos && !fs::exists(source)) refuse(source, "a source that does not go along");
+  const SourceUri uri(source);
+  if (plain_sources().schemes.contains(uri.scheme)) return {uri.scheme, uri.place, {}, {}};
+  if (!uri.scheme.empty() && !fs::exists(source)) refuse(source, "a source that does not go along");
   if (fs::path(source).extension() == ".fmu") refuse(source, "an FMU already");
   if (scenario::is_system(source)) refuse(source, "a system of FMUs, which don't go along in another");
   const std::string kind = scenario::kind_alone(source);

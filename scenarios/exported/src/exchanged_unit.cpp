@@ -8,6 +8,7 @@
 
 #include "tandem/error.hpp"
 #include "tandem/sources/diagram.hpp"
+#include "tandem/transports/source_uri.hpp"
 
 namespace tandem::exported {
 namespace {
@@ -46,14 +47,13 @@ ExchangedUnit::ExchangedUnit(const std::filesystem::path& resources, const Tell&
 }
 
 void ExchangedUnit::open_source() {
-  const std::string scheme = "diagram:", &source = manifest_.source;
-  if (!source.starts_with(scheme))
+  const SourceUri source(manifest_.source);
+  if (source.scheme != "diagram")
     throw Error(ErrorCode::not_supported,
                 "'" + info_.name + "' is no diagram; of any other source allowed is Co-Simulation");
   Parameters parameters = given();
-  auto diagram = exchanged_diagram({resources_ / source.substr(scheme.size()), {}, manifest_.overrides},
-                                   parameters, tell_);
-  parameters.refuse_unused(source);
+  auto diagram = exchanged_diagram({resources_ / source.place, {}, manifest_.overrides}, parameters, tell_);
+  parameters.refuse_unused(manifest_.source);
   const ExchangedStates now = states_of(diagram->program());
   if (!states_) states_ = now;
   if (!states_->covers(now))

@@ -41,9 +41,19 @@ void check_replaced(const fs::path& file) {
     fail("file", file, "what is there is no regular file");
 }
 
+/// An error's sentence with the name that the user knows in place of that of FILE.part.
+std::string of_whole(std::string sentence, const fs::path& file) {
+  const std::string part = part_of(file).string();
+  if (const auto at = sentence.find(part); at != std::string::npos)
+    sentence.replace(at, part.size(), file.string());
+  return sentence;
+}
+
 /// Writes FILE.part and renames it; whatever goes wrong, no FILE.part is left.
 void replace(const fs::path& file, std::string_view text, bool durably) {
   check_replaced(file);
+  if (const fs::path folder = fs::absolute(file).parent_path(); !fs::is_directory(folder))
+    fail("file", file, "there is no folder '" + file.parent_path().string() + "'");
   const fs::path part = part_of(file);
   remove_part(file);
   try {
@@ -54,9 +64,12 @@ void replace(const fs::path& file, std::string_view text, bool durably) {
     std::error_code failed;
     fs::rename(part, file, failed);
     if (failed) fail("file", file, failed.message());
-  } catch (...) {
+  } catch (const NoRoom& error) {
     remove_part(file);
-    throw;
+    throw NoRoom(of_whole(error.what(), file));
+  } catch (const Error& error) {
+    remove_part(file);
+    throw Error(error.code(), of_whole(error.what(), file));
   }
   if (durably) sync_folder(fs::absolute(file).parent_path());
 }
@@ -89,6 +102,8 @@ void sync(const fs::path& file) { OutputFile(file, OutputFile::Begin::kept).sync
 
 void make_folder(const fs::path& folder) {
   std::error_code failed;
+  if (fs::exists(folder, failed) && !fs::is_directory(folder, failed))
+    fail("folder", folder, "there is a file of that name");
   fs::create_directories(folder, failed);
   if (failed) fail("folder", folder, failed.message());
 }

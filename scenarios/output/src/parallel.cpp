@@ -8,7 +8,23 @@
 #include <thread>
 #include <vector>
 
+#include "tandem/error.hpp"
+
 namespace tandem::output {
+namespace {
+
+/// As many as the system gives: fewer do the same work.
+template <class Run>
+void begin(std::vector<std::jthread>& pool, unsigned threads, const Run& run) {
+  pool.reserve(threads);
+  try {
+    while (pool.size() < threads) pool.emplace_back(run);
+  } catch (const std::exception&) {
+    if (pool.empty()) throw Error(ErrorCode::internal, "not one thread can be started");
+  }
+}
+
+}  // namespace
 
 void for_each_in_parallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work,
                           const std::function<bool(std::size_t)>& tick) {
@@ -25,13 +41,19 @@ void for_each_in_parallel(std::size_t count, unsigned threads, const std::functi
       stop = true;
     }
   };
-  std::vector<std::thread> pool;
-  for (unsigned t = 0; t < threads; ++t) pool.emplace_back(run);
-  while (!stop && done < count) {
-    if (!tick(done)) stop = true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  {
+    std::vector<std::jthread> pool;
+    try {
+      begin(pool, threads, run);
+      while (!stop && done < count) {
+        if (!tick(done)) stop = true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      }
+    } catch (...) {
+      stop = true;
+      throw;
+    }
   }
-  for (std::thread& t : pool) t.join();
   if (failure) std::rethrow_exception(failure);
   tick(done);
 }

@@ -84,6 +84,13 @@ void add_largest(std::vector<std::string>& to, const nlohmann::json& all, const 
   for (std::size_t k = 0; k < std::min(most, parts.size()); ++k) to.push_back(parts[k].second);
 }
 
+bool is_damaged(const fs::path& json) try {
+  output::read_json(json);
+  return false;
+} catch (const Error&) {
+  return true;
+}
+
 }  // namespace
 
 std::vector<std::string> largest_indicators(const nlohmann::json& about, const fs::path& folder) {
@@ -113,6 +120,8 @@ std::string unfinished(const fs::path& place) try {
   const bool is_folder = fs::is_directory(place);
   const fs::path folder = is_folder ? place : fs::absolute(place).parent_path();
   if (!fs::exists(folder / "results.json")) return "";
+  if (is_damaged(folder / "results.json"))
+    return fmt::format("'{}' is beside a results.json that is damaged", place.string());
   const nlohmann::json about = read_about(folder);
   const auto& files = about["files"];
   if (!is_folder && std::find(files.begin(), files.end(), place.filename().string()) == files.end())

@@ -14,6 +14,7 @@
 #include "tandem/error.hpp"
 #include "tandem/nearest.hpp"
 #include "tandem/scenario/courses.hpp"
+#include "tandem/time_grid.hpp"
 
 namespace tandem::scenario {
 namespace {
@@ -34,13 +35,29 @@ std::vector<std::string> common(const TimeTable& a, const TimeTable& b) {
   return names;
 }
 
+void check(const TimeTable& a, const TimeTable& b, const Measure& measure) {
+  for (const TimeTable* table : {&a, &b})
+    if (table->times.empty()) fail(table->file.string() + " has no rows to compare");
+  if (!(measure.from <= measure.to))
+    fail(fmt::format(
+        "times from {} to {} s are to be compared; allowed are numbers, the second not before the first",
+        measure.from, measure.to));
+  if (!(measure.shift >= 0.0) || std::isinf(measure.shift))
+    fail(fmt::format("a shift of {} s; allowed is a number from 0", measure.shift));
+}
+
+/// Whether a time of B counts.
+bool counts(double t, const Measure& measure) {
+  const TimeTolerance tolerance(t);
+  return !tolerance.before(t, measure.from) && !tolerance.before(measure.to, t);
+}
+
 /// At the times that count, which are those of B: `later` is by how much the table's are later.
 double largest(const TimeTable& table, const Course& course, const Measure& measure, double later) {
   double most = 0.0;
   const std::vector<double>& column = table.columns[course.values];
   for (std::size_t row = 0; row < column.size(); ++row)
-    if (const double t = table.times[row] - later;
-        t >= measure.from && t <= measure.to && std::isfinite(column[row]))
+    if (counts(table.times[row] - later, measure) && std::isfinite(column[row]))
       most = std::max(most, std::abs(column[row]));
   return most;
 }
@@ -93,7 +110,7 @@ class SideBySide {
  private:
   void at(double t, bool again) {
     const double t_a = at_a_ ? t : t + shift_, t_b = at_a_ ? t - shift_ : t;
-    if (t_b < measure_.from || t_b > measure_.to || !of_a_.covers(t_a) || !of_b_.covers(t_b)) return;
+    if (!counts(t_b, measure_) || !of_a_.covers(t_a) || !of_b_.covers(t_b)) return;
     of_a_.move_to(t_a, again);
     of_b_.move_to(t_b, again);
     ++result_.times;
@@ -123,7 +140,9 @@ class SideBySide {
 
   std::string window() const {
     const bool all = std::isinf(measure_.from) && std::isinf(measure_.to);
-    return all ? "" : fmt::format("; from {} to {} s count", measure_.from, measure_.to);
+    std::string text = all ? "" : fmt::format("; from {} to {} s count", measure_.from, measure_.to);
+    if (shift_ != 0.0) text += fmt::format("; the first is moved by {} s", -shift_);
+    return text;
   }
 
   const TimeTable &a_, &b_;
@@ -179,6 +198,7 @@ void tell_uncompared(const TimeTable& a, const TimeTable& b, const std::vector<s
 
 Comparison compare(const TimeTable& a, const TimeTable& b, const std::vector<std::string>& columns,
                    const Measure& measure) {
+  check(a, b, measure);
   const auto names = columns.empty() ? common(a, b) : columns;
   const auto shifted = [&](double shift) { return compare_shifted(a, b, names, measure, shift); };
   Comparison comparison = shifted(measure.shift > 0.0 ? best_shift(measure.shift, shifted) : 0.0);

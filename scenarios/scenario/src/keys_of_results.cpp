@@ -82,7 +82,9 @@ void keys_of_ladder(KeyList& to) {
   to.table("ladder.rungs[]", "A model of the scene, the richest last.")
       .need("name", text, "Its name, also of its folder.",
             {.allowed = "without / \\ \" and a dot at its beginning"})
-      .may("file", text, "Another scenario, or a CSV file of results. Without it: this scenario.")
+      .may("file", text,
+           "Another scenario, or results: a CSV file, one of numpy, or their folder. Without it: this "
+           "scenario.")
       .may("set", texts, "Settings of this rung.", {.allowed = "\"KEY=VALUE\""})
       .table("ladder.rungs[].outputs",
              "Judged quantities that this rung has by another name, or as a constant.")

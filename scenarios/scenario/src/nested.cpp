@@ -9,6 +9,7 @@
 #include "tandem/scenario/scenario_file.hpp"
 #include "tandem/sources/file_parameters.hpp"
 #include "tandem/text/set.hpp"
+#include "tandem/transports/source_uri.hpp"
 
 namespace tandem::scenario {
 namespace {
@@ -95,15 +96,15 @@ Scenario with_given(const ScenarioFile& file, Parameters& given) {
 
 std::vector<text::FileParameter> parameters_of(const std::string& source, const std::filesystem::path& folder,
                                                const std::vector<std::string>& overrides, Parameters& given) {
-  const std::string scheme = source.substr(0, source.find(':'));
-  const auto file = folder / source.substr(scheme.size() + 1, source.find('?') - scheme.size() - 1);
-  if (scheme == "mechanism" || scheme == "diagram") {
+  const SourceUri uri(source);
+  const auto file = folder / uri.place;
+  if (uri.scheme == "mechanism" || uri.scheme == "diagram") {
     text::Document document(file);
     document.set(overrides);
     return text::parameters_of(document, take_file_parameters(document, {}, given));
   }
   std::vector<text::FileParameter> all;
-  if (scheme != nested_scheme) return all;
+  if (uri.scheme != nested_scheme) return all;
   for (Settable& one : settable(with_given(ScenarioFile(file, overrides), given)))
     all.push_back(std::move(one.parameter));
   return all;

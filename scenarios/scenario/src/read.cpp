@@ -9,9 +9,10 @@
 #include "read_link.hpp"
 #include "read_parameters.hpp"
 #include "settings.hpp"
-#include "tandem/scenario/file_text.hpp"
+#include "tandem/scenario/document_of.hpp"
 #include "tandem/scenario/keys.hpp"
 #include "tandem/scenario/scenario_file.hpp"
+#include "tandem/text/file_parameters.hpp"
 #include "tandem/text/section.hpp"
 #include "tandem/text/series.hpp"
 #include "to_json.hpp"
@@ -63,11 +64,12 @@ class Reader {
         to_.file.stem().string(), kind + ":" + to_.file.filename().string(), {}, {}, document_.place(*table),
         document_.place(*table)};
     entry.overrides = overrides;
-    Section run(document_, *table, "run");
+    const text::Values values = text::values_in_run(document_, [](const auto&) { return std::nullopt; });
+    Section run = Section(document_, *table, "run").with(values);
     read_span(run);
-    for (Parameter& p : parameters(*table, "run", nullptr, kind == "diagram" ? "inputs" : ""))
+    for (Parameter& p : parameters(*table, "run", &values, kind == "diagram" ? "inputs" : ""))
       if (p.name != "start" && p.name != "stop") entry.parameters.push_back(std::move(p));
-    if (kind == "diagram") read_inputs_of_diagram(run, entry);
+    if (kind == "diagram") read_inputs_of_diagram(run, values, entry);
     to_.animate = kind == "mechanism" && !run.node("animate");
     to_.subsystems.push_back(std::move(entry));
   }
@@ -85,9 +87,10 @@ class Reader {
   }
 
   /// They are what those of a subsystem are.
-  void read_inputs_of_diagram(Section& run, SubsystemEntry& entry) const {
+  void read_inputs_of_diagram(Section& run, const text::Values& values, SubsystemEntry& entry) const {
     if (const toml::table* table = run.table("inputs")) {
-      Section inputs(document_, keys(), *table, run.name("inputs"), "subsystems.NAME.inputs");
+      Section inputs =
+          Section(document_, keys(), *table, run.name("inputs"), "subsystems.NAME.inputs").with(values);
       read_inputs(inputs, entry);
     }
   }

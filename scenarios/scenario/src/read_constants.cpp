@@ -50,6 +50,10 @@ std::vector<std::pair<std::string, double>> read_constants(text::Section& root, 
   auto left = text::in_file_order(*table);
   std::set<std::string> known;
   const auto read = [&](const auto& entry) {
+    if (text::is_reserved(entry.first))
+      text::refuse(
+          root.document().place(*entry.second),
+          "constant '" + entry.first + "' has a name that expressions have already; allowed is another");
     const double value = root.number_of(*entry.second, "constants." + entry.first);
     to.set(entry.first, value);
     if (entry.second->is_number()) numbers.emplace_back(entry.first, value);

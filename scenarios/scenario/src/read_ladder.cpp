@@ -11,9 +11,10 @@ namespace {
 using text::described;
 using text::Section;
 
-LadderQuantity read_judged(Section& section) {
+LadderQuantity read_judged(Section& section, const Scenario& of) {
   LadderQuantity judged{section.required_text("quantity"), section.required_number("tolerance"),
-                        section.text("unit").value_or(""), section.place("quantity"), read_measure(section)};
+                        section.text("unit").value_or(""), section.place("quantity"),
+                        read_measure(section, of)};
   section.refuse_unknown();
   return judged;
 }
@@ -43,6 +44,8 @@ LadderRung read_rung(Section& section, const Scenario& scenario, const LadderEnt
   rung.place = section.place();
   if (rung.name.find_first_of("/\\\"") != std::string::npos || rung.name.starts_with("."))
     section.wrong("name", "'" + rung.name + "'", "a name without / \\ \" and a dot at its beginning");
+  if (rung.name == "ladder.csv" || rung.name == "ladder.json" || rung.name == "verdict.txt")
+    section.wrong("name", "'" + rung.name + "'", "a name that no file of the ladder has");
   const bool twice = std::any_of(ladder.rungs.begin(), ladder.rungs.end(),
                                  [&](const LadderRung& other) { return other.name == rung.name; });
   if (twice) section.wrong("name", "'" + rung.name + "' again", "a name that no other rung has");
@@ -61,7 +64,7 @@ LadderRung read_rung(Section& section, const Scenario& scenario, const LadderEnt
 void read_ladder(Section& section, Scenario& to) {
   LadderEntry ladder;
   const auto overrides = section.texts("set");
-  for (Section& judged : section.sections("judged")) ladder.quantities.push_back(read_judged(judged));
+  for (Section& judged : section.sections("judged")) ladder.quantities.push_back(read_judged(judged, to));
   if (ladder.quantities.empty() && to.judge)
     ladder.quantities.push_back(
         {to.judge->quantity, to.judge->tolerance, "", to.judge->place, to.judge->measure});

@@ -20,8 +20,10 @@ class ParameterReader {
   void read(const std::string& key, const toml::node& node, const std::string& path,
             const std::string& quoted) {
     const text::Place place = document_.place(node);
-    if (is_reference(node) || node.is_number())
-      add({key, number(node, path), place, is_reference(node), quoted});
+    if (is_reference(node))
+      add({key, referred(node, path), place, true, quoted});
+    else if (node.is_number())
+      add({key, number(node, path), place, false, quoted});
     else if (const auto* text = node.as_string())
       add({key, word(*text), place, false, quoted});
     else if (const auto* flag = node.as_boolean())
@@ -48,6 +50,11 @@ class ParameterReader {
     return constants_ ? text::Values::literal(text.get()) : text.get();
   }
   bool is_reference(const toml::node& node) const { return constants_ && text::Values::refers(node); }
+  Parameters::Value referred(const toml::node& node, const std::string& path) const {
+    const text::FileValue found = constants_->value(document_, node, path);
+    if (const auto* number = std::get_if<double>(&found)) return *number;
+    return std::get<std::string>(found);
+  }
   double number(const toml::node& node, const std::string& path) const {
     return constants_ ? constants_->number(document_, node, path) : text::number_of(document_, node, path);
   }

@@ -46,6 +46,7 @@ class Run::Stages {
       : scenario_(scenario), builtins_(builtins), settings_(std::move(settings)) {
     if (writes) kept_.emplace(settings_.folder, [this](const std::string& what) { notes_.push_back(what); });
     assembly_.emplace(scenario_, builtins_, settings_.profile, settings_.threads);
+    go_home();
     recorder_ = assembly_->recorder(settings_.folder, [this] { begin(); });
     observers_.add(*recorder_);
     if ((indicators_ = assembly_->indicators())) observers_.add(*indicators_);
@@ -80,7 +81,7 @@ class Run::Stages {
 
   RunEnd finish(const RunListener& listener) {
     simulate(listener);
-    attempt([&] { recorder_->close(); });
+    attempt([&] { go_home(), recorder_->close(); });
     if (indicators_) {
       attempt([&] {
         write_indicators(settings_.folder / "indicators.csv", *indicators_, estimate_.get(), time());
@@ -88,11 +89,12 @@ class Run::Stages {
       end_.indicators = told_by(*indicators_);
       if (estimate_) end_.estimate = estimate_->told();
     }
-    if (reference_ && end_.status == "ok") {
-      reference_->compare(settings_.folder);
-      end_.report = reference_->report();
-      end_.outside = reference_->outside();
-    }
+    if (reference_ && end_.status == "ok")
+      attempt([&] {
+        reference_->compare(settings_.folder);
+        end_.report = reference_->report();
+        end_.outside = reference_->outside();
+      });
     attempt([&] { write_machine_figures(); });
     write_results();
     return end_;
@@ -128,13 +130,29 @@ class Run::Stages {
     observers_.add(*estimate_);
   }
 
+  /// Other files of rows that are there, of another clock or format.
+  std::vector<fs::path> rows_of_before() const {
+    std::vector<fs::path> all;
+    if (!fs::is_regular_file(settings_.folder / "results.json")) return all;
+    const auto own = recorder_->files();
+    for (const auto& file : fs::directory_iterator(settings_.folder)) {
+      const std::string name = file.path().filename().string(), kind = file.path().extension().string();
+      const bool rows = name.starts_with("results.") && (kind == ".csv" || kind == ".npy");
+      if (rows && std::ranges::find(own, file.path()) == own.end()) all.push_back(file.path());
+    }
+    return all;
+  }
+
   /// Before any other file of the folder is opened.
   void begin() {
+    go_home();
+    const auto files_before = rows_of_before();
     const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
     RunEnd running{"running", fmt::format("process {}, since {:%Y-%m-%dT%H:%M:%SZ}", getpid(), now)};
     write_json(settings_.folder / "results.json", results_of(scenario_, *assembly_, *recorder_, running));
     for (const char* name : {"machine.json", "indicators.csv"})
       if (fs::is_regular_file(settings_.folder / name)) fs::remove(settings_.folder / name);
+    for (const fs::path& file : files_before) fs::remove(file);
     has_begun_ = true;
   }
 
@@ -174,10 +192,13 @@ class Run::Stages {
   void attempt(const Work& work) {
     try {
       work();
-    } catch (const Error& error) {
-      fail("failed", error.what());
+    } catch (const std::exception& error) {
+      fail("failed", sentence_of(error));
     }
   }
+
+  /// A library may have gone elsewhere, where paths mean other files.
+  void go_home() const { fs::current_path(home_); }
 
   /// The status comes last: what it tells of is on the disk then.
   void write_machine_figures() {
@@ -198,6 +219,7 @@ class Run::Stages {
   const Scenario& scenario_;
   const Builtins& builtins_;
   RunSettings settings_;
+  const fs::path home_ = fs::current_path();
   std::vector<std::string> notes_;
   std::optional<output::FolderLock> kept_;  ///< none where nothing is written
   std::optional<Assembly> assembly_;

@@ -16,7 +16,7 @@ RunCheckpoints::RunCheckpoints(Checkpoint checkpoint, std::filesystem::path fold
       file_(std::move(folder) / "checkpoint"),
       every_(every),
       t_start_(t_start) {
-  if (every_ && !(*every_ > 0.0))
+  if (every_ && !(*every_ > 0.0 && std::isfinite(*every_)))
     throw Error(ErrorCode::invalid_argument,
                 fmt::format("--checkpoint-every is {} s; allowed is a number above 0", *every_));
 }

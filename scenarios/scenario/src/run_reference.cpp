@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "tandem/scenario/about.hpp"
+#include "tandem/scenario/run.hpp"
 
 namespace tandem::scenario {
 namespace {
@@ -15,17 +16,33 @@ text::TimeTable read(const Scenario& of) {
     refuse(of.place("record.clock"),
            "record.clock is 'own', which writes no results.csv to compare with the reference; name a "
            "subsystem, or say --no-reference");
-  return located(of.reference->place, [&] {
-    if (const std::string what = unfinished(of.reference->file); !what.empty())
-      throw Error(ErrorCode::invalid_argument, "reference " + what + "; allowed is one that is 'ok'");
-    return text::TimeTable::read(of.reference->file);
-  });
+  return reference_of(of);
+}
+
+/// The run would write over what it is compared with.
+void check_elsewhere(const Scenario& of, const text::TimeTable& table, const Recorder& recorder) {
+  const auto whole = [](const std::filesystem::path& file) {
+    return std::filesystem::weakly_canonical(file);
+  };
+  for (const auto& file : recorder.files())
+    if (whole(file) == whole(table.file))
+      refuse(of.reference->place, "the reference is " + table.file.string() +
+                                      ", which this run writes; allowed is another folder for one of them");
 }
 
 }  // namespace
 
+text::TimeTable reference_of(const Scenario& scenario) {
+  return located(scenario.reference->place, [&] {
+    if (const std::string what = unfinished(scenario.reference->file); !what.empty())
+      throw Error(ErrorCode::invalid_argument, "reference " + what + "; allowed is one that is 'ok'");
+    return text::TimeTable::read(scenario.reference->file);
+  });
+}
+
 RunReference::RunReference(const Scenario& scenario, const Recorder& recorder)
     : scenario_(scenario), table_(read(scenario)) {
+  check_elsewhere(scenario, table_, recorder);
   if (scenario.judge) check_judged(recorder);
 }
 

@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "tandem/transports/open.hpp"
+#include "tandem/transports/source_uri.hpp"
 
 namespace tandem::scenario {
 namespace {
@@ -81,9 +82,10 @@ std::string SubsystemEntry::address() const {
   return command.empty() ? source.substr(0, source.find('?')) : "command " + shown(command);
 }
 
+std::string SubsystemEntry::scheme() const { return SourceUri(source).scheme; }
+
 std::filesystem::path SubsystemEntry::file() const {
-  const std::string there = source.substr(0, source.find('?'));
-  return std::filesystem::path(place.file).parent_path() / there.substr(there.find(':') + 1);
+  return std::filesystem::path(place.file).parent_path() / SourceUri(source).place;
 }
 
 /// That of the first parameter whose value the sentence tells ("index-3 formulation: beta is 0.3"), else of

@@ -85,7 +85,8 @@ void read_coordination(Section& section, Scenario& to) {
 double diverged_beyond(Section& section) {
   const toml::node* found = section.node("diverged_beyond");
   if (!found) return *section.number("diverged_beyond");
-  const auto times = found->value<double>();
+  const auto times =
+      text::Values::refers(*found) ? section.number("diverged_beyond") : found->value<double>();
   if (!times || !(*times > 1.0))
     section.wrong("diverged_beyond", described(*found), "a number above 1, or inf");
   return *times;
@@ -112,6 +113,9 @@ RowRules row_rules(Section& section, const Scenario& of) {
     section.wrong("to", described(*section.node("to")), "a time in s after record.from");
   if (!(rules.from < of.stop)) section.wrong("from", described(*section.node("from")), "before span.stop");
   if (!(rules.to > of.start)) section.wrong("to", described(*section.node("to")), "after span.start");
+  if (const double least = 1e-15 * (of.stop - of.start); rules.every > 0.0 && rules.every < least)
+    section.wrong("every", described(*section.node("every")),
+                  fmt::format("a number from {:.3g} s, of this span", least));
   return rules;
 }
 
@@ -137,13 +141,13 @@ void read_record(Section& section, Scenario& to) {
 void read_reference(Section& section, Scenario& to) {
   const std::filesystem::path file = section.required_text("file");
   to.reference = {to.file.parent_path() / file, section.required_number("tolerance"), section.place("file"),
-                  read_measure(section)};
+                  read_measure(section, to)};
   section.refuse_unknown();
 }
 
 void read_judge(Section& section, Scenario& to) {
   to.judge = {section.required_text("quantity"), section.required_number("tolerance"),
-              section.place("quantity"), read_measure(section)};
+              section.place("quantity"), read_measure(section, to)};
   section.refuse_unknown();
 }
 
@@ -155,7 +159,7 @@ void read_view(Section& section, Scenario& to) {
 
 }  // namespace
 
-Measure read_measure(Section& section) {
+Measure read_measure(Section& section, const Scenario& of) {
   Measure measure;
   measure.norm = *section.text("norm") == "rms" ? Norm::rms : Norm::max;
   measure.from = section.number("from").value_or(measure.from);
@@ -163,6 +167,10 @@ Measure read_measure(Section& section) {
   measure.shift = section.positive("shift").value_or(0.0);
   if (!(measure.from < measure.to))
     section.wrong("to", described(*section.node("to")), "a time in s after " + section.name("from"));
+  if (!(measure.from < of.stop)) section.wrong("from", described(*section.node("from")), "before span.stop");
+  if (!(measure.to > of.start)) section.wrong("to", described(*section.node("to")), "after span.start");
+  if (!(measure.shift < of.stop - of.start))
+    section.wrong("shift", described(*section.node("shift")), "a number below the span's length");
   return measure;
 }
 

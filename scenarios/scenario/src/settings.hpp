@@ -14,7 +14,7 @@ using text::described;
 using text::Section;
 
 /// How a difference is measured: the keys norm, from, to and shift.
-Measure read_measure(Section& section);
+Measure read_measure(Section& section, const Scenario& of);
 
 /// The tables coordination, span, record, reference, judge, view and ladder, each with what reads it into a
 /// scenario whose subsystems are known. Throw Error.

@@ -24,6 +24,17 @@ engine::Description read(const text::Document& document, Parameters& p) {
   return engine::read_diagram(document, values, bounds);
 }
 
+}  // namespace
+
+engine::Description describe_diagram(const SourceFile& file, Parameters& p) {
+  p.declare(diagram_words());
+  const text::Document document = file.document();
+  take_run_table(document, p);
+  return read(document, p);
+}
+
+namespace {
+
 /// A diagram, and what it is run with.
 struct Prepared {
   engine::Description diagram;
@@ -32,10 +43,7 @@ struct Prepared {
 
 Prepared prepare(const SourceFile& file, Parameters& p, std::vector<engine::CompiledBlock> kinds,
                  const TellOfDiagram& tell) {
-  p.declare(diagram_words());
-  const text::Document document = file.document();
-  take_run_table(document, p);
-  Prepared made{read(document, p)};
+  Prepared made{describe_diagram(file, p)};
   made.diagram.kinds = std::move(kinds);
   engine::SubsystemSettings& settings = made.settings;
   settings.step = p.number("step", 0.0);

@@ -12,8 +12,8 @@ text::FileValue value(Parameters& p, const text::FileParameter& parameter) {
 }
 
 void refuse_setting(const text::FileParameter& parameter, const Words& settings) {
-  const bool is_setting = std::any_of(settings.begin(), settings.end(),
-                                      [&](const Word& word) { return word.name == parameter.name; });
+  const bool is_setting =
+      std::ranges::any_of(settings, [&](const Word& word) { return stands_for(word.name, parameter.name); });
   if (is_setting)
     text::refuse(parameter.place, "parameter '" + parameter.name +
                                       "' has the name of a setting; allowed is a name of its own");
@@ -21,13 +21,23 @@ void refuse_setting(const text::FileParameter& parameter, const Words& settings)
 
 }  // namespace
 
-text::GivenValues take_file_parameters(const text::Document& document, const Words& settings, Parameters& p) {
-  return text::given_values(
+text::Values file_values(const text::Document& document, Parameters& p) {
+  return text::values_in_run(
       document, [&](const text::FileParameter& parameter) -> std::optional<text::FileValue> {
-        refuse_setting(parameter, settings);
         p.declare({{parameter.name, Setter::client}});
         return p.has(parameter.name) ? std::optional(value(p, parameter)) : std::nullopt;
       });
+}
+
+text::GivenValues take_file_parameters(const text::Document& document, const Words& settings, Parameters& p) {
+  return text::given_values(document,
+                            [&](const text::FileParameter& parameter) -> std::optional<text::FileValue> {
+                              refuse_setting(parameter, settings);
+                              p.declare({{parameter.name, Setter::client}});
+                              const bool is_given = p.has(parameter.name);
+                              const text::FileValue now = value(p, parameter);
+                              return is_given ? std::optional(now) : std::nullopt;
+                            });
 }
 
 void refuse_words_of_clients(const text::Document& document, const text::GivenValues& given,

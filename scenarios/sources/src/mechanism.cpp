@@ -126,14 +126,19 @@ std::vector<double> matrix_times(const std::string& name, const std::string& tex
   return all;
 }
 
-std::unique_ptr<Subsystem> make_mechanism(const SourceFile& file, Parameters& p,
-                                          const mbs::ElementKinds& kinds, const mbs::TellOfLimit& tell) {
+mbs::Description describe_mechanism(const SourceFile& file, Parameters& p, const mbs::ElementKinds& kinds) {
   const text::Document document = file.document();
   take_run_table(document, p);
   const text::GivenValues given = take_file_parameters(document, mechanism_words(), p);
   refuse_words_of_clients(document, given, p);
   mbs::Description description = mbs::read_mechanism(document, kinds, given);
   read_view(document, description);  // refuses what is wrong with it
+  return description;
+}
+
+std::unique_ptr<Subsystem> make_mechanism(const SourceFile& file, Parameters& p,
+                                          const mbs::ElementKinds& kinds, const mbs::TellOfLimit& tell) {
+  mbs::Description description = describe_mechanism(file, p, kinds);
   if (p.flag("animate", false)) animate(description);
   if (p.has("accelerances")) tell_accelerances(p.text("accelerances", ""), description);
   if (p.has("reactions")) take_reactions(p.text("reactions", ""), description);

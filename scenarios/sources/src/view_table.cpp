@@ -97,7 +97,9 @@ class Reader {
 
 ViewTable read_view(const text::Document& document, const mbs::Description& description) {
   static const text::Keys language = mbs::mechanism_keys();
-  auto section = Section(document, language).section("view");
+  text::Values values;
+  for (const mbs::Parameter& p : description.parameters) values.set(p.name, p.value);
+  auto section = Section(document, language, &values).section("view");
   return section ? Reader(description).read(std::move(*section)) : ViewTable{};
 }
 

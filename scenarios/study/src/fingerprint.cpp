@@ -9,6 +9,7 @@
 
 #include "tandem/bytes.hpp"
 #include "tandem/text/document.hpp"
+#include "tandem/transports/source_uri.hpp"
 
 namespace tandem::study {
 namespace {
@@ -69,9 +70,9 @@ void Fingerprint::add(const scenario::Scenario& scenario) {
 void Fingerprint::add_named(const std::string& text, const fs::path& folder) {
   const bool is_name = !text.empty() && text.size() <= longest_name && text.find('\0') == std::string::npos;
   if (!is_name || !seen_.insert(folder.string() + '\n' + text).second) return;
-  const std::string place = text.substr(0, text.find('?'));
-  add(folder / place);
-  if (const auto colon = place.find(':'); colon != std::string::npos) add(folder / place.substr(colon + 1));
+  const SourceUri uri(text);
+  add(folder / text.substr(0, text.find('?')));
+  if (!uri.scheme.empty()) add(folder / uri.place);
 }
 
 std::string Fingerprint::text(const std::vector<std::string>& overrides, std::uint64_t seed) const {

@@ -5,6 +5,7 @@
 
 #include "tandem/scenario/steps.hpp"
 #include "tandem/stability/fast_period.hpp"
+#include "tandem/study/sweep.hpp"
 
 namespace tandem::study {
 namespace {
@@ -95,6 +96,18 @@ std::vector<Given> Scenes::set_in(const Table& table) const {
   std::vector<Given> all = table.scenario ? std::vector<Given>() : study_.set;
   all.insert(all.end(), table.set.begin(), table.set.end());
   return all;
+}
+
+void refuse_without_effect(const std::vector<std::string>& overrides, const Study& study) {
+  const auto check = [&](const std::vector<Given>& set) {
+    for (const Given& given : set)
+      for (const std::string& one : overrides)
+        if (given.name == one.substr(0, one.find('=')))
+          refuse(given.place, "the study sets " + given.name + " itself, so --set " + one +
+                                  " would have no effect; allowed are keys that it leaves");
+  };
+  check(study.set);
+  for (const Table& table : study.tables) check(table.set);
 }
 
 Scenario Scenes::of_row(const Table& table, const FileValues& row) {

@@ -43,7 +43,7 @@ std::vector<Tcp::endpoint> Place::resolve() const {
   std::vector<Tcp::endpoint> all;
   for (const auto& entry : resolver.resolve(host, port, code)) all.push_back(entry.endpoint());
   if (code || all.empty())
-    throw Error(ErrorCode::input_output, "host '" + host + "' is not known: " + code.message());
+    throw Error(ErrorCode::input_output, "host '" + host + "' is not known");
   return all;
 }
 

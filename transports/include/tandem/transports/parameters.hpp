@@ -21,6 +21,8 @@ struct Word {
 };
 using Words = std::vector<Word>;
 
+/// Whether a name is that word, or begins as "prefix.*" says.
+bool stands_for(const std::string& word, const std::string& name);
 /// Those words, each with that setter.
 Words words_by(Setter setter, std::initializer_list<const char*> names);
 /// Both lists.

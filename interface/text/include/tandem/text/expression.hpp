@@ -17,6 +17,9 @@ using FileValues = std::map<std::string, FileValue>;
 /// The value as an error shows it: 3 or 'word'.
 std::string shown(const FileValue& value);
 
+/// Whether a name is a number in every expression.
+bool is_reserved(const std::string& name);
+
 /// An expression, compiled once (muParser): + - * / ^, comparisons, && ||, ?:, sin, sqrt, exp, min, .., _pi,
 /// _e. A name stands for a number; it may have dots and an index, "motor.speed", "wheel.force[2]". Words are
 /// compared in brackets: "(schedule is parallel)" and "(how in [lagrange0, lagrange1])" are 1 where they

@@ -37,4 +37,9 @@ void keys_of_parameters(KeyList& to);
 GivenValues given_values(const Document& document,
                          const std::function<std::optional<FileValue>(const FileParameter&)>& find);
 
+/// What "$NAME" stands for in a file's table [run]: its parameters, the given ones in place of the file's. Those
+/// that somebody else gives go before the plain numbers and words of [run] itself.
+Values values_in_run(const Document& document,
+                     const std::function<std::optional<FileValue>(const FileParameter&)>& find);
+
 }  // namespace tandem::text

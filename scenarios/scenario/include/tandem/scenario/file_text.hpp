@@ -2,10 +2,7 @@
 #pragma once
 #include <filesystem>
 #include <string>
-#include <utility>
 #include <vector>
-
-#include "tandem/text/document.hpp"
 
 namespace tandem::scenario {
 
@@ -22,10 +19,6 @@ struct FileText {
 /// Throws Error for a file that can't be read, for a system that is not valid, and for any where the build has
 /// no FMUs.
 FileText file_text(const std::filesystem::path& file);
-inline text::Document document_of(const std::filesystem::path& file) {
-  FileText all = file_text(file);
-  return {file.string(), all.text, std::move(all.lines)};
-}
 
 /// The bytes of a source's file, which may lie in an archive.
 std::string source_contents(const std::filesystem::path& file);

@@ -22,7 +22,7 @@ struct LadderQuantity {
 /// One model of the scene: a scenario file with overrides, or results of one.
 struct LadderRung {
   std::string name;
-  std::filesystem::path file;                  ///< of results: a CSV file
+  std::filesystem::path file;                  ///< of results: CSV, .npy or their folder
   std::vector<std::string> overrides;          ///< "KEY=VALUE"
   std::map<std::string, std::string> outputs;  ///< of judged quantities that have another name here
   std::map<std::string, double> constants;     ///< judged quantities that are this number here, in their unit

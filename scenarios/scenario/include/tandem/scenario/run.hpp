@@ -87,6 +87,10 @@ class Run {
   std::unique_ptr<Stages> stages_;
 };
 
+/// The results that a run is compared with; the scenario names some. Throws Error with the place for what is no
+/// table, and for results of a run that did not come to its end.
+text::TimeTable reference_of(const Scenario& scenario);
+
 /// Start and finish in one call.
 RunEnd run(const Scenario& scenario, const Builtins& builtins, RunSettings settings,
            const RunListener& listener = {});

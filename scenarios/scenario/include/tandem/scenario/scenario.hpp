@@ -57,7 +57,7 @@ struct SubsystemEntry {
   /// "lib:./x.so", without parameters, or "command [...]".
   std::string address() const;
   /// "lib" of that, and the file that stands behind it.
-  std::string scheme() const { return source.substr(0, source.find(':')); }
+  std::string scheme() const;
   std::filesystem::path file() const;
 
   /// The place that an error of opening it is about: of the parameter that the sentence names first, else the

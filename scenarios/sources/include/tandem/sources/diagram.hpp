@@ -24,7 +24,11 @@ std::unique_ptr<Subsystem> make_diagram(const SourceFile& file, Parameters& para
                                         std::vector<engine::CompiledBlock> kinds = {},
                                         const TellOfDiagram& tell = {});
 
-/// The same for an integrator from elsewhere; the settings of integrators say nothing then. Throws as
+/// What a file describes with these parameters and those of its table [run]; the others stay untaken. Throws
+/// Error for what is wrong with it.
+engine::Description describe_diagram(const SourceFile& file, Parameters& parameters);
+
+/// The file as a subsystem for an integrator from elsewhere; the settings of integrators say nothing then. Throws as
 /// engine::ExchangedDiagram does, too.
 std::unique_ptr<engine::ExchangedDiagram> exchanged_diagram(const SourceFile& file, Parameters& parameters,
                                                             const TellOfDiagram& tell = {});

@@ -5,6 +5,9 @@
 
 namespace tandem {
 
+/// What "$NAME" stands for in its table [run], with the parameters that are given.
+text::Values file_values(const text::Document& document, Parameters& p);
+
 /// Values in `p` of the parameters that a mechanism's or diagram's file declares, which are a client's to
 /// give.
 /// - settings: the words of its source, of which no parameter may have the name: one value would be both.

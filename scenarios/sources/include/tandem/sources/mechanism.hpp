@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tandem/mbs/mechanism/limits.hpp"
+#include "tandem/mbs/mechanism/read.hpp"
 #include "tandem/sources/source_file.hpp"
 #include "tandem/transports/open.hpp"
 
@@ -30,6 +31,11 @@ std::vector<double> matrix_times(const std::string& name, const std::string& tex
 std::unique_ptr<Subsystem> make_mechanism(const SourceFile& file, Parameters& parameters,
                                           const mbs::ElementKinds& kinds = {},
                                           const mbs::TellOfLimit& tell = {});
+
+/// What a file describes with these parameters and those of its table [run]; the others stay untaken. Throws
+/// Error for what is wrong with it.
+mbs::Description describe_mechanism(const SourceFile& file, Parameters& parameters,
+                                    const mbs::ElementKinds& kinds = {});
 
 /// "mechanism:FILE". The files that matrices are written to are the operator's alone.
 Source mechanism_source(const mbs::ElementKinds& kinds = {}, const mbs::TellOfLimit& tell = {});

@@ -5,8 +5,9 @@
 
 namespace tandem {
 
-/// Takes the values of a file's table [run] that are not given yet, but for start, stop and tables (inputs),
-/// which belong to who runs it alone.
+/// Takes the values of a file's table [run] that are not given yet, "NAME.KEY" of a table in it, but for start,
+/// stop and inputs, which belong to who runs it alone. "$NAME" stands for a parameter of the file, as it is
+/// given.
 void take_run_table(const text::Document& document, Parameters& to);
 
 }  // namespace tandem

@@ -40,6 +40,9 @@ struct SweepEnd {
   bool interrupted = false, reference_failed = false;
 };
 
+/// Throws Error with the place in the study for one of "KEY=VALUE", of its scenario, that the study sets again.
+void refuse_without_effect(const std::vector<std::string>& overrides, const Study& study);
+
 /// A study with what runs it: its rows and the references that they need. Writes TABLE.csv for each of its
 /// tables, with TABLE.json (units, what made it, the references), and TABLE.series.csv for runs that it
 /// keeps. A row that is finished goes to TABLE.part at once, which TABLE.csv takes the place of. The bits of
