@@ -64,6 +64,7 @@ void LibraryCall::guard_faults() noexcept {
 void LibraryCall::return_to_call(int cause) noexcept {
   if (!returns || !current_ || !current_->back_) return;
   faulted = true;
+  static_cast<void>(std::signal(SIGALRM, SIG_DFL));
   ::alarm(seconds_to_end);
   siglongjmp(*current_->back_, cause);
 }

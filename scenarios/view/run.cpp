@@ -10,6 +10,7 @@
 #include "tandem/error.hpp"
 #include "tandem/mbs/mechanism/read.hpp"
 #include "tandem/scenario/about.hpp"
+#include "tandem/scenario/scenario.hpp"
 #include "tandem/text/file_parameters.hpp"
 #include "tandem/transports/open.hpp"
 #include "tandem/transports/source_uri.hpp"
@@ -38,14 +39,29 @@ std::vector<RunSource> sources(const nlohmann::json& values, const fs::path& fil
   return all;
 }
 
+/// A value that is an expression, as the scenario of these results has it.
+std::optional<text::FileValue> computed(const RunSource& source, const std::string& name,
+                                        const nlohmann::json& of_run) {
+  const auto scenario =
+      scenario::read(of_run.value("file", ""), of_run.value("overrides", std::vector<std::string>()));
+  for (const auto& entry : scenario.subsystems)
+    for (const auto& p : entry.parameters) {
+      if (entry.name != source.instance || p.name != name) continue;
+      if (const auto* number = std::get_if<double>(&p.value)) return *number;
+      if (const auto* text = std::get_if<std::string>(&p.value)) return *text;
+    }
+  return std::nullopt;
+}
+
 /// What the run gave to a mechanism: in its URI, in the scenario's tables of parameters, or in the table [run]
 /// of its file.
 std::optional<text::FileValue> value_of(const RunSource& source, Parameters& of_uri,
-                                        const text::FileParameter& parameter, const nlohmann::json& values) {
+                                        const text::FileParameter& parameter, const nlohmann::json& of_run) {
   const std::string& name = parameter.name;
   if (of_uri.has(name))
     return std::holds_alternative<double>(parameter.value) ? text::FileValue(of_uri.number(name, 0.0))
                                                            : text::FileValue(of_uri.text(name, ""));
+  const nlohmann::json& values = of_run["values"];
   const nlohmann::json subsystems = values.value("subsystems", nlohmann::json::object());
   const nlohmann::json own = subsystems.value(source.instance, nlohmann::json::object());
   for (const auto& table :
@@ -53,13 +69,16 @@ std::optional<text::FileValue> value_of(const RunSource& source, Parameters& of_
         values.value(subsystems.empty() ? "run" : "parameters", nlohmann::json::object())})
     if (const auto it = table.find(name); it != table.end()) {
       if (it->is_number()) return it->get<double>();
-      if (it->is_string()) return it->get<std::string>();
+      if (!it->is_string()) continue;
+      const auto text = it->get<std::string>();
+      if (text.starts_with("$") && !text.starts_with("$$")) return computed(source, name, of_run);
+      return text::Values::literal(text);
     }
   return std::nullopt;
 }
 
 RunMechanism read_mechanism(const RunSource& source, const fs::path& folder, const fs::path& results,
-                            const nlohmann::json& values) {
+                            const nlohmann::json& of_run) {
   const fs::path file = folder / SourceUri(source.uri).place;
   if (!fs::exists(file))
     refuse(
@@ -69,7 +88,7 @@ RunMechanism read_mechanism(const RunSource& source, const fs::path& folder, con
   const text::Document document(file);
   Parameters of_uri = query_of(source.uri);
   const auto given = text::given_values(
-      document, [&](const text::FileParameter& p) { return value_of(source, of_uri, p, values); });
+      document, [&](const text::FileParameter& p) { return value_of(source, of_uri, p, of_run); });
   RunMechanism mechanism{source.instance, file, mbs::read_mechanism(document, element_kinds(), given), {}};
   mechanism.view = read_view(document, mechanism.description);
   return mechanism;
@@ -132,7 +151,7 @@ void read_mechanisms(Run& run) {
   const fs::path file = scenario.value("file", "");
   for (const RunSource& source : sources(scenario["values"], file))
     if (SourceUri(source.uri).scheme == "mechanism")
-      run.mechanisms.push_back(read_mechanism(source, file.parent_path(), run.place, scenario["values"]));
+      run.mechanisms.push_back(read_mechanism(source, file.parent_path(), run.place, scenario));
   const auto order = order_of(run);
   const auto place = [&](const RunMechanism& mechanism) {
     const auto it = order.find(mechanism.instance);

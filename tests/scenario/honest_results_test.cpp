@@ -34,11 +34,13 @@ TEST(HonestResults, RowsOfAnotherClockOrFormatGo) {
   const Scratch folder;
   ASSERT_EQ(tandem(folder, run_of("o", {"record.clock=own", "record.format=npy"})).status, 0);
   ASSERT_TRUE(fs::exists(folder.path() / "o/results.fast.npy"));
-  folder.write("o/results.of_mine.csv.txt", "");
-  ASSERT_EQ(tandem(folder, run_of("o")).status, 0);
+  folder.write("o/results.of_mine.csv", "");
+  const auto old = folder.path() / "o/results.slow.npy";
+  ASSERT_EQ(tandem(folder, run_of("o", {"reference.file=" + old.string()})).status, 0);
   EXPECT_TRUE(fs::exists(folder.path() / "o/results.csv"));
   EXPECT_FALSE(fs::exists(folder.path() / "o/results.fast.npy"));
-  EXPECT_TRUE(fs::exists(folder.path() / "o/results.of_mine.csv.txt"));
+  EXPECT_TRUE(fs::exists(folder.path() / "o/results.of_mine.csv"));
+  EXPECT_TRUE(fs::exists(old));  // a reference
 }
 
 TEST(HonestResults, ARunDoesNotWriteOverItsReference) {
@@ -85,6 +87,16 @@ TEST(HonestResults, PeriodsAndWindowsThatAreNoneAreRefused) {
   const Said empty = tandem(folder, run_of("o", {"record.from=1e-7", "record.to=2e-7"}));
   EXPECT_EQ(empty.status, 0);
   EXPECT_TRUE(contains(empty.err, "note: file 'o/results.csv' has no rows")) << empty.err;
+}
+
+TEST(HonestResults, AMeasureBesideNoSpanIsNotLookedAt) {
+  const Scratch folder;
+  folder.write("s.toml",
+               "[subsystems.a]\nsource = 'builtin:two_mass.both'\n[judge]\nquantity = 'a.x1'\ntolerance = "
+               "1\nshift = 1\n");
+  const Said said = tandem(folder, {"validate", "s.toml"});
+  EXPECT_EQ(said.status, 2);
+  EXPECT_TRUE(contains(said.err, "span is missing")) << said.err;
 }
 
 /// On a full disk: bad luck, no bad input.

@@ -140,6 +140,28 @@ TEST_F(LadderUnits, AreThoseOfTheHeadingOfAFile) {
   EXPECT_TRUE(contains(said.err, "where the ladder writes")) << said.err;
 }
 
+/// Names that a rung has the other way round.
+TEST_F(LadderUnits, AreConvertedOnceWhereNamesAreExchanged) {
+  folder.write("two.toml",
+               "[blocks]\na = { kind = 'sine', frequency = 1, amplitude = 1 }\nb = { kind = 'sine', "
+               "frequency = 2, amplitude = 1 }\n"
+               "[outputs]\na = { unit = 'rad' }\nb = { unit = 'rad' }\n");
+  folder.write("two_in_deg.toml",
+               "[blocks]\na = { kind = 'sine', frequency = 2, amplitude = 57.29577951308232 }\n"
+               "b = { kind = 'sine', frequency = 1, amplitude = 57.29577951308232 }\n"
+               "[outputs]\na = { unit = 'deg' }\nb = { unit = 'deg' }\n");
+  folder.write(
+      "l.toml",
+      "[subsystems.d]\nsource = 'diagram:two.toml'\nparameters = { step = 0.125 }\n[span]\nstop = 1\n"
+      "[[ladder.judged]]\nquantity = 'd.a'\ntolerance = 1e-9\nunit = 'rad'\n"
+      "[[ladder.judged]]\nquantity = 'd.b'\ntolerance = 1e-9\nunit = 'rad'\n"
+      "[[ladder.rungs]]\nname = 'first'\nset = ['subsystems.d.source=diagram:two_in_deg.toml']\n"
+      "outputs = { 'd.a' = 'd.b', 'd.b' = 'd.a' }\n[[ladder.rungs]]\nname = 'rich'\n");
+  const Said said = tandem(folder, {"ladder", "l.toml", "--output", "o", "--repetitions", "0"});
+  ASSERT_EQ(said.status, 0) << said.err;
+  EXPECT_TRUE(contains(said.out, "simplest within the tolerances: first")) << said.out;
+}
+
 TEST_F(LadderUnits, AndTolerancesAreSetFromTheCommandLine) {
   ASSERT_EQ(climb("", {"--set", "ladder.judged[0].tolerance=7"}).status, 0);
   EXPECT_TRUE(contains(read_text(folder.path() / "o/ladder.csv"), ",7,"))

@@ -34,6 +34,22 @@ TEST(ValuesInRun, AMechanismTakesExpressionsInRunAndView) {
   }
 }
 
+/// Each stands for one value, whoever gives it: a reference to others, and one to itself.
+TEST(ValuesInRun, AReferenceThatIsAParametersValueHoldsForTheOthers) {
+  const Scratch folder;
+  const auto file = folder.write(
+      "m.toml",
+      "dimension = 2\n[parameters]\nh = { value = 1e-3, unit = 's' }\nT = { value = 1, unit = 's' }\n"
+      "J = { value = 0.5, unit = 's' }\n[coordinates]\nx = { unit = 'm', inertia = '$J' }\n"
+      "[outputs]\nx = { position = 'x' }\n[run]\nstep = '$(2*h)'\nstop = '$T'\n");
+  EXPECT_EQ(SceneRun(file.string(), {"run.h=$(T*5e-3)"}).times().size(), 101U);
+  EXPECT_EQ(SceneRun(file.string(), {"run.T=$J"}).times().back(), 0.5);
+  EXPECT_EQ(SceneRun(file.string(), {"run.h=$(5*h)"}).times().size(), 101U);
+  ASSERT_EQ(tandem(folder, {"run", "m.toml", "--output", "o", "--set", "run.J=$T"}).status, 0);
+  const Said view = tandem(folder, {"view", "o"});
+  EXPECT_EQ(view.status, 0) << view.err;
+}
+
 /// x' = (u - x)/k, u = k = 3: 3 (1 - exp(-t/3)).
 TEST(ValuesInRun, ADiagramTakesThemForInputsAndTolerances) {
   const Scratch folder;

@@ -50,9 +50,11 @@ class LibraryCall {
     const int rounding = std::fegetround();
     if constexpr (std::is_void_v<decltype(call())>) {
       call();
+      back_ = nullptr;
       if (std::fegetround() != rounding) refuse_rounding(rounding);
     } else {
       auto result = call();
+      back_ = nullptr;
       if (std::fegetround() != rounding) refuse_rounding(rounding);
       return result;
     }

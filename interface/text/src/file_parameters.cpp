@@ -90,22 +90,37 @@ std::vector<FileParameter> parameters_of(const Document& document, const GivenVa
   return read_parameters(root, given, own);
 }
 
-Values values_in_run(const Document& document,
-                     const std::function<std::optional<FileValue>(const FileParameter&)>& find) {
-  const auto in_run = [&](const FileParameter& p) -> std::optional<FileValue> {
-    const auto node = document.table()["run"][p.name];
-    if (const auto number = node.value<double>()) return *number;
-    if (!node.is_string() || Values::refers(*node.node())) return std::nullopt;
-    return Values::literal(*node.value<std::string>());
-  };
-  const GivenValues given = given_values(document, [&](const FileParameter& p) {
-    const auto found = find(p);
-    return found ? found : in_run(p);
-  });
+static Values values_of(const Document& document, const GivenValues& given) {
   Values own;
   for (const FileParameter& parameter : parameters_of(document, given))
     own.set(parameter.name, parameter.value);
   return own;
+}
+
+/// What [run] says of a parameter; start, stop and inputs are its own.
+static const toml::node* node_in_run(const Document& document, const std::string& name) {
+  const bool of_run = name == "start" || name == "stop" || name == "inputs";
+  return of_run ? nullptr : document.table()["run"][name].node();
+}
+
+Values values_in_run(const Document& document,
+                     const std::function<std::optional<FileValue>(const FileParameter&)>& find) {
+  GivenValues given;
+  std::vector<std::pair<std::string, const toml::node*>> references;
+  for (const FileParameter& p : parameters_of(document, {})) {
+    const toml::node* const node = node_in_run(document, p.name);
+    if (const auto found = find(p))
+      given[p.name] = *found;
+    else if (node && Values::refers(*node))
+      references.emplace_back(p.name, node);
+    else if (node && node->is_number())
+      given[p.name] = *node->value<double>();
+    else if (node && node->is_string())
+      given[p.name] = Values::literal(*node->value<std::string>());
+  }
+  for (const auto& [name, node] : references)
+    given[name] = values_of(document, given).value(document, *node, "run." + name);
+  return values_of(document, given);
 }
 
 GivenValues given_values(const Document& document,

@@ -50,7 +50,8 @@ void write_new(const fs::path& folder, const KeyFile& key) {
   ::close(descriptor);
   if (written == static_cast<ssize_t>(key.text.size())) return;
   ::unlink(file.c_str());
-  refuse_key(file, std::strerror(written < 0 ? why : ENOSPC));
+  if (written < 0 && why != ENOSPC) refuse_key(file, std::strerror(why));
+  throw NoRoom("key file '" + file.string() + "' can't be written: the disk is full");
 }
 
 #if TANDEM_HAS_ZEROMQ

@@ -6,6 +6,8 @@
 #include <csignal>
 #include <string_view>
 
+#include "tandem/library_file.hpp"
+
 namespace tandem::cli {
 namespace {
 
@@ -30,6 +32,7 @@ extern "C" void tell_waiting(int) {
 extern "C" void note_signal(int) {
   seen = 1;
   leave_to_system();
+  if (LibraryCall::has_faulted()) return;  // the alarm is that of its end
   static_cast<void>(std::signal(SIGALRM, tell_waiting));
   ::alarm(seconds_to_wait);
 }
@@ -46,7 +49,7 @@ InterruptGuard::InterruptGuard() {
 
 InterruptGuard::~InterruptGuard() {
   leave_to_system();
-  if (seen != 0) ::alarm(0);
+  if (seen != 0 && !LibraryCall::has_faulted()) ::alarm(0);
 }
 
 bool InterruptGuard::interrupted() { return seen != 0; }

@@ -33,8 +33,11 @@ inline const CLI::Validator finite(
 
 inline const CLI::Validator whole(
     [](const std::string& text) {
+      std::uint64_t value = 0;
       const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-      return digits ? std::string() : "'" + text + "' is given; allowed is a whole number from 0";
+      return digits && CLI::detail::lexical_cast(text, value)
+                 ? std::string()
+                 : "'" + text + "' is given; allowed is a whole number from 0";
     },
     "WHOLE");
 

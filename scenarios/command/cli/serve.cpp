@@ -17,6 +17,7 @@
 #include "tandem/error.hpp"
 #include "tandem/library_file.hpp"
 #include "tandem/output/provenance.hpp"
+#include "tandem/scenario/nested.hpp"
 #include "tandem/tcp/tcp.hpp"
 
 namespace tandem::cli {
@@ -73,6 +74,14 @@ bool is_about_own(const std::string& sentence, const std::string& source) {
   });
 }
 
+/// Of its files, which a client may set.
+bool has_parameters(const std::string& source) try {
+  Parameters given = query_of(source);
+  return !scenario::parameters_of(source, {}, {}, given).empty();
+} catch (const Error&) {
+  return false;
+}
+
 /// What no parameter of a client mends is refused at once, not when the first session begins. Otherwise the error is
 /// only told.
 void try_source(const std::string& source, const Context& context) {
@@ -81,7 +90,7 @@ void try_source(const std::string& source, const Context& context) {
     open(source, context.builtins);
   } catch (const Error& error) {
     const Source& made_by = source_of(source, context.builtins);
-    const bool lacks = made_by.code || made_by.elsewhere ||
+    const bool lacks = made_by.code || made_by.elsewhere || has_parameters(source) ||
                        std::string(error.what()).find("parameter step") != std::string::npos;
     if (error.code() == ErrorCode::input_output || !lacks || is_about_own(error.what(), source)) throw;
     spdlog::warn(

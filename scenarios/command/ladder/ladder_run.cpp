@@ -84,17 +84,14 @@ std::map<std::string, std::string> columns_of(text::TimeTable& table) {
   return units;
 }
 
-/// Column by column, with the names of the judged quantities, in the units that these are compared in.
-void rename(text::TimeTable& table, const LadderRung& entry, const std::string& quantity,
-            const UnitConversion& to) {
-  const std::string own = name_in(entry, quantity);
-  for (std::size_t k = 0; k < table.names.size(); ++k) {
-    std::string& column = table.names[k];
-    const bool derivative = column == "der(" + own + ")";
-    if (column != own && !derivative) continue;
-    column = derivative ? "der(" + quantity + ")" : quantity;
-    for (double& value : table.columns[k]) value = to.factor * value + (derivative ? 0.0 : to.shift);
-  }
+/// Adds a column of `from`, if it is there, by another name and in other units.
+void add_column(const text::TimeTable& from, const std::string& name, const std::string& as,
+                const UnitConversion& in, text::TimeTable& to) {
+  const auto at = std::ranges::find(from.names, name) - from.names.begin();
+  if (at == std::ssize(from.names)) return;
+  to.names.push_back(as);
+  to.columns.push_back(from.columns[static_cast<std::size_t>(at)]);
+  for (double& value : to.columns.back()) value = in.factor * value + in.shift;
 }
 
 }  // namespace
@@ -174,12 +171,17 @@ UnitConversion Ladder::conversion_of(const Rung& rung, const std::string& quanti
   return *conversion;
 }
 
-/// The judged quantities by their names.
-text::TimeTable Ladder::judged_of(const Rung& rung, text::TimeTable table) const {
-  for (const std::string& quantity : rung.quantities)
-    rename(table, rung.entry, quantity, conversion_of(rung, quantity));
-  add_constants(table, rung.entry);
-  return table;
+/// The judged quantities by their names, with derivatives where there are.
+text::TimeTable Ladder::judged_of(const Rung& rung, const text::TimeTable& all) const {
+  text::TimeTable judged{all.file, all.times, {}, {}};
+  for (const std::string& quantity : rung.quantities) {
+    const UnitConversion to = conversion_of(rung, quantity);
+    const std::string& own = name_in(rung.entry, quantity);
+    add_column(all, own, quantity, to, judged);
+    add_column(all, "der(" + own + ")", "der(" + quantity + ")", {to.factor, 0.0}, judged);
+  }
+  add_constants(judged, rung.entry);
+  return judged;
 }
 
 void Ladder::check_folder(const std::filesystem::path& folder) const {

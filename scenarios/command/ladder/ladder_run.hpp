@@ -40,7 +40,7 @@ class Ladder {
   void check_richest() const;
   double factor(const LadderQuantity& judged) const;
   UnitConversion conversion_of(const Rung& rung, const std::string& quantity) const;
-  text::TimeTable judged_of(const Rung& rung, text::TimeTable table) const;
+  text::TimeTable judged_of(const Rung& rung, const text::TimeTable& all) const;
 
   const LadderEntry& entry_;
   const Builtins& builtins_;

@@ -116,6 +116,17 @@ nlohmann::json read_about(const fs::path& folder) {
   return about;
 }
 
+std::vector<std::string> files_of(const fs::path& folder) try {
+  std::vector<std::string> names;
+  if (!fs::exists(folder / "results.json")) return names;
+  const nlohmann::json about = read_about(folder);
+  for (const auto& file : about["files"]) names.push_back(file.get<std::string>());
+  std::erase_if(names, [](const std::string& name) { return fs::path(name).filename() != name; });
+  return names;
+} catch (const Error&) {
+  return {};
+}
+
 std::string unfinished(const fs::path& place) try {
   const bool is_folder = fs::is_directory(place);
   const fs::path folder = is_folder ? place : fs::absolute(place).parent_path();

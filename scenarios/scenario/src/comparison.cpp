@@ -38,7 +38,8 @@ std::vector<std::string> common(const TimeTable& a, const TimeTable& b) {
 void check(const TimeTable& a, const TimeTable& b, const Measure& measure) {
   for (const TimeTable* table : {&a, &b})
     if (table->times.empty()) fail(table->file.string() + " has no rows to compare");
-  if (!(measure.from <= measure.to))
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (!(measure.from <= measure.to) || measure.from == infinity || measure.to == -infinity)
     fail(fmt::format(
         "times from {} to {} s are to be compared; allowed are numbers, the second not before the first",
         measure.from, measure.to));

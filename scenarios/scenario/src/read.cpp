@@ -68,13 +68,25 @@ class Reader {
     Section run = Section(document_, *table, "run").with(values);
     read_span(run);
     for (Parameter& p : parameters(*table, "run", &values, kind == "diagram" ? "inputs" : ""))
-      if (p.name != "start" && p.name != "stop") entry.parameters.push_back(std::move(p));
+      if (p.name != "start" && p.name != "stop")
+        entry.parameters.push_back(with_own_value(std::move(p), values));
     if (kind == "diagram") read_inputs_of_diagram(run, values, entry);
     to_.animate = kind == "mechanism" && !run.node("animate");
     to_.subsystems.push_back(std::move(entry));
   }
 
  private:
+  /// A parameter of the file that refers has its value already.
+  static Parameter with_own_value(Parameter p, const text::Values& values) {
+    const text::FileValue* const own = p.refers ? values.find(p.name) : nullptr;
+    if (!own) return p;
+    if (const auto* number = std::get_if<double>(own))
+      p.value = *number;
+    else
+      p.value = std::get<std::string>(*own);
+    return p;
+  }
+
   void read_span(Section& run) {
     const auto start = run.number("start"), step = run.number("step"), stop = run.number("stop");
     if (!stop) run.missing("stop", "the time of its end [s]");

@@ -28,7 +28,7 @@ class ParameterReader {
       add({key, word(*text), place, false, quoted});
     else if (const auto* flag = node.as_boolean())
       add({key, flag->get(), place, false, quoted});
-    else if (const auto* table = node.as_table())
+    else if (const auto* table = node.as_table(); table && !table->empty())
       for (const auto& [name, inner] : text::in_file_order(*table))
         read(key + "." + name, *inner, path + "." + name, quoted + "." + text::toml_text(name));
     else if (const auto* list = node.as_array())

@@ -20,6 +20,7 @@
 #include "tandem/error.hpp"
 #include "tandem/output/files.hpp"
 #include "tandem/output/lock.hpp"
+#include "tandem/scenario/about.hpp"
 
 namespace tandem::scenario {
 namespace {
@@ -130,15 +131,18 @@ class Run::Stages {
     observers_.add(*estimate_);
   }
 
-  /// Other files of rows that are there, of another clock or format.
+  /// Other files of rows that an earlier run left there, by another clock or in another format.
   std::vector<fs::path> rows_of_before() const {
     std::vector<fs::path> all;
-    if (!fs::is_regular_file(settings_.folder / "results.json")) return all;
     const auto own = recorder_->files();
-    for (const auto& file : fs::directory_iterator(settings_.folder)) {
-      const std::string name = file.path().filename().string(), kind = file.path().extension().string();
-      const bool rows = name.starts_with("results.") && (kind == ".csv" || kind == ".npy");
-      if (rows && std::ranges::find(own, file.path()) == own.end()) all.push_back(file.path());
+    for (const std::string& name : files_of(settings_.folder)) {
+      const fs::path file = settings_.folder / name;
+      const auto& reference = scenario_.reference;
+      const bool is_reference =
+          reference && fs::weakly_canonical(reference->file) == fs::weakly_canonical(file);
+      if (fs::is_regular_file(fs::symlink_status(file)) && std::ranges::find(own, file) == own.end() &&
+          !is_reference)
+        all.push_back(file);
     }
     return all;
   }
@@ -162,7 +166,7 @@ class Run::Stages {
       bool going = true;
       for (double flush_at = 1.0; going && run().round(); going = !listener.going || listener.going()) {
         recorder_->between_rounds();
-        if (checkpoints_->wanted()) checkpoints_->write_if_due(time());
+        if (checkpoints_->wanted()) write_checkpoint_if_due();
         if (!pace.due()) continue;
         if (listener.come) listener.come(time());
         if (pace.seconds_read() >= flush_at) recorder_->flush(), flush_at = pace.seconds_read() + 1.0;
@@ -179,6 +183,7 @@ class Run::Stages {
   void interrupted() {
     fail("interrupted", fmt::format("interrupted at t = {} s", time()));
     if (!checkpoints_->wanted()) return;
+    go_home();
     checkpoints_->write();
     fail("interrupted", fmt::format("--resume {} goes on from there", checkpoints_->file().string()));
   }
@@ -195,6 +200,12 @@ class Run::Stages {
     } catch (const std::exception& error) {
       fail("failed", sentence_of(error));
     }
+  }
+
+  void write_checkpoint_if_due() {
+    if (!checkpoints_->is_due(time())) return;
+    go_home();
+    checkpoints_->write_at(time());
   }
 
   /// A library may have gone elsewhere, where paths mean other files.

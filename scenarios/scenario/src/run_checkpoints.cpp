@@ -25,11 +25,11 @@ double RunCheckpoints::times_passed(double t) const {
   return every_ ? std::floor((t - t_start_) / *every_) : 0.0;
 }
 
-void RunCheckpoints::write_if_due(double time) {
-  const double passed = times_passed(time);
-  if (passed <= passed_) return;
+bool RunCheckpoints::is_due(double time) const { return times_passed(time) > passed_; }
+
+void RunCheckpoints::write_at(double time) {
   write();
-  passed_ = passed;
+  passed_ = times_passed(time);
 }
 
 std::string RunCheckpoints::note() const {

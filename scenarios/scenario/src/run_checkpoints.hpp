@@ -19,8 +19,9 @@ class RunCheckpoints {
   /// The run stands where `from` was written; time [s] is where that is.
   void resume(const std::filesystem::path& from) { checkpoint_.resume(from); }
   void begin_at(double time) { passed_ = times_passed(time); }
-  /// Of a run that has come to `time` [s].
-  void write_if_due(double time);
+  /// time [s]: how far the run has come.
+  bool is_due(double time) const;
+  void write_at(double time);
   void write() { checkpoint_.write(file_); }
   /// A note if some were wanted and the run ended before the first; else empty.
   std::string note() const;

@@ -167,6 +167,7 @@ Measure read_measure(Section& section, const Scenario& of) {
   measure.shift = section.positive("shift").value_or(0.0);
   if (!(measure.from < measure.to))
     section.wrong("to", described(*section.node("to")), "a time in s after " + section.name("from"));
+  if (!(of.start < of.stop)) return measure;  // there is no span, which is told
   if (!(measure.from < of.stop)) section.wrong("from", described(*section.node("from")), "before span.stop");
   if (!(measure.to > of.start)) section.wrong("to", described(*section.node("to")), "after span.start");
   if (!(measure.shift < of.stop - of.start))

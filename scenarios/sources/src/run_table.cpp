@@ -19,7 +19,7 @@ class RunTable {
     if (const auto* inner = node.as_table(); inner && !inner->empty())
       for (const auto& [key, one] : text::in_file_order(*inner)) take(name + "." + key, *one);
     else if (text::Values::refers(node))
-      set(name, values().value(document_, node, "run." + name));
+      set(name, referred(name, node));
     else if (const auto* text = node.as_string())
       to_.set(name, text::Values::literal(text->get()));
     else if (const auto* flag = node.as_boolean())
@@ -32,6 +32,11 @@ class RunTable {
   }
 
  private:
+  /// A parameter of the file has its value already.
+  text::FileValue referred(const std::string& name, const toml::node& node) {
+    const text::FileValue* const own = values().find(name);
+    return own ? *own : values().value(document_, node, "run." + name);
+  }
   void set(const std::string& name, const text::FileValue& value) {
     if (const auto* number = std::get_if<double>(&value)) return to_.set(name, *number);
     to_.set(name, std::get<std::string>(value));

@@ -18,7 +18,7 @@ using text::Section;
 /// Reads the table with the names of one description.
 class Reader {
  public:
-  explicit Reader(const mbs::Description& in) : in_(in) {}
+  Reader(const mbs::Description& in, const text::Values& values) : in_(in), values_(values) {}
 
   ViewTable read(Section section) {
     ViewTable to;
@@ -28,9 +28,10 @@ class Reader {
     }
     to.ground = section.number("ground");
     if (const auto name = section.text("follow")) to.follow = entity(section, "follow", Kind::point, *name);
-    for (const std::string& name : section.texts("trace"))
+    for (const std::string& name : texts(section, "trace"))
       to.trace.push_back(entity(section, "trace", Kind::point, name));
-    for (const std::string& name : section.texts("plots")) to.plots.push_back(output(section, "plots", name));
+    for (const std::string& name : texts(section, "plots"))
+      to.plots.push_back(output(section, "plots", name));
     section.refuse_unknown();
     return to;
   }
@@ -54,11 +55,21 @@ class Reader {
     return wheel;
   }
 
+  /// "$NAME" among them is a word of the file's parameters.
+  std::vector<std::string> texts(Section& section, const std::string& key) const {
+    auto all = section.texts(key);
+    for (std::string& text : all) {
+      const text::FileValue* const value = text.starts_with("$") ? values_.find(text.substr(1)) : nullptr;
+      if (value && std::holds_alternative<std::string>(*value)) text = std::get<std::string>(*value);
+    }
+    return all;
+  }
+
   /// A vector's name, or two points.
   mbs::Edge edge(Section& section, const std::string& key) const {
     if (const toml::node* node = section.node(key); node->is_string())
       return {entity(section, key, Kind::vector, *section.text(key))};
-    const auto names = section.texts(key);
+    const auto names = texts(section, key);
     if (names.size() != 2) section.wrong(key, fmt::format("{} names", names.size()), edges);
     const mbs::Edge edge{entity(section, key, Kind::point, names[1]),
                          entity(section, key, Kind::point, names[0])};
@@ -91,6 +102,7 @@ class Reader {
 
   static constexpr const char* edges = "the name of a vector, or an array of two points";
   const mbs::Description& in_;
+  const text::Values& values_;
 };
 
 }  // namespace
@@ -100,7 +112,7 @@ ViewTable read_view(const text::Document& document, const mbs::Description& desc
   text::Values values;
   for (const mbs::Parameter& p : description.parameters) values.set(p.name, p.value);
   auto section = Section(document, language, &values).section("view");
-  return section ? Reader(description).read(std::move(*section)) : ViewTable{};
+  return section ? Reader(description, values).read(std::move(*section)) : ViewTable{};
 }
 
 }  // namespace tandem

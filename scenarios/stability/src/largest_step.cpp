@@ -38,13 +38,12 @@ class Search {
         if (bad > largest_factor) return std::numeric_limits<double>::infinity();
         good = bad;
       }
+      while (bad > good * (1.0 + precision)) {
+        const double middle = std::sqrt(good * bad);
+        (is_stable(middle) ? good : bad) = middle;
+      }
     } catch (const Error& error) {
       beyond = error.what();
-      return good;
-    }
-    while (bad > good * (1.0 + precision)) {
-      const double middle = std::sqrt(good * bad);
-      (is_stable(middle) ? good : bad) = middle;
     }
     return good;
   }

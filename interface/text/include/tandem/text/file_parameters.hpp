@@ -37,8 +37,9 @@ void keys_of_parameters(KeyList& to);
 GivenValues given_values(const Document& document,
                          const std::function<std::optional<FileValue>(const FileParameter&)>& find);
 
-/// What "$NAME" stands for in a file's table [run]: its parameters, the given ones in place of the file's. Those
-/// that somebody else gives go before the plain numbers and words of [run] itself.
+/// What "$NAME" stands for in a file's table [run]: its parameters with the values that somebody else gives, as find
+/// tells, else [run] itself, else the file. References of [run] see plain numbers and words there, and those of
+/// parameters before theirs.
 Values values_in_run(const Document& document,
                      const std::function<std::optional<FileValue>(const FileParameter&)>& find);
 

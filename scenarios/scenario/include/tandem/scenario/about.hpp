@@ -11,6 +11,9 @@ namespace tandem::scenario {
 /// file, and the key that is not as a run writes it.
 nlohmann::json read_about(const std::filesystem::path& folder);
 
+/// Names of the files of rows that results.json of a folder tells; none where it is not there or is damaged.
+std::vector<std::string> files_of(const std::filesystem::path& folder);
+
 /// Of a folder of a run, or a CSV file in one, of which the run did not come to its end, a sentence; else
 /// empty.
 std::string unfinished(const std::filesystem::path& place);
