@@ -93,10 +93,11 @@ Parts::Parts(const Scenario& scenario, const Builtins& builtins, Code code) : sc
 }
 
 void Parts::open_sides(const Builtins& builtins, Code code) {
-  const auto home = std::filesystem::current_path();
+  std::error_code none;  // of a folder that is gone
+  const auto home = std::filesystem::current_path(none);
   for (const SubsystemEntry& entry : scenario_.subsystems) {
     if (entry.impulse) continue;
-    std::filesystem::current_path(home);  // a library may have gone elsewhere
+    std::filesystem::current_path(home, none);  // a library may have gone elsewhere
     const bool out = code == Code::leave_out && is_code(entry, builtins);
     auto subsystem = out ? nullptr : opened(entry, builtins, scenario_.animate);
     keep(std::move(subsystem), out ? leave_out(entry, builtins) : std::nullopt);

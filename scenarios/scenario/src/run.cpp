@@ -209,7 +209,10 @@ class Run::Stages {
   }
 
   /// A library may have gone elsewhere, where paths mean other files.
-  void go_home() const { fs::current_path(home_); }
+  void go_home() const {
+    std::error_code none;
+    fs::current_path(home_, none);
+  }
 
   /// The status comes last: what it tells of is on the disk then.
   void write_machine_figures() {
@@ -230,7 +233,8 @@ class Run::Stages {
   const Scenario& scenario_;
   const Builtins& builtins_;
   RunSettings settings_;
-  const fs::path home_ = fs::current_path();
+  std::error_code no_home_;  ///< the folder is gone
+  const fs::path home_ = fs::current_path(no_home_);
   std::vector<std::string> notes_;
   std::optional<output::FolderLock> kept_;  ///< none where nothing is written
   std::optional<Assembly> assembly_;
