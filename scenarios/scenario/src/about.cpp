@@ -43,7 +43,7 @@ constexpr Key about_keys[] = {{"", Type::object, true},
                               {"/scenario", Type::object, true},
                               {"/scenario/file", Type::string},
                               {"/scenario/name", Type::string},
-                              {"/scenario/overrides", Type::array},
+                              {"/scenario/overrides", Type::array, false, Type::string},
                               {"/scenario/values", Type::object, true},
                               {"/scenario/values/description", Type::string},
                               {"/scenario/values/subsystems", Type::object, false, Type::object},
@@ -121,7 +121,11 @@ std::vector<std::string> files_of(const fs::path& folder) try {
   if (!fs::exists(folder / "results.json")) return names;
   const nlohmann::json about = read_about(folder);
   for (const auto& file : about["files"]) names.push_back(file.get<std::string>());
-  std::erase_if(names, [](const std::string& name) { return fs::path(name).filename() != name; });
+  std::erase_if(names, [](const std::string& name) {  // the file may be a stranger's
+    const std::string kind = fs::path(name).extension().string();
+    const bool rows = name.starts_with("results.") && (kind == ".csv" || kind == ".npy");
+    return !rows || fs::path(name).filename() != name;
+  });
   return names;
 } catch (const Error&) {
   return {};
