@@ -42,12 +42,10 @@ const text::Key* Arguments::known(const std::string& key) const {
 }
 
 const Value* Arguments::find(const std::string& key) {
-  known(key);
+  const text::Key* const of = known(key);
   asked_.insert(key);
-  if (block_.tables.contains(key)) {
-    const text::Key* const of = known(key);
+  if (block_.tables.contains(key))
     refuse(key, "a table", of ? text::described(*of) : "a signal, or a number");
-  }
   const auto it = block_.values.find(key);
   return it == block_.values.end() ? nullptr : &it->second;
 }

@@ -5,9 +5,9 @@
 #include <thread>
 
 #include "cli/adviser.hpp"
-#include "cli/positive.hpp"
 #include "cli/say.hpp"
 #include "cli/study_file.hpp"
+#include "cli/validators.hpp"
 #include "tandem/output/files.hpp"
 
 namespace tandem::cli {
@@ -65,7 +65,9 @@ void add_advise(CLI::App& app, Context& context) {
       "advise",
       "Predict error and cost of the schemes that a scenario may take, by linear models of its subsystems");
   auto options = std::make_shared<AdviseOptions>();
-  command->add_option("scenario", options->file, "The scenario, a TOML file or a system of SSP")->required()->type_name("FILE");
+  command->add_option("scenario", options->file, "The scenario, a TOML file or a system of SSP")
+      ->required()
+      ->type_name("FILE");
   command->add_option("--set", options->overrides, "Set a value of the file, as in run (repeatable)")
       ->type_name("KEY=VALUE")
       ->expected(1)

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "cli/commands.hpp"
-#include "cli/positive.hpp"
 #include "cli/own_process.hpp"
 #include "cli/say.hpp"
+#include "cli/validators.hpp"
 #include "tandem/error.hpp"
 #include "tandem/nearest.hpp"
 #include "tandem/sources/mechanism.hpp"

@@ -7,8 +7,8 @@
 #include <filesystem>
 
 #include "cli/commands.hpp"
-#include "cli/positive.hpp"
 #include "cli/say.hpp"
+#include "cli/validators.hpp"
 #include "tandem/error.hpp"
 #include "tandem/nearest.hpp"
 #include "tandem/scenario/about.hpp"

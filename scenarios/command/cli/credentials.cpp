@@ -9,8 +9,8 @@
 #include <filesystem>
 
 #include "cli/commands.hpp"
-#include "cli/positive.hpp"
 #include "cli/say.hpp"
+#include "cli/validators.hpp"
 #include "tandem/error.hpp"
 #include "tandem/tcp/certificates.hpp"
 #if TANDEM_HAS_ZEROMQ

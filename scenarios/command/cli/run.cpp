@@ -2,8 +2,8 @@
 #include <memory>
 
 #include "cli/looking.hpp"
-#include "cli/positive.hpp"
 #include "cli/run_to_results.hpp"
+#include "cli/validators.hpp"
 
 namespace tandem::cli {
 namespace {
@@ -34,7 +34,9 @@ results until then kept; 2 for an error before the run.)";
 void add_run(CLI::App& app, Context& context) {
   auto* command = app.add_subcommand("run", "Run a scenario and write its results");
   auto options = std::make_shared<RunOptions>();
-  command->add_option("scenario", options->file, "The scenario, a TOML file or a system of SSP")->required()->type_name("FILE");
+  command->add_option("scenario", options->file, "The scenario, a TOML file or a system of SSP")
+      ->required()
+      ->type_name("FILE");
   command->add_option("--set", options->overrides, "Set a value of the file (repeatable)")
       ->type_name("KEY=VALUE")
       ->expected(1)

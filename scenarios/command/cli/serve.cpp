@@ -11,9 +11,9 @@
 
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
-#include "cli/positive.hpp"
 #include "cli/say.hpp"
 #include "cli/transports.hpp"
+#include "cli/validators.hpp"
 #include "tandem/error.hpp"
 #include "tandem/library_file.hpp"
 #include "tandem/output/provenance.hpp"

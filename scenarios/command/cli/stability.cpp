@@ -5,10 +5,10 @@
 #include <cmath>
 #include <thread>
 
-#include "cli/positive.hpp"
 #include "cli/say.hpp"
 #include "cli/study_file.hpp"
 #include "cli/sweep_study.hpp"
+#include "cli/validators.hpp"
 #include "tandem/charts/draw.hpp"
 #include "tandem/sources/mechanism.hpp"
 #include "tandem/stability/fast_period.hpp"

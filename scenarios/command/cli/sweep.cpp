@@ -3,9 +3,9 @@
 #include <thread>
 
 #include "cli/commands.hpp"
-#include "cli/positive.hpp"
 #include "cli/study_file.hpp"
 #include "cli/sweep_study.hpp"
+#include "cli/validators.hpp"
 #include "tandem/error.hpp"
 
 namespace tandem::cli {

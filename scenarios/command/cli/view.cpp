@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "cli/commands.hpp"
-#include "cli/positive.hpp"
 #include "cli/say.hpp"
+#include "cli/validators.hpp"
 #include "tandem/error.hpp"
 #include "tandem/output/files.hpp"
 #include "tandem/scenario/about.hpp"

@@ -71,8 +71,8 @@ text::TimeTable read_results(const LadderRung& entry) {
   });
 }
 
-/// Columns of a file of results, and their units: "NAME [UNIT]" has one.
-std::map<std::string, std::string> columns_of(text::TimeTable& table) {
+/// Takes the units off the headings of a file, "NAME [UNIT]", and gives them by name; empty where there is none.
+std::map<std::string, std::string> take_units(text::TimeTable& table) {
   std::map<std::string, std::string> units;
   for (std::string& name : table.names) {
     const auto at = name.find(" [");
@@ -115,7 +115,7 @@ void Ladder::take_quantities(Rung& rung) {
   if (rung.scenario)
     known = outputs_of(Assembly(*rung.scenario, builtins_).topology());
   else
-    known = columns_of(*rung.results);
+    known = take_units(*rung.results);
   for (const LadderQuantity& q : entry_.quantities) {
     if (rung.entry.constants.contains(q.quantity)) continue;
     const std::string& own = name_in(rung.entry, q.quantity);

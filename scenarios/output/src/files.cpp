@@ -49,6 +49,12 @@ std::string of_whole(std::string sentence, const fs::path& file) {
   return sentence;
 }
 
+[[noreturn]] void throw_of_whole(const fs::path& file) try { throw; } catch (const NoRoom& error) {
+  throw NoRoom(of_whole(error.what(), file));
+} catch (const Error& error) {
+  throw Error(error.code(), of_whole(error.what(), file));
+}
+
 /// Writes FILE.part and renames it; whatever goes wrong, no FILE.part is left.
 void replace(const fs::path& file, std::string_view text, bool durably) {
   check_replaced(file);
@@ -64,12 +70,9 @@ void replace(const fs::path& file, std::string_view text, bool durably) {
     std::error_code failed;
     fs::rename(part, file, failed);
     if (failed) fail("file", file, failed.message());
-  } catch (const NoRoom& error) {
+  } catch (...) {
     remove_part(file);
-    throw NoRoom(of_whole(error.what(), file));
-  } catch (const Error& error) {
-    remove_part(file);
-    throw Error(error.code(), of_whole(error.what(), file));
+    throw_of_whole(file);
   }
   if (durably) sync_folder(fs::absolute(file).parent_path());
 }

@@ -1,4 +1,5 @@
 /* Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause */
+/* A model in Octave as a subsystem. (One file, as each call of the table is a few lines about one struct.) */
 #include <float.h>
 #include <math.h>
 #include <stdio.h>

@@ -5,7 +5,8 @@
 
 namespace tandem::cli {
 
-// In place of CLI::PositiveNumber and CLI::NonNegativeNumber, which let NaN and infinity pass.
+// What an option may be, told with what is given. The first two stand in place of CLI::PositiveNumber and
+// CLI::NonNegativeNumber, which let NaN and infinity pass.
 
 inline const CLI::Validator positive(
     [](const std::string& text) {
