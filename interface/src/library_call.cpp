@@ -52,7 +52,9 @@ void LibraryCall::refuse_rounding(int before) {
 }
 
 void LibraryCall::return_from_exit() noexcept {
-  if (is_any_loaded() && tells_itself()) return_to_call(by_exit);
+  if (!is_any_loaded() || !tells_itself()) return;
+  return_to_call(by_exit);
+  leave_to_others(by_exit);
 }
 
 int LibraryCall::refuse_exit(int status) noexcept {

@@ -14,6 +14,7 @@ namespace {
 
 std::atomic<pid_t> watched_process = 0;  ///< not one that is made from it
 std::atomic<bool> returns = false, faulted = false;
+constexpr unsigned seconds_to_see = 2;   ///< for the calls to learn of a fault outside of them
 constexpr unsigned seconds_to_end = 10;  ///< for a program of which a library may have left a lock closed
 
 struct Fault {
@@ -37,11 +38,20 @@ void say(const char* text) noexcept {
   static_cast<void>(written);
 }
 
+/// The program that has seen a fault is to end, and soon.
+void limit_the_end() noexcept {
+  if (faulted.exchange(true)) return;
+  static_cast<void>(std::signal(SIGALRM, SIG_DFL));
+  ::alarm(seconds_to_end);
+}
+
 }  // namespace
+
+constinit std::atomic<int> LibraryCall::outside_ = 0;
 
 void LibraryCall::return_from_faults() noexcept { returns = true; }
 
-bool LibraryCall::has_faulted() noexcept { return faulted; }
+bool LibraryCall::has_faulted() noexcept { return faulted || outside_ != 0; }
 
 /// Also of a stack that is at its end, in the thread that the program begins with. A handler that is there
 /// already, a sanitizer's, keeps its place.
@@ -63,10 +73,15 @@ void LibraryCall::guard_faults() noexcept {
 
 void LibraryCall::return_to_call(int cause) noexcept {
   if (!returns || !current_ || !current_->back_) return;
-  faulted = true;
-  static_cast<void>(std::signal(SIGALRM, SIG_DFL));
-  ::alarm(seconds_to_end);
+  limit_the_end();
   siglongjmp(*current_->back_, cause);
+}
+
+void LibraryCall::leave_to_others(int cause) noexcept {
+  if (!returns || current_ || ::gettid() == ::getpid()) return;
+  outside_ = cause;
+  for (unsigned left = seconds_to_see; left > 0 && !faulted;) left = ::sleep(left);
+  while (faulted) ::pause();
 }
 
 /// By calls alone that a handler may make. A fault where no library is loaded ends the program as it would
@@ -77,6 +92,7 @@ void LibraryCall::fault(int signal) noexcept {
     return;
   }
   return_to_call(signal);
+  leave_to_others(signal);
   if (!tells_itself()) ::raise(signal);
   say("tandem: ");
   say(current_ ? current_->library_ : "a library that was loaded, or tandem itself,");
@@ -88,10 +104,13 @@ void LibraryCall::fault(int signal) noexcept {
 }
 
 void LibraryCall::refuse_fault(int signal) {
-  if (signal == by_exit)
-    throw Error(ErrorCode::internal, "it ended the program; allowed is to return. It is not called again");
-  throw Error(ErrorCode::internal, std::string("it ") + what(signal) + " (signal " + std::to_string(signal) +
-                                       "), and is not called again");
+  limit_the_end();
+  const bool besides = outside_ != 0;
+  const std::string who = besides ? "a thread beside the calls " : "it ",
+                    done = signal == by_exit ? "ended the program; allowed is to return"
+                                             : what(signal) + (" (signal " + std::to_string(signal) + ")");
+  throw Error(ErrorCode::internal,
+              who + done + (besides ? "; no library is called again" : "; it is not called again"));
 }
 
 }  // namespace tandem

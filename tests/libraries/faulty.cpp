@@ -235,6 +235,32 @@ const tandem_subsystem_api* faults_in_a_thread() {
   return &api;
 }
 
+/// In a thread that nobody waits for.
+tandem_status after_ten_beside(void* self, tandem_samples* y, tandem_clock* c, void (*fault)()) {
+  static void (*what)() = nullptr;
+  what = fault;
+  return after_ten(self, y, c, [] {
+    std::thread(what).detach();
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  });
+}
+
+const tandem_subsystem_api* faults_beside() {
+  static const tandem_subsystem_api api =
+      with([](void* self, double, std::int32_t, const tandem_signal*, tandem_samples* y, tandem_clock* c) {
+        return after_ten_beside(self, y, c, [] { std::abort(); });
+      });
+  return &api;
+}
+
+const tandem_subsystem_api* exits_beside() {
+  static const tandem_subsystem_api api =
+      with([](void* self, double, std::int32_t, const tandem_signal*, tandem_samples* y, tandem_clock* c) {
+        return after_ten_beside(self, y, c, [] { std::exit(0); });
+      });
+  return &api;
+}
+
 const tandem_subsystem_api* faults_when_unloaded() {
   static const struct Last {
     ~Last() { std::abort(); }

@@ -69,6 +69,27 @@ TEST_F(CompareCommand, AWindowEndsWithRounding) {
   EXPECT_EQ(tandem(folder, {"compare", "c.csv", "d.csv", "--to", "0.3"}).status, 1);
 }
 
+/// Their ends alone are the same, ten seconds apart.
+TEST(Comparison, AShiftLeavesHalfOfTheTimes) {
+  text::TimeTable a{"a", {}, {"x"}, {{}}};
+  for (int row = 0; row <= 100; ++row) a.times.push_back(0.1 * row), a.columns[0].push_back(row);
+  text::TimeTable b = a;
+  for (double& x : b.columns[0]) x += 100.0;
+  const scenario::Comparison compared = scenario::compare(a, b, {}, {.shift = 20.0});
+  EXPECT_GE(compared.times, 51U);
+  EXPECT_NEAR(compared.shift, 5.0, 0.1);
+}
+
+TEST(Comparison, SquaresOfSmallAndLargeValuesAreNumbers) {
+  for (const double size : {1e-200, 1e200}) {
+    const text::TimeTable a{"a", {0.0, 1.0}, {"x"}, {{size, size}}},
+        b{"b", {0.0, 1.0}, {"x"}, {{2 * size, 2 * size}}};
+    const scenario::Difference x = scenario::compare(a, b).columns[0];
+    EXPECT_DOUBLE_EQ(x.relative_rms, 0.5);
+    EXPECT_DOUBLE_EQ(x.rms, size);
+  }
+}
+
 TEST(Comparison, ATableWithoutRowsIsRefused) {
   const text::TimeTable none{"none", {}, {"x"}, {{}}};
   EXPECT_TRUE(test::refuses(ErrorCode::invalid_argument, {"none has no rows"},

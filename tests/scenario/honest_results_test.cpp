@@ -134,11 +134,18 @@ TEST(HonestResults, ASettingThatAStudyMakesAgainIsRefused) {
   const Scratch folder;
   folder.write("study.toml",
                "scenario = '" + two_mass_file("two_mass.toml") +
-                   "'\ncolumns = ['stop']\n[set]\n'span.stop' = '$(stop)'\n"
+                   "'\ncolumns = ['stop']\n[set]\n'span.stop' = '$(stop)'\n'connections[0].gain' = '$(1)'\n"
                    "[[tables.t.blocks]]\naxes = [{ stop = [0.1] }]\n[metrics]\nexchanges = {}\n");
-  const Said said = tandem(folder, {"sweep", "study.toml", "--set", "span.stop=9"});
-  EXPECT_EQ(said.status, 2);
-  EXPECT_TRUE(contains(said.err, "study.toml:4: the study sets span.stop itself")) << said.err;
+  for (const auto& [set, where] :
+       {std::pair{"span.stop=9", "study.toml:4: the study sets span.stop itself"},
+        {"span={start=0,stop=9}", "study.toml:4: the study sets span.stop itself"},
+        {"connections[fast.x2].gain=2", "study.toml:5: the study sets connections"}}) {
+    const Said said = tandem(folder, {"sweep", "study.toml", "--set", set});
+    EXPECT_EQ(said.status, 2) << set;
+    EXPECT_TRUE(contains(said.err, where)) << said.err;
+  }
+  for (const std::string set : {"span.start=-0.1", "connections[1].gain=1"})
+    EXPECT_EQ(tandem(folder, {"sweep", "study.toml", "--set", set}).status, 0) << set;
 }
 
 TEST(HonestResults, OptionsAreToldLikeEverythingElse) {

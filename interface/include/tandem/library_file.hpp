@@ -2,6 +2,7 @@
 #pragma once
 #include <setjmp.h>  // sigsetjmp
 
+#include <atomic>
 #include <cfenv>
 #include <filesystem>
 #include <string>
@@ -27,6 +28,9 @@ void check_function(const void* address, const std::string& library, const std::
 /// - ends the program before in any other way: in a thread of its own, or as it is unloaded;
 /// - makes a fault, a signal: memory that is not there, a division by zero, abort.
 ///
+/// Both in a thread that is in no call end the next call, or the one that is under way, as a fault in it does
+/// (return_from_faults). The program itself ends two seconds later where no call is made or ends.
+///
 /// (What takes the process' place, exec, can't be told.)
 class LibraryCall {
  public:
@@ -44,6 +48,7 @@ class LibraryCall {
   /// call has changed how this thread rounds numbers, and changes it back.
   template <class Call>
   auto make(const Call& call) {
+    if (outside_ != 0) refuse_fault(outside_);
     sigjmp_buf back;
     if (const int signal = sigsetjmp(back, 0); signal != 0) refuse_fault(signal);
     back_ = &back;
@@ -51,11 +56,11 @@ class LibraryCall {
     if constexpr (std::is_void_v<decltype(call())>) {
       call();
       back_ = nullptr;
-      if (std::fegetround() != rounding) refuse_rounding(rounding);
+      check_end(rounding);
     } else {
       auto result = call();
       back_ = nullptr;
-      if (std::fegetround() != rounding) refuse_rounding(rounding);
+      check_end(rounding);
       return result;
     }
   }
@@ -75,8 +80,8 @@ class LibraryCall {
   /// If it is not for this thread to end the program: tells so, and ends it with status 1. Else the status to
   /// end with. For who takes the place of _exit().
   static int refuse_exit(int status) noexcept;
-  /// If this thread is in a call that faults return from: does not return, but ends the call so. For who takes
-  /// the place of exit().
+  /// If this thread is in a call that faults return from: does not return, but ends the call so. In a thread
+  /// beside the calls it waits for one that ends. For who takes the place of exit().
   static void return_from_exit() noexcept;
 
  private:
@@ -87,11 +92,19 @@ class LibraryCall {
   static void fault(int signal) noexcept;
   /// Where this thread is in a call that faults return from: there, with this cause.
   static void return_to_call(int cause) noexcept;
+  /// Where this thread is in no call and is not the program's first: does not return while another may end the
+  /// program for this cause.
+  static void leave_to_others(int cause) noexcept;
   static constexpr int by_exit = -1;  ///< the cause that is no signal
+  static void check_end(int rounding) {
+    if (outside_ != 0) refuse_fault(outside_);
+    if (std::fegetround() != rounding) refuse_rounding(rounding);
+  }
   [[noreturn]] static void refuse_fault(int signal);
   [[noreturn]] static void refuse_rounding(int before);
 
   static constinit thread_local const LibraryCall* current_;
+  static constinit std::atomic<int> outside_;  ///< cause of the fault of a thread in no call; 0: none
   const char* library_;
   const LibraryCall* outer_;
   sigjmp_buf* back_ = nullptr;

@@ -75,6 +75,7 @@ text::TimeTable read_results(const LadderRung& entry) {
 std::map<std::string, std::string> take_units(text::TimeTable& table) {
   std::map<std::string, std::string> units;
   for (std::string& name : table.names) {
+    name.resize(name.find_last_not_of(' ') + 1);
     const auto at = name.find(" [");
     const bool has_unit = at != std::string::npos && name.ends_with(']');
     const std::string unit = has_unit ? name.substr(at + 2, name.size() - at - 3) : "";

@@ -7,6 +7,7 @@
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <string_view>
 #include <unordered_set>
 #include <utility>
@@ -65,14 +66,15 @@ double largest(const TimeTable& table, const Course& course, const Measure& meas
 
 double fraction_of(double difference, double of) { return of > 0.0 ? difference / of : 0.0; }
 
-/// Sums over the compared times of a column.
+/// Sums over the compared times of a column. The squares of small and large values are numbers, too.
 struct Squares {
-  double difference = 0.0, a = 0.0, b = 0.0;
+  long double difference = 0.0, a = 0.0, b = 0.0;
 };
 
 void note(Difference& d, Squares& sums, double time, double a, double b) {
   if (std::isnan(a) || std::isnan(b)) return;
-  sums.difference += (a - b) * (a - b), sums.a += a * a, sums.b += b * b;
+  const auto square = [](long double x) { return x * x; };
+  sums.difference += square(a - b), sums.a += square(a), sums.b += square(b);
   d.end = std::abs(a - b);
   if (d.compared++ > 0 && !(std::abs(a - b) > d.absolute)) return;
   d.time = time, d.a = a, d.b = b, d.absolute = std::abs(a - b);
@@ -93,6 +95,7 @@ class SideBySide {
     result_.columns.push_back({column});
   }
 
+  /// Of no time, or no value of a column, where there is none in common.
   Comparison compared() {
     const TimeTable& coarse = at_a_ ? a_ : b_;
     result_.at = coarse.file.string();
@@ -100,11 +103,8 @@ class SideBySide {
     sums_.assign(columns_.size(), {});
     for (std::size_t row = 0; row < coarse.times.size(); ++row)
       at(coarse.times[row], row > 0 && coarse.times[row] == coarse.times[row - 1]);
-    if (result_.times == 0)
-      fail(fmt::format("no time is in both: {} covers {} to {} s, {} covers {} to {} s{}", a_.file.string(),
-                       a_.times.front(), a_.times.back(), b_.file.string(), b_.times.front(), b_.times.back(),
-                       window()));
-    for (std::size_t k = 0; k < columns_.size(); ++k) scale(k);
+    for (std::size_t k = 0; k < columns_.size(); ++k)
+      if (result_.columns[k].compared > 0) scale(k);
     return std::move(result_);
   }
 
@@ -128,22 +128,14 @@ class SideBySide {
   void scale(std::size_t k) {
     Difference& d = result_.columns[k];
     const auto& [a, b] = columns_[k];
-    if (d.compared == 0) fail("column " + d.column + " has no time at which both have a value");
     const double peak = largest(b_, b, measure_, 0.0), of = static_cast<double>(d.compared);
     d.peak = peak > 0.0 ? peak : largest(a_, a, measure_, shift_);
     d.relative = fraction_of(d.absolute, d.peak);
-    d.rms = std::sqrt(sums_[k].difference / of);
-    d.rms_of = std::sqrt((sums_[k].b > 0.0 ? sums_[k].b : sums_[k].a) / of);
+    d.rms = static_cast<double>(std::sqrt(sums_[k].difference / of));
+    d.rms_of = static_cast<double>(std::sqrt((sums_[k].b > 0.0L ? sums_[k].b : sums_[k].a) / of));
     d.relative_rms = fraction_of(d.rms, d.rms_of);
     const bool smooth = (at_a_ ? b : a).derivatives.has_value();
     if (measure_.lines && result_.interpolated > 0 && !smooth) result_.linear.push_back(d.column);
-  }
-
-  std::string window() const {
-    const bool all = std::isinf(measure_.from) && std::isinf(measure_.to);
-    std::string text = all ? "" : fmt::format("; from {} to {} s count", measure_.from, measure_.to);
-    if (shift_ != 0.0) text += fmt::format("; the first is moved by {} s", -shift_);
-    return text;
   }
 
   const TimeTable &a_, &b_;
@@ -163,20 +155,46 @@ Comparison compare_shifted(const TimeTable& a, const TimeTable& b, const std::ve
   return both.compared();
 }
 
-/// The sum of the squared relative rms is least there: by Brent's method about the best of a scan.
+/// Infinite where fewer times than needed are compared, or no value of a column.
+double mismatch(const Comparison& comparison, std::size_t needed) {
+  double sum = comparison.times < needed ? std::numeric_limits<double>::infinity() : 0.0;
+  for (const Difference& d : comparison.columns)
+    sum += d.compared > 0 ? d.relative_rms * d.relative_rms : std::numeric_limits<double>::infinity();
+  return sum;
+}
+
+/// The sum of the squared relative rms is least there, by Brent's method about the best of a scan. Half as many
+/// times have to be compared as where they are most: the ends of two results alone agree too easily.
 double best_shift(double most, const std::function<Comparison(double)>& shifted) {
-  const auto cost = [&](double shift) {
-    double sum = 0.0;
-    for (const Difference& d : shifted(shift).columns) sum += d.relative_rms * d.relative_rms;
-    return sum;
-  };
   constexpr int steps = 32;
-  double best = 0.0, least = cost(0.0);
+  std::vector<Comparison> scan;
+  std::size_t needed = 0;
   for (int k = -steps; k <= steps; ++k)
-    if (const double here = most * k / steps, sum = cost(here); sum < least) best = here, least = sum;
+    needed = std::max(needed, (scan.emplace_back(shifted(most * k / steps)).times + 1) / 2);
+  double best = 0.0, least = mismatch(scan[steps], needed);
+  for (const Comparison& one : scan)
+    if (const double sum = mismatch(one, needed); sum < least) best = one.shift, least = sum;
   const double width = most / steps, low = std::max(-most, best - width), high = std::min(most, best + width);
-  const auto [shift, sum] = boost::math::tools::brent_find_minima(cost, low, high, 24);
+  const auto [shift, sum] = boost::math::tools::brent_find_minima(
+      [&](double at) { return mismatch(shifted(at), needed); }, low, high, 24);
   return sum < least ? shift : best;
+}
+
+std::string window(const Measure& measure, double shift) {
+  const bool all = std::isinf(measure.from) && std::isinf(measure.to);
+  std::string text = all ? "" : fmt::format("; from {} to {} s count", measure.from, measure.to);
+  if (shift != 0.0) text += fmt::format("; the first is moved by {} s", -shift);
+  return text;
+}
+
+void refuse_nothing(const Comparison& comparison, const TimeTable& a, const TimeTable& b,
+                    const Measure& measure) {
+  if (comparison.times == 0)
+    fail(fmt::format("no time is in both: {} covers {} to {} s, {} covers {} to {} s{}", a.file.string(),
+                     a.times.front(), a.times.back(), b.file.string(), b.times.front(), b.times.back(),
+                     window(measure, comparison.shift)));
+  for (const Difference& d : comparison.columns)
+    if (d.compared == 0) fail("column " + d.column + " has no time at which both have a value");
 }
 
 void tell_uncompared(const TimeTable& a, const TimeTable& b, const std::vector<std::string>& compared,
@@ -203,6 +221,7 @@ Comparison compare(const TimeTable& a, const TimeTable& b, const std::vector<std
   const auto names = columns.empty() ? common(a, b) : columns;
   const auto shifted = [&](double shift) { return compare_shifted(a, b, names, measure, shift); };
   Comparison comparison = shifted(measure.shift > 0.0 ? best_shift(measure.shift, shifted) : 0.0);
+  refuse_nothing(comparison, a, b, measure);
   tell_uncompared(a, b, columns.empty() ? names : std::vector<std::string>(), comparison);
   return comparison;
 }

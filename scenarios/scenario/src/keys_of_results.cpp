@@ -87,7 +87,8 @@ void keys_of_ladder(KeyList& to) {
            "scenario.")
       .may("set", texts, "Settings of this rung.", {.allowed = "\"KEY=VALUE\""})
       .table("ladder.rungs[].outputs",
-             "Judged quantities that this rung has by another name, or as a constant.")
+             "Judged quantities that this rung has by another name, or as a constant in the unit of the "
+             "richest rung that is a scenario.")
       .may("NAME", name, "By the judged quantity: the output, or the number, that it is here.");
 }
 

@@ -25,8 +25,8 @@ double smallest_factor(const Stability& here) {
 /// A scan, then bisection.
 class Search {
  public:
-  Search(const Scenario& scenario, const Builtins& builtins, double rate)
-      : scenario_(scenario), builtins_(builtins), rate_(rate) {}
+  Search(const Scenario& scenario, const Builtins& builtins, const Stability& here)
+      : scenario_(scenario), builtins_(builtins), rate_(here.rate), at_rest_(here.step.at_rest) {}
 
   /// The factor; `beyond` says why no larger one could be looked at.
   double from(double smallest, std::string& beyond) const {
@@ -52,13 +52,15 @@ class Search {
   bool is_stable(double factor) const {
     Scenario scaled = scenario_;
     scenario::scale_steps(scaled, builtins_, factor);
-    const SuperStep step = super_step(scaled, builtins_);
+    SuperStep step = super_step(scaled, builtins_);
+    step.at_rest = at_rest_;
     return stability::is_stable(step, step.radius(), rate_);
   }
 
   const Scenario& scenario_;
   const Builtins& builtins_;
   double rate_;
+  int at_rest_;
 };
 
 /// The first of an order that is given, or the one with the longest own step, or the shortest where that leads.
@@ -92,7 +94,7 @@ LargestStep largest_step(const Scenario& scenario, const Builtins& builtins) {
   const SuperStep& step = here.step;
   const double smallest = smallest_factor(here);
   std::string beyond;
-  const double factor = Search(scenario, builtins, here.rate).from(smallest, beyond);
+  const double factor = Search(scenario, builtins, here).from(smallest, beyond);
   const auto length = [&](std::size_t i) { return step.period / static_cast<double>(step.steps[i]); };
   if (scenario.coordination.schedule == Schedule::Kind::parallel) {
     double largest = 0.0;

@@ -11,8 +11,7 @@
 
 #include "tandem/error.hpp"
 #include "tandem/scenario/by_signals.hpp"
-#include "trial.hpp"
-#include "undivided.hpp"
+#include "true_modes.hpp"
 
 namespace tandem::stability {
 namespace {
@@ -21,7 +20,7 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 using Eigen::VectorXcd;
 
-/// Eigenvalues with eigenvectors, of which the part of the states counts.
+/// Eigenvalues, or rates, with eigenvectors, of which the part of the states counts.
 struct Pairs {
   VectorXcd values;
   Eigen::MatrixXcd vectors;
@@ -68,8 +67,9 @@ double likeness(const VectorXcd& a, const VectorXcd& b) {
 
 /// Modes of the system undivided and of the scheme, by states that are scaled alike.
 struct Both {
-  Both(const Undivided& whole, const SuperStep& step, const Told& told)
-      : exact(pairs_of(whole.rates, told.whole)), here(pairs_of(step.map, told.map)) {
+  Both(const TrueModes& whole, const SuperStep& step, const Told& told)
+      : exact{whole.rates, whole.vectors(told.whole, Eigen::all)},
+        here(pairs_of(step.map, told.map)) {
     const Eigen::VectorXd largest = exact.vectors.cwiseAbs().rowwise().maxCoeff();
     for (Pairs* pairs : {&exact, &here})
       for (Index k = 0; k < largest.size(); ++k)
@@ -81,13 +81,13 @@ struct Both {
 
 class Matching {
  public:
-  Matching(const Undivided& whole, const SuperStep& step, const scenario::Scenario& scenario)
+  Matching(const TrueModes& whole, const SuperStep& step, const scenario::Scenario& scenario)
       : period_(step.period),
         taken_(static_cast<std::size_t>(step.map.cols())),
         by_nearness_(step.offsets > 0),
         all_(whole, step, told_by(step, scenario, true)) {
     if (step.offsets > 0) fast_.emplace(whole, step, told_by(step, scenario, false));
-    parts_ = participation(whole).parts;
+    parts_ = whole.parts;
   }
 
   /// One of each pair of conjugates, the fastest first.
@@ -177,8 +177,10 @@ Stability stability(const scenario::Scenario& scenario, const Builtins& builtins
   try {
     const scenario::Scenario apart = scenario::by_signals(scenario);
     const Trial trial(apart, builtins);
-    const Undivided whole = undivided(trial, all.step.linear);
-    all.states = whole.names;
+    const TrueModes whole = true_modes(trial, all.step.linear);
+    all.states = whole.states;
+    all.step.at_rest = whole.at_rest;
+    all.radius = all.step.radius();
     all.modes = Matching(whole, all.step, scenario).modes();
     constexpr double rounding = 1e-8;  // of a damping ratio
     for (const Mode& mode : all.modes)

@@ -5,6 +5,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <numeric>
 #include <random>
 
 #include "difference.hpp"
@@ -126,8 +127,11 @@ double SuperStep::radius() const {
   std::sort(all.begin(), all.end(),
             [](const auto& a, const auto& b) { return std::abs(a - 1.0) < std::abs(b - 1.0); });
   double largest = offsets > 0 ? 1.0 : 0.0;
-  for (std::size_t k = static_cast<std::size_t>(offsets); k < all.size(); ++k)
-    largest = std::max(largest, std::abs(all[k]));
+  const auto gone = all.begin() + offsets, rest = gone + std::min<std::ptrdiff_t>(at_rest, all.end() - gone);
+  if (rest != gone)
+    largest = std::max(largest,
+                       std::abs(std::accumulate(gone, rest, std::complex<double>()) / double(rest - gone)));
+  for (auto it = rest; it != all.end(); ++it) largest = std::max(largest, std::abs(*it));
   return largest;
 }
 

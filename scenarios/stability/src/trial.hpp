@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <map>
 #include <memory>
 #include <set>
 #include <vector>
@@ -42,6 +43,9 @@ class Trial {
     return inputs_[static_cast<std::size_t>(instance)];
   }
   double own_step(int instance) const { return own_steps_[static_cast<std::size_t>(instance)]; }
+  /// The model that stands for a sampled one, and its first instant, after the start or at it [s].
+  const identification::LinearModel& model(int instance) const { return models_.at(instance); }
+  double offset(int instance) const { return models_.at(instance).offset; }
 
  private:
   [[noreturn]] void refuse(int instance, const std::string& what) const;
@@ -63,6 +67,7 @@ class Trial {
   std::vector<Subsystem*> subsystems_;
   std::vector<std::unique_ptr<Subsystem>> surrogates_;
   std::vector<Identified> identified_;
+  std::map<int, identification::LinearModel> models_;
   std::vector<double> own_steps_;
   std::vector<std::vector<StateName>> states_;
   std::vector<std::vector<double>> inputs_;

@@ -67,9 +67,9 @@ double Trial::identify_sampled(int instance) {
   auto model = model_of(instance);
   model.offset = std::fmod(model.offset, model.step);
   if (std::min(model.offset, model.step - model.offset) <= rounding * model.step) model.offset = 0.0;
-  const double offset = model.offset;
+  models_[instance] = model;
   put(instance, std::move(model));
-  return offset;
+  return offset(instance);
 }
 
 identification::LinearModel Trial::model_of(int instance) {

@@ -3,6 +3,8 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
 
 #include "linear_side.hpp"
 #include "tandem/error.hpp"
@@ -40,28 +42,48 @@ LinearSide nothing(const SubsystemInfo& of) {
   return {MatrixXd(0, 0), MatrixXd(0, inputs), MatrixXd(outputs, 0), MatrixXd::Zero(outputs, inputs)};
 }
 
+/// States, then outputs in effect, then as many as wait at one time.
+LinearSide held(const Trial& trial, int instance) {
+  constexpr double rounding = 1e-9;
+  const SubsystemInfo& info = trial.topology().info(instance);
+  const Index states = trial.model(instance).order(), width = info.output_size();
+  const auto waiting =
+      static_cast<Index>(std::ceil(info.sampling.latency / trial.own_step(instance) - rounding));
+  const Index size = states + (1 + std::max(Index{0}, waiting)) * width;
+  LinearSide one{MatrixXd::Zero(size, size), MatrixXd::Zero(size, info.input_size()),
+                 MatrixXd::Zero(width, size), MatrixXd::Zero(width, info.input_size())};
+  one.c.middleCols(states, width).setIdentity();
+  return one;
+}
+
+LinearSide side_of(const Trial& trial, int instance, bool is_linear, Sampled sampled) {
+  const SubsystemInfo& info = trial.topology().info(instance);
+  if (!info.abilities.sampled) return linear_side(trial, instance, is_linear);
+  return sampled == Sampled::held ? held(trial, instance) : nothing(info);
+}
+
 }  // namespace
 
 Undivided undivided(const Trial& trial, bool is_linear, Sampled sampled) {
   Undivided all;
   LinearSide sum;
   for (int i = 0; i < trial.topology().size(); ++i) {
-    const SubsystemInfo& info = trial.topology().info(i);
-    if (info.abilities.sampled && sampled == Sampled::refused)
-      throw Error(ErrorCode::not_supported,
-                  "subsystem '" + trial.topology().name(i) +
-                      "' is sampled, and the system undivided is known without such");
-    const LinearSide one = info.abilities.sampled ? nothing(info) : linear_side(trial, i, is_linear);
+    const LinearSide one = side_of(trial, i, is_linear, sampled);
+    const std::size_t states = one.g.rows() > 0 ? trial.states(i).size() : 0;
+    all.state_at.push_back(sum.g.rows()), all.output_at.push_back(sum.c.rows());
+    all.held_at.push_back(sum.g.rows() + static_cast<Index>(states));
     append(sum.g, one.g), append(sum.b, one.b), append(sum.c, one.c), append(sum.d, one.d);
-    if (info.abilities.sampled) continue;
-    for (const StateName& state : trial.states(i))
-      all.names.push_back(trial.topology().name(i) + '.' + state.name);
+    for (std::size_t k = 0; k < states; ++k)
+      all.names.push_back(trial.topology().name(i) + '.' + trial.states(i)[k].name);
+    all.names.resize(static_cast<std::size_t>(sum.g.rows()));
   }
   const MatrixXd l = connections(trial.topology());
   const Eigen::FullPivLU<MatrixXd> loop(MatrixXd::Identity(l.rows(), l.rows()) - l * sum.d);
   if (!loop.isInvertible())
     throw Error(ErrorCode::not_supported, "the connections make a loop at once that has no solution");
-  all.rates = sum.g + sum.b * loop.solve(l * sum.c);
+  const MatrixXd inputs = loop.solve(l * sum.c);
+  all.rates = sum.g + sum.b * inputs;
+  all.outputs = sum.c + sum.d * inputs;
   return all;
 }
 

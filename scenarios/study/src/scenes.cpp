@@ -98,13 +98,39 @@ std::vector<Given> Scenes::set_in(const Table& table) const {
   return all;
 }
 
+/// Of a path: "connections", "[0]", "gain". A name in brackets may have dots.
+std::vector<std::string> parts_of(std::string_view path) {
+  std::vector<std::string> parts;
+  while (!path.empty()) {
+    const std::size_t from = path.front() == '[' ? path.find(']') : 1;
+    const std::size_t end = std::min(path.find_first_of(".[", std::min(from, path.size())), path.size());
+    parts.emplace_back(path.substr(0, end));
+    path.remove_prefix(end < path.size() && path[end] == '.' ? end + 1 : end);
+  }
+  return parts;
+}
+
+bool is_number(const std::string& index) {
+  return index.find_first_not_of("[0123456789]") == std::string::npos;
+}
+
+/// Whether one is the other or in it. A connection may be called by its number and by its input.
+bool overlap(std::string_view a, std::string_view b) {
+  const auto of_a = parts_of(a), of_b = parts_of(b);
+  return std::equal(of_a.begin(), of_a.begin() + std::min(std::ssize(of_a), std::ssize(of_b)), of_b.begin(),
+                    [](const std::string& x, const std::string& y) {
+                      const bool may_be = x.starts_with('[') && y.starts_with('[');
+                      return x == y || (may_be && is_number(x) != is_number(y));
+                    });
+}
+
 void refuse_without_effect(const std::vector<std::string>& overrides, const Study& study) {
   const auto check = [&](const std::vector<Given>& set) {
     for (const Given& given : set)
       for (const std::string& one : overrides)
-        if (given.name == one.substr(0, one.find('=')))
+        if (overlap(given.name, std::string_view(one).substr(0, one.find('='))))
           refuse(given.place, "the study sets " + given.name + " itself, so --set " + one +
-                                  " would have no effect; allowed are keys that it leaves");
+                                  " would have no effect or not all of it; allowed are keys that it leaves");
   };
   check(study.set);
   for (const Table& table : study.tables) check(table.set);

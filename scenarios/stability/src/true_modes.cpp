@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "true_modes.hpp"
+
+#include "sampled_map.hpp"
+#include "undivided.hpp"
+
+namespace tandem::stability {
+namespace {
+
+using Eigen::Index;
+
+TrueModes of_rates(const Undivided& whole) {
+  if (whole.rates.size() == 0) return {};
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(whole.rates);
+  return {solver.eigenvalues(), solver.eigenvectors(), participation(whole).parts, whole.names};
+}
+
+void gather_at_rest(double period, TrueModes& modes) {
+  constexpr double slow = 1e-3;  // of a turn, or of growth, over a super-step
+  std::vector<Index> rest;
+  std::complex<double> sum = 0.0;
+  for (Index k = 0; k < modes.rates.size(); ++k)
+    if (std::abs(modes.rates[k]) * period <= slow) rest.push_back(k), sum += modes.rates[k];
+  if (rest.size() < 2) return;
+  modes.at_rest = static_cast<int>(rest.size());
+  for (const Index k : rest) modes.rates[k] = sum.real() / static_cast<double>(rest.size());
+}
+
+}  // namespace
+
+TrueModes true_modes(const Trial& trial, bool is_linear) {
+  bool samples = false;
+  for (int i = 0; i < trial.topology().size(); ++i)
+    samples = samples || trial.topology().info(i).abilities.sampled;
+  TrueModes modes = samples ? SampledMap(trial, is_linear).modes() : of_rates(undivided(trial, is_linear));
+  gather_at_rest(trial.period().length, modes);
+  return modes;
+}
+
+}  // namespace tandem::stability

@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <Eigen/Dense>
+#include <string>
+#include <vector>
+
+#include "trial.hpp"
+
+namespace tandem::stability {
+
+/// The modes of the coupled system as one that nothing divides, by columns.
+struct TrueModes {
+  Eigen::VectorXcd rates;    ///< mu [1/s]: a mode is multiplied by exp(mu T) over a super-step
+  Eigen::MatrixXcd vectors;  ///< by state; those of sampled subsystems after the instants there
+  Eigen::MatrixXd parts;     ///< how much each state takes part, without a unit (undivided.hpp)
+  std::vector<std::string> states;
+  int at_rest = 0;  ///< modes that neither grow nor swing: two and more for what nothing holds
+};
+
+/// Of a system in which something is sampled they are those of its map over a super-step (sampled_map.hpp); what that
+/// takes to 1e-9 is left out, as what a controller forgets at once. The rates of modes at rest are their mean: it is
+/// known as well as the map, while their differences are the root of its errors.
+/// Throws Error(not_supported) as undivided() and SampledMap do.
+TrueModes true_modes(const Trial& trial, bool is_linear);
+
+}  // namespace tandem::stability
