@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 // Diagrams that give their states, and such that remember more.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -66,6 +67,41 @@ TEST(Stability, DiagramsOfContinuousBlocksGiveTheirStates) {
                                       std::abs(-p.real() / std::abs(p) - mode.damping));
     EXPECT_LT(nearest, 1e-7);
   }
+}
+
+/// Two masses and a spring between them, which may go anywhere: the map has a multiplier of 1 twice, and what it errs by
+/// takes these apart by its root. It is stable for short steps and not for long ones all the same.
+TEST(Stability, WhatNothingHoldsMayGoOn) {
+  const Scratch folder;
+  const auto mass = [&](const std::string& name) {
+    auto text = diagram(4.0);
+    folder.write(name + ".toml", text.replace(text.find("-0.1"), 4, "-0.0"));
+  };
+  mass("soft"), mass("stiff");
+  const auto with_steps = [&](double soft, double stiff) {
+    return scenario::read(folder.write(
+        "s.toml",
+        fmt::format("[subsystems.soft]\nsource = 'diagram:soft.toml'\nparameters = {{ step = {} }}\n"
+                    "[subsystems.stiff]\nsource = 'diagram:stiff.toml'\nparameters = {{ step = {} }}\n"
+                    "[[connections]]\nfrom = 'soft.x'\nto = 'stiff.F'\ngain = 4\n"
+                    "reconstruction = 'lagrange3'\n"
+                    "[[connections]]\nfrom = 'stiff.x'\nto = 'soft.F'\ngain = 4\n"
+                    "reconstruction = 'lagrange3'\n[coordination]\nstart = 'cold'\n[span]\nstop = 1\n",
+                    soft, stiff)));
+  };
+  const auto found = stability::stability(with_steps(0.02, 0.01), sources());
+  ASSERT_EQ(found.unknown, "");
+  EXPECT_EQ(found.step.at_rest, 2);
+  ASSERT_EQ(found.modes.size(), 3U);
+  EXPECT_NEAR(found.modes[0].frequency, std::sqrt(8.0) / (2.0 * std::numbers::pi), 1e-7);
+  EXPECT_EQ(found.modes[1].frequency, 0.0);
+  EXPECT_NEAR(found.modes[1].rate, 0.0, 1e-9);
+  for (const double step : {0.005, 0.02, 0.5}) {
+    const auto shorter = stability::stability(with_steps(step, 0.5 * step), sources());
+    EXPECT_NEAR(shorter.radius, 1.0, 1e-12) << step;
+    EXPECT_FALSE(shorter.is_unstable()) << step;
+  }
+  EXPECT_TRUE(stability::stability(with_steps(0.7, 0.35), sources()).is_unstable());
 }
 
 /// A delay is no state that it gives; a linear model has the samples that it holds.

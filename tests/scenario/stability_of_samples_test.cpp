@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <array>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <unsupported/Eigen/MatrixFunctions>
 
@@ -90,7 +92,7 @@ scenario::Scenario scene_of(const Scratch& folder, const std::vector<double>& st
 double radius_of(const MatrixXd& map) { return map.eigenvalues().cwiseAbs().maxCoeff(); }
 
 /// From one instant to the next: x, v, s, the force that acts, and the one that is new.
-double exact_radius(const Gains& g) {
+MatrixXd exact_map(const Gains& g) {
   const auto moved = [](double t) {
     MatrixXd rates = MatrixXd::Zero(3, 3);
     rates << 0.0, 1.0, 0.0, -1.0, -0.2, 1.0, 0.0, 0.0, 0.0;
@@ -103,8 +105,9 @@ double exact_radius(const Gains& g) {
   late.topLeftCorner(2, 2) = b.topLeftCorner(2, 2), late.block(0, 3, 2, 1) = b.block(0, 2, 2, 1);
   act.row(4) << -g.k, -g.d, -1.0, 0.0, 0.0;
   act(2, 0) = g.i * g.period;
-  return radius_of(act * late * swap * early);
+  return act * late * swap * early;
 }
+double exact_radius(const Gains& g) { return radius_of(exact_map(g)); }
 
 TEST(StabilityOfSamples, TheRadiusOfASampledLoopIsThatOfItsMatrixExponentials) {
   std::mt19937_64 random(7);
@@ -192,6 +195,71 @@ TEST(StabilityOfSamples, TheDriveHasTheSameRadiusWithEitherController) {
   EXPECT_GT(radius({"subsystems.controller.parameters.kp=120"}), 1.0);
 }
 
+/// Over one period of the controller: 2 cos of the turn times the modulus, and its square, of each mode.
+std::vector<std::array<double, 2>> sums_and_products(const std::vector<stability::Mode>& modes,
+                                                     double period) {
+  std::vector<std::array<double, 2>> all;
+  for (const auto& mode : modes) {
+    const double modulus = std::exp(mode.rate * period);
+    all.push_back({modulus * std::cos(2.0 * std::numbers::pi * mode.frequency * period), modulus});
+  }
+  std::ranges::sort(all);
+  return all;
+}
+
+std::vector<std::array<double, 2>> sums_and_products(const MatrixXd& map) {
+  std::vector<std::array<double, 2>> all;
+  const Eigen::VectorXcd values = map.eigenvalues();
+  for (const auto value : values)
+    if (value.imag() >= 0.0 && std::abs(value) > 1e-4) all.push_back({value.real(), std::abs(value)});
+  std::ranges::sort(all);
+  return all;
+}
+
+/// A side that is exact for held forces leaves nothing to a scheme: its modes are the true ones, whose eigenvalues are those
+/// of matrix exponentials from instant to instant.
+TEST(StabilityOfSamples, ModesAreThoseOfTheMatrixExponentials) {
+  std::mt19937_64 random(13);
+  const auto between = [&](double a, double b) { return std::uniform_real_distribution(a, b)(random); };
+  const double parts[] = {1.0, 0.5, 0.2, 2.0 / 3.0};
+  for (int k = 0; k < 40; ++k) {
+    const double period = between(0.1, 1.0);
+    const Gains gains{between(0.0, 8.0),
+                      between(0.0, 2.0),
+                      between(0.1, 2.0),
+                      period,
+                      k % 3 == 0 ? 0.0 : between(0.0, 2.5) * period,
+                      k % 2 == 0 ? 0.0 : between(0.0, k % 4 == 1 ? 1.0 : 2.7) * period};
+    const Scratch folder;
+    const auto one =
+        scene_of(folder, {parts[k % 4] * period}, 0.0, k % 5 == 0 ? "parallel" : "slowest-first", 5.0);
+    const auto found = stability::stability(one, with_controller(gains));
+    ASSERT_EQ(found.unknown, "") << k;
+    for (const auto& mode : found.modes) {
+      EXPECT_GT(mode.likeness, 0.999) << k;
+      EXPECT_NEAR(mode.growth, std::exp(mode.rate * found.step.period), 1e-7) << k;
+      EXPECT_NEAR(mode.scheme_frequency, mode.frequency, 1e-7 / period) << k;
+    }
+    if (gains.latency > period) continue;  // more outputs wait than the map of matrix exponentials has
+    const auto here = sums_and_products(found.modes, period), expected = sums_and_products(exact_map(gains));
+    ASSERT_EQ(here.size(), expected.size()) << k;
+    for (std::size_t i = 0; i < here.size(); ++i)
+      for (std::size_t j = 0; j < 2; ++j) EXPECT_NEAR(here[i][j], expected[i][j], 1e-7) << k;
+  }
+}
+
+/// Slow against what the controller does the mode is that of the oscillator with the controller's gains in it.
+TEST(StabilityOfSamples, AFastControllerIsASpringAndADamper) {
+  const Scratch folder;
+  const auto one = scene_of(folder, {0.01}, 0.0, "slowest-first", 5.0);
+  const auto found = stability::stability(one, with_controller({3.0, 0.6, 0.0, 0.001, 0.0, 0.0}));
+  ASSERT_EQ(found.unknown, "");
+  const auto& mode = found.modes.front();
+  EXPECT_NEAR(mode.frequency, std::sqrt(4.0 - 0.16) / (2.0 * std::numbers::pi), 1e-3);
+  EXPECT_NEAR(mode.damping, 0.2, 1e-3);
+  EXPECT_EQ(found.mostly(mode), "side1.x, side1.v");
+}
+
 TEST(StabilityOfSamples, WhatStandsForASampledOneIsTold) {
   const Scratch folder;
   const auto one = scene_of(folder, {0.1}, 0.0, "slowest-first", 5.0);
@@ -201,10 +269,11 @@ TEST(StabilityOfSamples, WhatStandsForASampledOneIsTold) {
   EXPECT_TRUE(found.step.identified[0].sampled);
   EXPECT_EQ(found.step.identified[0].order, 1);
   EXPECT_EQ(found.step.steps, (std::vector<std::int64_t>{3, 1}));
-  EXPECT_NE(found.unknown.find("subsystem 'control' is sampled"), std::string::npos) << found.unknown;
-  const auto largest = stability::largest_step(one, with_controller({2.0, 0.0, 0.0, 0.3, 0.0, 0.0}));
-  EXPECT_EQ(largest.factor, 0.0) << "the sampled loop is unstable, whatever the own step";
-  EXPECT_EQ(largest.smallest, 1.0 / 16.0);
+  const auto gains = Gains{2.0, 0.0, 0.0, 0.3, 0.0, 0.0};
+  EXPECT_GT(stability::stability(one, with_controller(gains)).rate, 0.0) << "the sampled loop grows";
+  const auto largest = stability::largest_step(one, with_controller(gains));
+  EXPECT_GT(largest.factor, 1.0) << "but the scheme lets it grow no faster than it does";
+  EXPECT_EQ(largest.smallest, 1.0);
   EXPECT_EQ(largest.whose, "side1") << "not that of the controller, which is longer";
   EXPECT_NEAR(largest.step, 0.1, 1e-12);
 }

@@ -215,7 +215,7 @@ TEST(SharedLibrary, AFaultInAServerIsASentenceOfItsRun) {
   test::Child run(
       {"sh", "-c",
        "exec '" TANDEM_COMMAND "' run " + scenario.string() + " --quiet --output " + output + " 2>&1"});
-  EXPECT_EQ(run.word_after("it reached for memory that is not there (signal "), "11),");
+  EXPECT_EQ(run.word_after("it reached for memory that is not there (signal "), "11);");
   EXPECT_EQ(run.status(), 1);
 }
 

@@ -68,8 +68,7 @@ double likeness(const VectorXcd& a, const VectorXcd& b) {
 /// Modes of the system undivided and of the scheme, by states that are scaled alike.
 struct Both {
   Both(const TrueModes& whole, const SuperStep& step, const Told& told)
-      : exact{whole.rates, whole.vectors(told.whole, Eigen::all)},
-        here(pairs_of(step.map, told.map)) {
+      : exact{whole.rates, whole.vectors(told.whole, Eigen::all)}, here(pairs_of(step.map, told.map)) {
     const Eigen::VectorXd largest = exact.vectors.cwiseAbs().rowwise().maxCoeff();
     for (Pairs* pairs : {&exact, &here})
       for (Index k = 0; k < largest.size(); ++k)

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <numeric>
 #include <unsupported/Eigen/MatrixFunctions>
 
+#include "remembered.hpp"
 #include "tandem/error.hpp"
 
 namespace tandem::stability {
@@ -120,7 +120,7 @@ MatrixXd SampledMap::jump(const Happening& happening, std::vector<int>& waiting)
 }
 
 /// Flows go in parts in which nothing turns by more than a radian.
-void SampledMap::pass(const std::function<void(const MatrixXd&)>& by) const {
+void SampledMap::pass(const Visit& by) const {
   std::map<std::int64_t, MatrixXd> flows;  // by their length
   double time = 0.0;
   const auto flow = [&](double to) {
@@ -129,56 +129,61 @@ void SampledMap::pass(const std::function<void(const MatrixXd&)>& by) const {
     const auto key = static_cast<std::int64_t>(std::llround(length / (trial_.period().length * together)));
     auto found = flows.find(key);
     if (found == flows.end()) found = flows.emplace(key, MatrixXd(length / parts * whole_.rates).exp()).first;
-    for (double part = 0.0; part < parts; ++part) by(found->second);
+    for (double part = 0.0; part < parts; ++part) by(found->second, false);
     time = to;
   };
   std::vector<int> waiting = waiting_;
-  for (const Happening& one : happenings_) flow(one.time), by(jump(one, waiting));
+  for (const Happening& one : happenings_) flow(one.time), by(jump(one, waiting), !one.samples.empty());
   flow(trial_.period().length);
 }
 
 MatrixXd SampledMap::map() const {
   MatrixXd all = MatrixXd::Identity(whole_.rates.rows(), whole_.rates.cols());
-  pass([&](const MatrixXd& part) { all = part * all; });
+  pass([&](const MatrixXd& part, bool) { all = part * all; });
   return all;
 }
 
-/// By columns, of the number that each is told by [rad].
+/// By columns, of the number that each is told by [rad]. One that does not swing has changed its sign or not from instant
+/// to instant, which is counted from the last one of the super-step before.
 Eigen::VectorXd SampledMap::turns(MatrixXcd vectors, const std::vector<Index>& told_by) const {
-  Eigen::VectorXd turns = Eigen::VectorXd::Zero(vectors.cols());
-  pass([&](const MatrixXd& part) {
-    const MatrixXcd after = part * vectors;
+  Eigen::VectorXd turns(vectors.cols());
+  MatrixXcd last = vectors;
+  const auto follow = [&](const MatrixXd& part, bool is_instant) {
+    vectors = MatrixXcd(part * vectors);
     for (Index k = 0; k < vectors.cols(); ++k) {
       const Index row = told_by[static_cast<std::size_t>(k)];
-      turns[k] += std::arg(after(row, k) * std::conj(vectors(row, k)));
+      const std::complex<double> turn = vectors(row, k) * std::conj(last(row, k));
+      const bool swings = !vectors.col(k).imag().isZero(0.0);
+      if (!swings && !is_instant) continue;
+      turns[k] += swings ? std::arg(turn) : std::arg(turn.real());
+      last.col(k) = vectors.col(k);
     }
-    vectors = after;
-  });
+  };
+  pass(follow);
+  turns.setZero();
+  pass(follow);
   return turns;
 }
 
 TrueModes SampledMap::modes() const {
-  constexpr double forgotten = 1e-9;
-  const MatrixXd map = this->map();
-  const Eigen::EigenSolver<MatrixXd> right(map), left(map.transpose());
-  std::vector<Index> kept, named;
-  for (Index k = 0; k < map.cols(); ++k)
-    if (std::abs(right.eigenvalues()[k]) > forgotten) kept.push_back(k);
+  const Remembered kept = remembered(map());
+  const Eigen::EigenSolver<MatrixXd> right(kept.map), left(kept.map.transpose());
+  std::vector<Index> named;
   TrueModes modes;
-  for (Index k = 0; k < map.rows(); ++k)
+  for (Index k = 0; k < whole_.rates.rows(); ++k)
     if (const std::string& name = whole_.names[static_cast<std::size_t>(k)]; !name.empty())
       named.push_back(k), modes.states.push_back(name);
-  const Eigen::VectorXcd values = right.eigenvalues()(kept), mirrored = left.eigenvalues();
-  const MatrixXcd vectors = right.eigenvectors()(Eigen::all, kept);
+  const Eigen::VectorXcd values = right.eigenvalues(), mirrored = left.eigenvalues();
+  const MatrixXcd vectors = kept.basis * right.eigenvectors(),
+                  of_modes = kept.back.transpose() * left.eigenvectors();
   modes.vectors = vectors(named, Eigen::all);
   modes.parts.resize(modes.vectors.rows(), modes.vectors.cols());
-  std::vector<Index> told_by(kept.size());
+  std::vector<Index> told_by(static_cast<std::size_t>(values.size()));
   for (Index k = 0; k < values.size(); ++k) {
-    Index same = 0;
+    Index same = 0, most = 0;
     (mirrored.array() - values[k]).abs().minCoeff(&same);
-    const Eigen::VectorXcd of_mode = left.eigenvectors().col(same);
-    modes.parts.col(k) = of_mode(named).cwiseProduct(modes.vectors.col(k)).cwiseAbs();
-    Index most = 0;
+    const Eigen::VectorXcd of_mode = of_modes(named, same);
+    modes.parts.col(k) = of_mode.cwiseProduct(modes.vectors.col(k)).cwiseAbs();
     modes.parts.col(k).maxCoeff(&most);
     told_by[static_cast<std::size_t>(k)] = named[static_cast<std::size_t>(most)];
   }

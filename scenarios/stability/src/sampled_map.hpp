@@ -33,8 +33,9 @@ class SampledMap {
   /// By numbers before it; `waiting`: outputs of each instance that are not in effect yet.
   Eigen::MatrixXd jump(const Happening& happening, std::vector<int>& waiting) const;
   Eigen::MatrixXd inputs(int instance, const Eigen::MatrixXd& before, const Eigen::MatrixXd& now) const;
-  /// Calls back after each part of the super-step, with what it multiplies the numbers by.
-  void pass(const std::function<void(const Eigen::MatrixXd&)>& by) const;
+  /// Told of each part of the super-step what it multiplies the numbers by, and whether something acted there.
+  using Visit = std::function<void(const Eigen::MatrixXd&, bool is_instant)>;
+  void pass(const Visit& by) const;
   Eigen::MatrixXd map() const;
   Eigen::VectorXd turns(Eigen::MatrixXcd vectors, const std::vector<Eigen::Index>& told_by) const;
 

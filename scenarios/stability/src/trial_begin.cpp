@@ -76,12 +76,14 @@ identification::LinearModel Trial::model_of(int instance) {
   constexpr double most = 1e-4;
   const auto at = static_cast<std::size_t>(instance);
   const std::set<int> read = values_read(instance);
-  auto model = identification::identify(
-      *parts_.subsystem(instance),
-      {scenario_.start,
-       inputs_[at],
-       {read.begin(), read.end()},
-       std::clamp<std::int64_t>(2 * period_.steps[at], 12, identification::most_steps)});
+  std::int64_t steps = std::clamp<std::int64_t>(2 * period_.steps[at], 12, identification::most_steps);
+  const auto told_by = [&] {
+    return identification::identify(*parts_.subsystem(instance),
+                                    {scenario_.start, inputs_[at], {read.begin(), read.end()}, steps});
+  };
+  auto model = told_by();
+  for (; model.residual > most && steps > 12; model = told_by())
+    steps = std::max<std::int64_t>(steps / 2, 12);
   if (model.residual > most)
     refuse(instance, fmt::format("keeps its states to itself, and no linear model tells its outputs: the "
                                  "best leaves {:.2g} of a response; allowed is {}",

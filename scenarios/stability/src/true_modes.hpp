@@ -17,9 +17,9 @@ struct TrueModes {
   int at_rest = 0;  ///< modes that neither grow nor swing: two and more for what nothing holds
 };
 
-/// Of a system in which something is sampled they are those of its map over a super-step (sampled_map.hpp); what that
-/// takes to 1e-9 is left out, as what a controller forgets at once. The rates of modes at rest are their mean: it is
-/// known as well as the map, while their differences are the root of its errors.
+/// Of a system in which something is sampled they are those of its map over a super-step (sampled_map.hpp), without what
+/// is forgotten in it (remembered.hpp). The rates of modes at rest are their mean: it is known as well as the map, while
+/// their differences are the root of its errors.
 /// Throws Error(not_supported) as undivided() and SampledMap do.
 TrueModes true_modes(const Trial& trial, bool is_linear);
 
