@@ -260,6 +260,20 @@ TEST(StabilityOfSamples, AFastControllerIsASpringAndADamper) {
   EXPECT_EQ(found.mostly(mode), "side1.x, side1.v");
 }
 
+/// A weight that comes once is sampled in 1 s. It reads nobody, and takes no part in the super-step.
+TEST(StabilityOfSamples, WhatReadsNobodyMovesNothing) {
+  const auto modes = [](const char* file, double period) {
+    const auto found = stability::stability(scene(file, {}), sources());
+    EXPECT_EQ(found.unknown, "");
+    EXPECT_NEAR(found.step.period, period, 1e-12);
+    return found.modes;
+  };
+  const auto with = modes("drive/drive_mechanism.toml", 2.5e-3),
+             without = modes("drive/drive_libraries.toml", 2.5e-3);
+  ASSERT_EQ(with.size(), without.size() + 1) << "the mechanism has an angle more";
+  for (std::size_t k = 0; k < without.size(); ++k) EXPECT_NEAR(with[k].growth, without[k].growth, 1e-6);
+}
+
 TEST(StabilityOfSamples, WhatStandsForASampledOneIsTold) {
   const Scratch folder;
   const auto one = scene_of(folder, {0.1}, 0.0, "slowest-first", 5.0);

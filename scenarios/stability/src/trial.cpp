@@ -36,6 +36,7 @@ void Trial::seed(const Eigen::VectorXd& z) {
     past.emplace_back(static_cast<std::size_t>(ages_[static_cast<std::size_t>(i)]),
                       std::vector<double>(width));
   }
+  for (const auto& [instance, row] : given_) past[static_cast<std::size_t>(instance)][0] = row;
   for (Eigen::Index k = 0; k < z.size(); ++k) {
     const Coordinate& c = coordinates_[static_cast<std::size_t>(k)];
     const auto i = static_cast<std::size_t>(c.subsystem), index = static_cast<std::size_t>(c.index);

@@ -52,6 +52,8 @@ class Trial {
   void begin();
   void find_period();
   bool is_sampled(int instance) const { return topology().info(instance).abilities.sampled; }
+  bool only_gives(int instance) const;
+  void stand_still(int instance, const Coordinator& run);
   void identify(int instance);
   double identify_sampled(int instance);
   identification::LinearModel model_of(int instance);
@@ -68,6 +70,7 @@ class Trial {
   std::vector<std::unique_ptr<Subsystem>> surrogates_;
   std::vector<Identified> identified_;
   std::map<int, identification::LinearModel> models_;
+  std::map<int, std::vector<double>> given_;  ///< by what only gives
   std::vector<double> own_steps_;
   std::vector<std::vector<StateName>> states_;
   std::vector<std::vector<double>> inputs_;

@@ -30,6 +30,10 @@ void Trial::begin() {
   find_period();
   std::int64_t before = 1;
   for (int i = 0; i < topology.size(); ++i) {
+    if (only_gives(i)) {
+      stand_still(i, run);
+      continue;
+    }
     const double offset = is_sampled(i) ? identify_sampled(i) : 0.0;
     if (!subsystem(i).states()) {
       if (scenario_.subsystems[static_cast<std::size_t>(i)].impulse)
@@ -48,13 +52,27 @@ void Trial::begin() {
   after(start_);  // so that each knows how many samples it gives up to the start
 }
 
+/// What only gives has no part in it: it counts as one that acts at the end.
 void Trial::find_period() {
-  auto lengths = own_steps_;
+  std::vector<double> lengths;
+  for (int i = 0; i < topology().size(); ++i)
+    if (!only_gives(i)) lengths.push_back(own_step(i));
   if (coordination_.communication_step && coordination_.schedule == Schedule::Kind::parallel)
     lengths.push_back(*coordination_.communication_step);
   period_ = common_period(lengths);
   for (int i = 0; i < topology().size(); ++i)
     if (is_sampled(i)) period_.length = period_.last;  // an instant can't be cut
+  for (int i = 0; i < topology().size(); ++i)
+    if (only_gives(i))
+      period_.steps.insert(period_.steps.begin() + i, 1),
+          own_steps_[static_cast<std::size_t>(i)] = period_.length;
+}
+
+/// A sampled one that reads nobody: what it gives makes others move, and changes nothing in how.
+bool Trial::only_gives(int instance) const {
+  const auto& lines = topology().lines();
+  return is_sampled(instance) && !topology().lines_from(instance).empty() &&
+         std::ranges::none_of(lines, [&](const Line& line) { return line.reader == instance; });
 }
 
 /// One that keeps its states to itself gets a surrogate, and that its start.
@@ -89,6 +107,25 @@ identification::LinearModel Trial::model_of(int instance) {
                                  "best leaves {:.2g} of a response; allowed is {}",
                                  model.residual, most));
   return model;
+}
+
+/// With what it gives at the start, for all time: its instants are before and after any trial.
+void Trial::stand_still(int instance, const Coordinator& run) {
+  const double far = 1e6 * period_.length;
+  const auto width = static_cast<Eigen::Index>(inputs(instance).size());
+  const History& history = run.exchange().history(instance);
+  const auto row = history.values(history.newest());
+  given_[instance] = {row.begin(), row.end()};
+  identification::LinearModel model;
+  model.step = period_.length, model.linear = true, model.inputs.setZero(width);
+  model.a.resize(0, 0), model.c.resize(0, 0), model.d.resize(0, width), model.s.resize(0, width);
+  model.b.resize(0, width * static_cast<Eigen::Index>(identification::places.size()));
+  models_[instance] = model;
+  const SubsystemInfo& info = topology().info(instance);
+  subsystems_[static_cast<std::size_t>(instance)] =
+      surrogates_.emplace_back(make_surrogate(std::move(model), info)).get();
+  states_.emplace_back(), ages_.push_back(1);
+  seeded_.push_back(make_seeded(subsystem(instance), scenario_.start, 2.0 * far, far));
 }
 
 void Trial::put(int instance, identification::LinearModel model) {
