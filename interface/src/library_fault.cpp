@@ -41,9 +41,21 @@ void say(const char* text) noexcept {
 /// The program that has seen a fault is to end, and soon.
 void limit_the_end() noexcept {
   if (faulted.exchange(true)) return;
-  static_cast<void>(std::signal(SIGALRM, SIG_DFL));
+  static_cast<void>(std::signal(SIGALRM, [](int) {
+    say("tandem: a library has made a fault, and left the program unable to end its work\n");
+    LibraryCall::end_program(1);
+    ::_exit(1);
+  }));
   ::alarm(seconds_to_end);
 }
+
+/// As without a handler.
+void end_by(int signal) noexcept {
+  static_cast<void>(std::signal(signal, SIG_DFL));
+  ::raise(signal);
+}
+
+constinit thread_local const void* returned_to = nullptr;  ///< a call, which a fault ends once
 
 }  // namespace
 
@@ -64,7 +76,7 @@ void LibraryCall::guard_faults() noexcept {
   watched_process = ::getpid();
   struct sigaction ours {};
   ours.sa_handler = fault;
-  ours.sa_flags = static_cast<int>(SA_ONSTACK | SA_NODEFER | SA_RESETHAND);
+  ours.sa_flags = static_cast<int>(SA_ONSTACK | SA_NODEFER);
   for (const Fault& one : faults)
     if (struct sigaction before{};
         ::sigaction(one.signal, nullptr, &before) == 0 && before.sa_handler == SIG_DFL)
@@ -72,7 +84,8 @@ void LibraryCall::guard_faults() noexcept {
 }
 
 void LibraryCall::return_to_call(int cause) noexcept {
-  if (!returns || !current_ || !current_->back_) return;
+  if (!returns || !current_ || !current_->back_ || returned_to == current_) return;
+  returned_to = current_;
   limit_the_end();
   siglongjmp(*current_->back_, cause);
 }
@@ -85,15 +98,15 @@ void LibraryCall::leave_to_others(int cause) noexcept {
 }
 
 /// By calls alone that a handler may make. A fault where no library is loaded ends the program as it would
-/// without a handler: there is none any more.
+/// without a handler.
 void LibraryCall::fault(int signal) noexcept {
   if (::getpid() != watched_process || !(current_ || is_any_loaded())) {
-    ::raise(signal);
+    end_by(signal);
     return;
   }
   return_to_call(signal);
   leave_to_others(signal);
-  if (!tells_itself()) ::raise(signal);
+  if (!tells_itself()) end_by(signal);
   say("tandem: ");
   say(current_ ? current_->library_ : "a library that was loaded, or tandem itself,");
   say(" ");

@@ -129,8 +129,21 @@ TEST(Advice, LinesMakeTheSchemeOfAChoice) {
             std::string::npos)
       << text;
   EXPECT_NE(text.find("[subsystems.side1.parameters]\nstep = 0.0005"), std::string::npos) << text;
-  EXPECT_NE(advice::reason(scenario::with_taken(one, advice::taken(choice, one, sources(), study::Varied::all)), sources()).find("fastest mode"),
-            std::string::npos);
+  EXPECT_NE(
+      advice::reason(scenario::with_taken(one, advice::taken(choice, one, sources(), study::Varied::all)),
+                     sources())
+          .find("fastest mode"),
+      std::string::npos);
+}
+
+/// A gain is no part of a scheme, and would be lost.
+TEST(Advice, LinesKeepWhatAConnectionStates) {
+  const auto one = scene("oscillator/udc.toml", {"connections[side1.x_other].gain=1.5"});
+  const std::string text =
+      advice::lines({"parallel", "lagrange1", 1.0, 0.0, 0.0, 0.0}, one, sources(), study::Varied::all);
+  EXPECT_NE(text.find("to = \"side1.x_other\"\ngain = 1.5\nreconstruction = \"lagrange1\""),
+            std::string::npos)
+      << text;
 }
 
 }  // namespace

@@ -92,10 +92,8 @@ TEST(Stability, WhatNothingHoldsMayGoOn) {
   const auto found = stability::stability(with_steps(0.02, 0.01), sources());
   ASSERT_EQ(found.unknown, "");
   EXPECT_EQ(found.step.at_rest, 2);
-  ASSERT_EQ(found.modes.size(), 3U);
+  ASSERT_EQ(found.modes.size(), 1U);
   EXPECT_NEAR(found.modes[0].frequency, std::sqrt(8.0) / (2.0 * std::numbers::pi), 1e-7);
-  EXPECT_EQ(found.modes[1].frequency, 0.0);
-  EXPECT_NEAR(found.modes[1].rate, 0.0, 1e-9);
   for (const double step : {0.005, 0.02, 0.5}) {
     const auto shorter = stability::stability(with_steps(step, 0.5 * step), sources());
     EXPECT_NEAR(shorter.radius, 1.0, 1e-12) << step;

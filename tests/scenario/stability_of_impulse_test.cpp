@@ -133,9 +133,9 @@ TEST(StabilityOfImpulse, ModesAreThoseOfTheSystemUndivided) {
 
 /// What is found to grow does so in a run. At mass ratio 1, without stiffness and with 20 steps a cycle, that is much.
 TEST(StabilityOfImpulse, AHeavyFastSideGrowsAsTheRadiusSays) {
-  const auto one = by_impulse(60.0, {"parameters.c23_over_c21=-10", "parameters.steps_per_cycle=20",
-                                     "coordination.coupling=impulse_stiffness",
-                                     "coordination.carrier=surrogate"});
+  const auto one =
+      by_impulse(60.0, {"parameters.c23_over_c21=-10", "parameters.steps_per_cycle=20",
+                        "coordination.coupling=impulse_stiffness", "coordination.carrier=surrogate"});
   const SuperStep step = stability::super_step(one, sources());
   ASSERT_GT(step.radius(), 1.001);
   const Eigen::EigenSolver<Eigen::MatrixXd> left(step.map.transpose());

@@ -270,8 +270,21 @@ TEST(StabilityOfSamples, WhatReadsNobodyMovesNothing) {
   };
   const auto with = modes("drive/drive_mechanism.toml", 2.5e-3),
              without = modes("drive/drive_libraries.toml", 2.5e-3);
-  ASSERT_EQ(with.size(), without.size() + 1) << "the mechanism has an angle more";
+  ASSERT_EQ(with.size(), without.size()) << "the mechanism has an angle more, at rest";
   for (std::size_t k = 0; k < without.size(); ++k) EXPECT_NEAR(with[k].growth, without[k].growth, 1e-6);
+}
+
+/// What grows slowly beside a short super-step is not at rest.
+TEST(StabilityOfSamples, AnUnstableLoopIsToldAtAnyStep) {
+  for (const double period : {0.2, 0.002, 2e-4}) {
+    const Scratch folder;
+    const auto one = scene_of(folder, {period}, 0.0, "slowest-first", 5.0);
+    const Gains gains{-2.0, 0.0, 0.0, period, 0.0, 0.0};
+    const auto found = stability::stability(one, with_controller(gains));
+    EXPECT_NEAR(found.rate, std::log(exact_radius(gains)) / period, 1e-6) << period;
+    EXPECT_GT(found.rate, 0.8);
+    EXPECT_NEAR(std::log(found.radius), found.rate * found.step.period, 1e-7) << period;
+  }
 }
 
 TEST(StabilityOfSamples, WhatStandsForASampledOneIsTold) {

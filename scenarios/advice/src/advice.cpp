@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <tuple>
 
@@ -78,6 +79,19 @@ std::string reconstruction_of(const Choice& choice) {
   return choice.is_impulse() ? "lagrange3" : choice.reconstruction;
 }
 
+/// What the scenario states of a connection, but for its reconstruction.
+std::string connection_of(const scenario::Scenario& scenario, std::size_t k) {
+  const Connection& one = scenario.connections[k].connection;
+  std::string text = fmt::format("\n[[connections]]\nfrom = \"{}\"\nto = \"{}\"\n", one.from, one.to);
+  const auto values = nlohmann::json::parse(scenario.values);
+  const nlohmann::json::json_pointer at(fmt::format("/connections/{}", k));
+  if (!values.contains(at)) return text;
+  for (const auto& [key, value] : values.at(at).items())
+    if (key != "from" && key != "to" && key != "reconstruction")
+      text += fmt::format("{} = {}\n", key, value.dump());
+  return text;
+}
+
 std::string percent(double part) {
   return std::abs(part) < 1e-4
              ? "stays as it is"
@@ -132,10 +146,11 @@ std::string lines(const Choice& choice, const scenario::Scenario& scenario, cons
   std::string text = fmt::format("[coordination]\n{}schedule = \"{}\"\n", coupling, choice.schedule);
   if (steps.communication) text += fmt::format("communication_step = {}\n", *steps.communication);
   const auto free = free_of(choice, scenario, builtins, varied);
-  for (const auto& entry : scenario.connections)
-    if (std::find(free.begin(), free.end(), entry.connection.to) != free.end())
-      text += fmt::format("\n[[connections]]\nfrom = \"{}\"\nto = \"{}\"\nreconstruction = \"{}\"\n",
-                          entry.connection.from, entry.connection.to, reconstruction_of(choice));
+  for (std::size_t k = 0; k < scenario.connections.size(); ++k)
+    if (const std::string& to = scenario.connections[k].connection.to;
+        std::find(free.begin(), free.end(), to) != free.end())
+      text +=
+          connection_of(scenario, k) + fmt::format("reconstruction = \"{}\"\n", reconstruction_of(choice));
   for (const Changed& one : steps.own)
     text += fmt::format("\n[subsystems.{}.parameters]\n{} = {}\n", one.subsystem, one.parameter, one.value);
   return text;

@@ -26,7 +26,7 @@ std::string told(const advice::Choice& one) {
                      words(one));
 }
 
-void tell(const Adviser& adviser, const char* what, const advice::Choice& choice) {
+void tell(const Adviser& adviser, const std::string& what, const advice::Choice& choice) {
   say("{}: {}\n", what, told(choice));
   if (const auto text = adviser.reason(choice); !text.empty()) say("  {}\n", text);
 }
@@ -50,10 +50,11 @@ void advise(const AdviseOptions& options, const Context& context) {
   adviser.predict();
   tell_all(adviser.ranking(), options.shown);
   tell(adviser, "smallest error", adviser.ranking().choices.front());
+  const std::string time = adviser.shortened() ? fmt::format(" up to {:.6g} s", *adviser.shortened()) : "";
   if (const auto cheapest = adviser.cheapest())
-    tell(adviser, "cheapest within the tolerance", *cheapest);
+    tell(adviser, "cheapest within the tolerance" + time, *cheapest);
   else
-    say("none is within the tolerance\n");
+    say("none is within the tolerance{}\n", time);
   output::write_text(folder / "advice.toml", adviser.lines(adviser.chosen()));
   say("wrote {}\n", (folder / "advice.toml").string());
 }

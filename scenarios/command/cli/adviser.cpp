@@ -63,10 +63,12 @@ std::vector<std::string> Adviser::of_models() {
   }
   if (!shortens) return lines;
   constexpr double part = 0.15;
-  const double stop = scenario_.start + part * (scenario_.stop - scenario_.start);
+  const double from = scenario_.judge ? scenario_.judge->measure.from : scenario_.start,
+               begin = std::max(from, scenario_.start), stop = begin + part * (scenario_.stop - begin);
   overrides_.push_back(fmt::format("span.stop={}", stop));
-  lines.push_back(
-      fmt::format("so each scheme runs to {:.6g} s only, and errors are those of that time", stop));
+  lines.push_back(fmt::format(
+      "so each scheme runs to {:.6g} s only, and errors, exchanges and steps are those of that time", stop));
+  shortened_ = stop;
   return lines;
 }
 
@@ -123,8 +125,9 @@ scenario::Scenario advised(const scenario::Scenario& asked, const std::filesyste
   const Choice choice = adviser.chosen();
   if (!context.quiet) {
     for (const std::string& line : lines) say("{}\n", line);
-    say("coordination.scheme = auto takes {}; its error is {:.3g} of the tolerance{}, by {}\n", words(choice),
-        choice.error, adviser.cheapest() ? "" : ", and no other is within it",
+    const std::string time = adviser.shortened() ? fmt::format(" up to {:.6g} s", *adviser.shortened()) : "";
+    say("coordination.scheme = auto takes {}; its error is {:.3g} of the tolerance{}{}, by {}\n",
+        words(choice), choice.error, time, adviser.cheapest() ? "" : ", and no other is within it",
         (folder / "schemes.csv").string());
   }
   return scenario::with_taken(asked, adviser.taken(choice));

@@ -45,10 +45,11 @@ struct Candidate {
 std::vector<Candidate> candidates(const SubsystemEntry& entry, const Builtins& builtins, double from,
                                   double to) {
   std::vector<Candidate> all;
-  if (takes(entry, builtins, "step")) all.push_back({"step", to});
+  const bool takes_step = takes(entry, builtins, "step");
+  if (takes_step) all.push_back({"step", to});
   for (const Parameter& p : entry.parameters) {
     const auto* number = std::get_if<double>(&p.value);
-    if (!number || p.name == "step") continue;
+    if (!number || (takes_step && p.name == "step")) continue;
     if (is_near(*number, from)) all.push_back({p.name, to});
     if (p.name.starts_with("steps_per_")) all.push_back({p.name, *number * from / to});
   }

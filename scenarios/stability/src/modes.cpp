@@ -92,14 +92,37 @@ class Matching {
   /// One of each pair of conjugates, the fastest first.
   std::vector<Mode> modes() {
     std::vector<Mode> all;
+    leave_at_rest();
     for (Index k = 0; k < all_.exact.values.size(); ++k)
-      if (all_.exact.values[k].imag() >= 0.0) all.push_back(mode(k));
+      if (all_.exact.values[k].imag() >= 0.0 && !is_at_rest(k)) all.push_back(mode(k));
     std::stable_sort(all.begin(), all.end(),
                      [](const Mode& a, const Mode& b) { return a.frequency > b.frequency; });
     return all;
   }
 
  private:
+  bool is_at_rest(Index k) const { return std::abs(all_.exact.values[k]) * period_ <= TrueModes::rest; }
+
+  /// Of the scheme's the nearest to 1 stand for those.
+  void leave_at_rest() {
+    for (Index k = 0; k < all_.exact.values.size(); ++k) {
+      if (!is_at_rest(k)) continue;
+      const auto far = [&](std::size_t j) { return std::abs(all_.here.values[static_cast<Index>(j)] - 1.0); };
+      std::size_t nearest = taken_.size();
+      for (std::size_t j = 0; j < taken_.size(); ++j)
+        if (!taken_[j] && (nearest == taken_.size() || far(j) < far(nearest))) nearest = j;
+      if (nearest < taken_.size()) taken_[nearest] = 1;
+    }
+  }
+
+  /// With its conjugate.
+  void take(Index which) {
+    const Complex lambda = all_.here.values[which];
+    for (Index j = 0; j < all_.here.values.size(); ++j)
+      if (j == which || (lambda.imag() != 0.0 && all_.here.values[j] == std::conj(lambda)))
+        taken_[static_cast<std::size_t>(j)] = 1;
+  }
+
   double alike(Index k, Index j) const {
     const double all = all_.alike(k, j);
     return fast_ ? std::max(all, fast_->alike(k, j)) : all;
@@ -118,7 +141,7 @@ class Matching {
       const double score = of_likeness * alike(k, j) - of_nearness * far;
       if (!taken_[static_cast<std::size_t>(j)] && score > most) most = score, best = j;
     }
-    taken_[static_cast<std::size_t>(best)] = 1;
+    take(best);
     return best;
   }
 

@@ -44,6 +44,10 @@ SampledMap::Happening& SampledMap::at(double time) {
 
 /// Those after the begin, up to the end.
 void SampledMap::find_happenings() {
+  for (const Line& line : trial_.topology().lines())
+    if (line.lag == Lag::delay && trial_.topology().info(line.reader).abilities.sampled)
+      throw Error(ErrorCode::not_supported, fmt::format("subsystem '{}' is sampled and reads with a delay",
+                                                        trial_.topology().name(line.reader)));
   const double length = trial_.period().length, rounding = together * length;
   for (int i = 0; i < trial_.topology().size(); ++i) {
     const SubsystemInfo& info = trial_.topology().info(i);

@@ -15,15 +15,9 @@ TrueModes of_rates(const Undivided& whole) {
   return {solver.eigenvalues(), solver.eigenvectors(), participation(whole).parts, whole.names};
 }
 
-void gather_at_rest(double period, TrueModes& modes) {
-  constexpr double slow = 1e-3;  // of a turn, or of growth, over a super-step
-  std::vector<Index> rest;
-  std::complex<double> sum = 0.0;
+void count_at_rest(double period, TrueModes& modes) {
   for (Index k = 0; k < modes.rates.size(); ++k)
-    if (std::abs(modes.rates[k]) * period <= slow) rest.push_back(k), sum += modes.rates[k];
-  if (rest.size() < 2) return;
-  modes.at_rest = static_cast<int>(rest.size());
-  for (const Index k : rest) modes.rates[k] = sum.real() / static_cast<double>(rest.size());
+    modes.at_rest += std::abs(modes.rates[k]) * period <= TrueModes::rest;
 }
 
 }  // namespace
@@ -33,7 +27,7 @@ TrueModes true_modes(const Trial& trial, bool is_linear) {
   for (int i = 0; i < trial.topology().size(); ++i)
     samples = samples || trial.topology().info(i).abilities.sampled;
   TrueModes modes = samples ? SampledMap(trial, is_linear).modes() : of_rates(undivided(trial, is_linear));
-  gather_at_rest(trial.period().length, modes);
+  count_at_rest(trial.period().length, modes);
   return modes;
 }
 

@@ -14,12 +14,12 @@ struct TrueModes {
   Eigen::MatrixXcd vectors;  ///< by state; those of sampled subsystems after the instants there
   Eigen::MatrixXd parts;     ///< how much each state takes part, without a unit (undivided.hpp)
   std::vector<std::string> states;
-  int at_rest = 0;  ///< modes that neither grow nor swing: two and more for what nothing holds
+  int at_rest = 0;  ///< modes that turn and grow by no more than `rest` over a super-step
+  static constexpr double rest = 1e-6;
 };
 
 /// Of a system in which something is sampled they are those of its map over a super-step (sampled_map.hpp), without what
-/// is forgotten in it (remembered.hpp). The rates of modes at rest are their mean: it is known as well as the map, while
-/// their differences are the root of its errors.
+/// is forgotten in it (remembered.hpp).
 /// Throws Error(not_supported) as undivided() and SampledMap do.
 TrueModes true_modes(const Trial& trial, bool is_linear);
 

@@ -98,13 +98,13 @@ std::vector<Given> Scenes::set_in(const Table& table) const {
   return all;
 }
 
-/// Of a path: "connections", "[0]", "gain". A name in brackets may have dots.
+/// Of a path: "connections", "[0]", "gain", without quotes. A name in brackets may have dots.
 std::vector<std::string> parts_of(std::string_view path) {
   std::vector<std::string> parts;
   while (!path.empty()) {
     const std::size_t from = path.front() == '[' ? path.find(']') : 1;
     const std::size_t end = std::min(path.find_first_of(".[", std::min(from, path.size())), path.size());
-    parts.emplace_back(path.substr(0, end));
+    std::erase(parts.emplace_back(path.substr(0, end)), '"');
     path.remove_prefix(end < path.size() && path[end] == '.' ? end + 1 : end);
   }
   return parts;
@@ -130,7 +130,8 @@ void refuse_without_effect(const std::vector<std::string>& overrides, const Stud
       for (const std::string& one : overrides)
         if (overlap(given.name, std::string_view(one).substr(0, one.find('='))))
           refuse(given.place, "the study sets " + given.name + " itself, so --set " + one +
-                                  " would have no effect or not all of it; allowed are keys that it leaves");
+                                  " would have no effect or not all of it; allowed are keys that it leaves, "
+                                  "of connections by the names that it has for them");
   };
   check(study.set);
   for (const Table& table : study.tables) check(table.set);

@@ -50,8 +50,8 @@ struct SuperStep {
   /// multipliers of 1 for each link, which rounding takes apart. So many, with those of numbers that it has no use for.
   int offsets = 0;
 
-  /// Multipliers of 1 that the system undivided has, two and more: of a part that nothing holds, how far it is and how fast
-  /// it goes. Errors of the map take them apart by their root, and leave their mean.
+  /// Multipliers that the system undivided has within 1e-6 of 1: of a part that nothing holds, how far it is and how fast it
+  /// goes. Errors of the map take them apart by their root, and leave their mean.
   int at_rest = 0;
 
   /// Spectral radius of the map: above 1 what a run carries grows without end. Offsets do not count; of those at rest it is
