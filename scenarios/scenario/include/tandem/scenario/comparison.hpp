@@ -57,9 +57,9 @@ struct Comparison {
 /// cubic Hermite polynomials where it has a column der(NAME) (record.derivatives), else by straight lines,
 /// which is told. Empty cells are left out. Of a time that stands twice (a jump), the first row is compared
 /// with the first and the last with the last. With a shift in the measure, A is moved in time as a whole to
-/// where the sum of the squared relative rms is least, of shifts at which at least half as many times are
-/// compared as at any. Columns (if none are named) and times that only one has
-/// are told in `uncompared`. Throws Error for a column that is not there, no column or no time in common, a
+/// where the sum of the squared relative rms is least. Shifts at which less than half as many times are
+/// compared as at the best do not count. Columns (if none are named) and times that only one has are told
+/// in `uncompared`. Throws Error for a column that is not there, no column or no time in common, a
 /// table without rows, and a measure that is no number.
 Comparison compare(const TimeTable& a, const TimeTable& b, const std::vector<std::string>& columns = {},
                    const Measure& measure = {});
