@@ -115,11 +115,11 @@ class Matching {
     }
   }
 
-  /// With its conjugate.
-  void take(Index which) {
+  /// For a mode that swings with its conjugate.
+  void take(Index which, bool swings) {
     const Complex lambda = all_.here.values[which];
     for (Index j = 0; j < all_.here.values.size(); ++j)
-      if (j == which || (lambda.imag() != 0.0 && all_.here.values[j] == std::conj(lambda)))
+      if (j == which || (swings && lambda.imag() != 0.0 && all_.here.values[j] == std::conj(lambda)))
         taken_[static_cast<std::size_t>(j)] = 1;
   }
 
@@ -141,7 +141,7 @@ class Matching {
       const double score = of_likeness * alike(k, j) - of_nearness * far;
       if (!taken_[static_cast<std::size_t>(j)] && score > most) most = score, best = j;
     }
-    take(best);
+    take(best, all_.exact.values[k].imag() != 0.0);
     return best;
   }
 
