@@ -33,15 +33,18 @@ TEST(StandardStreams, AnOutputOneThatIsFullIsToldWithStatusOne) {
   }
 }
 
-/// Under a limit of its addresses: 200 MB are less than OpenBLAS wants for a thread of its own, which tried
+/// Under a limit of its addresses or data: 200 MB are less than OpenBLAS wants for a thread of its own, which tried
 /// for ever, and the command's end waited for it.
 TEST(LimitedMemory, TheCommandEnds) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "a sanitizer needs more addresses";
 #endif
-  const int status =
-      std::system("ulimit -v 200000; exec timeout 60 '" TANDEM_COMMAND "' list > /dev/null 2>&1");
-  EXPECT_EQ(WEXITSTATUS(status), 0);
+  for (const char* limit : {"-v 200000", "-d 100000"})
+    for (const char* threads : {"", "OPENBLAS_NUM_THREADS=4", "OPENBLAS_NUM_THREADS="}) {
+      const std::string line = std::string("ulimit ") + limit + "; exec env " + threads +
+                               " timeout 60 '" TANDEM_COMMAND "' list > /dev/null 2>&1";
+      EXPECT_EQ(WEXITSTATUS(std::system(line.c_str())), 0) << line;
+    }
 }
 
 }  // namespace

@@ -3,8 +3,8 @@
 
 namespace tandem::cli {
 
-/// Under a limit of its addresses (`ulimit -v`) the program is begun anew with OPENBLAS_NUM_THREADS=1, unless
-/// the environment has a number. OpenBLAS makes threads as it is loaded, before main(); one that finds no
+/// Under a limit of its addresses or data (`ulimit -v`, `-d`) the program is begun anew with OPENBLAS_NUM_THREADS=1,
+/// whatever number the environment has. OpenBLAS makes threads as it is loaded, before main(); one that finds no
 /// memory tries for ever, and the program's end waits for it. (tandem uses one.) Does nothing where that is
 /// not known.
 void begin_anew_if_limited(char** argv);
