@@ -12,7 +12,7 @@ namespace tandem::cli {
 #ifdef __linux__
 namespace {
 
-bool is_limited(__rlimit_resource what) {
+bool is_limited(decltype(RLIMIT_AS) what) {
   struct rlimit limit {};
   return ::getrlimit(what, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
 }

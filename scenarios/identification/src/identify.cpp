@@ -20,34 +20,26 @@ struct Seats {
   std::vector<Index> of;  ///< the change of each; the baseline comes last and has none
 };
 
-/// What is no more than rounding of the size of its value [by row] becomes 0.
-MatrixXd without_rounding(MatrixXd response, const Eigen::VectorXd& sizes) {
-  constexpr double rounding = 1e-13;
-  for (Index value = 0; value < sizes.size(); ++value)
-    if (!(response.row(value).norm() > rounding * sizes[value])) response.row(value).setZero();
-  return response;
-}
-
-/// Those that are not 0, without what outputs follow at once, which leaves its rounding. Of the baseline the differences
-/// from step to step: in these e stands alone.
+/// Those that are not 0, without what outputs follow at once, which leaves its rounding. Of the baseline the differences from step to step: in these
+/// e stands alone.
 Seats seats(const Runs& runs, const MatrixXd& d, const Eigen::VectorXd& inputs) {
   Seats all;
   const Index length = runs.baseline.cols() - 1;
-  const auto add = [&](const MatrixXd& response, Index change, const Eigen::VectorXd& sizes) {
-    MatrixXd known = without_rounding(response, sizes);
-    if (known.isZero(0.0)) return;
-    all.responses.push_back(std::move(known)), all.of.push_back(change);
+  const auto add = [&](MatrixXd response, Index change, double size) {
+    constexpr double rounding = 1e-13;
+    if (!(response.norm() > rounding * size)) return;
+    all.responses.push_back(std::move(response)), all.of.push_back(change);
   };
   for (std::size_t k = 0; k < runs.changes.size(); ++k) {
     MatrixXd response = runs.changes[k].rightCols(length);
     const auto input = static_cast<Index>(k) / (all_places + 1),
                place = static_cast<Index>(k) % (all_places + 1);
-    const Eigen::VectorXd sizes = response.rowwise().norm() + d.col(input).cwiseAbs();
+    const double size = response.norm() + d.col(input).norm();
     if (!runs.sampled && place == all_places - 1) response.col(0) -= d.col(input);
-    add(response, static_cast<Index>(k), sizes);
+    add(std::move(response), static_cast<Index>(k), size);
   }
   add(runs.baseline.rightCols(length) - runs.baseline.leftCols(length), -1,
-      runs.baseline.rowwise().norm() + d.cwiseAbs() * inputs.cwiseAbs());
+      runs.baseline.norm() + (d.cwiseAbs() * inputs.cwiseAbs()).norm());
   return all;
 }
 
