@@ -10,6 +10,7 @@
 #include "long_run.hpp"
 #include "scratch.hpp"
 #include "tandem/identification/models.hpp"
+#include "tandem/scenario/steps.hpp"
 #include "tandem/scenario/taken.hpp"
 #include "tandem/study/standing.hpp"
 #include "tandem/study/sweep.hpp"
@@ -134,6 +135,19 @@ TEST(Advice, LinesMakeTheSchemeOfAChoice) {
                      sources())
           .find("fastest mode"),
       std::string::npos);
+}
+
+/// A program tells none of its parameters, so one that is called step may make its step as any other does.
+TEST(Advice, StepsOfAServedSourceAreScaled) {
+  const Scratch folder;
+  folder.write("lag.toml",
+               "[blocks]\nx = { kind = 'integrator', input = 'rate', initial = 1 }\n"
+               "rate = { kind = 'gain', input = 'x', gain = -1 }\n[outputs]\nx = { unit = '1' }\n");
+  auto one = scenario::read(folder.write("s.toml", "[subsystems.it]\ncommand = ['" TANDEM_COMMAND
+                                                   "', 'serve', 'diagram:lag.toml']\n"
+                                                   "parameters = { step = 0.01 }\n[span]\nstop = 1\n"));
+  scenario::scale_steps(one, sources(), 0.5);
+  EXPECT_EQ(std::get<double>(one.subsystems[0].parameters[0].value), 0.005);
 }
 
 /// A gain is no part of a scheme, and would be lost.

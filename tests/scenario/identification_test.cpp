@@ -186,6 +186,25 @@ TEST(Identification, ASuperStepOfModelsIsThatOfTheSubsystemsToTenTimesTheResidua
     }
 }
 
+/// Of a spring's force, which follows its input at once, rk4 knows nothing at a quarter of a step: what is left there is
+/// rounding of the force, and no response.
+TEST(Identification, RoundingOfWhatFollowsAtOnceIsNoResponse) {
+  const Scratch folder;
+  for (const char* start : {"0", "0.0099", "0.01", "0.02"}) {
+    const auto file = folder.write(
+        "spring.toml", std::string("[inputs]\nx = { unit = 'm' }\n[blocks]\n"
+                                   "F = { kind = 'sum', inputs = ['x', 'y'], gains = [60e3, -60e3] }\n"
+                                   "a = { kind = 'sum', inputs = ['F', 'v'], gains = [0.0125, -2.5] }\n"
+                                   "v = { kind = 'integrator', input = 'a' }\n"
+                                   "y = { kind = 'integrator', input = 'v', initial = ") +
+                           start + " }\n[outputs]\nF = { unit = 'N' }\n");
+    const auto spring = open("diagram:" + file.string() + "?step=1e-3", sources());
+    const LinearModel model = identify(*spring, all_of(spring->info(), {0.01}));
+    EXPECT_EQ(model.order(), 2) << start;
+    EXPECT_LT(model.residual, 1e-9) << start;
+  }
+}
+
 TEST(Identification, WhatCantBeFoundIsNamed) {
   const auto refused = [](const std::string& source, const std::vector<double>& inputs,
                           const std::string& why) {

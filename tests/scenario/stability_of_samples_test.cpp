@@ -1,19 +1,11 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 // Maps of super-steps in which subsystems sample, against matrix exponentials and long runs.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
-#include <array>
 #include <cmath>
-#include <numbers>
-#include <random>
-#include <unsupported/Eigen/MatrixFunctions>
 
-#include "long_run.hpp"
 #include "refusal.hpp"
-#include "scratch.hpp"
-#include "tandem/sampled.hpp"
+#include "sampled_loop.hpp"
 #include "tandem/stability/largest_step.hpp"
 #include "tandem/stability/modes.hpp"
 
@@ -21,113 +13,18 @@ namespace tandem::stability_of_samples_tests {
 namespace {
 
 using namespace test;
-using Eigen::MatrixXd;
-
-struct Gains {
-  double k, d, i;  ///< of position, velocity, and the sum of positions
-  double period, offset, latency;
-};
-
-/// F = -(k x + d v + s), then s becomes s + i T x.
-class Controller {
- public:
-  explicit Controller(const Gains& gains) : gains_(gains) {}
-  SubsystemInfo info() const {
-    return {"controller", {{"x", "m"}, {"v", "m/s"}}, {{"F", "N"}}, {{0, 0}, {0, 1}}, {}};
-  }
-  double own_step() const { return gains_.period; }
-  double offset() const { return gains_.offset; }
-  double latency() const { return gains_.latency; }
-  void start(double, std::span<const double>) { s_ = 0.0; }
-  void outputs(double* y) const { *y = -s_; }
-  void outputs(double* y, std::span<const double> u) const { *y = -(gains_.k * u[0] + gains_.d * u[1] + s_); }
-  void step(const OwnStep& s, std::span<const Signal> u) {
-    s_ += gains_.i * gains_.period * u[0].value(s.begin);
-  }
-
- private:
-  Gains gains_;
-  double s_ = 0.0;
-};
-
-Builtins with_controller(const Gains& gains) {
-  Builtins all = sources();
-  all.models["controller"] = {{}, [gains](const Address&, Parameters&) -> std::unique_ptr<Subsystem> {
-                                return std::make_unique<Sampled<Controller>>(Controller(gains));
-                              }};
-  return all;
-}
-
-std::string connection(const std::string& from, const std::string& to, const std::string& more) {
-  return "[[connections]]\nfrom = '" + from + "'\nto = '" + to + "'\n" + more + "\n";
-}
-
-/// Sides that are exact for held forces; the coupling is a spring of which each gets the force.
-scenario::Scenario scene_of(const Scratch& folder, const std::vector<double>& steps, double coupling,
-                            const std::string& schedule, double stop) {
-  std::string text = "[coordination]\nschedule = '" + schedule + fmt::format("'\n[span]\nstop = {}\n", stop);
-  for (std::size_t k = 0; k < steps.size(); ++k)
-    text += fmt::format(
-        "[subsystems.side{0}]\nsource = 'builtin:oscillator.side1'\nparameters = {{ mass = {1}, stiffness = "
-        "{2}, "
-        "damping = 0.2, x = 1, step = {3} }}\n",
-        k + 1, 1.0 + static_cast<double>(k), 1.0 + 2.0 * static_cast<double>(k), steps[k]);
-  text += "[subsystems.control]\nsource = 'builtin:controller'\n" +
-          connection("side1.x", "control.x", "reconstruction = 'lagrange2'") +
-          connection("side1.v", "control.v", "reconstruction = 'lagrange2'") +
-          connection("control.F", "side1.F", steps.size() > 1 ? "add = true" : "");
-  for (const auto& [from, to, sign] : {std::tuple{"side2.x", "side1.F", 1},
-                                       {"side1.x", "side1.F", -1},
-                                       {"side1.x", "side2.F", 1},
-                                       {"side2.x", "side2.F", -1}})
-    if (steps.size() > 1)
-      text += connection(from, to,
-                         fmt::format("add = true\ngain = {}\nreconstruction = 'lagrange2'", sign * coupling));
-  auto one = scenario::read(folder.write("s.toml", text));
-  one.coordination.start = StartKind::cold;
-  one.coordination.diverged_beyond = std::numeric_limits<double>::infinity();
-  return one;
-}
-
-double radius_of(const MatrixXd& map) { return map.eigenvalues().cwiseAbs().maxCoeff(); }
-
-/// From one instant to the next: x, v, s, the force that acts, and the one that is new.
-MatrixXd exact_map(const Gains& g) {
-  const auto moved = [](double t) {
-    MatrixXd rates = MatrixXd::Zero(3, 3);
-    rates << 0.0, 1.0, 0.0, -1.0, -0.2, 1.0, 0.0, 0.0, 0.0;
-    return MatrixXd((rates * t).exp());
-  };
-  MatrixXd early = MatrixXd::Identity(5, 5), late = early, swap = early, act = early;
-  const MatrixXd a = moved(g.latency), b = moved(g.period - g.latency);
-  early.topLeftCorner(2, 2) = a.topLeftCorner(2, 2), early.block(0, 3, 2, 1) = a.block(0, 2, 2, 1);
-  swap.row(3) = VectorXd::Unit(5, 4).transpose();
-  late.topLeftCorner(2, 2) = b.topLeftCorner(2, 2), late.block(0, 3, 2, 1) = b.block(0, 2, 2, 1);
-  act.row(4) << -g.k, -g.d, -1.0, 0.0, 0.0;
-  act(2, 0) = g.i * g.period;
-  return act * late * swap * early;
-}
-double exact_radius(const Gains& g) { return radius_of(exact_map(g)); }
 
 TEST(StabilityOfSamples, TheRadiusOfASampledLoopIsThatOfItsMatrixExponentials) {
   std::mt19937_64 random(7);
-  const auto between = [&](double a, double b) { return std::uniform_real_distribution(a, b)(random); };
-  const double parts[] = {1.0, 0.5, 0.2, 2.0 / 3.0};
   int unstable = 0;
   for (int k = 0; k < 60; ++k) {
-    const double period = between(0.1, 1.0);
-    const Gains gains{between(0.0, 8.0),
-                      between(0.0, 2.0),
-                      between(0.0, 2.0),
-                      period,
-                      k % 3 == 0 ? 0.0 : between(0.0, 2.5) * period,
-                      k % 2 == 0 ? 0.0 : between(0.0, 1.0) * period};
+    const Gains gains = gains_by_chance(random, k, 0.0, 1.0);
     const Scratch folder;
-    const auto one =
-        scene_of(folder, {parts[k % 4] * period}, 0.0, k % 5 == 0 ? "parallel" : "slowest-first", 5.0);
+    const auto one = scene_of(folder, {part_of_period(k) * gains.period}, 0.0,
+                              k % 5 == 0 ? "parallel" : "slowest-first", 5.0);
     const SuperStep step = stability::super_step(one, with_controller(gains));
     EXPECT_TRUE(step.linear);
-    const double per_period = std::pow(radius_of(step.map), period / step.period),
+    const double per_period = std::pow(radius_of(step.map), gains.period / step.period),
                  expected = exact_radius(gains);
     EXPECT_NEAR(per_period, expected, 1e-9 * expected) << k;
     unstable += expected > 1.0;
@@ -193,71 +90,6 @@ TEST(StabilityOfSamples, TheDriveHasTheSameRadiusWithEitherController) {
   EXPECT_NEAR(radius({"subsystems.controller.source=diagram:controller.toml"}), expected, 1e-9);
   EXPECT_LT(expected, 0.98);
   EXPECT_GT(radius({"subsystems.controller.parameters.kp=120"}), 1.0);
-}
-
-/// Over one period of the controller: 2 cos of the turn times the modulus, and its square, of each mode.
-std::vector<std::array<double, 2>> sums_and_products(const std::vector<stability::Mode>& modes,
-                                                     double period) {
-  std::vector<std::array<double, 2>> all;
-  for (const auto& mode : modes) {
-    const double modulus = std::exp(mode.rate * period);
-    all.push_back({modulus * std::cos(2.0 * std::numbers::pi * mode.frequency * period), modulus});
-  }
-  std::ranges::sort(all);
-  return all;
-}
-
-std::vector<std::array<double, 2>> sums_and_products(const MatrixXd& map) {
-  std::vector<std::array<double, 2>> all;
-  const Eigen::VectorXcd values = map.eigenvalues();
-  for (const auto value : values)
-    if (value.imag() >= 0.0 && std::abs(value) > 1e-4) all.push_back({value.real(), std::abs(value)});
-  std::ranges::sort(all);
-  return all;
-}
-
-/// A side that is exact for held forces leaves nothing to a scheme: its modes are the true ones, whose eigenvalues are those
-/// of matrix exponentials from instant to instant.
-TEST(StabilityOfSamples, ModesAreThoseOfTheMatrixExponentials) {
-  std::mt19937_64 random(13);
-  const auto between = [&](double a, double b) { return std::uniform_real_distribution(a, b)(random); };
-  const double parts[] = {1.0, 0.5, 0.2, 2.0 / 3.0};
-  for (int k = 0; k < 40; ++k) {
-    const double period = between(0.1, 1.0);
-    const Gains gains{between(0.0, 8.0),
-                      between(0.0, 2.0),
-                      between(0.1, 2.0),
-                      period,
-                      k % 3 == 0 ? 0.0 : between(0.0, 2.5) * period,
-                      k % 2 == 0 ? 0.0 : between(0.0, k % 4 == 1 ? 1.0 : 2.7) * period};
-    const Scratch folder;
-    const auto one =
-        scene_of(folder, {parts[k % 4] * period}, 0.0, k % 5 == 0 ? "parallel" : "slowest-first", 5.0);
-    const auto found = stability::stability(one, with_controller(gains));
-    ASSERT_EQ(found.unknown, "") << k;
-    for (const auto& mode : found.modes) {
-      EXPECT_GT(mode.likeness, 0.999) << k;
-      EXPECT_NEAR(mode.growth, std::exp(mode.rate * found.step.period), 1e-7) << k;
-      EXPECT_NEAR(mode.scheme_frequency, mode.frequency, 1e-7 / period) << k;
-    }
-    if (gains.latency > period) continue;  // more outputs wait than the map of matrix exponentials has
-    const auto here = sums_and_products(found.modes, period), expected = sums_and_products(exact_map(gains));
-    ASSERT_EQ(here.size(), expected.size()) << k;
-    for (std::size_t i = 0; i < here.size(); ++i)
-      for (std::size_t j = 0; j < 2; ++j) EXPECT_NEAR(here[i][j], expected[i][j], 1e-7) << k;
-  }
-}
-
-/// Slow against what the controller does the mode is that of the oscillator with the controller's gains in it.
-TEST(StabilityOfSamples, AFastControllerIsASpringAndADamper) {
-  const Scratch folder;
-  const auto one = scene_of(folder, {0.01}, 0.0, "slowest-first", 5.0);
-  const auto found = stability::stability(one, with_controller({3.0, 0.6, 0.0, 0.001, 0.0, 0.0}));
-  ASSERT_EQ(found.unknown, "");
-  const auto& mode = found.modes.front();
-  EXPECT_NEAR(mode.frequency, std::sqrt(4.0 - 0.16) / (2.0 * std::numbers::pi), 1e-3);
-  EXPECT_NEAR(mode.damping, 0.2, 1e-3);
-  EXPECT_EQ(found.mostly(mode), "side1.x, side1.v");
 }
 
 /// A weight that comes once is sampled in 1 s. It reads nobody, and takes no part in the super-step.

@@ -50,11 +50,10 @@ void advise(const AdviseOptions& options, const Context& context) {
   adviser.predict();
   tell_all(adviser.ranking(), options.shown);
   tell(adviser, "smallest error", adviser.ranking().choices.front());
-  const std::string time = adviser.shortened() ? fmt::format(" up to {:.6g} s", *adviser.shortened()) : "";
   if (const auto cheapest = adviser.cheapest())
-    tell(adviser, "cheapest within the tolerance" + time, *cheapest);
+    tell(adviser, "cheapest within the tolerance" + adviser.up_to(), *cheapest);
   else
-    say("none is within the tolerance{}\n", time);
+    say("none is within the tolerance{}\n", adviser.up_to());
   output::write_text(folder / "advice.toml", adviser.lines(adviser.chosen()));
   say("wrote {}\n", (folder / "advice.toml").string());
 }

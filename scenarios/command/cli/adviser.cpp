@@ -68,7 +68,7 @@ std::vector<std::string> Adviser::of_models() {
   overrides_.push_back(fmt::format("span.stop={}", stop));
   lines.push_back(fmt::format(
       "so each scheme runs to {:.6g} s only, and errors, exchanges and steps are those of that time", stop));
-  shortened_ = stop;
+  up_to_ = fmt::format(" up to {:.6g} s", stop);
   return lines;
 }
 
@@ -125,9 +125,8 @@ scenario::Scenario advised(const scenario::Scenario& asked, const std::filesyste
   const Choice choice = adviser.chosen();
   if (!context.quiet) {
     for (const std::string& line : lines) say("{}\n", line);
-    const std::string time = adviser.shortened() ? fmt::format(" up to {:.6g} s", *adviser.shortened()) : "";
     say("coordination.scheme = auto takes {}; its error is {:.3g} of the tolerance{}{}, by {}\n",
-        words(choice), choice.error, time, adviser.cheapest() ? "" : ", and no other is within it",
+        words(choice), choice.error, adviser.up_to(), adviser.cheapest() ? "" : ", and no other is within it",
         (folder / "schemes.csv").string());
   }
   return scenario::with_taken(asked, adviser.taken(choice));

@@ -32,8 +32,8 @@ class Adviser {
   std::vector<std::string> taken(const advice::Choice& choice) const;
   /// What it puts into the scenario, as TOML.
   std::string lines(const advice::Choice& choice) const;
-  /// Where each scheme ends, if that is before the scenario does [s].
-  std::optional<double> shortened() const { return shortened_; }
+  /// " up to 3 s": where each scheme ends, if that is before the scenario does; else empty.
+  const std::string& up_to() const { return up_to_; }
   /// Why, in words; empty where nothing is known.
   std::string reason(const advice::Choice& choice) const;
 
@@ -51,7 +51,7 @@ class Adviser {
   std::vector<std::string> order_;      ///< coordination.order, where it is taken
   std::vector<std::string> overrides_;  ///< of the runs
   advice::Ranking ranking_;
-  std::optional<double> shortened_;
+  std::string up_to_;
 };
 
 /// "fastest-first, hermite, steps x 1".

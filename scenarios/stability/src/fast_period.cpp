@@ -29,7 +29,7 @@ std::set<std::string> fast_sides(const scenario::Scenario& scenario) {
 double shortest_period(const std::set<std::string>& instances, const Trial& trial) {
   constexpr double least = 0.01;  // beside the state that takes part most
   const Undivided whole = undivided(trial, false, Sampled::left_out);
-  const auto [rates, parts] = participation(whole);
+  const auto [rates, vectors, parts] = participation(whole);
   double fastest = 0.0;
   for (Eigen::Index mode = 0; mode < parts.cols(); ++mode)
     for (Eigen::Index k = 0; k < parts.rows(); ++k) {

@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "true_modes.hpp"
 
+#include <utility>
+
 #include "sampled_map.hpp"
 #include "undivided.hpp"
 
@@ -10,9 +12,8 @@ namespace {
 using Eigen::Index;
 
 TrueModes of_rates(const Undivided& whole) {
-  if (whole.rates.size() == 0) return {};
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(whole.rates);
-  return {solver.eigenvalues(), solver.eigenvectors(), participation(whole).parts, whole.names};
+  auto [rates, vectors, parts] = participation(whole);
+  return {std::move(rates), std::move(vectors), std::move(parts), whole.names};
 }
 
 void count_at_rest(double period, TrueModes& modes) {

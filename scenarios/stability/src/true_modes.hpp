@@ -18,8 +18,8 @@ struct TrueModes {
   static constexpr double rest = 1e-6;
 };
 
-/// Of a system in which something is sampled they are those of its map over a super-step (sampled_map.hpp), without what
-/// is forgotten in it (remembered.hpp).
+/// Of a system in which something is sampled they are those of its map over a super-step (sampled_map.hpp), without
+/// what is forgotten in it (remembered.hpp).
 /// Throws Error(not_supported) as undivided() and SampledMap do.
 TrueModes true_modes(const Trial& trial, bool is_linear);
 

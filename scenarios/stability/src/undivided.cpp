@@ -91,7 +91,8 @@ Participation participation(const Undivided& whole) {
   if (whole.rates.size() == 0) return {};
   const Eigen::EigenSolver<MatrixXd> solver(whole.rates);
   const Eigen::MatrixXcd modes = solver.eigenvectors();
-  return {solver.eigenvalues(), modes.cwiseProduct(modes.fullPivLu().inverse().transpose()).cwiseAbs()};
+  return {solver.eigenvalues(), modes,
+          modes.cwiseProduct(modes.fullPivLu().inverse().transpose()).cwiseAbs()};
 }
 
 }  // namespace tandem::stability

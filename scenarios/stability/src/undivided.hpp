@@ -35,10 +35,11 @@ enum class Sampled { left_out, held };
 /// and for a subsystem that follows rates of its inputs (a prescribed motion), as constant inputs tell nothing of these.
 Undivided undivided(const Trial& trial, bool is_linear, Sampled sampled = Sampled::left_out);
 
-/// Its modes: their rates [1/s], and by columns how much each state takes part, the product of a state in the mode and of the
+/// Its modes: their rates [1/s], and by columns their vectors and how much each state takes part, the product of a state in the mode and of the
 /// mode in the state, which has no unit (I. J. Perez-Arriaga et al., IEEE Trans. Power Apparatus and Systems 101, 1982).
 struct Participation {
   Eigen::VectorXcd rates;
+  Eigen::MatrixXcd vectors;
   Eigen::MatrixXd parts;
 };
 Participation participation(const Undivided& whole);
