@@ -169,6 +169,7 @@ INSTANTIATE_TEST_SUITE_P(
             "clock = \"fast\"",
             "ports = [\"fast.x9\"]",
             {"'fast.x9'", "did you mean 'fast.x1'?", "slow.v2"}},
+        Bad{"no_recorded_port", "clock = \"fast\"", "ports = []", {"record.ports is empty", "at least one"}},
         Bad{"judge",
             "[record]",
             "[judge]\nquantity = \"fast.x9\"\ntolerance = 1\n[record]",

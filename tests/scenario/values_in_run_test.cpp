@@ -142,7 +142,7 @@ TEST(ModesCommand, TakesParametersAsARunDoes) {
   EXPECT_TRUE(contains(tandem(folder, {"modes", "s.toml"}).out, "2.000 Hz"));
   for (const auto& [what, set, word] :
        {std::tuple{"m.toml", "run.kk=1", "'kk' is not there; did you mean 'k'?"},
-        {"m.toml", "run.k=abc", "'k' is the text 'abc'"},
+        {"m.toml", "run.k=abc", "'k' is 'abc'"},
         {"s.toml", "subsystems.a.parameters.kk=1", "'kk' is not there"},
         {"s.toml", "subsystems.a.parameters.formulation=abc", "formulation 'abc'"}}) {
     const Said said = tandem(folder, {"modes", what, "--set", set});
@@ -151,11 +151,25 @@ TEST(ModesCommand, TakesParametersAsARunDoes) {
   }
 }
 
+TEST(ValuesInRun, AreOfParametersThatHaveNoNameOfASetting) {
+  const Scratch folder;
+  const auto says = [&](const std::string& name, const std::string& rest) {
+    folder.write("s.toml", "[parameters]\n" + name + " = { value = 1, unit = 's' }\n" + rest);
+    const Said said = tandem(folder, {"info", "s.toml"});
+    EXPECT_EQ(said.status, 2) << said.out;
+    EXPECT_TRUE(contains(said.err, "parameter '" + name + "' has the name of a setting")) << said.err;
+  };
+  for (const char* name : {"start", "stop", "inputs", "step", "beta"})
+    says(name, "[coordinates]\nx = { unit = 'm', inertia = 1 }\n[run]\nstep = 1e-3\nstop = 1\n");
+  for (const char* name : {"start", "stop", "inputs", "step", "integrator"})
+    says(name, "[blocks]\nc = { kind = 'constant', value = 1 }\n[run]\nstep = 1e-3\nstop = 1\n");
+}
+
 TEST(InfoCommand, RefusesWhatARunOfADiagramWould) {
   const Scratch folder;
   const std::string d =
       "[blocks]\nc = { kind = 'constant', value = 1 }\n[outputs]\nc = { unit = '1' }\n[run]\n";
-  for (const auto& [run, word] : {std::pair{"step = 'a'\n", "'step' is the text 'a'"},
+  for (const auto& [run, word] : {std::pair{"step = 'a'\n", "'step' is 'a'"},
                                   {"step = 1\ncolour = 2\n", "'colour' is not there"},
                                   {"step = 1\nstop = 2\ninputs = { v = 1 }\n", "input 'v' is not there"}}) {
     folder.write("d.toml", d + run);

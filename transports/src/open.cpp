@@ -34,6 +34,7 @@ Address taken_apart(const std::string& uri, const Source& source, Opening& openi
   Address address{
       uri, parts.scheme, parts.place, opening.folder, opening.command, opening.overrides, opening.isolated};
   take_query(uri, opening.parameters);
+  opening.parameters.belong_to(address.name());
   opening.parameters.declare(source.words);
   opening.parameters.refuse_foreign(address.name());
   return address;

@@ -10,16 +10,6 @@
 namespace tandem {
 namespace {
 
-[[noreturn]] void wrong_type(const std::string& name, const Parameters::Value& value,
-                             const std::string& wanted) {
-  const std::string found = std::holds_alternative<double>(value) ? "a number"
-                            : std::holds_alternative<bool>(value)
-                                ? std::get<bool>(value) ? "true" : "false"
-                                : "the text '" + std::get<std::string>(value) + "'";
-  throw Error(ErrorCode::invalid_argument,
-              "parameter '" + name + "' is " + found + "; " + wanted + " is allowed");
-}
-
 std::string text_of(const Parameters::Value& value) {
   if (const bool* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
@@ -154,6 +144,13 @@ std::string Parameters::rest() {
     pairs += (pairs.empty() ? "" : "&") + name + "=" + text;
   }
   return pairs;
+}
+
+void Parameters::wrong_type(const std::string& name, const Value& value, const std::string& allowed) const {
+  throw Error(ErrorCode::invalid_argument,
+              (owner_.empty() ? "" : owner_ + ": ") + "parameter '" + name + "' is " +
+                  (std::holds_alternative<std::string>(value) ? "'" + text_of(value) + "'" : text_of(value)) +
+                  "; " + allowed + " is allowed");
 }
 
 const Parameters::Value* Parameters::find(const std::string& name) {

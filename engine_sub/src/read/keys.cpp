@@ -25,7 +25,7 @@ void keys_of_file(KeyList& to) {
       .named("outputs", "Signals for others: ports.", "An output.")
       .need("unit", Type::text, "Its unit.", {.allowed = "like \"rad/s\""})
       .may("from", Type::signal, "The signal; without it the one of that name.");
-  text::keys_of_limits(to, "which is located as an event", "a signal, or a number");
+  text::keys_of_limits(to, "which is located as an event", Type::signal);
 }
 
 void keys_of_integrators(KeyList& to) {

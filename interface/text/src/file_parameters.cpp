@@ -97,10 +97,11 @@ static Values values_of(const Document& document, const GivenValues& given) {
   return own;
 }
 
-/// What [run] says of a parameter; start, stop and inputs are its own.
+bool is_of_run(const std::string& name) { return name == "start" || name == "stop" || name == "inputs"; }
+
+/// What [run] says of a parameter.
 static const toml::node* node_in_run(const Document& document, const std::string& name) {
-  const bool of_run = name == "start" || name == "stop" || name == "inputs";
-  return of_run ? nullptr : document.table()["run"][name].node();
+  return is_of_run(name) ? nullptr : document.table()["run"][name].node();
 }
 
 Values values_in_run(const Document& document,

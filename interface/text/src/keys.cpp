@@ -78,6 +78,7 @@ static std::string marked(const Key& key) {
                                           "a number, true, false, a text, an array or a table of these",
                                           "a number, or an array of numbers",
                                           "an array of numbers",
+                                          "a table of numbers",
                                           "a number, or an array of arrays of numbers",
                                           "a number or a text",
                                           "a signal, or a number",

@@ -17,11 +17,11 @@ const std::vector<std::string>& words() {
 
 }  // namespace
 
-void keys_of_limits(KeyList& to, const std::string& when, const std::string& what) {
+void keys_of_limits(KeyList& to, const std::string& when, Key::Type type, const std::string& what) {
   using enum Key::Type;
   to.named("limits", "Values between which the model is believed.",
            "A limit. It has `low` or `high`, or both.")
-      .need("signal", any, "What is watched, " + when + ".", {.allowed = what})
+      .need("signal", type, "What is watched, " + when + ".", {.allowed = what})
       .may("low", number, "The least value.")
       .may("high", number, "The largest value.")
       .need("sentence", text, "Why.")

@@ -75,7 +75,6 @@ std::optional<std::string> Section::text(const std::string& key) {
   return word;
 }
 
-/// The text that a node is, or stands for.
 std::string Section::text_of(const toml::node& node, const std::string& key) const {
   if (!values_) return node.as_string()->get();
   if (!Values::refers(node)) return Values::literal(node.as_string()->get());
@@ -167,7 +166,7 @@ std::vector<std::string> Section::texts(const std::string& key) {
     if (!element.is_string())
       refuse(document_.place(element),
              name(key) + " holds " + described(element) + "; allowed are texts in quotes");
-    all.push_back(element.as_string()->get());
+    all.push_back(text_of(element, key));
   }
   return all;
 }

@@ -96,6 +96,8 @@ class Schema {
         return any_of({number(), array(number())});
       case Type::vector:
         return array(number());
+      case Type::factors:
+        return {{"type", "object"}, {"additionalProperties", number()}};
       case Type::matrix:
         return any_of({number(), array(array(number()))});
       case Type::name:

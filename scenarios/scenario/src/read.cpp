@@ -202,7 +202,7 @@ class Reader {
 };
 
 std::string kind_of(const toml::table& table) {
-  for (const char* key : {"dimension", "points", "vectors", "bodies", "rods"})
+  for (const char* key : {"dimension", "points", "vectors", "bodies", "rods", "coordinates"})
     if (table.contains(key)) return "mechanism";
   return table.contains("blocks") ? "diagram" : "";
 }

@@ -129,6 +129,8 @@ void read_record(Section& section, Scenario& to) {
   to.recording.own = clock == "own";
   if (!to.recording.own) to.recording.clock = clock;
   to.recording.ports = section.texts("ports");
+  if (section.node("ports") && to.recording.ports.empty())
+    section.wrong("ports", "empty", "at least one port, or no such key: then all are recorded");
   to.recording.derivatives = *section.flag("derivatives");
   to.recording.format = *section.text("format") == "npy" ? RecordFormat::npy : RecordFormat::csv;
   to.recording.rows = row_rules(section, to);

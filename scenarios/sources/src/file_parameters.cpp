@@ -12,9 +12,8 @@ text::FileValue value(Parameters& p, const text::FileParameter& parameter) {
 }
 
 void refuse_setting(const text::FileParameter& parameter, const Words& settings) {
-  const bool is_setting =
-      std::ranges::any_of(settings, [&](const Word& word) { return stands_for(word.name, parameter.name); });
-  if (is_setting)
+  const auto is_it = [&](const Word& word) { return stands_for(word.name, parameter.name); };
+  if (text::is_of_run(parameter.name) || std::ranges::any_of(settings, is_it))
     text::refuse(parameter.place, "parameter '" + parameter.name +
                                       "' has the name of a setting; allowed is a name of its own");
 }
@@ -32,7 +31,7 @@ text::Values file_values(const text::Document& document, Parameters& p) {
 text::GivenValues take_file_parameters(const text::Document& document, const Words& settings, Parameters& p) {
   return text::given_values(document,
                             [&](const text::FileParameter& parameter) -> std::optional<text::FileValue> {
-                              refuse_setting(parameter, settings);
+                              if (!settings.empty()) refuse_setting(parameter, settings);
                               p.declare({{parameter.name, Setter::client}});
                               const bool is_given = p.has(parameter.name);
                               const text::FileValue now = value(p, parameter);

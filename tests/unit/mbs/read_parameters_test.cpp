@@ -11,11 +11,11 @@ namespace {
 const std::string with_parameters =
     "dimension = 2\n[parameters]\nm = { value = 2, unit = 'kg' }\nL = { value = 3, unit = 'm' }\n"
     "k = { value = 8, unit = 'N/m' }\nend = { value = 'P' }\npush = { value = 5, unit = 'N' }\n[points]\n"
-    "O = { at = [0, 0], fixed = true }\nP = { at = ['$L', '$(L/2)'] }\n[rods]\nr = { points = ['O', 'P'], "
+    "O = { at = [0, 0], fixed = true }\nP = { at = ['$L', '$(L/2)'] }\n[rods]\nr = { points = ['O', '$end'], "
     "mass = '$m' }\n"
     "[springs]\ns = { points = ['O', 'P'], stiffness = ['$k', 0, '$(k/4)'], free = '$(2*L)' }\n[forces]\n"
     "f = { point = '$end', direction = [1, 0], magnitude = '$push', gain = '$(1/m)' }\n"
-    "[outputs]\nx = { position = 'P.x' }\n";
+    "[outputs]\nx = { position = 'P.x' }\nrise = { elevation = ['O', '$end'] }\n";
 
 TEST(MechanismParameters, StandWhereNumbersAndWordsDo) {
   const Description d = read_mechanism("d", with_parameters);
@@ -26,6 +26,7 @@ TEST(MechanismParameters, StandWhereNumbersAndWordsDo) {
   EXPECT_EQ(d.inputs[0].value, 5.0);
   EXPECT_EQ(d.forces[0].gain, 0.5);
   EXPECT_EQ(d.forces[0].index, 1);
+  EXPECT_EQ(d.outputs[1].edge.to, 1);
 }
 
 TEST(MechanismParameters, AreGiven) {

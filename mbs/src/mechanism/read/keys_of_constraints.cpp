@@ -70,7 +70,7 @@ void keys_of_constraints(KeyList& to) {
   keys_of_joints(to);
   keys_of_relative_coordinates(to);
   to.named("relations", "Sums of coordinates that are kept.", "A relation.")
-      .need("terms", any, "`{ COORDINATE = FACTOR }`.", {.allowed = "a table of numbers"})
+      .need("terms", factors, "`{ COORDINATE = FACTOR }`.")
       .may("value", number, "What the sum is; without it as drawn.")
       .table("relations.NAME.products[]", "Scalar products in the sum.")
       .need("edges", edges, "The two.", {.allowed = "each a vector or two points"})

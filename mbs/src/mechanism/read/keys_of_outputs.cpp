@@ -12,8 +12,8 @@ const char* const coordinate = "\"P.x\" of a point or vector, or an angle, lengt
 void keys_of_start(KeyList& to) {
   using enum text::Key::Type;
   to.table("initial", "Where it starts.")
-      .may("positions", any, "Coordinates that are kept.", {.allowed = "a table of numbers by coordinate"})
-      .may("velocities", any, "Their rates.", {.allowed = "a table of numbers by coordinate"})
+      .may("positions", factors, "Coordinates that are kept.", {.allowed = "by coordinate"})
+      .may("velocities", factors, "Their rates.", {.allowed = "by coordinate"})
       .may("equilibrium", flag, "It starts where forces at rest balance.", {.otherwise = "false"});
 }
 
@@ -47,7 +47,7 @@ void keys_of_outputs(KeyList& to) {
            {.allowed = coordinate})
       .may("input", text, "That input, which only forces follow.")
       .may("gain", number, "The output is the quantity times this.", {.otherwise = "1.0"});
-  text::keys_of_limits(to, "at the end of each own step",
+  text::keys_of_limits(to, "at the end of each own step", any,
                        "the name of an output, or { element = .., quantity = .. }");
   keys_of_start(to);
 }

@@ -178,13 +178,11 @@ Edge Reader::edge(Section& section, const std::string& key, const toml::node* no
   const std::string allowed = "the name of a vector, or an array of two points";
   if (!node) section.missing(key, allowed);
   const toml::array* array = node->as_array();
-  if (const auto text = node->value<std::string>()) {
-    return {vector_named(section, key, *text, allowed)};
-  }
+  if (node->is_string()) return {vector_named(section, key, section.text_of(*node, key), allowed)};
   if (!array || array->size() != 2 || !array->get(0)->is_string() || !array->get(1)->is_string())
     section.wrong(key, text::described(*node), allowed);
-  const Edge edge{point(section, key, *array->get(1)->value<std::string>()),
-                  point(section, key, *array->get(0)->value<std::string>())};
+  const Edge edge{point(section, key, section.text_of(*array->get(1), key)),
+                  point(section, key, section.text_of(*array->get(0), key))};
   if (edge.to == edge.from)
     section.wrong(key, "from '" + to_.entities[edge.to].name + "' to itself", allowed);
   return edge;

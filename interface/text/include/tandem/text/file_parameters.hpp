@@ -33,6 +33,9 @@ std::vector<FileParameter> parameters_of(const Document& document, const GivenVa
 /// The keys of that table, for the language of such files.
 void keys_of_parameters(KeyList& to);
 
+/// Whether it is a key of [run] itself, and not what a subsystem is made with: start, stop, inputs.
+bool is_of_run(const std::string& name);
+
 /// Of the parameters that a file declares, those that somebody else gives: find tells.
 GivenValues given_values(const Document& document,
                          const std::function<std::optional<FileValue>(const FileParameter&)>& find);

@@ -21,6 +21,7 @@ struct Key {
     values,   ///< One of these, an array of numbers or of texts, or a table of all that.
     numbers,  ///< A number, or an array of them.
     vector,   ///< An array of numbers.
+    factors,  ///< A table of numbers by name.
     matrix,   ///< A number, or an array of arrays of them.
     name,     ///< A number or a text.
     signal,   ///< A signal of a diagram, or a number.

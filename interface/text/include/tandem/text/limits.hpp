@@ -18,6 +18,6 @@ struct FileLimit {
 /// A table of [limits], but for its `signal`.
 FileLimit read_limit(Section& section);
 /// The keys of [limits]; what: may be watched.
-void keys_of_limits(KeyList& to, const std::string& when, const std::string& what);
+void keys_of_limits(KeyList& to, const std::string& when, Key::Type type, const std::string& what = "");
 
 }  // namespace tandem::text

@@ -76,6 +76,8 @@ class Section {
   const Document& document() const { return document_; }
   /// The number that a node of this section is, or stands for.
   double number_of(const toml::node& node, const std::string& name) const;
+  /// The text that a node of this section, a text in quotes, is or stands for.
+  std::string text_of(const toml::node& node, const std::string& key) const;
   const toml::table& table() const { return table_; }
   const std::string& path() const { return path_; }  ///< "connections[0]", empty for the document
 
@@ -90,7 +92,6 @@ class Section {
   Section(const Section& outer, const toml::table& table, std::string path, std::string pattern);
   const Key* known(const std::string& key) const;
   std::optional<std::string> otherwise(const std::string& key) const;
-  std::string text_of(const toml::node& node, const std::string& key) const;
   void check_word(const Key& known, const std::string& key, const std::string& word) const;
   void refuse_unread() const;
   [[noreturn]] void refuse_key(const std::string& key, const std::string& near) const;
