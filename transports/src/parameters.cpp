@@ -112,9 +112,10 @@ void Parameters::read(const std::string& pairs, const std::string& owner, Setter
   }
 }
 
-std::string Parameters::written() const {
+std::string Parameters::written(const std::function<bool(const std::string&)>& left_out) const {
   std::string pairs;
-  for (const auto& [name, value] : values_) pairs += (pairs.empty() ? "" : "&") + name + "=" + text_of(value);
+  for (const auto& [name, value] : values_)
+    if (!left_out(name)) pairs += (pairs.empty() ? "" : "&") + name + "=" + text_of(value);
   return pairs;
 }
 

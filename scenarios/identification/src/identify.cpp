@@ -5,6 +5,7 @@
 #include <Eigen/QR>
 #include <cmath>
 
+#include "by_states.hpp"
 #include "prober.hpp"
 #include "realise.hpp"
 
@@ -106,22 +107,38 @@ bool stays(const LinearModel& before, const LinearModel& now) {
   return now.order() == before.order() && now.residual <= std::max(exact, alike * before.residual);
 }
 
-}  // namespace
-
-bool is_linear(Subsystem& subsystem, const Wanted& wanted) { return Prober(subsystem, wanted).is_linear(); }
-
-LinearModel identify(Subsystem& subsystem, const Wanted& wanted) {
-  Prober prober(subsystem, wanted);
+LinearModel found(Prober& prober, const Wanted& wanted) {
   std::int64_t steps = wanted.steps;
-  LinearModel before = model_of(prober.runs(steps), wanted), now = before;
+  const bool is_longest = 2 * steps > most_steps;
+  Runs runs = prober.runs(is_longest ? steps : 2 * steps);
+  LinearModel now = model_of(is_longest ? runs : runs.up_to(steps), wanted);
   while (2 * steps <= most_steps) {
-    now = model_of(prober.runs(steps *= 2), wanted);
-    if (stays(before, now)) break;
-    before = now;
+    const LinearModel before = std::move(now);
+    now = model_of(runs, wanted);
+    steps *= 2;
+    if (stays(before, now) || 2 * steps > most_steps) break;
+    runs = prober.runs(2 * steps);
   }
   now.step = prober.probe().step(), now.offset = prober.probe().offset(),
   now.before = prober.probe().before();
   return now;
+}
+
+}  // namespace
+
+LinearModel identify(Subsystem& subsystem, const Wanted& wanted) {
+  Prober prober(subsystem, wanted);
+  return found(prober, wanted);
+}
+
+std::optional<LinearModel> identify_linear(Subsystem& subsystem, const Wanted& wanted) {
+  Prober prober(subsystem, wanted);
+  if (!prober.is_linear()) return {};
+  const auto by_states = model_by_states(prober);
+  constexpr double good = 1e-9;
+  if (by_states && by_states->residual <= good) return by_states;
+  LinearModel other = found(prober, wanted);
+  return by_states && by_states->residual < other.residual ? by_states : other;
 }
 
 }  // namespace tandem::identification

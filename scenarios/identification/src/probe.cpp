@@ -89,6 +89,25 @@ Eigen::MatrixXd Probe::instants(std::int64_t count, const Change* change) {
   return values;
 }
 
+Eigen::Index Probe::states() {
+  start(1, nullptr);
+  const auto names = subsystem_.states();
+  return names ? static_cast<Eigen::Index>(names->size()) : -1;
+}
+
+OneStep Probe::one_step(const Change* change, const Eigen::VectorXd& by) {
+  Samples y = start(3, change);
+  const auto size = static_cast<std::size_t>(by.size());
+  OneStep all{by, wanted_of(y.values(0)), by, {}};
+  subsystem_.get_states({all.x0.data(), size});
+  if (!by.isZero(0.0)) subsystem_.set_states({(all.x0 += by).data(), size});
+  advance(wanted_.start + 1.25 * step_, change, y);
+  if (y.size() != 2) refuse("takes own steps that vary");
+  subsystem_.get_states({all.x1.data(), size});
+  all.y1 = wanted_of(y.values(1));
+  return all;
+}
+
 Eigen::MatrixXd Probe::run(std::int64_t steps, const Change* change) {
   if (is_sampled()) return instants(steps + 1, change);
   Samples y = start(steps + 3, change);

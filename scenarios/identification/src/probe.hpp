@@ -16,6 +16,11 @@ struct Change {
 };
 constexpr int all_places = static_cast<int>(places.size()), throughout = all_places + 1;
 
+/// States and wanted values at the start, and after an own step.
+struct OneStep {
+  Eigen::VectorXd x0, y0, x1, y1;
+};
+
 /// Runs of a subsystem alone.
 class Probe {
  public:
@@ -30,6 +35,10 @@ class Probe {
   int inputs() const { return static_cast<int>(wanted_.inputs.size()); }
   /// The wanted values, a column each for the start and so many own steps; of one that is sampled for its first instants.
   Eigen::MatrixXd run(std::int64_t steps, const Change* change = nullptr);
+  /// How many states it tells; -1: it keeps them to itself.
+  Eigen::Index states();
+  /// by: what its states are moved by at the start.
+  OneStep one_step(const Change* change, const Eigen::VectorXd& by);
 
  private:
   [[noreturn]] void refuse(const std::string& what) const;

@@ -8,13 +8,20 @@ namespace tandem::identification {
 
 using Eigen::MatrixXd;
 
-Prober::Prober(Subsystem& subsystem, const Wanted& wanted) : probe_(subsystem, wanted), wanted_(wanted) {
+Runs Runs::up_to(std::int64_t steps) const {
+  Runs all{baseline.leftCols(steps + 1), {}, linear, sampled};
+  for (const MatrixXd& change : changes) all.changes.push_back(change.leftCols(steps + 1));
+  return all;
+}
+
+Prober::Prober(Subsystem& subsystem, const Wanted& wanted)
+    : probe_(subsystem, wanted), wanted_(wanted), baseline_(probe_.run(wanted.steps)) {
   for (const double input : wanted.inputs) sizes_.push_back(std::max(1.0, std::abs(input)));
   is_linear_ = looks_linear();
-  if (is_linear_) make_responses_large();
 }
 
 Runs Prober::runs(std::int64_t steps) {
+  if (is_linear_ && !are_large_) make_responses_large();
   Runs all{probe_.run(steps), {}, is_linear_, probe_.is_sampled()};
   for (int input = 0; input < probe_.inputs(); ++input)
     for (int place = 0; place <= all_places; ++place)
@@ -31,13 +38,11 @@ double Prober::size(int input) const {
 void Prober::make_responses_large() {
   constexpr double most = 1e9;
   const auto before = sizes_;
-  const MatrixXd from = probe_.run(wanted_.steps);
-  for (int input = 0; input < probe_.inputs(); ++input) {
-    const Change change{input, throughout, size(input)};
-    const double moved = (probe_.run(wanted_.steps, &change) - from).norm();
-    if (moved > 0.0) sizes_[static_cast<std::size_t>(input)] *= std::clamp(from.norm() / moved, 1.0, most);
-  }
+  for (std::size_t k = 0; k < sizes_.size(); ++k)
+    if (const double moved = moved_[k].norm(); moved > 0.0)
+      sizes_[k] *= std::clamp(baseline_.norm() / moved, 1.0, most);
   if (!looks_linear()) sizes_ = before;
+  are_large_ = true;
 }
 
 /// By a change of 1. What rounding has left of a response that is none is 0.
@@ -53,12 +58,13 @@ MatrixXd Prober::response(int input, int place, std::int64_t steps, const Matrix
 
 bool Prober::looks_linear() {
   constexpr double tolerance = 1e-10, rounding = 1e-13;  // of a thousand steps
-  const MatrixXd from = probe_.run(wanted_.steps);
+  moved_.clear();
   for (int input = 0; input < probe_.inputs(); ++input) {
     const Change whole{input, throughout, size(input)}, half{input, throughout, 0.5 * size(input)};
-    const MatrixXd all = probe_.run(wanted_.steps, &whole) - from,
-                   part = probe_.run(wanted_.steps, &half) - from;
-    if ((all - 2.0 * part).norm() > tolerance * all.norm() + rounding * from.norm()) return false;
+    MatrixXd all = probe_.run(wanted_.steps, &whole) - baseline_;
+    const MatrixXd part = probe_.run(wanted_.steps, &half) - baseline_;
+    if ((all - 2.0 * part).norm() > tolerance * all.norm() + rounding * baseline_.norm()) return false;
+    moved_.push_back(std::move(all));
   }
   return true;
 }

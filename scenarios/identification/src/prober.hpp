@@ -12,6 +12,8 @@ struct Runs {
   Eigen::MatrixXd baseline;
   std::vector<Eigen::MatrixXd> changes;  ///< by input, then by place; the last place is the start
   bool linear, sampled;
+  /// The same, as they are up to so many steps.
+  Runs up_to(std::int64_t steps) const;
   /// What an input changes at once.
   const Eigen::MatrixXd& at_once(Eigen::Index input) const {
     return changes[static_cast<std::size_t>(input * (all_places + 1) + (sampled ? 0 : all_places))];
@@ -24,20 +26,27 @@ class Prober {
   /// Throws as identify() does. Both must outlive it.
   Prober(Subsystem& subsystem, const Wanted& wanted);
 
-  const Probe& probe() const { return probe_; }
+  Probe& probe() { return probe_; }
+  const Wanted& wanted() const { return wanted_; }
   bool is_linear() const { return is_linear_; }
+  /// So many own steps as are wanted.
+  const Eigen::MatrixXd& baseline() const { return baseline_; }
+  /// Where it is linear: what a change of `size(input)` makes of it that lasts the first own step.
+  const Eigen::MatrixXd& moved(int input) const { return moved_[static_cast<std::size_t>(input)]; }
+  double size(int input) const;
   Runs runs(std::int64_t steps);
 
  private:
-  double size(int input) const;
   void make_responses_large();
   Eigen::MatrixXd response(int input, int place, std::int64_t steps, const Eigen::MatrixXd& baseline);
   bool looks_linear();
 
   Probe probe_;
   const Wanted& wanted_;
+  const Eigen::MatrixXd baseline_;
   std::vector<double> sizes_;  ///< of changes, by input
-  bool is_linear_ = true;
+  std::vector<Eigen::MatrixXd> moved_;
+  bool is_linear_ = true, are_large_ = false;
 };
 
 }  // namespace tandem::identification

@@ -48,30 +48,43 @@ MatrixXd hankel(const Responses& all, Index blocks, Index stride, Index offset) 
   return h;
 }
 
-/// The largest difference of a value in a response, by the largest that it is there. What is never more than rounding in
-/// that response does not count.
-double residual(const Realisation& of, const Responses& all) {
-  constexpr double rounding = 1e-10;
-  double most = 0.0;
-  VectorXd y(of.c.rows()), next(of.a.rows());
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    VectorXd x = of.x1.col(static_cast<Index>(k));
-    const VectorXd size =
-        all[k].cwiseAbs().rowwise().maxCoeff().cwiseMax(rounding * all[k].cwiseAbs().maxCoeff());
-    for (Index step = 0; step < all[k].cols(); ++step) {
+/// All responses step by step, for comparison.
+class Together {
+ public:
+  explicit Together(const Responses& all)
+      : count_(static_cast<Index>(all.size())), steps_(all.front().cols()) {
+    constexpr double rounding = 1e-10;
+    const Index values = all.front().rows();
+    at_.resize(values, count_ * steps_), size_.resize(values, count_);
+    for (Index k = 0; k < count_; ++k) {
+      const MatrixXd& one = all[static_cast<std::size_t>(k)];
+      size_.col(k) = one.cwiseAbs().rowwise().maxCoeff().cwiseMax(rounding * one.cwiseAbs().maxCoeff());
+      for (Index step = 0; step < steps_; ++step) at_.col(step * count_ + k) = one.col(step);
+    }
+  }
+
+  double residual(const Realisation& of) const {
+    MatrixXd x = of.x1, next = x, y = size_;
+    Eigen::ArrayXXd most = Eigen::ArrayXXd::Zero(size_.rows(), count_);
+    for (Index step = 0; step < steps_; ++step) {
       y.noalias() = of.c.lazyProduct(x);
-      const double off = (y - all[k].col(step)).cwiseAbs().cwiseQuotient(size).maxCoeff();
-      most = std::max(most, std::isfinite(off) ? off : 1e300);
+      y -= at_.middleCols(step * count_, count_);
+      most = most.max(y.array().abs());
       next.noalias() = of.a.lazyProduct(x);
       x.swap(next);
     }
+    const double worst = (most / size_.array()).maxCoeff();
+    return x.allFinite() && std::isfinite(worst) ? worst : 1e300;
   }
-  return most;
-}
+
+ private:
+  Index count_, steps_;
+  MatrixXd at_, size_;  ///< a step's columns after those of the one before
+};
 
 class Realiser {
  public:
-  explicit Realiser(const Responses& all) : all_(all) {
+  explicit Realiser(const Responses& all) : all_(all), together_(all) {
     const Index length = all.front().cols();
     constexpr Index most_blocks = 24;
     const Index blocks = std::min(most_blocks, length / 2),
@@ -96,12 +109,13 @@ class Realiser {
     r.a = inverse.asDiagonal() * (u.transpose() * later_ * v) * inverse.asDiagonal();
     r.c = u.topRows(all_.front().rows()) * root.asDiagonal();
     r.x1 = root.asDiagonal() * v.topRows(static_cast<Index>(all_.size())).transpose();
-    r.residual = residual(r, all_);
+    r.residual = together_.residual(r);
     return r;
   }
 
  private:
   const Responses& all_;
+  const Together together_;
   MatrixXd later_, u_, v_;
   VectorXd s_;
 };
@@ -144,6 +158,10 @@ const Realisation& chosen(const std::vector<Realisation>& found) {
 }
 
 }  // namespace
+
+double residual(const Realisation& of, const Responses& responses) {
+  return Together(responses).residual(of);
+}
 
 Realisation realise(const Responses& responses) {
   constexpr double exact = 1e-11;

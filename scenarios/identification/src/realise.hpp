@@ -15,6 +15,10 @@ struct Realisation {
   double residual;     ///< the largest part of a value in a response that it leaves
 };
 
+/// The largest difference of a value in a response, by the largest that it is there. What is never more than rounding in
+/// that response does not count.
+double residual(const Realisation& of, const Responses& responses);
+
 /// The smallest system whose residual is at most 1.5 times the smallest, or 1e-11, of up to most_states states.
 /// Precondition: all responses are as long, at least 4, and none is 0.
 Realisation realise(const Responses& responses);

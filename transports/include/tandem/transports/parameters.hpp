@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <functional>
 #include <initializer_list>
 #include <map>
 #include <optional>
@@ -59,8 +60,9 @@ class Parameters {
   /// Adds what "key=value&key=value" says, as texts; %26, %3D and %25 stand for &, = and %. Throws Error beginning with `owner` for what is no pair
   /// and for a key that is there already. by: whose words they are.
   void read(const std::string& pairs, const std::string& owner, Setter by = Setter::operator_only);
-  /// All of them, as "key=value&key=value"; numbers are written so that they read back as the same.
-  std::string written() const;
+  /// All of them but those that are left out, as "key=value&key=value"; numbers are written so that they read back as the
+  /// same.
+  std::string written(const std::function<bool(const std::string& name)>& left_out) const;
   /// What nobody asked for, as "key=value&key=value"; it counts as asked for from now on. Numbers are written
   /// so that they read back as the same. Throws Error for a name or a text that would not.
   std::string rest();

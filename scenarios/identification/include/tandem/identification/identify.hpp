@@ -1,5 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <optional>
+
 #include "tandem/identification/linear_model.hpp"
 #include "tandem/subsystem.hpp"
 
@@ -28,8 +30,8 @@ struct Wanted {
 /// Throws Error(not_supported) for a subsystem that can't start again, has an event on the way, takes own steps that vary,
 /// or acts at instants that are not equally far apart.
 LinearModel identify(Subsystem& subsystem, const Wanted& wanted);
-/// Whether half a change of an input makes half the response over some own steps, to 1e-10. Throws as identify() does.
-bool is_linear(Subsystem& subsystem, const Wanted& wanted);
+/// The same; nothing where half a change of an input makes something else than half the response, by more than 1e-10.
+std::optional<LinearModel> identify_linear(Subsystem& subsystem, const Wanted& wanted);
 constexpr std::int64_t most_steps = 3072;
 constexpr int most_states = 40;
 

@@ -23,6 +23,9 @@ struct Stand {
   bool is_known() const { return modelled || sampled; }
 };
 
+class Known;
+struct Kin;
+
 /// Linear models in place of subsystems, each found once for the same source and parameters.
 class Models {
  public:
@@ -43,15 +46,13 @@ class Models {
   std::vector<Stand> stands() const;
 
  private:
-  struct Entry;
-  class Modelled;
   Source replacing(Source source);
-  Entry& entry(const std::string& key, const std::string& source, double step);
-  void refuse_without(const Stand& stand) const;
+  std::shared_ptr<Known> known(const Address& address, const Parameters& parameters);
 
   const Without without_;
   mutable std::mutex mutex_;
-  std::map<std::string, std::shared_ptr<Entry>> entries_;  ///< by source and parameters
+  std::map<std::string, std::shared_ptr<Known>> known_;  ///< by source and parameters
+  std::map<std::string, std::shared_ptr<Kin>> kin_;      ///< by these, but for own steps
 };
 
 }  // namespace tandem::identification
