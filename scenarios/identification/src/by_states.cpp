@@ -84,20 +84,23 @@ class ByStates {
   double left() const {
     Responses all;
     Realisation r{model_.a, model_.c, MatrixXd(states_, 0), 0.0};
-    const auto add = [&](MatrixXd response, const VectorXd& x1) {
+    MatrixXd besides(model_.d.rows(), 0);
+    const auto add = [&](MatrixXd response, const VectorXd& x1, const VectorXd& at_once) {
       if (!(response.norm() > 0.0)) return;
       all.push_back(std::move(response));
       r.x1.conservativeResize(states_, r.x1.cols() + 1), r.x1.rightCols(1) = x1;
+      besides.conservativeResize(besides.rows(), besides.cols() + 1), besides.rightCols(1) = at_once;
     };
     const MatrixXd& base = prober_.baseline();
     const Index length = base.cols() - 1;
-    add(base.rightCols(length) - base.leftCols(length), model_.e);
+    add(base.rightCols(length) - base.leftCols(length), model_.e, VectorXd::Zero(base.rows()));
     for (int input = 0; input < probe_.inputs(); ++input) {
       MatrixXd moved = prober_.moved(input).rightCols(length) / prober_.size(input);
       moved.col(0) -= model_.d.col(input);
-      add(std::move(moved), model_.b.middleCols(input * all_places, all_places).rowwise().sum());
+      add(std::move(moved), model_.b.middleCols(input * all_places, all_places).rowwise().sum(),
+          model_.d.col(input));
     }
-    return all.empty() ? 0.0 : residual(r, all);
+    return all.empty() ? 0.0 : residual(r, all, besides);
   }
 
   Prober& prober_;

@@ -134,8 +134,12 @@ LinearModel identify(Subsystem& subsystem, const Wanted& wanted) {
 std::optional<LinearModel> identify_linear(Subsystem& subsystem, const Wanted& wanted) {
   Prober prober(subsystem, wanted);
   if (!prober.is_linear()) return {};
-  const auto by_states = model_by_states(prober);
   constexpr double good = 1e-9;
+  auto by_states = model_by_states(prober);
+  if (by_states && by_states->residual > good) {
+    prober.make_responses_large();
+    by_states = model_by_states(prober);
+  }
   if (by_states && by_states->residual <= good) return by_states;
   LinearModel other = found(prober, wanted);
   return by_states && by_states->residual < other.residual ? by_states : other;

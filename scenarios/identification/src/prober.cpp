@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tandem::identification {
 
@@ -21,7 +22,7 @@ Prober::Prober(Subsystem& subsystem, const Wanted& wanted)
 }
 
 Runs Prober::runs(std::int64_t steps) {
-  if (is_linear_ && !are_large_) make_responses_large();
+  make_responses_large();
   Runs all{probe_.run(steps), {}, is_linear_, probe_.is_sampled()};
   for (int input = 0; input < probe_.inputs(); ++input)
     for (int place = 0; place <= all_places; ++place)
@@ -34,15 +35,14 @@ double Prober::size(int input) const {
   return (is_linear_ ? 1.0 : small) * sizes_[static_cast<std::size_t>(input)];
 }
 
-/// As large as what the run itself does, so that they are known to as many digits; if it is linear then, too.
 void Prober::make_responses_large() {
+  if (!is_linear_ || std::exchange(are_large_, true)) return;
   constexpr double most = 1e9;
   const auto before = sizes_;
   for (std::size_t k = 0; k < sizes_.size(); ++k)
     if (const double moved = moved_[k].norm(); moved > 0.0)
       sizes_[k] *= std::clamp(baseline_.norm() / moved, 1.0, most);
   if (!looks_linear()) sizes_ = before;
-  are_large_ = true;
 }
 
 /// By a change of 1. What rounding has left of a response that is none is 0.

@@ -34,10 +34,13 @@ class Prober {
   /// Where it is linear: what a change of `size(input)` makes of it that lasts the first own step.
   const Eigen::MatrixXd& moved(int input) const { return moved_[static_cast<std::size_t>(input)]; }
   double size(int input) const;
+  /// Of what is linear as large as what the run itself does, so that they are known to as many digits; if it is linear then,
+  /// too.
+  void make_responses_large();
+  /// Large ones.
   Runs runs(std::int64_t steps);
 
  private:
-  void make_responses_large();
   Eigen::MatrixXd response(int input, int place, std::int64_t steps, const Eigen::MatrixXd& baseline);
   bool looks_linear();
 

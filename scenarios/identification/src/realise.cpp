@@ -51,7 +51,7 @@ MatrixXd hankel(const Responses& all, Index blocks, Index stride, Index offset) 
 /// All responses step by step, for comparison.
 class Together {
  public:
-  explicit Together(const Responses& all)
+  Together(const Responses& all, const MatrixXd& besides)
       : count_(static_cast<Index>(all.size())), steps_(all.front().cols()) {
     constexpr double rounding = 1e-10;
     const Index values = all.front().rows();
@@ -59,6 +59,7 @@ class Together {
     for (Index k = 0; k < count_; ++k) {
       const MatrixXd& one = all[static_cast<std::size_t>(k)];
       size_.col(k) = one.cwiseAbs().rowwise().maxCoeff().cwiseMax(rounding * one.cwiseAbs().maxCoeff());
+      if (besides.size() > 0) size_.col(k) = size_.col(k).cwiseMax(besides.col(k).cwiseAbs());
       for (Index step = 0; step < steps_; ++step) at_.col(step * count_ + k) = one.col(step);
     }
   }
@@ -84,7 +85,7 @@ class Together {
 
 class Realiser {
  public:
-  explicit Realiser(const Responses& all) : all_(all), together_(all) {
+  explicit Realiser(const Responses& all) : all_(all), together_(all, {}) {
     const Index length = all.front().cols();
     constexpr Index most_blocks = 24;
     const Index blocks = std::min(most_blocks, length / 2),
@@ -159,8 +160,8 @@ const Realisation& chosen(const std::vector<Realisation>& found) {
 
 }  // namespace
 
-double residual(const Realisation& of, const Responses& responses) {
-  return Together(responses).residual(of);
+double residual(const Realisation& of, const Responses& responses, const MatrixXd& besides) {
+  return Together(responses, besides).residual(of);
 }
 
 Realisation realise(const Responses& responses) {

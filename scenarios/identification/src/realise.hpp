@@ -17,7 +17,8 @@ struct Realisation {
 
 /// The largest difference of a value in a response, by the largest that it is there. What is never more than rounding in
 /// that response does not count.
-double residual(const Realisation& of, const Responses& responses);
+/// - besides: a column for each response, what its values follow at once. They are as large at least.
+double residual(const Realisation& of, const Responses& responses, const Eigen::MatrixXd& besides);
 
 /// The smallest system whose residual is at most 1.5 times the smallest, or 1e-11, of up to most_states states.
 /// Precondition: all responses are as long, at least 4, and none is 0.
