@@ -169,6 +169,11 @@ INSTANTIATE_TEST_SUITE_P(
             "clock = \"fast\"",
             "ports = [\"fast.x9\"]",
             {"'fast.x9'", "did you mean 'fast.x1'?", "slow.v2"}},
+        Bad{"an_input_twice",
+            "[subsystems.fast]",
+            "[subsystems.other]\nsource = \"builtin:two_mass.slow\"\ninputs = { \"x1[0]\" = 3, x1 = 2 "
+            "}\n[subsystems.fast]",
+            {"subsystems.other.inputs.x1 is given besides", "one value for each input"}},
         Bad{"no_recorded_port", "clock = \"fast\"", "ports = []", {"record.ports is empty", "at least one"}},
         Bad{"judge",
             "[record]",

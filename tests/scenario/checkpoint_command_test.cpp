@@ -221,5 +221,17 @@ TEST(CheckpointCommand, ThatNoneWasWrittenIsTold) {
   EXPECT_TRUE(contains(said.err, "note: no checkpoint was written")) << said.err;
 }
 
+TEST(CheckpointCommand, ThatNoneWasWrittenIsToldBesideAnEarlierOne) {
+  const Scratch folder;
+  const auto run = [&](const std::string& every) {
+    return tandem(folder, {"run", two_mass_file("two_mass.toml"), "--no-reference", "--set", "span.stop=3",
+                           "--output", "o", "--checkpoint-every", every});
+  };
+  EXPECT_FALSE(contains(run("1").err, "checkpoint"));
+  const Said said = run("5");
+  EXPECT_TRUE(contains(said.err, "note: no checkpoint was written")) << said.err;
+  EXPECT_TRUE(contains(said.err, "o/checkpoint is an earlier run's")) << said.err;
+}
+
 }  // namespace
 }  // namespace tandem

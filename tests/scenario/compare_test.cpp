@@ -1,6 +1,9 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "command.hpp"
 #include "refusal.hpp"
 #include "tandem/scenario/comparison.hpp"
@@ -78,6 +81,22 @@ TEST(Comparison, AShiftLeavesHalfOfTheTimes) {
   const scenario::Comparison compared = scenario::compare(a, b, {}, {.shift = 20.0});
   EXPECT_GE(compared.times, 51U);
   EXPECT_NEAR(compared.shift, 5.0, 0.1);
+}
+
+/// A wave that dies out, of a cycle a second. It is late by an odd part of it, and agrees nowhere else as well.
+TEST(Comparison, ALargerShiftThatIsAllowedMakesNothingWorse) {
+  text::TimeTable a{"a", {}, {"x"}, {{}}}, b = a;
+  for (int row = 0; row <= 4000; ++row) {
+    const double t = 0.01 * row;
+    const auto wave = [](double at) { return std::exp(-0.05 * at) * std::sin(2.0 * std::numbers::pi * at); };
+    a.times.push_back(t), a.columns[0].push_back(wave(t - 0.0873));
+    b.times.push_back(t), b.columns[0].push_back(wave(t));
+  }
+  for (const double most : {0.1, 0.5, 2.0, 5.0, 15.0}) {
+    const scenario::Comparison compared = scenario::compare(a, b, {}, {.shift = most});
+    EXPECT_NEAR(compared.shift, 0.0873, 2e-4) << most;
+    EXPECT_LT(compared.columns[0].relative_rms, 2e-3) << most;
+  }
 }
 
 TEST(Comparison, SquaresOfSmallAndLargeValuesAreNumbers) {

@@ -32,6 +32,19 @@ TEST(FunctionModels, ASourceThatIsNoModelIsRefused) {
   EXPECT_NE(step.err.find("no own step"), std::string::npos) << step.err;
 }
 
+/// Native code of functions, too.
+TEST(FunctionModels, ALibraryRunsInAProcessOfItsOwn) {
+  const Scratch folder;
+  folder.write("s.toml", "[subsystems.p]\nsource = \"functions:" TANDEM_FILE_LIBRARIES
+                         "/model_functions_none.so\"\nparameters = { step = 1e-3 }\n[span]\nstop = 0.1\n");
+  EXPECT_EQ(tandem(folder, {"run", "s.toml", "--output", "here"}).status, 0);
+  const Said said =
+      tandem(folder, {"run", "s.toml", "--output", "there", "--set", "subsystems.p.isolate=true"});
+  EXPECT_EQ(said.status, 0) << said.err;
+  EXPECT_EQ(test::read_text(folder.path() / "here/results.csv"),
+            test::read_text(folder.path() / "there/results.csv"));
+}
+
 /// Of the program that evaluates a model, and of what that has started.
 TEST(FunctionModels, NothingIsLeftOfTheirProgramWhenTheRunIsKilled) {
   const Scratch folder;

@@ -124,6 +124,20 @@ TEST_F(LadderUnits, AreThoseOfTheJudgeForEachRung) {
   EXPECT_TRUE(contains(said.out, "simplest within the tolerances: first")) << said.out;
 }
 
+TEST_F(LadderUnits, ARungThatIsWrongIsNamed) {
+  for (const auto& [set, word] : {std::pair{"subsystems.d.parameters.stepp=1", "'stepp' is not there"},
+                                  {"record.clock=x", "'x'"},
+                                  {"span.stop=late", "span.stop"}}) {
+    const Said said = climb(std::string("set = ['") + set + "']\n");
+    EXPECT_EQ(said.status, 2);
+    EXPECT_TRUE(contains(said.err, "rung 'rich': ")) << said.err;
+    EXPECT_TRUE(contains(said.err, word)) << said.err;
+  }
+  const Said said = climb("", {"--set", "ladder.judged=[{quantity='d.z', tolerance=1}]"});
+  EXPECT_EQ(said.status, 2);
+  EXPECT_TRUE(contains(said.err, "gives none of the judged quantities: d.z")) << said.err;
+}
+
 TEST_F(LadderUnits, AreThoseOfTheHeadingOfAFile) {
   ASSERT_EQ(climb("").status, 0);
   std::string rows = read_text(folder.path() / "o/first/results.csv");

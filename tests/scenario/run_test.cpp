@@ -156,6 +156,16 @@ TEST(RunCommand, TellsARunThatIsNotWithinItsReference) {
   EXPECT_EQ(json["reference"]["within"], false);
 }
 
+/// [judge] allows more of that column.
+TEST(RunCommand, WhatTheReferenceAllowsHoldsForTheJudgedColumnToo) {
+  const Scratch folder;
+  const Said said =
+      tandem(folder, {"run", two_mass_file("two_mass.toml"), "--set", "reference.tolerance=0.05"});
+  EXPECT_EQ(said.status, 1);
+  EXPECT_NE(said.err.find("tolerance 5 %"), std::string::npos) << said.err;
+  EXPECT_EQ(json_of(folder.path() / "results/two_mass/results.json")["reference"]["within"], false);
+}
+
 TEST(RunCommand, RefusesAReferenceThatNothingRecordedCanBeComparedWith) {
   const Scratch folder;
   const std::string file = two_mass_file("two_mass.toml");
@@ -200,6 +210,12 @@ TEST(RunCommand, AFullDiskIsToldWithStatusOne) {
   EXPECT_EQ(said.status, 2);
   EXPECT_NE(said.err.find("'o/results.json' can't be written: what is there is no regular file"),
             std::string::npos)
+      << said.err;
+  std::filesystem::remove(folder.path() / "o/results.json");
+  std::filesystem::create_directory(folder.path() / "o/results.json");
+  said = tandem(folder, {"run", two_mass_file("two_mass.toml"), "--output", "o"});
+  EXPECT_EQ(said.status, 2);
+  EXPECT_NE(said.err.find("'o/results.json' can't be written: there is a folder"), std::string::npos)
       << said.err;
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "o/results.csv"));
 }

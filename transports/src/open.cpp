@@ -51,7 +51,7 @@ void check_isolated(const std::string& uri, const Source& source, const Builtins
   if (!source.native)
     throw Error(ErrorCode::invalid_argument,
                 "isolate is true beside source '" + printable(uri) +
-                    "'; allowed is it beside native code, lib:, three_functions: or fmu:");
+                    "'; allowed is it beside native code, lib:, three_functions:, functions: or fmu:");
   if (builtins.server.empty())
     throw Error(ErrorCode::not_supported,
                 "isolate is true, but there is no program here that serves a source");

@@ -10,26 +10,30 @@
 namespace tandem::text {
 namespace {
 
-/// What is given must be of the type that stands in the file.
-FileValue given_or(const std::string& name, FileValue value, const GivenValues& given,
-                   const Section& section) {
+/// What is given must be of the type that stands in the file. Whoever gave it knows the place.
+FileValue given_or(const std::string& name, FileValue value, const GivenValues& given) {
   const auto it = given.find(name);
   if (it == given.end()) return value;
   if (it->second.index() == value.index()) return it->second;
-  refuse(section.place(), fmt::format("parameter '{}' is {}; allowed is {}", name,
-                                      value.index() == 0 ? "given as a text" : "given as a number",
-                                      value.index() == 0 ? "a number" : "a text"));
+  const auto* const number = std::get_if<double>(&it->second);
+  throw Error(ErrorCode::invalid_argument,
+              number ? fmt::format("parameter '{}' is {}; allowed is a text", name, *number)
+                     : fmt::format("parameter '{}' is '{}'; allowed is a number", name,
+                                   std::get<std::string>(it->second)));
 }
 
 void read_word(FileParameter& parameter, const GivenValues& given, Section& section) {
   const std::string own = *section.text("value");
-  parameter.value = given_or(parameter.name, own, given, section);
+  parameter.value = given_or(parameter.name, own, given);
   const auto& words = parameter.allowed = section.texts("allowed");
   const auto& word = std::get<std::string>(parameter.value);
   const bool is_listed = std::find(words.begin(), words.end(), word) != words.end();
-  if (!words.empty() && !is_listed)
-    refuse(section.place(),
-           fmt::format("parameter '{}' is '{}'; allowed is {}", parameter.name, word, listed(words)));
+  if (!words.empty() && !is_listed) {
+    const std::string sentence =
+        fmt::format("parameter '{}' is '{}'; allowed is {}", parameter.name, word, listed(words));
+    if (given.contains(parameter.name)) throw Error(ErrorCode::invalid_argument, sentence);
+    refuse(section.place(), sentence);
+  }
   parameter.allowed_word = is_listed || word == own;
 }
 
@@ -42,7 +46,7 @@ FileParameter read_parameter(const std::string& name, const GivenValues& given, 
     read_word(parameter, given, section);
   } else {
     section.leave_out("allowed", "a number has no list of words");
-    parameter.value = given_or(name, *section.number("value"), given, section);
+    parameter.value = given_or(name, *section.number("value"), given);
     if (!section.node("unit")) section.missing("unit");
     parameter.unit = *section.text("unit");
   }
@@ -104,23 +108,30 @@ static const toml::node* node_in_run(const Document& document, const std::string
   return is_of_run(name) ? nullptr : document.table()["run"][name].node();
 }
 
+/// What [run] says of a parameter, if the file allows it.
+static void give(GivenValues& given, const Document& document, const FileParameter& p, const toml::node& node,
+                 FileValue value) {
+  given[p.name] = std::move(value);
+  located(document.place(node), [&] { parameters_of(document, given); });
+}
+
 Values values_in_run(const Document& document,
                      const std::function<std::optional<FileValue>(const FileParameter&)>& find) {
   GivenValues given;
-  std::vector<std::pair<std::string, const toml::node*>> references;
+  std::vector<std::pair<FileParameter, const toml::node*>> references;
   for (const FileParameter& p : parameters_of(document, {})) {
     const toml::node* const node = node_in_run(document, p.name);
     if (const auto found = find(p))
       given[p.name] = *found;
     else if (node && Values::refers(*node))
-      references.emplace_back(p.name, node);
+      references.emplace_back(p, node);
     else if (node && node->is_number())
-      given[p.name] = *node->value<double>();
+      give(given, document, p, *node, *node->value<double>());
     else if (node && node->is_string())
-      given[p.name] = Values::literal(*node->value<std::string>());
+      give(given, document, p, *node, Values::literal(*node->value<std::string>()));
   }
-  for (const auto& [name, node] : references)
-    given[name] = values_of(document, given).value(document, *node, "run." + name);
+  for (const auto& [p, node] : references)
+    give(given, document, p, *node, values_of(document, given).value(document, *node, "run." + p.name));
   return values_of(document, given);
 }
 

@@ -1,6 +1,9 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include "ladder/ladder_run.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 #include "tandem/coordinator/units.hpp"
@@ -46,15 +49,31 @@ void add_constants(text::TimeTable& table, const LadderRung& rung) {
   }
 }
 
+/// What is wrong with a rung is told with its name and place.
+template <class Work>
+auto named(const LadderRung& entry, const Work& work) -> decltype(work()) {
+  try {
+    return work();
+  } catch (const Error& error) {
+    refuse(entry.place, "rung '" + entry.name + "': " + error.what(), error.code());
+  }
+}
+
 bool is_results(const std::filesystem::path& file) {
   return file.extension() == ".csv" || file.extension() == ".npy" || std::filesystem::is_directory(file);
+}
+
+std::vector<std::string> names_of(const std::vector<LadderQuantity>& quantities) {
+  std::vector<std::string> all;
+  for (const LadderQuantity& one : quantities) all.push_back(one.quantity);
+  return all;
 }
 
 /// Runs alone what it is judged by: no other results are compared or drawn.
 Scenario read_rung(const LadderRung& entry, const std::vector<std::string>& overrides) {
   std::vector<std::string> all = entry.overrides;
   all.insert(all.end(), overrides.begin(), overrides.end());
-  Scenario rung = located(entry.place, [&] { return read(entry.file, all); });
+  Scenario rung = named(entry, [&] { return read(entry.file, all); });
   if (rung.recording.own)
     refuse(entry.place, "rung '" + entry.name + "' records at own steps; record.clock has to be a subsystem");
   rung.judge.reset(), rung.reference.reset(), rung.ladder.reset();
@@ -114,7 +133,7 @@ Ladder::Ladder(const Scenario& scene, const std::vector<std::string>& overrides,
 void Ladder::take_quantities(Rung& rung) {
   std::map<std::string, std::string> known;
   if (rung.scenario)
-    known = outputs_of(Assembly(*rung.scenario, builtins_).topology());
+    known = named(rung.entry, [&] { return outputs_of(Assembly(*rung.scenario, builtins_).topology()); });
   else
     known = take_units(*rung.results);
   for (const LadderQuantity& q : entry_.quantities) {
@@ -129,7 +148,8 @@ void Ladder::take_quantities(Rung& rung) {
     }
   }
   if (rung.quantities.empty())
-    refuse(rung.entry.place, "rung '" + rung.entry.name + "' gives none of the judged quantities");
+    refuse(rung.entry.place, fmt::format("rung '{}' gives none of the judged quantities: {}", rung.entry.name,
+                                         fmt::join(names_of(entry_.quantities), ", ")));
   if (!rung.scenario) return;
   rung.scenario->recording.ports.clear();
   rung.scenario->recording.rows = {};

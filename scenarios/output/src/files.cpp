@@ -38,7 +38,7 @@ void check_replaced(const fs::path& file) {
   std::error_code ignored;
   const auto status = fs::status(file, ignored);
   if (fs::exists(status) && !fs::is_regular_file(status))
-    fail("file", file, "what is there is no regular file");
+    fail("file", file, fs::is_directory(status) ? "there is a folder" : "what is there is no regular file");
 }
 
 /// An error's sentence with the name that the user knows in place of that of FILE.part.

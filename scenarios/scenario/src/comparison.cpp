@@ -4,14 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/tools/minima.hpp>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <string_view>
 #include <unordered_set>
 #include <utility>
 
+#include "best_shift.hpp"
 #include "tandem/error.hpp"
 #include "tandem/nearest.hpp"
 #include "tandem/scenario/courses.hpp"
@@ -155,31 +154,6 @@ Comparison compare_shifted(const TimeTable& a, const TimeTable& b, const std::ve
   return both.compared();
 }
 
-/// Infinite where fewer times than needed are compared, or no value of a column.
-double mismatch(const Comparison& comparison, std::size_t needed) {
-  double sum = comparison.times < needed ? std::numeric_limits<double>::infinity() : 0.0;
-  for (const Difference& d : comparison.columns)
-    sum += d.compared > 0 ? d.relative_rms * d.relative_rms : std::numeric_limits<double>::infinity();
-  return sum;
-}
-
-/// The sum of the squared relative rms is least there, by Brent's method about the best of a scan. Half as many
-/// times have to be compared as where they are most: the ends of two results alone agree too easily.
-double best_shift(double most, const std::function<Comparison(double)>& shifted) {
-  constexpr int steps = 32;
-  std::vector<Comparison> scan;
-  std::size_t needed = 0;
-  for (int k = -steps; k <= steps; ++k)
-    needed = std::max(needed, (scan.emplace_back(shifted(most * k / steps)).times + 1) / 2);
-  double best = 0.0, least = mismatch(scan[steps], needed);
-  for (const Comparison& one : scan)
-    if (const double sum = mismatch(one, needed); sum < least) best = one.shift, least = sum;
-  const double width = most / steps, low = std::max(-most, best - width), high = std::min(most, best + width);
-  const auto [shift, sum] = boost::math::tools::brent_find_minima(
-      [&](double at) { return mismatch(shifted(at), needed); }, low, high, 24);
-  return sum < least ? shift : best;
-}
-
 std::string window(const Measure& measure, double shift) {
   const bool all = std::isinf(measure.from) && std::isinf(measure.to);
   std::string text = all ? "" : fmt::format("; from {} to {} s count", measure.from, measure.to);
@@ -220,7 +194,8 @@ Comparison compare(const TimeTable& a, const TimeTable& b, const std::vector<std
   check(a, b, measure);
   const auto names = columns.empty() ? common(a, b) : columns;
   const auto shifted = [&](double shift) { return compare_shifted(a, b, names, measure, shift); };
-  Comparison comparison = shifted(measure.shift > 0.0 ? best_shift(measure.shift, shifted) : 0.0);
+  Comparison comparison =
+      shifted(measure.shift > 0.0 ? best_shift(a, b, names, measure.shift, shifted) : 0.0);
   refuse_nothing(comparison, a, b, measure);
   tell_uncompared(a, b, columns.empty() ? names : std::vector<std::string>(), comparison);
   return comparison;

@@ -64,7 +64,8 @@ void of_subsystems(KeyList& to) {
            "socket whose number is in the environment as TANDEM_FD.",
            {.allowed = "at least one"})
       .may("isolate", flag,
-           "Native code, `lib:`, `three_functions:` or `fmu:`, runs in a process of its own. It may have the "
+           "Native code, `lib:`, `three_functions:`, `functions:` or `fmu:`, runs in a process of its own. "
+           "It may have the "
            "parameters of `spawn:` too. A crash, or a call that does not end within its `deadline`, ends the "
            "run with a sentence.",
            {.otherwise = "false"})

@@ -43,9 +43,9 @@ void keys_of_results(KeyList& to) {
            "are interpolated by cubic Hermite polynomials where they are compared.",
            {.otherwise = "false"})
       .may("every", positive,
-           "Rows are at least so far apart: the first at or after each multiple of it, both of a jump there, "
-           "and "
-           "the last. Without it: all.",
+           "Rows are at least so far apart: the first at or after each multiple of it from the first "
+           "recorded time on, "
+           "both of a jump there, and the last of the run. Without it: all.",
            {.unit = "s"})
       .may("from", number, "The first time that is recorded. Without it: that of the start.", {.unit = "s"})
       .may("to", number, "The last one. Without it: that of the end.", {.unit = "s"})

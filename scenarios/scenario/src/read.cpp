@@ -160,6 +160,19 @@ class Reader {
         read_series(inputs.of_name(port), port, entry);
       else
         read_numbers(inputs, *node, port, entry);
+    refuse_twice(inputs, entry);
+  }
+
+  /// A port as a whole and an element of it, say.
+  static void refuse_twice(const Section& inputs, const SubsystemEntry& entry) {
+    const auto is_in = [](const InputEntry& a, const InputEntry& b) {
+      return a.port == b.port || a.port.starts_with(b.port + "[");
+    };
+    for (std::size_t k = 0; k < entry.inputs.size(); ++k)
+      for (std::size_t other = 0; other < k; ++other)
+        if (const InputEntry &a = entry.inputs[k], &b = entry.inputs[other]; is_in(a, b) || is_in(b, a))
+          refuse(a.place, fmt::format("{} is given besides {}; allowed is one value for each input",
+                                      inputs.name(a.port), inputs.name(b.port)));
   }
 
   void read_series(Section section, const std::string& port, SubsystemEntry& entry) const {

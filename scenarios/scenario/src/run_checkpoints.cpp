@@ -33,9 +33,10 @@ void RunCheckpoints::write_at(double time) {
 }
 
 std::string RunCheckpoints::note() const {
-  if (!every_ || std::filesystem::exists(file_)) return "";
-  return fmt::format("no checkpoint was written: the run ended before the first, {} s after its start",
-                     *every_);
+  if (!every_ || has_written_) return "";
+  return fmt::format("no checkpoint was written: the run ended before the first, {} s after its start{}",
+                     *every_,
+                     std::filesystem::exists(file_) ? "; " + file_.string() + " is an earlier run's" : "");
 }
 
 }  // namespace tandem::scenario

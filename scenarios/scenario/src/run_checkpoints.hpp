@@ -22,7 +22,7 @@ class RunCheckpoints {
   /// time [s]: how far the run has come.
   bool is_due(double time) const;
   void write_at(double time);
-  void write() { checkpoint_.write(file_); }
+  void write() { checkpoint_.write(file_), has_written_ = true; }
   /// A note if some were wanted and the run ended before the first; else empty.
   std::string note() const;
 
@@ -33,6 +33,7 @@ class RunCheckpoints {
   Checkpoint checkpoint_;
   std::filesystem::path file_;
   std::optional<double> every_;
+  bool has_written_ = false;
   double t_start_, passed_ = 0.0;  ///< passed: times of checkpoints that lie behind
 };
 

@@ -63,7 +63,7 @@ void RunReference::compare(const std::filesystem::path& folder) {
     const auto all = scenario::compare(own, table_, {}, scenario_.reference->measure);
     report_ = scenario::text(all);
     for (const auto& d : all.columns)
-      if (!is_judged(d.column)) judge(d, scenario_.reference->tolerance, scenario_.reference->measure.norm);
+      judge(d, scenario_.reference->tolerance, scenario_.reference->measure.norm);
     if (const auto& by = scenario_.judge) {
       const auto judged = scenario::compare(own, table_, {by->quantity}, by->measure);
       if (by->measure != scenario_.reference->measure) report_ += "judged by\n" + scenario::text(judged);
@@ -74,12 +74,10 @@ void RunReference::compare(const std::filesystem::path& folder) {
   }
 }
 
-bool RunReference::is_judged(const std::string& column) const {
-  return scenario_.judge && scenario_.judge->quantity == column;
-}
-
 void RunReference::judge(const Difference& d, double tolerance, Norm norm) {
-  if (!(d.size(norm) <= tolerance)) outside_.push_back(scenario::text(d, tolerance, norm));
+  const std::string sentence = scenario::text(d, tolerance, norm);
+  const bool is_told = std::find(outside_.begin(), outside_.end(), sentence) != outside_.end();
+  if (!(d.size(norm) <= tolerance) && !is_told) outside_.push_back(sentence);
   differences_[d.column] = {
       {"relative", d.relative}, {"absolute", d.absolute},         {"time", d.time},
       {"rms", d.rms},           {"relative_rms", d.relative_rms}, {"norm", norm == Norm::rms ? "rms" : "max"},

@@ -29,7 +29,6 @@ class RunReference {
  private:
   void check_judged(const Recorder& recorder) const;
   /// The judged quantity has a tolerance and a measure of its own, the other columns those of the reference.
-  bool is_judged(const std::string& column) const;
   void judge(const Difference& difference, double tolerance, Norm norm);
 
   const Scenario& scenario_;

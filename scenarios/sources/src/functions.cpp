@@ -49,11 +49,15 @@ std::unique_ptr<Subsystem> make(const Address& address, Parameters& p) {
 Source functions_source() {
   const Words own =
       words_by(Setter::operator_only, {"octave", "deadline"}) + words_by(Setter::client, {"step"});
-  return {own + stepper_words(), make, false, true,
+  return {own + stepper_words(),
+          make,
+          false,
+          true,
           [](const Address& address, Parameters& p) -> std::optional<Look> {
             asked(address.file(), p);
             return std::nullopt;
-          }};
+          },
+          true};
 }
 
 }  // namespace tandem

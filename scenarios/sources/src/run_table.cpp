@@ -56,6 +56,7 @@ class RunTable {
 void take_run_table(const text::Document& document, Parameters& to) {
   const toml::table* run = document.table()["run"].as_table();
   if (!run) return;
+  file_values(document, to);  // which refuses in its place what a parameter can't be
   RunTable taken(document, to);
   for (const auto& [name, node] : text::in_file_order(*run))
     if (name != "start" && name != "stop" && name != "inputs") taken.take(name, *node);
