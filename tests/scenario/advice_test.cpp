@@ -95,6 +95,20 @@ TEST(Advice, RanksByErrorAndWithinOnePercentByCost) {
   EXPECT_EQ(ranking.cheapest()->reconstruction, "lagrange3");
 }
 
+TEST(Advice, SendsToTheEndWhatIsBetterThanAllThatIsCheaper) {
+  const auto sent = [](const std::vector<std::pair<double, double>>& errors_and_exchanges) {
+    advice::Ranking ranking;
+    for (const auto& [error, exchanges] : errors_and_exchanges)
+      ranking.choices.push_back({"parallel", "lagrange1", 1.0, error, exchanges, 1.0});
+    std::vector<double> errors;
+    for (const auto& one : advice::finalists(ranking)) errors.push_back(one.error);
+    return errors;
+  };
+  EXPECT_EQ(sent({{0.1, 90}, {0.2, 95}, {0.3, 50}, {2, 20}, {3, 20}, {4, 30}, {12, 10}}),
+            (std::vector<double>{2, 0.3, 0.1}));
+  EXPECT_EQ(sent({{30, 90}, {40, 50}}), (std::vector<double>{30}));
+}
+
 /// By the standing study of models and that of the subsystems.
 advice::Ranking ranking_of(const scenario::Scenario& one, const Builtins& builtins,
                            const Settings& settings) {

@@ -107,6 +107,18 @@ std::optional<Choice> Ranking::cheapest() const {
   return best;
 }
 
+std::vector<Choice> finalists(const Ranking& ranking) {
+  constexpr double worth = 10.0;  // times the tolerance, as a short run says
+  auto all = ranking.choices;
+  std::ranges::stable_sort(all, [](const Choice& a, const Choice& b) { return cost(a) < cost(b); });
+  std::vector<Choice> front;
+  for (const Choice& one : all)
+    if (front.empty() || one.error < front.back().error) front.push_back(one);
+  const auto is_far = [](const Choice& one) { return one.error > worth; };
+  front.erase(front.begin(), std::find_if_not(front.begin(), front.end() - 1, is_far));
+  return front;
+}
+
 Ranking ranking(const std::filesystem::path& file) {
   const auto table = charts::CsvTable::read(
       file, {"schedule", "reconstruction", "steps", "error", "exchanges", "own_steps", "status"});

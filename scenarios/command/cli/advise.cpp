@@ -49,11 +49,15 @@ void advise(const AdviseOptions& options, const Context& context) {
   for (const std::string& line : lines) say("  {}\n", line);
   adviser.predict();
   tell_all(adviser.ranking(), options.shown);
-  tell(adviser, "smallest error", adviser.ranking().choices.front());
+  if (!adviser.beside().empty()) {
+    say("to the end, beside {}:\n", adviser.beside());
+    tell_all(adviser.last(), adviser.last().choices.size());
+  }
+  tell(adviser, "smallest error", adviser.last().choices.front());
   if (const auto cheapest = adviser.cheapest())
-    tell(adviser, "cheapest within the tolerance" + adviser.up_to(), *cheapest);
+    tell(adviser, "cheapest within the tolerance", *cheapest);
   else
-    say("none is within the tolerance{}\n", adviser.up_to());
+    say("none is within the tolerance\n");
   output::write_text(folder / "advice.toml", adviser.lines(adviser.chosen()));
   say("wrote {}\n", (folder / "advice.toml").string());
 }

@@ -65,10 +65,11 @@ std::vector<std::string> Adviser::of_models() {
   constexpr double part = 0.15;
   const double from = scenario_.judge ? scenario_.judge->measure.from : scenario_.start,
                begin = std::max(from, scenario_.start), stop = begin + part * (scenario_.stop - begin);
-  overrides_.push_back(fmt::format("span.stop={}", stop));
-  lines.push_back(fmt::format(
-      "so each scheme runs to {:.6g} s only, and errors, exchanges and steps are those of that time", stop));
-  up_to_ = fmt::format(" up to {:.6g} s", stop);
+  up_to_ = stop;
+  lines.push_back(
+      fmt::format("so each scheme runs to {:.6g} s only, with errors, exchanges and steps of that time, and "
+                  "few of them to the end",
+                  stop));
   return lines;
 }
 
@@ -82,25 +83,48 @@ void Adviser::set_order(const Coordinator& run) {
   overrides_.push_back(order_.front());
 }
 
-void Adviser::predict() {
+advice::Ranking Adviser::swept(const std::filesystem::path& folder, const std::vector<std::string>& overrides,
+                               const study::Finest& finest, const std::string& where) {
   sweep_study({scenario_.file,
-               folder_,
-               overrides_,
+               folder,
+               overrides,
                {},
-               "",
+               where,
                threads_,
                false,
                false,
-               study::standing_study(scenario_, builtins_, varied_)},
+               study::standing_study(scenario_, builtins_, varied_, finest)},
               advised_);
-  ranking_ = advice::ranking(folder_ / "schemes.csv");
-  if (ranking_.choices.empty())
-    throw RunFailed("no scheme came to an error; " + (folder_ / "schemes.csv").string() + " tells why");
+  auto all = advice::ranking(folder / "schemes.csv");
+  if (all.choices.empty())
+    throw RunFailed("no scheme came to an error; " + (folder / "schemes.csv").string() + " tells why");
+  return all;
+}
+
+void Adviser::predict() {
+  auto overrides = overrides_;
+  if (up_to_) overrides.push_back(fmt::format("span.stop={}", *up_to_));
+  study::Finest finest;
+  finest.is_judged = false;
+  ranking_ = swept(folder_, overrides, finest, "");
+  if (up_to_) go_to_the_end();
+}
+
+/// Beside the best scheme with half the least steps of the study.
+void Adviser::go_to_the_end() {
+  const Choice& best = ranking_.choices.front();
+  const study::Finest finest{best.schedule, best.reconstruction, 0.25, false};
+  std::vector<std::string> rows;
+  for (const Choice& one : advice::finalists(ranking_))
+    rows.push_back(fmt::format("(schedule is {}) && (reconstruction is {}) && steps == {}", one.schedule,
+                               one.reconstruction, one.steps));
+  at_end_ = swept(folder_ / "to_the_end", overrides_, finest, fmt::format("{}", fmt::join(rows, " || ")));
+  beside_ = fmt::format("{}, {}, steps x {}", best.schedule, best.reconstruction, finest.steps);
 }
 
 Choice Adviser::chosen() const {
-  const auto within = ranking_.cheapest();
-  return scenario_.judge && within ? *within : ranking_.choices.front();
+  const auto within = cheapest();
+  return scenario_.judge && within ? *within : last().choices.front();
 }
 
 std::vector<std::string> Adviser::taken(const Choice& choice) const {
@@ -125,8 +149,8 @@ scenario::Scenario advised(const scenario::Scenario& asked, const std::filesyste
   const Choice choice = adviser.chosen();
   if (!context.quiet) {
     for (const std::string& line : lines) say("{}\n", line);
-    say("coordination.scheme = auto takes {}; its error is {:.3g} of the tolerance{}{}, by {}\n",
-        words(choice), choice.error, adviser.up_to(), adviser.cheapest() ? "" : ", and no other is within it",
+    say("coordination.scheme = auto takes {}; its error is {:.3g} of the tolerance{}, by {}\n", words(choice),
+        choice.error, adviser.cheapest() ? "" : ", and no other is within it",
         (folder / "schemes.csv").string());
   }
   return scenario::with_taken(asked, adviser.taken(choice));

@@ -8,6 +8,7 @@
 #include "cli/commands.hpp"
 #include "tandem/advice/advice.hpp"
 #include "tandem/identification/models.hpp"
+#include "tandem/study/standing.hpp"
 
 namespace tandem::cli {
 
@@ -25,21 +26,26 @@ class Adviser {
   void predict();
 
   const advice::Ranking& ranking() const { return ranking_; }
+  /// Those that ran to the end, where each scheme of the ranking did not; else that one.
+  const advice::Ranking& last() const { return at_end_ ? *at_end_ : ranking_; }
+  /// What these are compared with; empty: they are the ranking.
+  const std::string& beside() const { return beside_; }
   /// Within the tolerance.
-  std::optional<advice::Choice> cheapest() const { return ranking_.cheapest(); }
+  std::optional<advice::Choice> cheapest() const { return last().cheapest(); }
   /// The cheapest within the tolerance of [judge]; where none is, or the scenario has no [judge], the best.
   advice::Choice chosen() const;
   std::vector<std::string> taken(const advice::Choice& choice) const;
   /// What it puts into the scenario, as TOML.
   std::string lines(const advice::Choice& choice) const;
-  /// " up to 3 s": where each scheme ends, if that is before the scenario does; else empty.
-  const std::string& up_to() const { return up_to_; }
   /// Why, in words; empty where nothing is known.
   std::string reason(const advice::Choice& choice) const;
 
  private:
   std::vector<std::string> of_models();
   void set_order(const Coordinator& run);
+  advice::Ranking swept(const std::filesystem::path& folder, const std::vector<std::string>& overrides,
+                        const study::Finest& finest, const std::string& where);
+  void go_to_the_end();
 
   study::Varied varied_;
   Builtins builtins_;
@@ -50,8 +56,10 @@ class Adviser {
   Context advised_;
   std::vector<std::string> order_;      ///< coordination.order, where it is taken
   std::vector<std::string> overrides_;  ///< of the runs
+  std::optional<double> up_to_;         ///< where each scheme ends, if that is before the scenario does [s]
   advice::Ranking ranking_;
-  std::string up_to_;
+  std::optional<advice::Ranking> at_end_;
+  std::string beside_;
 };
 
 /// "fastest-first, hermite, steps x 1".

@@ -8,6 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "standing_metrics.hpp"
 #include "tandem/scenario/assembly.hpp"
 #include "tandem/scenario/by_signals.hpp"
 #include "tandem/scenario/steps.hpp"
@@ -17,13 +18,6 @@ namespace tandem::study {
 namespace {
 
 constexpr double usual_tolerance = 0.01;  // of the peak
-
-/// An output that rows are judged by.
-struct JudgedOutput {
-  std::string name;
-  double tolerance;
-  scenario::Measure measure;
-};
 
 /// By "instance.port".
 std::map<std::string, Port> outputs_of(const Topology& topology) {
@@ -36,9 +30,11 @@ std::map<std::string, Port> outputs_of(const Topology& topology) {
 /// Writes the study of a scenario.
 class Writer {
  public:
-  Writer(const scenario::Scenario& scenario, const Builtins& builtins, Varied varied)
+  Writer(const scenario::Scenario& scenario, const Builtins& builtins, Varied varied,
+         const Finest& finest = {})
       : scenario_(scenario),
         varied_(varied),
+        finest_(finest),
         outputs_(outputs_of(scenario::Parts(scenario, builtins, scenario::Code::run).topology())) {
     if (scenario.connections.empty())
       throw Error(
@@ -63,7 +59,7 @@ class Writer {
     find_judged();
     const auto all = words();
     return head() + reconstructions() + block(schedules_, all, all, Words(all.size(), "signals")) +
-           of_impulse() + reference() + metrics() + charts();
+           of_impulse() + reference() + standing_metrics(judged_, scenario_, finest_.is_judged) + charts();
   }
 
  private:
@@ -162,12 +158,12 @@ axes = [
         R"toml(# The study of a scenario that has none. Rows are good enough where error is at most 1.
 scenario = "{}"
 steps = "$steps"
-columns = ["schedule", "reconstruction", "steps", "error", "reference_error", "exchanges", "own_steps"]
+columns = ["schedule", "reconstruction", "steps", "error", {}"exchanges", "own_steps"]
 
 [set]
 "coordination.schedule" = "$schedule"
 {}{})toml",
-        scenario_.file.filename().string(), couplings(),
+        scenario_.file.filename().string(), finest_.is_judged ? "\"reference_error\", " : "", couplings(),
         stated("/coordination/scheme") ? "\"coordination.scheme\" = \"stated\"\n" : "");
   }
 
@@ -188,55 +184,32 @@ columns = ["schedule", "reconstruction", "steps", "error", "reference_error", "e
     return text;
   }
 
-  /// Hermite where there are derivatives, else lagrange3.
+  /// Of hermite, where there are derivatives, else lagrange3.
   std::string reference() const {
-    std::string text = fmt::format(R"toml(
-[references.fine]
-with = {{ schedule = "fastest-first", reconstruction = "hermite", steps = 0.0625{} }}
-floor = true
-
-[references.fine.set]
-)toml",
-                                   offer_.holds() ? ", how = \"hermite\", coupling = \"impulse\"" : "");
+    std::string text = fmt::format(
+        "\n[references.fine]\nwith = {{ schedule = \"{}\", reconstruction = \"{}\", steps = {}{} }}\n{}"
+        "\n[references.fine.set]\n",
+        finest_.schedule, finest_.reconstruction, finest_.steps, coupling_of_reference(),
+        finest_.is_judged ? "floor = true\n" : "");
     for (std::size_t k = 0; k < scenario_.connections.size(); ++k) {
       const Connection& one = scenario_.connections[k].connection;
-      if (const Port* port = output(one.from); is_free(k) && port && port->derivatives == 0)
+      if (const Port* port = output(one.from);
+          finest_.reconstruction == "hermite" && is_free(k) && port && port->derivatives == 0)
         text += fmt::format("\"connections[{}].reconstruction\" = \"lagrange3\"\n", one.to);
     }
     return text;
   }
 
-  static std::string column(const JudgedOutput& output) {
-    std::string name = output.name + "_error";
-    std::replace_if(
-        name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-    return name;
-  }
-
-  std::string metrics() const {
-    std::string text = "\n[metrics]\n";
-    std::vector<std::string> fractions, floors, steps;
-    for (const JudgedOutput& one : judged_) {
-      const bool rms = one.measure.norm == scenario::Norm::rms;
-      text += fmt::format("{} = {{ of = \"{}\", norm = \"{}\", relative = \"{}\"", column(one), one.name,
-                          rms ? "rms" : "max", rms ? "rms" : "peak");
-      if (std::isfinite(one.measure.from)) text += fmt::format(", from = {}", one.measure.from);
-      if (std::isfinite(one.measure.to)) text += fmt::format(", to = {}", one.measure.to);
-      if (one.measure.shift > 0.0) text += fmt::format(", shift = {}", one.measure.shift);
-      text += " }\n";
-      fractions.push_back(fmt::format("{}/{}", column(one), one.tolerance));
-      floors.push_back(fmt::format("{}.floor/{}", column(one), one.tolerance));
-    }
-    for (const auto& entry : scenario_.subsystems) {
-      text += fmt::format("\"steps.{}\" = {{}}\n", entry.name);
-      steps.push_back("steps." + entry.name);
-    }
-    return text + fmt::format(R"toml(exchanges = {{}}
-own_steps = {{ formula = "{}" }}
-error = {{ formula = "max({})" }}
-reference_error = {{ formula = "max({})" }}
-)toml",
-                              fmt::join(steps, " + "), fmt::join(fractions, ", "), fmt::join(floors, ", "));
+  /// A word of a coupling stands for cubic reconstructions of what it leaves.
+  std::string coupling_of_reference() const {
+    if (!offer_.holds()) return "";
+    const std::string& how = finest_.reconstruction;
+    const bool is_coupling = how.starts_with("impulse"),
+               is_usual = finest_.schedule == Finest{}.schedule && how == Finest{}.reconstruction;
+    return fmt::format(", how = \"{}\", coupling = \"{}\"", is_coupling ? "lagrange3" : how,
+                       is_coupling ? how
+                       : is_usual  ? "impulse"
+                                   : "signals");
   }
 
   static std::string charts() {
@@ -271,6 +244,7 @@ best = 1
 
   const scenario::Scenario& scenario_;
   const Varied varied_;
+  const Finest finest_;
   const std::map<std::string, Port> outputs_;
   std::vector<std::string> schedules_ = {"slowest-first", "fastest-first", "staggered", "parallel"};
   bool varies_steps_ = true;
@@ -284,9 +258,10 @@ bool states(const scenario::Scenario& scenario, const std::string& path) {
   return nlohmann::json::parse(scenario.values).contains(nlohmann::json::json_pointer(path));
 }
 
-std::string standing_study(const scenario::Scenario& scenario, const Builtins& builtins, Varied varied) {
+std::string standing_study(const scenario::Scenario& scenario, const Builtins& builtins, Varied varied,
+                           const Finest& finest) {
   const auto apart = scenario::by_signals(scenario);
-  return Writer(apart, builtins, varied).text(builtins);
+  return Writer(apart, builtins, varied, finest).text(builtins);
 }
 
 std::vector<std::string> free_connections(const scenario::Scenario& scenario, const Builtins& builtins,

@@ -12,16 +12,22 @@ namespace tandem::study {
 /// What a standing study varies: all of schedule, reconstructions and steps, or what the scenario leaves out of these.
 enum class Varied { all, left_out };
 
+/// The scheme that rows are compared with, and its steps as parts of the scenario's.
+struct Finest {
+  std::string schedule = "fastest-first", reconstruction = "hermite";
+  double steps = 1.0 / 16.0;
+  bool is_judged = true;  ///< itself, by one with half its steps
+};
+
 /// The study of a scenario that has none, as a text in the language of studies. It has every schedule with
 /// one reconstruction for all connections, and own steps halved, as they are and doubled; at most 96 rows. Three more
 /// have the reconstruction "impulse", where the scenario has [[links]] with which it can be coupled so; and three each
 /// "impulse_stiffness" and "impulse_taylor".
-/// Held outputs keep their reconstruction. Its table is `schemes`, its reference fastest-first with steps of
-/// a sixteenth. Rows are judged by the scenario's [judge], else by every connected output, 1 % of its peak.
+/// Held outputs keep their reconstruction. Its table is `schemes`, its reference the finest. Rows are judged by the scenario's [judge], else by every connected output, 1 % of its peak.
 /// Of steps none is varied where the scenario states one. Throws Error for a scenario that can't be opened, has no
 /// connection, or leaves nothing out.
 std::string standing_study(const scenario::Scenario& scenario, const Builtins& builtins,
-                           Varied varied = Varied::all);
+                           Varied varied = Varied::all, const Finest& finest = {});
 
 /// The inputs, "slow.x1", whose connections the standing study gives any reconstruction: those of outputs that are not
 /// held, without a lag. Throws Error for a scenario that can't be opened.
