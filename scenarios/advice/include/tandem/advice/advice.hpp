@@ -30,8 +30,8 @@ struct Ranking {
   std::optional<Choice> cheapest() const;
 };
 
-/// Of a ranking of short runs those that are worth a whole one, the cheapest first: each is better than all that are
-/// cheaper, and but for the best at most ten times the tolerance off. Precondition: it is not empty.
+/// Of a ranking of short runs those that are worth a whole one, the cheapest first. Each is better than all that are
+/// cheaper. But for the best they are at most ten times the tolerance off. Precondition: it is not empty.
 std::vector<Choice> finalists(const Ranking& ranking);
 
 /// From the table `schemes` of the standing study.
