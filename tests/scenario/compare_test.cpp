@@ -99,6 +99,16 @@ TEST(Comparison, ALargerShiftThatIsAllowedMakesNothingWorse) {
   }
 }
 
+/// Work is bounded whatever turns at each row. Beyond their length two tables have no time in common.
+TEST(Comparison, TheShiftOfNoiseIsFoundInTime) {
+  text::TimeTable a{"a", {}, {"x"}, {{}}}, b = a;
+  for (int row = 0; row < 100000; ++row)
+    b.times.push_back(1e-4 * row), b.columns[0].push_back(row % 2 + 1e-5 * row);
+  for (int row = 0; row < 10; ++row) a.times.push_back(row), a.columns[0].push_back(0.1 * row);
+  for (const double most : {1.0, 1e7})
+    EXPECT_LE(std::abs(scenario::compare(a, b, {}, {.shift = most}).shift), 10.0);
+}
+
 TEST(Comparison, SquaresOfSmallAndLargeValuesAreNumbers) {
   for (const double size : {1e-200, 1e200}) {
     const text::TimeTable a{"a", {0.0, 1.0}, {"x"}, {{size, size}}},

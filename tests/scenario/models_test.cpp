@@ -109,6 +109,74 @@ TEST(Models, AreOpenedOnceForEachStep) {
   for (const auto& one : models.stands()) EXPECT_TRUE(one.modelled) << one.why;
 }
 
+/// How it stands for a diagram with an input u.
+identification::Stand stand_of(const std::string& diagram, double inputs = 0.0) {
+  const Scratch folder;
+  folder.write("d.toml", "[inputs]\nu = { unit = '1' }\n[outputs]\ny = { unit = '1' }\n[blocks]\n" + diagram);
+  const auto file = folder.write("s.toml",
+                                 "[subsystems.a]\nsource = 'diagram:d.toml'\nparameters.step = 1e-2\n"
+                                 "inputs = { u = " +
+                                     std::to_string(inputs) + " }\n[span]\nstop = 10\n");
+  identification::Models models;
+  begin(file.string(), {}, models.replacing(sources()));
+  return models.stands().at(0);
+}
+
+TEST(Models, AreThereForWhatHasNoStates) {
+  const auto stand = stand_of("y = { kind = 'gain', input = 'u', gain = 3 }\n", 2.0);
+  EXPECT_TRUE(stand.modelled) << stand.why;
+  EXPECT_EQ(stand.order, 0);
+}
+
+/// At rest with inputs that stay; its rate is another one between a quarter and half of the run.
+TEST(Models, SeeRatesThatChangeInTheFirstHalf) {
+  const auto stand = stand_of(
+      "rate = { kind = 'table', input = 'time', x = [0, 4, 4.1, 20], y = [1, 1, 6, 6] }\n"
+      "lost = { kind = 'product', inputs = ['rate', 'y'] }\n"
+      "a = { kind = 'sum', inputs = ['u', 'lost'], gains = [1, -1] }\ny = { kind = 'integrator', input = 'a' "
+      "}\n");
+  EXPECT_FALSE(stand.modelled);
+}
+
+/// A stiff coordinate that no output tells of goes to and fro from step to step, and no motion in continuous time does.
+TEST(Models, HaveStepsThatCanBeCutWhateverNoOutputTellsOf) {
+  const Scratch folder;
+  folder.write(
+      "m.toml",
+      "dimension = 2\ngravity = [0, 0]\n[coordinates]\nx = { unit = 'm', inertia = 1 }\n"
+      "z = { unit = 'm', inertia = 1 }\n[springs]\nx = { coordinate = 'x', stiffness = 40, damping = 0.1 }\n"
+      "z = { coordinate = 'z', stiffness = 1e8, damping = 2e5 }\n[inputs]\nf = { unit = 'N' }\n[forces]\n"
+      "f = { coordinate = 'x', magnitude = 'f' }\n[outputs]\nx = { position = 'x' }\n"
+      "[initial]\npositions = { x = 0.1 }\n");
+  const auto file = folder.write("s.toml",
+                                 "[subsystems.a]\nsource = 'mechanism:m.toml'\nparameters.step = 1e-2\n"
+                                 "inputs = { f = 0 }\n[span]\nstop = 1\n");
+  identification::Models models;
+  const auto one = scenario::read(file, {});
+  scenario::Assembly run(one, models.replacing(sources()));
+  run.initialize();
+  EXPECT_TRUE(models.stands().at(0).modelled) << models.stands().at(0).why;
+  EXPECT_EQ(models.stands().at(0).order, 2);
+}
+
+/// A parameter of its own may be called like one that makes steps.
+TEST(Models, OfOtherParametersAreNoKin) {
+  const Scratch folder;
+  folder.write(
+      "d.toml",
+      "[parameters]\nsteps_per_turn = { value = 0, unit = '1' }\n" + low_pass +
+          "late = { unit = '1' }\n[blocks.load]\nkind = 'table'\ninput = 'time'\nx = [0, 0.9, 0.95, 2]\n"
+          "y = [0, 0, 1, 1]\n[blocks.late]\nkind = 'gain'\ninput = 'load'\ngain = '$steps_per_turn'\n");
+  const auto file = folder.write("s.toml", scene_of("d.toml")).string();
+  identification::Models models;
+  const Builtins all = models.replacing(sources());
+  for (const char* gain : {"0", "20"})
+    begin(file, {std::string("subsystems.a.parameters.steps_per_turn=") + gain}, all);
+  ASSERT_EQ(models.stands().size(), 2U);
+  EXPECT_TRUE(models.stands()[0].modelled) << models.stands()[0].why;
+  EXPECT_FALSE(models.stands()[1].modelled);
+}
+
 /// Late in the run, when no response looks: at every step.
 TEST(Models, ThatGoByTheirOwnClockAreNoneAtAnyStep) {
   const Scratch folder;

@@ -166,7 +166,8 @@ std::vector<std::string> Section::texts(const std::string& key) {
     if (!element.is_string())
       refuse(document_.place(element),
              name(key) + " holds " + described(element) + "; allowed are texts in quotes");
-    all.push_back(text_of(element, key));
+    all.push_back(language_ && language_->refer_in_arrays() ? text_of(element, key)
+                                                            : element.as_string()->get());
   }
   return all;
 }

@@ -82,10 +82,9 @@ Scenario read_rung(const LadderRung& entry, const std::vector<std::string>& over
 }
 
 text::TimeTable read_results(const LadderRung& entry) {
-  return located(entry.place, [&] {
+  return named(entry, [&] {
     if (const std::string what = unfinished(entry.file); !what.empty())
-      throw Error(ErrorCode::invalid_argument,
-                  "rung '" + entry.name + "': " + what + "; allowed is one that is 'ok'");
+      throw Error(ErrorCode::invalid_argument, what + "; allowed is one that is 'ok'");
     return text::TimeTable::read(entry.file);
   });
 }

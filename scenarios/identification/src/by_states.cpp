@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 class ByStates {
  public:
   explicit ByStates(Prober& prober) : prober_(prober), probe_(prober.probe()), states_(probe_.states()) {
-    if (states_ < 0) return;
+    if (states_ <= 0) return;
     none_ = VectorXd::Zero(states_);
     base_ = probe_.one_step(nullptr, none_);
     size_ = base_.x0.cwiseAbs().cwiseMax(base_.x1.cwiseAbs()).cwiseMax(1.0);
@@ -25,7 +25,7 @@ class ByStates {
 
   std::optional<LinearModel> model() {
     const Index inputs = probe_.inputs(), count = states_ + inputs * all_places;
-    if (states_ < 0 || !take_start()) return {};
+    if (states_ <= 0 || !take_start()) return {};
     x1_.resize(states_, count), y1_.resize(base_.y1.size(), count);
     for (Index k = 0; k < states_; ++k)
       put(k, probe_.one_step(nullptr, size_[k] * VectorXd::Unit(states_, k)), 1.0);

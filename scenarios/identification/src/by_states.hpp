@@ -7,7 +7,7 @@
 namespace tandem::identification {
 
 /// The model of a linear subsystem that tells its states: one own step from each of them, and with each change of an input.
-/// Its residual is what it leaves of the prober's runs. Nothing where states are not told, or follow an input at the start.
+/// Its residual is what it leaves of the prober's runs. Nothing where there are none, they are not told, or follow an input at the start.
 std::optional<LinearModel> model_by_states(Prober& prober);
 
 }  // namespace tandem::identification

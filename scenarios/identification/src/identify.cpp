@@ -140,9 +140,12 @@ std::optional<LinearModel> identify_linear(Subsystem& subsystem, const Wanted& w
     prober.make_responses_large();
     by_states = model_by_states(prober);
   }
-  if (by_states && by_states->residual <= good) return by_states;
+  // States that no output tells of may keep a step from being cut; responses have none of these.
+  const bool is_whole = by_states && can_be_cut(by_states->a);
+  if (is_whole && by_states->residual <= good) return by_states;
   LinearModel other = found(prober, wanted);
-  return by_states && by_states->residual < other.residual ? by_states : other;
+  const bool is_better = by_states && by_states->residual < other.residual;
+  return is_better && (is_whole || other.residual > good) ? by_states : other;
 }
 
 }  // namespace tandem::identification

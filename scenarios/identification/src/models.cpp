@@ -18,9 +18,7 @@ std::string key_of(const Address& address, const Parameters& parameters,
 }
 
 bool is_of_model(const std::string& name) { return name == Models::step_word; }
-bool is_of_step(const std::string& name) {
-  return is_of_model(name) || name == "step" || name.starts_with("steps_per_");
-}
+bool is_of_step(const std::string& name) { return is_of_model(name) || name == "step"; }
 
 }  // namespace
 

@@ -16,7 +16,10 @@ Runs Runs::up_to(std::int64_t steps) const {
 }
 
 Prober::Prober(Subsystem& subsystem, const Wanted& wanted)
-    : probe_(subsystem, wanted), wanted_(wanted), baseline_(probe_.run(wanted.steps)) {
+    : probe_(subsystem, wanted),
+      wanted_(wanted),
+      look_(std::min(2 * wanted.steps, most_steps)),
+      baseline_(probe_.run(look_)) {
   for (const double input : wanted.inputs) sizes_.push_back(std::max(1.0, std::abs(input)));
   is_linear_ = looks_linear();
 }
@@ -61,8 +64,8 @@ bool Prober::looks_linear() {
   moved_.clear();
   for (int input = 0; input < probe_.inputs(); ++input) {
     const Change whole{input, throughout, size(input)}, half{input, throughout, 0.5 * size(input)};
-    MatrixXd all = probe_.run(wanted_.steps, &whole) - baseline_;
-    const MatrixXd part = probe_.run(wanted_.steps, &half) - baseline_;
+    MatrixXd all = probe_.run(look_, &whole) - baseline_;
+    const MatrixXd part = probe_.run(look_, &half) - baseline_;
     if ((all - 2.0 * part).norm() > tolerance * all.norm() + rounding * baseline_.norm()) return false;
     moved_.push_back(std::move(all));
   }

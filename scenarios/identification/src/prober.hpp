@@ -29,7 +29,7 @@ class Prober {
   Probe& probe() { return probe_; }
   const Wanted& wanted() const { return wanted_; }
   bool is_linear() const { return is_linear_; }
-  /// So many own steps as are wanted.
+  /// Twice as many own steps as are wanted, up to most_steps.
   const Eigen::MatrixXd& baseline() const { return baseline_; }
   /// Where it is linear: what a change of `size(input)` makes of it that lasts the first own step.
   const Eigen::MatrixXd& moved(int input) const { return moved_[static_cast<std::size_t>(input)]; }
@@ -46,6 +46,7 @@ class Prober {
 
   Probe probe_;
   const Wanted& wanted_;
+  const std::int64_t look_;  ///< so many own steps are looked at for whether it is linear
   const Eigen::MatrixXd baseline_;
   std::vector<double> sizes_;  ///< of changes, by input
   std::vector<Eigen::MatrixXd> moved_;

@@ -121,15 +121,7 @@ class Realiser {
   VectorXd s_;
 };
 
-/// A step of it can be cut: it is a motion in continuous time, which has no eigenvalue of a step at 0 or below.
-bool can_be_cut(const Realisation& r) {
-  const auto values = r.a.eigenvalues();
-  return std::none_of(values.begin(), values.end(), [](const std::complex<double>& value) {
-    constexpr double nothing = 1e-8;
-    return std::abs(value) < nothing ||
-           (value.real() < 0.0 && std::abs(value.imag()) < nothing * std::abs(value));
-  });
-}
+bool can_be_cut(const Realisation& r) { return identification::can_be_cut(r.a); }
 
 constexpr double worse = 1.5;    ///< times the least residual is nearly as good
 constexpr double enough = 1e-8;  ///< for what models are used for
@@ -162,6 +154,15 @@ const Realisation& chosen(const std::vector<Realisation>& found) {
 
 double residual(const Realisation& of, const Responses& responses, const MatrixXd& besides) {
   return Together(responses, besides).residual(of);
+}
+
+bool can_be_cut(const Eigen::MatrixXd& a) {
+  const auto values = Eigen::VectorXcd(a.eigenvalues());
+  return std::none_of(values.begin(), values.end(), [](const std::complex<double>& value) {
+    constexpr double nothing = 1e-8;
+    return std::abs(value) < nothing ||
+           (value.real() < 0.0 && std::abs(value.imag()) < nothing * std::abs(value));
+  });
 }
 
 Realisation realise(const Responses& responses) {

@@ -20,6 +20,9 @@ struct Realisation {
 /// - besides: a column for each response, what its values follow at once. They are as large at least.
 double residual(const Realisation& of, const Responses& responses, const Eigen::MatrixXd& besides);
 
+/// A step of it can be cut: it is a motion in continuous time, which has no eigenvalue of a step at 0 or below.
+bool can_be_cut(const Eigen::MatrixXd& a);
+
 /// The smallest system whose residual is at most 1.5 times the smallest, or 1e-11, of up to most_states states.
 /// Precondition: all responses are as long, at least 4, and none is 0.
 Realisation realise(const Responses& responses);

@@ -37,10 +37,10 @@ double shortest_cycle(const TimeTable& table, const std::vector<std::string>& na
 }
 
 /// So many to each side: a sixteenth of the shortest cycle apart, where that is not too much work.
-int scan_steps(double most, double cycle, std::size_t rows) {
+int scan_steps(double most, double cycle, std::size_t values) {
   constexpr double least = 32.0, work = 5e7;
   const double wanted = cycle > 0.0 ? std::ceil(16.0 * most / cycle) : least;
-  return static_cast<int>(std::clamp(wanted, least, std::max(least, work / static_cast<double>(rows))));
+  return static_cast<int>(std::clamp(wanted, least, std::max(least, work / static_cast<double>(values))));
 }
 
 /// Where the scan is lower than on both sides, the lowest first.
@@ -59,23 +59,30 @@ std::vector<std::size_t> valleys(const std::vector<double>& sums) {
 
 double best_shift(const TimeTable& a, const TimeTable& b, const std::vector<std::string>& names, double most,
                   const std::function<Comparison(double)>& shifted) {
-  const int steps = scan_steps(most, shortest_cycle(b, names), std::min(a.times.size(), b.times.size()));
-  std::vector<Comparison> scan;
+  const auto length = [](const TimeTable& of) { return of.times.back() - of.times.front(); };
+  most = std::min(most, std::max(length(a), length(b)));
+  const int steps =
+      scan_steps(most, shortest_cycle(b, names), (a.times.size() + b.times.size()) * names.size());
+  const auto at = [&](int k) { return most * k / steps; };
+  std::vector<std::pair<std::size_t, double>> scan;  // times, and mismatch if these are enough
+  for (int k = -steps; k <= steps; ++k) {
+    const Comparison one = shifted(at(k));
+    scan.emplace_back(one.times, mismatch(one, 0));
+  }
+  const std::size_t needed = (std::ranges::max(scan).first + 1) / 2;
   std::vector<double> sums;
-  std::size_t needed = 0;
-  for (int k = -steps; k <= steps; ++k)
-    needed = std::max(needed, (scan.emplace_back(shifted(most * k / steps)).times + 1) / 2);
-  for (const Comparison& one : scan) sums.push_back(mismatch(one, needed));
+  for (const auto& [times, sum] : scan)
+    sums.push_back(times < needed ? std::numeric_limits<double>::infinity() : sum);
   double best = 0.0, least = sums[static_cast<std::size_t>(steps)];
   const auto take = [&](double shift, double sum) {
     if (sum < least) best = shift, least = sum;
   };
-  for (const std::size_t k : valleys(sums)) {
-    take(scan[k].shift, sums[k]);
-    const double at = scan[k].shift, width = most / steps;
+  for (const std::size_t valley : valleys(sums)) {
+    const int k = static_cast<int>(valley) - steps;
+    take(at(k), sums[valley]);
     const auto [shift, sum] =
         boost::math::tools::brent_find_minima([&](double here) { return mismatch(shifted(here), needed); },
-                                              std::max(-most, at - width), std::min(most, at + width), 24);
+                                              std::max(-most, at(k - 1)), std::min(most, at(k + 1)), 24);
     take(shift, sum);
   }
   return best;

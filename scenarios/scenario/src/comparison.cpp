@@ -95,7 +95,8 @@ class SideBySide {
   }
 
   /// Of no time, or no value of a column, where there is none in common.
-  Comparison compared() {
+  /// scaled: with the peaks of columns.
+  Comparison compared(bool scaled) {
     const TimeTable& coarse = at_a_ ? a_ : b_;
     result_.at = coarse.file.string();
     result_.shift = shift_;
@@ -103,7 +104,7 @@ class SideBySide {
     for (std::size_t row = 0; row < coarse.times.size(); ++row)
       at(coarse.times[row], row > 0 && coarse.times[row] == coarse.times[row - 1]);
     for (std::size_t k = 0; k < columns_.size(); ++k)
-      if (result_.columns[k].compared > 0) scale(k);
+      if (result_.columns[k].compared > 0) scale(k, scaled);
     return std::move(result_);
   }
 
@@ -124,12 +125,15 @@ class SideBySide {
     return courses.exact() || course.derivatives;
   }
 
-  void scale(std::size_t k) {
+  void scale(std::size_t k, bool by_peak) {
     Difference& d = result_.columns[k];
     const auto& [a, b] = columns_[k];
-    const double peak = largest(b_, b, measure_, 0.0), of = static_cast<double>(d.compared);
-    d.peak = peak > 0.0 ? peak : largest(a_, a, measure_, shift_);
-    d.relative = fraction_of(d.absolute, d.peak);
+    const double of = static_cast<double>(d.compared);
+    if (by_peak) {
+      const double peak = largest(b_, b, measure_, 0.0);
+      d.peak = peak > 0.0 ? peak : largest(a_, a, measure_, shift_);
+      d.relative = fraction_of(d.absolute, d.peak);
+    }
     d.rms = static_cast<double>(std::sqrt(sums_[k].difference / of));
     d.rms_of = static_cast<double>(std::sqrt((sums_[k].b > 0.0L ? sums_[k].b : sums_[k].a) / of));
     d.relative_rms = fraction_of(d.rms, d.rms_of);
@@ -148,10 +152,10 @@ class SideBySide {
 };
 
 Comparison compare_shifted(const TimeTable& a, const TimeTable& b, const std::vector<std::string>& names,
-                           const Measure& measure, double shift) {
+                           const Measure& measure, double shift, bool scaled) {
   SideBySide both(a, b, measure, shift);
   for (const std::string& name : names) both.add(name);
-  return both.compared();
+  return both.compared(scaled);
 }
 
 std::string window(const Measure& measure, double shift) {
@@ -193,9 +197,9 @@ Comparison compare(const TimeTable& a, const TimeTable& b, const std::vector<std
                    const Measure& measure) {
   check(a, b, measure);
   const auto names = columns.empty() ? common(a, b) : columns;
-  const auto shifted = [&](double shift) { return compare_shifted(a, b, names, measure, shift); };
-  Comparison comparison =
-      shifted(measure.shift > 0.0 ? best_shift(a, b, names, measure.shift, shifted) : 0.0);
+  const auto shifted = [&](double shift) { return compare_shifted(a, b, names, measure, shift, false); };
+  const double shift = measure.shift > 0.0 ? best_shift(a, b, names, measure.shift, shifted) : 0.0;
+  Comparison comparison = compare_shifted(a, b, names, measure, shift, true);
   refuse_nothing(comparison, a, b, measure);
   tell_uncompared(a, b, columns.empty() ? names : std::vector<std::string>(), comparison);
   return comparison;

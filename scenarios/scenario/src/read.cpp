@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <mutex>
+#include <set>
 
 #include "read_constants.hpp"
 #include "read_link.hpp"
@@ -165,14 +166,17 @@ class Reader {
 
   /// A port as a whole and an element of it, say.
   static void refuse_twice(const Section& inputs, const SubsystemEntry& entry) {
-    const auto is_in = [](const InputEntry& a, const InputEntry& b) {
-      return a.port == b.port || a.port.starts_with(b.port + "[");
-    };
-    for (std::size_t k = 0; k < entry.inputs.size(); ++k)
-      for (std::size_t other = 0; other < k; ++other)
-        if (const InputEntry &a = entry.inputs[k], &b = entry.inputs[other]; is_in(a, b) || is_in(b, a))
-          refuse(a.place, fmt::format("{} is given besides {}; allowed is one value for each input",
-                                      inputs.name(a.port), inputs.name(b.port)));
+    std::set<std::string> names, wholes;
+    for (const InputEntry& one : entry.inputs) {
+      const std::string port = one.port.substr(0, one.port.find('['));
+      const bool is_whole = port == one.port;
+      if (!names.insert(one.port).second || wholes.contains(port) || (is_whole && names.contains(port + "[")))
+        refuse(one.place, inputs.name(one.port) + " is given twice; allowed is one value for each input");
+      if (is_whole)
+        wholes.insert(port);
+      else
+        names.insert(port + "[");
+    }
   }
 
   void read_series(Section section, const std::string& port, SubsystemEntry& entry) const {

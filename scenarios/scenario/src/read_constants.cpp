@@ -43,16 +43,13 @@ std::set<std::string> named_constants(const text::Document& document) {
   return named;
 }
 
-/// Each that is left needs another one that is.
-static void refuse_circle(const text::Document& document,
-                          const std::vector<std::pair<std::string, const toml::node*>>& left) {
+/// Each needs another one of these.
+[[noreturn]] static void refuse_circle(const text::Document& document,
+                                       const std::vector<std::pair<std::string, const toml::node*>>& all) {
   std::vector<std::string> names;
-  for (const auto& [name, node] : left) names.push_back(name);
-  const auto is_left = [&](const std::string& name) { return std::ranges::count(names, name) > 0; };
-  const auto waits = [&](const auto& entry) { return std::ranges::any_of(names_in(*entry.second), is_left); };
-  if (!left.empty() && std::ranges::all_of(left, waits))
-    text::refuse(document.place(*left[0].second), "constants need each other in a circle: " + listed(names) +
-                                                      "; allowed are constants of others");
+  for (const auto& [name, node] : all) names.push_back(name);
+  text::refuse(document.place(*all[0].second), "constants need each other in a circle, or what is in one: " +
+                                                   listed(names) + "; allowed are constants of others");
 }
 
 std::vector<std::pair<std::string, double>> read_constants(text::Section& root, text::Values& to) {
@@ -80,8 +77,15 @@ std::vector<std::pair<std::string, double>> read_constants(text::Section& root, 
   };
   while (std::erase_if(left, read_ready) > 0) {
   }
-  refuse_circle(root.document(), left);
-  std::for_each(left.begin(), left.end(), read);  // which refuses the first, by the name that is not there
+  std::set<std::string> there = known;
+  for (const auto& [name, node] : left) there.insert(name);
+  const auto lacks = [&](const auto& entry) {
+    return std::ranges::any_of(names_in(*entry.second),
+                               [&](const auto& name) { return !there.contains(name); });
+  };
+  if (const auto wrong = std::ranges::find_if(left, lacks); wrong != left.end())
+    read(*wrong);  // which refuses it, by the name that is not there
+  if (!left.empty()) refuse_circle(root.document(), left);
   return numbers;
 }
 

@@ -77,7 +77,9 @@ void RunReference::compare(const std::filesystem::path& folder) {
 void RunReference::judge(const Difference& d, double tolerance, Norm norm) {
   const std::string sentence = scenario::text(d, tolerance, norm);
   const bool is_told = std::find(outside_.begin(), outside_.end(), sentence) != outside_.end();
-  if (!(d.size(norm) <= tolerance) && !is_told) outside_.push_back(sentence);
+  const bool is_outside = !(d.size(norm) <= tolerance);
+  if (is_outside && !is_told) outside_.push_back(sentence);
+  if (!is_outside && differences_.contains(d.column)) return;
   differences_[d.column] = {
       {"relative", d.relative}, {"absolute", d.absolute},         {"time", d.time},
       {"rms", d.rms},           {"relative_rms", d.relative_rms}, {"norm", norm == Norm::rms ? "rms" : "max"},

@@ -28,7 +28,7 @@ class RunReference {
 
  private:
   void check_judged(const Recorder& recorder) const;
-  /// The judged quantity has a tolerance and a measure of its own, the other columns those of the reference.
+  /// By the reference each column, and the judged quantity by [judge], too. Of both the one that is not met is told.
   void judge(const Difference& difference, double tolerance, Norm norm);
 
   const Scenario& scenario_;

@@ -92,7 +92,7 @@ void of_references(KeyList& to) {
            "reference itself, as METRIC.floor.",
            {.otherwise = "false"})
       .may("models", flag,
-           "Linear models run in its subsystems' places, found from their inputs and outputs "
+           "Linear models run in its subsystems' places, found beforehand "
            "(docs/advice.md); sampled "
            "subsystems run themselves. Of any other that has no model it is told, and the reference fails.",
            {.otherwise = "false"})

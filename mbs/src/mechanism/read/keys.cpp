@@ -96,7 +96,7 @@ text::Keys mechanism_keys(const ElementKinds& kinds) {
   keys_of_outputs(list);
   keys_of_runs(list);
   keys_of_view(list);
-  return text::Keys(std::move(list).list(), text::Keys::Texts::refer);
+  return text::Keys(std::move(list).list(), text::Keys::Texts::refer_in_arrays);
 }
 
 }  // namespace tandem::mbs

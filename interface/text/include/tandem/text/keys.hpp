@@ -61,12 +61,14 @@ class Keys {
  public:
   enum class Texts {
     plain,
-    refer,  ///< "$NAME" and "$(EXPRESSION)" may stand for a number or a word
+    refer,            ///< "$NAME" and "$(EXPRESSION)" may stand for a number or a word
+    refer_in_arrays,  ///< also for one of an array of texts
   };
   explicit Keys(std::vector<Key> keys, Texts texts = Texts::plain);
 
   const std::vector<Key>& all() const { return keys_; }
-  bool refer() const { return texts_ == Texts::refer; }
+  bool refer() const { return texts_ != Texts::plain; }
+  bool refer_in_arrays() const { return texts_ == Texts::refer_in_arrays; }
   /// By its path as it stands in the list, in a table of that kind; null if it is not there.
   const Key* find(std::string_view path, std::string_view kind = {}) const;
   /// Those of a table of that kind, "" for the file; with no kind those of every one.
