@@ -10,14 +10,14 @@
 namespace tandem::test {
 namespace {
 
-/// T x' = u + w - x from x = start. The step of its table [run] is not that of a scenario.
+/// T x' = u + w - x from x = first. The step of its table [run] is not that of a scenario.
 std::string lag_diagram(const std::string& in, const std::string& out) {
-  return "[parameters]\nT = { value = 0.3, unit = 's' }\nstart = { value = 0.2, unit = '1' }\n[inputs]\nu = "
+  return "[parameters]\nT = { value = 0.3, unit = 's' }\nfirst = { value = 0.2, unit = '1' }\n[inputs]\nu = "
          "{ unit = '" +
          in + "' }\nw = { unit = '" + in +
          "' }\n[blocks]\nrate = { kind = 'sum', inputs = ['u', 'w', 'state'], gains = ['$(1 / T)', '$(1 / "
          "T)', "
-         "'$(-1 / T)'] }\nstate = { kind = 'integrator', input = 'rate', initial = '$start' }\n"
+         "'$(-1 / T)'] }\nstate = { kind = 'integrator', input = 'rate', initial = '$first' }\n"
          "x = { kind = 'gain', input = 'state', gain = 1 }\n[outputs]\nx = { unit = '" +
          out + "' }\n[run]\nstep = 0.9\nstop = 1\nintegrator = 'erkstep_fixed'\n";
 }
@@ -57,7 +57,7 @@ std::string random_ring(const Scratch& folder, std::mt19937& random) {
     text += "[subsystems." + name + "]\nsource = \"diagram:" + name +
             ".toml?T=" + std::to_string(1 + pick(3)) +
             "\"\nparameters = { step = " + (equal || pick(1) == 0 ? "0.0625" : "0.03125") +
-            ", start = " + std::to_string(pick(4)) + " }\ninputs = { w = " + std::to_string(pick(3)) + " }\n";
+            ", first = " + std::to_string(pick(4)) + " }\ninputs = { w = " + std::to_string(pick(3)) + " }\n";
   }
   for (int k = 0; k < count; ++k)
     text += "[[connections]]\nfrom = \"m" + std::to_string(k) + ".x\"\nto = \"m" +

@@ -173,7 +173,8 @@ INSTANTIATE_TEST_SUITE_P(
             "[subsystems.fast]",
             "[subsystems.other]\nsource = \"builtin:two_mass.slow\"\ninputs = { \"x1[0]\" = 3, x1 = 2 "
             "}\n[subsystems.fast]",
-            {"subsystems.other.inputs.x1 is given twice", "one value for each input"}},
+            {"subsystems.other.inputs.x1 is given twice", "one value for each input"},
+            2},
         Bad{"no_recorded_port", "clock = \"fast\"", "ports = []", {"record.ports is empty", "at least one"}},
         Bad{"judge",
             "[record]",

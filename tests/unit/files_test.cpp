@@ -147,9 +147,10 @@ TEST(ReplaceText, TakesThePlaceOfNothingThatIsNoRegularFile) {
   const Scratch folder;
   const fs::path fifo = fifo_in(folder);
   fs::create_directory(folder.path() / "b");
-  for (const fs::path& file : {fifo, folder.path() / "b"}) {
-    EXPECT_TRUE(refuses(ErrorCode::input_output, {file.string(), "no regular file"},
-                        [&] { output::replace_text(file, "text"); }));
+  for (const auto& [file, why] :
+       {std::pair(fifo, "no regular file"), {folder.path() / "b", "there is a folder"}}) {
+    EXPECT_TRUE(refuses(ErrorCode::input_output, {file.string(), why},
+                        [at = file] { output::replace_text(at, "text"); }));
     EXPECT_FALSE(fs::exists(output::part_of(file)));
   }
   EXPECT_TRUE(fs::is_fifo(fifo));

@@ -14,6 +14,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// x of the model are the states as parts of their sizes.
 class ByStates {
  public:
   explicit ByStates(Prober& prober) : prober_(prober), probe_(prober.probe()), states_(probe_.states()) {
@@ -26,15 +27,16 @@ class ByStates {
   std::optional<LinearModel> model() {
     const Index inputs = probe_.inputs(), count = states_ + inputs * all_places;
     if (states_ <= 0 || !take_start()) return {};
-    x1_.resize(states_, count), y1_.resize(base_.y1.size(), count);
-    for (Index k = 0; k < states_; ++k)
-      put(k, probe_.one_step(nullptr, size_[k] * VectorXd::Unit(states_, k)), 1.0);
+    x1_.resize(states_, count), y1_.resize(base_.y1.size(), states_);
+    for (Index k = 0; k < states_; ++k) {
+      const OneStep moved = probe_.one_step(nullptr, size_[k] * VectorXd::Unit(states_, k));
+      x1_.col(k) = in_parts(moved), y1_.col(k) = moved.y1 - base_.y1;
+    }
     for (int input = 0; input < inputs; ++input)
       for (int place = 0; place < all_places; ++place) {
         const Change change{input, place, prober_.size(input)};
-        const Index at = states_ + input * all_places + place;
-        put(at, probe_.one_step(&change, none_), change.size);
-        if (place == all_places - 1) y1_.col(at) -= model_.d.col(input);
+        x1_.col(states_ + input * all_places + place) =
+            in_parts(probe_.one_step(&change, none_)) / change.size;
       }
     return whole();
   }
@@ -57,11 +59,8 @@ class ByStates {
     return true;
   }
 
-  /// In parts of the states' sizes.
-  void put(Index column, const OneStep& moved, double by) {
-    x1_.col(column) = (moved.x1 - base_.x1).cwiseQuotient(size_) / by;
-    y1_.col(column) = (moved.y1 - base_.y1) / by;
-  }
+  /// By what states are moved after the step, as parts of their sizes.
+  VectorXd in_parts(const OneStep& moved) const { return (moved.x1 - base_.x1).cwiseQuotient(size_); }
 
   LinearModel whole() {
     const Index inputs = probe_.inputs();
@@ -77,8 +76,8 @@ class ByStates {
 
   /// C A = Y, of states that were moved. What no step keeps of a state is in no value after it.
   MatrixXd outputs() const {
-    const MatrixXd a = x1_.leftCols(states_).transpose(), y = y1_.leftCols(states_).transpose();
-    return a.completeOrthogonalDecomposition().solve(y).transpose();
+    const MatrixXd a = x1_.leftCols(states_).transpose();
+    return a.completeOrthogonalDecomposition().solve(y1_.transpose()).transpose();
   }
 
   double left() const {
@@ -108,7 +107,7 @@ class ByStates {
   const Index states_;
   VectorXd none_, size_;
   OneStep base_;
-  MatrixXd x1_, y1_;  ///< what each change makes after a step
+  MatrixXd x1_, y1_;  ///< what each change makes of states, and each state of values, after a step
   LinearModel model_;
 };
 
