@@ -151,7 +151,7 @@ scenario::Scenario advised(const scenario::Scenario& asked, const std::filesyste
     for (const std::string& line : lines) say("{}\n", line);
     say("coordination.scheme = auto takes {}; its error is {:.3g} of the tolerance{}, by {}\n", words(choice),
         choice.error, adviser.cheapest() ? "" : ", and no other is within it",
-        (folder / "schemes.csv").string());
+        (folder / (adviser.beside().empty() ? "" : "to_the_end") / "schemes.csv").string());
   }
   return scenario::with_taken(asked, adviser.taken(choice));
 }

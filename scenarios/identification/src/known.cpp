@@ -1,4 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+#include "known.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,7 +8,6 @@
 #include <cmath>
 
 #include "side_by_side.hpp"
-#include "stand_in.hpp"
 #include "tandem/error.hpp"
 #include "tandem/identification/identify.hpp"
 #include "tandem/identification/surrogate.hpp"

@@ -121,8 +121,6 @@ class Realiser {
   VectorXd s_;
 };
 
-bool can_be_cut(const Realisation& r) { return identification::can_be_cut(r.a); }
-
 constexpr double worse = 1.5;    ///< times the least residual is nearly as good
 constexpr double enough = 1e-8;  ///< for what models are used for
 
@@ -132,7 +130,7 @@ bool is_settled(const std::vector<Realisation>& found) {
   const Realisation& best = *(found.end() - 3);
   const auto is_no_better = [&](const Realisation& one) { return worse * one.residual >= best.residual; };
   return best.residual <= enough && std::all_of(found.end() - 2, found.end(), is_no_better) &&
-         can_be_cut(best);
+         can_be_cut(best.a);
 }
 
 /// The smallest order that is nearly as good as the best. If a step of it can't be cut, states that only follow rounding may
@@ -144,9 +142,10 @@ const Realisation& chosen(const std::vector<Realisation>& found) {
   const auto best = std::find_if(found.begin(), found.end(), [&](const auto& one) {
     return one.residual <= std::max(exact, worse * least);
   });
-  if (can_be_cut(*best)) return *best;
-  const auto other = std::find_if(found.begin(), found.end(),
-                                  [&](const auto& one) { return one.residual <= enough && can_be_cut(one); });
+  if (can_be_cut(best->a)) return *best;
+  const auto other = std::find_if(found.begin(), found.end(), [&](const auto& one) {
+    return one.residual <= enough && can_be_cut(one.a);
+  });
   return other == found.end() ? *best : *other;
 }
 

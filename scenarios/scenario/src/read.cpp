@@ -166,16 +166,13 @@ class Reader {
 
   /// A port as a whole and an element of it, say.
   static void refuse_twice(const Section& inputs, const SubsystemEntry& entry) {
-    std::set<std::string> names, wholes;
+    std::set<std::string> names, wholes, in_parts;
     for (const InputEntry& one : entry.inputs) {
       const std::string port = one.port.substr(0, one.port.find('['));
       const bool is_whole = port == one.port;
-      if (!names.insert(one.port).second || wholes.contains(port) || (is_whole && names.contains(port + "[")))
+      if (!names.insert(one.port).second || wholes.contains(port) || (is_whole && in_parts.contains(port)))
         refuse(one.place, inputs.name(one.port) + " is given twice; allowed is one value for each input");
-      if (is_whole)
-        wholes.insert(port);
-      else
-        names.insert(port + "[");
+      (is_whole ? wholes : in_parts).insert(port);
     }
   }
 

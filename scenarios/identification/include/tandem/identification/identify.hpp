@@ -30,7 +30,7 @@ struct Wanted {
 /// Throws Error(not_supported) for a subsystem that can't start again, has an event on the way, takes own steps that vary,
 /// or acts at instants that are not equally far apart.
 LinearModel identify(Subsystem& subsystem, const Wanted& wanted);
-/// The same; nothing where half a change of an input makes something else than half the response, by more than 1e-10.
+/// The same, from one own step of each state where the subsystem tells these. Nothing where half a change of an input makes something else than half the response, by more than 1e-10.
 std::optional<LinearModel> identify_linear(Subsystem& subsystem, const Wanted& wanted);
 constexpr std::int64_t most_steps = 3072;
 constexpr int most_states = 40;
