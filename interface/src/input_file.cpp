@@ -65,6 +65,7 @@ std::size_t InputFile::read(std::span<std::byte> to) {
 
 void InputFile::seek(std::uint64_t place) {
   place_ = end_ = 0;
+  read_ = place;
   if (::lseek(number_, static_cast<off_t>(place), SEEK_SET) < 0) refuse(reason());
 }
 
@@ -72,11 +73,13 @@ bool InputFile::fill() {
   block_.resize(block_size);
   place_ = 0;
   end_ = read(std::as_writable_bytes(std::span(block_)));
+  read_ += end_;
   return end_ > 0;
 }
 
 bool InputFile::line(std::string& text) {
   text.clear();
+  if (size_ > 0 && read_ - (end_ - place_) >= size_) return false;
   if (place_ == end_ && !fill()) return false;
   do {
     const char* const from = block_.data() + place_;

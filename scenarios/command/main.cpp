@@ -5,6 +5,7 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstdio>
@@ -55,7 +56,7 @@ std::unique_ptr<spdlog::formatter> lines_of(const std::string& pattern) {
 /// Messages go to standard error, and to the log file if one is named; results go to standard output.
 void set_up_log(const tandem::cli::Context& context, const std::string& file) {
   std::vector<spdlog::sink_ptr> sinks{std::make_shared<spdlog::sinks::stderr_color_sink_mt>()};
-  sinks[0]->set_formatter(lines_of("%*"));
+  sinks[0]->set_formatter(lines_of("tandem: %*"));
   sinks[0]->set_level(context.quiet     ? spdlog::level::err
                       : context.verbose ? spdlog::level::debug
                                         : spdlog::level::info);
@@ -143,10 +144,17 @@ int run(int argc, char** argv) {
       throw tandem::Error(tandem::ErrorCode::invalid_argument,
                           tandem::unknown("command", rest[0], commands(app)));
     if (error.get_name() == "RuntimeError") return 2;  // it is told
-    spdlog::error("tandem: {}; {} --help tells what is allowed", error.what(), command_of(app));
+    spdlog::error("{}; {} --help tells what is allowed", error.what(), command_of(app));
     return 2;
   }
   return 0;
+}
+
+/// What the command is about: "compare a b".
+std::string first_words(int argc, char** argv) {
+  std::string all;
+  for (int k = 1; k < std::min(argc, 4); ++k) all += (k > 1 ? " " : "") + std::string(argv[k]);
+  return all;
 }
 
 }  // namespace
@@ -155,23 +163,26 @@ int run_and_report(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const tandem::cli::RunFailed& failure) {
-    spdlog::error("tandem: {}", failure.what());
+    spdlog::error("{}", failure.what());
     return 1;
   } catch (const tandem::NoRoom& full) {
-    spdlog::error("tandem: {}", full.what());
+    spdlog::error("{}", full.what());
     return 1;
   } catch (const tandem::Diverged& diverged) {
-    spdlog::error("tandem: {}", diverged.what());
+    spdlog::error("{}", diverged.what());
     return 1;
   } catch (const std::filesystem::filesystem_error& error) {
-    spdlog::error("tandem: '{}': {}", error.path1().string(), error.code().message());
+    spdlog::error("'{}': {}", error.path1().string(), error.code().message());
     return 2;
   } catch (const std::bad_alloc& shortage) {
-    spdlog::error("tandem: {}", tandem::sentence_of(shortage));
+    spdlog::error("{}: {}", tandem::printable(first_words(argc, argv)), tandem::sentence_of(shortage));
     return 1;
+  } catch (const tandem::Error& error) {
+    spdlog::error("{}", error.what());
+    return error.code() == tandem::ErrorCode::internal || tandem::LibraryCall::has_faulted() ? 1 : 2;
   } catch (const std::exception& error) {
-    spdlog::error("tandem: {}", error.what());
-    return tandem::LibraryCall::has_faulted() ? 1 : 2;
+    spdlog::error("{}", error.what());
+    return 2;
   }
 }
 
@@ -204,7 +215,7 @@ void open_standard_streams() {
 /// On a full disk, say.
 bool wrote_all_output() {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return true;
-  spdlog::error("tandem: standard output can't be written, so not all was told");
+  spdlog::error("standard output can't be written, so not all was told");
   return false;
 }
 
@@ -230,7 +241,7 @@ int main(int argc, char** argv) {
   if (status == 0 && log_failed) status = 1;
   const bool faulted = tandem::LibraryCall::has_faulted();
   if (faulted && status == 0)
-    spdlog::error("tandem: a library made a fault at its end, after all that was told"), status = 1;
+    spdlog::error("a library made a fault at its end, after all that was told"), status = 1;
   tandem::LibraryCall::end_program(status);
   if (faulted) std::_Exit(status);  // unloads none
   return status;

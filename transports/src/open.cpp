@@ -34,15 +34,27 @@ Address taken_apart(const std::string& uri, const Source& source, Opening& openi
   Address address{
       uri, parts.scheme, parts.place, opening.folder, opening.command, opening.overrides, opening.isolated};
   take_query(uri, opening.parameters);
-  opening.parameters.belong_to(address.name());
   opening.parameters.declare(source.words);
   opening.parameters.refuse_foreign(address.name());
   return address;
 }
 
+/// An error that names no file, as of a parameter, is told with the source.
+template <class Work>
+auto named(const Address& address, const Work& work) -> decltype(work()) {
+  try {
+    return work();
+  } catch (const Error& error) {
+    const std::string sentence = error.what();
+    const bool is_named = address.place.empty() || sentence.find(address.place) != std::string::npos;
+    if (is_named) throw;
+    throw Error(error.code(), address.name() + ": " + sentence);
+  }
+}
+
 std::unique_ptr<Subsystem> made(const std::string& uri, const Source& source, Opening opening) {
   const Address address = taken_apart(uri, source, opening);
-  auto subsystem = source.make(address, opening.parameters);
+  auto subsystem = named(address, [&] { return source.make(address, opening.parameters); });
   opening.parameters.refuse_unused(address.name());
   return subsystem;
 }
@@ -106,7 +118,7 @@ std::optional<Look> look_at(const std::string& uri, const Builtins& builtins, Op
   }
   const Address address = taken_apart(uri, source, opening);
   if (!source.look) return std::nullopt;
-  auto seen = source.look(address, opening.parameters);
+  auto seen = named(address, [&] { return source.look(address, opening.parameters); });
   opening.parameters.refuse_unused(address.name());
   return seen;
 }

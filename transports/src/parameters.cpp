@@ -56,6 +56,14 @@ bool is_plain(const std::string& text, const char* signs) {
               "parameter '" + name + "' is " + text_of(value) + "; allowed is a number " + allowed);
 }
 
+[[noreturn]] void wrong_type(const std::string& name, const Parameters::Value& value,
+                             const std::string& allowed) {
+  const bool is_text = std::holds_alternative<std::string>(value);
+  throw Error(ErrorCode::invalid_argument, "parameter '" + name + "' is " +
+                                               (is_text ? "'" + text_of(value) + "'" : text_of(value)) +
+                                               "; " + allowed + " is allowed");
+}
+
 }  // namespace
 
 bool stands_for(const std::string& word, const std::string& name) {
@@ -145,13 +153,6 @@ std::string Parameters::rest() {
     pairs += (pairs.empty() ? "" : "&") + name + "=" + text;
   }
   return pairs;
-}
-
-void Parameters::wrong_type(const std::string& name, const Value& value, const std::string& allowed) const {
-  throw Error(ErrorCode::invalid_argument,
-              (owner_.empty() ? "" : owner_ + ": ") + "parameter '" + name + "' is " +
-                  (std::holds_alternative<std::string>(value) ? "'" + text_of(value) + "'" : text_of(value)) +
-                  "; " + allowed + " is allowed");
 }
 
 const Parameters::Value* Parameters::find(const std::string& name) {

@@ -32,7 +32,8 @@ class InputFile {
   std::size_t read(std::span<std::byte> to);
   /// Reading goes on at this byte.
   void seek(std::uint64_t place);
-  /// The next line without its end. False: there is none. Refuses one that is too long.
+  /// The next line without its end. False: there is none, or the file had none when it was opened, as it is
+  /// being written. Refuses one that is too long.
   bool line(std::string& text);
   /// What is left. Refuses more than `most` bytes.
   std::string rest(std::uint64_t most);
@@ -49,6 +50,7 @@ class InputFile {
   unsigned rights_of_others_ = 0;
   std::vector<char> block_;  ///< of line(): what was read ahead
   std::size_t place_ = 0, end_ = 0;
+  std::uint64_t read_ = 0;  ///< bytes of the file until the block's end
 };
 
 /// All of such a file, of at most `most` bytes.

@@ -25,7 +25,10 @@ namespace {
 
 int Topology::add(const std::string& name, const SubsystemInfo& info) {
   if (name.empty() || name.find_first_of(".[] \t\n\",/\\") != std::string::npos)
-    refuse_topology("instance name '" + name + "' is empty or holds one of . [ ] , \" / \\ or a blank");
+    refuse_topology(
+        "instance name '" + name +
+        "' is empty or holds one of . [ ] , \" / \\ or a blank; allowed is a name without these, of "
+        "a mechanism or diagram that runs alone the name of its file");
   if (numbers_.contains(name)) refuse_topology("instance name '" + name + "' is used twice");
   check_info(name, info);
   const auto inputs = static_cast<std::size_t>(info.input_size());

@@ -42,7 +42,7 @@ FileParameter read_parameter(const std::string& name, const GivenValues& given, 
   const toml::node* value = section.node("value");
   if (!value) section.missing("value");
   if (value->is_string() && !Values::refers(*value)) {
-    section.leave_out("unit", "a word has none");
+    if (section.node("unit")) section.wrong("value", described(*value), "a number, as it has a unit");
     read_word(parameter, given, section);
   } else {
     section.leave_out("allowed", "a number has no list of words");

@@ -139,8 +139,9 @@ void read_npy(TimeTable& table) {
 /// Of a folder the file that is there.
 fs::path file_at(const fs::path& place) {
   if (!fs::is_directory(place)) return place;
-  const fs::path binary = place / "results.npy";
-  return fs::exists(binary) ? binary : place / "results.csv";
+  for (const char* name : {"results.npy", "results.csv"})
+    if (fs::exists(place / name)) return place / name;
+  refuse(Place{place.string()}, "it is a folder without results.csv and results.npy");
 }
 
 }  // namespace

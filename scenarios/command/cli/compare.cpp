@@ -2,8 +2,6 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include <charconv>
-#include <cmath>
 #include <filesystem>
 
 #include "cli/commands.hpp"
@@ -64,15 +62,6 @@ void compare(const CompareOptions& options, const Context& context) {
   if (!context.quiet) say("within the tolerance of {:.3g} %\n", 100.0 * options.tolerance);
 }
 
-/// Empty if the text is a number from 0, else what is wrong.
-std::string non_negative(const std::string& text) {
-  double value = -1.0;
-  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool number = code == std::errc{} && end == text.data() + text.size();
-  return number && value >= 0.0 && std::isfinite(value) ? std::string()
-                                                        : "'" + text + "'; allowed is a number from 0";
-}
-
 }  // namespace
 
 void add_compare(CLI::App& app, Context& context) {
@@ -84,17 +73,20 @@ void add_compare(CLI::App& app, Context& context) {
       ->add_option("--tolerance", options->tolerance,
                    "Allowed difference, a fraction of the largest magnitude, or of the rms, of the column in "
                    "B; 0: equal")
-      ->check(non_negative)
+      ->check(not_negative)
       ->capture_default_str();
   command->add_option("--columns", options->columns, "Columns to compare (default: all that both have)")
       ->delimiter(',')
       ->type_name("NAME,...");
   command->add_option("--norm", options->norm, "What the tolerance is of: the largest difference, or the rms")
-      ->check(CLI::IsMember({"max", "rms"}))
+      ->check(one_of({"max", "rms"}))
       ->capture_default_str();
   command->add_option("--from", options->measure.from, "The first time of B that counts, in s")
+      ->check(number)
       ->type_name("TIME");
-  command->add_option("--to", options->measure.to, "The last time of B that counts, in s")->type_name("TIME");
+  command->add_option("--to", options->measure.to, "The last time of B that counts, in s")
+      ->check(number)
+      ->type_name("TIME");
   command
       ->add_option("--shift", options->measure.shift,
                    "A may be this much earlier or later as a whole, in s; by how much it is is told")

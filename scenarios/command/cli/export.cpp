@@ -9,6 +9,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/say.hpp"
+#include "cli/validators.hpp"
 #include "sources/this_program.hpp"
 #include "tandem/error.hpp"
 
@@ -77,10 +78,10 @@ void add_export(CLI::App& app, Context& context) {
       ->required()
       ->type_name("FILE");
   command->add_option("--fmi", options->version, "Version of FMI: 2 or 3")
-      ->check(CLI::IsMember({2, 3}))
+      ->check(one_of({"2", "3"}))
       ->capture_default_str();
   command->add_option("--type", options->type, "cs (Co-Simulation), or me (Model Exchange) of a diagram")
-      ->check(CLI::IsMember({"cs", "me"}))
+      ->check(one_of({"cs", "me"}))
       ->capture_default_str();
   command->add_option("--set", options->overrides, "Set a value of the file (repeatable)")
       ->type_name("KEY=VALUE")

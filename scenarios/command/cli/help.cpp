@@ -4,8 +4,11 @@
 
 #include "cli/commands.hpp"
 #include "cli/say.hpp"
+#include "cli/validators.hpp"
 #include "languages/languages.hpp"
 #include "languages/schema.hpp"
+#include "tandem/error.hpp"
+#include "tandem/nearest.hpp"
 #include "tandem/scenario/keys.hpp"
 
 namespace tandem::cli {
@@ -54,6 +57,17 @@ bool print_all_called(const std::string& name) {
   return found;
 }
 
+[[noreturn]] void refuse(const std::string& asked) {
+  std::vector<std::string> all = names();
+  for (const auto& [language, keys] : scenario::languages())
+    for (const Key& key : keys.all()) all.push_back(text::name_of(key));
+  const std::string near = nearest(asked, all);
+  throw Error(
+      ErrorCode::invalid_argument,
+      fmt::format("no language has a key '{}'{}; tandem help LANGUAGE lists the keys of {}", asked,
+                  near.empty() ? "" : fmt::format("; did you mean '{}'?", near), fmt::join(names(), ", ")));
+}
+
 /// A language, or a key of any of them.
 void help(const std::string& words) {
   const std::string asked = without_brackets(words);
@@ -69,7 +83,7 @@ void help(const std::string& words) {
   const std::string table = asked.substr(0, asked.find_first_of(".["));
   for (const auto& [name, keys] : scenario::languages())
     if (!keys.matching(table).empty()) keys.refuse(asked);
-  scenario::keys().refuse(asked);
+  refuse(asked);
 }
 
 void print_schema(const std::string& language) {
@@ -97,7 +111,7 @@ void add_schema(CLI::App& app, Context&) {
   auto language = std::make_shared<std::string>();
   command->add_option("language", *language, fmt::format("Which: {}", fmt::join(names(), ", ")))
       ->required()
-      ->check(CLI::IsMember(names()));
+      ->check(one_of(names()));
   command->callback([language] { print_schema(*language); });
 }
 

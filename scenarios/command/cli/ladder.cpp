@@ -8,6 +8,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/kept_folder.hpp"
 #include "cli/say.hpp"
+#include "cli/validators.hpp"
 #include "ladder/ladder_run.hpp"
 #include "tandem/output/files.hpp"
 #include "tandem/output/json.hpp"
@@ -58,7 +59,8 @@ void climb(const LadderOptions& options, const Context& context) {
       options.output.empty() ? fs::path("results") / "ladder" / options.file.stem() : options.output;
   ladder.check_folder(folder);
   const KeptFolder kept(folder);
-  for (const char* of_before : {"ladder.csv", "verdict.txt", "ladder.json"}) fs::remove(folder / of_before);
+  for (const char* of_before : {"ladder.csv", "verdict.txt", "ladder.json", "ladder.svg"})
+    fs::remove(folder / of_before);
   const auto runs = run_rungs(ladder, folder, options.repetitions, !context.quiet);
   if (const scenario::RungRun& richest = runs.back(); !richest.failure.empty())
     throw RunFailed("the richest rung '" + richest.name + "' failed: " + richest.failure);
@@ -96,7 +98,7 @@ void add_ladder(CLI::App& app, Context& context) {
   command
       ->add_option("--repetitions", options->repetitions,
                    "Runs of each rung for its processor time; 0: none is taken")
-      ->check(CLI::Range(0, 1000))
+      ->check(from_to(0, 1000))
       ->capture_default_str();
   command->footer(
       "Writes ladder.csv, verdict.txt, ladder.json and NAME/results.csv of each rung; `tandem chart "

@@ -74,7 +74,7 @@ void add_run(CLI::App& app, Context& context) {
   command
       ->add_option("--dump-format", options->matrices.format,
                    "mtx: Matrix Market; ccs: compressed columns as text")
-      ->check(CLI::IsMember({"mtx", "ccs"}))
+      ->check(one_of({"mtx", "ccs"}))
       ->capture_default_str()
       ->needs(dump);
   command
@@ -82,6 +82,7 @@ void add_run(CLI::App& app, Context& context) {
           "--checkpoint-every", options->checkpoint_every,
           "Write the whole run to DIR/checkpoint each time that it has come so many simulated seconds "
           "further, and when it is interrupted")
+      ->check(number)
       ->type_name("SECONDS");
   command
       ->add_option("--resume", options->resume,

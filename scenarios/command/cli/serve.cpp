@@ -94,7 +94,7 @@ void try_source(const std::string& source, const Context& context) {
                        std::string(error.what()).find("parameter step") != std::string::npos;
     if (error.code() == ErrorCode::input_output || !lacks || is_about_own(error.what(), source)) throw;
     spdlog::warn(
-        "tandem: opened without a client's parameters this source has an error: {}; each session opens "
+        "opened without a client's parameters this source has an error: {}; each session opens "
         "it anew, with those of its client",
         error.what());
   }
@@ -124,9 +124,9 @@ void serve(ServeOptions options, const Context& context) {
   try_source(options.source, context);
   auto listener = listener_at(options.address, socket, options.keys);
   options.server.overdue = [&](int sessions) {
-    spdlog::warn(
-        "tandem: {} session{} still computing {} s after the end was asked for, and end{} with the server",
-        sessions, sessions == 1 ? " is" : "s are", options.server.session.deadline, sessions == 1 ? "s" : "");
+    spdlog::warn("{} session{} still computing {} s after the end was asked for, and end{} with the server",
+                 sessions, sessions == 1 ? " is" : "s are", options.server.session.deadline,
+                 sessions == 1 ? "s" : "");
     listener.reset();
     LibraryCall::end_program(1);
     std::_Exit(1);
@@ -153,7 +153,7 @@ void add_serve(CLI::App& app, Context& context) {
           "zmq:ADDRESS")
       ->type_name("URI");
   command->add_option("--sessions", options->server.most_sessions, "The most sessions at a time")
-      ->check(CLI::Range(1, 10000))
+      ->check(from_to(1, 10000))
       ->capture_default_str();
   command->add_flag("--once", options->server.once, "End after one session, of a client that has said hello");
   command->add_option("--idle", options->server.session.idle, "Seconds from one request to the next")

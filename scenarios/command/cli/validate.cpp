@@ -1,8 +1,11 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/looking.hpp"
 #include "cli/say.hpp"
+#include "ladder/ladder_run.hpp"
 #include "tandem/scenario/assembly.hpp"
 #include "tandem/scenario/comparison.hpp"
 #include "tandem/scenario/run.hpp"
@@ -17,6 +20,19 @@ struct ValidateOptions {
   bool run_programs = false;
 };
 
+/// Its rungs are opened: where that would run code, only if that is wanted.
+void check_ladder(const scenario::Scenario& scenario, const ValidateOptions& options,
+                  const Builtins& builtins) {
+  const auto runs_code = [&](const scenario::LadderRung& rung) {
+    return !scenario::is_results(rung.file) &&
+           scenario::names_code(scenario::read(rung.file, rung.overrides), builtins);
+  };
+  if (options.run_programs || std::ranges::none_of(scenario.ladder->rungs, runs_code))
+    scenario::Ladder(scenario, {}, builtins);
+  else
+    say("note: rungs of the ladder were not opened, as they are code; say --run-programs\n");
+}
+
 void validate(const ValidateOptions& options, const Context& context) {
   const Builtins builtins = without_matrices(context.builtins);
   const auto scenario =
@@ -28,6 +44,7 @@ void validate(const ValidateOptions& options, const Context& context) {
   const auto indicators = assembly.indicators();
   if (scenario.reference) scenario::reference_of(scenario);
   assembly.initialize();
+  if (scenario.ladder) check_ladder(scenario, options, builtins);
   say("{}: ok\n", options.file);
   for (const std::string& note : assembly.notes()) say("note: {}\n", note);
   if (!scenario::by_impulse(scenario)) say("tandem advise {} tells which scheme to take\n", options.file);

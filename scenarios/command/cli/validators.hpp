@@ -1,7 +1,12 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
+
+#include "tandem/nearest.hpp"
 
 namespace tandem::cli {
 
@@ -42,15 +47,35 @@ inline const CLI::Validator whole(
     },
     "WHOLE");
 
-inline const CLI::Validator threads(
+inline const CLI::Validator number(
     [](const std::string& text) {
-      unsigned value = 0;
-      const bool sound = whole(text).empty() && CLI::detail::lexical_cast(text, value);
-      return sound && value >= 1 && value <= 1024
-                 ? std::string()
-                 : "'" + text + "' is given; allowed is a whole number from 1 to 1024";
+      double value = 0.0;
+      const bool sound = CLI::detail::lexical_cast(text, value) && !std::isnan(value);
+      return sound ? std::string() : "'" + text + "' is given; allowed is a number";
     },
-    "1 TO 1024");
+    "NUMBER");
+
+/// A whole number within these.
+inline CLI::Validator from_to(int least, int most) {
+  const std::string range = std::to_string(least) + " to " + std::to_string(most);
+  return {[=](std::string& text) {
+            int value = 0;
+            const bool sound = CLI::detail::lexical_cast(text, value) && value >= least && value <= most;
+            return sound ? std::string() : "'" + text + "' is given; allowed is a whole number from " + range;
+          },
+          range};
+}
+
+inline CLI::Validator one_of(const std::vector<std::string>& words) {
+  const std::string all = listed(words);
+  return {[=](std::string& text) {
+            const bool sound = std::find(words.begin(), words.end(), text) != words.end();
+            return sound ? std::string() : "'" + text + "' is given; allowed is " + all;
+          },
+          "{" + all + "}"};
+}
+
+inline const CLI::Validator threads = from_to(1, 1024);
 
 inline const CLI::Validator named(
     [](const std::string& text) {

@@ -59,10 +59,6 @@ auto named(const LadderRung& entry, const Work& work) -> decltype(work()) {
   }
 }
 
-bool is_results(const std::filesystem::path& file) {
-  return file.extension() == ".csv" || file.extension() == ".npy" || std::filesystem::is_directory(file);
-}
-
 std::vector<std::string> names_of(const std::vector<LadderQuantity>& quantities) {
   std::vector<std::string> all;
   for (const LadderQuantity& one : quantities) all.push_back(one.quantity);
@@ -114,6 +110,10 @@ void add_column(const text::TimeTable& from, const std::string& name, const std:
 }
 
 }  // namespace
+
+bool is_results(const std::filesystem::path& file) {
+  return file.extension() == ".csv" || file.extension() == ".npy" || std::filesystem::is_directory(file);
+}
 
 Ladder::Ladder(const Scenario& scene, const std::vector<std::string>& overrides, const Builtins& builtins)
     : entry_(ladder_of(scene)), builtins_(builtins) {

@@ -8,6 +8,9 @@
 
 namespace tandem::scenario {
 
+/// Whether a rung is a file of results, or their folder, rather than a scenario.
+bool is_results(const std::filesystem::path& file);
+
 /// The rungs of a scene's ladder, each a scenario that is ready to run, or results.
 class Ladder {
  public:

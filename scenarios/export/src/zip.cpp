@@ -3,7 +3,9 @@
 
 #include <minizip/zip.h>
 
+#include <cerrno>
 #include <memory>
+#include <system_error>
 
 #include "tandem/error.hpp"
 
@@ -11,8 +13,11 @@ namespace tandem::exported {
 namespace {
 
 [[noreturn]] void fail(const std::filesystem::path& archive) {
-  throw Error(ErrorCode::input_output,
-              "archive '" + archive.string() + "' can't be written; is there room on the disk?");
+  const int why = errno;
+  const std::string sentence =
+      "archive '" + archive.string() + "' can't be written: " + std::generic_category().message(why);
+  if (why == ENOSPC || why == EDQUOT || why == EFBIG) throw NoRoom(sentence);
+  throw Error(ErrorCode::input_output, sentence);
 }
 
 struct Close {

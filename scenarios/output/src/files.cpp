@@ -61,6 +61,7 @@ void replace(const fs::path& file, std::string_view text, bool durably) {
   if (const fs::path folder = fs::absolute(file).parent_path(); !fs::is_directory(folder))
     fail("file", file, "there is no folder '" + file.parent_path().string() + "'");
   const fs::path part = part_of(file);
+  if (fs::is_directory(part)) fail("file", file, "there is a folder '" + part.string() + "'");
   remove_part(file);
   try {
     OutputFile out(part, OutputFile::Begin::fresh);

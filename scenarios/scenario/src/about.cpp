@@ -29,7 +29,7 @@ struct Key {
 
 constexpr Key about_keys[] = {{"", Type::object, true},
                               {"/files", Type::array, true, Type::string},
-                              {"/status", Type::string},
+                              {"/status", Type::string, true},
                               {"/message", Type::string},
                               {"/notes", Type::array},
                               {"/units", Type::object, false, Type::string},
@@ -145,8 +145,9 @@ std::string unfinished(const fs::path& place) try {
   if (status == "ok") return "";
   return fmt::format("'{}' is of a run that did not come to its end: {}{}{}", place.string(), status,
                      message.empty() ? "" : ", ", message);
-} catch (const Error&) {
-  return "";  // of no run
+} catch (const Error& error) {
+  const bool is_of_run = fs::is_directory(place) || place.stem() == "results";
+  return is_of_run ? fmt::format("'{}' is of no run: {}", place.string(), error.what()) : "";
 }
 
 }  // namespace tandem::scenario

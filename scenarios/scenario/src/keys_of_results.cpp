@@ -79,7 +79,7 @@ void keys_of_ladder(KeyList& to) {
             {.allowed = "in `unit`, or " + fraction})
       .may("unit", text, "That of the tolerance. Without it: a fraction.");
   keys_of_measure(to);
-  to.table("ladder.rungs[]", "A model of the scene, the richest last.")
+  to.table("ladder.rungs[]", "A model of the scene, the richest last.", true)
       .need("name", text, "Its name, also of its folder.",
             {.allowed = "without / \\ \" and a dot at its beginning"})
       .may("file", text,

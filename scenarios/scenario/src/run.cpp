@@ -147,14 +147,15 @@ class Run::Stages {
     return all;
   }
 
-  /// Before any other file of the folder is opened.
+  /// Before any other file of the folder is opened. What was made of earlier results goes with them.
   void begin() {
     go_home();
     const auto files_before = rows_of_before();
     const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
     RunEnd running{"running", fmt::format("process {}, since {:%Y-%m-%dT%H:%M:%SZ}", getpid(), now)};
     write_json(settings_.folder / "results.json", results_of(scenario_, *assembly_, *recorder_, running));
-    for (const char* name : {"machine.json", "indicators.csv"})
+    for (const char* name :
+         {"machine.json", "indicators.csv", "view.html", "plot.svg", "plot.csv", "plot.json"})
       if (fs::is_regular_file(settings_.folder / name)) fs::remove(settings_.folder / name);
     for (const fs::path& file : files_before) fs::remove(file);
     has_begun_ = true;

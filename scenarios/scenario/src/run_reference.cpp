@@ -30,6 +30,20 @@ void check_elsewhere(const Scenario& of, const text::TimeTable& table, const Rec
                                       ", which this run writes; allowed is another folder for one of them");
 }
 
+/// Without a time that all have there would be nothing to compare at the end.
+void check_window(const Scenario& of, const text::TimeTable& table, const Place& place,
+                  const Measure& measure) {
+  const RowRules& rows = of.recording.rows;
+  const double first = std::max({of.start, rows.from, measure.from, table.times.front()});
+  const double last = std::min({of.stop, rows.to, measure.to, table.times.back()});
+  if (first > last + measure.shift)
+    refuse(place,
+           fmt::format("no time is left to compare at: recorded is {} s to {} s, counted {} s to {} s, "
+                       "and the reference has {} s to {} s",
+                       std::max(of.start, rows.from), std::min(of.stop, rows.to), measure.from, measure.to,
+                       table.times.front(), table.times.back()));
+}
+
 }  // namespace
 
 text::TimeTable reference_of(const Scenario& scenario) {
@@ -43,7 +57,10 @@ text::TimeTable reference_of(const Scenario& scenario) {
 RunReference::RunReference(const Scenario& scenario, const Recorder& recorder)
     : scenario_(scenario), table_(read(scenario)) {
   check_elsewhere(scenario, table_, recorder);
-  if (scenario.judge) check_judged(recorder);
+  check_window(scenario, table_, scenario.reference->place, scenario.reference->measure);
+  if (!scenario.judge) return;
+  check_judged(recorder);
+  check_window(scenario, table_, scenario.judge->place, scenario.judge->measure);
 }
 
 void RunReference::check_judged(const Recorder& recorder) const {

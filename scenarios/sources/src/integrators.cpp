@@ -42,7 +42,8 @@ std::unique_ptr<AdaptiveIntegrator> take_integrator(Parameters& p) {
   engine::AdaptiveSettings settings;
   take_adaptive(p, settings);
   if (auto integrator = engine::adaptive_integrator(name, settings)) return integrator;
-  throw Error(ErrorCode::invalid_argument, unknown("integrator", name, engine::integrator_names()));
+  throw Error(ErrorCode::invalid_argument,
+              unknown("parameter 'integrator': integrator", name, engine::integrator_names()));
 }
 
 }  // namespace tandem

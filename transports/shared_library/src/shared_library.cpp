@@ -44,6 +44,9 @@ ThreeFunctions functions_of(Parameters& p) {
   what.initiate = p.text("initiate", what.initiate);
   what.step = p.text("advance", what.step);
   what.clean_up = p.text("clean_up", what.clean_up);
+  if (!p.has("step"))
+    throw Error(ErrorCode::invalid_argument,
+                "it has no own step; give the parameter step, a number above 0 [s]");
   what.own_step = positive(p, "step", what.own_step);
   what.inputs = ports_of_text("parameter inputs", p.text("inputs", ""));
   what.outputs = ports_of_text("parameter outputs", p.text("outputs", ""), &what.start);

@@ -38,6 +38,11 @@ bool stale(const std::string& path) {
 Endpoint endpoint_of(const Place& place, const std::string& address, bool allow_plaintext) {
   if (place.is_unix()) {
     if (stale(place.path)) ::unlink(place.path.c_str());
+    if (std::error_code failed; std::filesystem::exists(place.path, failed))
+      throw Error(ErrorCode::input_output,
+                  "no listening at " + address +
+                      ": something is there; allowed are a path where there is nothing, and a socket whose "
+                      "server is gone");
     return asio::local::stream_protocol::endpoint(place.path);
   }
   const auto all = place.resolve();

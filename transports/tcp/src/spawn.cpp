@@ -65,6 +65,10 @@ class Program {
     return true;
   }
 
+  /// Whether it has ended as no program should.
+  bool has_faulted() const {
+    return ended_ && (end_.si_code != CLD_EXITED || end_.si_status == LibraryCall::ended_by_library);
+  }
   /// What became of it.
   std::string fate() {
     const std::string who = "program " + name_ + " ";
@@ -96,7 +100,7 @@ class SpawnedChannel final : public wire::Channel {
       return call();
     } catch (const Error& error) {
       if (!program_.ended_within(0.1)) throw;
-      throw Error(error.code(), program_.fate());
+      throw Error(program_.has_faulted() ? ErrorCode::internal : error.code(), program_.fate());
     }
   }
 

@@ -54,8 +54,8 @@ class ZmqListener final : public wire::Listener {
     if (taken(address))
       throw Error(ErrorCode::input_output,
                   "no listening at zmq:" + address +
-                      ": the file is there and in use; allowed are a path where there is "
-                      "none, and a socket whose server is gone");
+                      ": something is there; allowed are a path where there is nothing, and a socket whose "
+                      "server is gone");
     try {
       secure(socket_, settings, Gate::door);
       limit_messages(socket_, longest_part);

@@ -39,8 +39,6 @@ class Parameters {
   void set(const std::string& name, Value value) { values_[name] = std::move(value); }
   bool has(const std::string& name) const { return values_.count(name) != 0; }
 
-  /// What sentences about them begin with, like "source 'diagram:load.toml'".
-  void belong_to(std::string owner) { owner_ = std::move(owner); }
   /// More words that may be asked for; one that is declared already stays as it was.
   void declare(const Words& words);
   /// Throws Error that names a declared word of the operator's whose value came from a client.
@@ -74,11 +72,9 @@ class Parameters {
 
  private:
   const Value* find(const std::string& name);
-  [[noreturn]] void wrong_type(const std::string& name, const Value& value, const std::string& allowed) const;
   std::vector<std::pair<std::string, std::string>> take_rest();
   const Word* declared(const std::string& name) const;
   std::map<std::string, Value> values_;
-  std::string owner_;
   std::set<std::string> asked_, from_client_;
   std::optional<Words> words_;  ///< that may be asked for; any, if none were declared
 };
