@@ -12,7 +12,10 @@
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <memory>
+#include <mutex>
 #include <new>
+#include <set>
 #include <string_view>
 
 #include "cli/commands.hpp"
@@ -90,9 +93,24 @@ std::string command_of(const CLI::App& app) {
   return used.empty() ? "tandem" : "tandem " + used.front()->get_name();
 }
 
+/// Sentences that were told: subsystems are built again and again. Any thread may call it.
+class Told {
+ public:
+  bool is_new(const std::string& sentence) {
+    const std::lock_guard lock(mutex_);
+    return all_.insert(sentence).second;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::set<std::string> all_;
+};
+
 tandem::Builtins sources(const tandem::cli::Context& context) {
   tandem::Builtins all = tandem::all_sources(
-      {context.allow_plaintext, [](const std::string& what) { spdlog::warn("{}", what); }});
+      {context.allow_plaintext, [told = std::make_shared<Told>()](const std::string& what) {
+         if (told->is_new(what)) spdlog::warn("{}", what);
+       }});
   if (const std::string own = tandem::this_program(); !own.empty())
     all.server = context.quiet ? std::vector<std::string>{own, "--quiet", "serve"}
                                : std::vector<std::string>{own, "serve"};

@@ -47,7 +47,7 @@ void advise(const AdviseOptions& options, const Context& context) {
   const auto lines = adviser.look();
   say("{}: schemes of its standing study, predicted by\n", options.file);
   for (const std::string& line : lines) say("  {}\n", line);
-  adviser.predict();
+  for (const std::string& line : adviser.predict()) say("  {}\n", line);
   tell_all(adviser.ranking(), options.shown);
   if (!adviser.beside().empty()) {
     say("to the end, beside {}:\n", adviser.beside());
@@ -60,6 +60,9 @@ void advise(const AdviseOptions& options, const Context& context) {
     say("none is within the tolerance\n");
   output::write_text(folder / "advice.toml", adviser.lines(adviser.chosen()));
   say("wrote {}\n", (folder / "advice.toml").string());
+  const auto [look, predict] = adviser.seconds();
+  say("it took {:.3g} s: {:.3g} s to look at the subsystems, {:.3g} s for runs\n", look + predict, look,
+      predict);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -22,8 +23,11 @@ class Adviser {
 
   /// Finds the models. What it says of them, and of who leads, line by line.
   std::vector<std::string> look();
-  /// After look(). Throws RunFailed where no scheme comes to an error.
-  void predict();
+  /// After look(). Throws RunFailed where no scheme comes to an error. What one run of the scheme that is chosen says of
+  /// the models; where they are too far off, all is predicted anew without them.
+  std::vector<std::string> predict();
+  /// [s] of look() and of predict().
+  std::array<double, 2> seconds() const { return seconds_; }
 
   const advice::Ranking& ranking() const { return ranking_; }
   /// Those that ran to the end, where each scheme of the ranking did not; else that one.
@@ -42,9 +46,13 @@ class Adviser {
 
  private:
   std::vector<std::string> of_models();
+  std::string of_source(const identification::Stand& one) const;
+  std::string shorten();
+  void rank_all();
+  std::optional<std::string> check_models();
   void set_order(const Coordinator& run);
   advice::Ranking swept(const std::filesystem::path& folder, const std::vector<std::string>& overrides,
-                        const study::Finest& finest, const std::string& where);
+                        const study::Finest& finest, const std::string& where, const Context& context);
   void go_to_the_end();
 
   study::Varied varied_;
@@ -53,13 +61,14 @@ class Adviser {
   std::filesystem::path folder_;
   unsigned threads_;
   identification::Models models_;
-  Context advised_;
+  Context advised_, itself_;            ///< with models, and without
   std::vector<std::string> order_;      ///< coordination.order, where it is taken
   std::vector<std::string> overrides_;  ///< of the runs
   std::optional<double> up_to_;         ///< where each scheme ends, if that is before the scenario does [s]
   advice::Ranking ranking_;
   std::optional<advice::Ranking> at_end_;
   std::string beside_;
+  std::array<double, 2> seconds_{};
 };
 
 /// "fastest-first, hermite, steps x 1".

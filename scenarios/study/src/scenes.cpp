@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "tandem/scenario/steps.hpp"
 #include "tandem/stability/fast_period.hpp"
 #include "tandem/study/sweep.hpp"
 
@@ -83,13 +82,13 @@ const scenario::ScenarioFile& Scenes::file(const Given& name, const FileValues& 
   return *one;
 }
 
-void Scenes::scale_steps(Scenario& scenario, const FileValues& values) const {
+void Scenes::scale_steps(Scenario& scenario, const FileValues& values) {
   if (!study_.steps || of_columns({*study_.steps}, names_of(values)).empty()) return;
   const text::SetValue found = study_.steps->with(values);
   const auto* factor = std::get_if<double>(&found);
   if (!factor || !(*factor > 0.0)) refuse(study_.steps->place, "steps is no number above 0");
   if (*factor == 1.0) return;
-  located(study_.steps->place, [&] { scenario::scale_steps(scenario, builtins_, *factor); });
+  located(study_.steps->place, [&] { scaled_.scale(scenario, *factor); });
 }
 
 std::vector<Given> Scenes::set_in(const Table& table) const {

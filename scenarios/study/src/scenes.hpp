@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "scaled_steps.hpp"
 #include "tandem/scenario/scenario_file.hpp"
 #include "tandem/study/study.hpp"
 #include "tandem/transports/open.hpp"
@@ -17,13 +18,13 @@ namespace tandem::study {
 class Scenes {
  public:
   Scenes(const Study& study, const Builtins& builtins, std::vector<std::string> overrides)
-      : study_(study), builtins_(builtins), overrides_(std::move(overrides)) {}
+      : study_(study), builtins_(builtins), overrides_(std::move(overrides)), scaled_(builtins) {}
 
   // From any thread. Throw Error for values that the scenario does not take.
   /// Its own steps are those of the scenario.
   scenario::Scenario of_row(const Table& table, const FileValues& row);
   /// As the study's `steps` says. Throws Error for a scenario that can't be opened too.
-  void scale_steps(scenario::Scenario& scenario, const FileValues& values) const;
+  void scale_steps(scenario::Scenario& scenario, const FileValues& values);
   /// per: the values that it goes by. columns: those of the rows that need it.
   scenario::Scenario of_reference(const Reference& reference, const Table& table, const FileValues& per,
                                   const std::vector<std::string>& columns);
@@ -42,6 +43,7 @@ class Scenes {
   const Study& study_;
   const Builtins& builtins_;
   std::vector<std::string> overrides_;
+  ScaledSteps scaled_;
   std::mutex mutex_;
   std::map<std::filesystem::path, std::unique_ptr<scenario::ScenarioFile>> files_;
 };

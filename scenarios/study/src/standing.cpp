@@ -190,7 +190,9 @@ columns = ["schedule", "reconstruction", "steps", "error", {}"exchanges", "own_s
         "\n[references.fine]\nwith = {{ schedule = \"{}\", reconstruction = \"{}\", steps = {}{} }}\n{}"
         "\n[references.fine.set]\n",
         finest_.schedule, finest_.reconstruction, finest_.steps, coupling_of_reference(),
-        finest_.is_judged ? "floor = true\n" : "");
+        finest_.is_judged   ? "floor = true\n"
+        : finest_.of_models ? "models = true\n"
+                            : "");
     for (std::size_t k = 0; k < scenario_.connections.size(); ++k) {
       const Connection& one = scenario_.connections[k].connection;
       if (const Port* port = output(one.from);
@@ -204,8 +206,9 @@ columns = ["schedule", "reconstruction", "steps", "error", {}"exchanges", "own_s
   std::string coupling_of_reference() const {
     if (!offer_.holds()) return "";
     const std::string& how = finest_.reconstruction;
-    const bool is_coupling = how.starts_with("impulse"),
-               is_usual = finest_.schedule == Finest{}.schedule && how == Finest{}.reconstruction;
+    const bool is_coupling = how.starts_with("impulse"), is_usual = finest_.schedule == Finest{}.schedule &&
+                                                                    how == Finest{}.reconstruction &&
+                                                                    finest_.steps == Finest{}.steps;
     return fmt::format(", how = \"{}\", coupling = \"{}\"", is_coupling ? "lagrange3" : how,
                        is_coupling ? how
                        : is_usual  ? "impulse"

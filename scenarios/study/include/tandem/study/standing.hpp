@@ -16,7 +16,8 @@ enum class Varied { all, left_out };
 struct Finest {
   std::string schedule = "fastest-first", reconstruction = "hermite";
   double steps = 1.0 / 16.0;
-  bool is_judged = true;  ///< itself, by one with half its steps
+  bool is_judged = true;   ///< itself, by one with half its steps
+  bool of_models = false;  ///< linear models run in its subsystems' places
 };
 
 /// The study of a scenario that has none, as a text in the language of studies. It has every schedule with
