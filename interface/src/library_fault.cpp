@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 // Faults of libraries: signals that end the program where nobody takes them.
+#include <pthread.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -13,6 +14,7 @@ namespace tandem {
 namespace {
 
 std::atomic<pid_t> watched_process = 0;  ///< not one that is made from it
+pthread_t first_thread;
 std::atomic<bool> returns = false, faulted = false;
 constexpr unsigned seconds_to_see = 2;   ///< for the calls to learn of a fault outside of them
 constexpr unsigned seconds_to_end = 10;  ///< for a program of which a library may have left a lock closed
@@ -49,6 +51,10 @@ void limit_the_end() noexcept {
   ::alarm(seconds_to_end);
 }
 
+void wait_for_fault(unsigned seconds) noexcept {
+  while (seconds > 0 && !faulted) seconds = ::sleep(seconds);
+}
+
 /// As without a handler.
 void end_by(int signal) noexcept {
   static_cast<void>(std::signal(signal, SIG_DFL));
@@ -74,6 +80,7 @@ void LibraryCall::guard_faults() noexcept {
   stack.ss_size = sizeof other_stack;
   ::sigaltstack(&stack, nullptr);
   watched_process = ::getpid();
+  first_thread = ::pthread_self();
   struct sigaction ours {};
   ours.sa_handler = fault;
   ours.sa_flags = static_cast<int>(SA_ONSTACK | SA_NODEFER);
@@ -93,7 +100,9 @@ void LibraryCall::return_to_call(int cause) noexcept {
 void LibraryCall::leave_to_others(int cause) noexcept {
   if (!returns || current_ || ::gettid() == ::getpid()) return;
   outside_ = cause;
-  for (unsigned left = seconds_to_see; left > 0 && !faulted;) left = ::sleep(left);
+  wait_for_fault(seconds_to_see);
+  if (!faulted) ::pthread_kill(first_thread, SIGABRT);  // its call may wait for this thread
+  wait_for_fault(seconds_to_see);
   while (faulted) ::pause();
 }
 
@@ -105,6 +114,8 @@ void LibraryCall::fault(int signal) noexcept {
     return;
   }
   return_to_call(signal);
+  const bool is_first = ::gettid() == ::getpid();
+  if (is_first && !current_ && signal == SIGABRT && outside_ != 0) return;  // of leave_to_others
   leave_to_others(signal);
   if (!tells_itself()) end_by(signal);
   say("tandem: ");
@@ -119,9 +130,10 @@ void LibraryCall::fault(int signal) noexcept {
 void LibraryCall::refuse_fault(int signal) {
   limit_the_end();
   const bool besides = outside_ != 0;
+  const int cause = besides ? outside_.load() : signal;
   const std::string who = besides ? "a thread beside the calls " : "it ",
-                    done = signal == by_exit ? "ended the program; allowed is to return"
-                                             : what(signal) + (" (signal " + std::to_string(signal) + ")");
+                    done = cause == by_exit ? "ended the program; allowed is to return"
+                                            : what(cause) + (" (signal " + std::to_string(cause) + ")");
   throw Error(ErrorCode::internal,
               who + done + (besides ? "; no library is called again" : "; it is not called again"));
 }

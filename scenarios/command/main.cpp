@@ -40,7 +40,8 @@ class PrintableText final : public spdlog::custom_flag_formatter {
  public:
   void format(const spdlog::details::log_msg& message, const std::tm&, spdlog::memory_buf_t& to) override {
     try {
-      const std::string text = tandem::printable_lines({message.payload.data(), message.payload.size()});
+      const std::string_view payload(message.payload.data(), message.payload.size());
+      const std::string text = tandem::printable(payload, payload.npos);
       to.append(text.data(), text.data() + text.size());
     } catch (const std::bad_alloc&) {
       constexpr std::string_view instead = "there is no memory to show a message";

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
-// Advice for a scene of which a part runs itself, beside what its study finds.
+// Advice beside what the study of a scene finds, where a part runs itself, models fail, or three may lead.
 #include <gtest/gtest.h>
 
 #include "command.hpp"
+#include "json_of.hpp"
 #include "tandem/advice/advice.hpp"
 
 namespace tandem::advise_command_tests {
@@ -63,6 +64,99 @@ TEST(AdviseCommand, WhatIsWithinTheToleranceIsSoToTheEnd) {
   EXPECT_TRUE(is(last.choices.front(), all.choices.front()));
   for (const advice::Choice& one : last.choices)
     EXPECT_NEAR(one.error, error_in(all, one), 0.02 * one.error + 0.01) << one.reconstruction << one.steps;
+}
+
+/// A mass at a spring that gets stiff beyond 1 m. Alone it stays within.
+void write_stiffening(const Scratch& folder) {
+  folder.write("stop.toml",
+               "[inputs]\nf = { unit = 'N' }\n[outputs]\nx = { unit = 'm' }\n[blocks]\n"
+               "spring = { kind = 'table', input = 'x', x = [-10, -1, 1, 10], y = [-2800, -100, 100, 2800], "
+               "beyond = 'extend' }\n"
+               "a = { kind = 'sum', inputs = ['f', 'spring', 'v'], gains = [1, -1, -0.2] }\n"
+               "v = { kind = 'integrator', input = 'a' }\nx = { kind = 'integrator', input = 'v' }\n");
+  folder.write("mass.toml",
+               "[inputs]\nx1 = { unit = 'm' }\n[outputs]\nf = { unit = 'N' }\n[blocks]\n"
+               "f = { kind = 'sum', inputs = ['x', 'x1'], gains = [20, -20] }\n"
+               "a = { kind = 'sum', inputs = ['f', 'x'], gains = [-1, -30] }\n"
+               "v = { kind = 'integrator', input = 'a', initial = 40 }\n"
+               "x = { kind = 'integrator', input = 'v' }\n");
+  folder.write(
+      "s.toml",
+      "[subsystems.stop]\nsource = 'diagram:stop.toml'\nparameters = { step = 2e-3, integrator = 'rk4' }\n"
+      "[subsystems.mass]\nsource = 'diagram:mass.toml'\nparameters = { step = 1e-2, integrator = 'rk4' }\n"
+      "[[connections]]\nfrom = 'stop.x'\nto = 'mass.x1'\nreconstruction = 'lagrange2'\n"
+      "[[connections]]\nfrom = 'mass.f'\nto = 'stop.f'\nreconstruction = 'lagrange1'\n"
+      "[coordination]\nschedule = 'slowest-first'\n[span]\nstop = 10\n"
+      "[judge]\nquantity = 'stop.x'\ntolerance = 1e-2\n");
+}
+
+TEST(AdviseCommand, ModelsThatHoldAloneAndNotTogetherAreNotUsed) {
+  const Scratch folder;
+  write_stiffening(folder);
+  const Said said = tandem(folder, {"advise", "s.toml", "--output", "a"});
+  ASSERT_EQ(said.status, 0) << said.err;
+  EXPECT_NE(said.out.find("stop (diagram:stop.toml): a linear model"), std::string::npos) << said.out;
+  EXPECT_NE(said.out.find("so no model is used, and each scheme runs to 1.5 s"), std::string::npos)
+      << said.out;
+  ASSERT_EQ(tandem(folder, {"sweep", "s.toml", "--output", "t"}).status, 0);
+  const auto last = advice::ranking(folder.path() / "a/to_the_end/schemes.csv"),
+             all = advice::ranking(folder.path() / "t/schemes.csv");
+  ASSERT_TRUE(last.cheapest());
+  EXPECT_NEAR(last.cheapest()->error, error_in(all, *last.cheapest()), 0.05 * last.cheapest()->error);
+  EXPECT_TRUE(is(*last.cheapest(), *all.cheapest()));
+}
+
+/// A ring, whose second follows its input at once.
+void write_ring(const Scratch& folder) {
+  const std::string begin =
+                        "[parameters]\nw = { value = 10, unit = 'rad/s' }\ng = { value = 1, unit = '1' }\n"
+                        "x0 = { value = 0, unit = 'm' }\n[inputs]\nu = { unit = 'm' }\n[outputs]\n"
+                        "y = { unit = 'm' }\n[blocks]\n",
+                    end =
+                        "e = { kind = 'sum', inputs = ['u', 'x', 'v'], gains = ['$(g*w*w)', '$(-w*w)', "
+                        "'$(-0.2*w)'] }\nv = { kind = 'integrator', input = 'e' }\n"
+                        "x = { kind = 'integrator', input = 'v', initial = '$x0' }\n";
+  folder.write("late.toml", begin + "y = { kind = 'gain', input = 'x', gain = 1 }\n" + end);
+  folder.write("direct.toml", begin + "y = { kind = 'sum', inputs = ['x', 'u'], gains = [1, 0.3] }\n" + end);
+  const auto part = [](const std::string& name, const std::string& file, const std::string& values) {
+    return "[subsystems." + name + "]\nsource = 'diagram:" + file +
+           ".toml'\nparameters = { integrator = " + "'rk4', " + values + " }\n";
+  };
+  folder.write("s.toml", part("a", "late", "step = 1e-2, w = 5, g = 0.4, x0 = 1") +
+                             part("b", "direct", "step = 5e-3, w = 9, g = 0.5") +
+                             part("c", "late", "step = 1e-3, w = 30, g = 0.6") +
+                             "[[connections]]\nfrom = 'a.y'\nto = 'b.u'\n"
+                             "[[connections]]\nfrom = 'b.y'\nto = 'c.u'\n"
+                             "[[connections]]\nfrom = 'c.y'\nto = 'a.u'\n"
+                             "[coordination]\nscheme = 'auto'\nschedule = 'slowest-first'\n"
+                             "[span]\nstop = 5\n[judge]\nquantity = 'a.y'\ntolerance = 1e-3\n");
+}
+
+double exchanges_of(const std::filesystem::path& results) {
+  double all = 0.0;
+  const auto machine = test::json_of(results / "machine.json");
+  for (const auto& one : machine.at("subsystems")) all += one.at("exchanges").get<double>();
+  return all;
+}
+
+TEST(AdviseCommand, OfThreeTheOneLeadsWithWhomItIsCheaper) {
+  const Scratch folder;
+  write_ring(folder);
+  const Said said = tandem(folder, {"run", "s.toml", "--output", "a"});
+  ASSERT_EQ(said.status, 0) << said.err;
+  EXPECT_NE(said.out.find("steps x 1, order b a c; its error is "), std::string::npos) << said.out;
+  std::vector<std::string> words = {"run", "s.toml", "--set", "coordination.scheme=stated"};
+  for (const char* to : {"b.u", "c.u", "a.u"})
+    words.insert(words.end(), {"--set", "connections[" + std::string(to) + "].reconstruction=lagrange4"});
+  words.insert(words.end(), {"--output", "usual"});
+  ASSERT_EQ(tandem(folder, words).status, 0);
+  words.back() = "fine";
+  for (const char* step : {"a.parameters.step=1e-3", "b.parameters.step=1e-3", "c.parameters.step=1e-4"})
+    words.insert(words.end(), {"--set", "subsystems." + std::string(step)});
+  ASSERT_EQ(tandem(folder, words).status, 0);
+  EXPECT_LT(exchanges_of(folder.path() / "a"), 0.81 * exchanges_of(folder.path() / "usual"));
+  const Said compared = tandem(folder, {"compare", "a", "fine", "--columns", "a.y", "--tolerance", "1e-6"});
+  EXPECT_EQ(compared.status, 0) << compared.out << compared.err;
 }
 
 }  // namespace

@@ -99,6 +99,67 @@ TEST(HonestResults, AMeasureBesideNoSpanIsNotLookedAt) {
   EXPECT_TRUE(contains(said.err, "span is missing")) << said.err;
 }
 
+/// One that a run has written tells how it ended, by whatever name it is called.
+TEST(HonestResults, AResultsJsonThatIsNotOfARunIsNoGoodOne) {
+  const Scratch folder;
+  ASSERT_EQ(tandem(folder, run_of("r")).status, 0);
+  auto about = json_of(folder.path() / "r/results.json");
+  for (const char* missing : {"status", "files"}) {
+    about.erase(missing);
+    folder.write("r/results.json", about.dump());
+    const Said said =
+        tandem(folder, {"validate", two_mass_file("two_mass.toml"), "--set",
+                        "reference.file=" + (folder.path() / "r").string(), "--set", "span.stop=1"});
+    EXPECT_EQ(said.status, 2) << missing;
+    EXPECT_TRUE(contains(said.err, std::string("is not one of a run: ") + missing)) << said.err;
+  }
+}
+
+TEST(HonestResults, PagesAndPicturesOfEarlierOnesGo) {
+  const Scratch folder;
+  ASSERT_EQ(tandem(folder, run_of("o")).status, 0);
+  ASSERT_EQ(tandem(folder, {"view", "o"}).status, 0);
+  for (const char* name : {"plot.svg", "plot.csv", "plot.json", "of_mine.svg"})
+    folder.write(std::string("o/") + name, "");
+  ASSERT_EQ(tandem(folder, run_of("o")).status, 0);
+  for (const char* name : {"view.html", "plot.svg", "plot.csv", "plot.json"})
+    EXPECT_FALSE(fs::exists(folder.path() / "o" / name)) << name;
+  EXPECT_TRUE(fs::exists(folder.path() / "o/of_mine.svg"));
+}
+
+/// Before the run, not after hours of it.
+TEST(HonestResults, WindowsThatLeaveNothingToCompareAreRefused) {
+  const Scratch folder;
+  ASSERT_EQ(tandem(folder, run_of("r")).status, 0);
+  const std::string file = "reference.file=" + (folder.path() / "r").string();
+  for (const std::string window : {"record.from=1.5", "reference.from=1.2", "reference.to=-0.5"}) {
+    const Said said = tandem(folder, {"run", two_mass_file("two_mass.toml"), "--output", "o", "--set", file,
+                                      "--set", "span.stop=2", "--set", window});
+    EXPECT_EQ(said.status, 2) << window;
+    EXPECT_FALSE(fs::exists(folder.path() / "o/results.csv"));
+  }
+}
+
+/// All of them, whoever's words they are.
+TEST(HonestResults, EachLineOfMessagesBeginsWithTheProgram) {
+  const Scratch folder;
+  ASSERT_EQ(tandem(folder, run_of("o")).status, 0);
+  ASSERT_EQ(tandem(folder, run_of("bad", {"span.diverged_beyond=1.0001"})).status, 1);
+  for (const std::vector<std::string>& words :
+       {run_of("o"),
+        {"run", "no\nsuch.toml"},
+        {"compare", "bad", "bad"},
+        {"view", "bad"},
+        {"help", "a\nb"},
+        {"sweep", two_mass_file("two_mass.toml"), "--set", "span.stop=1", "--output", "t"}}) {
+    std::istringstream lines(tandem(folder, words).err);
+    int count = 0;
+    for (std::string line; std::getline(lines, line); ++count)
+      EXPECT_TRUE(line.starts_with("tandem: ")) << line;
+    EXPECT_GT(count, 0) << words[0];
+  }
+}
+
 /// On a full disk: bad luck, no bad input.
 TEST(HonestResults, AFullDiskIsStatusOneEverywhere) {
   const Scratch folder;
@@ -107,6 +168,12 @@ TEST(HonestResults, AFullDiskIsStatusOneEverywhere) {
   EXPECT_EQ(view.status, 1) << view.err;
   EXPECT_TRUE(contains(view.err, "view.html' can't be written: File too large")) << view.err;
   EXPECT_FALSE(contains(view.err, ".part")) << view.err;
+  const Said run = tandem(folder,
+                          {"-c", "ulimit -f 0; '" TANDEM_COMMAND "' run '" + two_mass_file("two_mass.toml") +
+                                     "' --output n 2>&1 | cat; exit ${PIPESTATUS[0]}"},
+                          "bash");
+  EXPECT_EQ(run.status, 1) << run.out;
+  EXPECT_TRUE(contains(run.out, "'n/results.json' can't be written: File too large")) << run.out;
 }
 
 TEST(HonestResults, FewerThreadsThanWantedDoTheSame) {
@@ -156,6 +223,10 @@ TEST(HonestResults, OptionsAreToldLikeEverythingElse) {
                                                                  {"run"},
                                                                  {"run", "x", "--bogus"},
                                                                  {"run", "x", "--threads", "0"},
+                                                                 {"compare", "x", "y", "--norm", "z"},
+                                                                 {"compare", "x", "y", "--from", "z"},
+                                                                 {"ladder", "x", "--repetitions", "z"},
+                                                                 {"export", "x", "y.fmu", "--fmi", "4"},
                                                                  {"view", "x", "--every", "0"},
                                                                  {"sweep", "x", "--seed", "-1"},
                                                                  {"check", "x", "--start", "nan"},

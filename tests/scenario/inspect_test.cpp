@@ -65,6 +65,24 @@ TEST(ValidateCommand, SaysOkAndNamesAdvise) {
                {"force_plain.toml: ok", "tandem advise " + file});
 }
 
+TEST(ValidateCommand, LooksAtTheRungsOfALadder) {
+  const Scratch folder;
+  const auto with = [&](const std::string& quantity) {
+    folder.write("s.toml",
+                 "[subsystems.a]\nsource = 'builtin:two_mass.both'\n[span]\nstop = 1\n"
+                 "[[ladder.judged]]\nquantity = '" +
+                     quantity +
+                     "'\ntolerance = 1\n"
+                     "[[ladder.rungs]]\nname = 'x'\n[[ladder.rungs]]\nname = 'y'\n");
+    return tandem(folder, {"validate", "s.toml"});
+  };
+  expect_words(with("a.x1"), {"s.toml: ok"});
+  const Said wrong = with("a.nope");
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_NE(wrong.err.find("rung 'x' gives none of the judged quantities: a.nope"), std::string::npos)
+      << wrong.err;
+}
+
 /// One subsystem of that source, with an own step of 10 ms.
 std::string data_scene(const std::string& source, const std::string& stop) {
   return "name = 's'\n[subsystems.a]\nsource = '" + source +

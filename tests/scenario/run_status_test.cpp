@@ -36,6 +36,18 @@ TEST(RunStatus, WhatAKilledRunLeavesIsNotOk) {
                                     "reference.file=" + (output / "results.csv").string()});
   EXPECT_EQ(said.status, 2);
   EXPECT_NE(said.err.find(sentence), std::string::npos) << said.err;
+  std::filesystem::create_symlink(output / "results.csv", folder.path() / "link.csv");
+  for (const char* file : {"o", "o/results.csv", "link.csv"}) {
+    folder.write("study.toml",
+                 "scenario = '" + two_mass_file("two_mass.toml") +
+                     "'\ncolumns = ['stop']\n[set]\n'span.stop' = '$stop'\n"
+                     "[[tables.t.blocks]]\naxes = [{ stop = [0.1] }]\n[references.r]\nfile = '" +
+                     file + "'\n[metrics]\ne = { of = 'fast.x1' }\n");
+    const Said swept = tandem(folder, {"sweep", "study.toml", "--output", "t"});
+    EXPECT_EQ(swept.status, 2) << file;
+    EXPECT_NE(swept.err.find("study.toml:6: reference r: "), std::string::npos) << swept.err;
+    EXPECT_NE(swept.err.find(sentence), std::string::npos) << swept.err;
+  }
 }
 
 /// A run that would take hours, interrupted as soon as its results file is there.

@@ -98,8 +98,9 @@ TEST(AdviseCommand, RanksSchemesAndWritesTheLinesOfOne) {
                                           "span.stop=20", "--show", "2", "--output", "a"});
   ASSERT_EQ(said.status, 0) << said.err;
   for (const char* words :
-       {"builtin:two_mass.fast: a linear model of order 2", "smallest error:",
-        "cheapest within the tolerance:", "fastest mode 1 Hz (fast.x1, fast.v1)", "advice.toml"})
+       {"fast (builtin:two_mass.fast): a linear model of order 2", "of the tolerance off that of its models",
+        "smallest error:", "cheapest within the tolerance:", "fastest mode 1 Hz (fast.x1, fast.v1)",
+        "advice.toml"})
     EXPECT_NE(said.out.find(words), std::string::npos) << said.out;
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "a/advice.toml"));
   const auto wrong = test::tandem(folder, {"advise", "not_there.toml"});

@@ -130,6 +130,12 @@ TEST(Serve, RefusesASourceThatIsNotThereAndServesOneThatNeedsAClientsParameters)
           .string();
   for (const std::string source : {"builtin:nope", "nope:x", "diagram:nope.toml", "lib:./nope.so"})
     EXPECT_EQ(Child({command, "serve", source, "--listen", "tcp://127.0.0.1:0"}).status(), 2) << source;
+  const std::string lib =
+      "lib:" TANDEM_FAULTY_LIBRARY;  // has no entry of the usual name, which no client may give
+  EXPECT_EQ(Child({command, "serve", lib, "--listen", "tcp://127.0.0.1:0"}).status(), 2);
+  EXPECT_EQ(Child({command, "serve", "builtin:two_mass.slow", "--listen", "unix:" + folder.path().string()})
+                .word_after("something is "),
+            "there;");
   Child server({command, "serve", "diagram:" + file, "--listen", "tcp://127.0.0.1:0", "--once"});
   EXPECT_EQ(open(server.word_after(" at ") + "?step=0.1", all_sources())->info().output_size(), 1);
 }

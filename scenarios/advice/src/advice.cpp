@@ -2,6 +2,7 @@
 #include "tandem/advice/advice.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,6 +34,18 @@ void rank(std::vector<Choice>& all) {
     std::stable_sort(first, last, [](const Choice& a, const Choice& b) { return cost(a) < cost(b); });
     first = last;
   }
+}
+
+/// The columns order_0, ..
+std::vector<std::string> order_of(const charts::CsvTable& table, std::size_t row) {
+  std::vector<std::string> order;
+  for (std::string name = "order_0"; table.has(name); name = fmt::format("order_{}", order.size()))
+    order.push_back(table[row].text(name));
+  return order;
+}
+
+std::string as_toml(const std::vector<std::string>& order) {
+  return fmt::format("[\"{}\"]", fmt::join(order, "\", \""));
 }
 
 /// A parameter that makes another own step.
@@ -100,6 +113,10 @@ std::string percent(double part) {
 
 }  // namespace
 
+std::string override_of(const std::vector<std::string>& order) {
+  return "coordination.order=" + as_toml(order);
+}
+
 std::optional<Choice> Ranking::cheapest() const {
   std::optional<Choice> best;
   for (const Choice& one : choices)
@@ -130,7 +147,8 @@ Ranking ranking(const std::filesystem::path& file) {
       continue;
     }
     all.choices.push_back({row.text("schedule"), row.text("reconstruction"), row.number("steps"),
-                           row.number("error"), row.number("exchanges"), row.number("own_steps")});
+                           row.number("error"), row.number("exchanges"), row.number("own_steps"),
+                           order_of(table, k)});
   }
   rank(all.choices);
   return all;
@@ -140,6 +158,7 @@ std::vector<std::string> taken(const Choice& choice, const scenario::Scenario& s
                                const Builtins& builtins, study::Varied varied) {
   std::vector<std::string> all = {"coordination.schedule=" + choice.schedule};
   if (choice.is_impulse()) all = study::impulse_overrides(choice.reconstruction);
+  if (!choice.order.empty()) all.push_back(override_of(choice.order));
   for (const std::string& to : free_of(choice, scenario, builtins, varied))
     all.push_back(fmt::format("connections[{}].reconstruction={}", to, reconstruction_of(choice)));
   const Steps steps = steps_of(choice, scenario, builtins);
@@ -156,6 +175,7 @@ std::string lines(const Choice& choice, const scenario::Scenario& scenario, cons
   const std::string coupling =
       choice.is_impulse() ? fmt::format("coupling = \"{}\"\n", choice.reconstruction) : "";
   std::string text = fmt::format("[coordination]\n{}schedule = \"{}\"\n", coupling, choice.schedule);
+  if (!choice.order.empty()) text += fmt::format("order = {}\n", as_toml(choice.order));
   if (steps.communication) text += fmt::format("communication_step = {}\n", *steps.communication);
   const auto free = free_of(choice, scenario, builtins, varied);
   for (std::size_t k = 0; k < scenario.connections.size(); ++k)

@@ -130,4 +130,30 @@ std::vector<std::string> on_leading(const Coordinator& run) { return Leading(run
 
 std::vector<std::string> better_order(const Coordinator& run) { return Leading(run).better_order().order; }
 
+std::vector<std::vector<std::string>> orders(const Coordinator& run, Schedule::Kind schedule) {
+  const Topology& topology = run.topology();
+  std::vector<int> usual;
+  for (int i = 0; i < topology.size(); ++i)
+    if (!topology.info(i).abilities.sampled) usual.push_back(i);
+  if (usual.size() < 3) return {};
+  std::ranges::stable_sort(usual, [&](int a, int b) { return run.own_step(a) > run.own_step(b); });
+  const bool last_leads = schedule == Schedule::Kind::fastest_first;
+  std::vector<std::vector<int>> all = {usual};
+  for (std::size_t k = 1; k < usual.size(); ++k) {
+    auto& order = all.emplace_back(usual);
+    if (last_leads)
+      std::rotate(order.end() - 1 - static_cast<std::ptrdiff_t>(k),
+                  order.end() - static_cast<std::ptrdiff_t>(k), order.end());
+    else
+      std::rotate(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(k),
+                  order.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+  }
+  std::vector<std::vector<std::string>> names;
+  for (const auto& order : all) {
+    auto& of_order = names.emplace_back();
+    for (const int who : order) of_order.push_back(topology.name(who));
+  }
+  return names;
+}
+
 }  // namespace tandem::advice

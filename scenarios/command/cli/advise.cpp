@@ -58,6 +58,8 @@ void advise(const AdviseOptions& options, const Context& context) {
     tell(adviser, "cheapest within the tolerance", *cheapest);
   else
     say("none is within the tolerance\n");
+  if (const auto chosen = adviser.chosen(); !chosen.order.empty())
+    tell(adviser, "with the better order", chosen);
   output::write_text(folder / "advice.toml", adviser.lines(adviser.chosen()));
   say("wrote {}\n", (folder / "advice.toml").string());
   const auto [look, predict] = adviser.seconds();

@@ -50,7 +50,9 @@ std::string row_of(const Choice& one) {
 }  // namespace
 
 std::string words(const Choice& choice) {
-  return fmt::format("{}, {}, steps x {}", choice.schedule, choice.reconstruction, choice.steps);
+  const std::string order =
+      choice.order.empty() ? "" : fmt::format(", order {}", fmt::join(choice.order, " "));
+  return fmt::format("{}, {}, steps x {}{}", choice.schedule, choice.reconstruction, choice.steps, order);
 }
 
 Adviser::Adviser(const scenario::Scenario& asked, std::filesystem::path folder, unsigned threads,
@@ -77,6 +79,10 @@ std::vector<std::string> Adviser::look() {
     if (const auto offer = study::impulse_offer(scenario_, builtins_); !offer.holds())
       lines.push_back("no impulse coupling is tried: " + offer.obstacle);
   if (varied_ == study::Varied::left_out) set_order(assembly.coordinator());
+  if (order_.empty() && !study::states(scenario_, "/coordination/order"))
+    for (const auto kind : {Schedule::Kind::slowest_first, Schedule::Kind::fastest_first})
+      if (auto all = advice::orders(assembly.coordinator(), kind); !all.empty())
+        orders_.emplace(Schedule::name(kind), std::move(all));
   if (order_.empty())
     for (const std::string& line : advice::on_leading(assembly.coordinator())) lines.push_back(line);
   return lines;
@@ -122,14 +128,12 @@ std::string Adviser::shorten() {
 void Adviser::set_order(const Coordinator& run) {
   if (!study::states(scenario_, "/coordination/schedule") || study::states(scenario_, "/coordination/order"))
     return;
-  const auto order = advice::better_order(run);
-  if (order.empty()) return;
-  order_.push_back(fmt::format("coordination.order=[\"{}\"]", fmt::join(order, "\", \"")));
-  overrides_.push_back(order_.front());
+  order_ = advice::better_order(run);
+  if (!order_.empty()) overrides_.push_back(advice::override_of(order_));
 }
 
 advice::Ranking Adviser::swept(const std::filesystem::path& folder, const std::vector<std::string>& overrides,
-                               const study::Finest& finest, const std::string& where,
+                               const study::Standing& standing, const std::string& where,
                                const Context& context) {
   sweep_study({scenario_.file,
                folder,
@@ -139,25 +143,30 @@ advice::Ranking Adviser::swept(const std::filesystem::path& folder, const std::v
                threads_,
                false,
                false,
-               study::standing_study(scenario_, builtins_, varied_, finest)},
+               study::standing_study(scenario_, builtins_, standing)},
               context);
-  return advice::ranking(folder / "schemes.csv");
+  auto all = advice::ranking(folder / "schemes.csv");
+  for (Choice& one : all.choices)
+    if (one.order.empty()) one.order = order_;
+  return all;
 }
 
 std::vector<std::string> Adviser::predict() {
   const Stopwatch watch(seconds_[1]);
   rank_all();
-  if (up_to_) return {};
-  const auto line = check_models();
-  return line ? std::vector{*line} : std::vector<std::string>{};
+  std::vector<std::string> lines;
+  if (!up_to_)
+    if (auto line = check_models()) lines.push_back(std::move(*line));
+  if (auto line = choose_order()) lines.push_back(std::move(*line));
+  return lines;
 }
 
 void Adviser::rank_all() {
   auto overrides = overrides_;
   if (up_to_) overrides.push_back(fmt::format("span.stop={}", *up_to_));
-  study::Finest finest;
-  finest.is_judged = false;
-  ranking_ = swept(folder_, overrides, finest, "", advised_);
+  finest_ = {};
+  finest_.is_judged = false;
+  ranking_ = swept(folder_, overrides, {varied_, finest_}, "", advised_);
   if (ranking_.choices.empty())
     throw RunFailed("no scheme came to an error; " + (folder_ / "schemes.csv").string() + " tells why");
   if (up_to_) go_to_the_end();
@@ -169,7 +178,7 @@ std::optional<std::string> Adviser::check_models() {
   if (std::ranges::none_of(all, &identification::Stand::modelled)) return {};
   const Choice choice = chosen();
   const study::Finest same{choice.schedule, choice.reconstruction, choice.steps, false, true};
-  const auto beside = swept(folder_ / "itself", overrides_, same, row_of(choice), itself_);
+  const auto beside = swept(folder_ / "itself", overrides_, {varied_, same}, row_of(choice), itself_);
   const double off = beside.choices.empty() ? INFINITY : beside.choices[0].error;
   const std::string line =
       fmt::format("a run of {} itself is {:.2g} of the tolerance off that of its models", words(choice), off);
@@ -177,32 +186,49 @@ std::optional<std::string> Adviser::check_models() {
   advised_ = itself_;
   const std::string how = shorten();
   rank_all();
-  return line + ", too much beside its predicted error; so models are left, and " + how;
+  return line + ", too much beside its predicted error; so no model is used, and " + how;
 }
 
 /// Without models, beside the best scheme with half the least steps of the study.
 void Adviser::go_to_the_end() {
   const Choice& best = ranking_.choices.front();
-  const study::Finest finest{best.schedule, best.reconstruction, 0.25, false};
+  finest_ = {best.schedule, best.reconstruction, 0.25, false};
   std::vector<std::string> rows;
   for (const Choice& one : advice::finalists(ranking_)) rows.push_back(row_of(one));
-  at_end_ =
-      swept(folder_ / "to_the_end", overrides_, finest, fmt::format("{}", fmt::join(rows, " || ")), itself_);
+  at_end_ = swept(folder_ / "to_the_end", overrides_, {varied_, finest_},
+                  fmt::format("{}", fmt::join(rows, " || ")), itself_);
   if (at_end_->choices.empty())
     throw RunFailed("no scheme came to the end; " + (folder_ / "to_the_end/schemes.csv").string() +
                     " tells why");
-  beside_ = fmt::format("{}, {}, steps x {}", best.schedule, best.reconstruction, finest.steps);
+  beside_ = fmt::format("{}, {}, steps x {}", best.schedule, best.reconstruction, finest_.steps);
 }
 
-Choice Adviser::chosen() const {
-  const auto within = cheapest();
-  return scenario_.judge && within ? *within : last().choices.front();
+/// Of three subsystems and more each leads the scheme that is chosen. Nothing: there is nothing to try.
+std::optional<std::string> Adviser::choose_order() {
+  const Choice usual = chosen();
+  const auto orders = orders_.find(usual.schedule);
+  if (orders == orders_.end() || usual.is_impulse()) return {};
+  const auto& first = orders->second[0];
+  auto overrides = overrides_;
+  overrides.push_back(advice::override_of(first));
+  const auto all = swept(folder_ / "orders", overrides, {varied_, finest_, orders->second}, row_of(usual),
+                         up_to_ ? itself_ : advised_);
+  if (all.choices.empty()) return {};
+  const Choice best = chosen_of(all);
+  if (best.order == first) return "no other order is better for " + words(usual);
+  led_ = best;
+  return fmt::format(
+      "for {} the order {} is better: error {:.3g} in place of {:.3g}, {} exchanges in place of {}",
+      words(usual), fmt::join(best.order, ", "), best.error, usual.error, best.exchanges, usual.exchanges);
+}
+
+Choice Adviser::chosen_of(const advice::Ranking& all) const {
+  const auto within = all.cheapest();
+  return scenario_.judge && within ? *within : all.choices.front();
 }
 
 std::vector<std::string> Adviser::taken(const Choice& choice) const {
-  auto all = advice::taken(choice, scenario_, builtins_, varied_);
-  all.insert(all.end(), order_.begin(), order_.end());
-  return all;
+  return advice::taken(choice, scenario_, builtins_, varied_);
 }
 
 std::string Adviser::lines(const Choice& choice) const {
@@ -222,8 +248,7 @@ scenario::Scenario advised(const scenario::Scenario& asked, const std::filesyste
   if (!context.quiet) {
     for (const std::string& line : lines) say("{}\n", line);
     say("coordination.scheme = auto takes {}; its error is {:.3g} of the tolerance{}, by {}\n", words(choice),
-        choice.error, adviser.cheapest() ? "" : ", and no other is within it",
-        (folder / (adviser.beside().empty() ? "" : "to_the_end") / "schemes.csv").string());
+        choice.error, adviser.cheapest() ? "" : ", and no other is within it", adviser.table().string());
   }
   return scenario::with_taken(asked, adviser.taken(choice));
 }

@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,10 +35,15 @@ class Adviser {
   const advice::Ranking& last() const { return at_end_ ? *at_end_ : ranking_; }
   /// What these are compared with; empty: they are the ranking.
   const std::string& beside() const { return beside_; }
+  /// Where the scheme that is chosen stands.
+  std::filesystem::path table() const {
+    return folder_ / (led_ ? "orders" : at_end_ ? "to_the_end" : "") / "schemes.csv";
+  }
   /// Within the tolerance.
   std::optional<advice::Choice> cheapest() const { return last().cheapest(); }
-  /// The cheapest within the tolerance of [judge]; where none is, or the scenario has no [judge], the best.
-  advice::Choice chosen() const;
+  /// The cheapest within the tolerance of [judge]; where none is, or the scenario has no [judge], the best. It has the
+  /// better of all orders that were tried with it.
+  advice::Choice chosen() const { return led_ ? *led_ : chosen_of(last()); }
   std::vector<std::string> taken(const advice::Choice& choice) const;
   /// What it puts into the scenario, as TOML.
   std::string lines(const advice::Choice& choice) const;
@@ -46,13 +52,15 @@ class Adviser {
 
  private:
   std::vector<std::string> of_models();
+  advice::Choice chosen_of(const advice::Ranking& all) const;
   std::string of_source(const identification::Stand& one) const;
   std::string shorten();
   void rank_all();
   std::optional<std::string> check_models();
+  std::optional<std::string> choose_order();
   void set_order(const Coordinator& run);
   advice::Ranking swept(const std::filesystem::path& folder, const std::vector<std::string>& overrides,
-                        const study::Finest& finest, const std::string& where, const Context& context);
+                        const study::Standing& standing, const std::string& where, const Context& context);
   void go_to_the_end();
 
   study::Varied varied_;
@@ -62,11 +70,14 @@ class Adviser {
   unsigned threads_;
   identification::Models models_;
   Context advised_, itself_;            ///< with models, and without
-  std::vector<std::string> order_;      ///< coordination.order, where it is taken
+  std::vector<std::string> order_;      ///< coordination.order, where it is taken for all schemes
   std::vector<std::string> overrides_;  ///< of the runs
   std::optional<double> up_to_;         ///< where each scheme ends, if that is before the scenario does [s]
+  std::map<std::string, std::vector<std::vector<std::string>>> orders_;  ///< by schedule; the usual one first
+  study::Finest finest_;                                                 ///< of last()
   advice::Ranking ranking_;
   std::optional<advice::Ranking> at_end_;
+  std::optional<advice::Choice> led_;  ///< the scheme that is chosen, with another order
   std::string beside_;
   std::array<double, 2> seconds_{};
 };

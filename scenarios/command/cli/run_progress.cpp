@@ -32,15 +32,15 @@ void RunProgress::show(double time) {
   if (!shown_ || seconds_between(drawn_, now) < (terminal_ ? quiet_at_first : 10.0 * quiet_at_first)) return;
   drawn_ = now;
   const double factor = (time - t_start_) / seconds_between(began_, now);
-  output::show_progress(fmt::format("{}t = {:.6g} of {:.6g} s, {:.3g} x real time{}", terminal_ ? "\r" : "",
-                                    time, t_stop_, factor, terminal_ ? "   " : "\n"));
+  output::show_progress(fmt::format("{}tandem: t = {:.6g} of {:.6g} s, {:.3g} x real time{}",
+                                    terminal_ ? "\r" : "", time, t_stop_, factor, terminal_ ? "   " : "\n"));
   open_line_ = terminal_;
 }
 
 void RunProgress::end(double time, double elapsed) {
   if (!shown_) return;
   const double simulated = time - t_start_;
-  output::show_progress(fmt::format("{}{:.6g} s simulated in {:.3g} s, {:.3g} x real time{}\n",
+  output::show_progress(fmt::format("{}tandem: {:.6g} s simulated in {:.3g} s, {:.3g} x real time{}\n",
                                     open_line_ ? "\r" : "", simulated, elapsed, simulated / elapsed,
                                     open_line_ ? "          " : ""));
   open_line_ = false;

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <csignal>
 #include <cstdlib>
@@ -74,6 +76,16 @@ bool is_about_own(const std::string& sentence, const std::string& source) {
   });
 }
 
+/// Whether a sentence has a word in it that the operator alone may set.
+bool is_about_operators(const std::string& sentence, const Words& words) {
+  const auto is_letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  return std::ranges::any_of(words, [&](const Word& word) {
+    const auto at = sentence.find(word.name), end = at + word.name.size();
+    return word.setter == Setter::operator_only && at != std::string::npos &&
+           !(at > 0 && is_letter(sentence[at - 1])) && !(end < sentence.size() && is_letter(sentence[end]));
+  });
+}
+
 /// Of its files, which a client may set.
 bool has_parameters(const std::string& source) try {
   Parameters given = query_of(source);
@@ -92,7 +104,9 @@ void try_source(const std::string& source, const Context& context) {
     const Source& made_by = source_of(source, context.builtins);
     const bool lacks = made_by.code || made_by.elsewhere || has_parameters(source) ||
                        std::string(error.what()).find("parameter step") != std::string::npos;
-    if (error.code() == ErrorCode::input_output || !lacks || is_about_own(error.what(), source)) throw;
+    if (error.code() == ErrorCode::input_output || !lacks || is_about_own(error.what(), source) ||
+        is_about_operators(error.what(), made_by.words))
+      throw;
     spdlog::warn(
         "opened without a client's parameters this source has an error: {}; each session opens "
         "it anew, with those of its client",

@@ -26,7 +26,7 @@ StudyFile read_study(const fs::path& file, const Builtins& builtins,
   if (!standing) return {study::read(file, seed), false, folder};
   const auto scenario = scenario::read(file, overrides);
   const auto text = scenario.chooses ? study::standing_study(scenario::with_usual(scenario), builtins,
-                                                             study::Varied::left_out)
+                                                             {study::Varied::left_out})
                                      : study::standing_study(scenario, builtins);
   return {study::read(file, text), true, folder / file.stem()};
 }

@@ -78,11 +78,7 @@ Scenario read_rung(const LadderRung& entry, const std::vector<std::string>& over
 }
 
 text::TimeTable read_results(const LadderRung& entry) {
-  return named(entry, [&] {
-    if (const std::string what = unfinished(entry.file); !what.empty())
-      throw Error(ErrorCode::invalid_argument, what + "; allowed is one that is 'ok'");
-    return text::TimeTable::read(entry.file);
-  });
+  return named(entry, [&] { return read_finished(entry.file); });
 }
 
 /// Takes the units off the headings of a file, "NAME [UNIT]", and gives them by name; empty where there is none.

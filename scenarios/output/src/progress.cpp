@@ -46,7 +46,7 @@ void Progress::draw(std::size_t done) {
   if (done < total_ && here > 0.0)
     left = fmt::format("about {:.0f} s left", spent / here * static_cast<double>(total_ - done));
   const auto filled = static_cast<std::size_t>(30.0 * share);
-  const std::string line = fmt::format("{} [{}{}] {}/{}  {}", what_, std::string(filled, '#'),
+  const std::string line = fmt::format("tandem: {} [{}{}] {}/{}  {}", what_, std::string(filled, '#'),
                                        std::string(30 - filled, '.'), done, total_, left);
   show_progress(fmt::format("{}{}{}", terminal_ ? "\r" : "", line, terminal_ ? "   " : "\n"));
   open_line_ = terminal_;

@@ -150,4 +150,11 @@ std::string unfinished(const fs::path& place) try {
   return is_of_run ? fmt::format("'{}' is of no run: {}", place.string(), error.what()) : "";
 }
 
+text::TimeTable read_finished(const fs::path& place) {
+  for (const fs::path& one : {place, fs::weakly_canonical(place)})  // it may be a link
+    if (const std::string what = unfinished(one); !what.empty())
+      throw Error(ErrorCode::invalid_argument, what + "; allowed is one that is 'ok'");
+  return text::TimeTable::read(place);
+}
+
 }  // namespace tandem::scenario

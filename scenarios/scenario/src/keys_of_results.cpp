@@ -57,7 +57,8 @@ void keys_of_results(KeyList& to) {
       .may("animate", flag, "Mechanisms tell where their points are, for `tandem view`.",
            {.otherwise = "false"})
       .table("reference", "Results that those of a run are compared with.")
-      .need("file", text, "A CSV file, relative to the scenario's folder.")
+      .need("file", text,
+            "A CSV file, one of numpy, or the folder of a run, relative to the scenario's folder.")
       .need("tolerance", positive, "The largest difference that is allowed of a column.",
             {.allowed = fraction});
   keys_of_measure(to);

@@ -7,6 +7,7 @@
 #include "row_key.hpp"
 #include "tandem/identification/models.hpp"
 #include "tandem/nearest.hpp"
+#include "tandem/scenario/about.hpp"
 #include "tandem/scenario/assembly.hpp"
 #include "tandem/scenario/steps.hpp"
 
@@ -127,7 +128,7 @@ double References::expected_seconds(std::size_t which) {
 
 void References::read(ReferenceRun& run) const {
   try {
-    const TimeTable table = TimeTable::read(run.reference->file);
+    const TimeTable table = scenario::read_finished(run.reference->file);
     for (const std::string& output : run.outputs) {
       const std::string& own = name_in(*run.reference, output);
       if (std::find(table.names.begin(), table.names.end(), own) == table.names.end())

@@ -30,11 +30,11 @@ std::map<std::string, Port> outputs_of(const Topology& topology) {
 /// Writes the study of a scenario.
 class Writer {
  public:
-  Writer(const scenario::Scenario& scenario, const Builtins& builtins, Varied varied,
-         const Finest& finest = {})
+  Writer(const scenario::Scenario& scenario, const Builtins& builtins, const Standing& standing)
       : scenario_(scenario),
-        varied_(varied),
-        finest_(finest),
+        varied_(standing.varied),
+        finest_(standing.finest),
+        orders_(standing.orders),
         outputs_(outputs_of(scenario::Parts(scenario, builtins, scenario::Code::run).topology())) {
     if (scenario.connections.empty())
       throw Error(
@@ -76,11 +76,24 @@ class Writer {
 axes = [
   {{ schedule = {} }},
   {{ reconstruction = {}{} }},
-  {{ steps = [{}] }},
+  {{ steps = [{}] }},{}
 ]
 )toml",
-                       listed(schedules), listed(reconstructions), more, varies_steps_ ? "0.5, 1, 2" : "1");
+                       listed(schedules), listed(reconstructions), more, varies_steps_ ? "0.5, 1, 2" : "1",
+                       orders());
   }
+
+  /// Columns order_0, .. that move together.
+  std::string orders() const {
+    std::string text;
+    for (std::size_t place = 0; place < places(); ++place) {
+      Words names;
+      for (const auto& order : orders_) names.push_back(order[place]);
+      text += fmt::format("{}order_{} = [\"{}\"]", place > 0 ? ", " : "", place, fmt::join(names, "\", \""));
+    }
+    return text.empty() ? "" : fmt::format("\n  {{ {} }},", text);
+  }
+  std::size_t places() const { return orders_.empty() ? 0 : orders_[0].size(); }
 
   std::string of_impulse() const {
     const Words& all = offer_.couplings;
@@ -178,6 +191,8 @@ columns = ["schedule", "reconstruction", "steps", "error", {}"exchanges", "own_s
 
   std::string reconstructions() const {
     std::string text;
+    for (std::size_t place = 0; place < places(); ++place)
+      text += fmt::format("\"coordination.order[{}]\" = \"$order_{}\"\n", place, place);
     for (const std::string& to : free_connections())
       text += fmt::format("\"connections[{}].reconstruction\" = \"${}\"\n", to,
                           offer_.holds() ? "how" : "reconstruction");
@@ -186,10 +201,13 @@ columns = ["schedule", "reconstruction", "steps", "error", {}"exchanges", "own_s
 
   /// Of hermite, where there are derivatives, else lagrange3.
   std::string reference() const {
+    std::string more = coupling_of_reference();
+    for (std::size_t place = 0; place < places(); ++place)
+      more += fmt::format(", order_{} = \"{}\"", place, orders_[0][place]);
     std::string text = fmt::format(
         "\n[references.fine]\nwith = {{ schedule = \"{}\", reconstruction = \"{}\", steps = {}{} }}\n{}"
         "\n[references.fine.set]\n",
-        finest_.schedule, finest_.reconstruction, finest_.steps, coupling_of_reference(),
+        finest_.schedule, finest_.reconstruction, finest_.steps, more,
         finest_.is_judged   ? "floor = true\n"
         : finest_.of_models ? "models = true\n"
                             : "");
@@ -248,6 +266,7 @@ best = 1
   const scenario::Scenario& scenario_;
   const Varied varied_;
   const Finest finest_;
+  const std::vector<std::vector<std::string>> orders_;
   const std::map<std::string, Port> outputs_;
   std::vector<std::string> schedules_ = {"slowest-first", "fastest-first", "staggered", "parallel"};
   bool varies_steps_ = true;
@@ -261,15 +280,15 @@ bool states(const scenario::Scenario& scenario, const std::string& path) {
   return nlohmann::json::parse(scenario.values).contains(nlohmann::json::json_pointer(path));
 }
 
-std::string standing_study(const scenario::Scenario& scenario, const Builtins& builtins, Varied varied,
-                           const Finest& finest) {
+std::string standing_study(const scenario::Scenario& scenario, const Builtins& builtins,
+                           const Standing& standing) {
   const auto apart = scenario::by_signals(scenario);
-  return Writer(apart, builtins, varied, finest).text(builtins);
+  return Writer(apart, builtins, standing).text(builtins);
 }
 
 std::vector<std::string> free_connections(const scenario::Scenario& scenario, const Builtins& builtins,
                                           Varied varied) {
-  return Writer(scenario, builtins, varied).free_connections();
+  return Writer(scenario, builtins, {varied}).free_connections();
 }
 
 }  // namespace tandem::study

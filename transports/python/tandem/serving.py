@@ -178,6 +178,6 @@ def _serve_one(session: Session) -> None:
 def _log(sentence: str) -> None:
     """What a peer has sent may be in it; and nobody may listen."""
     try:
-        print(printable(sentence) + "\n", end="", file=sys.stderr, flush=True)
+        print("tandem: " + printable(sentence) + "\n", end="", file=sys.stderr, flush=True)
     except OSError:
         pass

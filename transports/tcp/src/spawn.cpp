@@ -100,8 +100,12 @@ class SpawnedChannel final : public wire::Channel {
       return call();
     } catch (const Error& error) {
       if (!program_.ended_within(0.1)) throw;
-      throw Error(program_.has_faulted() ? ErrorCode::internal : error.code(), program_.fate());
+      tell_fate(error.code());
     }
+  }
+  [[noreturn]] void tell_fate(ErrorCode otherwise) {
+    const std::string fate = program_.fate();
+    throw Error(program_.has_faulted() ? ErrorCode::internal : otherwise, fate);
   }
 
  public:
@@ -115,7 +119,7 @@ class SpawnedChannel final : public wire::Channel {
   }
   std::span<const std::byte> receive(wire::Deadline deadline) override {
     const auto frame = told([&] { return channel_->receive(deadline); });
-    if (frame.empty()) throw Error(ErrorCode::input_output, program_.fate());
+    if (frame.empty()) tell_fate(ErrorCode::input_output);
     return frame;
   }
   void forget() override { channel_->forget(); }

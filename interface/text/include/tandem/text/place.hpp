@@ -38,6 +38,7 @@ auto located(const PlaceOf& place_of, const Work& work) -> decltype(work())
   } catch (const Error& error) {
     const Place place = place_of(error.what());
     if (std::string_view(error.what()).starts_with(place.file + ":")) throw;
+    if (dynamic_cast<const NoRoom*>(&error)) throw NoRoom(place.text() + ": " + error.what());
     refuse(place, error.what(), error.code());
   }
 }

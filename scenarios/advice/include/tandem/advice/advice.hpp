@@ -14,10 +14,11 @@ namespace tandem::advice {
 /// A scheme of the standing study (study/standing.hpp), with what is predicted of it.
 struct Choice {
   std::string schedule, reconstruction;  ///< "impulse", "impulse_taylor": coupled so
-  double steps;      ///< times all own steps and the communication step
-  double error;      ///< as a part of the tolerance
-  double exchanges;  ///< calls of subsystems
-  double own_steps;  ///< of all subsystems together
+  double steps;                          ///< times all own steps and the communication step
+  double error;                          ///< as a part of the tolerance
+  double exchanges;                      ///< calls of subsystems
+  double own_steps;                      ///< of all subsystems together
+  std::vector<std::string> order = {};   ///< coordination.order; empty: as the scenario has it
 
   bool is_impulse() const { return reconstruction.starts_with("impulse"); }
 };
@@ -33,6 +34,9 @@ struct Ranking {
 /// Of a ranking of short runs those that are worth a whole one, the cheapest first. Each is better than all that are
 /// cheaper. But for the best they are at most ten times the tolerance off. Precondition: it is not empty.
 std::vector<Choice> finalists(const Ranking& ranking);
+
+/// coordination.order, as "KEY=VALUE".
+std::string override_of(const std::vector<std::string>& order);
 
 /// From the table `schemes` of the standing study.
 Ranking ranking(const std::filesystem::path& table);

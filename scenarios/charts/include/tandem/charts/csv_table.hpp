@@ -42,6 +42,7 @@ class CsvTable {
   std::size_t size() const { return rows_.size(); }
   /// In the order of the header.
   const std::vector<std::string>& names() const { return names_; }
+  bool has(std::string_view column) const { return columns_.contains(column); }
   Row operator[](std::size_t index) const { return Row(*this, index); }
   const std::filesystem::path& file() const { return file_; }
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "tandem/text/time_table.hpp"
+
 namespace tandem::scenario {
 
 /// results.json of a folder. What is read of it later is there and of its type. Throws Error that names the
@@ -17,6 +19,9 @@ std::vector<std::string> files_of(const std::filesystem::path& folder);
 /// Of a folder of a run, or a CSV file in one, of which the run did not come to its end, a sentence; else
 /// empty.
 std::string unfinished(const std::filesystem::path& place);
+
+/// Results to be relied on, as text::TimeTable::read. Throws Error also for those of a run that did not come to its end.
+text::TimeTable read_finished(const std::filesystem::path& place);
 
 /// Of a run's indicators what stands under its curves: the two defects and the energy that are the largest parts of what
 /// they are of. Names of columns of indicators.csv in the folder; empty where there is none.

@@ -20,6 +20,14 @@ struct Finest {
   bool of_models = false;  ///< linear models run in its subsystems' places
 };
 
+/// What a standing study is made of.
+struct Standing {
+  Varied varied = Varied::all;
+  Finest finest = {};
+  /// Of coordination.order, tried with each scheme; the first is that of the reference. The scenario states one.
+  std::vector<std::vector<std::string>> orders = {};
+};
+
 /// The study of a scenario that has none, as a text in the language of studies. It has every schedule with
 /// one reconstruction for all connections, and own steps halved, as they are and doubled; at most 96 rows. Three more
 /// have the reconstruction "impulse", where the scenario has [[links]] with which it can be coupled so; and three each
@@ -28,7 +36,7 @@ struct Finest {
 /// Of steps none is varied where the scenario states one. Throws Error for a scenario that can't be opened, has no
 /// connection, or leaves nothing out.
 std::string standing_study(const scenario::Scenario& scenario, const Builtins& builtins,
-                           Varied varied = Varied::all, const Finest& finest = {});
+                           const Standing& standing = {});
 
 /// The inputs, "slow.x1", whose connections the standing study gives any reconstruction: those of outputs that are not
 /// held, without a lag. Throws Error for a scenario that can't be opened.
