@@ -122,14 +122,15 @@ void write_ring(const Scratch& folder) {
     return "[subsystems." + name + "]\nsource = 'diagram:" + file +
            ".toml'\nparameters = { integrator = " + "'rk4', " + values + " }\n";
   };
-  folder.write("s.toml", part("a", "late", "step = 1e-2, w = 5, g = 0.4, x0 = 1") +
-                             part("b", "direct", "step = 5e-3, w = 9, g = 0.5") +
-                             part("c", "late", "step = 1e-3, w = 30, g = 0.6") +
-                             "[[connections]]\nfrom = 'a.y'\nto = 'b.u'\n"
-                             "[[connections]]\nfrom = 'b.y'\nto = 'c.u'\n"
-                             "[[connections]]\nfrom = 'c.y'\nto = 'a.u'\n"
-                             "[coordination]\nscheme = 'auto'\nschedule = 'slowest-first'\n"
-                             "[span]\nstop = 5\n[judge]\nquantity = 'a.y'\ntolerance = 1e-3\n");
+  folder.write("s.toml",
+               part("a", "late", "step = 1e-2, w = 5, g = 0.4, x0 = 1") +
+                   part("b", "direct", "step = 5e-3, w = 9, g = 0.5") +
+                   part("c", "late", "step = 1e-3, w = 30, g = 0.6") +
+                   "[[connections]]\nfrom = 'a.y'\nto = 'b.u'\n"
+                   "[[connections]]\nfrom = 'b.y'\nto = 'c.u'\n"
+                   "[[connections]]\nfrom = 'c.y'\nto = 'a.u'\n"
+                   "[coordination]\nscheme = 'auto'\nschedule = 'slowest-first'\n"
+                   "[span]\nstop = 5\n[record]\nclock = 'a'\n[judge]\nquantity = 'a.y'\ntolerance = 1e-3\n");
 }
 
 double exchanges_of(const std::filesystem::path& results) {

@@ -168,10 +168,11 @@ TEST(HonestResults, AFullDiskIsStatusOneEverywhere) {
   EXPECT_EQ(view.status, 1) << view.err;
   EXPECT_TRUE(contains(view.err, "view.html' can't be written: File too large")) << view.err;
   EXPECT_FALSE(contains(view.err, ".part")) << view.err;
-  const Said run = tandem(folder,
-                          {"-c", "ulimit -f 0; '" TANDEM_COMMAND "' run '" + two_mass_file("two_mass.toml") +
-                                     "' --output n 2>&1 | cat; exit ${PIPESTATUS[0]}"},
-                          "bash");
+  const Said run =
+      tandem(folder,
+             {"-c", "(ulimit -f 0; exec '" TANDEM_COMMAND "' run '" + two_mass_file("two_mass.toml") +
+                        "' --output n) 2>&1 | cat; exit ${PIPESTATUS[0]}"},
+             "bash");
   EXPECT_EQ(run.status, 1) << run.out;
   EXPECT_TRUE(contains(run.out, "'n/results.json' can't be written: File too large")) << run.out;
 }

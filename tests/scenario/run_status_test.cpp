@@ -45,7 +45,7 @@ TEST(RunStatus, WhatAKilledRunLeavesIsNotOk) {
                      file + "'\n[metrics]\ne = { of = 'fast.x1' }\n");
     const Said swept = tandem(folder, {"sweep", "study.toml", "--output", "t"});
     EXPECT_EQ(swept.status, 2) << file;
-    EXPECT_NE(swept.err.find("study.toml:6: reference r: "), std::string::npos) << swept.err;
+    EXPECT_NE(swept.err.find("study.toml:7: reference r: "), std::string::npos) << swept.err;
     EXPECT_NE(swept.err.find(sentence), std::string::npos) << swept.err;
   }
 }

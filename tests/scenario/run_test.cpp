@@ -52,8 +52,8 @@ TEST(RunCommand, EndsWithALineOfItsRealTimeFactor) {
   const auto line = said.err.rfind(" s simulated in ");
   ASSERT_NE(line, std::string::npos) << said.err;
   const auto begin = said.err.rfind('\n', line) + 1;
-  ASSERT_EQ(std::sscanf(said.err.c_str() + begin, "%lf s simulated in %lf s, %lf x real time", &simulated,
-                        &elapsed, &factor),
+  ASSERT_EQ(std::sscanf(said.err.c_str() + begin, "tandem: %lf s simulated in %lf s, %lf x real time",
+                        &simulated, &elapsed, &factor),
             3)
       << said.err;
   EXPECT_EQ(simulated, 100.0);
