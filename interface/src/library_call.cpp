@@ -16,7 +16,7 @@ namespace {
 std::atomic<pid_t> guarded_process = 0;  ///< not one that a library has made, which may end as it likes
 constexpr int of_nobody = -2, not_yet = -1;
 std::atomic<int> own_status = of_nobody;  ///< of a program that says when it ends
-std::atomic<bool> parent_tells = false;
+std::atomic<bool> parent_tells = false, bad_end = false;
 
 }  // namespace
 
@@ -39,6 +39,10 @@ void LibraryCall::begin_program() noexcept {
 void LibraryCall::set_told_by_parent(bool told) noexcept { parent_tells = told; }
 
 bool LibraryCall::tells_itself() noexcept { return !parent_tells; }
+
+void LibraryCall::note_bad_end() noexcept { bad_end = true; }
+
+bool LibraryCall::was_bad_end() noexcept { return bad_end; }
 
 void LibraryCall::end_program(int status) noexcept { own_status = status; }
 

@@ -261,6 +261,7 @@ int main(int argc, char** argv) {
   const bool faulted = tandem::LibraryCall::has_faulted();
   if (faulted && status == 0)
     spdlog::error("a library made a fault at its end, after all that was told"), status = 1;
+  if (tandem::LibraryCall::was_bad_end() && status == 0) status = 1;
   tandem::LibraryCall::end_program(status);
   if (faulted) std::_Exit(status);  // unloads none
   return status;

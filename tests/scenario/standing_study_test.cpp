@@ -142,6 +142,50 @@ TEST_F(StandingStudy, OfInputsThatAreSumsSweepsThemTogether) {
   EXPECT_NE(said.out.find("96 rows, 63 ok, 33 refused"), std::string::npos) << said.out;
 }
 
+/// How many steps a cycle has is a parameter that the scenario leaves out.
+TEST_F(StandingStudy, CutsStepsByAParameterThatHasItsUsualValue) {
+  const std::string file = std::string(TANDEM_SOURCE_DIR) + "/scenarios/two_mass/force_plain.toml";
+  const Said said = tandem(folder_, {"sweep", file, "--set", "span.stop=5", "--output", "x"});
+  EXPECT_EQ(said.status, 0) << said.err;
+  EXPECT_NE(said.out.find("steps x 2: "), std::string::npos) << said.out;
+}
+
+/// What is held has no reconstruction, and has company in one input.
+TEST_F(StandingStudy, VariesOfOneInputWhatIsNotHeld) {
+  folder_.write("c.toml",
+                "[inputs]\nx = { unit = 'm' }\n[blocks]\n"
+                "e = { kind = 'sample', input = 'x', period = 0.05, offset = 0.05 }\n"
+                "f = { kind = 'gain', input = 'e', gain = -2 }\n[outputs]\nf = { unit = 'N' }\n");
+  folder_.write("m.toml",
+                "[inputs]\nf = { unit = 'N' }\n[blocks]\n"
+                "a = { kind = 'sum', inputs = ['f', 'x', 'v'], gains = [1, -40, -0.5] }\n"
+                "v = { kind = 'integrator', input = 'a' }\n"
+                "x = { kind = 'integrator', input = 'v', initial = 0.1 }\n[outputs]\nx = { unit = 'm' }\n");
+  folder_.write("n.toml",
+                "[inputs]\nx = { unit = 'm' }\n[blocks]\n"
+                "f = { kind = 'sum', inputs = ['z', 'x'], gains = [30, -30] }\n"
+                "a = { kind = 'gain', input = 'f', gain = -1 }\nv = { kind = 'integrator', input = 'a' }\n"
+                "z = { kind = 'integrator', input = 'v' }\n[outputs]\nf = { unit = 'N' }\n");
+  const std::string rk4 = "parameters = { integrator = 'rk4', step = ";
+  folder_.write("sum.toml",
+                "[subsystems.m]\nsource = 'diagram:m.toml'\n" + rk4 + "1e-2 }\n" +
+                    "[subsystems.n]\nsource = 'diagram:n.toml'\n" + rk4 + "5e-3 }\n" +
+                    "[subsystems.c]\nsource = 'diagram:c.toml'\n"
+                    "[[connections]]\nfrom = 'c.f'\nto = 'm.f'\nadd = true\n"
+                    "[[connections]]\nfrom = 'n.f'\nto = 'm.f'\nadd = true\nreconstruction = 'lagrange2'\n"
+                    "[[connections]]\nfrom = 'm.x'\nto = 'n.x'\nreconstruction = 'lagrange1'\n"
+                    "[[connections]]\nfrom = 'm.x'\nto = 'c.x'\nreconstruction = 'lagrange1'\n"
+                    "[coordination]\nschedule = 'slowest-first'\n[span]\nstop = 1\n"
+                    "[judge]\nquantity = 'm.x'\ntolerance = 1e-3\n");
+  EXPECT_EQ(tandem(folder_, {"sweep", "sum.toml", "--output", "x"}).status, 0);
+  const Said said = tandem(folder_, {"advise", "sum.toml", "--output", "a"});
+  EXPECT_EQ(said.status, 0) << said.err;
+  const std::string lines = read_text(folder_.path() / "a/advice.toml");
+  EXPECT_NE(lines.find("from = \"n.f\"\nto = \"m.f\"\nadd = true\nreconstruction = "), std::string::npos)
+      << lines;
+  EXPECT_EQ(lines.find("c.f"), std::string::npos) << lines;
+}
+
 TEST_F(StandingStudy, OfAScenarioThatItCanNotSweepSaysWhy) {
   const auto refused = [&](const std::string& scenario, const std::string& why) {
     folder_.write("ring.toml", scenario);
@@ -150,9 +194,16 @@ TEST_F(StandingStudy, OfAScenarioThatItCanNotSweepSaysWhy) {
     EXPECT_NE(said.err.find(why), std::string::npos) << said.err;
   };
   refused("[subsystems.a]\nsource = \"builtin:two_mass.both\"\n[span]\nstop = 1\n", "has no connection");
-  std::string two_mass = read_text(test::two_mass_file("two_mass.toml"));
-  two_mass.replace(two_mass.find("steps_per_cycle"), std::string("steps_per_cycle").size(), "phase1");
-  refused(two_mass, "subsystem 'fast' has an own step of 0.01 s");
+  folder_.write("lag.toml",
+                "[inputs]\nu = { unit = 'm' }\n[blocks]\ny = { kind = 'lag', input = 'u', time = 0.2 }\n"
+                "[outputs]\ny = { unit = 'm' }\n");
+  refused(
+      "[subsystems.a]\nsource = \"lib:" TANDEM_FAULTY_LIBRARY
+      "?entry=without_a_fault\"\n"
+      "[subsystems.b]\nsource = \"diagram:lag.toml\"\nparameters = { step = 0.01, integrator = \"rk4\" }\n"
+      "[[connections]]\nfrom = \"a.x\"\nto = \"b.u\"\nreconstruction = \"lagrange1\"\n"
+      "[coordination]\nschedule = \"slowest-first\"\n[span]\nstop = 1\n",
+      "subsystem 'a' has an own step of 0.1 s");
 }
 
 TEST(PlottedResults, AreLaidOverEachOther) {

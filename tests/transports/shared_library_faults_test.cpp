@@ -271,6 +271,15 @@ TEST(SharedLibrary, IsolatedItsEndInCreateIsAFailure) {
   }
 }
 
+/// After all rows: they stand, and the status tells.
+TEST(SharedLibrary, IsolatedItsBadEndIsStatusOne) {
+  for (const char* how : {"exits_in_destroy", "exits_when_unloaded"}) {
+    const IsolatedRun run = isolated(how, "isolate = true\n");
+    EXPECT_EQ(run.status, 1) << how << run.said;
+    EXPECT_EQ(std::count(run.table.begin(), run.table.end(), '\n'), 52) << how;
+  }
+}
+
 TEST(SharedLibrary, OneThatAbortsIsTriedInAProcessOfItsOwn) {
   test::Child check({"sh", "-c", "exec '" TANDEM_COMMAND "' check '" + entry("aborts") + "' 2>&1"});
   EXPECT_EQ(check.word_after("signal "), std::to_string(SIGABRT));

@@ -68,6 +68,10 @@ class LibraryCall {
   /// Then no library is to be called or unloaded any more.
   static bool has_faulted() noexcept;
 
+  /// One in a process of its own did not end it well, after all that was wanted of it. That process tells it.
+  static void note_bad_end() noexcept;
+  static bool was_bad_end() noexcept;
+
   /// Before the first call; a second time it does nothing. Throws Error(internal) if it can't be done.
   static void guard_exit();
   /// From here on only end_program() gives this program a status.

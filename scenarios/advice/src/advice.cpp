@@ -80,11 +80,13 @@ Steps steps_of(const Choice& choice, const scenario::Scenario& scenario, const B
 }
 
 /// Over a link that is coupled by impulse goes no reconstruction.
-std::vector<std::string> free_of(const Choice& choice, const scenario::Scenario& scenario,
+std::vector<std::size_t> free_of(const Choice& choice, const scenario::Scenario& scenario,
                                  const Builtins& builtins, study::Varied varied) {
   auto all = study::free_connections(scenario, builtins, varied);
   if (choice.is_impulse())
-    std::erase_if(all, [&](const std::string& to) { return study::is_of_link(scenario, to); });
+    std::erase_if(all, [&](std::size_t k) {
+      return study::is_of_link(scenario, scenario.connections[k].connection.to);
+    });
   return all;
 }
 
@@ -159,8 +161,9 @@ std::vector<std::string> taken(const Choice& choice, const scenario::Scenario& s
   std::vector<std::string> all = {"coordination.schedule=" + choice.schedule};
   if (choice.is_impulse()) all = study::impulse_overrides(choice.reconstruction);
   if (!choice.order.empty()) all.push_back(override_of(choice.order));
-  for (const std::string& to : free_of(choice, scenario, builtins, varied))
-    all.push_back(fmt::format("connections[{}].reconstruction={}", to, reconstruction_of(choice)));
+  for (const std::size_t k : free_of(choice, scenario, builtins, varied))
+    all.push_back(fmt::format("connections[{}].reconstruction={}", study::key_of(scenario, k),
+                              reconstruction_of(choice)));
   const Steps steps = steps_of(choice, scenario, builtins);
   if (steps.communication)
     all.push_back(fmt::format("coordination.communication_step={}", *steps.communication));
@@ -177,12 +180,8 @@ std::string lines(const Choice& choice, const scenario::Scenario& scenario, cons
   std::string text = fmt::format("[coordination]\n{}schedule = \"{}\"\n", coupling, choice.schedule);
   if (!choice.order.empty()) text += fmt::format("order = {}\n", as_toml(choice.order));
   if (steps.communication) text += fmt::format("communication_step = {}\n", *steps.communication);
-  const auto free = free_of(choice, scenario, builtins, varied);
-  for (std::size_t k = 0; k < scenario.connections.size(); ++k)
-    if (const std::string& to = scenario.connections[k].connection.to;
-        std::find(free.begin(), free.end(), to) != free.end())
-      text +=
-          connection_of(scenario, k) + fmt::format("reconstruction = \"{}\"\n", reconstruction_of(choice));
+  for (const std::size_t k : free_of(choice, scenario, builtins, varied))
+    text += connection_of(scenario, k) + fmt::format("reconstruction = \"{}\"\n", reconstruction_of(choice));
   for (const Changed& one : steps.own)
     text += fmt::format("\n[subsystems.{}.parameters]\n{} = {}\n", one.subsystem, one.parameter, one.value);
   return text;

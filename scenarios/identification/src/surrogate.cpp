@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "part_step.hpp"
@@ -25,6 +26,8 @@ struct Look {
   double before;  ///< what the model takes off
 };
 
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
 /// A step as one product: x+ = M [x; inputs where it looks; 1].
 struct Packed {
   Packed() = default;
@@ -42,7 +45,7 @@ struct Packed {
     m.conservativeResize(n, n + static_cast<Index>(looks.size()) + 1);
     m.rightCols(1) = e;
   }
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> m;
+  RowMajor m;
   std::vector<Look> looks;
 };
 
@@ -74,24 +77,27 @@ class SurrogateModel {
     for (const Look& look : packed.looks)
       *z++ = u[look.input].value(look.part == 1.0 ? s.end : s.begin + look.part * s.length) - look.before;
     *z = 1.0;
-    for (Index k = 0; k < x_.size(); ++k)
-      x_[k] = std::inner_product(z_.data(), z + 1, packed.m.data() + k * packed.m.cols(), 0.0);
+    const double* row = packed.m.data();
+    for (double& x : x_) x = std::inner_product(z_.data(), z + 1, row, 0.0), row += packed.m.cols();
     if (machine_->feeds_through) read(s.end, u);
   }
 
   bool jump(double t, std::span<const Signal> u) {
-    read(t, u);
+    if (machine_->feeds_through) read(t, u);
     return machine_->feeds_through;
   }
 
   /// A value that follows an unknown input at once is not known either.
   void outputs(double* y) const {
-    std::fill_n(y, machine_->info.row_size() - Samples::header, 0.0);
-    for (Index k = 0; k < linear().c.rows(); ++k) {
-      double value = linear().y0[k] + linear().c.row(k).dot(x_);
-      for (Index i = 0; i < end_.size(); ++i)
-        if (linear().d(k, i) != 0.0) value += linear().d(k, i) * end_[i];
-      y[linear().values[static_cast<std::size_t>(k)]] = value;
+    const Machine& machine = *machine_;
+    const LinearModel& model = machine.model;
+    if (!machine.gives_all) std::fill_n(y, machine.info.row_size() - Samples::header, 0.0);
+    const double *c = machine.c.data(), *x = x_.data();
+    for (Index k = 0, n = x_.size(); k < machine.c.rows(); ++k, c += n) {
+      double value = std::inner_product(c, c + n, x, model.y0[k]);
+      for (Index i = 0; machine.feeds_through && i < end_.size(); ++i)
+        if (model.d(k, i) != 0.0) value += model.d(k, i) * end_[i];
+      y[model.values[static_cast<std::size_t>(k)]] = value;
     }
   }
 
@@ -106,14 +112,20 @@ class SurrogateModel {
  private:
   struct Machine {
     Machine(LinearModel of, const SubsystemInfo& ports)
-        : model(std::move(of)), whole(model, model.a, model.b, model.e), parts(model), info(ports) {}
+        : model(std::move(of)),
+          whole(model, model.a, model.b, model.e),
+          c(model.c),
+          info(ports),
+          gives_all(static_cast<int>(model.values.size()) == ports.row_size() - Samples::header) {}
     LinearModel model;
     Packed whole;
-    PartSteps parts;
+    RowMajor c;
+    std::optional<PartSteps> parts;  ///< once a step is cut
     Packed part;
     double part_length = 0.0;
     SubsystemInfo info;
     bool feeds_through = false;
+    const bool gives_all;  ///< each value of a row
   };
   const LinearModel& linear() const { return machine_->model; }
 
@@ -123,12 +135,13 @@ class SurrogateModel {
   }
 
   const Packed& part_of(double length) {
-    if (!machine_->parts.exist())
+    if (!machine_->parts) machine_->parts.emplace(linear());
+    if (!machine_->parts->exist())
       throw Error(ErrorCode::not_supported,
                   "the linear model of subsystem '" + machine_->info.name +
                       "' has no motion in continuous time, so no step of it is cut");
     if (machine_->part_length != length) {
-      const PartStep part = machine_->parts.of(length);
+      const PartStep part = machine_->parts->of(length);
       machine_->part = Packed(linear(), part.a, part.b, part.e), machine_->part_length = length;
     }
     return machine_->part;

@@ -68,6 +68,22 @@ void refuse_in_address(const SubsystemEntry& entry) {
                        entry.name, entry.name));
 }
 
+/// Likewise by a parameter steps_per_.. of its source that the scenario leaves out: its own step by one value tells another.
+std::optional<Scenario> with_rate(const Scenario& scenario, std::size_t which, const Builtins& builtins,
+                                  double to) {
+  constexpr double trial = 100.0;
+  const SubsystemEntry& entry = scenario.subsystems[which];
+  for (const Word& word : source_of(entry.source, builtins).words) {
+    const bool is_given = std::ranges::count(entry.parameters, word.name, &Parameter::name) > 0;
+    if (is_given || !word.name.starts_with("steps_per_")) continue;
+    Scenario other = scenario;
+    set(other.subsystems[which], word.name, trial);
+    set(other.subsystems[which], word.name, trial * own_steps(other, builtins)[which] / to);
+    if (is_near(own_steps(other, builtins)[which], to)) return other;
+  }
+  return {};
+}
+
 /// The scenario with another own step of one subsystem; nothing if no parameter makes it.
 std::optional<Scenario> with_step(const Scenario& scenario, std::size_t which, const Builtins& builtins,
                                   double from, double to) {
@@ -76,7 +92,7 @@ std::optional<Scenario> with_step(const Scenario& scenario, std::size_t which, c
     set(other.subsystems[which], name, value);
     if (is_near(own_steps(other, builtins)[which], to)) return other;
   }
-  return {};
+  return with_rate(scenario, which, builtins, to);
 }
 
 /// Those that have one of their own: a surrogate of an impulse coupling goes by its fast side's. The slow side's stays longer

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "standing_metrics.hpp"
 #include "tandem/scenario/assembly.hpp"
@@ -42,13 +43,10 @@ class Writer {
           scenario.file.string() + " has no connection; allowed is a scenario with at least one, or a study");
   }
 
-  /// Several connections may be added in one input.
-  std::vector<std::string> free_connections() const {
-    std::vector<std::string> all;
+  std::vector<std::size_t> free_connections() const {
+    std::vector<std::size_t> all;
     for (std::size_t k = 0; k < scenario_.connections.size(); ++k)
-      if (const std::string& to = scenario_.connections[k].connection.to;
-          is_free(k) && std::find(all.begin(), all.end(), to) == all.end())
-        all.push_back(to);
+      if (is_free(k)) all.push_back(k);
     return all;
   }
 
@@ -102,12 +100,11 @@ axes = [
 
   /// Of what is left out: where neither the coupling, nor another schedule, nor how a link is reconstructed is stated.
   bool may_be_impulse() const {
-    const auto free = free_connections();
-    const auto is_left = [&](const scenario::ConnectionEntry& one) {
-      const std::string& to = one.connection.to;
-      return !is_of_link(scenario_, to) || std::find(free.begin(), free.end(), to) != free.end();
+    const auto is_left = [this](std::size_t k) {
+      return !is_of_link(scenario_, scenario_.connections[k].connection.to) || is_free(k);
     };
-    const auto& all = scenario_.connections;
+    std::vector<std::size_t> all(scenario_.connections.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
     return !scenario_.links.empty() && (varied_ == Varied::all || !stated("/coordination/coupling")) &&
            std::all_of(all.begin(), all.end(), is_left) &&
            std::find(schedules_.begin(), schedules_.end(), "fastest-first") != schedules_.end();
@@ -193,8 +190,8 @@ columns = ["schedule", "reconstruction", "steps", "error", {}"exchanges", "own_s
     std::string text;
     for (std::size_t place = 0; place < places(); ++place)
       text += fmt::format("\"coordination.order[{}]\" = \"$order_{}\"\n", place, place);
-    for (const std::string& to : free_connections())
-      text += fmt::format("\"connections[{}].reconstruction\" = \"${}\"\n", to,
+    for (const std::size_t k : free_connections())
+      text += fmt::format("\"connections[{}].reconstruction\" = \"${}\"\n", key_of(scenario_, k),
                           offer_.holds() ? "how" : "reconstruction");
     return text;
   }
@@ -215,7 +212,7 @@ columns = ["schedule", "reconstruction", "steps", "error", {}"exchanges", "own_s
       const Connection& one = scenario_.connections[k].connection;
       if (const Port* port = output(one.from);
           finest_.reconstruction == "hermite" && is_free(k) && port && port->derivatives == 0)
-        text += fmt::format("\"connections[{}].reconstruction\" = \"lagrange3\"\n", one.to);
+        text += fmt::format("\"connections[{}].reconstruction\" = \"lagrange3\"\n", key_of(scenario_, k));
     }
     return text;
   }
@@ -286,7 +283,14 @@ std::string standing_study(const scenario::Scenario& scenario, const Builtins& b
   return Writer(apart, builtins, standing).text(builtins);
 }
 
-std::vector<std::string> free_connections(const scenario::Scenario& scenario, const Builtins& builtins,
+std::string key_of(const scenario::Scenario& scenario, std::size_t connection) {
+  const auto& all = scenario.connections;
+  const std::string& to = all[connection].connection.to;
+  const auto is_alike = [&](const scenario::ConnectionEntry& one) { return one.connection.to == to; };
+  return std::ranges::count_if(all, is_alike) == 1 ? to : std::to_string(connection);
+}
+
+std::vector<std::size_t> free_connections(const scenario::Scenario& scenario, const Builtins& builtins,
                                           Varied varied) {
   return Writer(scenario, builtins, {varied}).free_connections();
 }

@@ -45,7 +45,10 @@ class Program {
   /// By now its socket is closed: a program that reads it ends of its own accord, others are told to. What it
   /// has started and left is in its group, and goes with it.
   ~Program() {
-    if (!ended_within(1.0)) group_.signal(SIGTERM);
+    if (!ended_within(1.0))
+      group_.signal(SIGTERM);
+    else if (temporary_ && !(end_.si_code == CLD_EXITED && end_.si_status == 0))
+      LibraryCall::note_bad_end();
     ended_within(1.0);
     if (!ended_) ::kill(process_, SIGKILL);  // by its own number: it may have left the group
     end_of_process(process_);
@@ -83,7 +86,7 @@ class Program {
 
  private:
   static constexpr std::chrono::microseconds longest_pause{10'000};
-  std::optional<TemporaryFolder> temporary_;
+  std::optional<TemporaryFolder> temporary_;  ///< of an isolated one
   std::string name_;
   ProcessGroup group_;
   pid_t process_ = -1;

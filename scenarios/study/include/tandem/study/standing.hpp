@@ -38,10 +38,13 @@ struct Standing {
 std::string standing_study(const scenario::Scenario& scenario, const Builtins& builtins,
                            const Standing& standing = {});
 
-/// The inputs, "slow.x1", whose connections the standing study gives any reconstruction: those of outputs that are not
-/// held, without a lag. Throws Error for a scenario that can't be opened.
-std::vector<std::string> free_connections(const scenario::Scenario& scenario, const Builtins& builtins,
+/// The connections, by their numbers, that the standing study gives any reconstruction: those of outputs that are not held,
+/// without a lag. Throws Error for a scenario that can't be opened.
+std::vector<std::size_t> free_connections(const scenario::Scenario& scenario, const Builtins& builtins,
                                           Varied varied = Varied::all);
+
+/// What a connection is called in "connections[..]": its input, or where several are added in that its number.
+std::string key_of(const scenario::Scenario& scenario, std::size_t connection);
 
 /// Whether a scenario's file, or what was set, has a value at a path, "/coordination/order".
 bool states(const scenario::Scenario& scenario, const std::string& path);
