@@ -101,7 +101,9 @@ void LibraryCall::leave_to_others(int cause) noexcept {
   if (!returns || current_ || ::gettid() == ::getpid()) return;
   outside_ = cause;
   wait_for_fault(seconds_to_see);
-  if (!faulted) ::pthread_kill(first_thread, SIGABRT);  // its call may wait for this thread
+  static std::atomic<bool> is_asked = false;
+  if (!faulted && !is_asked.exchange(true))
+    ::pthread_kill(first_thread, SIGABRT);  // its call may wait for this thread
   wait_for_fault(seconds_to_see);
   while (faulted) ::pause();
 }
@@ -115,7 +117,8 @@ void LibraryCall::fault(int signal) noexcept {
   }
   return_to_call(signal);
   const bool is_first = ::gettid() == ::getpid();
-  if (is_first && !current_ && signal == SIGABRT && outside_ != 0) return;  // of leave_to_others
+  if (is_first && signal == SIGABRT && outside_ != 0)
+    return;  // of leave_to_others; the call ends already, or there is none
   leave_to_others(signal);
   if (!tells_itself()) end_by(signal);
   say("tandem: ");

@@ -1,7 +1,5 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include <fcntl.h>
-#include <spdlog/pattern_formatter.h>
-#include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
@@ -20,67 +18,17 @@
 
 #include "cli/commands.hpp"
 #include "cli/limited_memory.hpp"
-#include "cli/log_file.hpp"
+#include "cli/log.hpp"
 #include "sources/all.hpp"
 #include "sources/this_program.hpp"
 #include "tandem/coordinator/bounds.hpp"
 #include "tandem/error.hpp"
 #include "tandem/library_file.hpp"
 #include "tandem/nearest.hpp"
-#include "tandem/output/progress.hpp"
 #include "tandem/output/provenance.hpp"
 #include "tandem/printable.hpp"
 
 namespace {
-
-bool log_failed = false;
-
-/// A message's text; names in it may be a stranger's.
-class PrintableText final : public spdlog::custom_flag_formatter {
- public:
-  void format(const spdlog::details::log_msg& message, const std::tm&, spdlog::memory_buf_t& to) override {
-    try {
-      const std::string_view payload(message.payload.data(), message.payload.size());
-      const std::string text = tandem::printable(payload, payload.npos);
-      to.append(text.data(), text.data() + text.size());
-    } catch (const std::bad_alloc&) {
-      constexpr std::string_view instead = "there is no memory to show a message";
-      to.append(instead.data(), instead.data() + instead.size());
-    }
-  }
-  std::unique_ptr<custom_flag_formatter> clone() const override { return std::make_unique<PrintableText>(); }
-};
-
-std::unique_ptr<spdlog::formatter> lines_of(const std::string& pattern) {
-  auto formatter = std::make_unique<spdlog::pattern_formatter>();
-  formatter->add_flag<PrintableText>('*').set_pattern(pattern);
-  return formatter;
-}
-
-/// Messages go to standard error, and to the log file if one is named; results go to standard output.
-void set_up_log(const tandem::cli::Context& context, const std::string& file) {
-  std::vector<spdlog::sink_ptr> sinks{std::make_shared<spdlog::sinks::stderr_color_sink_mt>()};
-  sinks[0]->set_formatter(lines_of("tandem: %*"));
-  sinks[0]->set_level(context.quiet     ? spdlog::level::err
-                      : context.verbose ? spdlog::level::debug
-                                        : spdlog::level::info);
-  try {
-    if (!file.empty()) {
-      sinks.push_back(std::make_shared<tandem::cli::LogFile>(file));
-      sinks[1]->set_formatter(lines_of("[%Y-%m-%d %H:%M:%S.%e] [%n] [%l] %*"));
-    }
-  } catch (const tandem::Error& error) {
-    throw tandem::Error(error.code(), std::string("log ") + error.what());
-  }
-  auto log = std::make_shared<spdlog::logger>("tandem", sinks.begin(), sinks.end());
-  log->set_level(spdlog::level::debug);
-  log->flush_on(spdlog::level::debug);  // whoever is killed has told all
-  log->set_error_handler([](const std::string& why) {
-    if (!log_failed) tandem::output::show_progress("tandem: log " + why + "\n");
-    log_failed = true;
-  });
-  spdlog::set_default_logger(log);
-}
 
 std::vector<std::string> commands(const CLI::App& app) {
   std::vector<std::string> names;
@@ -99,10 +47,12 @@ class Told {
  public:
   bool is_new(const std::string& sentence) {
     const std::lock_guard lock(mutex_);
+    if (all_.size() == most) all_.clear();  // a server's clients may bring about more and more
     return all_.insert(sentence).second;
   }
 
  private:
+  static constexpr std::size_t most = 1000;
   std::mutex mutex_;
   std::set<std::string> all_;
 };
@@ -131,7 +81,7 @@ int run(int argc, char** argv) {
   app.add_flag("--allow-plaintext", context.allow_plaintext,
                "Let tcp:// and zmq: without keys go beyond this machine, in plain text");
   app.parse_complete_callback([&] {
-    set_up_log(context, log_file);
+    tandem::cli::set_up_log(context, log_file);
     context.builtins = sources(context);
   });
   tandem::cli::add_run(app, context);
@@ -201,7 +151,7 @@ int run_and_report(int argc, char** argv) {
     return error.code() == tandem::ErrorCode::internal || tandem::LibraryCall::has_faulted() ? 1 : 2;
   } catch (const std::exception& error) {
     spdlog::error("{}", error.what());
-    return 2;
+    return tandem::LibraryCall::has_faulted() ? 1 : 2;
   }
 }
 
@@ -248,7 +198,7 @@ int main(int argc, char** argv) {
   std::set_terminate(end_for_want_of_memory);
   std::signal(SIGXFSZ, SIG_IGN);  // a limit of the size of files is told as a full disk is
   try {
-    set_up_log({}, "");
+    tandem::cli::set_up_log({}, "");
   } catch (const std::exception& error) {
     std::fprintf(stderr, "tandem: %s\n", tandem::sentence_of(error).c_str());
     return 1;
@@ -257,11 +207,12 @@ int main(int argc, char** argv) {
   int status = run_and_report(argc, argv);
   if (status == 0 && !wrote_all_output()) status = 1;
   spdlog::default_logger()->flush();
-  if (status == 0 && log_failed) status = 1;
+  if (status == 0 && tandem::cli::has_log_failed()) status = 1;
   const bool faulted = tandem::LibraryCall::has_faulted();
   if (faulted && status == 0)
     spdlog::error("a library made a fault at its end, after all that was told"), status = 1;
-  if (tandem::LibraryCall::was_bad_end() && status == 0) status = 1;
+  if (tandem::LibraryCall::was_bad_end() && status == 0)
+    spdlog::error("an isolated library's process did not end well, after all that was told"), status = 1;
   tandem::LibraryCall::end_program(status);
   if (faulted) std::_Exit(status);  // unloads none
   return status;

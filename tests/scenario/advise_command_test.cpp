@@ -2,9 +2,14 @@
 // Advice beside what the study of a scene finds, where a part runs itself, models fail, or three may lead.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+
 #include "command.hpp"
 #include "json_of.hpp"
+#include "long_run.hpp"
 #include "tandem/advice/advice.hpp"
+#include "tandem/advice/leading.hpp"
 
 namespace tandem::advise_command_tests {
 namespace {
@@ -158,6 +163,37 @@ TEST(AdviseCommand, OfThreeTheOneLeadsWithWhomItIsCheaper) {
   EXPECT_LT(exchanges_of(folder.path() / "a"), 0.81 * exchanges_of(folder.path() / "usual"));
   const Said compared = tandem(folder, {"compare", "a", "fine", "--columns", "a.y", "--tolerance", "1e-6"});
   EXPECT_EQ(compared.status, 0) << compared.out << compared.err;
+}
+
+/// Three of equal steps: who leads without a word is told by more than the file.
+TEST(AdviseCommand, OrdersBeginWithThatOfTheRun) {
+  const Scratch folder;
+  write_ring(folder);
+  const auto read = [&](const std::string& schedule, std::vector<std::string> more = {}) {
+    more.insert(more.end(), {"coordination.scheme=stated", "coordination.schedule=" + schedule,
+                             "subsystems.a.parameters.step=1e-2", "subsystems.b.parameters.step=1e-2",
+                             "subsystems.c.parameters.step=1e-2"});
+    for (const char* to : {"b.u", "c.u", "a.u"})
+      more.push_back("connections[" + std::string(to) + "].reconstruction=lagrange1");
+    return scenario::read(folder.path() / "s.toml", more);
+  };
+  for (const std::string schedule : {"slowest-first", "fastest-first"}) {
+    const auto usual = read(schedule);
+    scenario::Assembly run(usual, test::sources());
+    run.initialize();
+    const auto all = advice::orders(run.coordinator());
+    ASSERT_EQ(all.size(), 3U);
+    std::set<std::string> leaders;
+    for (const auto& order : all) {
+      const auto stated = read(schedule, {advice::override_of(order)});
+      scenario::Assembly other(stated, test::sources());
+      other.initialize();
+      const auto now = other.coordinator().schedule().order(), before = run.coordinator().schedule().order();
+      leaders.insert(other.topology().name(now.front()));
+      EXPECT_EQ(std::ranges::equal(now, before), order == all.front()) << schedule;
+    }
+    EXPECT_EQ(leaders.size(), 3U) << schedule;
+  }
 }
 
 }  // namespace

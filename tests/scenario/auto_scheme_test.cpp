@@ -70,12 +70,15 @@ TEST_F(AutoScheme, TakesTheSchemeOfTheSmallestPredictedError) {
       << said.out;
   EXPECT_EQ(taken(), (Words{"coordination.schedule=" + best.schedule,
                             "connections[fast.x2].reconstruction=" + best.reconstruction,
-                            "connections[slow.x1].reconstruction=" + best.reconstruction}));
+                            "connections[slow.x1].reconstruction=" + best.reconstruction,
+                            "subsystems.fast.parameters.steps_per_cycle=200",
+                            "subsystems.slow.parameters.steps_per_cycle=200"}));
+  EXPECT_EQ(best.steps, 0.5);
   const auto rows = read_text(folder_.path() / "o/results.csv");
-  ASSERT_EQ(run({"--set", "coordination.scheme=stated", "--set", "coordination.schedule=" + best.schedule,
-                 "--set", "connections.reconstruction=" + best.reconstruction})
-                .status,
-            0);
+  Words words = {"--set", "coordination.scheme=stated", "--set",
+                 "connections.reconstruction=" + best.reconstruction};
+  for (const std::string& one : taken()) words.insert(words.end(), {"--set", one});
+  ASSERT_EQ(run(words).status, 0);
   EXPECT_EQ(read_text(folder_.path() / "o/results.csv"), rows);
 }
 
@@ -98,15 +101,22 @@ TEST_F(AutoScheme, WhatIsStatedStays) {
   ASSERT_EQ(run({"--set", "coordination.schedule=parallel"}).status, 0);
   EXPECT_EQ(tried("schedule"), std::set<std::string>{"parallel"});
   EXPECT_GT(tried("reconstruction").size(), 5U);
-  EXPECT_EQ(tried("steps"), std::set<std::string>{"1"}) << "no parameter is known that makes its own steps";
-  ASSERT_EQ(run({"--set", "connections[fast.x2].reconstruction=lagrange2"}).status, 0);
+  EXPECT_EQ(tried("steps"), (std::set<std::string>{"0.5", "1", "2"})) << "steps_per_cycle is left out";
+  const Words steps = {"--set", "subsystems.fast.parameters.steps_per_cycle=100", "--set",
+                       "subsystems.slow.parameters.steps_per_cycle=100"};
+  const auto with_steps = [&](Words words) {
+    words.insert(words.end(), steps.begin(), steps.end());
+    return run(words);
+  };
+  ASSERT_EQ(with_steps({"--set", "connections[fast.x2].reconstruction=lagrange2"}).status, 0);
+  EXPECT_EQ(tried("steps"), std::set<std::string>{"1"});
   EXPECT_EQ(taken().size(), 2U);
   EXPECT_EQ(taken()[1].find("connections[slow.x1].reconstruction="), 0U);
   EXPECT_EQ(tried("schedule").size(), 4U);
   ASSERT_EQ(run({"--set", "connections.reconstruction=lagrange2"}).status, 0);
   EXPECT_EQ(tried("reconstruction"), std::set<std::string>{"stated"});
-  const Said said =
-      run({"--set", "connections.reconstruction=lagrange2", "--set", "coordination.schedule=parallel"});
+  const Said said = with_steps(
+      {"--set", "connections.reconstruction=lagrange2", "--set", "coordination.schedule=parallel"});
   EXPECT_EQ(said.status, 2);
   EXPECT_NE(
       said.err.find("s.toml:15: coordination.scheme is auto, and the scenario leaves nothing out; allowed is "

@@ -57,8 +57,8 @@ TEST_F(CompareCommand, BadInputIsStatusTwo) {
   refused({"compare", "a.csv", "broken.csv"}, "broken.csv:3: column 2 holds something else");
   refused({"compare", "a.csv", "nowhere.csv"}, "'nowhere.csv' is not there");
   refused({"compare", "a.csv", "b.csv", "--tolerance", "-1"}, "--tolerance");
-  refused({"compare", "a.csv", "b.csv", "--from", "nan"}, "times from nan to inf s are to be compared");
-  refused({"compare", "a.csv", "b.csv", "--to", "nan"}, "times from -inf to nan s are to be compared");
+  refused({"compare", "a.csv", "b.csv", "--from", "nan"}, "--from: 'nan' is given; allowed is a number");
+  refused({"compare", "a.csv", "b.csv", "--to", "nan"}, "--to: 'nan' is given; allowed is a number");
   refused({"compare", "a.csv", "b.csv", "--from", "inf"}, "times from inf to inf s are to be compared");
   refused({"compare", "a.csv", "b.csv", "--from", "3"}, "from 3 to inf s count");
   for (const char* shift : {"0", "-1", "nan", "inf", "x"})

@@ -77,6 +77,8 @@ TEST(ValidateCommand, LooksAtTheRungsOfALadder) {
     return tandem(folder, {"validate", "s.toml"});
   };
   expect_words(with("a.x1"), {"s.toml: ok"});
+  const Said set = tandem(folder, {"validate", "s.toml", "--set", "ladder.rungs[0].file=nope.toml"});
+  EXPECT_NE(set.err.find("rung 'x': file 'nope.toml' is not there"), std::string::npos) << set.err;
   const Said wrong = with("a.nope");
   EXPECT_EQ(wrong.status, 2);
   EXPECT_NE(wrong.err.find("rung 'x' gives none of the judged quantities: a.nope"), std::string::npos)

@@ -17,7 +17,7 @@ TEST(SweepCommand, ATableThatCanNotBeWrittenIsStatusOneWithItsReason) {
   std::filesystem::create_directories(folder.path() / "o/schemes.csv.part");
   const Said said = tandem(folder, {"sweep", study, "--output", "o"});
   EXPECT_EQ(said.status, 1);
-  EXPECT_NE(said.err.find("schemes.csv' can't be written: File exists"), std::string::npos) << said.err;
+  EXPECT_NE(said.err.find("schemes.csv' can't be written: there is a folder"), std::string::npos) << said.err;
 }
 
 TEST(SweepCommand, AFileInPlaceOfTheFolderIsStatusTwo) {

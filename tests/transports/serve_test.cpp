@@ -133,7 +133,9 @@ TEST(Serve, RefusesASourceThatIsNotThereAndServesOneThatNeedsAClientsParameters)
   const std::string lib =
       "lib:" TANDEM_FAULTY_LIBRARY;  // has no entry of the usual name, which no client may give
   EXPECT_EQ(Child({command, "serve", lib, "--listen", "tcp://127.0.0.1:0"}).status(), 2);
-  EXPECT_EQ(Child({command, "serve", "builtin:two_mass.slow", "--listen", "unix:" + folder.path().string()})
+  EXPECT_EQ(Child({"sh", "-c",
+                   "exec '" TANDEM_COMMAND "' serve builtin:two_mass.slow --listen unix:'" +
+                       folder.path().string() + "' 2>&1"})
                 .word_after("something is "),
             "there;");
   Child server({command, "serve", "diagram:" + file, "--listen", "tcp://127.0.0.1:0", "--once"});

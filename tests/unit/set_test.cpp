@@ -52,6 +52,17 @@ TEST(Set, TakesAKeyInQuotes) {
                       [] { with("subsystems.fast.parameters.\"data.load=a.csv"); }));
 }
 
+/// A connection to one element of a port is called by it.
+TEST(Set, EndsABracketAtItsOwnEnd) {
+  toml::table table =
+      toml::parse(std::string_view("[[connections]]\nto = 'a.u[1]'\n[[connections]]\nto = 'b.u'\n"));
+  set(table, "connections[a.u[1]].gain=2");
+  EXPECT_EQ(table["connections"][0]["gain"].value<double>(), 2.0);
+  EXPECT_FALSE(table["connections"][1]["gain"]);
+  EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"has a '[' without ']'"},
+                      [&] { set(table, "connections[a.u[1].gain=2"); }));
+}
+
 TEST(Set, ReadsTomlAndElseAText) {
   EXPECT_TRUE(with("record.ports=[\"c\"]").at_path("record.ports").as_array()->size() == 1);
   EXPECT_EQ(with("name=a \"b\" \\ c").at_path("name").value<std::string>(), "a \"b\" \\ c");

@@ -39,15 +39,14 @@ Address taken_apart(const std::string& uri, const Source& source, Opening& openi
   return address;
 }
 
-/// An error that names no file, as of a parameter, is told with the source.
+/// An error of a parameter is told with the source.
 template <class Work>
 auto named(const Address& address, const Work& work) -> decltype(work()) {
   try {
     return work();
   } catch (const Error& error) {
     const std::string sentence = error.what();
-    const bool is_named = address.place.empty() || sentence.find(address.place) != std::string::npos;
-    if (is_named) throw;
+    if (!sentence.starts_with("parameter '")) throw;
     throw Error(error.code(), address.name() + ": " + sentence);
   }
 }

@@ -68,7 +68,7 @@ class LibraryCall {
   /// Then no library is to be called or unloaded any more.
   static bool has_faulted() noexcept;
 
-  /// One in a process of its own did not end it well, after all that was wanted of it. That process tells it.
+  /// One in a process of its own did not end it well, after all that was wanted of it.
   static void note_bad_end() noexcept;
   static bool was_bad_end() noexcept;
 

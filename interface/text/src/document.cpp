@@ -49,6 +49,13 @@ void Document::set(const std::string& path, const SetValue& value) {
   located(Place{file_, 0, set_prefix + override_of(path, value)}, [&] { text::set(table_, path, value); });
 }
 
+void throw_at(const Place& place, const Error& error) {
+  const std::string sentence = error.what();
+  if (sentence.starts_with(place.file + ":")) throw;
+  if (dynamic_cast<const NoRoom*>(&error)) throw NoRoom(place.text() + ": " + sentence);
+  refuse(place, sentence, error.code());
+}
+
 int Document::line(const toml::source_position& at) const {
   return at.line > 0 && at.line <= lines_.size() ? lines_[at.line - 1] : static_cast<int>(at.line);
 }

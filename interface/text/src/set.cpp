@@ -32,7 +32,7 @@ Steps split(const std::string& path) {
   std::size_t i = 0;
   while (i < path.size()) {
     if (path[i] == '[') {
-      const auto end = path.find(']', i);
+      const auto end = end_of_bracket(path, i);
       if (end == std::string::npos) refuse_setting("'" + path + "' has a '[' without ']'");
       steps.push_back({path.substr(i + 1, end - i - 1), true});
       i = end + 1;
@@ -55,6 +55,18 @@ Steps split(const std::string& path) {
     refuse_setting("'" + path + "' names no key; allowed is a path like coordination.schedule");
   return steps;
 }
+
+}  // namespace
+
+std::size_t end_of_bracket(std::string_view path, std::size_t at) {
+  for (int depth = 0; at < path.size(); ++at) {
+    depth += (path[at] == '[') - (path[at] == ']');
+    if (depth == 0) return at;
+  }
+  return path.npos;
+}
+
+namespace {
 
 /// Where the key ends: at the first '=' that no quotation marks are about.
 std::size_t end_of_key(const std::string& text) {

@@ -130,30 +130,21 @@ std::vector<std::string> on_leading(const Coordinator& run) { return Leading(run
 
 std::vector<std::string> better_order(const Coordinator& run) { return Leading(run).better_order().order; }
 
-std::vector<std::vector<std::string>> orders(const Coordinator& run, Schedule::Kind schedule) {
-  const Topology& topology = run.topology();
-  std::vector<int> usual;
-  for (int i = 0; i < topology.size(); ++i)
-    if (!topology.info(i).abilities.sampled) usual.push_back(i);
-  if (usual.size() < 3) return {};
-  std::ranges::stable_sort(usual, [&](int a, int b) { return run.own_step(a) > run.own_step(b); });
-  const bool last_leads = schedule == Schedule::Kind::fastest_first;
-  std::vector<std::vector<int>> all = {usual};
-  for (std::size_t k = 1; k < usual.size(); ++k) {
-    auto& order = all.emplace_back(usual);
-    if (last_leads)
-      std::rotate(order.end() - 1 - static_cast<std::ptrdiff_t>(k),
-                  order.end() - static_cast<std::ptrdiff_t>(k), order.end());
-    else
-      std::rotate(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(k),
-                  order.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+std::vector<std::vector<std::string>> orders(const Coordinator& run) {
+  const Schedule::Kind schedule = run.schedule().kind();
+  std::vector<std::string> leaders_first;
+  for (const int who : run.schedule().order())
+    if (!run.topology().info(who).abilities.sampled) leaders_first.push_back(run.topology().name(who));
+  if (leaders_first.size() < 3 || schedule == Schedule::Kind::parallel) return {};
+  std::vector<std::vector<std::string>> all = {leaders_first};
+  for (auto leads = leaders_first.begin() + 1; leads != leaders_first.end(); ++leads) {
+    auto& order = all.emplace_back(leaders_first);
+    const auto at = order.begin() + (leads - leaders_first.begin());
+    std::rotate(order.begin(), at, at + 1);
   }
-  std::vector<std::vector<std::string>> names;
-  for (const auto& order : all) {
-    auto& of_order = names.emplace_back();
-    for (const int who : order) of_order.push_back(topology.name(who));
-  }
-  return names;
+  if (schedule == Schedule::Kind::fastest_first)
+    for (auto& order : all) std::ranges::reverse(order);
+  return all;
 }
 
 }  // namespace tandem::advice

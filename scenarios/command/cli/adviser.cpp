@@ -79,13 +79,22 @@ std::vector<std::string> Adviser::look() {
     if (const auto offer = study::impulse_offer(scenario_, builtins_); !offer.holds())
       lines.push_back("no impulse coupling is tried: " + offer.obstacle);
   if (varied_ == study::Varied::left_out) set_order(assembly.coordinator());
-  if (order_.empty() && !study::states(scenario_, "/coordination/order"))
-    for (const auto kind : {Schedule::Kind::slowest_first, Schedule::Kind::fastest_first})
-      if (auto all = advice::orders(assembly.coordinator(), kind); !all.empty())
-        orders_.emplace(Schedule::name(kind), std::move(all));
+  if (order_.empty() && !study::states(scenario_, "/coordination/order")) find_orders();
   if (order_.empty())
     for (const std::string& line : advice::on_leading(assembly.coordinator())) lines.push_back(line);
   return lines;
+}
+
+/// As each schedule has them.
+void Adviser::find_orders() {
+  for (const auto kind : {Schedule::Kind::slowest_first, Schedule::Kind::fastest_first}) {
+    scenario::Scenario other = scenario_;
+    other.coordination.schedule = kind;
+    scenario::Assembly assembly(other, advised_.builtins);
+    assembly.initialize();
+    if (auto all = advice::orders(assembly.coordinator()); !all.empty())
+      orders_.emplace(Schedule::name(kind), std::move(all));
+  }
 }
 
 /// Of runs of the subsystems themselves the first part has to do.
@@ -107,7 +116,9 @@ std::vector<std::string> Adviser::of_models() {
 std::string Adviser::of_source(const identification::Stand& one) const {
   std::vector<std::string> names;
   for (const scenario::SubsystemEntry& entry : scenario_.subsystems)
-    if (one.source == (entry.command.empty() ? entry.source : "command " + shown(entry.command)))
+    if (entry.isolated
+            ? one.source.find(entry.source) != std::string::npos
+            : one.source == (entry.command.empty() ? entry.source : "command " + shown(entry.command)))
       names.push_back(entry.name);
   return names.empty() ? one.source : fmt::format("{} ({})", fmt::join(names, ", "), one.source);
 }
@@ -164,6 +175,8 @@ std::vector<std::string> Adviser::predict() {
 void Adviser::rank_all() {
   auto overrides = overrides_;
   if (up_to_) overrides.push_back(fmt::format("span.stop={}", *up_to_));
+  if (up_to_ && scenario_.recording.rows.from >= *up_to_)
+    overrides.push_back(fmt::format("record.from={}", scenario_.start));  // nothing is recorded
   finest_ = {};
   finest_.is_judged = false;
   ranking_ = swept(folder_, overrides, {varied_, finest_}, "", advised_);
@@ -248,7 +261,7 @@ scenario::Scenario advised(const scenario::Scenario& asked, const std::filesyste
   if (!context.quiet) {
     for (const std::string& line : lines) say("{}\n", line);
     say("coordination.scheme = auto takes {}; its error is {:.3g} of the tolerance{}, by {}\n", words(choice),
-        choice.error, adviser.cheapest() ? "" : ", and no other is within it", adviser.table().string());
+        choice.error, choice.error <= 1.0 ? "" : ", and no other is within it", adviser.table().string());
   }
   return scenario::with_taken(asked, adviser.taken(choice));
 }

@@ -59,6 +59,7 @@ class Adviser {
   std::optional<std::string> check_models();
   std::optional<std::string> choose_order();
   void set_order(const Coordinator& run);
+  void find_orders();
   advice::Ranking swept(const std::filesystem::path& folder, const std::vector<std::string>& overrides,
                         const study::Standing& standing, const std::string& where, const Context& context);
   void go_to_the_end();

@@ -50,11 +50,10 @@ std::vector<scenario::RungRun> run_rungs(scenario::Ladder& ladder, const fs::pat
 }
 
 void climb(const LadderOptions& options, const Context& context) {
-  std::vector<std::string> of_scene, of_rungs;
-  for (const std::string& one : options.overrides)
-    (one.starts_with("ladder.") ? of_scene : of_rungs).push_back(one);
+  auto of_scene = options.overrides;
+  std::erase_if(of_scene, [](const std::string& one) { return !one.starts_with("ladder."); });
   const auto scene = scenario::read(options.file, of_scene);
-  scenario::Ladder ladder(scene, of_rungs, context.builtins);
+  scenario::Ladder ladder(scene, scenario::overrides_of_rungs(options.overrides), context.builtins);
   const fs::path folder =
       options.output.empty() ? fs::path("results") / "ladder" / options.file.stem() : options.output;
   ladder.check_folder(folder);

@@ -105,7 +105,7 @@ void try_source(const std::string& source, const Context& context) {
     const bool lacks = made_by.code || made_by.elsewhere || has_parameters(source) ||
                        std::string(error.what()).find("parameter step") != std::string::npos;
     if (error.code() == ErrorCode::input_output || !lacks || is_about_own(error.what(), source) ||
-        is_about_operators(error.what(), made_by.words))
+        (made_by.native && is_about_operators(error.what(), made_by.words)))
       throw;
     spdlog::warn(
         "opened without a client's parameters this source has an error: {}; each session opens "

@@ -1,8 +1,6 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "cli/looking.hpp"
 #include "cli/say.hpp"
 #include "ladder/ladder_run.hpp"
@@ -23,12 +21,9 @@ struct ValidateOptions {
 /// Its rungs are opened: where that would run code, only if that is wanted.
 void check_ladder(const scenario::Scenario& scenario, const ValidateOptions& options,
                   const Builtins& builtins) {
-  const auto runs_code = [&](const scenario::LadderRung& rung) {
-    return !scenario::is_results(rung.file) &&
-           scenario::names_code(scenario::read(rung.file, rung.overrides), builtins);
-  };
-  if (options.run_programs || std::ranges::none_of(scenario.ladder->rungs, runs_code))
-    scenario::Ladder(scenario, {}, builtins);
+  const auto of_rungs = scenario::overrides_of_rungs(options.overrides);
+  if (options.run_programs || !scenario::names_code_in_rungs(scenario, of_rungs, builtins))
+    scenario::Ladder(scenario, of_rungs, builtins);
   else
     say("note: rungs of the ladder were not opened, as they are code; say --run-programs\n");
 }

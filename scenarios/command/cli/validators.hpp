@@ -60,7 +60,8 @@ inline CLI::Validator from_to(int least, int most) {
   const std::string range = std::to_string(least) + " to " + std::to_string(most);
   return {[=](std::string& text) {
             int value = 0;
-            const bool sound = CLI::detail::lexical_cast(text, value) && value >= least && value <= most;
+            const bool sound = whole(text).empty() && CLI::detail::lexical_cast(text, value) &&
+                               value >= least && value <= most;
             return sound ? std::string() : "'" + text + "' is given; allowed is a whole number from " + range;
           },
           range};

@@ -27,8 +27,8 @@ struct ViewOptions {
 constexpr double large = 50e6;  ///< bytes from which a page is told to be slow to open
 
 view::Run read(const fs::path& place, bool plots_only) {
-  view::Run run = view::read_run(place);
   if (const std::string what = scenario::unfinished(place); !what.empty()) spdlog::warn("note: {}", what);
+  view::Run run = view::read_run(place);
   if (plots_only) return run;
   view::read_mechanisms(run);
   view::check_positions(run);

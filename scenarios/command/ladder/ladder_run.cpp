@@ -59,6 +59,10 @@ auto named(const LadderRung& entry, const Work& work) -> decltype(work()) {
   }
 }
 
+bool is_results(const std::filesystem::path& file) {
+  return file.extension() == ".csv" || file.extension() == ".npy" || std::filesystem::is_directory(file);
+}
+
 std::vector<std::string> names_of(const std::vector<LadderQuantity>& quantities) {
   std::vector<std::string> all;
   for (const LadderQuantity& one : quantities) all.push_back(one.quantity);
@@ -107,8 +111,16 @@ void add_column(const text::TimeTable& from, const std::string& name, const std:
 
 }  // namespace
 
-bool is_results(const std::filesystem::path& file) {
-  return file.extension() == ".csv" || file.extension() == ".npy" || std::filesystem::is_directory(file);
+std::vector<std::string> overrides_of_rungs(std::vector<std::string> all) {
+  std::erase_if(all, [](const std::string& one) { return one.starts_with("ladder."); });
+  return all;
+}
+
+bool names_code_in_rungs(const Scenario& scene, const std::vector<std::string>& overrides,
+                         const Builtins& builtins) {
+  return std::ranges::any_of(ladder_of(scene).rungs, [&](const LadderRung& rung) {
+    return !is_results(rung.file) && names_code(read_rung(rung, overrides), builtins);
+  });
 }
 
 Ladder::Ladder(const Scenario& scene, const std::vector<std::string>& overrides, const Builtins& builtins)

@@ -8,8 +8,12 @@
 
 namespace tandem::scenario {
 
-/// Whether a rung is a file of results, or their folder, rather than a scenario.
-bool is_results(const std::filesystem::path& file);
+/// Of those of a command those that are of its rungs: what is not ladder.KEY.
+std::vector<std::string> overrides_of_rungs(std::vector<std::string> all);
+
+/// Whether a source of a rung's scenario is code. Throws Error as a Ladder of these does.
+bool names_code_in_rungs(const Scenario& scene, const std::vector<std::string>& overrides,
+                         const Builtins& builtins);
 
 /// The rungs of a scene's ladder, each a scenario that is ready to run, or results.
 class Ladder {

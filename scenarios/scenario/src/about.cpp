@@ -29,7 +29,7 @@ struct Key {
 
 constexpr Key about_keys[] = {{"", Type::object, true},
                               {"/files", Type::array, true, Type::string},
-                              {"/status", Type::string, true},
+                              {"/status", Type::string},
                               {"/message", Type::string},
                               {"/notes", Type::array},
                               {"/units", Type::object, false, Type::string},
@@ -141,7 +141,8 @@ std::string unfinished(const fs::path& place) try {
   const auto& files = about["files"];
   if (!is_folder && std::find(files.begin(), files.end(), place.filename().string()) == files.end())
     return "";
-  const std::string status = about.value("status", "ok"), message = about.value("message", "");
+  const std::string status = about.value("status", "it tells no status"),
+                    message = about.value("message", "");
   if (status == "ok") return "";
   return fmt::format("'{}' is of a run that did not come to its end: {}{}{}", place.string(), status,
                      message.empty() ? "" : ", ", message);
@@ -151,7 +152,8 @@ std::string unfinished(const fs::path& place) try {
 }
 
 text::TimeTable read_finished(const fs::path& place) {
-  for (const fs::path& one : {place, fs::weakly_canonical(place)})  // it may be a link
+  for (const fs::path& one : {place, fs::weakly_canonical(place), fs::weakly_canonical(place / "results.csv"),
+                              fs::weakly_canonical(place / "results.npy")})  // there may be links
     if (const std::string what = unfinished(one); !what.empty())
       throw Error(ErrorCode::invalid_argument, what + "; allowed is one that is 'ok'");
   return text::TimeTable::read(place);

@@ -151,12 +151,14 @@ class Run::Stages {
   void begin() {
     go_home();
     const auto files_before = rows_of_before();
+    const bool had_results = fs::is_regular_file(settings_.folder / "results.json");
     const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
     RunEnd running{"running", fmt::format("process {}, since {:%Y-%m-%dT%H:%M:%SZ}", getpid(), now)};
     write_json(settings_.folder / "results.json", results_of(scenario_, *assembly_, *recorder_, running));
-    for (const char* name :
-         {"machine.json", "indicators.csv", "view.html", "plot.svg", "plot.csv", "plot.json"})
+    for (const char* name : {"machine.json", "indicators.csv"})
       if (fs::is_regular_file(settings_.folder / name)) fs::remove(settings_.folder / name);
+    if (had_results)
+      for (const char* of_results : {"view.html", "plot.svg"}) fs::remove(settings_.folder / of_results);
     for (const fs::path& file : files_before) fs::remove(file);
     has_begun_ = true;
   }

@@ -34,9 +34,11 @@ void check_elsewhere(const Scenario& of, const text::TimeTable& table, const Rec
 void check_window(const Scenario& of, const text::TimeTable& table, const Place& place,
                   const Measure& measure) {
   const RowRules& rows = of.recording.rows;
-  const double first = std::max({of.start, rows.from, measure.from, table.times.front()});
-  const double last = std::min({of.stop, rows.to, measure.to, table.times.back()});
-  if (first > last + measure.shift)
+  const double first = std::max(measure.from, table.times.front()),
+               last = std::min(measure.to, table.times.back()),
+               begin = std::max({first, of.start - measure.shift, rows.from - measure.shift}),
+               end = std::min({last, of.stop + measure.shift, rows.to + measure.shift});
+  if (begin > end)
     refuse(place,
            fmt::format("no time is left to compare at: recorded is {} s to {} s, counted {} s to {} s, "
                        "and the reference has {} s to {} s",

@@ -12,11 +12,13 @@ void of_file(KeyList& to) {
          "The scenario that is run, relative to the study's folder. In the table [study] of a scenario: "
          "without it, that scenario.",
          {.allowed = "a file, or \"$COLUMN\""})
-      .may("steps", name,
-           "A factor of all own steps and of the communication step. Sampled subsystems keep their instants. "
-           "The "
-           "parameter that makes an own step is found by trial: `step`, or one whose value is the own step.",
-           {.allowed = "a number, `\"$COLUMN\"` or `\"$(EXPRESSION)\"`"})
+      .may(
+          "steps", name,
+          "A factor of all own steps and of the communication step. Sampled subsystems keep their instants. "
+          "The "
+          "parameter that makes an own step is found by trial: `step`, one whose value is the own step, or a "
+          "rate `steps_per_..`.",
+          {.allowed = "a number, `\"$COLUMN\"` or `\"$(EXPRESSION)\"`"})
       .may("columns", texts, "What a row has first, in this order: columns and metrics. The others follow.")
       .table("lists", "Values that axes name: an array, or a table of columns that move together.")
       .may("NAME", any, "A list.", {.allowed = "an array, `{ range = .. }`, or a table of these"})

@@ -5,6 +5,7 @@
 
 #include "tandem/stability/fast_period.hpp"
 #include "tandem/study/sweep.hpp"
+#include "tandem/text/set.hpp"
 
 namespace tandem::study {
 namespace {
@@ -101,7 +102,7 @@ std::vector<Given> Scenes::set_in(const Table& table) const {
 std::vector<std::string> parts_of(std::string_view path) {
   std::vector<std::string> parts;
   while (!path.empty()) {
-    const std::size_t from = path.front() == '[' ? path.find(']') : 1;
+    const std::size_t from = path.front() == '[' ? text::end_of_bracket(path, 0) : 1;
     const std::size_t end = std::min(path.find_first_of(".[", std::min(from, path.size())), path.size());
     std::erase(parts.emplace_back(path.substr(0, end)), '"');
     path.remove_prefix(end < path.size() && path[end] == '.' ? end + 1 : end);

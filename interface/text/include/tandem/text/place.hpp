@@ -27,6 +27,10 @@ inline const std::string set_prefix = "--set ";
   throw Error(code, place.text() + ": " + sentence);
 }
 
+/// In the handler of an error: throws it again, with the place, unless it names a line of that file already. What has no room
+/// stays so.
+[[noreturn]] void throw_at(const Place& place, const Error& error);
+
 /// The one place where an error of what a file names becomes one that tells where the file says so.
 /// place_of(sentence) gives the place. An error that names a line of that file already stays as it is.
 template <class Work, class PlaceOf>
@@ -36,10 +40,7 @@ auto located(const PlaceOf& place_of, const Work& work) -> decltype(work())
   try {
     return work();
   } catch (const Error& error) {
-    const Place place = place_of(error.what());
-    if (std::string_view(error.what()).starts_with(place.file + ":")) throw;
-    if (dynamic_cast<const NoRoom*>(&error)) throw NoRoom(place.text() + ": " + error.what());
-    refuse(place, error.what(), error.code());
+    throw_at(place_of(error.what()), error);
   }
 }
 

@@ -3,10 +3,15 @@
 #include <toml++/toml.h>
 
 #include <string>
+#include <string_view>
 
 #include "tandem/text/set_value.hpp"
 
 namespace tandem::text {
+
+/// Where the bracket ends that is open at `at`: at its own ']', as names may have elements, "connections[c.u[1]]"; npos:
+/// nowhere.
+std::size_t end_of_bracket(std::string_view path, std::size_t at);
 
 /// Puts "KEY=VALUE" into a file's table. KEY is a dotted path: `coordination.schedule`, `rods.crank.mass`,
 /// `record.ports[0]`; one of several tables is named by its index or by its `to`, `connections[0].gain`,

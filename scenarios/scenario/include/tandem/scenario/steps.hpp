@@ -9,7 +9,7 @@ namespace tandem::scenario {
 
 /// Multiplies all own steps and the communication step of a scenario by `factor`. Sampled subsystems keep
 /// their instants. Which parameter makes an own step is tried: `step`, one whose value is the own step, or the
-/// inverse of one that is named steps_per_..., of the source itself also where the scenario leaves it out.
+/// inverse of one that is named steps_per_... The scenario may leave out one of that name, which the source itself has.
 /// Throws Error for a subsystem of which none does.
 void scale_steps(Scenario& scenario, const Builtins& builtins, double factor);
 
