@@ -155,10 +155,10 @@ class Run::Stages {
     const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
     RunEnd running{"running", fmt::format("process {}, since {:%Y-%m-%dT%H:%M:%SZ}", getpid(), now)};
     write_json(settings_.folder / "results.json", results_of(scenario_, *assembly_, *recorder_, running));
-    for (const char* name : {"machine.json", "indicators.csv"})
+    std::vector<const char*> old = {"machine.json", "indicators.csv"};
+    if (had_results) old.insert(old.end(), {"view.html", "plot.svg"});
+    for (const char* name : old)
       if (fs::is_regular_file(settings_.folder / name)) fs::remove(settings_.folder / name);
-    if (had_results)
-      for (const char* of_results : {"view.html", "plot.svg"}) fs::remove(settings_.folder / of_results);
     for (const fs::path& file : files_before) fs::remove(file);
     has_begun_ = true;
   }
