@@ -16,8 +16,8 @@ std::vector<std::string> on_leading(const Coordinator& run);
 /// where they do, or where nobody leads.
 std::vector<std::string> better_order(const Coordinator& run);
 
-/// Of three subsystems and more that integrate themselves in a schedule in which one leads: coordination.order as the run
-/// has it, then for each of those that do not lead by it the order in which that one does. Of others nothing.
+/// Values of coordination.order: the first is as the run has it, and in each of the others another subsystem leads. Nothing in
+/// `parallel`, and of fewer than three that integrate themselves: there the schedule tells who leads.
 std::vector<std::vector<std::string>> orders(const Coordinator& run);
 
 }  // namespace tandem::advice
