@@ -74,7 +74,7 @@ def fault(tandem, command, file, output):
     if ended.returncode not in (0, 1, 2):
         return f"ends with status {ended.returncode}: {ended.stderr[-400:]}"
     if ended.returncode:
-        return None if re.search("^tandem: ", ended.stderr, re.MULTILINE) else f"says '{ended.stderr[:200]}'"
+        return None if re.search("^tandem: (?!note: )", ended.stderr, re.MULTILINE) else f"says '{ended.stderr[:200]}'"
     results = "".join(file.read_text() for file in output.glob("results*.csv"))
     return "writes nan" if "nan" in results else None
 

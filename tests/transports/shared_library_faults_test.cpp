@@ -230,7 +230,7 @@ IsolatedRun isolated(const std::string& how, const std::string& more) {
   const test::Scratch scratch;
   const auto scenario = scratch.write("s.toml", "[subsystems.it]\nsource = \"lib:" + faulty + "\"\n" + more +
                                                     "parameters = { entry = \"" + how +
-                                                    "\", deadline = 2 }\n[span]\nstop = 5\n");
+                                                    "\", deadline = 5 }\n[span]\nstop = 5\n");
   const std::string output = (scratch.path() / "o").string();
   test::Child run({"sh", "-c",
                    "exec '" TANDEM_COMMAND "' run " + scenario.string() + " --quiet --output " + output +
@@ -251,7 +251,7 @@ TEST(SharedLibrary, IsolatedItIsTheSameAndEndsItsProcessAlone) {
         {"exits", "was ended by a library in the middle of the work; allowed is to return"},
         {"exits_in_a_thread", "was ended by a library in the middle of the work"},
         {"faults_in_a_thread", "a thread beside the calls gave up (abort)"},
-        {"computes_on", "2 s"}}) {
+        {"computes_on", "5 s"}}) {
     const IsolatedRun run = isolated(how, "isolate = true\n");
     EXPECT_EQ(run.status, 1) << how;
     EXPECT_NE(run.said.find("subsystem 'it'"), std::string::npos) << run.said;
