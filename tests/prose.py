@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """prose.py: whether documents, cards and public headers keep docs' rules of prose: sentences of 35 words at most, none
-with "was asked" or "that which"."""
+with "was asked" or "that which", no link to a heading of the same page (Doxygen finds none)."""
 import pathlib
 import re
 import sys
@@ -70,6 +70,8 @@ def words_of(sentence):
 def wrong(file):
     blocks = markdown_blocks if file.suffix == ".md" else comment_blocks
     for line, text in blocks(file.read_text()):
+        if "](#" in text:
+            yield line, "a link within the page, which Doxygen does not find"
         for sentence in sentences(text):
             count = len(words_of(sentence))
             if count > MOST_WORDS:
