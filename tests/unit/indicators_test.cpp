@@ -11,6 +11,7 @@
 #include "run_bench.hpp"
 #include "scripted.hpp"
 #include "tandem/coordinator/observers.hpp"
+#include "tandem/fixed_step.hpp"
 
 namespace tandem::test::indicators {
 namespace {
@@ -25,9 +26,10 @@ class Watched : public Scripted {
                    if (derivatives > 0) y[1] = c_[1] + t * (2.0 * c_[2] + t * 3.0 * c_[3]);
                  }),
         c_(c) {
-    instead_of_advance = [this](double t_limit, bool, std::span<const Signal> u, Samples& y) {
+    instead_of_advance = [this](double t_limit, bool land, std::span<const Signal> u, Samples& y) {
       const double from = grid().time();
       for (; !y.full() && grid().fits(t_limit); put(u, y)) grid().step();
+      if (land && !y.full() && grid().cuts(t_limit)) grid().cut(t_limit), put(u, y);
       for (const auto& [k, times] : looked_at_)
         for (const double t : times)
           if (t > from && t <= grid().time()) read_[k][t] = u[static_cast<std::size_t>(k)].value(t);
@@ -58,7 +60,8 @@ struct Wire {
 /// Two to four subsystems that read each other by chance.
 class RandomRun {
  public:
-  explicit RandomRun(unsigned seed, int derivatives = 1) : random_(seed) {
+  /// sums: all that a subsystem reads goes to one input.
+  explicit RandomRun(unsigned seed, int derivatives = 1, bool sums = false) : random_(seed) {
     const int size = 2 + pick(3);
     schedule_ = std::vector<std::string>{"slowest-first", "fastest-first",
                                          "parallel"}[static_cast<std::size_t>(pick(3))];
@@ -71,12 +74,16 @@ class RandomRun {
           wires.push_back({from, i, inputs[static_cast<std::size_t>(i)]++, how()});
     for (int i = 0; i < size; ++i) {
       steps.push_back(std::vector{0.1, 0.01, 0.025, 0.0317}[static_cast<std::size_t>(pick(4))]);
+      const int count = inputs[static_cast<std::size_t>(i)];
       parts.emplace_back(steps.back(), std::array{number(), number(), number(), number()},
-                         inputs[static_cast<std::size_t>(i)], derivatives);
+                         sums ? std::min(count, 1) : count, derivatives);
       bench.add(name(i), parts.back());
     }
     for (const Wire& w : wires)
-      bench.connect(name(w.from) + ".y", name(w.to) + ".u" + std::to_string(w.input), w.how);
+      bench.topology.connect({.from = name(w.from) + ".y",
+                              .to = name(w.to) + ".u" + std::to_string(sums ? 0 : w.input),
+                              .how = Reconstruction::parse(w.how),
+                              .add = sums});
     bench.coordination.start = StartKind::cold;
   }
 
@@ -159,6 +166,90 @@ TEST(Indicators, WithoutDerivativesAnOutputIsCubicThroughItsNewestRows) {
     EXPECT_NEAR(windows[w], largest, 1e-12) << w;
     EXPECT_GT(largest, 1e-3);
   }
+}
+
+/// Outputs do not depend on inputs here, so that terms of a sum are read as they would be alone.
+TEST(Indicators, TermsOfASumHaveTheDefectsThatTheyHaveAlone) {
+  int some = 0;
+  for (unsigned seed = 1; seed <= 100; ++seed) {
+    RandomRun apart(seed), summed(seed, 1, true);
+    std::vector<Indicators::Connection> of_each[2];
+    for (RandomRun* one : {&apart, &summed}) {
+      Coordinator& run = one->bench.make(one->stop(), one->t_start);
+      Indicators indicators(run, {});
+      run.observe(&indicators);
+      run.run();
+      of_each[one == &summed] = indicators.connections();
+    }
+    ASSERT_EQ(of_each[0].size(), of_each[1].size());
+    for (std::size_t k = 0; k < of_each[0].size(); ++k) {
+      const auto &alone = of_each[0][k], &term = of_each[1][k];
+      EXPECT_EQ(alone.windows, term.windows) << "seed " << seed << ", " << term.name;
+      EXPECT_EQ(alone.peak, term.peak) << seed;
+      some += term.name.find(":") != std::string::npos && term.largest > 1e-6;
+    }
+  }
+  EXPECT_GT(some, 50) << "are terms with a defect";
+}
+
+/// Its output jumps at an event, at which a leader that has passed it stands again.
+struct Kick {
+  SubsystemInfo info() const { return {"kick", {}, {{"y", "1", 1, 1}}, {}, {.events = true}}; }
+  double own_step() const { return h; }
+  void start(double t, std::span<const double>) { time = t, height = 0.0; }
+  bool step_to_event(OwnStep& s, std::span<const Signal>) {
+    const bool kicks = s.begin < at && at <= s.end;
+    if (kicks) s.end = at;
+    time = s.end, height = time < at ? 0.0 : 0.3;
+    return kicks;
+  }
+  void outputs_before(double* y) const { y[0] = time * time, y[1] = 2.0 * time; }
+  void outputs(double* y) const { y[0] = time * time + height, y[1] = 2.0 * time; }
+
+  double h, at, time = 0.0, height = 0.0;
+};
+
+/// A Watched that can stand again where its state was saved.
+struct Returning : Watched {
+  explicit Returning(double h) : Watched(h, {0.0, 0.0, 0.0, 0.0}, 1, 1) {}
+  const SubsystemInfo& info() const override { return able; }
+  StateId save_state() override { return saved.push_back(grid()), static_cast<StateId>(saved.size()) - 1; }
+  Clock restore_state(StateId id) override {
+    ++returns, grid() = saved[static_cast<std::size_t>(id)];
+    return clock(Stop::limit);
+  }
+  void release_state(StateId) override {}
+
+  SubsystemInfo able = with_abilities(Watched::info());
+  std::vector<TimeGrid> saved;
+  int returns = 0;
+
+ private:
+  static SubsystemInfo with_abilities(SubsystemInfo info) {
+    return info.abilities.lands = info.abilities.saves_state = true, info;
+  }
+};
+
+TEST(Indicators, WhatCountsIsWhatWasReadAfterGoingBack) {
+  for (const std::string schedule : {"slowest-first", "fastest-first"})
+    for (const double at : {0.537, 0.52, 0.5999, 0.500001}) {
+      const bool slow_leads = schedule == "slowest-first";
+      Returning leader(slow_leads ? 0.1 : 0.01);
+      FixedStep kick(Kick{.h = slow_leads ? 0.01 : 0.1, .at = at});
+      RunBench bench;
+      bench.add("leader", leader).add("kick", kick).connect("kick.y", "leader.u0", "lagrange1");
+      for (int k = 1; k <= 100; ++k) leader.look(0, (k - 0.5) * 0.01);
+      Coordinator& run = bench.schedule(schedule).make(1.0);
+      Indicators indicators(run, {});
+      run.observe(&indicators);
+      run.run();
+      EXPECT_EQ(leader.returns, 1) << at;
+      double largest = 0.0;
+      for (const auto& [t, u] : leader.read(0))
+        largest = std::max(largest, std::abs(u - t * t - (t > at ? 0.3 : 0.0)));
+      EXPECT_NEAR(indicators.connections().at(0).largest, largest, 1e-12) << schedule << ' ' << at;
+      EXPECT_LT(largest, 0.25) << "what it had read beyond the event is off by 0.3";
+    }
 }
 
 TEST(Indicators, GoOnFromACheckpointWithTheSameBits) {

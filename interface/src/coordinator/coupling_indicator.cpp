@@ -9,14 +9,13 @@ struct Power {
   double made, passed;
 };
 
-Power power(const PowerLink& link, const LineDefect& e, const LineDefect& f, const OutputTrack& of_e,
-            const OutputTrack& of_f) {
-  const double ratio = e.gain() / f.gain();
-  if (link.kind == PowerLink::Kind::flow)
+Power power(PowerLink::Kind kind, double ratio, const LineDefect& e, const LineDefect& f,
+            const OutputTrack& of_e, const OutputTrack& of_f) {
+  if (kind == PowerLink::Kind::flow)
     return {e.defect * f.output - ratio * e.output * f.defect, e.gain() * e.output * f.output};
   const double f_rate = of_f.rate(f.column());
   const double made = e.defect * f_rate + ratio * f.defect * of_e.rate(e.column());
-  const bool spring = link.kind == PowerLink::Kind::stiffness;
+  const bool spring = kind == PowerLink::Kind::stiffness;
   return {made, (spring ? e.output - f.output : e.gain() * e.output) * f_rate};
 }
 
@@ -37,7 +36,7 @@ void check_row(std::int64_t row, const OutputTrack& of, const ByteReader& from) 
 
 void CouplingIndicator::add(Indicators::Link& told, LineDefect& effort, LineDefect& back,
                             int source_of_effort) {
-  links_.push_back({&told, &effort, &back, source_of_effort == fine_});
+  links_.push_back({&told, &effort, &back, source_of_effort == fine_, effort.gain() / back.gain()});
 }
 
 /// Beyond the end of one of them nothing of the other is looked at.
@@ -68,7 +67,7 @@ void CouplingIndicator::look(const OutputTrack& fine, const OutputTrack& coarse,
   for (const Link& link : links_) {
     const auto& of_effort = link.effort_is_fine ? fine : coarse;
     const auto& of_back = link.effort_is_fine ? coarse : fine;
-    const Power p = power(link.told->link, *link.effort, *link.back, of_effort, of_back);
+    const Power p = power(link.told->link.kind, link.ratio, *link.effort, *link.back, of_effort, of_back);
     if (std::isnan(p.made)) continue;
     const double energy = link.told->link.scale * length;
     link.told->windows[window] += energy * p.made;

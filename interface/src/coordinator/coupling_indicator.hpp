@@ -37,6 +37,7 @@ class CouplingIndicator {
     Indicators::Link* told;
     LineDefect *effort, *back;
     bool effort_is_fine;
+    double ratio;  ///< of the gains
   };
   void settle(OutputTrack& fine, OutputTrack& coarse, const Windows& windows);
   void look(const OutputTrack& fine, const OutputTrack& coarse, double t, double length, std::size_t window);

@@ -64,8 +64,6 @@ void Indicators::Parts::add_line(Connection& told) {
 
 void Indicators::Parts::add_link(Link& link) {
   const Line& effort = run_.topology().lines()[static_cast<std::size_t>(link.link.effort)];
-  for (const int who : {effort.source, effort.reader})
-    if (link.link.kind != PowerLink::Kind::flow) track(who).want_rates();
   coupling(effort.source, effort.reader)
       .add(link, *defect_of(link.link.effort), *defect_of(link.link.back), effort.source);
 }

@@ -39,8 +39,10 @@ class LineDefect {
     const double size = std::abs(defect);
     if (std::isnan(size)) return;
     double& largest = told_->windows[window];
-    if (size > largest) largest = size;
-    if (size > told_->largest) told_->largest = size, told_->at = t;
+    if (size > largest) {
+      largest = size;
+      if (size > told_->largest) told_->largest = size, told_->at = t;
+    }
     told_->peak = std::max(told_->peak, std::abs(wanted));
   }
 

@@ -13,8 +13,9 @@ std::size_t OutputTrack::column(int output) {
   if (known != outputs_.end()) return static_cast<std::size_t>(known - outputs_.begin());
   const bool slopes = scalar_at(info_->outputs, output).port->derivatives > 0;
   outputs_.push_back(output);
+  stride_ += 2;
   has_slopes_.push_back(slopes);
-  values_.push_back(0.0), rates_.push_back(0.0);
+  values_.push_back(0.0), rates_.push_back(0.0), cubics_.resize(cubics_.size() + most_nodes);
   any_slopes_ = any_slopes_ || slopes, all_slopes_ = all_slopes_ && slopes;
   return outputs_.size() - 1;
 }
@@ -22,14 +23,14 @@ std::size_t OutputTrack::column(int output) {
 void OutputTrack::add(const History& history, std::int64_t first, std::int64_t last) {
   const std::int64_t before = count_;
   count_ += last - first + 1;
-  if (static_cast<std::int64_t>(rows_.size()) < count_ * stride())
-    rows_.resize(static_cast<std::size_t>(2 * count_ * stride()));
-  double* to = rows_.data() + before * stride();
-  for (std::int64_t row = first; row <= last; ++row, to += stride()) {
+  if (static_cast<std::int64_t>(rows_.size()) < count_ * stride_)
+    rows_.resize(static_cast<std::size_t>(2 * count_ * stride_));
+  double* to = rows_.data() + before * stride_;
+  for (std::int64_t row = first; row <= last; ++row, to += stride_) {
     const double *from = history.row(row), *y = from + Samples::header, *slopes = y + history.outputs();
     const bool anew = to == rows_.data() || from[1] != 0.0;
     to[0] = from[0];
-    to[1] = anew ? 1.0 : std::min<double>(most_nodes, to[1 - stride()] + 1.0);
+    to[1] = anew ? 1.0 : std::min<double>(most_nodes, to[1 - stride_] + 1.0);
     for (std::size_t k = 0; k < outputs_.size(); ++k) {
       to[header + 2 * k] = y[outputs_[k]];
       to[header + 2 * k + 1] = has_slopes_[k] ? slopes[outputs_[k]] : 0.0;
@@ -42,85 +43,57 @@ void OutputTrack::drop_before(std::int64_t row) {
   constexpr std::int64_t few = 64;
   const std::int64_t old = row - most_nodes - first_;
   if (old < few || 2 * old < count_) return;
-  std::copy(rows_.begin() + old * stride(), rows_.begin() + count_ * stride(), rows_.begin());
+  std::copy(rows_.begin() + old * stride_, rows_.begin() + count_ * stride_, rows_.begin());
   first_ += old, count_ -= old;
 }
 
-void OutputTrack::look(std::int64_t row, double t) {
-  const double *now = at(row), *before = now - stride();
-  const int nodes = std::min(static_cast<int>(now[1]),
-                             static_cast<int>(std::min<std::int64_t>(row - first_ + 1, most_nodes)));
-  if (any_slopes_) look_between(now, (t - before[0]) / (now[0] - before[0]));
-  if (!all_slopes_) look_by_nodes(now, nodes, t);
+void OutputTrack::fit(std::int64_t row) {
+  const double* now = at(row);
+  fitted_ = row, origin_ = now[-stride_];
+  if (any_slopes_) fit_slopes(now);
+  const auto kept = static_cast<double>(row - first_ + 1);
+  if (!all_slopes_) fit_nodes(now, static_cast<int>(std::min(now[1], kept)));
 }
 
-/// The cubic Hermite polynomial at the part x of the step that ends at that row.
-void OutputTrack::look_between(const double* row, double x) {
-  const double* before = row - stride();
-  const double h = row[0] - before[0], z = 1.0 - x, per_h = 1.0 / h;
+/// Hermite's, of the step that ends at that row.
+void OutputTrack::fit_slopes(const double* row) {
+  const double *before = row - stride_, per_h = 1.0 / (row[0] - before[0]);
   for (std::size_t k = 0; k < outputs_.size(); ++k) {
     if (!has_slopes_[k]) continue;
     const double *from = before + header + 2 * k, *to = row + header + 2 * k;
-    const double rise = to[0] - from[0], mean = rise * per_h;
-    const double a = from[1] - mean, b = to[1] - mean, bend = z * a - x * b;
-    values_[k] = from[0] + x * (rise + h * z * bend);
-    if (wants_rates_) rates_[k] = mean + (z - x) * bend - x * z * (a + b);
+    const double mean = (to[0] - from[0]) * per_h, a = from[1] - mean, b = to[1] - mean;
+    double* c = &cubics_[most_nodes * k];
+    c[0] = from[0], c[1] = from[1], c[2] = -(a + a + b) * per_h, c[3] = (a + b) * per_h * per_h;
   }
 }
 
-/// The polynomial through that row and those before it.
-void OutputTrack::look_by_nodes(const double* row, int nodes, double t) {
-  double values[most_nodes], rates[most_nodes];
-  if (wants_rates_ || nodes < most_nodes || !weigh_equal(row, t, values)) weigh(row, nodes, t, values, rates);
+/// Newton's through that row and those before it, two to four; x counts from the row before.
+void OutputTrack::fit_nodes(const double* row, int nodes) {
+  const std::ptrdiff_t back = stride_;
+  const double x0 = row[0] - origin_, x2 = nodes > 2 ? row[-2 * back] - origin_ : 1.0,
+               x3 = nodes > 3 ? row[-3 * back] - origin_ : 1.0;
+  const double per_0 = 1.0 / x0, per_2 = 1.0 / x2, per_3 = 1.0 / x3, per_20 = 1.0 / (x2 - x0),
+               per_30 = 1.0 / (x3 - x0), per_32 = 1.0 / (x3 - x2);
   for (std::size_t k = 0; k < outputs_.size(); ++k) {
     if (has_slopes_[k]) continue;
-    const double* y = row + header + 2 * k;
-    values_[k] = rates_[k] = 0.0;
-    for (int j = 0; j < nodes; ++j) {
-      values_[k] += values[j] * y[-j * stride()];
-      if (wants_rates_) rates_[k] += rates[j] * y[-j * stride()];
-    }
+    const double *y = row + header + 2 * k, from = y[-back], slope = (y[0] - from) * per_0;
+    const double bend = nodes > 2 ? ((y[-2 * back] - from) * per_2 - slope) * per_20 : 0.0;
+    const double third = nodes > 3 ? (((y[-3 * back] - from) * per_3 - slope) * per_30 - bend) * per_32 : 0.0;
+    double* c = &cubics_[most_nodes * k];
+    c[0] = from, c[1] = slope - x0 * (bend - third * x2), c[2] = bend - third * (x0 + x2), c[3] = third;
   }
-}
-
-/// Lagrange's polynomials, and their derivatives.
-void OutputTrack::weigh(const double* row, int nodes, double t, double* values, double* rates) const {
-  const auto node = [&](int k) { return row[-k * stride()]; };
-  for (int j = 0; j < nodes; ++j) {
-    double value = 1.0, rate = 0.0, whole = 1.0;
-    for (int i = 0; i < nodes; ++i) {
-      if (i == j) continue;
-      const double x = t - node(i);
-      rate = rate * x + value;
-      value *= x;
-      whole *= node(j) - node(i);
-    }
-    const double scale = 1.0 / whole;
-    values[j] = scale * value, rates[j] = scale * rate;
-  }
-}
-
-/// Those of four nodes as far from each other, without so many divisions. False: they are not.
-bool OutputTrack::weigh_equal(const double* row, double t, double* values) const {
-  const auto node = [&](int k) { return row[-k * stride()]; };
-  const double h = node(0) - node(1), width = 1e-9 * h, x = (t - node(0)) / h;
-  if (std::abs(node(1) - node(2) - h) > width || std::abs(node(2) - node(3) - h) > width) return false;
-  const double a = x * (x + 1.0), b = (x + 2.0) * (x + 3.0);
-  values[0] = (x + 1.0) * b / 6.0, values[1] = -0.5 * x * b;
-  values[2] = 0.5 * a * (x + 3.0), values[3] = -a * (x + 2.0) / 6.0;
-  return true;
 }
 
 void OutputTrack::write(ByteWriter& to) const {
   to.put(first_);
-  to.put_list(std::span(rows_).first(static_cast<std::size_t>(count_ * stride())));
+  to.put_list(std::span(rows_).first(static_cast<std::size_t>(count_ * stride_)));
 }
 
 void OutputTrack::read(ByteReader& from) {
-  first_ = from.take<std::int64_t>();
+  first_ = from.take<std::int64_t>(), fitted_ = -1;
   rows_ = from.take_list();
-  count_ = static_cast<std::int64_t>(rows_.size()) / stride();
-  bool sound = first_ >= 0 && static_cast<std::int64_t>(rows_.size()) == count_ * stride();
+  count_ = static_cast<std::int64_t>(rows_.size()) / stride_;
+  bool sound = first_ >= 0 && static_cast<std::int64_t>(rows_.size()) == count_ * stride_;
   for (std::int64_t k = first_; sound && k <= newest(); ++k) {
     const double run = at(k)[1],
                  most = k > first_ ? std::min<double>(most_nodes, at(k - 1)[1] + 1.0) : most_nodes;

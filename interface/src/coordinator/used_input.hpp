@@ -22,7 +22,8 @@ class UsedInput {
     while (first_ + 1 < pieces_.size() && pieces_[first_].until < t) ++first_;
     if (first_ == pieces_.size() || t < from_ || t > pieces_[first_].until)
       return std::numeric_limits<double>::quiet_NaN();
-    return Signal(&pieces_[first_].segment, 1, TANDEM_MAX_COEFFICIENTS - 1).value(t);
+    const double *c = pieces_[first_].segment.c, x = t - pieces_[first_].segment.origin;
+    return c[0] + x * (c[1] + x * (c[2] + x * (c[3] + x * (c[4] + x * c[5]))));
   }
 
   void write(ByteWriter& to) const;
