@@ -37,9 +37,12 @@ const Segment& piece(const Signal& signal, const Segment& of_sum, const TimeTole
   return tandem_segment_jumps(&of_sum) && jump != segments.rend() ? *jump : piece_before(signal, of_sum.end);
 }
 
-/// Whether what the source gives may jump with events of another.
+/// Whether what the source gives may jump with events of another, or with any inputs where the reader sees it later.
 bool carries_jumps(const SubsystemInfo& source, const Link& link, const LinkTimes& times) {
-  return !times.carries.empty() && times.carries[static_cast<std::size_t>(link.source())] &&
+  const auto says = [&](const std::vector<char>& all) {
+    return !all.empty() && all[static_cast<std::size_t>(link.source())] != 0;
+  };
+  return (says(times.carries) || (link.delay() > 0.0 && says(times.jumps))) &&
          std::any_of(link.lanes().begin(), link.lanes().end(),
                      [&](const Lane& lane) { return follows(source, lane.output); });
 }
@@ -65,6 +68,7 @@ Exchange::Exchange(const Topology& topology, double t_start, const LinkTimes& ti
   std::map<std::pair<int, int>, std::vector<std::size_t>> of_pairs;
   for (const Line& line : topology.lines())
     add_line(topology, line, times, of_pairs[{line.source, line.reader}]);
+  for (const Watch& watch : times.watches) add_watch(topology, watch, times);
   for (int i = 0; i < topology.size(); ++i) hold_start_values(topology, i), drive(topology, i, t_start);
   for (std::size_t i = 0; i < times.breaks.size(); ++i) ends_[i].known_breaks = times.breaks[i];
   for (Link& link : links_) {
@@ -119,6 +123,17 @@ void Exchange::add_line(const Topology& topology, const Line& line, const LinkTi
   const bool held = scalar_at(topology.info(line.source).outputs, line.output).port->held;
   link_for(topology, line, times, of_pair)
       .add({line.output, static_cast<int>(slots_of_lines_.emplace_back(slot)), line.gain, line.offset, held});
+}
+
+/// A link of its own, into a place that is no input's.
+void Exchange::add_watch(const Topology& topology, const Watch& watch, const LinkTimes& times) {
+  End& reader = ends_[static_cast<std::size_t>(watch.reader)];
+  Link& link = links_.emplace_back(watch.source, watch.reader, watch.how, watch.lag);
+  const double nearest = times.nearest[static_cast<std::size_t>(watch.source)];
+  if (nearest > 0.0) link.pass_over(nearest);
+  const bool held = scalar_at(topology.info(watch.source).outputs, watch.output).port->held;
+  link.add({watch.output, static_cast<int>(reader.slots.size()), 1.0, 0.0, held});
+  reader.slots.emplace_back();
 }
 
 std::int64_t Exchange::accept(int source, double t_limit) {

@@ -48,6 +48,8 @@ std::vector<Read> RunStart::reads() const {
     all.push_back({line.reader, line.source, lag, just_before, lands(line),
                    topology_.info(line.reader).sampling.period});
   }
+  add_watched(all);
+  add_sources_behind(all);
   return all;
 }
 

@@ -22,6 +22,7 @@ void RunStart::make() {
     throw Error(ErrorCode::invalid_argument,
                 "communication_step is " + number_text(h) + " s; it must be finite and above 0");
   note_times(h);
+  note_watches();
   note_driven();
   auto all = reads();
   note_samples(all);

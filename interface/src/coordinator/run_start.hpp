@@ -62,7 +62,12 @@ class RunStart {
   void note_follower(const ReadEvents& what, bool goes_back) const;
   void order_outputs();
   std::vector<char> jump_with_inputs() const;
-  void note_followers(const std::vector<char>& jump);
+  bool jumps_through(const Line& line) const;
+  std::vector<int> reached_at_once(const Line& line) const;
+  void note_watches();
+  void add_watched(std::vector<Read>& reads) const;
+  void add_sources_behind(std::vector<Read>& reads) const;
+  void note_followers();
   void note_through();
   void stand_all();
   /// The place of one among equal own steps.

@@ -27,24 +27,21 @@ std::vector<char> RunStart::jump_with_inputs() const {
   return all;
 }
 
-void RunStart::note_followers(const std::vector<char>& jump) {
+void RunStart::note_followers() {
   std::vector<int> all;
   for (int i = 0; i < topology_.size(); ++i)
-    if (jump[static_cast<std::size_t>(i)] != 0) all.push_back(i);
+    if (times_.jumps[static_cast<std::size_t>(i)] != 0) all.push_back(i);
   run_.followers_ = sources_first(all);
 }
 
 void RunStart::note_through() {
-  const std::vector<char> jump = jump_with_inputs();
-  if (run_.coordination_.pauses) note_followers(jump);
-  if (std::find(jump.begin(), jump.end(), 1) == jump.end()) return;
+  if (run_.coordination_.pauses) note_followers();
+  if (std::find(times_.jumps.begin(), times_.jumps.end(), 1) == times_.jumps.end()) return;
   run_.through_.resize(clocks_.size());
   run_.awaiting_.reserve(clocks_.size());
   for (const Line& line : topology_.lines()) {
     const auto by_name = [&](const Through& t) { return t.source == line.source; };
-    if (jump[static_cast<std::size_t>(line.source)] == 0 || sampled(line.reader) ||
-        line.source == line.reader || !follows(topology_.info(line.source), line.output))
-      continue;
+    if (sampled(line.reader) || line.source == line.reader || !jumps_through(line)) continue;
     auto& sources = run_.through_[static_cast<std::size_t>(line.reader)];
     auto it = std::find_if(sources.begin(), sources.end(), by_name);
     if (it == sources.end()) it = sources.insert(it, {line.source, false});

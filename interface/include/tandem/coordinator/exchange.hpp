@@ -12,6 +12,15 @@
 namespace tandem {
 
 /// Times of a run that links go by [s].
+/// A jump of this output at t may be one, at t + lag, of what `reader` reads of others that follow it at once.
+struct Watch {
+  int reader, source, output;
+  double lag;          ///< [s]
+  Reconstruction how;  ///< held, or any that follows samples
+
+  bool operator==(const Watch&) const = default;
+};
+
 struct LinkTimes {
   std::vector<double> memory;  ///< by reader: of lines with a memory
   double delay = 0.0;          ///< of lines with a delay
@@ -26,6 +35,9 @@ struct LinkTimes {
   std::vector<char> carries = {};
   /// By reader, ascending: where it ends a step, as an input is known to jump or bend there. Empty: nowhere.
   std::vector<std::vector<double>> breaks = {};
+  /// By subsystem: outputs that follow its inputs at once may jump. Empty: none may.
+  std::vector<char> jumps = {};
+  std::vector<Watch> watches = {};
 };
 
 /// What passes between the subsystems of a run: the recent samples of each, and the signals made from them.
@@ -154,7 +166,7 @@ class Exchange {
     std::vector<Link*> out, in;  ///< out: those to sampled readers first
     std::int32_t inputs;
     bool has_more = false;      ///< there are sums, or driven inputs
-    std::vector<Signal> slots;  ///< the inputs, then the terms of sums
+    std::vector<Signal> slots;  ///< the inputs, then the terms of sums, and what it watches
     std::vector<Sum> sums;
     std::vector<Driven> driven;
     std::size_t at_instants = 0;  ///< links of `out`
@@ -168,6 +180,7 @@ class Exchange {
                  std::vector<std::size_t>& of_pair);
   void add_line(const Topology& topology, const Line& line, const LinkTimes& times,
                 std::vector<std::size_t>& of_pair);
+  void add_watch(const Topology& topology, const Watch& watch, const LinkTimes& times);
   void hold_start_values(const Topology& topology, int reader);
   void drive(const Topology& topology, int reader, double t_start);
   void add_up(Sum& sum, std::span<Signal> slots) const;

@@ -1,0 +1,75 @@
+// Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
+// Jumps that come to a reader through others, whose outputs follow their inputs at once. It ends a step where these jump,
+// which is known beforehand, and waits there for all that stand between.
+#include <algorithm>
+#include <cmath>
+
+#include "feedthrough.hpp"
+#include "run_start.hpp"
+
+namespace tandem {
+
+/// Its source gives a second row where its own inputs jump.
+bool RunStart::jumps_through(const Line& line) const {
+  return times_.jumps[static_cast<std::size_t>(line.source)] != 0 &&
+         follows(topology_.info(line.source), line.output);
+}
+
+/// Who reads an input of this line's reader at once through that one, or through more: each once.
+std::vector<int> RunStart::reached_at_once(const Line& line) const {
+  std::vector<int> through, all;
+  const auto reach = [&](int who, int input) {
+    if (!sampled(who) && feeds(topology_.info(who), input) &&
+        std::find(through.begin(), through.end(), who) == through.end())
+      through.push_back(who);
+  };
+  reach(line.reader, line.input);
+  for (std::size_t k = 0; k < through.size(); ++k)
+    for (const int number : topology_.lines_from(through[k])) {
+      const Line& next = topology_.lines()[static_cast<std::size_t>(number)];
+      if (next.lag != Lag::none || sampled(next.reader) || !follows(topology_.info(next.source), next.output))
+        continue;
+      if (std::find(all.begin(), all.end(), next.reader) == all.end()) all.push_back(next.reader);
+      reach(next.reader, next.input);
+    }
+  return all;
+}
+
+/// Samples of one that is sampled, and what jumps so much later that a row tells it before.
+void RunStart::note_watches() {
+  times_.jumps = jump_with_inputs();
+  for (const Line& line : topology_.lines()) {
+    const bool late = line.lag != Lag::none && !sampled(line.source) && jumps_through(line);
+    if (sampled(line.reader) || (!late && !sampled(line.source))) continue;
+    for (const int reader : reached_at_once(line)) {
+      const Watch watch{reader, line.source, line.output, lag_of(line),
+                        late ? Reconstruction{} : Reconstruction{Reconstruction::Kind::held}};
+      if (std::find(times_.watches.begin(), times_.watches.end(), watch) == times_.watches.end())
+        times_.watches.push_back(watch);
+    }
+  }
+  for (const Watch& watch : times_.watches)
+    if (std::isfinite(times_.shortest_period[static_cast<std::size_t>(watch.reader)]))
+      times_.nearest[static_cast<std::size_t>(watch.reader)] = nearest_node(watch.reader);
+}
+
+/// It waits for the samples that it watches as for those that it reads.
+void RunStart::add_watched(std::vector<Read>& reads) const {
+  for (const Watch& watch : times_.watches) {
+    if (!sampled(watch.source)) continue;
+    const Sampling& sampling = topology_.info(watch.source).sampling;
+    const double shortest = times_.shortest_period[static_cast<std::size_t>(watch.reader)];
+    reads.push_back(
+        {watch.reader, watch.source, sampling.latency + watch.lag, false, sampling.period >= shortest});
+  }
+}
+
+/// Who reads what follows another at once waits for that one too.
+void RunStart::add_sources_behind(std::vector<Read>& reads) const {
+  for (const Line& line : topology_.lines())
+    if (line.lag == Lag::none && !sampled(line.source) && jumps_through(line))
+      for (const int reader : reached_at_once(line))
+        if (reader != line.source) reads.push_back({reader, line.source});
+}
+
+}  // namespace tandem
