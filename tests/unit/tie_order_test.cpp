@@ -87,7 +87,7 @@ TEST(Ties, AreBrokenByNameBetweenEqualsAndNotToldOfThoseThatDoNotMeet) {
     Scripted a = subsystem("plain"), b = subsystem("plain");
     RunBench bench;
     bench.add("b", b).add("a", a).schedule("slowest-first");
-    if (meet) bench.connect("a.y", "b.u", "lagrange1");
+    if (meet) bench.connect("a.y", "b.u", "lagrange1").connect("b.y", "a.u", "lagrange1");
     bench.run(2.0);
     EXPECT_EQ(bench.coordinator->schedule().order()[0], 1);
     std::string notes;

@@ -151,11 +151,14 @@ void DiagramModel::set_inputs(std::span<const Signal> u) {
   std::fill(hidden_.begin(), hidden_.end(), false);
 }
 
+/// An event is located to some 1e-12 of a step: nearer to an end of the step it is there, so that rounding of times does
+/// not decide whether it is.
 bool DiagramModel::step_to_event(OwnStep& s, std::span<const Signal> u) {
   set_inputs(u);
   Simulation& simulation = resume();
   if (!simulation.run_to_jump(s.end)) return false;
-  s.end = simulation.time();
+  const double t = simulation.time(), close = 4e-12 * s.length;
+  if (s.end - t > close) s.end = t - s.begin > close ? t : s.begin;
   return true;
 }
 

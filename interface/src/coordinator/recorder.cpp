@@ -117,7 +117,9 @@ void Recorder::start(double t_start) {
   t_start_ = t_start;
   tolerance_ = TimeTolerance(t_start);
   if (clock_ < 0) clock_ = smallest_step();
-  choices_.assign(what_.own ? tracks_.size() : 1, RowChoice(what_.rows, t_start));
+  RowRules rules = what_.rows;
+  rules.to = std::min(rules.to, run_.t_stop());  // a sample may take effect later
+  choices_.assign(what_.own ? tracks_.size() : 1, RowChoice(rules, t_start));
   for (Track& track : tracks_) track.rows.reserve(doubles_reserved);
   for (Column& column : columns_)
     if ((what_.own || column.subsystem == clock_) && column.fill != Fill::held) column.fill = Fill::own;

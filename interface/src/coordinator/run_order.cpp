@@ -41,18 +41,18 @@ bool RunStart::is_read(int who, std::optional<int> output) const {
 }
 
 /// Of equal own steps who jumps leads, as its readers then end steps where it does; who feeds an input
-/// through to a reader at once follows, as it then interpolates that input. So does one that feeds through and
-/// is read by nobody: whatever it is ahead of, its own outputs alone would err.
+/// through to a reader at once follows, as it then interpolates that input. Who is read by nobody comes last: nobody
+/// interpolates what it gives.
 RunStart::Tie RunStart::tie(int who) const {
   if (topology_.info(who).abilities.events) return Tie::jumps;
-  const bool has_readers = is_read(who);
+  if (!is_read(who)) return Tie::unread;
   Tie found = Tie::plain;
   for (const Feedthrough& f : topology_.info(who).feedthrough) {
-    if (has_readers && !is_read(who, f.output)) continue;
+    if (!is_read(who, f.output)) continue;
     for (const int k : topology_.lines_to(who, f.input)) {
       const Line& line = topology_.lines()[static_cast<std::size_t>(k)];
       if (!topology_.at_once(line)) continue;
-      if (has_readers && line.how.kind == Reconstruction::Kind::held) return Tie::jumps;
+      if (line.how.kind == Reconstruction::Kind::held) return Tie::jumps;
       found = Tie::feeds_through;
     }
   }
@@ -110,11 +110,13 @@ std::vector<std::vector<int>> RunStart::by_own_steps() const {
   }
   for (auto& group : groups) {
     std::sort(group.begin(), group.end(), [&](int a, int b) { return key(a) < key(b); });
-    const auto first = std::find_if(group.begin(), group.end(), [&](int i) {
-      return ties[static_cast<std::size_t>(i)] == Tie::feeds_through;
-    });
-    const auto sorted = sources_first({first, group.end()});
-    std::copy(sorted.begin(), sorted.end(), first);
+    for (const Tie tie : {Tie::feeds_through, Tie::unread}) {
+      const auto is = [&](int i) { return ties[static_cast<std::size_t>(i)] == tie; };
+      const auto first = std::find_if(group.begin(), group.end(), is),
+                 last = std::find_if_not(first, group.end(), is);
+      const auto sorted = sources_first({first, last});
+      std::copy(sorted.begin(), sorted.end(), first);
+    }
   }
   return groups;
 }
@@ -168,7 +170,7 @@ void RunStart::note_tie(const std::vector<int>& group) const {
   run_.notes_.push_back("subsystems " + names + " have the same own step and lead in this order, " +
                         (by_name ? "by name"
                                  : "as who switches leads, who feeds inputs through at once follows what it "
-                                   "reads, and names decide the rest") +
+                                   "reads, who is read by nobody comes last, and names decide the rest") +
                         "; coordination.order chooses another");
 }
 

@@ -65,13 +65,14 @@ class RunStart {
   bool jumps_through(const Line& line) const;
   std::vector<int> reached_at_once(const Line& line) const;
   void note_watches();
+  void end_steps_beside(int who);
   void add_watched(std::vector<Read>& reads) const;
   void add_sources_behind(std::vector<Read>& reads) const;
   void note_followers();
   void note_through();
   void stand_all();
   /// The place of one among equal own steps.
-  enum class Tie { jumps, plain, feeds_through };
+  enum class Tie { jumps, plain, feeds_through, unread };
   Tie tie(int who) const;
   bool is_read(int who, std::optional<int> output = {}) const;
   std::vector<int> sources_first(std::span<const int> group) const;

@@ -41,16 +41,21 @@ void RunStart::note_watches() {
   for (const Line& line : topology_.lines()) {
     const bool late = line.lag != Lag::none && !sampled(line.source) && jumps_through(line);
     if (sampled(line.reader) || (!late && !sampled(line.source))) continue;
+    if (late) end_steps_beside(line.reader);
     for (const int reader : reached_at_once(line)) {
       const Watch watch{reader, line.source, line.output, lag_of(line),
                         late ? Reconstruction{} : Reconstruction{Reconstruction::Kind::held}};
       if (std::find(times_.watches.begin(), times_.watches.end(), watch) == times_.watches.end())
         times_.watches.push_back(watch);
+      end_steps_beside(reader);
     }
   }
-  for (const Watch& watch : times_.watches)
-    if (std::isfinite(times_.shortest_period[static_cast<std::size_t>(watch.reader)]))
-      times_.nearest[static_cast<std::size_t>(watch.reader)] = nearest_node(watch.reader);
+}
+
+/// Beside its own nodes, if it can.
+void RunStart::end_steps_beside(int who) {
+  if (std::isfinite(times_.shortest_period[static_cast<std::size_t>(who)]))
+    times_.nearest[static_cast<std::size_t>(who)] = nearest_node(who);
 }
 
 /// It waits for the samples that it watches as for those that it reads.
