@@ -193,3 +193,59 @@ static const tandem_model sum_model = {
     .latency = latency_of_sum,
 };
 TANDEM_EXPORT_SAMPLED(c_sum, sum_model)
+
+/* ---- c_follower ---- */
+
+static const tandem_port inputs_of_follower[] = {{"u", "m", 1, 0, NAN}};
+static const tandem_port outputs_of_follower[] = {{"y", "m", 1, 0, NAN}};
+static const tandem_feedthrough feedthrough_of_follower[] = {{0, 0}};
+
+typedef struct follower {
+  double x, u;
+} follower;
+
+static double step_of_follower(const tandem_instance* self) {
+  (void)self;
+  return 0.07;
+}
+
+static tandem_status start_follower(tandem_instance* self, double t, const double* u0) {
+  follower* s = self->state;
+  (void)t;
+  s->x = 0.0, s->u = u0[0];
+  return TANDEM_OK;
+}
+
+static tandem_status step_follower(tandem_instance* self, tandem_own_step* own, const tandem_signal* u) {
+  follower* s = self->state;
+  s->x += own->length * tandem_signal_value(u, own->begin + own->length / 2.0);
+  s->u = tandem_signal_value(u, own->end);
+  return TANDEM_OK;
+}
+
+static int32_t jump_follower(tandem_instance* self, double t, const tandem_signal* u) {
+  follower* s = self->state;
+  const double before = s->u;
+  s->u = tandem_signal_value(u, t);
+  return s->u != before;
+}
+
+static void give_follower(const tandem_instance* self, double* y) {
+  const follower* s = self->state;
+  y[0] = s->x + s->u;
+}
+
+static const tandem_model follower_model = {.info = {.name = "follower",
+                                                     .input_count = 1,
+                                                     .output_count = 1,
+                                                     .feedthrough_count = 1,
+                                                     .inputs = inputs_of_follower,
+                                                     .outputs = outputs_of_follower,
+                                                     .feedthrough = feedthrough_of_follower},
+                                            .state_size = sizeof(follower),
+                                            .own_step = step_of_follower,
+                                            .start = start_follower,
+                                            .step = step_follower,
+                                            .outputs = give_follower,
+                                            .jump = jump_follower};
+TANDEM_EXPORT_FIXED_STEP(c_follower, follower_model)

@@ -16,6 +16,9 @@ const tandem_subsystem_api* c_integral(void);
  * it falls below -`width`. c [m], the integral of r and r itself, jumps with it. */
 const tandem_subsystem_api* c_switch(void);
 
+/* x' = u by the rule of the middle with steps of 0.07 s, and y = x + u, which follows u at once. */
+const tandem_subsystem_api* c_follower(void);
+
 /* Sums its input at each of its instants; with a gain the output follows that at once. */
 const tandem_subsystem_api* c_sum(void);
 

@@ -71,6 +71,51 @@ TEST(Python, StepsAreSplitWhereAnInputJumps) {
   EXPECT_NEAR(expected[3 * 4 + 2], exact, 2e-5) << "the rule's error in the parabola is 1.3e-5";
 }
 
+/// follower.py in C++.
+class Follower {
+ public:
+  SubsystemInfo info() const { return {"follower", {{"u", "m/s"}}, {{"x", "m"}}, {{0, 0}}, {}}; }
+  double own_step() const { return 0.1; }
+  void start(double, std::span<const double> u0) { x_ = 0.0, u_ = u0[0]; }
+  void step(const OwnStep& s, std::span<const Signal> u) {
+    u_ = u[0].value(s.end);
+    x_ += s.length * (u[0].value(s.begin) + u_) / 2.0;
+  }
+  bool jump(double t, std::span<const Signal> u) {
+    const double before = std::exchange(u_, u[0].value(t));
+    return u_ != before;
+  }
+  void outputs(double* y) const { *y = x_ + u_; }
+
+ private:
+  double x_ = 0.0, u_ = 0.0;
+};
+
+/// Where a call begins, where a step of it ends, and between nodes, from which no row comes.
+TEST(Python, OutputsThatJumpWithAnInputGiveASecondRow) {
+  Segment pieces[] = {{0.2, 0.0, {1.0, 0.3}}, {0.4, 0.2, {-2.0}}, {0.53, 0.4, {3.0}}, {9.0, 0.53, {1.0}}};
+  for (const int k : {1, 2, 3}) mark_jump(pieces[k], true);
+  const Signal u(pieces, 4, 2), later(pieces + 1, 3, 2);
+  FixedStep<Follower> here{Follower()};
+  const auto there =
+      open("spawn:" + python_program("follower.py", TANDEM_SOURCE_DIR "/tests/programs/"), all_sources());
+  std::vector<double> rows[2];
+  for (Subsystem* one : {static_cast<Subsystem*>(&here), there.get()}) {
+    auto& memory = rows[one == &here];
+    memory.resize(3 * 20);
+    Samples y(memory.data(), 3, 20);
+    const double u0 = 1.0;
+    one->initialize(0.0, 2.0, {&u0, 1}, y);
+    one->advance(0.2, true, {&u, 1}, y);
+    one->advance(1.0, false, {&later, 1}, y);
+  }
+  EXPECT_EQ(rows[0], rows[1]);
+  std::vector<double> marked;
+  for (std::size_t k = 0; k < 20; ++k)
+    if (rows[0][3 * k + 1] == 1.0) marked.push_back(rows[0][3 * k]);
+  EXPECT_EQ(marked, (std::vector<double>{0.2, 0.4}));
+}
+
 TEST(Python, AnExceptionOfTheModelIsOneSentence) {
   EXPECT_TRUE(refuses(ErrorCode::invalid_argument, {"mass2.py", "hello", "parameter 'k' is needed"},
                       [] { open("spawn:" + python_program("mass2.py") + "?m=1", all_sources()); }));

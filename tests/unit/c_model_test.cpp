@@ -63,6 +63,26 @@ class SwitchTwin {
   double r_ = 1.0, before_ = 1.0, c_ = 0.0;
 };
 
+/// c_follower in C++.
+class FollowerTwin {
+ public:
+  SubsystemInfo info() const { return {"follower", {{"u", "m"}}, {{"y", "m"}}, {{0, 0}}, {}}; }
+  double own_step() const { return 0.07; }
+  void start(double, std::span<const double> u0) { x_ = 0.0, u_ = u0[0]; }
+  void step(const OwnStep& s, std::span<const Signal> u) {
+    x_ += s.length * u[0].value(s.begin + s.length / 2.0);
+    u_ = u[0].value(s.end);
+  }
+  bool jump(double t, std::span<const Signal> u) {
+    const double before = std::exchange(u_, u[0].value(t));
+    return u_ != before;
+  }
+  void outputs(double* y) const { *y = x_ + u_; }
+
+ private:
+  double x_ = 0.0, u_ = 0.0;
+};
+
 /// c_sum in C++.
 class SumTwin {
  public:
@@ -133,6 +153,17 @@ void is_the_same_in_c(const tandem_subsystem_api* api) {
 TEST(CModel, TakesTheStepsThatFixedStepTakesInCpp) { is_the_same_in_c<IntegralTwin>(c_integral()); }
 
 TEST(CModel, GivesTheRowsOfEventsThatFixedStepGivesInCpp) { is_the_same_in_c<SwitchTwin>(c_switch()); }
+
+TEST(CModel, GivesTheRowsOfInputsThatJumpAsFixedStepDoesInCpp) {
+  is_the_same_in_c<FollowerTwin>(c_follower());
+  std::ptrdiff_t marked = 0;
+  for (std::uint32_t seed = 1; seed <= 200; ++seed) {
+    FixedStep<FollowerTwin> in_cpp{FollowerTwin()};
+    const auto rows = driven(in_cpp, seed);
+    marked += std::count(rows.begin(), rows.end(), 1.0);
+  }
+  EXPECT_GT(marked, 100);
+}
 
 TEST(CModel, SamplesAsSampledDoesInCpp) {
   CSubsystem in_c(c_sum(), "");

@@ -1,7 +1,7 @@
 /* Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause */
 /* TANDEM_EXPORT_FIXED_STEP(tandem_subsystem, model): a model (tandem/model.h) with a fixed own step. What is
  * done for it is what tandem/fixed_step.hpp does in C++: the grid of own steps, landing, early returns, steps
- * that are split where an input jumps, both rows of an event, saved states. */
+ * that are split where an input jumps, both rows of an event and of what jumps with an input, saved states. */
 #ifndef TANDEM_FIXED_STEP_H
 #define TANDEM_FIXED_STEP_H
 #include <float.h>
@@ -36,6 +36,33 @@ static inline void tandem_pass_jump(tandem_instance* self) {
     self->signals[i] = tandem_signal_from_jump(self->u + i, self->next_jump);
   self->u = self->signals;
   tandem_find_jump(self, self->next_jump);
+}
+
+/* Inputs may also jump where a step of this call has ended: 0 if none does. */
+static inline int tandem_pass_jumps(tandem_instance* self) {
+  int any = 0;
+  while (self->next_jump < self->now->next && !tandem_before(self, self->now->time, self->next_jump)) {
+    tandem_pass_jump(self);
+    any = 1;
+  }
+  return any;
+}
+
+/* Those of a call where it begins. */
+static inline int tandem_have_jumped(const tandem_instance* self) {
+  size_t i;
+  for (i = 0; i < self->input_count; ++i)
+    if (tandem_segment_jumps(self->u[i].segments) &&
+        !tandem_before(self, self->u[i].segments->origin, self->now->time))
+      return 1;
+  return 0;
+}
+
+/* A second row where it stands and inputs have jumped; 0 if no output has with them. */
+static inline int tandem_take_jump(tandem_instance* self, tandem_samples* y) {
+  if (!self->model->jump || !self->model->jump(self, self->now->time, self->u)) return 0;
+  tandem_append(self, self->model->outputs, 1.0, y);
+  return 1;
 }
 
 /* The step in parts, from one jump of an input to the next, as far as an event. */
@@ -95,6 +122,7 @@ static inline tandem_status tandem_fixed_advance(void* made, double t_limit, int
   self->u = u;
   if (tandem_take_reaction(self) != TANDEM_OK) return TANDEM_NOT_SUPPORTED;
   tandem_find_jump(self, now->time);
+  if (y->size < y->capacity && tandem_have_jumped(self)) tandem_take_jump(self, y);
   while (y->size + rows <= y->capacity) {
     const int whole = !tandem_before(self, t_limit, now->next);
     const double end = whole ? now->next : t_limit;
@@ -102,6 +130,7 @@ static inline tandem_status tandem_fixed_advance(void* made, double t_limit, int
     tandem_status status;
     if (!whole && !(land && tandem_before(self, now->time, t_limit)))
       return tandem_tell(self, TANDEM_STOP_LIMIT, clock);
+    if (tandem_pass_jumps(self) && tandem_take_jump(self, y)) continue;
     if ((status = tandem_integrate(self, &s)) != TANDEM_OK) return status;
     if (s.event) return tandem_stop_at(self, s.end, y, clock);
     tandem_move_to(self, s.end);

@@ -65,6 +65,8 @@ typedef struct tandem_model {
   double (*latency)(const tandem_instance*);                              /* of the outputs of a sample [s] */
   const int32_t* held;                                                    /* by output */
   const double* nominal;                                                  /* likewise */
+  /* With feedthrough: inputs have jumped at t, where it stands; not 0: outputs have with them. */
+  int32_t (*jump)(tandem_instance*, double t, const tandem_signal* u);
 } tandem_model;
 
 /* An error with its sentence: return tandem_refuse(self, TANDEM_NUMERICAL, "no solution at t = %g s", t). */

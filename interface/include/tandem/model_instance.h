@@ -54,7 +54,8 @@ static inline void tandem_append(const tandem_instance* self,
   row[1] = jump;
   outputs(self, row + 2);
   if (self->reaction)
-    memcpy(row + y->stride - self->reaction->states, self->z, (size_t)self->reaction->states * sizeof(double));
+    memcpy(row + y->stride - self->reaction->states, self->z,
+           (size_t)self->reaction->states * sizeof(double));
 }
 
 /* Puts it there, with the first row. */

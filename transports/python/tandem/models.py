@@ -141,6 +141,10 @@ class FixedStep(SavedModel):
 
         state() -> Sequence[float]                            # all that its steps go by and that start() does not make
         set_state(numbers)
+
+    and, where inputs feed through,
+
+        jump(t, u) -> bool                                    # inputs have jumped at t, where it stands: have outputs?
     """
 
     def __init__(self, model: Any) -> None:
@@ -158,17 +162,46 @@ class FixedStep(SavedModel):
     def advance(self, t_limit: float, land: bool, u: Sequence[Signal], rows: List[Row], room: int) -> Clock:
         grid = self._grid
         self._u, self._jump = u, _next_jump(u, grid.time)
+        if len(rows) < room and self._have_jumped():
+            self._take_jump(rows)
         while len(rows) < room:
-            if grid.fits(t_limit):
+            fits = grid.fits(t_limit)
+            if not fits and not (land and grid.cuts(t_limit)):
+                return self._clock()
+            if self._pass_jumps() and self._take_jump(rows):
+                continue
+            if fits:
                 self._integrate(grid.time, grid.next, grid.length())
                 grid.step()
-            elif land and grid.cuts(t_limit):
+            else:
                 self._integrate(grid.time, t_limit, t_limit - grid.time)
                 grid.cut(t_limit)
-            else:
-                return self._clock()
             self._append(rows)
         return self._clock(Stop.SAMPLES_FULL)
+
+    def _have_jumped(self) -> bool:
+        """Inputs, where the call begins."""
+        first = (signal.segments[0] for signal in self._u)
+        return any(s.jumps() and not before(s.origin, self._grid.time, self._grid.t_start) for s in first)
+
+    def _pass_jumps(self) -> bool:
+        """Inputs may also jump where a step of this call has ended."""
+        grid, any_jump = self._grid, False
+        while self._jump < grid.next and not before(grid.time, self._jump, grid.t_start):
+            self._pass(self._jump)
+            any_jump = True
+        return any_jump
+
+    def _pass(self, t: float) -> None:
+        self._u = [signal.from_jump_at(t) for signal in self._u]
+        self._jump = _next_jump(self._u, t)
+
+    def _take_jump(self, rows: List[Row]) -> bool:
+        """A second row where it stands, if outputs have jumped with inputs."""
+        jumps = hasattr(self.model, "jump") and self.model.jump(self._grid.time, self._u)
+        if jumps:
+            rows.append(Row(self._grid.time, list(self.model.outputs()), True))
+        return jumps
 
     def _integrate(self, begin: float, end: float, h: float) -> None:
         """A step, in parts from one jump of an input to the next (tandem::Jumps)."""
@@ -178,8 +211,7 @@ class FixedStep(SavedModel):
             if before(begin, t, t_start):
                 self.model.step(begin, t, t - begin, self._u)
                 begin, h = t, end - t
-            self._u = [signal.from_jump_at(t) for signal in self._u]
-            self._jump = _next_jump(self._u, t)
+            self._pass(t)
         self.model.step(begin, end, h, self._u)
 
     def _append(self, rows: List[Row]) -> None:
