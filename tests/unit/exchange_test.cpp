@@ -54,7 +54,10 @@ class Bench {
     }
     exchange->commit(source, times_[source]);
   }
-  std::span<const Signal> read(double from, double to) { return exchange->inputs(2, from, to, to); }
+  std::span<const Signal> read(double from, double to) { return read(from, to, to); }
+  std::span<const Signal> read(double from, double next, double limit) {
+    return exchange->inputs(2, from, next, limit);
+  }
   /// The reader gives its sample at t: it will not read before it.
   void stand(double t) {
     if (!exchange->history(2).has_room(1)) exchange->make_room(2, 1);
@@ -78,7 +81,7 @@ TEST(Exchange, ASumIsTheSumOfItsTermsWhateverTheirGrids) {
       Bench bench(how_a, how_b);
       bench.give(0, 9);
       bench.give(1, 8);
-      const auto u = bench.read(0.0, 2.0);
+      const auto u = bench.read(0.0, 2.0, 3.4);
       // Extrapolation of degree 4 by 0.7 is below 1e3 in size, and a Taylor shift of it takes some 30
       // operations.
       for (double t = 0.0; t < 3.4; t += 1.0 / 64.0)
@@ -91,9 +94,18 @@ TEST(Exchange, ASumOfALateTermBreaksWhereThatTermBreaks) {
   Bench bench("lagrange0", "lagrange1", 0.11);
   bench.give(0, 9);
   bench.give(1, 8);
-  const auto u = bench.read(0.0, 2.0);
+  const auto u = bench.read(0.0, 2.0, 3.4);
   for (double t = 0.0; t < 3.4; t += 1.0 / 128.0)
     ASSERT_NEAR(u[0].value(t), u[1].value(t) + u[2].value(t), 1e-13) << t;
+}
+
+/// However many pieces of its terms are known beyond it.
+TEST(Exchange, ASumHasThePiecesOfItsCallAlone) {
+  Bench bench("lagrange3", "lagrange3", 0.0, 3000);
+  bench.give(0, 500);
+  bench.give(1, 500);
+  EXPECT_LE(bench.read(0.0, 0.3)[0].segments().size(), 5U);
+  EXPECT_GE(bench.read(0.0, 30.0)[0].segments().size(), 200U);
 }
 
 TEST(Exchange, ASumReadsTheSameBitsFromWhereverTheCallBegins) {

@@ -19,22 +19,22 @@ double lag_of(Lag lag, int reader, const LinkTimes& times) {
   return lag == Lag::delay ? times.delay : 0.0;
 }
 
-/// Of a term that which holds up to the end of a piece of the sum.
-const Segment& piece_before(const Signal& signal, double end) {
-  const auto segments = signal.segments();
-  const auto it =
-      std::find_if(segments.begin(), segments.end() - 1, [&](const Segment& s) { return end <= s.end; });
-  return *it;
-}
-
-/// That which begins with a jump where this piece of the sum does, the last of them, if there is one.
-const Segment& piece(const Signal& signal, const Segment& of_sum, const TimeTolerance& tolerance) {
-  const auto segments = signal.segments();
-  const auto jump = std::find_if(segments.rbegin(), segments.rend(), [&](const Segment& s) {
+/// Of a term's pieces that which begins with a jump where this piece of the sum does: the last of them, if there is one.
+const Segment* jump_at(std::span<const Segment> pieces, const Segment& of_sum,
+                       const TimeTolerance& tolerance) {
+  const auto jump = std::find_if(pieces.rbegin(), pieces.rend(), [&](const Segment& s) {
     return tandem_segment_jumps(&s) &&
            std::abs(s.origin - of_sum.origin) <= tolerance.width(s.origin, of_sum.origin);
   });
-  return tandem_segment_jumps(&of_sum) && jump != segments.rend() ? *jump : piece_before(signal, of_sum.end);
+  return jump == pieces.rend() ? nullptr : &*jump;
+}
+
+/// The pieces that a call up to the limit reads.
+Signal up_to(const Signal& signal, double limit, const TimeTolerance& tolerance) {
+  const auto pieces = signal.segments();
+  std::size_t last = 0;
+  while (last + 1 < pieces.size() && !tolerance.before(limit, pieces[last].end)) ++last;
+  return Signal(pieces.data(), static_cast<std::int32_t>(last + 1), signal.degree());
 }
 
 /// Whether what the source gives may jump with events of another, or with any inputs where the reader sees it later.
@@ -113,7 +113,8 @@ void Exchange::add_line(const Topology& topology, const Line& line, const LinkTi
     const auto known =
         std::find_if(reader.sums.begin(), reader.sums.end(), [&](const Sum& s) { return s.input == slot; });
     const bool first = known == reader.sums.end();
-    Sum& sum = first ? reader.sums.emplace_back(Sum{slot, reader.slots.size(), terms.size(), {}}) : *known;
+    Sum& sum =
+        first ? reader.sums.emplace_back(Sum{slot, reader.slots.size(), terms.size(), {}, {}}) : *known;
     if (first) reader.slots.resize(reader.slots.size() + terms.size());
     reader.has_more = true;
     const auto number = static_cast<int>(&line - topology.lines().data());
@@ -201,8 +202,9 @@ std::span<const double> Exchange::sample(int reader, TimeSpan to) {
 /// The sum's breaks are those of all its terms, and it jumps where one does: by a marked piece of no length,
 /// after which it goes on as elsewhere. Each piece has its origin at its end, where a term's node is,
 /// so it too depends on the samples alone.
-void Exchange::add_up(Sum& sum, std::span<Signal> slots) const {
+void Exchange::add_up(Sum& sum, std::span<Signal> slots, double limit) const {
   const auto terms = slots.subspan(sum.first, sum.count);
+  for (Signal& term : terms) term = up_to(term, limit, tolerance_);
   sum.segments.clear();
   const double begin = first_jump_end(terms);
   for (const Signal& term : terms) add_pieces(sum, term, begin);
@@ -216,15 +218,25 @@ void Exchange::add_up(Sum& sum, std::span<Signal> slots) const {
         return jumps(a) == jumps(b) && (a.end == b.end || b.end - a.end <= tolerance_.width(a.end, a.end));
       });
   sum.segments.erase(last, sum.segments.end());
+  sum.jumps.clear();
+  for (Segment& s : sum.segments) sum.jumps.push_back(jumps(s) != 0), mark_jump(s, false);
   int degree = 0;
-  for (Segment& s : sum.segments) {
-    Segment total{s.end, s.origin, {}};  // the mark of s is to be seen by all terms
-    for (const Signal& term : terms) add_shifted(piece(term, s, tolerance_), s.origin, total.c);
-    mark_jump(total, jumps(s) != 0);
-    s = total;
-  }
-  for (const Signal& term : terms) degree = std::max(degree, static_cast<int>(term.degree()));
+  for (const Signal& term : terms)
+    add_term(sum, term), degree = std::max(degree, static_cast<int>(term.degree()));
+  for (std::size_t k = 0; k < sum.segments.size(); ++k) mark_jump(sum.segments[k], sum.jumps[k] != 0);
   slots[sum.input] = Signal(sum.segments.data(), static_cast<std::int32_t>(sum.segments.size()), degree);
+}
+
+/// To each piece of the sum that piece of the term which holds up to its end.
+void Exchange::add_term(Sum& sum, const Signal& term) const {
+  const auto pieces = term.segments();
+  std::size_t at = 0;
+  for (std::size_t k = 0; k < sum.segments.size(); ++k) {
+    Segment& s = sum.segments[k];
+    while (at + 1 < pieces.size() && pieces[at].end < s.end) ++at;
+    const Segment* const jump = sum.jumps[k] ? jump_at(pieces, s, tolerance_) : nullptr;
+    add_shifted(jump ? *jump : pieces[at], s.origin, s.c);
+  }
 }
 
 /// Terms that begin with a jump have jumped by the begin of the call, and so has the sum: the last such end.

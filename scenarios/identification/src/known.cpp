@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "side_by_side.hpp"
 #include "tandem/error.hpp"
@@ -39,6 +40,20 @@ std::vector<std::uint64_t> bits(const TimeSpan& span, std::span<const double> u0
                                     std::bit_cast<std::uint64_t>(span.stop)};
   for (const double u : u0) all.push_back(std::bit_cast<std::uint64_t>(std::isnan(u) ? std::nan("") : u));
   return all;
+}
+
+/// That of the first own step, without what times far from 0 round it by.
+double exact_step(Subsystem& real, double step, const TimeSpan& span, std::span<const double> u0) {
+  const double rounding =
+      4.0 * std::numeric_limits<double>::epsilon() * std::max(std::abs(span.start), std::abs(span.stop));
+  try {
+    std::vector<double> row(static_cast<std::size_t>(real.info().row_size()));
+    Samples y(row.data(), real.info().row_size(), 1);
+    const double from_zero = real.initialize(0.0, span.stop - span.start, u0, y).next_time;
+    return std::abs(from_zero - step) <= rounding ? from_zero : step;
+  } catch (const Error&) {  // its data begin later
+    return step;
+  }
 }
 
 }  // namespace
@@ -86,6 +101,7 @@ void Known::look(Subsystem& real, const TimeSpan& span, std::span<const double> 
     stand_.why = "it is not linear";
     return;
   }
+  if (span.start != 0.0) found->step = exact_step(real, found->step, span, u0);
   stand_.order = static_cast<int>(found->order()), stand_.residual = found->residual;
   if (found->residual <= Models::most_residual)
     keep(real, std::move(*found), {clock.time, span.stop}, u0);

@@ -95,12 +95,12 @@ class Exchange {
   void remake_newest(int source);
 
   /// The inputs of `reader` for a call from `time` to `limit`, with a first own step to `next_time`. Valid
-  /// until the next commit of one of its sources or the next call of inputs() for it.
+  /// at times up to `limit`, until the next commit of one of its sources or the next call of inputs() for it.
   std::span<const Signal> inputs(int reader, double time, double next_time, double limit) {
     End& end = ends_[static_cast<std::size_t>(reader)];
     for (Link* link : end.in) link->read(time, next_time, end.slots.data());
     if (end.has_more) {
-      for (Sum& sum : end.sums) add_up(sum, end.slots);
+      for (Sum& sum : end.sums) add_up(sum, end.slots, limit);
       for (Driven& input : end.driven) end.slots[input.slot()] = input.over(time, limit);
     }
     return {end.slots.data(), static_cast<std::size_t>(end.inputs)};
@@ -156,6 +156,7 @@ class Exchange {
   struct Sum {
     std::size_t input, first, count;  ///< slots
     std::vector<Segment> segments;
+    std::vector<char> jumps;  ///< by segment
   };
   /// What one subsystem gives and reads.
   struct alignas(64) End {
@@ -183,7 +184,8 @@ class Exchange {
   void add_watch(const Topology& topology, const Watch& watch, const LinkTimes& times);
   void hold_start_values(const Topology& topology, int reader);
   void drive(const Topology& topology, int reader, double t_start);
-  void add_up(Sum& sum, std::span<Signal> slots) const;
+  void add_up(Sum& sum, std::span<Signal> slots, double limit) const;
+  void add_term(Sum& sum, const Signal& term) const;
   double first_jump_end(std::span<const Signal> terms) const;
   void add_pieces(Sum& sum, const Signal& term, double begin) const;
   void add_rest(Sum& sum, std::span<const Signal> terms) const;
