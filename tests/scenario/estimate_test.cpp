@@ -45,6 +45,23 @@ double true_error(const Scratch& folder, const Words& ratio) {
   return most;
 }
 
+/// Own steps as the difference of two times far from 0 were another step, and the end of the run another one.
+TEST(Estimate, IsTheSameWhereverTimeBegins) {
+  double first = 0.0;
+  for (const double start : {0.0, 1.3, 17.3, -4.2, 1000.1}) {
+    const Scratch folder;
+    const Said said = tandem(folder, {"run", two_mass_file("two_mass.toml"), "--no-reference", "--output", "o",
+                                      "--estimate", "--set", "span.start=" + std::to_string(start), "--set",
+                                      "span.stop=" + std::to_string(start + 100.0)});
+    ASSERT_EQ(said.status, 0) << said.err;
+    const auto told = json_of(folder, "o/results.json")["indicators"]["estimates"];
+    ASSERT_TRUE(told.contains("estimate(fast.x1)")) << start << said.out;
+    const double largest = told["estimate(fast.x1)"]["largest"];
+    if (start == 0.0) first = largest;
+    EXPECT_NEAR(largest, first, 1e-5 * first) << start;
+  }
+}
+
 TEST(Estimate, TellsTheErrorOfTheJudgedOutputAndChangesNoBit) {
   for (const char* ratio : {"4", "9.3", "25", "57.3"}) {
     const Words of = {"--set", std::string("parameters.frequency_ratio=") + ratio};

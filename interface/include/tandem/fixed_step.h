@@ -1,7 +1,7 @@
 /* Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause */
 /* TANDEM_EXPORT_FIXED_STEP(tandem_subsystem, model): a model (tandem/model.h) with a fixed own step. What is
- * done for it is what tandem/fixed_step.hpp does in C++: the grid of own steps, landing, early returns, steps
- * that are split where an input jumps, both rows of an event and of what jumps with an input, saved states. */
+ * done for it is what tandem/fixed_step.hpp does in C++: the grid of own steps, landing, early returns, saved states. Steps
+ * are split where an input jumps. Events have both rows, and so have outputs that jump with an input. */
 #ifndef TANDEM_FIXED_STEP_H
 #define TANDEM_FIXED_STEP_H
 #include <float.h>
