@@ -49,17 +49,22 @@ bool RunStart::lands(const Line& line) const {
 }
 
 /// By subsystem that integrates itself: the sampled ones at whose instants it ends a step, or, where it reads
-/// them, does not.
+/// them, itself or by others, does not.
 void RunStart::note_landing() const {
   if (!run_.has_samples_) return;
   std::vector<std::vector<int>> met(clocks_.size()), missed(clocks_.size());
+  const auto add = [&](bool ends, int who, int other) {
+    auto& list = (ends ? met : missed)[static_cast<std::size_t>(who)];
+    if (std::find(list.begin(), list.end(), other) == list.end()) list.push_back(other);
+  };
   for (const Line& line : topology_.lines()) {
     if (!meets_samples(line)) continue;
     const bool reads = sampled(line.source), ends = lands(line);
     const int who = reads ? line.reader : line.source, other = reads ? line.source : line.reader;
-    auto& list = (ends ? met : missed)[static_cast<std::size_t>(who)];
-    if ((ends || reads) && std::find(list.begin(), list.end(), other) == list.end()) list.push_back(other);
+    if (ends || reads) add(ends, who, other);
   }
+  for (const Watch& watch : times_.watches)
+    if (sampled(watch.source)) add(lands(watch), watch.reader, watch.source);
   for (std::size_t i = 0; i < met.size(); ++i) {
     note_missed(static_cast<int>(i), missed[i]);
     note_multiplied(static_cast<int>(i), met[i]);

@@ -32,6 +32,7 @@ class RunStart {
   Landing landing_of(int who) const;
   bool meets_samples(const Line& line) const;
   bool lands(const Line& line) const;
+  bool lands(const Watch& watch) const;
   void note_landing() const;
   void note_missed(int who, const std::vector<int>& others) const;
   void note_missed(int who, const std::string& what) const;

@@ -3,6 +3,7 @@
 // which is known beforehand, and waits there for all that stand between.
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "feedthrough.hpp"
 #include "run_start.hpp"
@@ -43,13 +44,16 @@ void RunStart::note_watches() {
     if (sampled(line.reader) || (!late && !sampled(line.source))) continue;
     if (late) end_steps_beside(line.reader);
     for (const int reader : reached_at_once(line)) {
-      const Watch watch{reader, line.source, line.output, lag_of(line),
-                        late ? Reconstruction{} : Reconstruction{Reconstruction::Kind::held}};
-      if (std::find(times_.watches.begin(), times_.watches.end(), watch) == times_.watches.end())
-        times_.watches.push_back(watch);
+      times_.watches.push_back({reader, line.source, line.output, lag_of(line),
+                                late ? Reconstruction{} : Reconstruction{Reconstruction::Kind::held}});
       end_steps_beside(reader);
     }
   }
+  const auto key = [](const Watch& w) { return std::tuple(w.reader, w.source, w.output, w.lag); };
+  auto& all = times_.watches;
+  std::sort(all.begin(), all.end(), [&](const Watch& a, const Watch& b) { return key(a) < key(b); });
+  const auto same = [&](const Watch& a, const Watch& b) { return key(a) == key(b); };
+  all.erase(std::unique(all.begin(), all.end(), same), all.end());
 }
 
 /// Beside its own nodes, if it can.
@@ -60,13 +64,16 @@ void RunStart::end_steps_beside(int who) {
 
 /// It waits for the samples that it watches as for those that it reads.
 void RunStart::add_watched(std::vector<Read>& reads) const {
-  for (const Watch& watch : times_.watches) {
-    if (!sampled(watch.source)) continue;
-    const Sampling& sampling = topology_.info(watch.source).sampling;
-    const double shortest = times_.shortest_period[static_cast<std::size_t>(watch.reader)];
-    reads.push_back(
-        {watch.reader, watch.source, sampling.latency + watch.lag, false, sampling.period >= shortest});
-  }
+  for (const Watch& watch : times_.watches)
+    if (sampled(watch.source))
+      reads.push_back({watch.reader, watch.source, topology_.info(watch.source).sampling.latency + watch.lag,
+                       false, lands(watch)});
+}
+
+/// At the samples.
+bool RunStart::lands(const Watch& watch) const {
+  return topology_.info(watch.source).sampling.period >=
+         times_.shortest_period[static_cast<std::size_t>(watch.reader)];
 }
 
 /// Who reads what follows another at once waits for that one too.

@@ -11,16 +11,14 @@
 
 namespace tandem {
 
-/// Times of a run that links go by [s].
 /// A jump of this output at t may be one, at t + lag, of what `reader` reads of others that follow it at once.
 struct Watch {
   int reader, source, output;
   double lag;          ///< [s]
   Reconstruction how;  ///< held, or any that follows samples
-
-  bool operator==(const Watch&) const = default;
 };
 
+/// Times of a run that links go by [s].
 struct LinkTimes {
   std::vector<double> memory;  ///< by reader: of lines with a memory
   double delay = 0.0;          ///< of lines with a delay

@@ -14,7 +14,7 @@ class Estimate;
 /// Estimate::save, if there are any; Recorder::save.
 class Checkpoint {
  public:
-  static constexpr std::uint32_t format_version = 8;
+  static constexpr std::uint32_t format_version = 9;
 
   /// Null for those that are not there.
   struct Watching {
