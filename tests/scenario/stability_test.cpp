@@ -171,6 +171,26 @@ TEST(Stability, StepsThatNeverMeetAreTakenWhereTheyNearlyDo) {
   }
 }
 
+/// Own steps are differences of times: far from 0 their quotients are rounded, and no parameter had their value.
+TEST(Stability, TheLargestStepIsTheSameWhereverTimeBegins) {
+  for (const char* schedule : {"slowest-first", "parallel"}) {
+    double first = 0.0;
+    for (const double start : {0.0, 1.0, 17.3, -4.2, 1000.0}) {
+      const Settings at = {"constants.step=0.013", "subsystems.side2.parameters.step=0.026",
+                           std::string("coordination.schedule=") + schedule,
+                           fmt::format("span.start={:.17g}", start),
+                           fmt::format("span.stop={:.17g}", start + 10.0)};
+      const auto one = scene("oscillator/displacement_displacement.toml", at);
+      const auto largest = stability::largest_step(one, sources());
+      const double step = largest.factor * largest.step;
+      if (start == 0.0) first = step;
+      EXPECT_NEAR(step, first, 1e-5 * first) << schedule << ' ' << start;
+    }
+    EXPECT_GT(first, 0.01) << schedule;
+    EXPECT_LT(first, 1e3) << schedule;
+  }
+}
+
 TEST(Stability, LargestStepsAreThoseOfTheSearch) {
   const auto of = [](const std::string& file, const Settings& settings) {
     return stability::largest_step(scene(file, settings), sources());

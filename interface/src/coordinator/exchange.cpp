@@ -37,12 +37,9 @@ Signal up_to(const Signal& signal, double limit, const TimeTolerance& tolerance)
   return Signal(pieces.data(), static_cast<std::int32_t>(last + 1), signal.degree());
 }
 
-/// Whether what the source gives may jump with events of another, or with any inputs where the reader sees it later.
+/// Whether what the source gives may jump with events of another.
 bool carries_jumps(const SubsystemInfo& source, const Link& link, const LinkTimes& times) {
-  const auto says = [&](const std::vector<char>& all) {
-    return !all.empty() && all[static_cast<std::size_t>(link.source())] != 0;
-  };
-  return (says(times.carries) || (link.delay() > 0.0 && says(times.jumps))) &&
+  return !times.carries.empty() && times.carries[static_cast<std::size_t>(link.source())] &&
          std::any_of(link.lanes().begin(), link.lanes().end(),
                      [&](const Lane& lane) { return follows(source, lane.output); });
 }
@@ -68,7 +65,7 @@ Exchange::Exchange(const Topology& topology, double t_start, const LinkTimes& ti
   std::map<std::pair<int, int>, std::vector<std::size_t>> of_pairs;
   for (const Line& line : topology.lines())
     add_line(topology, line, times, of_pairs[{line.source, line.reader}]);
-  for (const Watch& watch : times.watches) add_watch(topology, watch, times);
+  for (const Watch& watch : times.watches) add_watch(watch);
   for (int i = 0; i < topology.size(); ++i) hold_start_values(topology, i), drive(topology, i, t_start);
   for (std::size_t i = 0; i < times.breaks.size(); ++i) ends_[i].known_breaks = times.breaks[i];
   for (Link& link : links_) {
@@ -127,13 +124,11 @@ void Exchange::add_line(const Topology& topology, const Line& line, const LinkTi
 }
 
 /// A link of its own, into a place that is no input's.
-void Exchange::add_watch(const Topology& topology, const Watch& watch, const LinkTimes& times) {
+void Exchange::add_watch(const Watch& watch) {
   End& reader = ends_[static_cast<std::size_t>(watch.reader)];
-  Link& link = links_.emplace_back(watch.source, watch.reader, watch.how, watch.lag);
-  const double nearest = times.nearest[static_cast<std::size_t>(watch.source)];
-  if (nearest > 0.0) link.pass_over(nearest);
-  const bool held = scalar_at(topology.info(watch.source).outputs, watch.output).port->held;
-  link.add({watch.output, static_cast<int>(reader.slots.size()), 1.0, 0.0, held});
+  Link& link =
+      links_.emplace_back(watch.source, watch.reader, Reconstruction{Reconstruction::Kind::held}, watch.lag);
+  link.add({watch.output, static_cast<int>(reader.slots.size()), 1.0, 0.0, true});
   reader.slots.emplace_back();
 }
 

@@ -63,8 +63,7 @@ void RunStart::note_landing() const {
     const int who = reads ? line.reader : line.source, other = reads ? line.source : line.reader;
     if (ends || reads) add(ends, who, other);
   }
-  for (const Watch& watch : times_.watches)
-    if (sampled(watch.source)) add(lands(watch), watch.reader, watch.source);
+  for (const Watch& watch : times_.watches) add(lands(watch), watch.reader, watch.source);
   for (std::size_t i = 0; i < met.size(); ++i) {
     note_missed(static_cast<int>(i), missed[i]);
     note_multiplied(static_cast<int>(i), met[i]);

@@ -123,6 +123,7 @@ class RunStart {
   std::vector<std::vector<double>> u0_;    ///< by subsystem: the inputs that it was initialized with
   std::vector<std::vector<double>> past_;  ///< by subsystem: rows before the start; empty: derivatives tell
   LinkTimes times_;
+  std::vector<char> jumps_;  ///< by subsystem: outputs that follow its inputs at once may jump
   bool has_breaks_ = false;            ///< LinkTimes::breaks
   std::vector<double> rounds_end_at_;  ///< [s]: where outputs are known to jump
 };

@@ -12,7 +12,7 @@ namespace tandem {
 
 /// Its source gives a second row where its own inputs jump.
 bool RunStart::jumps_through(const Line& line) const {
-  return times_.jumps[static_cast<std::size_t>(line.source)] != 0 &&
+  return jumps_[static_cast<std::size_t>(line.source)] != 0 &&
          follows(topology_.info(line.source), line.output);
 }
 
@@ -36,16 +36,12 @@ std::vector<int> RunStart::reached_at_once(const Line& line) const {
   return all;
 }
 
-/// Samples of one that is sampled, and what jumps so much later that a row tells it before.
 void RunStart::note_watches() {
-  times_.jumps = jump_with_inputs();
+  jumps_ = jump_with_inputs();
   for (const Line& line : topology_.lines()) {
-    const bool late = line.lag != Lag::none && !sampled(line.source) && jumps_through(line);
-    if (sampled(line.reader) || (!late && !sampled(line.source))) continue;
-    if (late) end_steps_beside(line.reader);
+    if (sampled(line.reader) || !sampled(line.source)) continue;
     for (const int reader : reached_at_once(line)) {
-      times_.watches.push_back({reader, line.source, line.output, lag_of(line),
-                                late ? Reconstruction{} : Reconstruction{Reconstruction::Kind::held}});
+      times_.watches.push_back({reader, line.source, line.output, lag_of(line)});
       end_steps_beside(reader);
     }
   }
@@ -65,9 +61,8 @@ void RunStart::end_steps_beside(int who) {
 /// It waits for the samples that it watches as for those that it reads.
 void RunStart::add_watched(std::vector<Read>& reads) const {
   for (const Watch& watch : times_.watches)
-    if (sampled(watch.source))
-      reads.push_back({watch.reader, watch.source, topology_.info(watch.source).sampling.latency + watch.lag,
-                       false, lands(watch)});
+    reads.push_back({watch.reader, watch.source, topology_.info(watch.source).sampling.latency + watch.lag,
+                     false, lands(watch)});
 }
 
 /// At the samples.

@@ -30,13 +30,13 @@ std::vector<char> RunStart::jump_with_inputs() const {
 void RunStart::note_followers() {
   std::vector<int> all;
   for (int i = 0; i < topology_.size(); ++i)
-    if (times_.jumps[static_cast<std::size_t>(i)] != 0) all.push_back(i);
+    if (jumps_[static_cast<std::size_t>(i)] != 0) all.push_back(i);
   run_.followers_ = sources_first(all);
 }
 
 void RunStart::note_through() {
   if (run_.coordination_.pauses) note_followers();
-  if (std::find(times_.jumps.begin(), times_.jumps.end(), 1) == times_.jumps.end()) return;
+  if (std::find(jumps_.begin(), jumps_.end(), 1) == jumps_.end()) return;
   run_.through_.resize(clocks_.size());
   run_.awaiting_.reserve(clocks_.size());
   for (const Line& line : topology_.lines()) {

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "tandem/scenario/assembly.hpp"
+#include "tandem/scenario/shortest_step.hpp"
 
 namespace tandem::scenario {
 namespace {
@@ -16,14 +17,21 @@ constexpr double tolerance = 1e-9;  // relative: a step from a rate, 1/n, is rou
 
 bool is_near(double a, double b) { return std::abs(a - b) <= tolerance * std::abs(b); }
 
+/// An own step is the difference of two times, from the start of a run on [s].
+bool is_step(double own, double wanted, double start) {
+  return std::abs(own - wanted) <=
+         tolerance * wanted + 4.0 * std::numeric_limits<double>::epsilon() * (std::abs(start) + wanted);
+}
+
 /// First own steps [s], NaN of a sampled subsystem.
 std::vector<double> own_steps(const Scenario& scenario, const Builtins& builtins) {
   Assembly assembly(scenario, builtins);
   assembly.initialize();
   std::vector<double> steps;
   for (int i = 0; i < assembly.topology().size(); ++i)
-    steps.push_back(assembly.topology().info(i).abilities.sampled ? std::nan("")
-                                                                  : assembly.coordinator().own_step(i));
+    steps.push_back(assembly.topology().info(i).abilities.sampled
+                        ? std::nan("")
+                        : shortest_step(assembly.coordinator().own_step(i), scenario.start));
   return steps;
 }
 
@@ -79,7 +87,7 @@ std::optional<Scenario> with_rate(const Scenario& scenario, std::size_t which, c
     Scenario other = scenario;
     set(other.subsystems[which], word.name, trial);
     set(other.subsystems[which], word.name, trial * own_steps(other, builtins)[which] / to);
-    if (is_near(own_steps(other, builtins)[which], to)) return other;
+    if (is_step(own_steps(other, builtins)[which], to, scenario.start)) return other;
   }
   return {};
 }
@@ -90,7 +98,7 @@ std::optional<Scenario> with_step(const Scenario& scenario, std::size_t which, c
   for (const auto& [name, value] : candidates(scenario.subsystems[which], builtins, from, to)) {
     Scenario other = scenario;
     set(other.subsystems[which], name, value);
-    if (is_near(own_steps(other, builtins)[which], to)) return other;
+    if (is_step(own_steps(other, builtins)[which], to, scenario.start)) return other;
   }
   return with_rate(scenario, which, builtins, to);
 }

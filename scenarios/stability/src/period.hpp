@@ -13,7 +13,7 @@ struct Period {
 };
 
 /// The shortest time in which so many of each length [s] end together, of up to most_steps of the largest; to rounding,
-/// else to a thousandth of each, else as nearly as any.
-Period common_period(const std::vector<double>& lengths);
+/// else to a thousandth of each, else as nearly as any. start [s]: lengths are differences of times from there on.
+Period common_period(const std::vector<double>& lengths, double start);
 
 }  // namespace tandem::stability

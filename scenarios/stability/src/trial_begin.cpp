@@ -59,7 +59,7 @@ void Trial::find_period() {
     if (!only_gives(i)) lengths.push_back(own_step(i));
   if (coordination_.communication_step && coordination_.schedule == Schedule::Kind::parallel)
     lengths.push_back(*coordination_.communication_step);
-  period_ = common_period(lengths);
+  period_ = common_period(lengths, scenario_.start);
   for (int i = 0; i < topology().size(); ++i)
     if (is_sampled(i)) period_.length = period_.last;  // an instant can't be cut
   for (int i = 0; i < topology().size(); ++i)

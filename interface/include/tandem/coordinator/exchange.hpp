@@ -11,11 +11,11 @@
 
 namespace tandem {
 
-/// A jump of this output at t may be one, at t + lag, of what `reader` reads of others that follow it at once.
+/// A change of this output of a sampled one at t may be a jump, at t + lag [s], of what `reader` reads of others that follow
+/// it at once.
 struct Watch {
   int reader, source, output;
-  double lag;          ///< [s]
-  Reconstruction how;  ///< held, or any that follows samples
+  double lag;
 };
 
 /// Times of a run that links go by [s].
@@ -33,8 +33,6 @@ struct LinkTimes {
   std::vector<char> carries = {};
   /// By reader, ascending: where it ends a step, as an input is known to jump or bend there. Empty: nowhere.
   std::vector<std::vector<double>> breaks = {};
-  /// By subsystem: outputs that follow its inputs at once may jump. Empty: none may.
-  std::vector<char> jumps = {};
   std::vector<Watch> watches = {};
 };
 
@@ -179,7 +177,7 @@ class Exchange {
                  std::vector<std::size_t>& of_pair);
   void add_line(const Topology& topology, const Line& line, const LinkTimes& times,
                 std::vector<std::size_t>& of_pair);
-  void add_watch(const Topology& topology, const Watch& watch, const LinkTimes& times);
+  void add_watch(const Watch& watch);
   void hold_start_values(const Topology& topology, int reader);
   void drive(const Topology& topology, int reader, double t_start);
   void add_up(Sum& sum, std::span<Signal> slots, double limit) const;
