@@ -45,7 +45,7 @@ void Trial::begin() {
     const std::int64_t steps = period_.steps[static_cast<std::size_t>(i)];
     before = std::max(before, (ages_.back() + steps - 1) / steps);
     add_coordinates(i, run);
-    const double past = period_.apart > 0.0 ? period_.length / static_cast<double>(steps) : own_step(i);
+    const double past = period_.length / static_cast<double>(steps);  // own steps are rounded far from 0
     seeded_.push_back(make_seeded(subsystem(i), scenario_.start, past, offset));
   }
   span_ = {scenario_.start - static_cast<double>(before) * period_.length, scenario_.start + period_.length};
