@@ -124,7 +124,7 @@ TEST_F(CheckpointFile, IsRefusedWithTheReason) {
       {whole.substr(0, whole.size() / 2), "is truncated"},
       {whole.substr(0, 20), "is truncated"},
       {whole + "x", "has grown"},
-      {of_another_version, "has the format version 77; allowed is 8"},
+      {of_another_version, "has the format version 77; allowed is 9"},
       {"time,fast.x1\n", "is no checkpoint"},
       {"", "is no checkpoint"}};
   for (const auto& [bytes, reason] : cases) {

@@ -152,13 +152,14 @@ void DiagramModel::set_inputs(std::span<const Signal> u) {
 }
 
 /// An event is located to some 1e-12 of a step: nearer to an end of the step it is there, so that rounding of times does
-/// not decide whether it is.
+/// not decide whether it is. Of several at its begin the first is: else one that switches to and fro would not move.
 bool DiagramModel::step_to_event(OwnStep& s, std::span<const Signal> u) {
   set_inputs(u);
   Simulation& simulation = resume();
+  const bool first = simulation.time() <= s.begin;
   if (!simulation.run_to_jump(s.end)) return false;
   const double t = simulation.time(), close = 4e-12 * s.length;
-  if (s.end - t > close) s.end = t - s.begin > close ? t : s.begin;
+  if (s.end - t > close) s.end = first && t - s.begin <= close ? s.begin : t;
   return true;
 }
 

@@ -28,10 +28,11 @@ std::vector<double> own_steps(const Scenario& scenario, const Builtins& builtins
   Assembly assembly(scenario, builtins);
   assembly.initialize();
   std::vector<double> steps;
-  for (int i = 0; i < assembly.topology().size(); ++i)
-    steps.push_back(assembly.topology().info(i).abilities.sampled
-                        ? std::nan("")
-                        : shortest_step(assembly.coordinator().own_step(i), scenario.start));
+  for (int i = 0; i < assembly.topology().size(); ++i) {
+    const bool sampled = assembly.topology().info(i).abilities.sampled;
+    const double h = assembly.coordinator().own_step(i);
+    steps.push_back(sampled ? std::nan("") : scenario.start == 0.0 ? h : shortest_step(h, scenario.start));
+  }
   return steps;
 }
 
