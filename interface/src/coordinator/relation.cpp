@@ -27,9 +27,7 @@ void unite_turns(std::vector<Relation>& all) {
     return a.kind == Relation::Kind::turns && b.kind == a.kind && a.first == b.first && a.second == b.second;
   };
   for (std::size_t k = all.size(); k-- > 1;)
-    if (same(all[k - 1], all[k]))
-      all[k - 1].lands |= all[k].lands, all[k - 1].reads |= all[k].reads,
-          all[k - 1].is_read |= all[k].is_read;
+    if (same(all[k - 1], all[k])) all[k - 1].lands |= all[k].lands, all[k - 1].reads |= all[k].reads;
   all.erase(std::unique(all.begin(), all.end(), same), all.end());
 }
 
@@ -59,11 +57,11 @@ std::vector<Relation> relations(std::span<const int> order, std::span<const Read
     else if (turns && place[reader] < place[source])
       all.push_back({r.reader, r.source, Relation::Kind::turns, 0.0, false, 0.0, true});
     else if (turns)
-      all.push_back({r.source, r.reader, Relation::Kind::turns, 0.0, r.lands, 0.0, false, true});
+      all.push_back({r.source, r.reader, Relation::Kind::turns, 0.0, r.lands});
   }
   const auto key = [&](const Relation& r) {
     return std::tuple(r.kind, place[static_cast<std::size_t>(r.first)],
-                      place[static_cast<std::size_t>(r.second)], r.lag, r.lands, r.reads, r.is_read);
+                      place[static_cast<std::size_t>(r.second)], r.lag, r.lands, r.reads);
   };
   std::sort(all.begin(), all.end(), [&](const Relation& a, const Relation& b) { return key(a) < key(b); });
   all.erase(std::unique(all.begin(), all.end()), all.end());

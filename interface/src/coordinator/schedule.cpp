@@ -73,10 +73,6 @@ double Schedule::find_landing(int who, double time, double break_at) {
 /// Who lands does so to the last bit where it is to, whatever limit is near there.
 inline void Schedule::add(int who, double limit) {
   const Member& m = member(who);
-  if (m.jumped && in_turns_ && related_ && turns_.only_tells(members_, who)) {
-    round_[count_++] = {who, m.time, false};
-    return;
-  }
   double to = std::max(std::min(limit, plan_.span.stop), m.next);
   const bool lands = landings_ && m.landing < earliest_stop_ && !tolerance_.before(to, m.landing),
              stops = !lands && to >= earliest_stop_;

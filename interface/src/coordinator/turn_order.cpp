@@ -38,7 +38,7 @@ void TurnOrder::gather_events(std::span<const int> order) {
 void TurnOrder::link() {
   std::vector<std::vector<Neighbour>> of(waits_.size());
   for (std::size_t k = 0; k < relations_.size(); ++k) {
-    const auto& [a, b, kind, lag, lands, period, reads, is_read] = relations_[k];
+    const auto& [a, b, kind, lag, lands, period, reads] = relations_[k];
     const auto number = static_cast<std::int32_t>(k);
     of[static_cast<std::size_t>(a)].push_back({b, number, Relation::Waits::first, kind});
     of[static_cast<std::size_t>(b)].push_back({a, number, Relation::Waits::second, kind});
@@ -195,17 +195,6 @@ double TurnOrder::limit(std::span<const Member> members, int who) const {
       limit = std::min(limit, r.known(other));
   }
   return limit;
-}
-
-bool TurnOrder::only_tells(std::span<const Member> members, int who) const {
-  const Member& m = members[static_cast<std::size_t>(who)];
-  const auto leads_by_jumps = [&](const Neighbour& n) {
-    const Member& other = members[static_cast<std::size_t>(n.who)];
-    return n.leads() && other.jumps && relations_[static_cast<std::size_t>(n.relation)].is_read &&
-           tolerance_.before(other.time, m.next);
-  };
-  const auto all = neighbours(who);
-  return m.jumped && std::any_of(all.begin(), all.end(), leads_by_jumps);
 }
 
 double TurnOrder::landing(std::span<const Member> members, int who, TimeSpan ahead) const {

@@ -26,9 +26,8 @@ struct Relation {
   double lag;  ///< Time [s]: the reader sees at t what the source gave at t - lag.
   bool lands;  ///< Held, nearest: who integrates itself ends a step at each instant of the sampled one;
                ///< turns: `second` does so at each event of `first`.
-  double period = 0.0;   ///< Nearest: the least time between two instants of the sampled one [s].
-  bool reads = false;    ///< Turns: `first` reads `second`.
-  bool is_read = false;  ///< Likewise, the other way.
+  double period = 0.0;  ///< Nearest: the least time between two instants of the sampled one [s].
+  bool reads = false;   ///< Turns: `first` reads `second`.
 
   bool operator==(const Relation&) const = default;
 

@@ -78,9 +78,6 @@ class TurnOrder {
 
   /// How far one that waits for none may go.
   double limit(std::span<const Member> members, int who) const;
-  /// One that waits for none, as its inputs have jumped, goes no further: what it reads of a leader has jumped with
-  /// them, and is not known beyond.
-  bool only_tells(std::span<const Member> members, int who) const;
   bool waits(int who) const { return waits_[static_cast<std::size_t>(who)] > 0; }
   /// Where `who`, which stands at ahead.start, is to end a step next: at ahead.stop, where an input is known
   /// to change (`never` for none), or before at an instant of a sampled member. Of times that are equal but
