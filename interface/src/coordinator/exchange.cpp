@@ -125,11 +125,11 @@ void Exchange::add_line(const Topology& topology, const Line& line, const LinkTi
 
 /// A link of its own, into a place that is no input's.
 void Exchange::add_watch(const Watch& watch) {
+  const Reconstruction held{Reconstruction::Kind::held};
   End& reader = ends_[static_cast<std::size_t>(watch.reader)];
-  Link& link =
-      links_.emplace_back(watch.source, watch.reader, Reconstruction{Reconstruction::Kind::held}, watch.lag);
+  Link& link = links_.emplace_back(watch.source, watch.reader, held, watch.lag);
   link.add({watch.output, static_cast<int>(reader.slots.size()), 1.0, 0.0, true});
-  reader.slots.emplace_back();
+  reader.slots.resize(reader.slots.size() + 1);
 }
 
 std::int64_t Exchange::accept(int source, double t_limit) {

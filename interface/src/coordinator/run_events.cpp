@@ -8,16 +8,12 @@
 #include "run_start.hpp"
 
 namespace tandem {
-namespace {
 
-/// False if it is there.
 bool add_once(std::vector<int>& to, int who) {
   if (std::find(to.begin(), to.end(), who) != to.end()) return false;
   to.push_back(who);
   return true;
 }
-
-}  // namespace
 
 /// order: leaders first, of those that go in turns.
 void RunStart::note_events(const std::vector<int>& order) {

@@ -54,8 +54,7 @@ void RunStart::note_landing() const {
   if (!run_.has_samples_) return;
   std::vector<std::vector<int>> met(clocks_.size()), missed(clocks_.size());
   const auto add = [&](bool ends, int who, int other) {
-    auto& list = (ends ? met : missed)[static_cast<std::size_t>(who)];
-    if (std::find(list.begin(), list.end(), other) == list.end()) list.push_back(other);
+    add_once((ends ? met : missed)[static_cast<std::size_t>(who)], other);
   };
   for (const Line& line : topology_.lines()) {
     if (!meets_samples(line)) continue;

@@ -9,6 +9,9 @@
 
 namespace tandem {
 
+/// False if it is there.
+bool add_once(std::vector<int>& to, int who);
+
 /// Everything before the first round: first samples, order, checks of the scheme, memory, seeds.
 class RunStart {
  public:
@@ -66,6 +69,7 @@ class RunStart {
   bool jumps_through(const Line& line) const;
   std::vector<int> reached_at_once(const Line& line) const;
   void note_watches();
+  void add_watch(const Watch& watch);
   void end_steps_beside(int who);
   void add_watched(std::vector<Read>& reads) const;
   void add_sources_behind(std::vector<Read>& reads) const;

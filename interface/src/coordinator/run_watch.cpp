@@ -1,9 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 // Jumps that come to a reader through others, whose outputs follow their inputs at once. It ends a step where these jump,
 // which is known beforehand, and waits there for all that stand between.
-#include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "feedthrough.hpp"
 #include "run_start.hpp"
@@ -20,9 +18,7 @@ bool RunStart::jumps_through(const Line& line) const {
 std::vector<int> RunStart::reached_at_once(const Line& line) const {
   std::vector<int> through, all;
   const auto reach = [&](int who, int input) {
-    if (!sampled(who) && feeds(topology_.info(who), input) &&
-        std::find(through.begin(), through.end(), who) == through.end())
-      through.push_back(who);
+    if (!sampled(who) && feeds(topology_.info(who), input)) add_once(through, who);
   };
   reach(line.reader, line.input);
   for (std::size_t k = 0; k < through.size(); ++k)
@@ -30,7 +26,7 @@ std::vector<int> RunStart::reached_at_once(const Line& line) const {
       const Line& next = topology_.lines()[static_cast<std::size_t>(number)];
       if (next.lag != Lag::none || sampled(next.reader) || !follows(topology_.info(next.source), next.output))
         continue;
-      if (std::find(all.begin(), all.end(), next.reader) == all.end()) all.push_back(next.reader);
+      add_once(all, next.reader);
       reach(next.reader, next.input);
     }
   return all;
@@ -41,15 +37,18 @@ void RunStart::note_watches() {
   for (const Line& line : topology_.lines()) {
     if (sampled(line.reader) || !sampled(line.source)) continue;
     for (const int reader : reached_at_once(line)) {
-      times_.watches.push_back({reader, line.source, line.output, lag_of(line)});
+      add_watch({reader, line.source, line.output, lag_of(line)});
       end_steps_beside(reader);
     }
   }
-  const auto key = [](const Watch& w) { return std::tuple(w.reader, w.source, w.output, w.lag); };
-  auto& all = times_.watches;
-  std::sort(all.begin(), all.end(), [&](const Watch& a, const Watch& b) { return key(a) < key(b); });
-  const auto same = [&](const Watch& a, const Watch& b) { return key(a) == key(b); };
-  all.erase(std::unique(all.begin(), all.end(), same), all.end());
+}
+
+void RunStart::add_watch(const Watch& watch) {
+  for (const Watch& known : times_.watches)
+    if (known.reader == watch.reader && known.source == watch.source && known.output == watch.output &&
+        known.lag == watch.lag)
+      return;
+  times_.watches.push_back(watch);
 }
 
 /// Beside its own nodes, if it can.
