@@ -57,6 +57,8 @@ bool ends_steps_at(const SubsystemInfo& source, int reader, bool carries, const 
 Exchange::Exchange(const Topology& topology, double t_start, const LinkTimes& times,
                    std::span<const std::int64_t> capacities)
     : tolerance_(t_start) {
+  ends_.reserve(static_cast<std::size_t>(topology.size()));
+  links_.reserve(topology.lines().size() + times.watches.size());
   for (int i = 0; i < topology.size(); ++i) {
     const auto inputs = static_cast<std::size_t>(topology.info(i).input_size());
     History history(topology.name(i), topology.info(i), capacities[static_cast<std::size_t>(i)]);

@@ -17,9 +17,8 @@ using scenario::Scenario;
 
 double smallest_factor(const Stability& here) {
   const SuperStep& step = here.step;
-  if (std::ranges::find(step.sampled, true) != step.sampled.end())
-    return is_stable(step, here.radius, here.rate) ? 1.0 : 1.0 / 16.0;
-  return step.linear ? 1e-3 : 1.0 / 32.0;
+  if (step.linear && std::ranges::find(step.sampled, true) == step.sampled.end()) return 1e-3;
+  return is_stable(step, here.radius, here.rate) ? 1.0 : 1.0 / 16.0;
 }
 
 /// A scan, then bisection.
@@ -95,16 +94,15 @@ LargestStep largest_step(const Scenario& scenario, const Builtins& builtins) {
   const double smallest = smallest_factor(here);
   std::string beyond;
   const double factor = Search(scenario, builtins, here).from(smallest, beyond);
-  const auto length = [&](std::size_t i) { return step.period / static_cast<double>(step.steps[i]); };
   if (scenario.coordination.schedule == Schedule::Kind::parallel) {
     double largest = 0.0;
     for (std::size_t i = 0; i < step.steps.size(); ++i)
-      if (!step.sampled[i]) largest = std::max(largest, length(i));
+      if (!step.sampled[i]) largest = std::max(largest, step.own_steps[i]);
     return {factor, smallest, "communication step",
             scenario.coordination.communication_step.value_or(largest), beyond};
   }
   const std::size_t first = leader(scenario, step);
-  return {factor, smallest, scenario.subsystems[first].name, length(first), beyond};
+  return {factor, smallest, scenario.subsystems[first].name, step.own_steps[first], beyond};
 }
 
 }  // namespace tandem::stability

@@ -97,8 +97,10 @@ SuperStep super_step(const scenario::Scenario& scenario, const Builtins& builtin
   Trial trial(scenario, builtins);
   SuperStep step;
   step.period = trial.period().length, step.steps = trial.period().steps, step.apart = trial.period().apart;
-  for (int i = 0; i < trial.topology().size(); ++i)
+  for (int i = 0; i < trial.topology().size(); ++i) {
+    step.own_steps.push_back(trial.own_step(i));
     step.sampled.push_back(trial.topology().info(i).abilities.sampled);
+  }
   step.coordinates = trial.coordinates(), step.identified = trial.identified();
   for (const auto& one : scenario.subsystems)
     if (one.impulse) step.offsets += 2 * static_cast<int>(one.impulse->links.size());
@@ -113,7 +115,7 @@ SuperStep super_step(const scenario::Scenario& scenario, const Builtins& builtin
 }
 
 double SuperStep::rounding() const {
-  constexpr double of_differences = 1e-6;  // two eigenvalues that meet at 1, and 1e-11 in the map
+  constexpr double of_differences = 1e-5;  // two eigenvalues that meet at 1, and 1e-11 in the map: 3e-6
   constexpr double of_offsets = 1e-7;      // likewise, and 1e-14
   double most = linear ? (offsets > 0 ? of_offsets : 1e-9) : std::max(of_differences, unsettled);
   for (const Identified& one : identified) most = std::max(most, 10.0 * one.residual);

@@ -6,10 +6,22 @@
 #include <limits>
 
 namespace tandem::stability {
+namespace {
+
+scenario::Scenario with_data_of_start(scenario::Scenario scenario) {
+  for (scenario::SubsystemEntry& entry : scenario.subsystems)
+    for (scenario::InputEntry& input : entry.inputs) {
+      if (const auto* data = std::get_if<1>(&input.value)) (*data)->require(scenario.start);
+      input.value = input.at(scenario.start);
+    }
+  return scenario;
+}
+
+}  // namespace
 
 Trial::Trial(const scenario::Scenario& scenario, const Builtins& builtins)
-    : scenario_(scenario),
-      parts_(scenario, builtins, scenario::Code::run),
+    : scenario_(with_data_of_start(scenario)),
+      parts_(scenario_, builtins, scenario::Code::run),
       coordination_(parts_.coordination()) {
   coordination_.start = StartKind::cold;
   coordination_.diverged_beyond = std::numeric_limits<double>::infinity();

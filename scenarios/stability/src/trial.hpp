@@ -20,7 +20,7 @@ bool is_of_surrogate(const Coordinate& c, const scenario::Scenario& scenario);
 /// Runs of a scenario over one super-step from any states and past samples.
 class Trial {
  public:
-  /// Throws as super_step() does. `scenario` must outlive it.
+  /// Data that drive inputs stay what they are at the start. Throws as super_step() does.
   Trial(const scenario::Scenario& scenario, const Builtins& builtins);
 
   const Period& period() const { return period_; }
@@ -63,7 +63,7 @@ class Trial {
   std::set<int> values_read(int instance) const;
   void seed(const Eigen::VectorXd& z);
 
-  const scenario::Scenario& scenario_;
+  const scenario::Scenario scenario_;
   scenario::Parts parts_;
   Coordination coordination_;
   std::vector<Subsystem*> subsystems_;

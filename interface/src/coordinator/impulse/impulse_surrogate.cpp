@@ -50,27 +50,39 @@ SubsystemInfo Surrogate::info() const {
 }
 
 void Surrogate::start(double t, std::span<const double> u0) {
-  links_.clear(), checks_.clear(), worst_ = worst_at_ = 0.0;
-  const ForceWindow window(
-      of_.stiffness.empty() ? window_for(of_.slow_step, of_.fast_period) : ForceWindow::Kind::b_spline,
-      of_.slow_step);
-  for (std::size_t k = 0; k < size(); ++k) {
-    begin_position_[k] = u0[size() + k], velocities_[k] = of_.links[k].velocity;
-    forces_[0][k] = positions_[k] = 0.0;
-  }
+  std::copy_n(u0.begin() + std::ssize(of_.links), size(), begin_position_.begin());
+  for (std::size_t k = 0; k < size(); ++k)
+    velocities_[k] = of_.links[k].velocity, accelerations_[k] = of_.links[k].free_acceleration;
+  worst_ = worst_at_ = changed_ = changed_at_ = 0.0;
   accelerance_ = varies() ? Accelerance(of_.accelerance, of_.accelerance_rate) : next_;
-  changed_ = changed_at_ = 0.0;
-  take_spring(forces_[0], positions_, velocities_, net_);
-  accelerance_.react(net_, 0.0, stages_[0]);  // what its springs accelerate
-  for (std::size_t k = 0; k < size(); ++k) {
-    links_.emplace_back(window, begin_position_[k], velocities_[k],
-                        of_.links[k].free_acceleration - stages_[0][k]);
-    accelerations_[k] = of_.links[k].free_acceleration;
-    if (!varies()) checks_.emplace_back(of_.links[k].free_acceleration);
-  }
   passed_ = false;
   steps_ = 0;
   slow_.start(t, of_.slow_step);
+  begin_links(velocities_, accelerations_);
+}
+
+void Surrogate::hear_of_start(std::span<const Signal> u) {
+  Forces free(size());
+  for (std::size_t k = 0; k < size(); ++k) {
+    const Signal& position = u[size() + k];
+    velocities_[k] = position.derivative(slow_.begin()), free[k] = position.second_derivative(slow_.begin());
+  }
+  begin_links(velocities_, free);
+}
+
+void Surrogate::begin_links(const Forces& velocities, const Forces& free) {
+  links_.clear(), checks_.clear();
+  const ForceWindow window(
+      of_.stiffness.empty() ? window_for(of_.slow_step, of_.fast_period) : ForceWindow::Kind::b_spline,
+      of_.slow_step);
+  std::fill(forces_[0].begin(), forces_[0].end(), 0.0);
+  std::fill(positions_.begin(), positions_.end(), 0.0);
+  take_spring(forces_[0], positions_, velocities, net_);
+  accelerance_.react(net_, 0.0, stages_[0]);  // what its springs accelerate
+  for (std::size_t k = 0; k < size(); ++k) {
+    links_.emplace_back(window, begin_position_[k], velocities[k], free[k] - stages_[0][k]);
+    if (!varies()) checks_.emplace_back(free[k]);
+  }
 }
 
 void Surrogate::outputs(double* y) const {

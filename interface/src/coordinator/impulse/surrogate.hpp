@@ -54,6 +54,9 @@ class Surrogate {
  private:
   using Forces = std::vector<double>;  ///< by link
 
+  /// What the slow side does at the start, with all its inputs as they are then, but for these forces: before the first step.
+  void hear_of_start(std::span<const Signal> u);
+  void begin_links(const Forces& velocities, const Forces& free);
   bool varies() const { return !of_.accelerance_rate.empty(); }
   void read_accelerance(double node, std::span<const Signal> u);
   void check_rate(std::size_t e, double node);

@@ -5,6 +5,7 @@
 namespace tandem {
 
 void Surrogate::prepare(double t, std::span<const Signal> u) {
+  if (steps_ == 0) hear_of_start(u);
   steps_ = of_.degree + 1;  // it misses nothing at the start
   if (passed_) take_node(t, u);
 }

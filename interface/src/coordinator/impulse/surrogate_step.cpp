@@ -5,6 +5,7 @@ namespace tandem {
 
 void Surrogate::step(const OwnStep& s, std::span<const Signal> u) {
   if (passed_) take_node(s.begin, u);
+  if (steps_ == 0) hear_of_start(u);
   if (steps_ > 0 && steps_ <= of_.degree) make_up_start(s.begin, u);
   if (steps_ <= of_.degree) ++steps_;
   const double times[] = {s.begin, s.begin + s.length / 2.0, s.end};

@@ -5,6 +5,7 @@ namespace tandem {
 
 void TaylorSurrogate::step(const OwnStep& s, std::span<const Signal> u) {
   if (passed_) take_node(s.begin, u);
+  if (steps_ == 0) hear_of_start(s.begin, u);
   if (steps_ > 0 && steps_ <= of_.degree) make_up_start(s.begin, u);
   if (steps_ <= of_.degree) ++steps_;
   const double times[] = {s.begin, s.begin + s.length / 2.0, s.end};
@@ -29,6 +30,14 @@ void TaylorSurrogate::step(const OwnStep& s, std::span<const Signal> u) {
   if (slow_.goes_on_after(s.end)) return;
   slow_.require_slow_side_at(slow_.begin(), u[links()]);
   pass_node(s);
+}
+
+/// The slow side knows all its inputs by now.
+void TaylorSurrogate::hear_of_start(double t, std::span<const Signal> u) {
+  Numbers rates(size());
+  for (std::size_t i = 0; i < size(); ++i)
+    z_[i] = u[links() + i].value(t), rates[i] = u[links() + i].derivative(t);
+  begin_at(t, z_, rates);
 }
 
 /// At the end of an own step.

@@ -51,21 +51,23 @@ SubsystemInfo TaylorSurrogate::info() const {
 
 /// Coordinates that are not known yet are told later, by another start.
 void TaylorSurrogate::start(double t, std::span<const double> u0) {
-  coordinates_.clear(), forces_.clear();
-  const ForceWindow window(window_for(of_.slow_step, of_.fast_period), of_.slow_step);
-  for (std::size_t i = 0; i < size(); ++i) {
-    z_[i] = u0[links() + i];
-    coordinates_.emplace_back(window, z_[i], of_.velocities[i]);
-  }
-  for (std::size_t k = 0; k < links(); ++k) forces_.push_back({{}, window});
-  const bool known = std::none_of(z_.begin(), z_.end(), [](double one) { return std::isnan(one); });
-  model_ = TaylorModel(of_.model, of_.slow_step);
-  if (known) model_.expand(t, z_, of_.velocities);
+  std::copy_n(u0.begin() + std::ssize(of_.links), size(), z_.begin());
+  begin_at(t, z_, of_.velocities);
   std::fill(reaction_.begin(), reaction_.end(), 0.0);
   passed_ = false, steps_ = 0;
   slow_.start(t, of_.slow_step);
   std::fill(samples_[2].begin(), samples_[2].end(), 0.0);
   find_outputs(t);
+}
+
+void TaylorSurrogate::begin_at(double t, const Numbers& z, const Numbers& rates) {
+  coordinates_.clear(), forces_.clear();
+  const ForceWindow window(window_for(of_.slow_step, of_.fast_period), of_.slow_step);
+  for (std::size_t i = 0; i < size(); ++i) coordinates_.emplace_back(window, z[i], rates[i]);
+  for (std::size_t k = 0; k < links(); ++k) forces_.push_back({{}, window});
+  model_ = TaylorModel(of_.model, of_.slow_step);
+  const bool known = std::none_of(z.begin(), z.end(), [](double one) { return std::isnan(one); });
+  if (known) model_.expand(t, z, rates);
 }
 
 void TaylorSurrogate::outputs(double* y) const {

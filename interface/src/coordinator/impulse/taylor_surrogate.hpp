@@ -28,6 +28,8 @@ class TaylorSurrogate {
 
  private:
   using Numbers = std::vector<double>;
+  void hear_of_start(double t, std::span<const Signal> u);
+  void begin_at(double t, const Numbers& z, const Numbers& rates);
   struct Force {
     StepIntegrals integrals;
     ForceWindow window;

@@ -18,9 +18,9 @@ struct LargestStep {
 };
 constexpr double largest_factor = 1e3;
 /// The largest steps up to which nothing grows that does not in the system undivided (is_stable): by a scan from the
-/// smallest factor by factors of 1.1, then bisection to 1e-6. That is 1e-3; 1/32 of what is not linear, as differences say
-/// nothing of far shorter steps. Beside what is sampled, whose period stays and makes the map dear, it is 1 if the
-/// scenario's own steps are stable, else 1/16. Throws Error as super_step() does, and for a subsystem of which no parameter
+/// smallest factor by factors of 1.1, then bisection to 1e-6. The smallest is 1e-3. Of what is not linear or samples it is 1
+/// if the scenario's own steps are stable, else 1/16: differences say nothing of far shorter steps, and periods stay and
+/// make the map dear. Throws Error as super_step() does, and for a subsystem of which no parameter
 /// is known to make its own step.
 LargestStep largest_step(const scenario::Scenario& scenario, const Builtins& builtins);
 

@@ -35,6 +35,7 @@ struct Identified {
 struct SuperStep {
   double period = 0.0;              ///< T [s]
   std::vector<std::int64_t> steps;  ///< own steps, or instants, of each subsystem in it
+  std::vector<double> own_steps;    ///< of each, or the period at which it is sampled [s]
   std::vector<bool> sampled;        ///< of each subsystem
   double apart = 0.0;  ///< by how much their ends lie apart, at most, as a part of a step; 0: they meet
   std::vector<Coordinate> coordinates;
