@@ -48,7 +48,8 @@ struct Moved {
         "'integrator'\ninput = 'v1'\ninitial = 0.01\n[run]\nstep = 0.001\n");
     folder.write(
         "moving.toml",
-        "[outputs]\nG = { unit = 'N' }\n[blocks.G]\nkind = 'integrator'\ninput = 'w'\n[blocks.w]\nkind = "
+        "[parameters]\nG0 = { value = 0, unit = 'N' }\n[outputs]\nG = { unit = 'N' }\n[blocks.G]\nkind = "
+        "'integrator'\ninput = 'w'\ninitial = '$G0'\n[blocks.w]\nkind = "
         "'integrator'\ninput = 'b'\ninitial = 800\n[blocks.b]\nkind = 'gain'\ninput = 'G'\ngain = "
         "-64\n[run]\nstep = 0.001\n");
     folder.write(
@@ -92,6 +93,18 @@ TEST(ImpulseTaylorScenario, FollowsOtherInputsToSecondOrder) {
                fine = error_beside(right, Moved(0.01).x("o"));
   EXPECT_LT(coarse, 0.005);
   EXPECT_GT(std::log2(coarse / fine), 1.8);
+}
+
+/// A start value of a connected input counts for nothing.
+TEST(ImpulseTaylorScenario, BeginsWithWhatOtherInputsAreThen) {
+  const auto from = [](const std::string& coupling, double step, const char* start) {
+    return Moved(step).x(
+        "o", {"--set", "coordination.coupling=" + coupling, "--set", "subsystems.moving.parameters.G0=900",
+              "--set", std::string("subsystems.slow.inputs.G=") + start});
+  };
+  for (const char* coupling : {"impulse_plain", "impulse_stiffness", "impulse_taylor"})
+    EXPECT_LT(error_beside(from(coupling, 0.02, "900"), from(coupling, 0.02, "0")), 1e-9) << coupling;
+  EXPECT_LT(error_beside(from("impulse_taylor", 0.00125, "0"), from("impulse_taylor", 0.02, "0")), 0.005);
 }
 
 /// Also in the middle of a slow step, and between one and what the surrogate makes of it.
