@@ -190,16 +190,26 @@ std::optional<std::string> Adviser::check_models() {
   const auto all = models_.stands();
   if (std::ranges::none_of(all, &identification::Stand::modelled)) return {};
   const Choice choice = chosen();
-  const study::Finest same{choice.schedule, choice.reconstruction, choice.steps, false, true};
-  const auto beside = swept(folder_ / "itself", overrides_, {varied_, same}, row_of(choice), itself_);
-  const double off = beside.choices.empty() ? INFINITY : beside.choices[0].error;
+  const double off = off_of(choice);
   const std::string line =
-      fmt::format("a run of {} itself is {:.2g} of the tolerance off that of its models", words(choice), off);
+      std::isinf(off) ? fmt::format("{} has no models to run beside it", words(choice))
+                      : fmt::format("a run of {} itself is {:.2g} of the tolerance off that of its models",
+                                    words(choice), off);
   if (off <= std::max(most_off * choice.error, of_no_matter)) return line;
   advised_ = itself_;
   const std::string how = shorten();
   rank_all();
-  return line + ", too much beside its predicted error; so no model is used, and " + how;
+  return line + (std::isinf(off) ? "" : ", too much beside its predicted error") +
+         "; so no model is used, and " + how;
+}
+
+/// Infinite: with its steps there is no model of one of them, or one of the runs failed.
+double Adviser::off_of(const Choice& choice) try {
+  const study::Finest same{choice.schedule, choice.reconstruction, choice.steps, false, true};
+  const auto beside = swept(folder_ / "itself", overrides_, {varied_, same}, row_of(choice), itself_);
+  return beside.choices.empty() ? INFINITY : beside.choices[0].error;
+} catch (const RunFailed&) {
+  return INFINITY;
 }
 
 /// Without models, beside the best scheme with half the least steps of the study.

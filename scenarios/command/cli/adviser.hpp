@@ -57,6 +57,7 @@ class Adviser {
   std::string shorten();
   void rank_all();
   std::optional<std::string> check_models();
+  double off_of(const advice::Choice& choice);
   std::optional<std::string> choose_order();
   void set_order(const Coordinator& run);
   void find_orders();

@@ -43,6 +43,7 @@ class Prober {
  private:
   Eigen::MatrixXd response(int input, int place, std::int64_t steps, const Eigen::MatrixXd& baseline);
   bool looks_linear();
+  bool looks_linear_by_more();
 
   Probe probe_;
   const Wanted& wanted_;
@@ -50,7 +51,7 @@ class Prober {
   const Eigen::MatrixXd baseline_;
   std::vector<double> sizes_;  ///< of changes, by input
   std::vector<Eigen::MatrixXd> moved_;
-  bool is_linear_ = true, are_large_ = false;
+  bool is_linear_ = true, are_large_ = false, is_nearly_linear_ = false;
 };
 
 }  // namespace tandem::identification

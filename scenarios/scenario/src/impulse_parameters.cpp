@@ -52,7 +52,7 @@ class Asked {
   void set_springs() {
     const Springs found = springs_of(slow_, entry_.links[0].effective);
     c_.stiffness = {found.stiffness}, c_.damping = {found.damping};
-    c_.degree = 4, c_.trapezoidal = found.trapezoidal;
+    c_.degree = 4, c_.trapezoidal = found.trapezoidal, c_.spring_error = found.error;
   }
 
   void tell_accelerance(const ScalarPort& of, const Begin& free) {

@@ -128,7 +128,7 @@ double SlowSide::small_force() {
 SlowSide::Moved SlowSide::moved_by(double force, double length) {
   Moved all = after(force, length);
   const Moved without = after(0.0, length);
-  for (int k = 0; k < 2; ++k) all.y[k] -= without.y[k], all.v[k] -= without.v[k], all.a[k] -= without.a[k];
+  for (int k = 0; k < 3; ++k) all.y[k] -= without.y[k], all.v[k] -= without.v[k], all.a[k] -= without.a[k];
   return all;
 }
 
@@ -142,7 +142,7 @@ SlowSide::Moved SlowSide::after(double force, double length) {
   std::vector<Signal> inputs;
   for (const Segment& one : constants) inputs.emplace_back(&one, 1, 0);
   Moved all{};
-  for (int k = 0; k < 2; ++k) {
+  for (int k = 0; k < 3; ++k) {
     std::vector<double> row(static_cast<std::size_t>(slow_.info().row_size()));
     Samples y(row.data(), slow_.info().row_size(), 1);
     slow_.advance(of_.start + (k + 1) * length, lands(), inputs, y);

@@ -53,10 +53,10 @@ class SlowSide {
 
   /// A force at its only link that moves the displacement within a step by a small part of its size.
   double small_force();
-  /// By how much that force moves the displacement, its speed and its acceleration within so long, and within twice so
-  /// long: beside no force.
+  /// By how much that force moves the displacement, its speed and its acceleration within so long, within twice and three
+  /// times so long: beside no force.
   struct Moved {
-    double y[2], v[2], a[2];
+    double y[3], v[3], a[3];
   };
   Moved moved_by(double force, double length);
   bool lands() const { return slow_.info().abilities.lands; }
@@ -77,6 +77,8 @@ class SlowSide {
 struct Springs {
   double stiffness, damping;
   bool trapezoidal;  ///< its rule takes the mean of the positions at the ends of its step
+  double
+      error;  ///< of what they accelerate where a force has pushed it for up to three steps, by what that is
 };
 /// stated: in place of what is found.
 Springs springs_of(SlowSide& slow, const Effective& stated);

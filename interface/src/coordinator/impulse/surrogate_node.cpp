@@ -9,6 +9,8 @@ namespace {
 
 /// By so much of itself the slow side's answer to a force may differ from what A gives.
 constexpr double largest_reaction_error = 1e-3;
+/// Beyond it a slow side is something else than a mass on a spring.
+constexpr double largest_spring_error = 5e-3;
 /// By so much of itself A may change in a step otherwise than by the mean of its rates.
 constexpr double largest_change = 0.01;
 
@@ -112,6 +114,14 @@ std::vector<std::string> Surrogate::remarks(double) const {
     all.push_back("the slow side's effective mass is stated as " + std::to_string(1.0 / stated) +
                   ", and is " + std::to_string(1.0 / of_.found) +
                   " at the start, as a force of 1 finds it; allowed is the same to 0.1 %");
+  if (of_.spring_error > largest_spring_error)
+    all.push_back(
+        "the slow side answers a force within three steps otherwise than a mass on this spring and damper, "
+        "by up to " +
+        std::to_string(100.0 * of_.spring_error) +
+        " % of what these accelerate; allowed is 0.5 %, so it has inner modes, is far from linear, or has "
+        "another "
+        "stiffness, and impulse_plain or impulse_taylor fits better");
   if (changed_ > largest_change)
     all.push_back(
         "the accelerance changes otherwise than its rate says, by up to " + std::to_string(100.0 * changed_) +
