@@ -184,6 +184,71 @@ TEST(ImpulseScenario, OfADamperIsRightWithTheVelocityOfTheSurrogate) {
   }
 }
 
+/// A mass of 310 kg in front of nine times that, beside a mass of 2.5 kg that takes 30 of its cycles for one: no
+/// surrogate but that by its equations has what the first does on the second.
+struct Inner {
+  explicit Inner(const std::string& stiffness) {
+    folder.write(
+        "fast.toml",
+        "[inputs]\ny = { unit = 'm' }\n[outputs]\nx = { unit = 'm' }\nF = { unit = 'N' "
+        "}\n[blocks]\nF = { kind = 'sum', inputs = ['x', 'y'], gains = [100, -100] }\na = { kind = "
+        "'gain', input = 'F', gain = -0.39 }\nv = { kind = 'integrator', input = 'a' }\nx = { kind = "
+        "'integrator', input = 'v', initial = 1.35 }\n[run]\nstep = 0.01\n");
+    folder.write(
+        "slow.toml",
+        "dimension = 2\n[coordinates]\ny = { unit = 'm', at = 0.35, inertia = 310 }\nz = { unit = 'm', "
+        "at = 0.35, inertia = 2790 }\ne = { unit = 'm', at = 0 }\n[relations.e]\nterms = { y = 1, z = "
+        "-1, e = -1 }\nvalue = 0\n[springs.between]\ncoordinate = 'e'\nstiffness = " +
+            stiffness +
+            "\nfree = "
+            "0\n[springs.ground]\ncoordinate = 'z'\nstiffness = 136\nfree = 0\n[inputs.F]\nunit = "
+            "'N'\n[forces.push]\ncoordinate = 'y'\nmagnitude = 'F'\n[outputs.y]\nposition = 'y'\n[run]\nstep "
+            "= 0.3\n");
+    folder.write(
+        "s.toml",
+        "[subsystems.fast]\nsource = 'diagram:fast.toml'\n[subsystems.slow]\nsource = "
+        "'mechanism:slow.toml'\n[[connections]]\nfrom = 'fast.F'\nto = 'slow.F'\n[[connections]]\nfrom "
+        "= 'slow.y'\nto = 'fast.y'\n[[links]]\neffort = 'fast.F'\ndisplacement = "
+        "'slow.y'\n[coordination]\ncoupling = 'impulse'\nfast_period = 1.0\n[span]\nstop = 60\n");
+  }
+  std::string err(const std::string& coupling, int status = 0, const std::string& more = "span.stop=60") {
+    const Said all =
+        tandem(folder, {"run", "s.toml", "--set", "coordination.coupling=" + coupling, "--set", more});
+    EXPECT_EQ(all.status, status) << all.err;
+    return all.err;
+  }
+  Scratch folder;
+};
+
+TEST(ImpulseScenario, TellsOfAnInnerModeOfTheSlowSide) {
+  const char *const bends = "bends within a step", *const otherwise = "otherwise than a mass on this spring";
+  Inner soft("110"), stiff("4900");
+  EXPECT_FALSE(contains(soft.err("impulse_plain"), bends));
+  EXPECT_TRUE(contains(stiff.err("impulse_plain"), bends));
+  EXPECT_FALSE(contains(soft.err("impulse_stiffness"), otherwise));
+  EXPECT_TRUE(contains(stiff.err("impulse_stiffness"), otherwise));
+  for (Inner* one : {&soft, &stiff}) EXPECT_FALSE(contains(one->err("impulse_taylor"), "bend"));
+}
+
+TEST(ImpulseScenario, RefusesMatchedHoldByName) {
+  EXPECT_TRUE(contains(Inner("110").err("impulse", 2, "connections.reconstruction=matched_hold"),
+                       "matched_hold is no reconstruction for a link that is coupled by impulse"));
+}
+
+/// A stiffness that is stated is that which is found, to half a percent.
+TEST(ImpulseScenario, ChecksAStiffnessThatIsStated) {
+  const auto said = [](const char* stiffness) {
+    return SceneRun(two_mass_file("impulse.toml"), {"parameters.frequency_ratio=20", "span.stop=40",
+                                                    "coordination.coupling=impulse_stiffness",
+                                                    std::string("links[0].effective_stiffness=") + stiffness})
+        .said()
+        .err;
+  };
+  const std::string note = "otherwise than a mass on this spring and damper";
+  EXPECT_FALSE(contains(said("0.25313"), note));
+  EXPECT_TRUE(contains(said("0.2560"), note));
+}
+
 /// Grams for kilograms: no reaction tells it then, but that of the start.
 TEST(ImpulseScenario, NotesAStatedMassThatTheStartDoesNotFind) {
   const SceneRun run(two_mass_file("impulse.toml"), {"span.stop=20", "links[0].effective_mass=2564.7"});

@@ -49,6 +49,11 @@ ConnectionEntry part(const ConnectionEntry& whole, std::string from, std::string
 ConnectionEntry& taken(Scenario& to, const LinkEntry& link, const std::string& output,
                        const std::string& reader) {
   ConnectionEntry& one = connection_of(to, link, output, reader);
+  if (one.connection.how && one.connection.how->kind == Reconstruction::Kind::matched_hold)
+    refuse(one.place,
+           "connection from " + output + " to " + one.connection.to +
+               ": matched_hold is no reconstruction for a link that is coupled by impulse, which has "
+               "a mean force of its own; allowed is to leave it out");
   if (one.connection.how)
     to.remarks.push_back("connection from " + output + " to " + one.connection.to + ": " +
                          one.connection.how->name() + " is not used, as the link is coupled by impulse");
@@ -101,19 +106,28 @@ void ask_for_reactions(const ImpulseEntry& impulse, Scenario& to) {
     if (entry.name == impulse.slow) entry.reactions = all;
 }
 
-/// Where a fast side reads more of the slow one than goes through the surrogate, it sees that without its ripple.
+/// Where a fast side reads more of the slow one than goes through the surrogate, also by another subsystem, it sees that
+/// without its ripple.
 void remark_on_others(const std::string& slow, const std::vector<LinkEntry>& links, Scenario& to) {
   const auto is_fast = [&](const std::string& reader) {
     return std::any_of(links.begin(), links.end(),
                        [&](const LinkEntry& link) { return instance_of(link.link.effort) == reader; });
   };
+  const auto acts_on_fast = [&](const std::string& between) {
+    return std::any_of(to.connections.begin(), to.connections.end(), [&](const ConnectionEntry& one) {
+      return instance_of(one.connection.from) == between && is_fast(instance_of(one.connection.to));
+    });
+  };
   for (const ConnectionEntry& one : to.connections) {
     const Connection& c = one.connection;
-    if (instance_of(c.from) != slow || !is_fast(instance_of(c.to))) continue;
-    to.remarks.push_back(
-        "connection from " + c.from + " to " + c.to +
-        ": it goes past the surrogate, so that it has nothing of the fast motion; the rate of a "
-        "displacement goes through it where links.velocity names it");
+    const std::string reader = instance_of(c.to);
+    if (instance_of(c.from) != slow || !(is_fast(reader) || (reader != slow && acts_on_fast(reader))))
+      continue;
+    to.remarks.push_back("connection from " + c.from + " to " + c.to +
+                         ": it goes past the surrogate, so that it has nothing of the fast motion; " +
+                         (is_fast(reader)
+                              ? "the rate of a displacement goes through it where links.velocity names it"
+                              : "an output of '" + slow + "_surrogate' has it"));
   }
 }
 
@@ -130,7 +144,7 @@ void ask_for_accelerances(const ImpulseEntry& impulse, Scenario& to) {
 }
 
 /// Springs are for one link, and where they are stated, or wanted.
-ImpulseEntry::Kind kind_of(const std::string& coupling, const std::vector<LinkEntry>& links) {
+ImpulseEntry::Kind kind_of(const std::string& coupling, const std::vector<LinkEntry>& links, Scenario& to) {
   if (coupling == "impulse_taylor") return ImpulseEntry::Kind::taylor;
   const bool stated = links.size() == 1 && links[0].effective.stiffness;
   if (coupling == "impulse_stiffness" && links.size() != 1)
@@ -138,6 +152,7 @@ ImpulseEntry::Kind kind_of(const std::string& coupling, const std::vector<LinkEn
            "impulse_stiffness is for one link on a slow side; allowed for several are impulse_plain and "
            "impulse_taylor");
   const bool springs = coupling == "impulse_stiffness" || (stated && coupling == "impulse");
+  if (stated && !springs) to.remarks.push_back("links.effective_stiffness is not used by " + coupling);
   return springs ? ImpulseEntry::Kind::stiffness : ImpulseEntry::Kind::plain;
 }
 
@@ -166,14 +181,14 @@ void couple_by_impulse(const std::string& coupling, Scenario& to) {
   std::vector<LinkEntry> coupled;
   for (const auto& [slow, links] : by_slow) {
     check_accelerance(links, slow);
-    ImpulseEntry impulse{slow, {}, kind_of(coupling, links)};
+    ImpulseEntry impulse{slow, {}, kind_of(coupling, links, to)};
     if (coupling == "impulse_taylor" && !states_nothing(links))
       refuse(
           links[0].place,
           "effective_mass, accelerance or effective_stiffness is stated, and impulse_taylor goes by the slow "
           "side's own equations; allowed is none of them");
-    SubsystemEntry surrogate{slow + "_surrogate", std::string("builtin:") + impulse_model, {}, {}, links[0].place,
-                             links[0].place};
+    SubsystemEntry surrogate{
+        slow + "_surrogate", std::string("builtin:") + impulse_model, {}, {}, links[0].place, links[0].place};
     for (std::size_t k = 0; k < links.size(); ++k) {
       const StatedLink& power = links[k].link;
       const std::string input = connection_of(to, links[k], power.effort, slow).connection.to;

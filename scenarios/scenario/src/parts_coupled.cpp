@@ -21,7 +21,9 @@ void Parts::couple(Connections& connections, bool stand_ins) {
 Surrogate Parts::made(const SubsystemEntry& entry, Connections& connections) {
   Surrogate one = surrogate_of(entry, scenario_, topology_, subsystems_);
   if (one.subsystem) {
-    couplings_.push_back("subsystem '" + entry.impulse->slow + "' is coupled by " + one.coupling);
+    const bool stays = one.by && one.by->accelerance_rate.empty();
+    couplings_.push_back("subsystem '" + entry.impulse->slow + "' is coupled by " + one.coupling +
+                         (stays ? ", by a constant effective mass" : ""));
     for (ConnectionEntry& to : connections)
       if (to.connection.to.starts_with(entry.name + ".force"))
         to.connection.how = Reconstruction::parse(one.continues);

@@ -53,7 +53,7 @@ void Surrogate::start(double t, std::span<const double> u0) {
   std::copy_n(u0.begin() + std::ssize(of_.links), size(), begin_position_.begin());
   for (std::size_t k = 0; k < size(); ++k)
     velocities_[k] = of_.links[k].velocity, accelerations_[k] = of_.links[k].free_acceleration;
-  worst_ = worst_at_ = changed_ = changed_at_ = 0.0;
+  worst_ = worst_at_ = changed_ = changed_at_ = 0.0, rest_ = {};
   accelerance_ = varies() ? Accelerance(of_.accelerance, of_.accelerance_rate) : next_;
   passed_ = false;
   steps_ = 0;

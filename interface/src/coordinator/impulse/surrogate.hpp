@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "reaction_terms.hpp"
+#include "rest_check.hpp"
 #include "slow_step.hpp"
 #include "surrogate_link.hpp"
 #include "tandem/coordinator/impulse/accelerance.hpp"
@@ -78,7 +79,8 @@ class Surrogate {
   int steps_ = 0;                   ///< own ones so far, up to degree + 1
   Accelerance accelerance_, next_;  ///< from the last node on; at the one that is taken
   std::vector<SurrogateLink> links_;
-  std::vector<ReactionCheck> checks_;    ///< by link
+  std::vector<ReactionCheck> checks_;  ///< by link
+  RestCheck rest_;
   double worst_ = 0.0, worst_at_ = 0.0;  ///< error of a check so far, and when [s]
   std::array<Forces, 3> forces_;         ///< at begin, middle and end of a step
   std::array<Forces, 4> stages_;         ///< accelerations at the stages of a step; else scratch

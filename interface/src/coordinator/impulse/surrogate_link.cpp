@@ -66,7 +66,7 @@ void SurrogateLink::take(double position, double velocity, double reaction, doub
     y_ += defect.free(s), v_ += defect.free_rate(), from_position_ += defect.free(0.0);
   else
     pulse_.turn_to(defect, s, y_, v_);
-  follow((velocity - rate_) / length - reaction, s, length);
+  follow(rest(velocity, reaction, length), s, length);
   at_ = position, rate_ = velocity, length_ = length;
 }
 

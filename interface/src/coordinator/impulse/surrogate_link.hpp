@@ -55,6 +55,10 @@ class SurrogateLink {
   /// The smooth acceleration in the middle of that step.
   double middle(double length) const { return g_ + g_rate_ * length / 2.0; }
   double foreseen_speed(double length) const { return (foreseen_ - at_) / length; }
+  /// What the slow side has accelerated in that step besides A times the mean of the net forces, with its velocity there.
+  double rest(double velocity, double reaction, double length) const {
+    return (velocity - rate_) / length - reaction;
+  }
   /// What it came to, s after that; next: the length of its coming step; jumps: a defect is put in at once.
   void take(double position, double velocity, double reaction, double s, double length, double next,
             bool jumps);

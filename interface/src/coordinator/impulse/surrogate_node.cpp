@@ -51,6 +51,8 @@ void Surrogate::take_node(double t, std::span<const Signal> u) {
   accelerance_.react_to(next, slow_.length(), net_, stages_[1]);
   for (std::size_t k = 0; k < size(); ++k) {
     const Signal& position = u[size() + k];
+    const double rest = links_[k].rest(position.derivative(node), stages_[1][k], slow_.length());
+    rest_.take(rest - links_[k].middle(slow_.length()), rest, node);
     links_[k].take(position.value(node), position.derivative(node), stages_[1][k], t - slow_.end(),
                    slow_.length(), of_.slow_step, jumps);
   }
@@ -114,6 +116,12 @@ std::vector<std::string> Surrogate::remarks(double) const {
     all.push_back("the slow side's effective mass is stated as " + std::to_string(1.0 / stated) +
                   ", and is " + std::to_string(1.0 / of_.found) +
                   " at the start, as a force of 1 finds it; allowed is the same to 0.1 %");
+  if (rest_.error() > RestCheck::most)
+    all.push_back(
+        "the slow side's acceleration without the force bends within a step, by up to " +
+        std::to_string(100.0 * rest_.error()) + " % of its largest (at t = " + std::to_string(rest_.at()) +
+        " s); allowed is 20 %, so a contact, an inner mode, another force or a heavy fast side is too much "
+        "for it, and the results may be off");
   if (of_.spring_error > largest_spring_error)
     all.push_back(
         "the slow side answers a force within three steps otherwise than a mass on this spring and damper, "

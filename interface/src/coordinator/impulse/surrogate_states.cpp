@@ -14,6 +14,7 @@ void Surrogate::write(ByteWriter& to) const {
   for (const ReactionCheck& check : checks_) check.write(to);
   for (const double one : begin_position_) to.put(one);
   for (const double one : {worst_, worst_at_, changed_, changed_at_}) to.put(one);
+  rest_.write(to);
 }
 
 void Surrogate::read(ByteReader& from) {
@@ -26,6 +27,7 @@ void Surrogate::read(ByteReader& from) {
   for (ReactionCheck& check : checks_) check.read(from);
   for (double& one : begin_position_) one = from.take<double>();
   for (double* one : {&worst_, &worst_at_, &changed_, &changed_at_}) *one = from.take<double>();
+  rest_.read(from);
 }
 
 std::vector<double*> Surrogate::numbers() {

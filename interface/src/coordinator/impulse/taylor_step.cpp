@@ -143,6 +143,8 @@ void TaylorSurrogate::take_node(double t, std::span<const Signal> u) {
   for (std::size_t i = 0; i < size(); ++i)
     q[i] = u[links() + i].value(node), rates[i] = u[links() + i].derivative(node);
   find_lacks(node, q, rates, lacks);
+  for (std::size_t i = 0; i < size(); ++i)
+    rest_.take(lacks[i], (rates[i] - coordinates_[i].rate()) / slow_.length(), node);
   for (std::size_t i = 0; i < size(); ++i) z_[i] = coordinates_[i].z(), v_[i] = coordinates_[i].v();
   model_.accelerations(z_, v_, samples_[2], slow_.length() + s, before);
   for (std::size_t i = 0; i < size(); ++i) {
@@ -153,6 +155,16 @@ void TaylorSurrogate::take_node(double t, std::span<const Signal> u) {
   slow_.begin_at(node);
   turn_to_next(s, before);
   passed_ = false;
+}
+
+std::vector<std::string> TaylorSurrogate::remarks(double) const {
+  if (!(rest_.error() > RestCheck::most)) return {};
+  return {
+      "the slow side's equations bend within a step beyond their Taylor polynomial, by up to " +
+      std::to_string(100.0 * rest_.error()) +
+      " % of its largest acceleration (at t = " + std::to_string(rest_.at()) +
+      " s); allowed is 20 %, so its steps are too long for a contact, another force or the mean force of the "
+      "fast motion, and the results may be off"};
 }
 
 /// From the node on, s before, the polynomials are others.

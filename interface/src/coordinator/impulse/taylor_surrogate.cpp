@@ -54,7 +54,7 @@ void TaylorSurrogate::start(double t, std::span<const double> u0) {
   std::copy_n(u0.begin() + std::ssize(of_.links), size(), z_.begin());
   begin_at(t, z_, of_.velocities);
   std::fill(reaction_.begin(), reaction_.end(), 0.0);
-  passed_ = false, steps_ = 0;
+  passed_ = false, steps_ = 0, rest_ = {};
   slow_.start(t, of_.slow_step);
   std::fill(samples_[2].begin(), samples_[2].end(), 0.0);
   find_outputs(t);
@@ -85,7 +85,7 @@ void TaylorSurrogate::write(ByteWriter& to) const {
   to.put_doubles(samples_[2]), to.put_doubles(reaction_);
   for (const TaylorCoordinate& one : coordinates_) one.write(to);
   for (const Force& one : forces_) one.integrals.write(to), one.window.write(to), to.put(one.mean);
-  model_.write(to);
+  model_.write(to), rest_.write(to);
 }
 
 void TaylorSurrogate::read(ByteReader& from) {
@@ -95,7 +95,7 @@ void TaylorSurrogate::read(ByteReader& from) {
     for (double& one : *all) one = from.take<double>();
   for (TaylorCoordinate& one : coordinates_) one.read(from);
   for (Force& one : forces_) one.integrals.read(from), one.window.read(from), one.mean = from.take<double>();
-  model_.read(from);
+  model_.read(from), rest_.read(from);
 }
 
 std::unique_ptr<Subsystem> taylor_surrogate(TaylorCoupling coupling) {

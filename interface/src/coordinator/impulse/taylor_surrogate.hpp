@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "rest_check.hpp"
 #include "slow_step.hpp"
 #include "step_integrals.hpp"
 #include "tandem/coordinator/impulse/taylor_surrogate.hpp"
@@ -23,6 +24,7 @@ class TaylorSurrogate {
   void start(double t, std::span<const double> u0);
   void step(const OwnStep& s, std::span<const Signal> u);
   void outputs(double* y) const;
+  std::vector<std::string> remarks(double t_stop) const;
   void write(ByteWriter& to) const;
   void read(ByteReader& from);
 
@@ -56,6 +58,7 @@ class TaylorSurrogate {
   int steps_ = 0;        ///< own ones so far, up to degree + 1
   std::vector<TaylorCoordinate> coordinates_;
   std::vector<Force> forces_;
+  RestCheck rest_;
   Numbers reaction_;                ///< generalised forces on the slow side
   std::array<Numbers, 3> samples_;  ///< of the forces, at begin, middle and end of a step
   std::array<Numbers, 4> stages_;   ///< accelerations at the stages of a step
