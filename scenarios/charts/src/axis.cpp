@@ -98,6 +98,8 @@ std::string Axis::tics(bool numbers, std::size_t most) const {
   return fmt::format("set {}tics ({}) norotate", name_, all);
 }
 
+double Axis::step() const { return round_down((high_ - low_) / 3.0); }
+
 void Axis::apply(Picture& picture, const std::string& label, bool numbers, std::size_t most) const {
   picture.command(fmt::format("{}set logscale {}; set {}range [{:.12g}:{:.12g}]; set {}label {} noenhanced",
                               logarithmic_ ? "" : "un", name_, name_, low_, top_, name_, quote(label)));

@@ -28,6 +28,8 @@ class Axis {
   double strip(int row) const;
   bool logarithmic() const { return logarithmic_; }
   double low() const { return low_; }
+  /// Between numbers of an axis in equal parts, three to seven of them.
+  double step() const;
   double high() const { return strip_rows_ > 0 ? limit_ : high_; }
 
   /// Rounds what is covered to the ends of the axis. To be called once, after what it covers is known.

@@ -80,7 +80,7 @@ class MapChart {
     const double last = chart_.limits.back();
     if (std::any_of(cells_.all().begin(), cells_.all().end(),
                     [&](const Cell& cell) { return cell.is_out(last); }))
-      sign.push_back({"", no_value, "failed, or above " + limit(last)});
+      sign.push_back({"", no_value, "failed, refused, or above " + limit(last)});
     if (chart_.best) sign.push_back({"", best_sign, "best"});
     if (chart_.best && chart_.also) sign.push_back({"", also_sign, chart_.also->name});
     return {shade, sign};

@@ -43,14 +43,24 @@ class TracesChart {
     std::vector<Quantity> shown;
     for (const auto& y : chart_.y) shown.insert(shown.end(), y.begin(), y.end());
     const int rows = static_cast<int>(strips_.all().size());
-    const int height = rows > 3 ? 160 : rows > 1 ? 220 : 400;
-    Frame frame(chart_.name, {rows, 1, height, 85, 10, 70},
+    Frame frame(chart_.name, {rows, 1, height(), 105, 10, 70},
                 {chart_.title, {legend()}, table_.caption(chart_, shown)});
     for (int row = 0; row < rows; ++row) draw(frame, row);
     return frame.picture();
   }
 
  private:
+  int height() const {
+    const std::size_t rows = strips_.all().size();
+    return rows > 3 ? 160 : rows > 1 ? 220 : 400;
+  }
+
+  /// Beside a panel a long one would reach into the next: it stands above.
+  bool is_long(const std::string& label) const {
+    constexpr std::size_t letter = 8;  // pixels
+    return letter * label.size() > static_cast<std::size_t>(height());
+  }
+
   std::vector<Curve> legend() const {
     std::vector<Curve> all;
     if (strips_.names().size() > 1 || !strips_.references().empty()) {
@@ -77,7 +87,8 @@ class TracesChart {
     const Strip& strip = strips_.all()[static_cast<std::size_t>(row)];
     const auto all = windows();
     for (std::size_t k = 0; k < all.size(); ++k) {
-      frame.go_to_window(row, k, all.size(), strip.title);
+      const bool above = strip.title.empty() && is_long(strip.label);
+      frame.go_to_window(row, k, all.size(), above ? strip.label : strip.title);
       draw_window(frame.picture(), strip, all[k].first, all[k].second, k == 0,
                   row + 1 == static_cast<int>(strips_.all().size()));
     }
@@ -91,7 +102,9 @@ class TracesChart {
                     "set xlabel {} "
                     "noenhanced",
                     grid_command, from, to, last ? "%g" : "", quote(last ? x_label() : "")));
-    y.apply(picture, first ? strip.label : "", true);
+    const bool beside = first && !is_long(strip.label);
+    y.apply(picture, beside ? strip.label : "", true);
+    if (height() < 400) picture.command(fmt::format("set ytics {:.12g}", y.step()));
     std::vector<Curve> curves;
     for (const double jump : strips_.jumps())
       if (jump >= from && jump <= to)

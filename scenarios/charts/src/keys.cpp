@@ -23,6 +23,10 @@ void of_points(KeyList& to) {
            "Larger y are no results: they stand in the grey band above, with rows whose status is not ok.")
       .may("hollow", text, "Markers are hollow where it is not 0, or has no value.",
            {.allowed = "an expression of columns"})
+      .may("floor", text,
+           "A line at its largest value, the error of a reference. Without it: the column Y.floor, where "
+           "there is one.",
+           {.allowed = "an expression of columns"})
       .may("slope", vector, "Lines of these orders, from the middle of the points.")
       .may("tolerance", positive, "A line at this y.")
       .may("lines", any, "Lines over all panels.",
@@ -100,7 +104,7 @@ void of_tables(KeyList& to) {
             {.allowed = "a column, an expression, or an array of these"})
       .may("each", edge, "What the values of several rows in a cell make. Without it a cell has one row.",
            {.allowed = "`sum`, `mean`, `least` or `most`, or one of these for each of `cells`"})
-      .may("digits", positive, "That count, of numbers that are not whole.", {.otherwise = "2"});
+      .may("digits", positive, "Significant digits of numbers that are not whole.", {.otherwise = "2"});
 }
 
 }  // namespace

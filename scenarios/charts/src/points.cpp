@@ -69,8 +69,8 @@ std::vector<Mark> Points::overlaid(std::size_t panel_row, const Table& other) co
 std::vector<std::optional<double>> Points::floors(std::size_t panel_row) const {
   std::vector<std::optional<double>> floors(panels_.size());
   const Quantity& y = chart_.y[panel_row].front();
-  const Quantity floor{y.text + ".floor", y.place};
-  if (!table_.has(floor.text)) return floors;
+  const Quantity floor = chart_.floor.value_or(Quantity{y.text + ".floor", y.place});
+  if (!chart_.floor && !table_.has(floor.text)) return floors;
   for (const std::size_t row : rows_)
     if (const auto value = table_.number(row, floor)) {
       auto& most = floors[panels_.of(table_.words(row, chart_.panels, chart_.place, charts_))];

@@ -96,7 +96,7 @@ class Reader {
     chart_.percent = *section_.flag("percent");
     chart_.limit = section_.positive("limit");
     chart_.tolerance = section_.positive("tolerance");
-    chart_.hollow = quantity(section_, "hollow");
+    chart_.hollow = quantity(section_, "hollow"), chart_.floor = quantity(section_, "floor");
     chart_.slopes = numbers(section_, "slope");
     tables(section_, "lines", [&](Section& line) {
       chart_.lines.push_back({line.number("x"), line.number("y"), line.text("name").value_or("")});

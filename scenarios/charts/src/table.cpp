@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "tandem/nearest.hpp"
 #include "tandem/output/json.hpp"
 
 namespace tandem::charts {
@@ -75,11 +76,12 @@ bool Table::is_word(const Quantity& quantity) const {
 }
 
 void Table::check(const std::string& column, const text::Place& place) const {
-  if (!has(column)) refuse(place, csv_.file().string() + ": column '" + column + "' is missing");
+  if (!has(column)) refuse(place, csv_.file().string() + ": " + unknown("column", column, csv_.names()));
 }
 
 std::string Table::label(const Quantity& quantity, const Charts& charts, bool percent) const {
-  if (const auto it = charts.names.find(quantity.text); it != charts.names.end()) return it->second;
+  if (const auto it = charts.names.find(quantity.text); it != charts.names.end())
+    return it->second + (percent && it->second.find('%') == std::string::npos ? " [%]" : "");
   const auto it = units_.find(quantity.text);
   const std::string unit = percent ? "%" : it == units_.end() || it->second == "1" ? "" : it->second;
   std::string name = quantity.text;

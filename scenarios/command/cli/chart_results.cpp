@@ -70,7 +70,7 @@ nlohmann::json about(const fs::path& results) {
 std::map<std::string, std::string> short_names(const std::vector<std::string>& columns) {
   std::map<std::string, std::string> names;
   for (const std::string& column : columns)
-    if (column.starts_with("energy(")) names[column] = "energy made";
+    if (column.starts_with("energy(")) names[column] = "energy made [J]";
   return names;
 }
 

@@ -92,6 +92,12 @@ void sweep_study(const StudySweep& settings, const Context& context) {
     for (const fs::path& file : end.files) say("wrote {}\n", file.string());
     if (standing) say("\n{}", study::standing_verdict(folder));
   }
+  const auto count = [&](const char* status) {
+    const auto it = end.statuses.find(status);
+    return it == end.statuses.end() ? 0 : it->second;
+  };
+  if (count("failed") > 0 && count("failed") + count("refused") == end.rows && !end.reference_failed)
+    throw RunFailed("no row came to a result; its column note tells why");
   if (end.reference_failed)
     throw RunFailed("a reference failed; the rows that need it have the status failed");
 }

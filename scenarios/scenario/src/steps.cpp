@@ -139,6 +139,14 @@ void scale_each_step(Scenario& scenario, const Builtins& builtins,
   }
 }
 
+void scale_known_steps(Scenario& scenario, const Builtins& builtins, double factor) {
+  if (auto& step = scenario.coordination.communication_step) *step *= factor;
+  const auto steps = own_steps(scenario, builtins);
+  for (const std::size_t i : in_order(scenario, steps, factor > 1.0))
+    if (auto other = with_step(scenario, i, builtins, steps[i], steps[i] * factor))
+      scenario = std::move(*other);
+}
+
 void scale_steps(Scenario& scenario, const Builtins& builtins, double factor) {
   if (auto& step = scenario.coordination.communication_step) *step *= factor;
   scale_each_step(scenario, builtins, [factor](double, double) { return factor; });

@@ -88,7 +88,7 @@ LargestStep largest_step(const Scenario& scenario, const Builtins& builtins) {
   if (scenario::by_impulse(scenario))
     throw Error(
         ErrorCode::not_supported,
-        "an impulse coupling grows and dies out by turns as steps change, by 1e-8 to 1e-5 each super-step");
+        "an impulse coupling grows and dies out by turns as steps change, by up to 1e-3 each super-step");
   const Stability here = stability(scenario, builtins);
   const SuperStep& step = here.step;
   const double smallest = smallest_factor(here);

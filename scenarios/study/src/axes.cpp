@@ -68,6 +68,11 @@ bool is_column_name(const std::string& name) {
          std::all_of(name.begin(), name.end(), in_name);
 }
 
+void refuse_own_column(const std::string& what, const std::string& name, const text::Place& place) {
+  if (name == "status" || name == "note")
+    refuse(place, what + " has the name of a column that each table has at its end; allowed is another");
+}
+
 Axes::Axes(Section& root, std::uint64_t seed) : seed_(seed) {
   const toml::table* lists = root.table("lists");
   if (!lists) return;
@@ -99,6 +104,7 @@ Axis Axes::table(const Document& document, const toml::table& table, const std::
     if (!is_column_name(key))
       refuse(document.place(*node),
              name + ": column '" + key + "'; allowed are letters, digits and _, no digit first");
+    refuse_own_column(name + "." + std::string(key), std::string(key), document.place(*node));
     axis.columns.push_back(key);
     axis.values.push_back(column(document, *node, name + "." + key));
     if (axis.values.back().size() != axis.values.front().size())

@@ -38,5 +38,7 @@ class Axes {
 
 /// Whether a name can stand in expressions and headers: letters, digits and _, no digit first.
 bool is_column_name(const std::string& name);
+/// Throws Error(invalid_argument) for the name of one that each table has at its end: status, note.
+void refuse_own_column(const std::string& what, const std::string& name, const text::Place& place);
 
 }  // namespace tandem::study

@@ -33,8 +33,7 @@ void of_file(KeyList& to) {
 
 void of_tables(KeyList& to) {
   using enum text::Key::Type;
-  to.named("tables", "Tables of rows, each written to TABLE.csv. Without it there is a search.",
-           "One of them.")
+  to.named("tables", "Tables of rows, each written to TABLE.csv. Without it there is a search.", "One table.")
       .may("columns", texts, "In place of the study's.")
       .may("metrics", texts, "Those that it has. Without it: all.")
       .may("scenario", text, "In place of the study's.", {.allowed = "as the study's"})
@@ -67,7 +66,8 @@ void of_choices(KeyList& to) {
         "What one table chooses, and what another one says of it: how good a prediction is. It is written to "
         "NAME.csv, of the columns in `per`, then `advised`, `best`, `advised_error`, `best_error` and "
         "`rank`.",
-        "One of them. A scheme is the other columns of a row, with spaces between. Of the rows whose `least` "
+        "One table of choices. Rows are grouped by the columns of `per`; the words of their other columns, "
+        "with spaces between, are a scheme. Of the rows whose `least` "
         "is "
         "within 1 % of the smallest the one with the least `cost` is advised. Its `rank` is 1 more than the "
         "number "
@@ -82,7 +82,7 @@ void of_choices(KeyList& to) {
 
 void of_references(KeyList& to) {
   using enum text::Key::Type;
-  to.named("references", "What metrics compare with.", "One of them: results (`file`), or a run.")
+  to.named("references", "What metrics compare with.", "One reference: results (`file`), or a run.")
       .may("file", text, "Results, a CSV or .npy file, relative to the study's folder.")
       .may("scenario", text,
            "Of a run: the scenario, relative to the study's folder. Without it: the study's.",
@@ -93,11 +93,12 @@ void of_references(KeyList& to) {
            "A second run, with half the own steps and the communication step, tells the error of the "
            "reference itself, as METRIC.floor.",
            {.otherwise = "false"})
-      .may("models", flag,
-           "Linear models run in its subsystems' places, found beforehand "
-           "(docs/advice.md); sampled "
-           "subsystems run themselves. Of any other that has no model it is told, and the reference fails.",
-           {.otherwise = "false"})
+      .may(
+          "models", flag,
+          "Linear models run in its subsystems' places, found beforehand "
+          "(docs/advice.md); sampled "
+          "subsystems run themselves. Where any other has no model the reference fails, and a note names it.",
+          {.otherwise = "false"})
       .table("references.NAME.with", "Columns that have another value in it: a finer run.")
       .may("NAME", name, "The value.",
            {.allowed = "a number, a word, `\"$COLUMN\"` or `\"$(EXPRESSION)\"` of the columns in `per`"})
@@ -112,20 +113,19 @@ void of_metrics(KeyList& to) {
   using enum text::Key::Type;
   to.named(
         "metrics", "Numbers that each row has.",
-        "One of them. Counts go by their names alone: `exchanges = {}` (calls of subsystems) and "
+        "One metric. Counts go by their names alone: `exchanges = {}` (calls of subsystems) and "
         "`\"steps.INSTANCE\" = {}` (own steps). So do times: `seconds = {}` (wall time, and processor time "
         "as seconds.processor), `\"share.INSTANCE\" = {}` and `real_time_factor = {}`. A table has times if "
         "its `metrics` name them, or if it is the only one. So do three of the map of a super-step "
         "(docs/stability.md): `spectral_radius = {}`, `damping = {}` and `detuning = {}`. A row with these "
         "alone is not run. Else one of `of`, `signal`, `drift`, `order`, "
         "`formula`, `builtin`, `defect` and `energy`.")
-      .may(
-          "of", text,
-          "An output, compared with that of a reference, at the rows of the one that has fewer; the other is "
-          "interpolated by Hermite polynomials where it has derivatives, else only rows at equal times "
-          "count. Without a "
-          "reference: the output itself.",
-          {.allowed = "\"instance.port\" or \"instance.port[i]\""})
+      .may("of", text,
+           "An output, compared with that of a reference at the rows of the one that has fewer. The other is "
+           "interpolated by Hermite polynomials. Where it has no derivatives, rows at equal times count "
+           "alone. "
+           "Without a reference: the output itself.",
+           {.allowed = "\"instance.port\" or \"instance.port[i]\""})
       .may("signal", text,
            "An expression over time, at the rows of the output that stands first in it. OUTPUT.REFERENCE is "
            "an output of a reference.",
@@ -164,7 +164,7 @@ void of_metrics(KeyList& to) {
            {.unit = "s"})
       .may("unit", text, "That the number is told in. Without it: that of the output.")
       .may("otherwise", any,
-           "What stands where it is not known, of a run that failed too. Without it: nothing.",
+           "This stands in the cell of a run that does not tell it, or failed. Without it the cell is empty.",
            {.allowed = "a number, or inf"})
       .may("repetitions", positive,
            "Of `seconds` and `real_time_factor`: the least of so many runs, of which the one that is "

@@ -55,8 +55,10 @@ std::vector<std::string> plan(const Study& study, const std::deque<RowRunner>& r
     lines.push_back(run.text() + (run.reference->floor ? ", and with half its steps" : ""));
     of_references += references.expected_seconds(k);
   }
-  lines.push_back(fmt::format("about {:.3g} s for rows and {:.3g} s for references, on one processor",
-                              of_rows, of_references));
+  lines.push_back(
+      fmt::format("about {:.3g} s for rows, without what their metrics take, and {:.3g} s for references, on "
+                  "one processor",
+                  of_rows, of_references));
   return lines;
 }
 

@@ -72,7 +72,11 @@ class MetricReader {
         if (kind == Kind::signal || kind == Kind::drift || kind == Kind::formula)
           metric_.formula = Formula{*text, section_.place(key)};
       }
-    if (found != 1)
+    if (found > 1)
+      refuse(section_.place(), section_.path() + " has " + std::to_string(found) +
+                                   " of `of`, `signal`, `drift`, `order`, `formula`, `builtin`, `defect` and "
+                                   "`energy`; allowed is one");
+    if (found == 0)
       section_.missing("of",
                        "one of `of`, `signal`, `drift`, `order`, `formula`, `builtin`, `defect` and "
                        "`energy`; by their names alone "
@@ -236,6 +240,7 @@ void read_metrics(Section& root, Study& to) {
                  ": allowed names have letters, digits and _, no digit first; by their names "
                  "alone there are " +
                  names_alone);
+    refuse_own_column("metrics." + name, name, section.place());
     const auto columns = to.columns();
     if (std::find(columns.begin(), columns.end(), name) != columns.end())
       refuse(section.place(), "metrics." + name + " has the name of a column");

@@ -64,9 +64,12 @@ bool RowRunner::trace(const FileValues& row, const Kept& kept, const std::functi
 }
 
 std::string RowRunner::refusal(const FileValues& row, double* seconds) const {
+  const Stopwatch watch;
   OneRun one(*this, row, outputs_);
   if (!one.begin()) return one.result().note;
-  if (seconds) *seconds = runs_of_row() * (needs_run() ? one.expected_seconds() : one.judging_seconds());
+  const double opening = watch.read().seconds;
+  if (seconds)
+    *seconds = runs_of_row() * (opening + (needs_run() ? one.expected_seconds() : one.judging_seconds()));
   return "";
 }
 

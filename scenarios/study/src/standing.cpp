@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "known_steps.hpp"
 #include "standing_metrics.hpp"
 #include "tandem/scenario/assembly.hpp"
 #include "tandem/scenario/by_signals.hpp"
@@ -52,12 +53,14 @@ class Writer {
 
   std::string text(const Builtins& builtins) {
     varies_steps_ = scenario::can_scale_steps(scenario_, builtins);
+    if (!varies_steps_) leave_unknown_steps(builtins);
     if (varied_ == Varied::left_out) leave_stated(builtins);
     if (may_be_impulse()) offer_ = impulse_offer(scenario_, builtins);
     find_judged();
     const auto all = words();
     return head() + reconstructions() + block(schedules_, all, all, Words(all.size(), "signals")) +
-           of_impulse() + reference() + standing_metrics(judged_, scenario_, finest_.is_judged) + charts();
+           of_impulse() + reference() + standing_metrics(judged_, scenario_, finest_.is_judged) +
+           standing_charts(finest_.is_judged);
   }
 
  private:
@@ -108,6 +111,12 @@ axes = [
     return !scenario_.links.empty() && (varied_ == Varied::all || !stated("/coordination/coupling")) &&
            std::all_of(all.begin(), all.end(), is_left) &&
            std::find(schedules_.begin(), schedules_.end(), "fastest-first") != schedules_.end();
+  }
+
+  /// The reference has shorter own steps where that can be, and can't be judged.
+  void leave_unknown_steps(const Builtins& builtins) {
+    finer_ = known_steps(scenario_, builtins, finest_.steps);
+    finest_.steps = 1.0, finest_.is_judged = false;
   }
 
   /// What is stated is not varied.
@@ -208,6 +217,7 @@ columns = ["schedule", "reconstruction", "steps", "error", {}"exchanges", "own_s
         finest_.is_judged   ? "floor = true\n"
         : finest_.of_models ? "models = true\n"
                             : "");
+    text += finer_;
     for (std::size_t k = 0; k < scenario_.connections.size(); ++k) {
       const Connection& one = scenario_.connections[k].connection;
       if (const Port* port = output(one.from);
@@ -230,39 +240,10 @@ columns = ["schedule", "reconstruction", "steps", "error", {}"exchanges", "own_s
                                    : "signals");
   }
 
-  static std::string charts() {
-    return R"toml(
-[names]
-error = "error / tolerance"
-steps = "steps x"
-own_steps = "own steps"
-
-[[charts]]
-name = "schemes_work"
-kind = "work"
-title = "Error against cost"
-cost = ["exchanges", "own_steps"]
-error = "error"
-colour = "schedule"
-marker = "reconstruction"
-front = true
-tolerance = 1
-
-[[charts]]
-name = "schemes_map"
-kind = "map"
-title = "Error as a part of the tolerance"
-rows = ["schedule", "reconstruction"]
-columns = "steps"
-value = "error"
-limits = [0.01, 0.1, 0.5, 1, 10]
-best = 1
-)toml";
-  }
-
   const scenario::Scenario& scenario_;
   const Varied varied_;
-  const Finest finest_;
+  Finest finest_;
+  std::string finer_;  ///< steps of the reference
   const std::vector<std::vector<std::string>> orders_;
   const std::map<std::string, Port> outputs_;
   std::vector<std::string> schedules_ = {"slowest-first", "fastest-first", "staggered", "parallel"};

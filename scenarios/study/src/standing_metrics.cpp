@@ -51,4 +51,35 @@ std::string standing_metrics(const std::vector<JudgedOutput>& judged, const scen
                      : "");
 }
 
+std::string standing_charts(bool is_judged) {
+  return fmt::format(R"toml(
+[names]
+error = "error / tolerance"
+steps = "steps x"
+own_steps = "own steps"
+
+[[charts]]
+name = "schemes_work"
+kind = "work"
+title = "Error against cost"
+cost = ["exchanges", "own_steps"]
+error = "error"
+{}colour = "schedule"
+marker = "reconstruction"
+front = true
+tolerance = 1
+
+[[charts]]
+name = "schemes_map"
+kind = "map"
+title = "Error as a part of the tolerance"
+rows = ["schedule", "reconstruction"]
+columns = "steps"
+value = "error"
+limits = [0.01, 0.1, 0.5, 1, 10]
+best = 1
+)toml",
+                     is_judged ? "floor = \"reference_error\"\n" : "");
+}
+
 }  // namespace tandem::study

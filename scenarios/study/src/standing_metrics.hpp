@@ -19,4 +19,7 @@ struct JudgedOutput {
 std::string standing_metrics(const std::vector<JudgedOutput>& judged, const scenario::Scenario& scenario,
                              bool is_judged);
 
+/// The tables [names] and [[charts]].
+std::string standing_charts(bool is_judged);
+
 }  // namespace tandem::study

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -28,7 +29,9 @@ std::tuple<double, double, double> cost(const Row& row) {
 }
 
 /// How far errors can be believed.
-std::string of_reference(const Row& row) {
+std::string of_reference(const charts::CsvTable& table, const Row& row) {
+  if (std::ranges::find(table.names(), "reference_error") == table.names().end())
+    return "How far the reference itself is off is not known, as no parameter makes an own step shorter.\n";
   const double error = row.number("reference_error");
   return fmt::format("The reference itself is off by {:.2g} of the tolerance{}.\n", error,
                      error > 0.1 ? ", so smaller errors than that say nothing" : "");
@@ -37,8 +40,8 @@ std::string of_reference(const Row& row) {
 }  // namespace
 
 std::string standing_verdict(const std::filesystem::path& folder) {
-  const auto table = charts::CsvTable::read(folder / "schemes.csv",
-                                            {"error", "reference_error", "exchanges", "own_steps", "status"});
+  const auto table =
+      charts::CsvTable::read(folder / "schemes.csv", {"error", "exchanges", "own_steps", "status"});
   std::size_t within = 0, ok = 0;
   const Row* cheapest = nullptr;
   const Row* closest = nullptr;
@@ -57,7 +60,7 @@ std::string standing_verdict(const std::filesystem::path& folder) {
     text += "Cheapest of these is " + told(*cheapest) + ".\n";
   else if (closest)
     text += "The smallest error is that of " + told(*closest) + ".\n";
-  return rows.empty() ? text : text + of_reference(rows.front());
+  return rows.empty() ? text : text + of_reference(table, rows.front());
 }
 
 }  // namespace tandem::study

@@ -13,8 +13,9 @@ struct ImpulseCoupling {
   /// A force on the slow side, and the displacement there that goes with it.
   struct Link {
     std::string force_unit, displacement_unit;
-    double velocity = 0.0;           ///< of the displacement at the start, per second
-    double free_acceleration = 0.0;  ///< the same without any of these forces
+    double velocity = 0.0;  ///< of the displacement at the start, per second
+    double free_acceleration =
+        0.0;  ///< without any of these forces; its first step hears of both from the slow side
     std::string velocity_unit = {};
   };
   std::vector<Link> links;

@@ -54,7 +54,7 @@ struct Chart {
   std::vector<std::string> colour, marker;
   bool log_x = false, log_y = false, percent = false, joined = false, front = false;
   std::optional<double> limit, tolerance;
-  std::optional<Quantity> hollow;
+  std::optional<Quantity> hollow, floor;
   std::vector<double> slopes;
   std::vector<Line> lines;
   std::optional<Overlay> overlay;

@@ -17,7 +17,10 @@ void scale_steps(Scenario& scenario, const Builtins& builtins, double factor);
 void scale_each_step(Scenario& scenario, const Builtins& builtins,
                      const std::function<double(double own, double shortest)>& factor);
 
-/// Whether that can be.
+/// Likewise those that a parameter is known to make; the others stay.
+void scale_known_steps(Scenario& scenario, const Builtins& builtins, double factor);
+
+/// Whether all can be.
 bool can_scale_steps(const Scenario& scenario, const Builtins& builtins);
 
 /// Whether the scenario gives its communication step, or a parameter that makes an own step. Throws Error as scale_steps.
