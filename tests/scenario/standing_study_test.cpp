@@ -194,16 +194,25 @@ TEST_F(StandingStudy, OfAScenarioThatItCanNotSweepSaysWhy) {
     EXPECT_NE(said.err.find(why), std::string::npos) << said.err;
   };
   refused("[subsystems.a]\nsource = \"builtin:two_mass.both\"\n[span]\nstop = 1\n", "has no connection");
+}
+
+/// It compares with the same steps of that one, and with shorter ones of the others.
+TEST_F(StandingStudy, LeavesAnOwnStepThatNoParameterMakes) {
   folder_.write("lag.toml",
                 "[inputs]\nu = { unit = 'm' }\n[blocks]\ny = { kind = 'lag', input = 'u', time = 0.2 }\n"
                 "[outputs]\ny = { unit = 'm' }\n");
-  refused(
+  folder_.write(
+      "ring.toml",
       "[subsystems.a]\nsource = \"lib:" TANDEM_FAULTY_LIBRARY
       "?entry=without_a_fault\"\n"
       "[subsystems.b]\nsource = \"diagram:lag.toml\"\nparameters = { step = 0.01, integrator = \"rk4\" }\n"
       "[[connections]]\nfrom = \"a.x\"\nto = \"b.u\"\nreconstruction = \"lagrange1\"\n"
-      "[coordination]\nschedule = \"slowest-first\"\n[span]\nstop = 1\n",
-      "subsystem 'a' has an own step of 0.1 s");
+      "[coordination]\nschedule = \"slowest-first\"\n[span]\nstop = 1\n");
+  const Said said = tandem(folder_, {"sweep", "ring.toml", "--output", "x"});
+  EXPECT_EQ(said.status, 0) << said.err;
+  EXPECT_NE(said.out.find("How far the reference itself is off is not known"), std::string::npos) << said.out;
+  const Said plan = tandem(folder_, {"sweep", "ring.toml", "--dry-run"});
+  EXPECT_NE(plan.out.find("schemes.csv: 32 rows"), std::string::npos) << plan.out;
 }
 
 TEST(PlottedResults, AreLaidOverEachOther) {

@@ -114,7 +114,7 @@ TEST(Study, RefusesSignalsAndOrdersThatMeanNothing) {
       {"a = { signal = 'pendulum.x', relative = 'peak' }", "it is neither `of` nor `drift`"},
       {"a = { of = 'pendulum.x', norm = 'least' }", "allowed is max, rms or end, of a difference"},
       {"a = { order = 'b' }\nb = { of = 'pendulum.x' }", "metric before it 'b' is not there"},
-      {"a = { of = 'pendulum.x', order = 'b' }", "one of `of`, `signal`, `drift`, `order`"},
+      {"a = { of = 'pendulum.x', order = 'b' }", "a has 2 of `of`, `signal`, `drift`, `order`"},
   };
   for (const auto& [metric, sentence] : cases) {
     const Scratch folder;

@@ -7,7 +7,6 @@
 #include <charconv>
 #include <cmath>
 
-#include "tandem/nearest.hpp"
 #include "tandem/output/json.hpp"
 
 namespace tandem::charts {
@@ -76,7 +75,7 @@ bool Table::is_word(const Quantity& quantity) const {
 }
 
 void Table::check(const std::string& column, const text::Place& place) const {
-  if (!has(column)) refuse(place, csv_.file().string() + ": " + unknown("column", column, csv_.names()));
+  if (!has(column)) refuse(place, csv_.file().string() + ": column '" + column + "' is missing");
 }
 
 std::string Table::label(const Quantity& quantity, const Charts& charts, bool percent) const {

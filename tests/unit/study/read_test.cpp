@@ -102,7 +102,7 @@ TEST(Studies, ThatAreWrongAreRefusedWithTheirLine) {
   refuses(block + "[metrics]\na = { of = 'x.y' }\n", {"name of a column"});
   refuses(block + "[metrics]\nm = {}\n",
           {"one of `of`, `signal`, `drift`, `order`, `formula`, `builtin`, `defect` and `energy`"});
-  refuses(block + "[metrics]\nm = { of = 'x.y', formula = 'a' }\n", {"one of `of`"});
+  refuses(block + "[metrics]\nm = { of = 'x.y', formula = 'a' }\n", {"has 2 of `of`", "allowed is one"});
   refuses(block + "[metrics]\nm = { of = 'x.y', relative = 'peak' }\n", {"study.toml:5", "no reference"});
   refuses(block + "[metrics]\nm = { formula = 'n*2' }\nn = { of = 'x.y' }\n",
           {"metrics.m.formula: name 'n' is not there"});
