@@ -37,7 +37,6 @@ Coordinator::Coordinator(const Topology& topology, const std::vector<Subsystem*>
   if (!std::isfinite(t_start_) || !std::isfinite(t_stop_) || !tolerance_.before(t_start_, t_stop_))
     throw Error(ErrorCode::invalid_argument, "the span from " + number_text(t_start_) + " s to " +
                                                  number_text(t_stop_) + " s does not end after its start");
-  seats_.reserve(subsystems.size());
   for (Subsystem* subsystem : subsystems) seats_.push_back({subsystem});
   own_next_.resize(seats_.size());
   event_seats_.resize(seats_.size());

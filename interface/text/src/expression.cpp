@@ -122,10 +122,8 @@ class Expression::Compiled {
     try {
       return work();
     } catch (const mu::Parser::exception_type& error) {
-      refuse_expression(
-          text_, "can't be read at letter " + std::to_string(error.GetPos() + 1) +
-                     "; allowed are numbers, names, + - * / ^ ( ), comparisons, &&, ||, NAME is WORD, and "
-                     "functions as sqrt and min");
+      refuse_expression(text_, "can't be read at letter " + std::to_string(error.GetPos() + 1) +
+                                   "; allowed are as in 2*(a + 1)^2 < b && c is WORD");
     }
   }
 

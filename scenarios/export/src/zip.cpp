@@ -39,11 +39,12 @@ void write_zip(const std::filesystem::path& archive, const std::map<std::string,
   constexpr uLong names_are_utf8 = 1u << 11;
   std::unique_ptr<void, Close> zip(zipOpen64(archive.c_str(), APPEND_STATUS_CREATE));
   if (!zip) fail(archive);
+  constexpr int memory_level = 7;  // blocks of code, which differ, are smaller so than with zlib's own 8
   const zip_fileinfo info = plain();
   for (const auto& [name, text] : contents) {
     const bool done =
         zipOpenNewFileInZip4_64(zip.get(), name.c_str(), &info, nullptr, 0, nullptr, 0, nullptr, Z_DEFLATED,
-                                Z_BEST_COMPRESSION, 0, -MAX_WBITS, DEF_MEM_LEVEL, Z_DEFAULT_STRATEGY, nullptr,
+                                Z_BEST_COMPRESSION, 0, -MAX_WBITS, memory_level, Z_DEFAULT_STRATEGY, nullptr,
                                 0, made_by_unix, names_are_utf8, 0) == ZIP_OK &&
         zipWriteInFileInZip(zip.get(), text.data(), static_cast<unsigned>(text.size())) == ZIP_OK &&
         zipCloseFileInZip(zip.get()) == ZIP_OK;
