@@ -48,24 +48,34 @@ inline StartOfCase start_of(const SlowCase& c, double ratio, double phase) {
   return {m, f};
 }
 
-class FastRows final : public Observer {
+/// Of each subsystem, one after the other.
+class AllRows final : public Observer {
  public:
+  explicit AllRows(std::size_t subsystems) : times(subsystems), values(subsystems) {}
   bool samples(int who, const History& history, std::int64_t first, std::int64_t last) override {
-    for (std::int64_t row = first; who == 0 && row <= last; ++row)
-      x.emplace_back(history.values(row).begin(), history.values(row).end());
+    for (std::int64_t row = first; row <= last; ++row) {
+      times[static_cast<std::size_t>(who)].push_back(history.time(row));
+      values[static_cast<std::size_t>(who)].emplace_back(history.values(row).begin(),
+                                                         history.values(row).end());
+    }
     return true;
   }
-  std::vector<std::vector<double>> x;
+  std::vector<std::vector<double>> times;
+  std::vector<std::vector<std::vector<double>>> values;  ///< outputs, then derivatives
 };
 
-/// Over 100 fast cycles, of the first subsystem, the fast one.
-inline std::vector<std::vector<double>> fast_rows(const Topology& t, std::vector<Subsystem*> subsystems) {
+/// Over 100 fast cycles.
+inline AllRows all_rows(const Topology& t, std::vector<Subsystem*> subsystems) {
   Coordination how;
   how.schedule = Schedule::Kind::fastest_first;
+  AllRows rows(subsystems.size());
   Coordinator run(t, std::move(subsystems), how, {0.0, 100.0});
-  FastRows rows;
   run.observe(&rows), run.run();
-  return rows.x;
+  return rows;
+}
+/// Of the first subsystem, the fast one.
+inline std::vector<std::vector<double>> fast_rows(const Topology& t, std::vector<Subsystem*> subsystems) {
+  return std::move(all_rows(t, std::move(subsystems)).values[0]);
 }
 
 /// Both in one by the classical method with a quarter of the step: the rms of the difference by that of x, times FR / N.
