@@ -230,6 +230,18 @@ TEST(ImpulseScenario, TellsOfAnInnerModeOfTheSlowSide) {
   for (Inner* one : {&soft, &stiff}) EXPECT_FALSE(contains(one->err("impulse_taylor"), "bend"));
 }
 
+/// A spring that is two hundred times as stiff where the slow side stands.
+TEST(ImpulseScenario, TellsOfStepsThatATaylorPolynomialDoesNotFollow) {
+  Inner scene("110");
+  scene.folder.write("slow.toml",
+                     "dimension = 2\n[coordinates]\ny = { unit = 'm', at = 1.0, inertia = 100 "
+                     "}\n[springs.ground]\ncoordinate = 'y'\nstiffness = [10, 0, 2000]\nfree = "
+                     "0\n[inputs.F]\nunit = 'N'\n[forces.push]\ncoordinate = 'y'\nmagnitude = "
+                     "'F'\n[outputs.y]\nposition = 'y'\n[run]\nstep = 0.3\n");
+  EXPECT_TRUE(contains(scene.err("impulse_taylor", 0, "span.stop=3"),
+                       "bend within a step beyond their Taylor polynomial"));
+}
+
 TEST(ImpulseScenario, RefusesMatchedHoldByName) {
   EXPECT_TRUE(contains(Inner("110").err("impulse", 2, "connections.reconstruction=matched_hold"),
                        "matched_hold is no reconstruction for a link that is coupled by impulse"));
