@@ -144,7 +144,7 @@ TEST_F(StudySeries, ItsChartsAreDrawn) {
   ASSERT_EQ(sweep().status, 0);
   const Said said = tandem(folder_, {"chart", "s.toml", "--results", "o"});
   ASSERT_EQ(said.status, 0) << said.err;
-  EXPECT_NE(read_text(file("speed.svg")).find("linkage.speed"), std::string::npos);
+  EXPECT_NE(read_text(file("speed.svg")).find("linkage.speed [rad/s]"), std::string::npos);
 }
 
 TEST_F(StudySeries, BadOnesAreRefusedByLine) {

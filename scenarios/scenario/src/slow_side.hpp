@@ -77,8 +77,7 @@ class SlowSide {
 struct Springs {
   double stiffness, damping;
   bool trapezoidal;  ///< its rule takes the mean of the positions at the ends of its step
-  double
-      error;  ///< of what they accelerate where a force has pushed it for up to three steps, by what that is
+  double error;      ///< part of what they accelerate, where a force has pushed it for up to three steps
 };
 /// stated: in place of what is found.
 Springs springs_of(SlowSide& slow, const Effective& stated);

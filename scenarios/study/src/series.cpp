@@ -63,7 +63,7 @@ std::vector<std::size_t> Series::chosen(const Kept& kept, const std::vector<File
 }
 
 std::optional<std::string> Series::text(const std::filesystem::path& file, const RowRunner& runner,
-                                        const std::function<bool()>& going) const {
+                                        const std::function<bool()>& going) {
   std::string text = header();
   const auto rows = results(file, table_, table_.metrics);
   for (const Kept* kept : kept_)
@@ -74,13 +74,12 @@ std::optional<std::string> Series::text(const std::filesystem::path& file, const
   return text;
 }
 
-void Series::add(const Kept& kept, const FileValues& row, const scenario::Traces& traces,
-                 std::string& to) const {
+void Series::add(const Kept& kept, const FileValues& row, const scenario::Traces& traces, std::string& to) {
   const std::vector<double>& times = traces.of(kept.outputs[0]).times;
   Followed followed(times);
   std::vector<std::string> names;
   for (const std::string& output : kept.outputs)
-    followed.add(traces.of(output), output), names.push_back(output);
+    followed.add(traces.of(output), output), names.push_back(output), units_[output] = traces.unit(output);
   if (!kept.against.empty()) {
     const ReferenceRun& reference = references_.of(kept.against, table_, row);
     if (reference.failure.empty())

@@ -256,11 +256,13 @@ class Sweep::Work {
   /// Of runs that are made again, so that rows that were kept need not be.
   void write_series() {
     for (std::size_t k = 0; k < rows_.size(); ++k) {
-      const Series series(study_, study_.tables[k], references_);
+      Series series(study_, study_.tables[k], references_);
       if (series.empty()) continue;
       const auto text = series.text(rows_[k].file(), runners_[k], [this] { return going(); });
       if (!text) return void(end_.interrupted = true);
       output::replace_text(rows_[k].series(), *text);
+      units_[k].insert(series.units().begin(), series.units().end());
+      output::replace_text(rows_[k].json(), about(k).dump(2) + '\n');
       end_.files.push_back(rows_[k].series());
     }
   }

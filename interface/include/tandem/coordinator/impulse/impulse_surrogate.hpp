@@ -13,9 +13,9 @@ struct ImpulseCoupling {
   /// A force on the slow side, and the displacement there that goes with it.
   struct Link {
     std::string force_unit, displacement_unit;
-    double velocity = 0.0;  ///< of the displacement at the start, per second
-    double free_acceleration =
-        0.0;  ///< without any of these forces; its first step hears of both from the slow side
+    /// Of the displacement at the start, per second, and likewise without any of these forces. Its first step hears of both
+    /// from the slow side, with all inputs of that as they are then.
+    double velocity = 0.0, free_acceleration = 0.0;
     std::string velocity_unit = {};
   };
   std::vector<Link> links;
