@@ -48,16 +48,10 @@ std::string as_toml(const std::vector<std::string>& order) {
   return fmt::format("[\"{}\"]", fmt::join(order, "\", \""));
 }
 
-/// A parameter that makes another own step.
-struct Changed {
-  std::string subsystem, parameter;
-  double value;
-};
-
 /// The steps of a choice, where they are not those of the scenario.
 struct Steps {
   std::optional<double> communication;
-  std::vector<Changed> own;
+  std::vector<scenario::ChangedStep> own;
 };
 
 Steps steps_of(const Choice& choice, const scenario::Scenario& scenario, const Builtins& builtins) {
@@ -66,16 +60,7 @@ Steps steps_of(const Choice& choice, const scenario::Scenario& scenario, const B
   scenario::Scenario scaled = scenario;
   scenario::scale_steps(scaled, builtins, choice.steps);
   all.communication = scaled.coordination.communication_step;
-  for (std::size_t k = 0; k < scaled.subsystems.size(); ++k)
-    for (const auto& now : scaled.subsystems[k].parameters) {
-      const auto is_as_before = [&](const auto& other) {
-        return other.name == now.name && other.value == now.value;
-      };
-      const auto& before = scenario.subsystems[k].parameters;
-      const double* number = std::get_if<double>(&now.value);
-      if (number && std::none_of(before.begin(), before.end(), is_as_before))
-        all.own.push_back({scaled.subsystems[k].name, now.name, *number});
-    }
+  all.own = scenario::changed_steps(scenario, scaled);
   return all;
 }
 
@@ -167,7 +152,7 @@ std::vector<std::string> taken(const Choice& choice, const scenario::Scenario& s
   const Steps steps = steps_of(choice, scenario, builtins);
   if (steps.communication)
     all.push_back(fmt::format("coordination.communication_step={}", *steps.communication));
-  for (const Changed& one : steps.own)
+  for (const auto& one : steps.own)
     all.push_back(fmt::format("subsystems.{}.parameters.{}={}", one.subsystem, one.parameter, one.value));
   return all;
 }
@@ -182,7 +167,7 @@ std::string lines(const Choice& choice, const scenario::Scenario& scenario, cons
   if (steps.communication) text += fmt::format("communication_step = {}\n", *steps.communication);
   for (const std::size_t k : free_of(choice, scenario, builtins, varied))
     text += connection_of(scenario, k) + fmt::format("reconstruction = \"{}\"\n", reconstruction_of(choice));
-  for (const Changed& one : steps.own)
+  for (const auto& one : steps.own)
     text += fmt::format("\n[subsystems.{}.parameters]\n{} = {}\n", one.subsystem, one.parameter, one.value);
   return text;
 }

@@ -104,7 +104,7 @@ class TracesChart {
                     grid_command, from, to, last ? "%g" : "", quote(last ? x_label() : "")));
     const bool beside = first && !is_long(strip.label);
     y.apply(picture, beside ? strip.label : "", true);
-    if (height() < 400) picture.command(fmt::format("set ytics {:.12g}", y.step()));
+    if (strips_.all().size() > 1) picture.command(fmt::format("set ytics {:.12g}", y.step()));
     std::vector<Curve> curves;
     for (const double jump : strips_.jumps())
       if (jump >= from && jump <= to)

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <thread>
 
+#include "cli/interrupt.hpp"
 #include "cli/say.hpp"
 #include "cli/sweep_study.hpp"
 #include "tandem/advice/leading.hpp"
@@ -209,6 +210,7 @@ double Adviser::off_of(const Choice& choice) try {
   const auto beside = swept(folder_ / "itself", overrides_, {varied_, same}, row_of(choice), itself_);
   return beside.choices.empty() ? INFINITY : beside.choices[0].error;
 } catch (const RunFailed&) {
+  if (InterruptGuard::interrupted()) throw;
   return INFINITY;
 }
 

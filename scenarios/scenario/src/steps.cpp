@@ -152,6 +152,21 @@ void scale_steps(Scenario& scenario, const Builtins& builtins, double factor) {
   scale_each_step(scenario, builtins, [factor](double, double) { return factor; });
 }
 
+std::vector<ChangedStep> changed_steps(const Scenario& scenario, const Scenario& scaled) {
+  std::vector<ChangedStep> all;
+  for (std::size_t k = 0; k < scaled.subsystems.size(); ++k)
+    for (const Parameter& now : scaled.subsystems[k].parameters) {
+      const auto& before = scenario.subsystems[k].parameters;
+      const auto is_as_now = [&](const Parameter& one) {
+        return one.name == now.name && one.value == now.value;
+      };
+      const double* number = std::get_if<double>(&now.value);
+      if (number && std::none_of(before.begin(), before.end(), is_as_now))
+        all.push_back({scaled.subsystems[k].name, now.name, *number});
+    }
+  return all;
+}
+
 bool can_scale_steps(const Scenario& scenario, const Builtins& builtins) {
   Scenario other = scenario;
   try {

@@ -100,6 +100,7 @@ TEST_F(ChartTest, WorkHasItsFrontFloorAndTolerance) {
   EXPECT_TRUE(has(drawn, "'error of the reference'"));
   EXPECT_TRUE(has(drawn, " 0.02\n"));  // the largest of the floors
   EXPECT_TRUE(has(drawn, "title 'tolerance'"));
+  EXPECT_TRUE(has(script(work + "floor = '2*x'\n"), " 8\n"));
 }
 
 TEST_F(ChartTest, AnOverlayHasThePointsOfASecondTableInItsPanel) {

@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The tandem authors. SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "tandem/scenario/scenario.hpp"
 #include "tandem/transports/open.hpp"
@@ -19,6 +21,14 @@ void scale_each_step(Scenario& scenario, const Builtins& builtins,
 
 /// Likewise those that a parameter is known to make; the others stay.
 void scale_known_steps(Scenario& scenario, const Builtins& builtins, double factor);
+
+/// A parameter that has another value in a scenario with other own steps.
+struct ChangedStep {
+  std::string subsystem, parameter;
+  double value;
+};
+/// Those of `scaled` beside the scenario that it was, in the order of its subsystems.
+std::vector<ChangedStep> changed_steps(const Scenario& scenario, const Scenario& scaled);
 
 /// Whether all can be.
 bool can_scale_steps(const Scenario& scenario, const Builtins& builtins);
