@@ -11,7 +11,8 @@
 
 namespace tandem {
 
-/// Whose turn it is: a pure function of the clocks.
+/// Whose turn it is: a pure function of the clocks. Its header is long, as what a turn calls stands in it, and the rule is
+/// told here whole.
 ///
 /// Two that integrate themselves are linked if one reads the other; the one that is earlier in the order
 /// leads. It is the follower's turn if the leader stands at or past the end of the follower's next step, so
